@@ -1,0 +1,108 @@
+"""The contract of the geometry floor: polyhedral blocks, their tets, and the joints between them, as plain arrays.
+
+Axes: x along the length of the specimen, y through its thickness, z up. All lengths in metres.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+class GeometryError(ValueError):
+    """A specimen that cannot be built; the message says what, where and what would work."""
+
+
+@dataclass(frozen=True)
+class Blocks:
+    """Convex polyhedra with planar faces.
+
+    points            (P, 3) m, corners; blocks may or may not share them
+    face_start        (F + 1,) where the corners of face f begin in face_points
+    face_points       indices into points, counter-clockwise seen from outside the block
+    block_face_start  (B + 1,) the faces of block b are contiguous
+    unit              (B,) number of the unit, mortar bed or plate that block b is part of
+    group             (B,) index into groups
+    groups            names such as "units", "mortar", "plates"
+    """
+
+    points: np.ndarray
+    face_start: np.ndarray
+    face_points: np.ndarray
+    block_face_start: np.ndarray
+    unit: np.ndarray
+    group: np.ndarray
+    groups: tuple[str, ...]
+
+    @property
+    def count(self) -> int:
+        return len(self.unit)
+
+    def face(self, f: int) -> np.ndarray:
+        """(n, 3) corners of face f, counter-clockwise seen from outside."""
+        return self.points[self.face_points[self.face_start[f] : self.face_start[f + 1]]]
+
+    def faces_of(self, b: int) -> range:
+        return range(self.block_face_start[b], self.block_face_start[b + 1])
+
+    def face_block(self) -> np.ndarray:
+        """(F,) the block that owns each face."""
+        return np.repeat(np.arange(self.count), np.diff(self.block_face_start))
+
+
+@dataclass(frozen=True)
+class TetMesh:
+    """Constant-strain tets inside some of the blocks; blocks without any have empty ranges.
+
+    nodes       (N, 3) m, numbered block by block; a node on a joint exists once in each meshed block
+    node_start  (B + 1,)
+    tets        (T, 4) node numbers, positive volume, in the order of blocks
+    tet_start   (B + 1,)
+    """
+
+    nodes: np.ndarray
+    node_start: np.ndarray
+    tets: np.ndarray
+    tet_start: np.ndarray
+
+
+@dataclass(frozen=True)
+class Joints:
+    """Contact points between blocks.
+
+    block_a, block_b  (C,) with block_a < block_b
+    node_a, node_b    (C,) tet node that sits at the point, or -1 where that side is not meshed
+    point             (C, 3) m
+    normal            (C, 3) unit vector from a to b
+    area              (C,) m2; the areas of one joint face add up to the area of its overlap polygon
+    patch             (C,) the overlap polygon that the point belongs to
+    patch_start       (J + 1,) corners of polygon j in patch_points
+    patch_points      (., 3) m
+    dropped           joint faces dropped because their area is zero within the tolerance
+    """
+
+    block_a: np.ndarray
+    block_b: np.ndarray
+    node_a: np.ndarray
+    node_b: np.ndarray
+    point: np.ndarray
+    normal: np.ndarray
+    area: np.ndarray
+    patch: np.ndarray
+    patch_start: np.ndarray
+    patch_points: np.ndarray
+    dropped: int = 0
+
+
+@dataclass(frozen=True)
+class Specimen:
+    """Blocks with names: what a scene's supports, drives and tractions refer to.
+
+    sets     name -> block numbers ("top", "bottom", "left plate", ...)
+    section  m2, the area that turns a force into the reported stress
+    shape    one word for the report ("couplet", "wallette", "boxes")
+    """
+
+    blocks: Blocks
+    sets: dict[str, np.ndarray] = field(default_factory=dict)
+    section: float = 1.0
+    shape: str = "boxes"

@@ -1,0 +1,66 @@
+"""What a run remembers: rows of the curve and of the energy ledger, and a few frames of the whole specimen."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+UNITS = {
+    "step": "1",
+    "time": "s",
+    "displacement": "m",
+    "stress": "Pa",
+    "support_stress": "Pa",
+    "external_work": "J",
+    "elastic_blocks": "J",
+    "elastic_contacts": "J",
+    "fracture_mode_1": "J",
+    "fracture_mode_2": "J",
+    "friction": "J",
+    "damping": "J",
+    "kinetic": "J",
+    "contact_work": "J",
+    "imbalance": "J",
+}
+"""The columns of a history, with the unit of each. `stress` is taken at the drive, `support_stress` at the support;
+`contact_work` is the trapezoid work that the contacts took up, `imbalance` what is left of the energy balance."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The specimen at one moment.
+
+    displacement  m, of the drive
+    corners       (P, 3) m, displacement of every corner of the blocks (`Blocks.points`)
+    nodes         (N, 3) m, displacement of every tet node; (0, 3) without tets
+    opening       (C,) m, normal opening at each contact point
+    slip          (C,) m, tangential slip at each contact point
+    normal_stress, shear_stress  (C,) Pa, tension positive
+    damage_tension, damage_shear (C,) 0 intact .. 1 broken;  damage = 1 - (1 - damage_tension)(1 - damage_shear)
+    stress        (B, 6) Pa, mean stress of each block (xx yy zz yz xz xy); zero for rigid blocks
+    """
+
+    step: int
+    time: float
+    displacement: float
+    corners: np.ndarray
+    nodes: np.ndarray
+    opening: np.ndarray
+    slip: np.ndarray
+    normal_stress: np.ndarray
+    shear_stress: np.ndarray
+    damage_tension: np.ndarray
+    damage_shear: np.ndarray
+    stress: np.ndarray
+
+    @property
+    def damage(self) -> np.ndarray:
+        """(C,) combined damage."""
+        return 1.0 - (1.0 - self.damage_tension) * (1.0 - self.damage_shear)
+
+
+@dataclass
+class History:
+    """Rows (one array per key of UNITS) and frames of a run, oldest first."""
+
+    rows: dict[str, np.ndarray] = field(default_factory=dict)
+    frames: list[Frame] = field(default_factory=list)
