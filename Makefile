@@ -1,0 +1,48 @@
+# make run      runs a scene:  make run SCENE=couplet ARGS='--set law=brittle'   results go to results/
+# make test     style, types, then the tests
+# make bench    speed, into bench.json
+# make report   the verification report
+# make lint     style and types only
+# make clean    removes what the others made, results/ excepted
+# Each sets up .venv first where that is needed, and on Debian the libraries that gmsh lacks (.ci/setup).
+
+SCENE ?= wallette-mode-1
+ARGS ?=
+PYTHON ?= python3
+export PYTHON
+PY := .venv/bin/python
+
+.PHONY: run test bench report lint clean
+
+run: .venv/.ready
+	@.venv/bin/masonry run $(SCENE) $(ARGS)
+
+test: lint
+	@echo "pytest"
+	@$(PY) -m pytest $(ARGS)
+
+bench: .venv/.ready
+	@$(PY) -m pytest benchmarks -m "" --benchmark-json=bench.json $(ARGS)
+
+report: .venv/.ready
+	@$(PY) -m verification.report $(ARGS)
+
+lint: .venv/.ready
+	@echo "ruff check"
+	@$(PY) -m ruff check .
+	@echo "mypy"
+	@$(PY) -m mypy
+
+clean:
+	rm -rf .venv build *.egg-info bench.json .pytest_cache .mypy_cache .ruff_cache .hypothesis .benchmarks
+	find geometry masonry verification tests benchmarks -name __pycache__ -prune -exec rm -rf {} +
+
+# The stamp holds the folder that .venv was made in: a copied, moved or broken .venv is made again.
+sound := $(shell [ "$$(cat .venv/.ready 2>/dev/null)" = "$$(pwd -P)" ] \
+	&& $(PY) -c 'import importlib.util as u, sys; sys.exit(not u.find_spec("numba"))' 2>/dev/null && echo yes)
+ifneq ($(sound),yes)
+.PHONY: .venv/.ready
+endif
+
+.venv/.ready: pyproject.toml .ci/setup .ci/apt
+	@.ci/setup
