@@ -1,0 +1,1 @@
+"""Loops only: contacts, motion, and `step.py`, Fig. 2 of the paper on one screen."""

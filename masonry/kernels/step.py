@@ -1,0 +1,94 @@
+"""The explicit step, Fig. 2 of the paper on one screen: displace, contact stresses, forces, velocities.
+
+Compiled for exactly the types that a scene uses: an absent part is None and leaves no code behind.
+"""
+
+from numba.extending import overload
+
+from masonry.kernels import contact
+from masonry.kernels.compiler import jit
+from masonry.kinematics import affine, rigid, tets
+
+
+@jit
+def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, contacts, bodies, drives, gauge):
+    """Run `steps` steps from step number `first`; all state is changed in place.
+
+    dead_load  (n + 1,) share of the dead load at step 0..n       speed  (n + 1,) velocity of the drive after step i, m/s
+    groups     (shapes, interfaces, states, bounds), one entry per contact group; bounds (G + 1,)
+    contacts   (sides, normal, area, u, force)
+    bodies     (rigid, affine, tets), None where absent
+    drives     freedoms that the drive moves, flat, one array per kinematics or None
+    gauge      (steps,) out: force (N) that the drive exerts, after each step
+    """
+    shapes, interfaces, states, bounds = groups
+    sides, normal, area, u, force = contacts
+    rigid_blocks, affine_blocks, tet_blocks = bodies
+    rigid_drive, affine_drive, tet_drive = drives
+    for k in range(steps):
+        n = first + k
+        rigid.place(parallel, rigid_blocks, dt, u)
+        affine.place(parallel, affine_blocks, dt, u)
+        tets.place(parallel, tet_blocks, dt, u)
+
+        sweep_groups(parallel, shapes, interfaces, states, 0, bounds, sides, normal, area, u, force)
+
+        now, before = dead_load[n + 1], dead_load[n]
+        rigid.move(parallel, rigid_blocks, dt, damping, now, before, force)
+        affine.move(parallel, affine_blocks, dt, damping, now, before, force)
+        tets.move(parallel, tet_blocks, dt, damping, now, before, force, u)
+
+        gauge[k] = (
+            reaction(rigid_blocks, rigid_drive)
+            + reaction(affine_blocks, affine_drive)
+            + reaction(tet_blocks, tet_drive)
+        )
+        pull(rigid_blocks, rigid_drive, speed[n + 1])
+        pull(affine_blocks, affine_drive, speed[n + 1])
+        pull(tet_blocks, tet_drive, speed[n + 1])
+
+
+@jit
+def pull(body, freedoms, speed):
+    """Set the velocity of the driven freedoms."""
+    if freedoms is None:
+        return
+    v = body.v.reshape(-1)
+    for i in freedoms:
+        v[i] = speed
+
+
+@jit
+def reaction(body, freedoms):
+    """Sum of the forces that hold the given freedoms."""
+    if freedoms is None:
+        return 0.0
+    hold = body.hold.reshape(-1)
+    total = 0.0
+    for i in freedoms:
+        total += hold[i]
+    return total
+
+
+def sweep_groups(parallel, shapes, interfaces, states, g, bounds, sides, normal, area, u, force):
+    """Every contact group with its own compiled law."""
+    for i, (shape, interface, state) in enumerate(zip(shapes, interfaces, states, strict=True)):
+        contact.sweep(
+            parallel, shape, interface, state, bounds[i], bounds[i + 1], sides, normal, area, u, force
+        )
+
+
+@overload(sweep_groups)
+def _sweep_groups(parallel, shapes, interfaces, states, g, bounds, sides, normal, area, u, force):
+    if len(shapes) == 0:
+        return lambda parallel, shapes, interfaces, states, g, bounds, sides, normal, area, u, force: None
+
+    def first_then_rest(parallel, shapes, interfaces, states, g, bounds, sides, normal, area, u, force):
+        contact.sweep(
+            parallel, shapes[0], interfaces[0], states[0], bounds[g], bounds[g + 1], sides, normal, area, u, force
+        )
+        sweep_groups(
+            parallel, shapes[1:], interfaces[1:], states[1:], g + 1, bounds, sides, normal, area, u, force
+        )
+
+    return first_then_rest

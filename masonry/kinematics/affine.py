@@ -1,0 +1,179 @@
+"""Affine blocks: u(x) = t + H (x - centroid); 12 freedoms, with the block's own linear elasticity (uniform strain).
+
+H is held along the block's axes: column k is the derivative along axis k of the block.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import prange
+from numba.extending import register_jitable
+
+from masonry.kernels.compiler import jit, jit_parallel
+from masonry.kernels.freedom import advance
+
+
+class Affine(NamedTuple):
+    """Arrays of B affine blocks that have S contact sides in all.
+
+    q, v, pace      (B, 12): t, then H row by row; dt/mass (0 = prescribed)
+    contact, hold   (B, 12) generalised forces at the last step: contacts; damping or reaction
+    start, code     sides of each block, as for rigid blocks
+    arm             (S, 3) m, from the centroid to the point, along the block's axes
+    stiffness       (B, 2) J: volume times the Lame constants lambda, mu
+    first_point     row of u at which the sides begin
+    work, load, axes  as for rigid blocks; None where absent
+    """
+
+    q: np.ndarray
+    v: np.ndarray
+    pace: np.ndarray
+    contact: np.ndarray
+    hold: np.ndarray
+    start: np.ndarray
+    code: np.ndarray
+    arm: np.ndarray
+    stiffness: np.ndarray
+    first_point: int
+    work: np.ndarray | None = None
+    load: np.ndarray | None = None
+    axes: np.ndarray | None = None
+
+
+def _place(body, dt, u):
+    """Advance the freedoms by dt v and write the displacement of every contact point."""
+    q, v, arm = body.q, body.v, body.arm
+    for b in prange(len(q)):
+        for i in range(12):
+            q[b, i] += dt * v[b, i]
+        for k in range(body.start[b], body.start[b + 1]):
+            row = body.first_point + k
+            for i in range(3):
+                h = 3 + 3 * i
+                u[row, i] = q[b, i] + q[b, h] * arm[k, 0] + q[b, h + 1] * arm[k, 1] + q[b, h + 2] * arm[k, 2]
+
+
+def _move(body, dt, damping, factor, factor_before, force):
+    """Sum contact forces and their first moments, add the block's own stiffness, and advance."""
+    for b in prange(len(body.q)):
+        sums = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        for k in range(body.start[b], body.start[b + 1]):
+            c = body.code[k] >> 1
+            side = 1.0 - 2.0 * (body.code[k] & 1)
+            sums = _add(sums, side * force[c, 0], side * force[c, 1], side * force[c, 2], body.arm[k])
+        inner = _inner(body, b)
+        for i in range(12):
+            advance(body, b, i, b, sums[i], inner[i], dt, damping, factor, factor_before)
+
+
+@register_jitable
+def _add(s, x, y, z, arm):
+    a, b, c = arm[0], arm[1], arm[2]
+    return (
+        *(s[0] + x, s[1] + y, s[2] + z),
+        *(s[3] + x * a, s[4] + x * b, s[5] + x * c),
+        *(s[6] + y * a, s[7] + y * b, s[8] + y * c),
+        *(s[9] + z * a, s[10] + z * b, s[11] + z * c),
+    )
+
+
+@register_jitable
+def times_axes(axes, b, m):
+    """(3 x 3 matrix, row by row) times the block's axes: derivatives along x, y, z -> along the axes."""
+    if axes is None:
+        return m
+    q = axes[b]
+    return (
+        m[0] * q[0, 0] + m[1] * q[1, 0] + m[2] * q[2, 0],
+        m[0] * q[0, 1] + m[1] * q[1, 1] + m[2] * q[2, 1],
+        m[0] * q[0, 2] + m[1] * q[1, 2] + m[2] * q[2, 2],
+        m[3] * q[0, 0] + m[4] * q[1, 0] + m[5] * q[2, 0],
+        m[3] * q[0, 1] + m[4] * q[1, 1] + m[5] * q[2, 1],
+        m[3] * q[0, 2] + m[4] * q[1, 2] + m[5] * q[2, 2],
+        m[6] * q[0, 0] + m[7] * q[1, 0] + m[8] * q[2, 0],
+        m[6] * q[0, 1] + m[7] * q[1, 1] + m[8] * q[2, 1],
+        m[6] * q[0, 2] + m[7] * q[1, 2] + m[8] * q[2, 2],
+    )
+
+
+@register_jitable
+def gradient(axes, b, q):
+    """Displacement gradient of block b along x, y, z, row by row: H times the transposed axes."""
+    h = (q[b, 3], q[b, 4], q[b, 5], q[b, 6], q[b, 7], q[b, 8], q[b, 9], q[b, 10], q[b, 11])
+    if axes is None:
+        return h
+    a = axes[b]
+    return (
+        h[0] * a[0, 0] + h[1] * a[0, 1] + h[2] * a[0, 2],
+        h[0] * a[1, 0] + h[1] * a[1, 1] + h[2] * a[1, 2],
+        h[0] * a[2, 0] + h[1] * a[2, 1] + h[2] * a[2, 2],
+        h[3] * a[0, 0] + h[4] * a[0, 1] + h[5] * a[0, 2],
+        h[3] * a[1, 0] + h[4] * a[1, 1] + h[5] * a[1, 2],
+        h[3] * a[2, 0] + h[4] * a[2, 1] + h[5] * a[2, 2],
+        h[6] * a[0, 0] + h[7] * a[0, 1] + h[8] * a[0, 2],
+        h[6] * a[1, 0] + h[7] * a[1, 1] + h[8] * a[1, 2],
+        h[6] * a[2, 0] + h[7] * a[2, 1] + h[8] * a[2, 2],
+    )
+
+
+@register_jitable
+def hooke(h, lame, mu):
+    """Stress (xx yy zz yz xz xy) of a displacement gradient, small strains."""
+    pressure = lame * (h[0] + h[4] + h[8])
+    two_mu = 2.0 * mu
+    return (
+        pressure + two_mu * h[0],
+        pressure + two_mu * h[4],
+        pressure + two_mu * h[8],
+        mu * (h[5] + h[7]),
+        mu * (h[2] + h[6]),
+        mu * (h[1] + h[3]),
+    )
+
+
+@register_jitable
+def _inner(body, b):
+    """Generalised force of the block's own stiffness on its 12 freedoms: -V sigma on H, nothing on t."""
+    s = hooke(gradient(body.axes, b, body.q), -body.stiffness[b, 0], -body.stiffness[b, 1])
+    m = times_axes(body.axes, b, (s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2]))
+    return (0.0, 0.0, 0.0, m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8])
+
+
+_place_serial, _place_parallel = jit(_place), jit_parallel(_place)
+_move_serial, _move_parallel = jit(_move), jit_parallel(_move)
+
+
+@jit
+def place(parallel, body, dt, u):
+    """First half of the step; nothing where there is no such block."""
+    if body is None:
+        return
+    if parallel is None:
+        _place_serial(body, dt, u)
+    else:
+        _place_parallel(body, dt, u)
+
+
+@jit
+def move(parallel, body, dt, damping, factor, factor_before, force):
+    """Second half of the step; nothing where there is no such block."""
+    if body is None:
+        return
+    if parallel is None:
+        _move_serial(body, dt, damping, factor, factor_before, force)
+    else:
+        _move_parallel(body, dt, damping, factor, factor_before, force)
+
+
+@jit
+def observe(body, stress):
+    """Write the stress (B, 6) Pa times volume of every block; return their elastic energy (J), from the state."""
+    energy = 0.0
+    for b in range(len(body.q)):
+        h = gradient(body.axes, b, body.q)
+        s = hooke(h, body.stiffness[b, 0], body.stiffness[b, 1])
+        for i in range(6):
+            stress[b, i] = s[i]
+        shear = s[3] * (h[5] + h[7]) + s[4] * (h[2] + h[6]) + s[5] * (h[1] + h[3])
+        energy += 0.5 * (s[0] * h[0] + s[1] * h[4] + s[2] * h[8] + shear)
+    return energy

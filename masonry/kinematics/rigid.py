@@ -1,0 +1,132 @@
+"""Rigid blocks, small rotations: u(x) = t + theta x (x - centroid); 6 freedoms, three moves and three turns.
+
+Displacements are linear in the freedoms: a rotation theta costs an error of theta^2/2, so a run stops beyond a stated
+rotation. Turns are about the axes in the columns of `axes` (principal axes; None where they are x, y, z).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import prange
+from numba.extending import register_jitable
+
+from masonry.kernels.compiler import jit, jit_parallel
+from masonry.kernels.freedom import advance
+
+
+class Rigid(NamedTuple):
+    """Arrays of B rigid blocks that have S contact sides in all.
+
+    q, v, pace      (B, 6) displacement, velocity, and dt/mass (0 = prescribed)
+    contact, hold   (B, 6) generalised forces at the last step: contacts; damping or reaction
+    start           (B + 1,) sides of block b: start[b]..start[b + 1]
+    code            (S,) 2 * contact + (1 on side b of the contact)
+    arm             (S, 3) m, from the centroid to the point
+    first_point     row of u at which the sides begin
+    work            (B, 3) J: contact, damping, external; None without a ledger
+    load            (B, 6) dead loads or None
+    axes            (B, 3, 3) or None
+    """
+
+    q: np.ndarray
+    v: np.ndarray
+    pace: np.ndarray
+    contact: np.ndarray
+    hold: np.ndarray
+    start: np.ndarray
+    code: np.ndarray
+    arm: np.ndarray
+    first_point: int
+    work: np.ndarray | None = None
+    load: np.ndarray | None = None
+    axes: np.ndarray | None = None
+
+
+@register_jitable
+def turn_out(axes, b, x, y, z):
+    """Components along the block's axes -> global."""
+    if axes is None:
+        return x, y, z
+    a = axes[b]
+    return (
+        a[0, 0] * x + a[0, 1] * y + a[0, 2] * z,
+        a[1, 0] * x + a[1, 1] * y + a[1, 2] * z,
+        a[2, 0] * x + a[2, 1] * y + a[2, 2] * z,
+    )
+
+
+@register_jitable
+def turn_in(axes, b, x, y, z):
+    """Global components -> along the block's axes."""
+    if axes is None:
+        return x, y, z
+    a = axes[b]
+    return (
+        a[0, 0] * x + a[1, 0] * y + a[2, 0] * z,
+        a[0, 1] * x + a[1, 1] * y + a[2, 1] * z,
+        a[0, 2] * x + a[1, 2] * y + a[2, 2] * z,
+    )
+
+
+def _place(body, dt, u):
+    """Advance the freedoms by dt v and write the displacement of every contact point."""
+    q, v, arm = body.q, body.v, body.arm
+    for b in prange(len(q)):
+        for i in range(6):
+            q[b, i] += dt * v[b, i]
+        x, y, z = q[b, 0], q[b, 1], q[b, 2]
+        p, r, s = turn_out(body.axes, b, q[b, 3], q[b, 4], q[b, 5])
+        for k in range(body.start[b], body.start[b + 1]):
+            row = body.first_point + k
+            u[row, 0] = x + r * arm[k, 2] - s * arm[k, 1]
+            u[row, 1] = y + s * arm[k, 0] - p * arm[k, 2]
+            u[row, 2] = z + p * arm[k, 1] - r * arm[k, 0]
+
+
+def _move(body, dt, damping, factor, factor_before, force):
+    """Sum the contact forces of each block, damp, book the work, and kick the velocities by half a step each way."""
+    for b in prange(len(body.q)):
+        fx, fy, fz, mx, my, mz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        for k in range(body.start[b], body.start[b + 1]):
+            c = body.code[k] >> 1
+            side = 1.0 - 2.0 * (body.code[k] & 1)
+            gx, gy, gz = side * force[c, 0], side * force[c, 1], side * force[c, 2]
+            fx += gx
+            fy += gy
+            fz += gz
+            mx += body.arm[k, 1] * gz - body.arm[k, 2] * gy
+            my += body.arm[k, 2] * gx - body.arm[k, 0] * gz
+            mz += body.arm[k, 0] * gy - body.arm[k, 1] * gx
+        mx, my, mz = turn_in(body.axes, b, mx, my, mz)
+        advance(body, b, 0, b, fx, 0.0, dt, damping, factor, factor_before)
+        advance(body, b, 1, b, fy, 0.0, dt, damping, factor, factor_before)
+        advance(body, b, 2, b, fz, 0.0, dt, damping, factor, factor_before)
+        advance(body, b, 3, b, mx, 0.0, dt, damping, factor, factor_before)
+        advance(body, b, 4, b, my, 0.0, dt, damping, factor, factor_before)
+        advance(body, b, 5, b, mz, 0.0, dt, damping, factor, factor_before)
+
+
+_place_serial, _place_parallel = jit(_place), jit_parallel(_place)
+_move_serial, _move_parallel = jit(_move), jit_parallel(_move)
+
+
+@jit
+def place(parallel, body, dt, u):
+    """First half of the step; nothing where there is no such block."""
+    if body is None:
+        return
+    if parallel is None:
+        _place_serial(body, dt, u)
+    else:
+        _place_parallel(body, dt, u)
+
+
+@jit
+def move(parallel, body, dt, damping, factor, factor_before, force):
+    """Second half of the step; nothing where there is no such block."""
+    if body is None:
+        return
+    if parallel is None:
+        _move_serial(body, dt, damping, factor, factor_before, force)
+    else:
+        _move_parallel(body, dt, damping, factor, factor_before, force)

@@ -1,0 +1,29 @@
+"""Exponential softening, eqs (16) and (17); c of the exponent of eq. (17) read as c0 (see the errata)."""
+
+from math import exp
+from typing import NamedTuple
+
+from masonry.laws.linear import mode_2_energy
+
+class Exponential(NamedTuple):
+    """Fracture energies in N/m, post-peak only."""
+
+    G_I: float
+    G_II: float
+    G_II_slope: float | None = None
+
+
+def tension_intact(shape, interface, opening):
+    """Eq. (16): exp(-(fT/G_I)(un - un0))."""
+    fT = interface.tensile_strength
+    return exp(-fT / shape.G_I * (opening - fT / interface.normal_stiffness))
+
+
+def tension_area(shape, interface, opening, intact):
+    """Elastic triangle and the integral of eq. (16)."""
+    return 0.5 * interface.tensile_strength**2 / interface.normal_stiffness + shape.G_I * (1.0 - intact)
+
+
+def shear_intact(shape, interface, slip, peak, residual, compression):
+    """Eq. (17), mended: exp(-(c0/G_II)(us - us0)); tan(phi) follows the cohesion in proportion."""
+    return exp(-interface.cohesion / mode_2_energy(shape.G_II, shape.G_II_slope, compression) * slip)

@@ -1,0 +1,46 @@
+"""Linear softening, eqs (12) and (13): G_I and G_II are the whole triangle, the elastic part included."""
+
+from typing import NamedTuple
+
+from numba.extending import register_jitable
+
+
+class Linear(NamedTuple):
+    """Fracture energies in N/m; `G_II_slope` (m) times the compressive stress is added to G_II."""
+
+    G_I: float
+    G_II: float
+    G_II_slope: float | None = None
+
+
+def tension_intact(shape, interface, opening):
+    """Eq. (12): fT (uf - un)/(uf - un0) over fT, with uf = 2 G_I/fT."""
+    fT = interface.tensile_strength
+    un0 = fT / interface.normal_stiffness
+    uf = 2.0 * shape.G_I / fT
+    return max(0.0, (uf - opening) / (uf - un0))
+
+
+def tension_area(shape, interface, opening, intact):
+    """The triangle less what the envelope has still to give."""
+    fT = interface.tensile_strength
+    un0 = fT / interface.normal_stiffness
+    uf = 2.0 * shape.G_I / fT
+    return shape.G_I - 0.5 * fT * intact * intact * (uf - un0)
+
+
+def shear_intact(shape, interface, slip, peak, residual, compression):
+    """Eq. (13): straight from peak at us0 to residual at ul = 2 G_II/(peak - residual) + residual/ks."""
+    G_II = mode_2_energy(shape.G_II, shape.G_II_slope, compression)
+    width = 2.0 * G_II / (peak - residual) - (peak - residual) / interface.shear_stiffness
+    if width <= slip:
+        return 0.0
+    return 1.0 - slip / width
+
+
+@register_jitable
+def mode_2_energy(G_II, slope, compression):
+    """G_II (Table 1) grows with the compressive stress where a slope is given."""
+    if slope is None:
+        return G_II
+    return G_II + slope * compression

@@ -1,0 +1,36 @@
+"""Polynomial softening, eqs (14) and (15); lambda of eq. (15) as mended (see the errata): 1 at the peak, falling."""
+
+from typing import NamedTuple
+
+from masonry.laws.linear import mode_2_energy
+
+class Polynomial(NamedTuple):
+    """Fracture energies in N/m and exponents; the post-peak area in tension is 2 G_I/(alpha - 1)."""
+
+    G_I: float
+    G_II: float
+    alpha: float
+    beta: float
+    G_II_slope: float | None = None
+
+
+def tension_intact(shape, interface, opening):
+    """Eq. (14): (w/(w + un - un0))^alpha, w = 2 G_I/fT."""
+    fT = interface.tensile_strength
+    w = 2.0 * shape.G_I / fT
+    return (w / (w + opening - fT / interface.normal_stiffness)) ** shape.alpha
+
+
+def tension_area(shape, interface, opening, intact):
+    """Elastic triangle and the integral of eq. (14)."""
+    fT = interface.tensile_strength
+    un0 = fT / interface.normal_stiffness
+    w = 2.0 * shape.G_I / fT
+    post_peak = fT * w / (shape.alpha - 1.0) * (1.0 - intact * (w + opening - un0) / w)
+    return 0.5 * fT * un0 + post_peak
+
+
+def shear_intact(shape, interface, slip, peak, residual, compression):
+    """Eq. (15), mended: lambda = (w/(w + us - us0))^beta, w = 2 G_II/tau_max."""
+    w = 2.0 * mode_2_energy(shape.G_II, shape.G_II_slope, compression) / peak
+    return (w / (w + slip)) ** shape.beta
