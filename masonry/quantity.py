@@ -1,0 +1,184 @@
+"""Quantities as people write them: "0.87 MPa" becomes an SI float, exactly rounded, or one sentence that says why not.
+
+Pint knows the units, but never sees what the user wrote: the text must first match a short strict grammar (a number,
+then at most six unit symbols with small powers), so no text can be an expression, hang, or grow without bound. Factors are
+exact fractions, so "1 N/mm^2" and "1 MPa" give the same bits, and so does an SI value written out and read again.
+"""
+
+import difflib
+import math
+import re
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from masonry.errors import SceneError
+
+
+class Kind(NamedTuple):
+    """A physical kind: what to call it, its SI unit, and how a user may write it."""
+
+    words: str
+    unit: str
+    example: str
+
+
+KINDS = {
+    "length": Kind("a length", "m", "200 mm"),
+    "area": Kind("an area", "m^2", "0.01 m^2"),
+    "time": Kind("a time", "s", "1e-6 s"),
+    "angle": Kind("an angle", "rad", "45 deg"),
+    "velocity": Kind("a velocity", "m/s", "0.1 mm/s"),
+    "acceleration": Kind("an acceleration", "m/s^2", "-9.81 m/s^2"),
+    "density": Kind("a density", "kg/m^3", "1900 kg/m^3"),
+    "stress": Kind("a stress", "Pa", "0.5 MPa"),
+    "stiffness": Kind("a stress per length", "Pa/m", "150 GPa/m"),
+    "energy": Kind("an energy per area", "N/m", "58 N/m"),
+    "energy per stress": Kind("an energy per area and stress", "N/m/Pa", "130 N/m/MPa"),
+    "number": Kind("a plain number", "", "0.2"),
+    "integer": Kind("a whole number", "", "20"),
+}
+
+_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?"
+_SYMBOL = r"[A-Za-zµμ°]+(?:_[A-Za-z]+)?(?:(?:\^|\*\*)?-?[1-9])?"
+_TEXT = re.compile(rf"\s*({_NUMBER})\s*({_SYMBOL}(?:\s*[*/ ]\s*{_SYMBOL}){{0,5}})?\s*", re.ASCII)
+_FACTOR = re.compile(r"([*/ ]?)\s*([A-Za-zµμ°]+(?:_[A-Za-z]+)?)(?:(?:\^|\*\*)?(-?[1-9]))?\s*")
+_POWERS = str.maketrans({"²": "2", "³": "3", "⁴": "4", "·": "*"})
+_LONGEST = 80
+_COMMON = ("m", "mm", "cm", "in", "s", "ms", "N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "kg", "g", "J", "deg", "rad")
+_COMMON_UNITS = f"common units are {', '.join(_COMMON)}"
+_TRAPS = {"mPa": "MPa (mega; mPa is a thousandth of a pascal)", "gPa": "GPa"}
+_ALLOWED = re.compile(r"([\[(])(-?[\d.e+-]+|-inf), (-?[\d.e+-]+|inf)([\])])(?: (.+))?")
+
+
+def parse(text: Any, kind: str, where: str, allowed: str = "(-inf, inf)") -> float:
+    """SI value of a text such as "0.87 MPa", or of a number where `kind` is "number" or "integer".
+
+    kind     a key of KINDS
+    where    what the message starts with: file, line and dotted key
+    allowed  an interval such as "[0, 0.5)" or "[0, 90) deg", in SI unless it names a unit
+    Raises SceneError with what is wrong, what is allowed and the nearest valid choice.
+    """
+    try:
+        return convert(text, kind, where.split()[-1].rsplit(".", 1)[-1] if where.split() else kind, allowed)
+    except ValueError as error:
+        raise SceneError(f"{where}: {error}") from None
+
+
+def convert(value: Any, kind: str, name: str, allowed: str = "(-inf, inf)") -> float:
+    """As `parse`; `name` is the last part of the key. Raises ValueError without the place."""
+    need = f"{name} is {KINDS[kind].words}, for example {_written(kind)}"
+    if isinstance(value, bool) or not isinstance(value, (str, int, float)):
+        raise ValueError(f"{_short(value)} is not a quantity; {need}")
+    if kind in ("number", "integer"):
+        si = _plain(value, kind, need)
+    elif isinstance(value, str):
+        si = _with_unit(value, kind, name, need)
+    else:
+        raise ValueError(f"{_short(value)} has no unit; {need}")
+    if not math.isfinite(si):
+        raise ValueError(f"{_short(value)} is not a finite number; {need}")
+    _check(si, value, name, allowed)
+    return si
+
+
+def _plain(value: str | float, kind: str, need: str) -> float:
+    try:
+        if kind == "integer" and float(value).is_integer():
+            return int(value) if isinstance(value, int) else int(float(value))
+        if kind == "number":
+            return float(value)
+    except (ValueError, OverflowError):
+        pass
+    raise ValueError(f"{_short(value)} is not {KINDS[kind].words}; {need}")
+
+
+def _with_unit(text: str, kind: str, name: str, need: str) -> float:
+    match = _TEXT.fullmatch(text.translate(_POWERS)) if len(text) <= _LONGEST else None
+    if match is None:
+        hint = "; write the decimal point as '.'" if re.match(r"\s*[+-]?\d+,\d", text[:_LONGEST]) else ""
+        raise ValueError(f"{_short(text)} is not a number and a unit{hint}; {need}")
+    number, unit = match.groups()
+    if unit is None:
+        raise ValueError(f"{_short(text)} has no unit; {need}")
+    factor, dimension = _unit(unit)
+    if dimension != _unit(KINDS[kind].unit)[1]:
+        is_a = next((f"{unit} is {k.words}" for k in KINDS.values() if k.unit and _unit(k.unit)[1] == dimension), None)
+        raise ValueError(f"{is_a or f'{unit} does not fit'}; {need}")
+    try:
+        return float(Fraction(number) * factor)
+    except OverflowError:
+        return math.inf
+
+
+@lru_cache(maxsize=1)
+def _registry() -> Any:
+    """Pint's units with exact factors; made on first use, for it takes half a second."""
+    import pint
+
+    return pint.UnitRegistry(non_int_type=Fraction)
+
+
+@lru_cache(maxsize=256)
+def _unit(text: str) -> tuple[Fraction, Any]:
+    """Factor to SI and dimension of a text that `_TEXT` let through."""
+    unit = _registry().Unit("")
+    for operator, symbol, power in _FACTOR.findall(text):
+        if symbol in _TRAPS:
+            raise ValueError(f"{symbol} is not taken; did you mean {_TRAPS[symbol]}?")
+        one = _symbol(symbol) ** int(power or 1)
+        unit = unit / one if operator == "/" else unit * one
+    try:
+        si = _registry().Quantity(Fraction(1), unit).to_base_units()
+    except TypeError:  # decibels and other logarithms
+        raise ValueError(f"{_short(text)} has no place in a scene; {_COMMON_UNITS}") from None
+    return Fraction(si.magnitude), unit.dimensionality
+
+
+def _symbol(symbol: str) -> Any:
+    import pint
+
+    try:
+        unit = _registry().Unit(symbol)
+    except (pint.errors.PintError, TypeError, ValueError):
+        alike = [u for u in _COMMON if u.lower() == symbol.lower()]
+        alike = alike or difflib.get_close_matches(symbol[:20], _COMMON, 1, 0.5)
+        nearest = f"did you mean '{alike[0]}'?" if alike else _COMMON_UNITS
+        raise ValueError(f"{_short(symbol)} is no known unit; {nearest}") from None
+    if "[temperature]" in unit.dimensionality:
+        raise ValueError(f"{_short(symbol)} has no place in a scene; {_COMMON_UNITS}")
+    return unit
+
+
+@lru_cache(maxsize=256)
+def _interval(allowed: str) -> tuple[bool, float, float, bool, str]:
+    """(low is excluded, low, high, high is excluded, in words) of "[0, 0.5)" or "[0, 90) deg"; bounds in SI."""
+    match = _ALLOWED.fullmatch(allowed)
+    if match is None:
+        raise TypeError(f"not an interval: {allowed}")
+    left, low, high, right, unit = match.groups()
+    factor = float(_unit(unit)[0]) if unit else 1.0
+    words = f"in {allowed}"
+    if high == "inf":
+        words = f"more than {low}" if left == "(" else f"{low} or more"
+    return left == "(", float(low) * factor, float(high) * factor, right == ")", words
+
+
+def _check(si: float, value: Any, name: str, allowed: str) -> None:
+    above, low, high, below, words = _interval(allowed)
+    if si < low or si > high or (above and si == low) or (below and si == high):
+        raise ValueError(f"{_short(value)} is out of range; {name} must be {words}")
+
+
+def _written(kind: str) -> str:
+    """The kind's example as it stands in a file: quoted where it has a unit."""
+    return f"'{KINDS[kind].example}'" if KINDS[kind].unit else KINDS[kind].example
+
+
+def _short(value: Any) -> str:
+    """What the user wrote, quoted if a text, and cut where it is long."""
+    try:
+        text = repr(value[:_LONGEST] + "...") if isinstance(value, str) and len(value) > _LONGEST else repr(value)
+    except ValueError:
+        return "this number"
+    return text if len(text) <= _LONGEST + 8 else text[:_LONGEST] + "..."
