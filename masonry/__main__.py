@@ -1,0 +1,7 @@
+"""`python -m masonry` is the command `masonry`."""
+
+import sys
+
+from masonry.cli import main
+
+sys.exit(main())

@@ -1,0 +1,135 @@
+"""history.h5: the rows, the frames and the specimen of a run, enough to draw its pictures again.
+
+Layout: `rows/<column>` with attribute `unit`; `frames/<field of Frame>` with one entry a frame; `specimen`, `joints` and
+(with tets) `mesh` with the fields of the geometry floor. h5py's default file version, which survives a killed process.
+"""
+
+from dataclasses import fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.blocks import Blocks, Joints, Specimen, TetMesh
+from masonry.history import UNITS, Frame, History
+
+if TYPE_CHECKING:
+    from masonry.results import Result
+
+VERSION = 1
+FRAME_UNITS = {
+    "step": "1",
+    "time": "s",
+    "normal_stress": "Pa",
+    "shear_stress": "Pa",
+    "stress": "Pa",
+    "damage_tension": "1",
+    "damage_shear": "1",
+}
+"""Units of a frame's fields; the others are lengths in m."""
+
+
+def write(path: Path, result: "Result") -> None:
+    """Write history.h5."""
+    import h5py
+
+    with h5py.File(path, "w") as file:
+        file.attrs["format"] = "masonry history"
+        file.attrs["version"] = VERSION
+        file.create_dataset("scene", data=result.scene_toml, dtype=h5py.string_dtype())
+        file.create_dataset("log", data=np.array(result.log, dtype=object), dtype=h5py.string_dtype())
+        rows = file.create_group("rows")
+        for name, values in result.history.rows.items():
+            rows.create_dataset(name, data=values).attrs["unit"] = UNITS[name]
+        _write_frames(file.create_group("frames"), result.history.frames)
+        specimen = file.create_group("specimen")
+        specimen.attrs["section"] = result.specimen.section
+        specimen.attrs["shape"] = result.specimen.shape
+        _write_arrays(specimen.create_group("blocks"), result.specimen.blocks)
+        sets = specimen.create_group("sets")
+        for number, (name, members) in enumerate(result.specimen.sets.items()):
+            sets.create_dataset(str(number), data=np.asarray(members, dtype=np.int64)).attrs["name"] = name
+        joints = file.create_group("joints")
+        _write_arrays(joints, result.joints)
+        joints.attrs["groups"] = list(result.joint_groups)
+        joints.create_dataset("group", data=result.joint_group)
+        if result.mesh is not None:
+            _write_arrays(file.create_group("mesh"), result.mesh)
+
+
+def read(path: Path) -> dict[str, Any]:
+    """The fields of a Result but its summary. Raises OSError, KeyError, TypeError or ValueError for a damaged file."""
+    import h5py
+
+    with h5py.File(path, "r") as file:
+        if file.attrs.get("format") != "masonry history" or file.attrs["version"] > VERSION:
+            raise ValueError("not a history that this version can read")
+        specimen = file["specimen"]
+        sets = sorted(specimen["sets"].items(), key=lambda item: int(item[0]))
+        return {
+            "history": History({name: data[()] for name, data in file["rows"].items()}, _read_frames(file["frames"])),
+            "specimen": Specimen(
+                blocks=_read_arrays(specimen["blocks"], Blocks),
+                sets={str(data.attrs["name"]): data[()] for _, data in sets},
+                section=float(specimen.attrs["section"]),
+                shape=str(specimen.attrs["shape"]),
+            ),
+            "joints": _read_arrays(file["joints"], Joints),
+            "joint_group": file["joints"]["group"][()],
+            "joint_groups": tuple(str(name) for name in file["joints"].attrs["groups"]),
+            "mesh": _read_arrays(file["mesh"], TetMesh) if "mesh" in file else None,
+            "scene_toml": file["scene"].asstr()[()],
+            "log": list(file["log"].asstr()[()]),
+        }
+
+
+def _write_arrays(group: Any, value: Blocks | Joints | TetMesh) -> None:
+    """Every array of a dataclass as a dataset, every other field as an attribute."""
+    for entry in fields(value):
+        content = getattr(value, entry.name)
+        if isinstance(content, np.ndarray):
+            group.create_dataset(entry.name, data=content, **_packing(content.size))
+        else:
+            group.attrs[entry.name] = list(content) if isinstance(content, tuple) else content
+
+
+def _read_arrays(group: Any, kind: type) -> Any:
+    content: dict[str, Any] = {}
+    for entry in fields(kind):
+        if entry.name in group:
+            content[entry.name] = group[entry.name][()]
+        elif entry.name == "groups":
+            content["groups"] = tuple(str(name) for name in group.attrs["groups"])
+        else:
+            content[entry.name] = int(group.attrs[entry.name])
+    return kind(**content)
+
+
+def _write_frames(group: Any, frames: list[Frame]) -> None:
+    group.attrs["count"] = len(frames)
+    for entry in fields(Frame) if frames else ():
+        first = np.asarray(getattr(frames[0], entry.name))
+        packing = _packing(first.size)
+        if packing:
+            packing["chunks"] = (1, *first.shape)
+        data = group.create_dataset(entry.name, shape=(len(frames), *first.shape), dtype=first.dtype, **packing)
+        data.attrs["unit"] = FRAME_UNITS.get(entry.name, "m")
+        for number, frame in enumerate(frames):
+            data[number] = getattr(frame, entry.name)
+
+
+def _read_frames(group: Any) -> list[Frame]:
+    count = int(group.attrs["count"])
+    if not count:
+        return []
+    whole = {entry.name: group[entry.name][()] for entry in fields(Frame)}
+    kinds = {"step": int, "time": float, "displacement": float}
+    return [
+        Frame(**{name: kinds[name](data[number]) if name in kinds else data[number] for name, data in whole.items()})
+        for number in range(count)
+    ]
+
+
+def _packing(size: int) -> dict[str, Any]:
+    """Compression for arrays that are large enough to gain from it."""
+    return {"compression": "gzip", "compression_opts": 1, "shuffle": True} if size > 512 else {}

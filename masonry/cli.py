@@ -1,0 +1,184 @@
+"""The command `masonry`: words from a shell to calls of the laboratory.
+
+Exit codes: 0 done, 2 something wrong with the scene or the words, 3 stopped because the numbers could no longer be
+trusted, 130 interrupted. Nothing that computes is imported before it is needed.
+"""
+
+import argparse
+import os
+import sys
+import tomllib
+from importlib import resources
+from pathlib import Path
+from typing import Any, NoReturn
+
+from masonry import __version__
+from masonry.errors import SceneError, Stopped
+
+OK, USAGE, STOPPED, INTERRUPTED = 0, 2, 3, 130
+
+
+class Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line, as every other error of masonry."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(USAGE, f"masonry: {message}; see `{self.prog} --help`\n")
+
+
+def parser() -> Parser:
+    """All commands and their options."""
+    main = Parser(prog="masonry", description="A laboratory for masonry by the discrete element method.")
+    main.add_argument("--version", action="version", version=f"masonry {__version__}")
+    commands = main.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    scene = Parser(add_help=False)
+    scene.add_argument("scene", metavar="SCENE", help="a scene file, or the name of a packaged scene")
+    scene.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", dest="overrides", help="change a key of the scene"
+    )
+    run = commands.add_parser("run", parents=[scene], help="run a scene and write its results")
+    run.add_argument("--out", type=Path, metavar="DIR", help="folder for the results (default results/SCENE-N)")
+    run.add_argument("--overwrite", action="store_true", help="replace results that are in DIR already")
+    run.add_argument("--threads", type=_threads, metavar="N", help=f"threads, 1 to {os.cpu_count()}")
+    run.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
+    run.set_defaults(action=run_scene)
+    check = commands.add_parser("check", parents=[scene], help="say what a scene will cost and what it leaves out")
+    check.set_defaults(action=check_scene)
+    commands.add_parser("list", help="list the packaged scenes").set_defaults(action=list_scenes)
+    plot = commands.add_parser("plot", help="draw the pictures of a folder of results again")
+    plot.add_argument("folder", type=Path, metavar="DIR")
+    plot.set_defaults(action=plot_results)
+    commands.add_parser("doctor", help="look whether this machine has what a run needs").set_defaults(action=doctor)
+    return main
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command; returns the exit code."""
+    from geometry.blocks import GeometryError
+
+    try:
+        words = parser().parse_args(arguments)
+        code = int(words.action(words))
+        sys.stdout.flush()
+        return code
+    except SystemExit as leaving:
+        return leaving.code if isinstance(leaving.code, int) else USAGE
+    except (SceneError, GeometryError) as error:
+        return _complain(str(error), USAGE)
+    except Stopped as error:
+        return _complain(str(error), STOPPED)
+    except KeyboardInterrupt:
+        return _complain("interrupted; no results were written", INTERRUPTED)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return OK
+
+
+def run_scene(words: argparse.Namespace) -> int:
+    """`masonry run`: everything that the run got to is written, whatever ended it."""
+    from masonry import laboratory, scene
+    from masonry.folder import claim, scene_name
+    from masonry.progress import Progress
+
+    loaded = scene.load(words.scene, overrides(words.overrides))
+    out = claim(words.scene, words.out, overwrite=words.overwrite)
+    try:
+        if words.quiet:
+            result = laboratory.run(loaded, threads=words.threads, progress=None)
+        else:
+            with Progress(label=scene_name(words.scene)) as progress:
+                result = laboratory.run(loaded, threads=words.threads, progress=progress)
+    except BaseException as error:
+        result = getattr(error, "result", None)
+        if result is None or not isinstance(error, Stopped):
+            _leave(out)
+            raise
+        _save(result, out)
+        return _complain(f"{error}\nmasonry: the results up to there are in '{out}'", STOPPED)
+    paths = _save(result, out)
+    if not words.quiet:
+        from masonry.printout import paths_text, summary_text
+
+        print(f"{paths_text(paths)}\n\n{summary_text(result.summary)}")
+    if result.summary.get("interrupted"):
+        return _complain(f"interrupted; the results up to there are in '{out}'", INTERRUPTED)
+    return OK
+
+
+def check_scene(words: argparse.Namespace) -> int:
+    """`masonry check`."""
+    from masonry import laboratory, scene
+    from masonry.printout import check_text
+
+    print(check_text(laboratory.check(scene.load(words.scene, overrides(words.overrides)))))
+    return OK
+
+
+def list_scenes(words: argparse.Namespace) -> int:
+    """`masonry list`: name and title of every packaged scene."""
+    folder = resources.files("masonry") / "scenes"
+    scenes = sorted((entry for entry in folder.iterdir() if entry.name.endswith(".toml")), key=lambda entry: entry.name)
+    titles = {entry.name.removesuffix(".toml"): tomllib.loads(entry.read_text(encoding="utf-8")) for entry in scenes}
+    margin = max(map(len, titles), default=0) + 2
+    for name, content in titles.items():
+        print(f"{name:<{margin}}{content.get('title', '')}".rstrip())
+    return OK
+
+
+def plot_results(words: argparse.Namespace) -> int:
+    """`masonry plot`: curve.png and cracks.png again, from summary.json and history.h5."""
+    from masonry.printout import paths_text
+    from masonry.results import load_history
+
+    result = load_history(words.folder)
+    try:
+        paths = result.save_pictures(words.folder)
+    except OSError as error:
+        raise SceneError(f"cannot write pictures to '{words.folder}': {error.strerror or error}") from None
+    print(paths_text(paths))
+    return OK
+
+
+def doctor(words: argparse.Namespace) -> int:
+    """`masonry doctor`: 0 if all is fine, 1 if something is missing."""
+    from masonry.doctor import examine
+
+    fine, text = examine()
+    print(text)
+    return OK if fine else 1
+
+
+def overrides(settings: list[str]) -> dict[str, str]:
+    """`["law=linear", ...]` as a dict. Raises SceneError for a setting without `=`."""
+    changes = {}
+    for setting in settings:
+        key, equals, value = setting.partition("=")
+        if not equals or not key.strip():
+            raise SceneError(f"--set '{setting}' is not KEY=VALUE, for example --set confinement='0.5 MPa'")
+        changes[key.strip()] = value.strip()
+    return changes
+
+
+def _threads(text: str) -> int:
+    most = os.cpu_count() or 1
+    if not text.isdecimal() or not 1 <= int(text) <= most:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of threads from 1 to {most} (processors here)")
+    return int(text)
+
+
+def _save(result: Any, out: Path) -> dict[str, Path]:
+    try:
+        paths: dict[str, Path] = result.save(out)
+        return paths
+    except OSError as error:
+        raise SceneError(f"cannot write results to '{out}': {error.strerror or error}") from None
+
+
+def _leave(out: Path) -> None:
+    """Take an empty folder away again; one with something in it stays."""
+    if not any(out.iterdir()):
+        out.rmdir()
+
+
+def _complain(message: str, code: int) -> int:
+    print(f"masonry: {message}", file=sys.stderr)
+    return code

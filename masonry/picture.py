@@ -1,0 +1,173 @@
+"""cracks.png: the deformed specimen from the front, at the peak and at the end, with its damaged contacts."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from masonry.cracks import CrackLines, Outlines, View, crack_lines, front_view, outlines
+from masonry.deformation import Deformation
+from masonry.history import Frame
+from masonry.plot import MEGA, MILLI, peak_row
+
+if TYPE_CHECKING:
+    from masonry.results import Result
+
+LEAST_DAMAGE = 0.05
+"""Contacts with less damage are not drawn."""
+VISIBLE = 0.04
+"""The largest displacement is drawn as about this share of the specimen's size."""
+
+PLATE_COLOUR = "#c4c7cb"
+COLOURS = {"units": "#f2e2c9", "mortar": "#dfe8dc"}
+SPARE_COLOURS = ("#e6dff0", "#e3ecd2", "#f6dcdc", "#d8e8ea", "#f7f0c8")
+
+
+def frames_to_draw(result: "Result") -> list[tuple[str, Frame]]:
+    """The frame nearest to the peak and the last one; one only where they are the same."""
+    frames = result.history.frames
+    if not frames:
+        return []
+    rows = result.history.rows
+    last = frames[-1]
+    if not len(rows.get("stress", ())):
+        return [("at the end", last)]
+    step = rows["step"][peak_row(rows)]
+    peak = min(frames, key=lambda frame: abs(frame.step - step))
+    return [("at the end", last)] if peak is last else [("at the peak", peak), ("at the end", last)]
+
+
+def magnification(frame: Frame, size: float) -> float:
+    """How many times displacements are drawn, to two digits; 1 where nothing moves."""
+    moves = [np.abs(array).max(initial=0.0) for array in (frame.corners, frame.nodes)]
+    largest = float(max(moves))
+    return float(f"{VISIBLE * size / largest:.2g}") if largest > 1e-12 * size else 1.0
+
+
+def cracks_figure(result: "Result") -> Any:
+    """A figure of one panel a frame, side by side, or one above the other for long specimens; 1500 pixels wide or more."""
+    from matplotlib.figure import Figure
+
+    blocks = result.specimen.blocks
+    view = front_view(blocks.points)
+    panels = frames_to_draw(result)
+    extent = np.ptp(view.project(blocks.points), axis=0)
+    ratio = float(extent[1] / extent[0]) if extent[0] > 0 else 1.0
+    beside = ratio > 0.3
+    columns, rows = (max(len(panels), 1), 1) if beside else (1, max(len(panels), 1))
+    width = 14.0 if columns * rows > 1 else 9.0
+    height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
+    figure = Figure(figsize=(width, height), layout="constrained")
+    figure.suptitle(result.title, fontsize=13, parse_math=False, wrap=True)
+    axes = np.atleast_1d(figure.subplots(rows, columns)).ravel()
+    if not panels:
+        axes[0].text(0.5, 0.5, "no frames were recorded", transform=axes[0].transAxes, ha="center")
+        return figure
+    shown = outlines(blocks, view)
+    for panel, (name, frame) in zip(axes, panels, strict=True):
+        _draw_panel(panel, result, name, frame, view, shown)
+    _draw_keys(figure, list(axes), blocks)
+    return figure
+
+
+def _draw_panel(axes: Any, result: "Result", name: str, frame: Frame, view: View, shown: Outlines) -> None:
+    times = magnification(frame, view.size)
+    blocks = result.specimen.blocks
+    _draw_blocks(axes, blocks, shown, view.project(blocks.points + times * frame.corners))
+    lines = crack_lines(result.joints, frame, view)
+    _draw_cracks(axes, result, lines.select(lines.damage > LEAST_DAMAGE), frame, view, times)
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.margins(0.03)
+    axes.set_axis_off()
+    words = f"{name}: displacement {frame.displacement * MILLI:.4g} mm"
+    rows = result.history.rows
+    if len(rows.get("stress", ())):
+        stress = np.interp(frame.step, rows["step"], rows["stress"])
+        words += f", stress {stress * MEGA:.3g} MPa"
+    axes.set_title(f"{words}\ndisplacements drawn {times:g} times", fontsize=11)
+
+
+def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -> None:
+    """Faces and their edges, layer by layer from the back; flat (P, 2) are the displaced corners."""
+    from matplotlib.collections import LineCollection, PolyCollection
+
+    colour = group_colours(blocks.groups)
+    owner = blocks.face_block()
+    for layer in np.unique(shown.layer):
+        chosen = np.flatnonzero(shown.layer == layer)
+        polygons, thick = [], []
+        for number in chosen:
+            face = shown.face[number]
+            corners = flat[blocks.face_points[blocks.face_start[face] : blocks.face_start[face + 1]]]
+            polygons.append(corners)
+            edges = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+            thick.extend(edges[shown.outer[number]])
+        fills = [colour[int(blocks.group[owner[shown.face[number]]])] for number in chosen]
+        depth = 1.0 + 0.01 * float(layer)
+        axes.add_collection(
+            PolyCollection(polygons, facecolors=fills, edgecolors="#a09a90", linewidths=0.35, zorder=depth)
+        )
+        axes.add_collection(LineCollection(thick, colors="#4a4640", linewidths=1.0, zorder=depth + 0.005))
+
+
+def _draw_cracks(axes: Any, result: "Result", lines: CrackLines, frame: Frame, view: View, times: float) -> None:
+    from matplotlib.collections import LineCollection
+
+    field = Deformation(result.specimen.blocks, frame)
+    pieces = view.project(lines.displaced(result.joints, field, times))
+    order = np.argsort(lines.damage, kind="stable")
+    colours = np.where(lines.tension_led[:, None], crack_map("Reds")(lines.damage), crack_map("Blues")(lines.damage))
+    axes.add_collection(
+        LineCollection(
+            list(pieces[order]),
+            colors=colours[order],
+            linewidths=0.8 + 3.2 * lines.damage[order],
+            capstyle="round",
+            zorder=3.0,
+        )
+    )
+
+
+def crack_map(name: str) -> Any:
+    """A sequential colour map without its palest third, which would not show on the blocks."""
+    from matplotlib import colormaps
+    from matplotlib.colors import ListedColormap
+
+    return ListedColormap(colormaps[name](np.linspace(0.3, 0.95, 256)))
+
+
+def group_colours(groups: tuple[str, ...]) -> list[str]:
+    """A pale colour for each group, grey for plates."""
+    colours = []
+    spare = 0
+    for name in groups:
+        if "plate" in name:
+            colours.append(PLATE_COLOUR)
+        elif name in COLOURS:
+            colours.append(COLOURS[name])
+        else:
+            colours.append(SPARE_COLOURS[spare % len(SPARE_COLOURS)])
+            spare += 1
+    return colours
+
+
+def _draw_keys(figure: Any, axes: list[Any], blocks: Blocks) -> None:
+    """Colour bars of damage, and a legend of crack kinds and block groups."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    for name, word in (("Blues", "damage, shear leads"), ("Reds", "damage, tension leads")):
+        scale = ScalarMappable(Normalize(0.0, 1.0), crack_map(name))
+        figure.colorbar(scale, ax=axes, label=word, fraction=0.025, pad=0.01, aspect=30)
+    used = np.unique(blocks.group)
+    keys: list[Any] = [
+        Patch(facecolor=colour, edgecolor="#4a4640", label=name)
+        for number, (name, colour) in enumerate(zip(blocks.groups, group_colours(blocks.groups), strict=True))
+        if number in used
+    ]
+    keys.append(Line2D([], [], color=crack_map("Reds")(0.9), linewidth=3.5, label="crack, tension leads"))
+    keys.append(Line2D([], [], color=crack_map("Blues")(0.9), linewidth=3.5, label="crack, shear leads"))
+    figure.legend(handles=keys, loc="outside lower center", ncols=len(keys), frameon=False, fontsize=10)

@@ -1,0 +1,117 @@
+"""curve.png: stress against displacement, and the energy ledger below it."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from masonry.results import Result
+
+MILLI, MEGA = 1e3, 1e-6
+
+LEDGER = {
+    "elastic_blocks": ("elastic, blocks", "#9ecae1"),
+    "elastic_contacts": ("elastic, contacts", "#4a90c2"),
+    "fracture_mode_1": ("fracture, mode I", "#d7301f"),
+    "fracture_mode_2": ("fracture, mode II", "#fc8d59"),
+    "friction": ("friction", "#fdcc8a"),
+    "damping": ("damping", "#bdbdbd"),
+    "kinetic": ("kinetic", "#78c679"),
+}
+"""The terms that together make up the external work: label and colour."""
+
+
+def write_png(figure: Any, path: Path | str, dpi: float = 120.0) -> None:
+    """Draw a figure to a PNG file without a display."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    FigureCanvasAgg(figure)
+    figure.savefig(path, format="png", dpi=dpi)
+
+
+def peak_row(rows: dict[str, np.ndarray]) -> int:
+    """The row of the greatest stress, in tension or compression."""
+    return int(np.argmax(np.abs(rows["stress"])))
+
+
+def curve_figure(result: "Result") -> Any:
+    """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(10, 8), layout="constrained")
+    curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
+    words = [result.title, *(result.summary.get(key) for key in ("law", "kinematics"))]
+    figure.suptitle(
+        ", ".join(word for word in words if isinstance(word, str)), fontsize=13, parse_math=False, wrap=True
+    )
+    ledger.set_xlabel("displacement [mm]")
+    curve.set_ylabel("stress [MPa]")
+    ledger.set_ylabel("energy [J]")
+    for axes in (curve, ledger):
+        axes.grid(color="0.9", linewidth=0.8)
+        axes.set_axisbelow(True)
+        axes.spines[["top", "right"]].set_visible(False)
+    rows = result.history.rows
+    if not len(rows.get("displacement", ())):
+        curve.text(0.5, 0.5, "no rows were recorded", transform=curve.transAxes, ha="center")
+        return figure
+    _draw_curve(curve, rows)
+    _draw_ledger(ledger, rows)
+    for axes in (curve, ledger):
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+    return figure
+
+
+def _draw_curve(axes: Any, rows: dict[str, np.ndarray]) -> None:
+    displacement, stress = rows["displacement"] * MILLI, rows["stress"] * MEGA
+    axes.plot(displacement, stress, color="#1f3b5c", linewidth=2.0, label="at the drive")
+    axes.plot(displacement, rows["support_stress"] * MEGA, "--", color="#e07b00", linewidth=1.0, label="at the support")
+    peak = peak_row(rows)
+    axes.plot(displacement[peak], stress[peak], "o", color="#b2182b", markersize=7, label="peak")
+    axes.annotate(
+        f"peak {stress[peak]:.4g} MPa at {displacement[peak]:.4g} mm",
+        (displacement[peak], stress[peak]),
+        xytext=(12, 4 if stress[peak] >= 0 else -14),
+        textcoords="offset points",
+        color="#b2182b",
+        fontsize=11,
+    )
+    axes.margins(y=0.12)
+    if peak < len(stress) - 1:
+        right = displacement[-1] >= displacement.mean()
+        axes.annotate(
+            f"residual {stress[-1]:.3g} MPa",
+            (displacement[-1], stress[-1]),
+            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 else -38),
+            textcoords="offset points",
+            ha="right" if right else "left",
+            color="0.25",
+            fontsize=11,
+            arrowprops={"arrowstyle": "-", "color": "0.6", "linewidth": 0.8, "shrinkA": 0.0},
+            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.0},
+        )
+
+
+def _draw_ledger(axes: Any, rows: dict[str, np.ndarray]) -> None:
+    """Stacked areas; a term that is clearly negative somewhere cannot be stacked and is drawn as a line."""
+    displacement = rows["displacement"] * MILLI
+    terms = {name: rows[name] for name in LEDGER if name in rows}
+    size = max((float(np.abs(values).max()) for values in terms.values()), default=0.0)
+    floor = -1e-3 * size
+    stacked = [name for name, values in terms.items() if values.min() >= floor]
+    if stacked:
+        areas = axes.stackplot(
+            displacement,
+            [np.maximum(terms[name], 0.0) for name in stacked],
+            colors=[LEDGER[name][1] for name in stacked],
+            labels=[LEDGER[name][0] for name in stacked],
+        )
+        for area in areas:
+            area.set_linewidth(0.0)
+    for name in terms:
+        if name not in stacked:
+            label, colour = LEDGER[name]
+            axes.plot(displacement, terms[name], ":", color=colour, linewidth=2.0, label=f"{label} (not stacked)")
+    if "external_work" in rows:
+        axes.plot(displacement, rows["external_work"], color="black", linewidth=1.4, label="external work")

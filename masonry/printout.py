@@ -1,0 +1,109 @@
+"""What the command line says about a scene and about a result, aligned for a person."""
+
+import textwrap
+from pathlib import Path
+from typing import Any
+
+from masonry.progress import duration
+
+WIDTH = 110
+MISMATCH, KINETIC, IMBALANCE = 0.02, 0.05, 1e-9
+"""Limits for a result to be trusted as quasi-static: reaction mismatch, kinetic over internal energy, imbalance."""
+
+
+def check_text(report: dict[str, Any]) -> str:
+    """The report of `masonry.laboratory.check` as lines."""
+    contacts = report["contacts"]
+    longest = max((len(name) for name in contacts), default=0)
+    rows = [
+        ("blocks", [f"{report['blocks']}"]),
+        ("contacts", [f"{name:<{longest}}  {number}" for name, number in contacts.items()] or ["none"]),
+        ("contact points", [f"{report['contact_points']}"]),
+        ("tets", [f"{report['tets']}"]),
+        ("freedoms", [f"{report['freedoms']}"]),
+        ("time step", [f"{report['time_step_s']:.4g} s, limited by {report['limited_by']}"]),
+        ("steps", [f"{report['steps']}"]),
+        ("expected time", [f"about {duration(report['expected_seconds'])}"]),
+        ("compiled in", report["compiled"] or ["nothing beyond contacts"]),
+        ("left out", report["left_out"] or ["nothing"]),
+        ("warnings", report["warnings"] or ["none"]),
+    ]
+    return _aligned(rows)
+
+
+def paths_text(paths: dict[str, Path]) -> str:
+    """Where to look after a run."""
+    names = {"curve": "curve.png", "crack picture": "cracks.png", "summary": "summary.json"}
+    rows = [(word, [str(paths[name])]) for word, name in names.items() if name in paths]
+    others = [name for name in paths if name not in names.values()]
+    return _aligned([*rows, ("also there", [", ".join(others)])] if others else rows, wrap=False)
+
+
+def summary_text(summary: dict[str, Any]) -> str:
+    """The figures that matter, and a sentence on how far to trust them."""
+    rows = [
+        ("peak stress", [_number(summary, "peak_stress_pa", 1e-6, "MPa")]),
+        ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
+        ("final stress", [_number(summary, "final_stress_pa", 1e-6, "MPa")]),
+        ("energy imbalance", [_number(summary, "energy_imbalance", 1.0, "of the external work")]),
+        ("reaction mismatch", [_number(summary, "reaction_mismatch_max", 100.0, "% of the peak")]),
+        ("kinetic / internal", [_number(summary, "kinetic_over_internal_max", 100.0, "%")]),
+        ("steps", [str(summary.get("steps", "not known"))]),
+        ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
+        ("trust", [trust(summary)]),
+    ]
+    return _aligned(rows)
+
+
+def trust(summary: dict[str, Any]) -> str:
+    """How far the numbers may be trusted, from the numbers themselves."""
+    doubts = []
+    if summary.get("interrupted"):
+        doubts.append("the run was interrupted, so this is only its first part")
+    imbalance = summary.get("energy_imbalance")
+    if imbalance is None:
+        doubts.append("the energy balance is not known")
+    elif abs(imbalance) > IMBALANCE:
+        doubts.append(f"the energy balance is open by {abs(imbalance):.2g} (should be under {IMBALANCE:g})")
+    slow = (
+        ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),
+        ("kinetic_over_internal_max", KINETIC, "kinetic energy reaches {:.2g} of the internal"),
+    )
+    fast = []
+    for key, limit, words in slow:
+        value = summary.get(key)
+        if value is None:
+            doubts.append(f"{key} is not known")
+        elif value > limit:
+            fast.append(f"{words.format(value)} (should be under {limit:g})")
+    if fast:
+        doubts.append("not quasi-static: " + " and ".join(fast) + "; load more slowly")
+    if not doubts:
+        return (
+            "quasi-static and the energy balance closes: the numbers solve this model; whether the model is the wall "
+            "depends on the scene's assumptions."
+        )
+    return "with care: " + "; ".join(doubts) + "."
+
+
+def _number(summary: dict[str, Any], key: str, factor: float, unit: str) -> str:
+    value = summary.get(key)
+    return "not known" if value is None else f"{value * factor:.4g} {unit}"
+
+
+def _seconds(summary: dict[str, Any], key: str) -> str:
+    value = summary.get(key)
+    return "not known" if value is None else duration(value)
+
+
+def _aligned(rows: list[tuple[str, list[str]]], wrap: bool = True) -> str:
+    """Two columns: a word, and lines that are wrapped under each other."""
+    margin = max(len(word) for word, _ in rows) + 2
+    lines = []
+    for word, entries in rows:
+        for number, entry in enumerate(entries):
+            head = f"{word if number == 0 else '':<{margin}}"
+            pieces = (textwrap.wrap(entry, WIDTH - margin) if wrap and len(entry) > WIDTH - margin else [entry]) or [""]
+            lines.append(head + pieces[0])
+            lines += [" " * margin + piece for piece in pieces[1:]]
+    return "\n".join(lines)

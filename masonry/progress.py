@@ -1,0 +1,121 @@
+"""Progress of a long run: a bar with time left on a terminal, plain lines when the output goes to a file or a pipe."""
+
+import sys
+import time
+from collections.abc import Callable
+from typing import Any, TextIO
+
+LINE_SHARE = 0.1
+LINE_SECONDS = 10.0
+"""A plain line is due after this share of the steps, or after this time."""
+BAR_SECONDS = 0.1
+"""A bar is drawn at most this often."""
+
+
+class Progress:
+    """Says how far a run is. Use as a context manager; `update` may be called as often as one likes.
+
+    `total_steps` may be 0 while it is not known and set later.
+    """
+
+    def __init__(
+        self,
+        total_steps: int = 0,
+        label: str = "",
+        stream: TextIO | None = None,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self.total_steps = total_steps
+        self.label = label
+        self._stream = sys.stderr if stream is None else stream
+        self._clock = clock
+        self._begun: float | None = None
+        self._said_at = 0.0
+        self._said_step = 0
+        self._bar: Any = None
+        self._task: Any = None
+
+    def __enter__(self) -> "Progress":
+        self._begin()
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        if self._bar is not None:
+            self._bar.refresh()
+            self._bar.stop()
+            self._bar = None
+
+    def update(self, step: int, note: str = "") -> None:
+        """`step` steps are done; `note` is a few words on the state of the run."""
+        self._begin()
+        now = self._clock()
+        done = bool(self.total_steps) and step >= self.total_steps
+        if self._bar is not None:
+            if done or now - self._said_at >= BAR_SECONDS:
+                self._said_at = now
+                self._bar.update(self._task, total=self.total_steps or None, completed=step, note=note, refresh=True)
+            return
+        due = step - self._said_step >= LINE_SHARE * self.total_steps > 0 or now - self._said_at >= LINE_SECONDS
+        if step > self._said_step and (due or done):
+            self._said_at, self._said_step = now, step
+            self._say(self.line(step, note, now))
+
+    def line(self, step: int, note: str, now: float) -> str:
+        """One plain line: `couplet  40 %  20000/50000 steps  1.2 s left  stress 0.12 MPa`."""
+        words = [self.label] if self.label else []
+        if self.total_steps:
+            words += [f"{100 * step / self.total_steps:.0f} %", f"{step}/{self.total_steps} steps"]
+            spent = now - (self._begun if self._begun is not None else now)
+            if 0 < step < self.total_steps:
+                words.append(f"{duration(spent * (self.total_steps - step) / step)} left")
+        else:
+            words.append(f"{step} steps")
+        return "  ".join([*words, *([note] if note else [])])
+
+    def _begin(self) -> None:
+        if self._begun is not None:
+            return
+        self._begun = self._said_at = self._clock()
+        if self._stream.isatty():
+            self._bar = _bar(self._stream)
+            self._task = self._bar.add_task(self.label, total=self.total_steps or None, note="")
+            self._bar.start()
+
+    def _say(self, line: str) -> None:
+        """A reader that has gone must not end the run."""
+        try:
+            print(line, file=self._stream, flush=True)
+        except BrokenPipeError:
+            pass
+
+
+def duration(seconds: float) -> str:
+    """Seconds in words: `0.12 s`, `12 s`, `3 min 05 s`, `2 h 10 min`."""
+    if seconds < 59.5:
+        return f"{seconds:.2g} s"
+    minutes, rest = divmod(round(seconds), 60)
+    if minutes < 60:
+        return f"{minutes} min {rest:02d} s"
+    return f"{minutes // 60} h {minutes % 60:02d} min"
+
+
+def _bar(stream: TextIO) -> Any:
+    from rich.console import Console
+    from rich.progress import BarColumn, ProgressColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import Progress as RichProgress
+    from rich.text import Text
+
+    class Speed(ProgressColumn):
+        def render(self, task: Any) -> Text:
+            return Text(f"{task.speed:.3g} steps/s" if task.speed else "", style="cyan")
+
+    return RichProgress(
+        TextColumn("{task.description}", markup=False),
+        BarColumn(),
+        TaskProgressColumn(),
+        Speed(),
+        TimeRemainingColumn(),
+        TextColumn("{task.fields[note]}", markup=False),
+        console=Console(file=stream),
+        auto_refresh=False,
+    )

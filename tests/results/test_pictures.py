@@ -1,0 +1,129 @@
+"""Pictures show what happened, where it happened, and nothing where nothing happened."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from matplotlib import image
+
+from masonry.cracks import crack_lines, front_view, outlines
+from masonry.deformation import Deformation
+from masonry.picture import frames_to_draw, magnification
+from tests.results.sample import HEIGHT, LENGTH, joints_of, opened, sample, wall, with_tets
+
+
+def pixels(result, path, draw):
+    """(rows, columns, 3) of the upper 85 % of the left 80 % of a picture: without legend and colour bars."""
+    getattr(result, draw)(path)
+    picture = image.imread(path)[:, :, :3]
+    return picture[: int(0.85 * len(picture)), : int(0.8 * picture.shape[1])]
+
+
+def red(picture):
+    return (picture[..., 0] > 0.4) & (picture[..., 1] < 0.3) & (picture[..., 2] < 0.3)
+
+
+def blue(picture):
+    return (picture[..., 2] > 0.5) & (picture[..., 0] < 0.35)
+
+
+def test_broken_joints_are_red_where_tension_leads_and_blue_where_shear_leads(tmp_path):
+    picture = pixels(sample(), tmp_path / "cracks.png", "picture")
+    assert picture.shape[1] > 1200
+    assert red(picture).sum() > 1000 and blue(picture).sum() > 500
+    assert red(picture).any(axis=1).mean() > 0.3, "the crack goes through the height of the wall"
+
+
+def test_a_sound_wall_shows_no_crack(tmp_path):
+    picture = pixels(sample(damaged=False), tmp_path / "cracks.png", "picture")
+    assert not red(picture).any() and not blue(picture).any()
+    assert np.ptp(picture) > 0.5, "it is drawn nevertheless"
+
+
+def test_the_picture_of_a_wall_with_tets_and_of_a_standing_wall_can_be_drawn(tmp_path):
+    assert red(pixels(with_tets(sample()), tmp_path / "a.png", "picture")).any()
+    standing = sample()
+    standing.history.frames = standing.history.frames[:1]
+    assert not red(pixels(standing, tmp_path / "b.png", "picture")).any()
+
+
+def test_the_curve_is_drawn_at_1200_pixels_with_its_peak_and_its_ledger(tmp_path):
+    result = sample()
+    result.plot(tmp_path / "curve.png")
+    picture = image.imread(tmp_path / "curve.png")[:, :, :3]
+    assert picture.shape[1] == 1200
+    ledger = picture[len(picture) * 6 // 10 :, :1000]
+    assert red(ledger).sum() > 5000, "fracture energy fills an area"
+
+
+def test_a_negative_term_and_an_empty_history_do_not_stop_the_curve(tmp_path):
+    result = sample()
+    result.history.rows["elastic_contacts"] *= -1
+    result.plot(tmp_path / "curve.png")
+    result.history.rows = {}
+    result.plot(tmp_path / "empty.png")
+    assert (tmp_path / "empty.png").stat().st_size > 1000
+
+
+def test_the_frames_drawn_are_the_one_nearest_the_peak_and_the_last():
+    drawn = frames_to_draw(sample())
+    assert [(name, frame.step) for name, frame in drawn] == [("at the peak", 200), ("at the end", 1000)]
+    growing = sample()
+    growing.history.rows["stress"] = growing.history.rows["displacement"]
+    assert [frame.step for _, frame in frames_to_draw(growing)] == [1000]
+
+
+def test_the_largest_displacement_is_drawn_as_a_twentyfifth_of_the_wall():
+    frame = sample().history.frames[-1]
+    assert magnification(frame, 1.0) * 2e-4 == pytest.approx(0.04, rel=0.06)
+    assert magnification(sample().history.frames[0], 1.0) == 1.0
+
+
+@pytest.mark.parametrize(
+    ("extent", "plane", "toward"),
+    [
+        ((2, 1, 3), (0, 2), (0, -1, 0)),
+        ((3, 2, 1), (0, 1), (0, 0, 1)),
+        ((1, 2, 3), (1, 2), (1, 0, 0)),
+        ((1, 1, 1), (0, 2), (0, -1, 0)),
+    ],
+)
+def test_the_view_is_onto_the_two_largest_extents(extent, plane, toward):
+    view = front_view(np.array([[0, 0, 0], extent], dtype=float))
+    assert (view.right, view.up) == plane
+    np.testing.assert_allclose(view.toward, toward)
+
+
+def test_each_block_shows_one_face_and_edges_between_cells_of_one_unit_are_inner():
+    blocks = wall()
+    shown = outlines(blocks, front_view(blocks.points))
+    assert len(shown.face) == blocks.count
+    inner = sum(int((~outer).sum()) for outer in shown.outer)
+    whole_units = 6
+    assert inner == 2 * whole_units, "one edge, seen from both cells, in every unit of two cells"
+
+
+def test_crack_lines_cover_each_joint_once_and_lie_midway_between_its_sides():
+    blocks = wall()
+    joints = joints_of(blocks)
+    frame = opened(blocks, joints, 1e-3, 1)
+    view = front_view(blocks.points)
+    lines = crack_lines(joints, frame, view)
+    length = np.bincount(joints.patch[lines.contact], np.linalg.norm(lines.end - lines.start, axis=1))
+    np.testing.assert_allclose(length * 0.05, np.bincount(joints.patch, joints.area), rtol=1e-9)
+    broken = lines.select(lines.tension_led & (lines.damage > 0.5))
+    ends = broken.displaced(joints, Deformation(blocks, frame), 10.0)
+    places = np.unique(np.round(ends[:, :, 0], 9))
+    np.testing.assert_allclose(places, [LENGTH + 0.005, 1.5 * LENGTH + 0.005])
+    assert ends[:, :, 2].max() == pytest.approx(4 * HEIGHT)
+
+
+def test_a_joint_that_is_open_at_one_end_only_is_drawn_so():
+    blocks = wall()
+    joints = joints_of(blocks)
+    frame = opened(blocks, joints, 1e-3, 1)
+    low = joints.point[:, 2] % HEIGHT < HEIGHT / 2
+    frame = dataclasses.replace(frame, damage_tension=np.where(low, frame.damage_tension, 0.0))
+    lines = crack_lines(joints, frame, front_view(blocks.points))
+    broken = lines.tension_led & (lines.damage > 0.5)
+    np.testing.assert_allclose(np.linalg.norm((lines.end - lines.start)[broken], axis=1), HEIGHT / 2)
