@@ -1,0 +1,91 @@
+"""Outer faces of a set of blocks, and the mesh nodes on them: where tractions and supports act."""
+
+import numpy as np
+
+from geometry.blocks import Blocks, GeometryError, Joints, TetMesh
+from geometry.measures import extent, face_areas_normals_centroids
+from geometry.polygons import areas_normals_centroids, pad
+
+DIRECTIONS = ("x-", "x+", "y-", "y+", "z-", "z+")
+TET_FACES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
+
+
+def outer_faces(
+    blocks: Blocks, joints: Joints, block_set: np.ndarray, direction: str, tolerance: float = 1e-9
+) -> np.ndarray:
+    """Faces of these blocks that look along direction ("x-" ... "z+"), on the set's extreme plane there, and are free.
+
+    Faces wholly covered by joints are left out. Raises GeometryError for an unknown direction, for a face that is
+    covered in part, and if no face is left (naming the directions that have some).
+    """
+    if direction not in DIRECTIONS:
+        raise GeometryError(f"face {direction!r} is unknown; allowed: {', '.join(DIRECTIONS)}")
+    covered = _covered_shares(blocks, joints, tolerance)
+    faces = _extreme_faces(blocks, block_set, direction, tolerance)
+    partly = faces[(covered[faces] > 1e-6) & (covered[faces] < 1 - 1e-6)]
+    if len(partly):
+        block = int(blocks.face_block()[partly[0]])
+        raise GeometryError(
+            f"face {direction} of block {block} (unit {blocks.unit[block]}) is covered by a joint over "
+            f"{covered[partly[0]]:.1%} of its area; an outer face must be free: divide the block where the joint ends"
+        )
+    free = faces[covered[faces] <= 1e-6]
+    if len(free) == 0:
+        others = [d for d in DIRECTIONS if np.any(covered[_extreme_faces(blocks, block_set, d, tolerance)] <= 1e-6)]
+        reason = "lies in a joint" if len(faces) else "does not exist: no block has a face there"
+        raise GeometryError(f"face {direction} {reason}; outer faces there are: {', '.join(others) or 'none'}")
+    return free
+
+
+def _extreme_faces(blocks: Blocks, block_set: np.ndarray, direction: str, tolerance: float) -> np.ndarray:
+    axis, sign = "xyz".index(direction[0]), 1.0 if direction[1] == "+" else -1.0
+    _, normal, centroid = face_areas_normals_centroids(blocks)
+    mine = np.flatnonzero(np.isin(blocks.face_block(), block_set))
+    if len(mine) == 0:
+        return mine
+    corners, _ = pad(blocks.points, blocks.face_start, blocks.face_points)
+    level = (sign * corners[mine, :, axis]).max()
+    looks = sign * normal[mine, axis] > 1 - 1e-9
+    return mine[looks & (sign * centroid[mine, axis] >= level - tolerance * extent(blocks))]
+
+
+def _covered_shares(blocks: Blocks, joints: Joints, tolerance: float) -> np.ndarray:
+    """(F,) share of each face's area that lies in joints."""
+    area, normal, centroid = face_areas_normals_centroids(blocks)
+    covered = np.zeros(len(area))
+    start = blocks.block_face_start
+    for block, outward in ((joints.block_a, joints.normal), (joints.block_b, -joints.normal)):
+        for k in range(int(np.diff(start).max(initial=0))):
+            face = np.minimum(start[block] + k, start[block + 1] - 1)
+            height = np.einsum("ni,ni->n", joints.point - centroid[face], normal[face])
+            on = (start[block] + k < start[block + 1]) & (np.einsum("ni,ni->n", normal[face], outward) > 0.999)
+            on &= np.abs(height) <= tolerance * extent(blocks)
+            np.add.at(covered, face[on], joints.area[on])
+    return covered / area
+
+
+def surface_nodes(
+    mesh: TetMesh, blocks: Blocks, faces: np.ndarray, tolerance: float = 1e-9
+) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes of the meshed blocks on these faces, rising, and the area (m2) of each: a third of its triangles.
+
+    Faces of blocks without tets give nothing. The areas of a face add up to its area.
+    """
+    width = tolerance * extent(blocks)
+    owner = blocks.face_block()
+    triangles = [np.zeros((0, 3), dtype=np.int64)]
+    for face in np.asarray(faces).tolist():
+        block = owner[face]
+        candidate = mesh.tets[mesh.tet_start[block] : mesh.tet_start[block + 1]][:, TET_FACES].reshape(-1, 3)
+        corners = blocks.face(face)
+        _, normal, centroid = (value[0] for value in areas_normals_centroids(corners[None]))
+        corner = mesh.nodes[candidate]
+        on = np.all(np.abs((corner - centroid) @ normal) <= width, axis=1)
+        inward = np.cross(normal, np.roll(corners, -1, axis=0) - corners)
+        reach = np.einsum("tki,ki->tk", corner.mean(axis=1)[:, None] - corners[None], inward)
+        triangles.append(candidate[on & np.all(reach >= 0, axis=1)])
+    triangle = np.concatenate(triangles)
+    a, b, c = (mesh.nodes[triangle[:, k]] for k in range(3))
+    third = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 6
+    node, place = np.unique(triangle, return_inverse=True)
+    return node, np.bincount(place.ravel(), weights=np.repeat(third, 3), minlength=len(node))

@@ -1,0 +1,75 @@
+"""Joints: where faces of two blocks lie on each other, wholly or in part, and the contact points there."""
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from geometry.blocks import Blocks, Joints
+from geometry.contact_points import contact_points
+from geometry.measures import extent, face_areas_normals_centroids
+from geometry.polygons import areas_normals_centroids, clip, pad, tidy, unpad
+from geometry.sweep import overlapping_boxes
+
+
+def find_joints(blocks: Blocks, rule: str = "gauss", points_per_edge: int = 2, tolerance: float = 1e-9) -> Joints:
+    """Every overlap of coplanar faces of different blocks that look at each other, with its contact points.
+
+    rule, points_per_edge  as in contact_points
+    tolerance              of distances, relative to the longest side of the specimen
+    Pairs of faces that touch along a line or in a corner only are not joints; they are counted in `dropped`.
+    """
+    width = tolerance * extent(blocks)
+    face_a, face_b = facing_pairs(blocks, width)
+    corners, count = pad(blocks.points, blocks.face_start, blocks.face_points)
+    normal = face_areas_normals_centroids(blocks)[1]
+    overlap, corner_count = clip(corners[face_a], count[face_a], corners[face_b], normal[face_b], width)
+    touching = corner_count > 0
+    size = np.linalg.norm(np.ptp(overlap, axis=1), axis=1)
+    overlap, corner_count = tidy(overlap, corner_count, width)
+    area = areas_normals_centroids(overlap)[0]
+    kept = touching & (corner_count >= 3) & (area > width * size)
+    overlap, corner_count, face_a, face_b = overlap[kept], corner_count[kept], face_a[kept], face_b[kept]
+
+    patch, point, share = contact_points(overlap, corner_count, rule, points_per_edge)
+    patch_start, patch_points = unpad(overlap, corner_count)
+    owner = blocks.face_block()
+    return Joints(
+        block_a=owner[face_a][patch],
+        block_b=owner[face_b][patch],
+        node_a=np.full(len(patch), -1, dtype=np.int64),
+        node_b=np.full(len(patch), -1, dtype=np.int64),
+        point=point,
+        normal=normal[face_a][patch],
+        area=share,
+        patch=patch,
+        patch_start=patch_start,
+        patch_points=patch_points,
+        dropped=int(np.sum(touching & ~kept)),
+    )
+
+
+def facing_pairs(blocks: Blocks, width: float) -> tuple[np.ndarray, np.ndarray]:
+    """Faces a and b, (N,) each, that lie in one plane within width (m), look at each other and may overlap.
+
+    Block a < block b; sorted. The pairs come from a sweep over the boxes round the faces, so there is no rounding of
+    planes to a grid that could part two neighbours.
+    """
+    corners, _ = pad(blocks.points, blocks.face_start, blocks.face_points)
+    area, normal, _ = face_areas_normals_centroids(blocks)
+    pairs = overlapping_boxes(corners.min(axis=1) - width, corners.max(axis=1) + width)
+    owner = blocks.face_block()
+    pairs = np.where((owner[pairs[:, 0]] > owner[pairs[:, 1]])[:, None], pairs[:, ::-1], pairs)
+    facing = np.einsum("ni,ni->n", normal[pairs[:, 0]], normal[pairs[:, 1]]) < -0.999
+    pairs = pairs[facing & (owner[pairs[:, 0]] != owner[pairs[:, 1]])]
+    larger = np.where(area[pairs[:, 0]] >= area[pairs[:, 1]], pairs[:, 0], pairs[:, 1])
+    smaller = pairs.sum(axis=1) - larger
+    height = np.einsum("nki,ni->nk", corners[smaller] - corners[larger, :1], normal[larger])
+    pairs = pairs[np.abs(height).max(axis=1, initial=0.0) <= width]
+    pairs = pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
+    return pairs[:, 0], pairs[:, 1]
+
+
+def connected(blocks: Blocks, joints: Joints) -> np.ndarray:
+    """(B,) a number for each block, the same for all blocks that hang together by joints."""
+    link = coo_array((np.ones(len(joints.block_a)), (joints.block_a, joints.block_b)), shape=(blocks.count,) * 2)
+    return connected_components(link, directed=False)[1]

@@ -1,0 +1,146 @@
+"""Tets inside blocks by gmsh, matching node to node across joints. The only file that imports gmsh."""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import Blocks, GeometryError, Joints, TetMesh
+from geometry.imprint import Imprint, imprint
+from geometry.mesh_joints import PatchTriangles, mesh_joints
+from geometry.sizes import require_lengths
+
+OPTIONS = {
+    "General.Terminal": 0,
+    "General.NumThreads": 1,
+    "Mesh.RandomSeed": 1,
+    "Mesh.Algorithm": 6,
+    "Mesh.Algorithm3D": 10,  # HXT: the default leaves flat slivers in thin walls, worst radius ratio 0.000 against 0.3
+    "Mesh.ElementOrder": 1,
+    "Mesh.MeshSizeMax": 1.0,
+}
+TRIANGLE, TET = 2, 4
+
+
+def mesh_blocks(blocks: Blocks, meshed: np.ndarray, size: float, joints: Joints) -> tuple[TetMesh, Joints]:
+    """Tets of about the given edge length (m) in the meshed blocks (B,), and the joints with points at their nodes.
+
+    A joint polygon between two meshed blocks has one surface mesh for both, so their nodes coincide there. Each of its
+    triangles gives a third of its area to each of its corners. Polygons with no meshed side keep their points.
+    Raises GeometryError if gmsh cannot be loaded or cannot mesh a block.
+    """
+    require_lengths("mesh", {"size": size})
+    meshed = np.asarray(meshed, dtype=bool)
+    if not meshed.any():
+        return _no_tets(blocks.count), joints
+    skeleton = imprint(blocks, meshed, joints)
+    scale = 2.0 ** round(math.log2(size))  # a power of two: scaling to the mesh size and back changes no digit
+    with _model() as gmsh:
+        volumes = _build(gmsh, skeleton, scale, size / scale)
+        _generate(gmsh, volumes)
+        tags, coordinates, _ = gmsh.model.mesh.getNodes()
+        nodes = np.empty((int(tags.max()) + 1, 3))
+        nodes[tags.astype(np.int64)] = coordinates.reshape(-1, 3) * scale
+        tets = {block: _elements(gmsh, 3, tag, TET) for block, tag in volumes.items()}
+        triangles = {
+            int(patch): _elements(gmsh, 2, int(skeleton.patch_surface[patch]) + 1, TRIANGLE)
+            for patch in np.flatnonzero(skeleton.patch_surface >= 0)
+        }
+    mesh, block_tags = _assemble(blocks.count, nodes, tets)
+    return mesh, mesh_joints(joints, mesh, PatchTriangles(nodes, triangles, block_tags))
+
+
+@contextmanager
+def _model() -> Iterator[Any]:
+    """An open gmsh with an empty model and fixed options; leaves it as it was found, signal handlers included."""
+    try:
+        import gmsh
+    except OSError as error:
+        raise GeometryError(
+            f"tets need gmsh, and gmsh needs system libraries that are missing here ({error}); on Debian: "
+            "apt-get install libgl1 libglu1-mesa libxrender1 libxcursor1 libxft2 libxinerama1 libfontconfig1 libgomp1"
+        ) from error
+    except ImportError as error:
+        raise GeometryError(f"tets need gmsh, which is not installed ({error}); pip install gmsh") from error
+    found_running = bool(gmsh.isInitialized())
+    if not found_running:
+        gmsh.initialize(readConfigFiles=False, interruptible=False)
+    before = {name: gmsh.option.getNumber(name) for name in OPTIONS}
+    try:
+        for name, value in OPTIONS.items():
+            gmsh.option.setNumber(name, value)
+        gmsh.model.add("blocks")
+        try:
+            yield gmsh
+        finally:
+            gmsh.model.remove()
+    finally:
+        for name, value in before.items():
+            gmsh.option.setNumber(name, value)
+        if not found_running:
+            gmsh.finalize()
+
+
+def _build(gmsh: Any, skeleton: Imprint, scale: float, size: float) -> dict[int, int]:
+    """The skeleton as a gmsh model, in units of scale; the volume's tag for each block. Surface s has tag s + 1."""
+    geo = gmsh.model.geo
+    for v, point in enumerate(skeleton.vertices / scale):
+        geo.addPoint(*point, size, v + 1)
+    lines: dict[tuple[int, int], int] = {}
+    for s, loops in enumerate(skeleton.surfaces):
+        loop_tags = []
+        for loop in loops:
+            curves = []
+            for start, end in zip(loop, loop[1:] + loop[:1], strict=True):
+                key = (min(start, end), max(start, end))
+                if key not in lines:
+                    lines[key] = geo.addLine(key[0] + 1, key[1] + 1)
+                curves.append(lines[key] if start < end else -lines[key])
+            loop_tags.append(geo.addCurveLoop(curves))
+        geo.addPlaneSurface(loop_tags, s + 1)
+    volumes = {}
+    for block, surfaces in enumerate(skeleton.block_surfaces):
+        if surfaces:
+            volumes[block] = geo.addVolume([geo.addSurfaceLoop([s + 1 for s in surfaces])])
+    geo.synchronize()
+    return volumes
+
+
+def _generate(gmsh: Any, volumes: dict[int, int]) -> None:
+    try:
+        gmsh.model.mesh.generate(3)
+    except Exception as error:  # gmsh raises bare Exception
+        raise GeometryError(f"gmsh could not mesh the blocks: {error}; try another mesh size") from error
+    for block, tag in volumes.items():
+        if len(gmsh.model.mesh.getElements(3, tag)[0]) == 0:
+            raise GeometryError(f"gmsh left block {block} without tets; try another mesh size")
+
+
+def _elements(gmsh: Any, dimension: int, tag: int, kind: int) -> np.ndarray:
+    """Node tags (., 3) or (., 4) of the triangles or tets of one surface or volume."""
+    return gmsh.model.mesh.getElementsByType(kind, tag)[1].astype(np.int64).reshape(-1, dimension + 1)
+
+
+def _no_tets(count: int) -> TetMesh:
+    empty = np.zeros(count + 1, dtype=np.int64)
+    return TetMesh(np.zeros((0, 3)), empty, np.zeros((0, 4), dtype=np.int64), empty)
+
+
+def _assemble(count: int, nodes: np.ndarray, tets: dict[int, np.ndarray]) -> tuple[TetMesh, dict[int, np.ndarray]]:
+    """Nodes renumbered block by block; the gmsh tags of each block's nodes, rising, in that order."""
+    node_count, tet_count = np.zeros(count, dtype=np.int64), np.zeros(count, dtype=np.int64)
+    block_tags, numbered, start = {}, [], 0
+    for block, corners in tets.items():
+        block_tags[block], local = np.unique(corners, return_inverse=True)
+        numbered.append(local.reshape(-1, 4) + start)
+        node_count[block], tet_count[block] = len(block_tags[block]), len(corners)
+        start += len(block_tags[block])
+    points = nodes[np.concatenate(list(block_tags.values()))]
+    tet = np.concatenate(numbered)
+    edge = points[tet[:, 1:]] - points[tet[:, :1]]
+    turned = np.einsum("ti,ti->t", edge[:, 0], np.cross(edge[:, 1], edge[:, 2])) < 0
+    tet[turned] = tet[turned][:, [1, 0, 2, 3]]
+    starts = [np.concatenate([[0], np.cumsum(number)]) for number in (node_count, tet_count)]
+    return TetMesh(points, starts[0], tet, starts[1]), block_tags

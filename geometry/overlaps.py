@@ -1,0 +1,80 @@
+"""Blocks that take up the same space: found by the separating axis theorem, refused with a message."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from geometry.blocks import Blocks, GeometryError
+from geometry.measures import bounds, extent, face_areas_normals_centroids, volumes
+from geometry.polygons import pad
+from geometry.sweep import overlapping_boxes
+
+CHUNK = 4096
+
+
+def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None, tolerance: float = 1e-9) -> None:
+    """Raise GeometryError for the first two blocks that overlap by more than tolerance times the specimen's size.
+
+    names (B,) says what to call each block; without it, its number and unit.
+    """
+    depth = tolerance * extent(blocks)
+    low, high = bounds(blocks)
+    pairs = overlapping_boxes(low + depth / 2, high - depth / 2)
+    is_box = np.abs(volumes(blocks) / np.prod(high - low, axis=1) - 1) < 1e-12
+    sure = is_box[pairs].all(axis=1)
+    overlapping = [tuple(pair) for pair in pairs[sure][:1]]
+    for a, b in _not_separated_by_faces(blocks, pairs[~sure], depth):
+        if _penetration(blocks, a, b) > depth:
+            overlapping.append((a, b))
+            break
+    if overlapping:
+        raise GeometryError(_message(blocks, names, low, high, *min(overlapping)))
+
+
+def _not_separated_by_faces(blocks: Blocks, pairs: np.ndarray, depth: float) -> np.ndarray:
+    """The pairs of which neither block has a face with the whole other block in front of it."""
+    if len(pairs) == 0:
+        return pairs
+    _, face_normal, face_centroid = face_areas_normals_centroids(blocks)
+    faces = np.arange(len(face_normal))
+    face, _ = pad(faces[:, None], blocks.block_face_start, faces)
+    face = face[:, :, 0]
+    normal = face_normal[face]
+    offset = np.einsum("bfi,bfi->bf", normal, face_centroid[face])
+    corners, _ = pad(blocks.points, blocks.face_start[blocks.block_face_start], blocks.face_points)
+    separated = np.zeros(len(pairs), dtype=bool)
+    for begin in range(0, len(pairs), CHUNK):
+        part = slice(begin, begin + CHUNK)
+        for a, b in (pairs[part].T, pairs[part, ::-1].T):
+            gap = np.einsum("pfi,pki->pfk", normal[a], corners[b]).min(axis=2) - offset[a]
+            separated[part] |= gap.max(axis=1) >= -depth
+    return pairs[~separated]
+
+
+def _penetration(blocks: Blocks, a: int, b: int) -> float:
+    """Least shift (m) along any separating axis, face normals and crossed edges, that parts two convex blocks."""
+    corners, normals, edges = [], [], []
+    for block in (a, b):
+        faces = [blocks.face(f) for f in blocks.faces_of(block)]
+        corners.append(np.concatenate(faces))
+        normals.append(np.array([np.cross(face[1] - face[0], face[2] - face[1]) for face in faces]))
+        edges.append(np.concatenate([np.roll(face, -1, axis=0) - face for face in faces]))
+    crossed = np.cross(edges[0][:, None], edges[1][None]).reshape(-1, 3)
+    axes = np.concatenate([*normals, crossed])
+    length = np.linalg.norm(axes, axis=1)
+    good = length > 1e-12 * length.max()
+    axes = axes[good] / length[good, None]
+    one, two = corners[0] @ axes.T, corners[1] @ axes.T
+    return float(np.min(np.minimum(one.max(axis=0) - two.min(axis=0), two.max(axis=0) - one.min(axis=0))))
+
+
+def _message(blocks: Blocks, names: Sequence[str] | None, low: np.ndarray, high: np.ndarray, a: int, b: int) -> str:
+    start, end = np.maximum(low[a], low[b]), np.minimum(high[a], high[b])
+    size, place = end - start, (start + end) / 2
+    axis = int(np.argmin(size))
+    called = [f"{names[i]!r}" if names is not None else f"{i} (unit {blocks.unit[i]})" for i in (a, b)]
+    return (
+        f"blocks {called[0]} and {called[1]} overlap by {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m around "
+        f"({place[0]:.4g}, {place[1]:.4g}, {place[2]:.4g}) m; blocks may touch but not overlap: "
+        f"move one by {size[axis]:.4g} m along {'xyz'[axis]}, or make it that much smaller"
+    )

@@ -1,0 +1,68 @@
+"""Building Blocks: from axis-parallel boxes, from lists of faces, from other Blocks."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from geometry.blocks import Blocks
+
+# Corner i + 2 j + 4 k of a box lies at the low (0) or high (1) end along x, y, z.
+BOX_FACES = np.array([[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]])
+
+
+def from_boxes(low: np.ndarray, high: np.ndarray, unit: np.ndarray, group: np.ndarray, groups: Sequence[str]) -> Blocks:
+    """One box between each low and high corner (B, 3); faces in the order x-, x+, y-, y+, z-, z+."""
+    low, high = np.atleast_2d(low), np.atleast_2d(high)
+    count = len(low)
+    upper = np.array([[(c >> axis) & 1 for axis in range(3)] for c in range(8)], dtype=bool)
+    points = np.where(upper[None], high[:, None], low[:, None]).reshape(-1, 3)
+    face_points = (np.arange(count)[:, None, None] * 8 + BOX_FACES).ravel()
+    return Blocks(
+        points=points,
+        face_start=np.arange(6 * count + 1) * 4,
+        face_points=face_points,
+        block_face_start=np.arange(count + 1) * 6,
+        unit=np.asarray(unit, dtype=np.int64),
+        group=np.asarray(group, dtype=np.int64),
+        groups=tuple(groups),
+    )
+
+
+def from_faces(
+    polyhedra: Sequence[Sequence[np.ndarray]], unit: Sequence[int], group: Sequence[int], groups: Sequence[str]
+) -> Blocks:
+    """One block for each list of faces (n, 3), counter-clockwise seen from outside."""
+    faces = [np.asarray(face, dtype=float) for polyhedron in polyhedra for face in polyhedron]
+    points = np.concatenate(faces) if faces else np.zeros((0, 3))
+    return Blocks(
+        points=points,
+        face_start=np.concatenate([[0], np.cumsum([len(face) for face in faces])]).astype(np.int64),
+        face_points=np.arange(len(points)),
+        block_face_start=np.concatenate([[0], np.cumsum([len(p) for p in polyhedra])]).astype(np.int64),
+        unit=np.asarray(unit, dtype=np.int64),
+        group=np.asarray(group, dtype=np.int64),
+        groups=tuple(groups),
+    )
+
+
+def concatenate(parts: Sequence[Blocks]) -> Blocks:
+    """All blocks of all parts in that order; groups of the same name become one, unit numbers stay."""
+    groups = tuple(dict.fromkeys(name for part in parts for name in part.groups))
+    points = np.cumsum([0, *(len(part.points) for part in parts)])
+    corners = np.cumsum([0, *(len(part.face_points) for part in parts)])
+    faces = np.cumsum([0, *(len(part.face_start) - 1 for part in parts)])
+    return Blocks(
+        points=np.concatenate([part.points for part in parts]),
+        face_start=np.concatenate(
+            [part.face_start[:-1] + n for part, n in zip(parts, corners, strict=False)] + [corners[-1:]]
+        ),
+        face_points=np.concatenate([part.face_points + n for part, n in zip(parts, points, strict=False)]),
+        block_face_start=np.concatenate(
+            [part.block_face_start[:-1] + n for part, n in zip(parts, faces, strict=False)] + [faces[-1:]]
+        ),
+        unit=np.concatenate([part.unit for part in parts]),
+        group=np.concatenate(
+            [np.array([groups.index(g) for g in part.groups], dtype=np.int64)[part.group] for part in parts]
+        ),
+        groups=groups,
+    )
