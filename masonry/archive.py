@@ -1,7 +1,8 @@
 """history.h5: the rows, the frames and the specimen of a run, enough to draw its pictures again.
 
-Layout: `rows/<column>` with attribute `unit`; `frames/<field of Frame>` with one entry a frame; `specimen`, `joints` and
-(with tets) `mesh` with the fields of the geometry floor. h5py's default file version, which survives a killed process.
+Layout: `rows/<column>` with attribute `unit`; `frames/<field of Frame>` with one entry a frame; `specimen`, `joints`
+and (with tets) `mesh` with the fields of the geometry floor. h5py's default file version, which survives a killed
+process.
 """
 
 from dataclasses import fields

@@ -8,7 +8,6 @@ import argparse
 import os
 import sys
 import tomllib
-from importlib import resources
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -38,7 +37,7 @@ def parser() -> Parser:
     run = commands.add_parser("run", parents=[scene], help="run a scene and write its results")
     run.add_argument("--out", type=Path, metavar="DIR", help="folder for the results (default results/SCENE-N)")
     run.add_argument("--overwrite", action="store_true", help="replace results that are in DIR already")
-    run.add_argument("--threads", type=_threads, metavar="N", help=f"threads, 1 to {os.cpu_count()}")
+    run.add_argument("--threads", type=_threads, metavar="N", help=f"threads, 1 to {processors()}")
     run.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
     run.set_defaults(action=run_scene)
     check = commands.add_parser("check", parents=[scene], help="say what a scene will cost and what it leaves out")
@@ -56,21 +55,26 @@ def main(arguments: list[str] | None = None) -> int:
     from geometry.blocks import GeometryError
 
     try:
-        words = parser().parse_args(arguments)
-        code = int(words.action(words))
+        code = _act(arguments)
         sys.stdout.flush()
         return code
-    except SystemExit as leaving:
-        return leaving.code if isinstance(leaving.code, int) else USAGE
     except (SceneError, GeometryError) as error:
         return _complain(str(error), USAGE)
     except Stopped as error:
         return _complain(str(error), STOPPED)
     except KeyboardInterrupt:
-        return _complain("interrupted; no results were written", INTERRUPTED)
+        return _complain("interrupted before there were results", INTERRUPTED)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return OK
+
+
+def _act(arguments: list[str] | None) -> int:
+    try:
+        words = parser().parse_args(arguments)
+        return int(words.action(words))
+    except SystemExit as leaving:
+        return leaving.code if isinstance(leaving.code, int) else USAGE
 
 
 def run_scene(words: argparse.Namespace) -> int:
@@ -79,7 +83,8 @@ def run_scene(words: argparse.Namespace) -> int:
     from masonry.folder import claim, scene_name
     from masonry.progress import Progress
 
-    loaded = scene.load(words.scene, overrides(words.overrides))
+    loaded = scene.load(words.scene, words.overrides)
+    existed = words.out is not None and words.out.exists()
     out = claim(words.scene, words.out, overwrite=words.overwrite)
     try:
         if words.quiet:
@@ -90,7 +95,8 @@ def run_scene(words: argparse.Namespace) -> int:
     except BaseException as error:
         result = getattr(error, "result", None)
         if result is None or not isinstance(error, Stopped):
-            _leave(out)
+            if not existed and not any(out.iterdir()):
+                out.rmdir()
             raise
         _save(result, out)
         return _complain(f"{error}\nmasonry: the results up to there are in '{out}'", STOPPED)
@@ -109,15 +115,15 @@ def check_scene(words: argparse.Namespace) -> int:
     from masonry import laboratory, scene
     from masonry.printout import check_text
 
-    print(check_text(laboratory.check(scene.load(words.scene, overrides(words.overrides)))))
+    print(check_text(laboratory.check(scene.load(words.scene, words.overrides))))
     return OK
 
 
 def list_scenes(words: argparse.Namespace) -> int:
     """`masonry list`: name and title of every packaged scene."""
-    folder = resources.files("masonry") / "scenes"
-    scenes = sorted((entry for entry in folder.iterdir() if entry.name.endswith(".toml")), key=lambda entry: entry.name)
-    titles = {entry.name.removesuffix(".toml"): tomllib.loads(entry.read_text(encoding="utf-8")) for entry in scenes}
+    from masonry.scene_source import packaged
+
+    titles = {name: tomllib.loads(file.read_text(encoding="utf-8")) for name, file in packaged().items()}
     margin = max(map(len, titles), default=0) + 2
     for name, content in titles.items():
         print(f"{name:<{margin}}{content.get('title', '')}".rstrip())
@@ -147,21 +153,15 @@ def doctor(words: argparse.Namespace) -> int:
     return OK if fine else 1
 
 
-def overrides(settings: list[str]) -> dict[str, str]:
-    """`["law=linear", ...]` as a dict. Raises SceneError for a setting without `=`."""
-    changes = {}
-    for setting in settings:
-        key, equals, value = setting.partition("=")
-        if not equals or not key.strip():
-            raise SceneError(f"--set '{setting}' is not KEY=VALUE, for example --set confinement='0.5 MPa'")
-        changes[key.strip()] = value.strip()
-    return changes
+def processors() -> int:
+    """How many processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _threads(text: str) -> int:
-    most = os.cpu_count() or 1
+    most = processors()
     if not text.isdecimal() or not 1 <= int(text) <= most:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a number of threads from 1 to {most} (processors here)")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of threads from 1 to {most}, the processors here")
     return int(text)
 
 
@@ -171,12 +171,6 @@ def _save(result: Any, out: Path) -> dict[str, Path]:
         return paths
     except OSError as error:
         raise SceneError(f"cannot write results to '{out}': {error.strerror or error}") from None
-
-
-def _leave(out: Path) -> None:
-    """Take an empty folder away again; one with something in it stays."""
-    if not any(out.iterdir()):
-        out.rmdir()
 
 
 def _complain(message: str, code: int) -> int:

@@ -76,11 +76,9 @@ def _threading_layer() -> Finding:
 def _cache() -> Finding:
     """Where compiled code is kept between runs, and how much of it there is."""
     try:
-        folder = Path(importlib.import_module("numba").config.CACHE_DIR or "")
-    except (ImportError, OSError):
-        return False, "numba is missing"
-    if folder == Path(""):
-        return True, "kept beside the sources (__pycache__)"
+        folder: Path = importlib.import_module("masonry.kernels.compiler").cache_root()
+    except (ImportError, OSError) as error:
+        return False, f"nothing can be compiled ({error})"
     files = [path.stat().st_size for path in folder.rglob("*") if path.is_file()] if folder.is_dir() else []
     place = folder
     while not place.exists():
@@ -88,7 +86,7 @@ def _cache() -> Finding:
     if not os.access(place, os.W_OK):
         return (
             False,
-            f"{folder} cannot be written to: every run will compile anew; set NUMBA_CACHE_DIR to another folder",
+            f"{folder} cannot be written to: every run will compile anew; set MASONRY_CACHE to another folder",
         )
     return True, f"{folder}, {sum(files) / 1e6:.1f} MB in {len(files)} files"
 

@@ -1,7 +1,8 @@
 """fields.vtkhdf: the specimen once and its fields at every frame, for ParaView (VTKHDF 2.0, unstructured grid).
 
-Points stand where they stood before loading; `displacement` is point data (warp by it). Cells: the faces of blocks without
-tets as polygons, tets, and contact points as vertices whose displacement is the mean of their two sides.
+Points stand where they stood before loading; `displacement` is point data (warp by it). Cells: the faces of blocks
+without tets as polygons, tets, and contact points as vertices whose displacement is the mean of their two sides.
+Cell data `group` is the block group, and on contact points the contact group.
 """
 
 from pathlib import Path
@@ -68,7 +69,7 @@ class Grid:
         """Stress of blocks (cells, 6) Pa and the fields of contacts (cells,), zero on the other cells."""
         stress = np.zeros((len(self.types), 6))
         stress[: self.solids] = frame.stress[self.block[: self.solids]][:, VTK_ORDER]
-        data = {"stress": stress}
+        data: dict[str, np.ndarray] = {"stress": stress}
         for name in CONTACT_FIELDS:
             data[name] = np.zeros(len(self.types))
             data[name][self.solids :] = getattr(frame, name)
@@ -76,7 +77,7 @@ class Grid:
 
 
 def write(path: Path, result: "Result") -> None:
-    """Write the VTKHDF file; without frames it holds the specimen only. Contact cells carry their contact group."""
+    """Write the VTKHDF file; without frames it holds the specimen only."""
     import h5py
 
     grid = Grid(result)

@@ -18,7 +18,7 @@ def scene_name(scene: str) -> str:
 
 
 def claim(scene: str, out: Path | None = None, *, overwrite: bool = False, results: Path = RESULTS) -> Path:
-    """The folder for this run: `out`, or the next free `results/<scene>-<n>`, made at once so that no two runs share it.
+    """The folder for this run: `out`, or the next free `results/<scene>-<n>`, made so that no two runs share it.
 
     Raises SceneError if `out` is a file, holds something (without `overwrite`), or cannot be written to.
     """
@@ -60,8 +60,8 @@ def _named(out: Path, overwrite: bool) -> Path:
 class WholeFiles:
     """Writes several files so that each one appears whole or not at all.
 
-    Within the `with` block, `new(name)` gives a temporary path in the same folder to write to. At the end all of them are
-    flushed to the disk and take their names; if anything was raised, none does and the temporary files go.
+    Within the `with` block, `new(name)` gives a temporary path in the same folder to write to. At the end all of them
+    are flushed to the disk and take their names; if anything was raised, none does and the temporary files go.
     """
 
     def __init__(self, folder: Path) -> None:

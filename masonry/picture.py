@@ -45,7 +45,7 @@ def magnification(frame: Frame, size: float) -> float:
 
 
 def cracks_figure(result: "Result") -> Any:
-    """A figure of one panel a frame, side by side, or one above the other for long specimens; 1500 pixels wide or more."""
+    """A figure of one panel a frame, side by side, or one above the other for long specimens."""
     from matplotlib.figure import Figure
 
     blocks = result.specimen.blocks

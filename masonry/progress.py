@@ -1,5 +1,6 @@
 """Progress of a long run: a bar with time left on a terminal, plain lines when the output goes to a file or a pipe."""
 
+import contextlib
 import sys
 import time
 from collections.abc import Callable
@@ -83,10 +84,8 @@ class Progress:
 
     def _say(self, line: str) -> None:
         """A reader that has gone must not end the run."""
-        try:
+        with contextlib.suppress(BrokenPipeError):
             print(line, file=self._stream, flush=True)
-        except BrokenPipeError:
-            pass
 
 
 def duration(seconds: float) -> str:

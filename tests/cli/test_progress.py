@@ -1,0 +1,94 @@
+"""Progress is a bar on a terminal and a few plain lines in a file."""
+
+import io
+
+import pytest
+
+from masonry.printout import summary_text, trust
+from masonry.progress import Progress, duration
+from tests.results.sample import SUMMARY
+
+
+class Clock:
+    now = 100.0
+
+    def __call__(self):
+        return self.now
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+def run(seconds_per_step, steps=1000, chunk=10):
+    clock, stream = Clock(), io.StringIO()
+    with Progress(steps, "wallette-mode-1", stream, clock) as progress:
+        for step in range(chunk, steps + 1, chunk):
+            clock.now += chunk * seconds_per_step
+            progress.update(step, "stress 0.12 MPa")
+    return stream.getvalue().splitlines()
+
+
+def test_a_short_run_in_a_pipe_says_a_line_every_ten_percent():
+    lines = run(0.001)
+    assert len(lines) == 10
+    assert lines[3] == "wallette-mode-1  40 %  400/1000 steps  0.6 s left  stress 0.12 MPa"
+    assert lines[-1] == "wallette-mode-1  100 %  1000/1000 steps  stress 0.12 MPa"
+
+
+def test_a_long_run_in_a_pipe_says_a_line_every_ten_seconds():
+    lines = run(0.25)
+    assert len(lines) == 25
+    assert "3 min 00 s left" in lines[6]
+
+
+def test_a_run_of_unknown_length_counts_its_steps_and_may_learn_its_length():
+    clock, stream = Clock(), io.StringIO()
+    progress = Progress(label="x", stream=stream, clock=clock)
+    progress.update(0)
+    clock.now += 11
+    progress.update(50)
+    progress.total_steps = 100
+    progress.update(100)
+    assert stream.getvalue().splitlines() == ["x  50 steps", "x  100 %  100/100 steps"]
+
+
+def test_a_terminal_gets_a_bar_with_percent_speed_and_note():
+    clock, stream = Clock(), Terminal()
+    with Progress(1000, "couplet [red]", stream, clock) as progress:
+        for step in range(0, 1001, 100):
+            clock.now += 1
+            progress.update(step, "stress [MPa]")
+    said = stream.getvalue()
+    for words in ("couplet [red]", "100%", "steps/s", "stress [MPa]"):
+        assert words in said
+
+
+def test_a_reader_that_goes_away_does_not_end_the_run():
+    class Gone(io.StringIO):
+        def write(self, text):
+            raise BrokenPipeError
+
+    Progress(10, "x", Gone()).update(10)
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [(0.1234, "0.12 s"), (12.3, "12 s"), (59.6, "1 min 00 s"), (185, "3 min 05 s"), (7500, "2 h 05 min")],
+)
+def test_durations_read_as_one_says_them(seconds, words):
+    assert duration(seconds) == words
+
+
+def test_trust_follows_from_the_numbers():
+    assert trust(SUMMARY).startswith("quasi-static")
+    assert "two ends differ by 0.3" in trust(SUMMARY | {"reaction_mismatch_max": 0.3})
+    assert "load more slowly" in trust(SUMMARY | {"kinetic_over_internal_max": 0.5})
+    assert "open by 0.001" in trust(SUMMARY | {"energy_imbalance": -1e-3})
+    assert "not known" in trust(SUMMARY | {"energy_imbalance": None})
+    assert "interrupted" in trust(SUMMARY | {"interrupted": True})
+
+
+def test_a_summary_with_gaps_can_still_be_printed():
+    assert summary_text({}).count("not known") >= 8
