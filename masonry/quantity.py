@@ -1,8 +1,9 @@
 """Quantities as people write them: "0.87 MPa" becomes an SI float, exactly rounded, or one sentence that says why not.
 
 Pint knows the units, but never sees what the user wrote: the text must first match a short strict grammar (a number,
-then at most six unit symbols with small powers), so no text can be an expression, hang, or grow without bound. Factors are
-exact fractions, so "1 N/mm^2" and "1 MPa" give the same bits, and so does an SI value written out and read again.
+then at most six unit symbols with small powers), so no text can be an expression, hang or grow without bound. Factors
+are exact fractions, so "1 N/mm^2" and "1 MPa" give the same bits, and so does an SI value written out and
+read again.
 """
 
 import difflib

@@ -7,7 +7,7 @@ from numba.extending import overload
 
 from masonry.kernels import contact
 from masonry.kernels.compiler import jit
-from masonry.kinematics import affine, rigid, tets
+from masonry.kinematics.door import move, place
 
 
 @jit
@@ -27,16 +27,16 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
     rigid_drive, affine_drive, tet_drive = drives
     for k in range(steps):
         n = first + k
-        rigid.place(parallel, rigid_blocks, dt, u)
-        affine.place(parallel, affine_blocks, dt, u)
-        tets.place(parallel, tet_blocks, dt, u)
+        place(parallel, rigid_blocks, dt, u)
+        place(parallel, affine_blocks, dt, u)
+        place(parallel, tet_blocks, dt, u)
 
         sweep_groups(parallel, shapes, interfaces, states, 0, bounds, sides, normal, area, u, force)
 
         now, before = dead_load[n + 1], dead_load[n]
-        rigid.move(parallel, rigid_blocks, dt, damping, now, before, force)
-        affine.move(parallel, affine_blocks, dt, damping, now, before, force)
-        tets.move(parallel, tet_blocks, dt, damping, now, before, force, u)
+        move(parallel, rigid_blocks, dt, damping, now, before, force, u)
+        move(parallel, affine_blocks, dt, damping, now, before, force, u)
+        move(parallel, tet_blocks, dt, damping, now, before, force, u)
 
         gauge[k] = (
             reaction(rigid_blocks, rigid_drive)

@@ -9,7 +9,7 @@ import numpy as np
 from numba import prange
 from numba.extending import register_jitable
 
-from masonry.kernels.compiler import jit, jit_parallel
+from masonry.kernels.compiler import jit
 from masonry.kernels.freedom import advance
 
 
@@ -40,7 +40,7 @@ class Affine(NamedTuple):
     axes: np.ndarray | None = None
 
 
-def _place(body, dt, u):
+def place(body, dt, u):
     """Advance the freedoms by dt v and write the displacement of every contact point."""
     q, v, arm = body.q, body.v, body.arm
     for b in prange(len(q)):
@@ -53,7 +53,7 @@ def _place(body, dt, u):
                 u[row, i] = q[b, i] + q[b, h] * arm[k, 0] + q[b, h + 1] * arm[k, 1] + q[b, h + 2] * arm[k, 2]
 
 
-def _move(body, dt, damping, factor, factor_before, force):
+def move(body, dt, damping, factor, factor_before, force, u):
     """Sum contact forces and their first moments, add the block's own stiffness, and advance."""
     for b in prange(len(body.q)):
         sums = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -137,32 +137,6 @@ def _inner(body, b):
     s = hooke(gradient(body.axes, b, body.q), -body.stiffness[b, 0], -body.stiffness[b, 1])
     m = times_axes(body.axes, b, (s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2]))
     return (0.0, 0.0, 0.0, m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8])
-
-
-_place_serial, _place_parallel = jit(_place), jit_parallel(_place)
-_move_serial, _move_parallel = jit(_move), jit_parallel(_move)
-
-
-@jit
-def place(parallel, body, dt, u):
-    """First half of the step; nothing where there is no such block."""
-    if body is None:
-        return
-    if parallel is None:
-        _place_serial(body, dt, u)
-    else:
-        _place_parallel(body, dt, u)
-
-
-@jit
-def move(parallel, body, dt, damping, factor, factor_before, force):
-    """Second half of the step; nothing where there is no such block."""
-    if body is None:
-        return
-    if parallel is None:
-        _move_serial(body, dt, damping, factor, factor_before, force)
-    else:
-        _move_parallel(body, dt, damping, factor, factor_before, force)
 
 
 @jit

@@ -10,7 +10,6 @@ import numpy as np
 from numba import prange
 from numba.extending import register_jitable
 
-from masonry.kernels.compiler import jit, jit_parallel
 from masonry.kernels.freedom import advance
 
 
@@ -68,7 +67,7 @@ def turn_in(axes, b, x, y, z):
     )
 
 
-def _place(body, dt, u):
+def place(body, dt, u):
     """Advance the freedoms by dt v and write the displacement of every contact point."""
     q, v, arm = body.q, body.v, body.arm
     for b in prange(len(q)):
@@ -83,7 +82,7 @@ def _place(body, dt, u):
             u[row, 2] = z + p * arm[k, 1] - r * arm[k, 0]
 
 
-def _move(body, dt, damping, factor, factor_before, force):
+def move(body, dt, damping, factor, factor_before, force, u):
     """Sum the contact forces of each block, damp, book the work, and kick the velocities by half a step each way."""
     for b in prange(len(body.q)):
         fx, fy, fz, mx, my, mz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -104,29 +103,3 @@ def _move(body, dt, damping, factor, factor_before, force):
         advance(body, b, 3, b, mx, 0.0, dt, damping, factor, factor_before)
         advance(body, b, 4, b, my, 0.0, dt, damping, factor, factor_before)
         advance(body, b, 5, b, mz, 0.0, dt, damping, factor, factor_before)
-
-
-_place_serial, _place_parallel = jit(_place), jit_parallel(_place)
-_move_serial, _move_parallel = jit(_move), jit_parallel(_move)
-
-
-@jit
-def place(parallel, body, dt, u):
-    """First half of the step; nothing where there is no such block."""
-    if body is None:
-        return
-    if parallel is None:
-        _place_serial(body, dt, u)
-    else:
-        _place_parallel(body, dt, u)
-
-
-@jit
-def move(parallel, body, dt, damping, factor, factor_before, force):
-    """Second half of the step; nothing where there is no such block."""
-    if body is None:
-        return
-    if parallel is None:
-        _move_serial(body, dt, damping, factor, factor_before, force)
-    else:
-        _move_parallel(body, dt, damping, factor, factor_before, force)

@@ -6,7 +6,7 @@ import numpy as np
 from numba import prange
 from numba.extending import register_jitable
 
-from masonry.kernels.compiler import jit, jit_parallel
+from masonry.kernels.compiler import jit
 from masonry.kernels.freedom import advance
 from masonry.kinematics.affine import hooke
 
@@ -74,7 +74,7 @@ def _push(inner, node, s, x, y, z):
     return fx, fy, fz
 
 
-def _place(body, dt, u):
+def place(body, dt, u):
     """Advance the nodes by dt v."""
     for n in prange(len(body.v)):
         u[n, 0] += dt * body.v[n, 0]
@@ -82,7 +82,7 @@ def _place(body, dt, u):
         u[n, 2] += dt * body.v[n, 2]
 
 
-def _move(body, dt, damping, factor, factor_before, force, u):
+def move(body, dt, damping, factor, factor_before, force, u):
     """Eq. (4): stress of every tet to its corners; then contacts, damping and motion of the block's nodes."""
     inner = body.inner
     for b in prange(len(body.lame)):
@@ -108,32 +108,6 @@ def _move(body, dt, damping, factor, factor_before, force, u):
             advance(body, n, 0, b, fx, inner[n, 0], dt, damping, factor, factor_before)
             advance(body, n, 1, b, fy, inner[n, 1], dt, damping, factor, factor_before)
             advance(body, n, 2, b, fz, inner[n, 2], dt, damping, factor, factor_before)
-
-
-_place_serial, _place_parallel = jit(_place), jit_parallel(_place)
-_move_serial, _move_parallel = jit(_move), jit_parallel(_move)
-
-
-@jit
-def place(parallel, body, dt, u):
-    """First half of the step; nothing where there is no such block."""
-    if body is None:
-        return
-    if parallel is None:
-        _place_serial(body, dt, u)
-    else:
-        _place_parallel(body, dt, u)
-
-
-@jit
-def move(parallel, body, dt, damping, factor, factor_before, force, u):
-    """Second half of the step; nothing where there is no such block."""
-    if body is None:
-        return
-    if parallel is None:
-        _move_serial(body, dt, damping, factor, factor_before, force, u)
-    else:
-        _move_parallel(body, dt, damping, factor, factor_before, force, u)
 
 
 @jit

@@ -9,6 +9,9 @@ class Brittle(NamedTuple):
     left: float = 0.0
 
 
+PARAMETERS: dict[str, str] = {}
+
+
 def tension_intact(shape, interface, opening):
     """Nothing is left beyond the elastic limit, eq. (7)."""
     return shape.left

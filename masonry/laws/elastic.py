@@ -9,6 +9,9 @@ class Elastic(NamedTuple):
     strength: float = float("inf")
 
 
+PARAMETERS: dict[str, str] = {}
+
+
 def respond(shape, interface, c, opening, slip_x, slip_y, slip_z, state):
     """Eqs (5) and (6)."""
     ks = interface.shear_stiffness

@@ -13,6 +13,13 @@ class Exponential(NamedTuple):
     G_II_slope: float | None = None
 
 
+PARAMETERS = {
+    "G_I": "fracture_energy_mode_1",
+    "G_II": "fracture_energy_mode_2",
+    "G_II_slope": "fracture_energy_mode_2_slope",
+}
+
+
 def tension_intact(shape, interface, opening):
     """Eq. (16): exp(-(fT/G_I)(un - un0))."""
     fT = interface.tensile_strength

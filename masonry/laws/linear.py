@@ -13,6 +13,29 @@ class Linear(NamedTuple):
     G_II_slope: float | None = None
 
 
+PARAMETERS = {
+    "G_I": "fracture_energy_mode_1",
+    "G_II": "fracture_energy_mode_2",
+    "G_II_slope": "fracture_energy_mode_2_slope",
+}
+
+
+def refuse(shape, interface, compressions):
+    """Snap-back, G_I <= fT^2/(2 kn) or ul <= us0: (scene key, the least energy that works, why) or None."""
+    least = interface.tensile_strength**2 / (2.0 * interface.normal_stiffness)
+    if interface.tensile_strength > 0.0 and shape.G_I <= least:
+        return "fracture_energy_mode_1", least, "tensile strength^2 / (2 normal stiffness)"
+    for compression in compressions:
+        loss = interface.cohesion - interface.residual_cohesion
+        loss += compression * (interface.tan_friction - interface.tan_residual_friction)
+        least = loss**2 / (2.0 * interface.shear_stiffness)
+        given = mode_2_energy(shape.G_II, shape.G_II_slope, compression)
+        if loss > 0.0 and given <= least:
+            at = f"(peak - residual shear strength)^2 / (2 shear stiffness) at a compression of {compression:g} Pa"
+            return "fracture_energy_mode_2", least - (given - shape.G_II), at
+    return None
+
+
 def tension_intact(shape, interface, opening):
     """Eq. (12): fT (uf - un)/(uf - un0) over fT, with uf = 2 G_I/fT."""
     fT = interface.tensile_strength

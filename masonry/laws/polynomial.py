@@ -14,6 +14,23 @@ class Polynomial(NamedTuple):
     G_II_slope: float | None = None
 
 
+PARAMETERS = {
+    "G_I": "fracture_energy_mode_1",
+    "G_II": "fracture_energy_mode_2",
+    "alpha": "exponent_tension",
+    "beta": "exponent_shear",
+    "G_II_slope": "fracture_energy_mode_2_slope",
+}
+
+
+def refuse(shape, interface, compressions):
+    """Exponents <= 1 leave an infinite energy under the curve: (scene key, the least that works, why) or None."""
+    for key, value in (("exponent_tension", shape.alpha), ("exponent_shear", shape.beta)):
+        if value <= 1.0:
+            return key, 1.0, "at 1 the area under the curve is infinite"
+    return None
+
+
 def tension_intact(shape, interface, opening):
     """Eq. (14): (w/(w + un - un0))^alpha, w = 2 G_I/fT."""
     fT = interface.tensile_strength

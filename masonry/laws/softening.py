@@ -169,7 +169,12 @@ def stored(shape, interface, c, opening, slip_x, slip_y, slip_z, state):
     e = opening - read(state.uplift, c)
     x, y, z = slip_x - state.slip[c, 0], slip_y - state.slip[c, 1], slip_z - state.slip[c, 2]
     shear = 0.5 * interface.shear_stiffness * (x * x + y * y + z * z)
-    sigma = normal_stress(interface, c, e, state)
-    if state.gap is None:
-        return shear + 0.5 * sigma * e
-    return shear + 0.5 * sigma * sigma / interface.normal_stiffness
+    return shear + stored_normal(state.gap, interface, c, e, state)
+
+
+@register_jitable
+def stored_normal(gap, interface, c, e, state):
+    """Recoverable energy of the normal stress; looks only, changes nothing."""
+    if gap is None:
+        return 0.5 * secant_stress(interface, c, e, state) * e
+    return 0.5 * interface.normal_stiffness * (e - gap[c]) ** 2

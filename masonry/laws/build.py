@@ -1,0 +1,122 @@
+"""From the numbers of a scene to a law: what is missing, what contradicts itself, what would snap back."""
+
+import importlib
+import pkgutil
+from collections.abc import Mapping, Sequence
+from math import inf, tan
+from typing import Any
+
+from masonry import laws
+from masonry.errors import SceneError
+from masonry.laws.interface import Interface
+
+STRENGTHS = ("tensile_strength", "cohesion", "tan_friction")
+
+
+def law_names() -> list[str]:
+    """Every law: a file of this folder that names its PARAMETERS."""
+    found = [m.name for m in pkgutil.iter_modules(laws.__path__)]
+    return [name for name in found if hasattr(_file(name), "PARAMETERS")]
+
+
+def _file(name: str):
+    return importlib.import_module(f"masonry.laws.{name}")
+
+
+def _shape_class(name: str) -> type:
+    """The NamedTuple of a law file."""
+    file = _file(name)
+    return next(
+        c for c in vars(file).values() if isinstance(c, type) and issubclass(c, tuple) and c.__module__ == file.__name__
+    )
+
+
+def build(group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)) -> tuple[Any, Interface]:
+    """(shape, interface) of a contact group; raises SceneError.
+
+    properties    SI values under the scene's names; None or absent where not given
+    compressions  Pa, the confining stresses at which snap-back in shear is looked for
+    """
+    name = properties["law"]
+    file, where = _file(name), f"contact.{group}"
+    stiffness = {key: properties[key] for key in ("normal_stiffness", "shear_stiffness")}
+    if name == "elastic":
+        return _shape_class(name)(), Interface(**stiffness)
+    _require(where, name, properties, STRENGTHS)
+    interface = _interface(where, properties, stiffness)
+    shape_class: Any = _shape_class(name)
+    optional = shape_class._field_defaults
+    _require(where, name, properties, [key for field, key in file.PARAMETERS.items() if field not in optional])
+    given = {field: properties.get(key) for field, key in file.PARAMETERS.items()}
+    shape = shape_class(**{field: value for field, value in given.items() if value is not None})
+    for field, key in file.PARAMETERS.items():
+        if field not in optional and getattr(shape, field) <= 0.0:
+            raise SceneError(f"{where}.{key} = {getattr(shape, field):g}: law '{name}' needs a value above 0")
+    refused = file.refuse(shape, interface, compressions) if hasattr(file, "refuse") else None
+    if refused is not None:
+        key, least, why = refused
+        raise SceneError(
+            f"{where}.{key} = {properties[key]:g} would snap back or never end with law '{name}'; "
+            f"it must be more than {least:.6g} (SI): {why}"
+        )
+    return shape, interface
+
+
+def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence[str]) -> None:
+    missing = [key for key in keys if properties.get(key) is None]
+    if missing:
+        spelled = [_SPELLING.get(key, key) for key in missing]
+        raise SceneError(f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: {_choices()}")
+
+
+_SPELLING = {"tan_friction": "friction_angle (or tan_friction_angle)"}
+
+
+def _choices() -> str:
+    return ", ".join(law_names())
+
+
+def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) -> Interface:
+    residual_cohesion = p.get("residual_cohesion") or 0.0
+    tan_residual = p.get("tan_residual_friction")
+    tan_residual = p["tan_friction"] if tan_residual is None else tan_residual
+    if residual_cohesion > p["cohesion"]:
+        raise SceneError(f"{where}.residual_cohesion: {residual_cohesion:g} Pa is more than cohesion {p['cohesion']:g} Pa")
+    if tan_residual > p["tan_friction"]:
+        raise SceneError(f"{where}.residual_friction_angle is larger than friction_angle; strength never grows on sliding")
+    dilation = tan(p.get("dilation_angle") or 0.0)
+    if dilation > tan_residual:
+        raise SceneError(
+            f"{where}.dilation_angle is larger than the residual friction angle: sliding would then produce energy"
+        )
+    return Interface(
+        **stiffness,
+        tensile_strength=p["tensile_strength"],
+        cohesion=p["cohesion"],
+        tan_friction=p["tan_friction"],
+        residual_cohesion=residual_cohesion,
+        tan_residual_friction=tan_residual,
+        tan_dilation=dilation or None,
+        dilation_cutoff=_dilation_cutoff(p) if dilation else None,
+        elastic_unloading=1.0 if p.get("unloading") == "elastic" else None,
+        plastic_softening=1.0 if p.get("softening_variable") == "plastic" else None,
+        combined=None if p.get("coupling") == "independent" else 1.0,
+    )
+
+
+def _dilation_cutoff(p: Mapping[str, Any]) -> float:
+    """Slip (m) at which dilation ends; where none is given, the slip at which the cohesion has gone.
+
+    "Gone" is 1 % left at zero normal stress: exponential ln(100) G_II/c0; linear and polynomial likewise from eqs
+    (13) and (15). A brittle contact loses it at once, so it does not dilate unless a cut-off is given.
+    """
+    if p.get("dilation_cutoff") is not None:
+        return p["dilation_cutoff"]
+    if p["cohesion"] == 0.0:
+        return inf
+    G_II = p.get("fracture_energy_mode_2") or 0.0
+    if p["law"] == "linear":
+        return 2.0 * G_II / p["cohesion"]
+    if p["law"] == "polynomial":
+        return 2.0 * G_II / p["cohesion"] * (100.0 ** (1.0 / p["exponent_shear"]) - 1.0)
+    return 4.605170185988092 * G_II / p["cohesion"]

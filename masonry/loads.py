@@ -1,0 +1,195 @@
+"""Supports, drive, tractions and gravity on the freedoms of the bodies; what is absent stays None."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from geometry import measures
+from geometry.blocks import Blocks
+from geometry.boundary import surface_nodes
+from masonry.bodies import FREEDOMS, KINDS, Layout, node_masses
+from masonry.errors import SceneError
+
+
+@dataclass(frozen=True)
+class Hold:
+    """Blocks (or, where `faces` is given, outer faces of them) that are held: axes 0..2, and rotations of rigid blocks."""
+
+    blocks: np.ndarray
+    axes: tuple[int, ...]
+    rotation: bool = False
+    faces: np.ndarray | None = None
+    name: str = "support"
+
+
+@dataclass(frozen=True)
+class Push:
+    """Uniform traction (3,) Pa on faces."""
+
+    faces: np.ndarray
+    stress: np.ndarray
+
+
+@dataclass
+class Conditions:
+    """Per kind: which freedoms are prescribed, dead loads (None where there are none), driven and supporting freedoms."""
+
+    prescribed: dict[str, np.ndarray]
+    load: dict[str, np.ndarray | None]
+    driven: dict[str, np.ndarray | None] = field(default_factory=dict)
+    support: dict[str, np.ndarray | None] = field(default_factory=dict)
+
+
+def no_conditions(layout: Layout) -> Conditions:
+    """Nothing held, nothing loaded."""
+    shapes = {kind: (layout.rows(kind), FREEDOMS[kind]) for kind in KINDS}
+    return Conditions({k: np.zeros(s, dtype=bool) for k, s in shapes.items()}, dict.fromkeys(KINDS))
+
+
+def held_freedoms(blocks: Blocks, layout: Layout, hold: Hold) -> dict[str, np.ndarray]:
+    """Per kind, a mask of the freedoms that a support or drive takes hold of.
+
+    A whole block: each named axis holds its movement and (affine) the strains along it; "rotation" is for rigid
+    blocks. A face: nodes of tets; a rigid block's face can be a roller (its normal) or be held altogether.
+    """
+    masks = no_conditions(layout).prescribed
+    if hold.faces is not None:
+        return _held_faces(blocks, layout, hold, masks)
+    rigid = layout.local[hold.blocks[layout.kind[hold.blocks] == KINDS.index("rigid")]]
+    affine = layout.local[hold.blocks[layout.kind[hold.blocks] == KINDS.index("affine")]]
+    for axis in hold.axes:
+        masks["rigid"][rigid, axis] = True
+        masks["affine"][affine, axis] = True
+        masks["affine"][affine, 3 + 3 * axis : 6 + 3 * axis] = True
+    if hold.rotation:
+        masks["rigid"][rigid, 3:] = True
+    if layout.mesh is not None:
+        for b in hold.blocks:
+            masks["tets"][layout.mesh.node_start[b] : layout.mesh.node_start[b + 1], list(hold.axes)] = True
+    return masks
+
+
+def _held_faces(blocks: Blocks, layout: Layout, hold: Hold, masks: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    assert hold.faces is not None
+    owner = blocks.face_block()[hold.faces]
+    normal = measures.face_areas_normals_centroids(blocks)[1][hold.faces]
+    for face_owner, n in zip(owner, normal, strict=True):
+        kind = KINDS[layout.kind[face_owner]]
+        if kind == "affine":
+            raise SceneError(
+                f"{hold.name}: a face of an affine block cannot be held alone; hold the whole block, "
+                "put a rigid plate there, or use tets"
+            )
+        if kind == "rigid":
+            _hold_rigid_face(masks["rigid"][layout.local[face_owner]], hold, n)
+    meshed = hold.faces[layout.kind[owner] == KINDS.index("tets")]
+    if layout.mesh is not None and len(meshed):
+        nodes, _ = surface_nodes(layout.mesh, blocks, meshed)
+        for axis in hold.axes:
+            masks["tets"][nodes, axis] = True
+    return masks
+
+
+def _hold_rigid_face(row: np.ndarray, hold: Hold, normal: np.ndarray) -> None:
+    along = int(np.argmax(np.abs(normal)))
+    if set(hold.axes) == {0, 1, 2}:
+        row[:] = True
+    elif hold.axes == (along,):
+        row[along] = True
+        row[[3 + k for k in range(3) if k != along]] = True
+    else:
+        raise SceneError(
+            f"{hold.name}: the face of a rigid block can be a roller (fix '{'xyz'[along]}', its normal) or be held "
+            "altogether (fix 'all'); anything else: hold the whole block"
+        )
+
+
+def add_gravity(blocks: Blocks, layout: Layout, load: dict, density: np.ndarray, gravity: np.ndarray) -> None:
+    """Add the weight; gravity (3,) m/s2. Real masses, also where the masses of motion are scaled."""
+    for kind in ("rigid", "affine"):
+        which = layout.members[kind]
+        _of(load, kind, layout)[:, :3] += (density[which] * layout.volume[which])[:, None] * gravity
+    if layout.mesh is not None:
+        _of(load, "tets", layout)[:] += node_masses(layout.mesh, density)[:, None] * gravity
+
+
+def add_traction(blocks: Blocks, layout: Layout, load: dict, push: Push) -> None:
+    """Add a uniform traction on faces: exact resultant and moment; tets share it by a third of each triangle."""
+    area, _, centre = measures.face_areas_normals_centroids(blocks)
+    owner = blocks.face_block()
+    for f in push.faces:
+        b = owner[f]
+        kind, row = KINDS[layout.kind[b]], layout.local[b]
+        force, arm = push.stress * area[f], centre[f] - layout.centroid[b]
+        if kind == "rigid":
+            _of(load, kind, layout)[row] += np.concatenate([force, layout.axes[b].T @ np.cross(arm, force)])
+        elif kind == "affine":
+            moment = np.outer(force, layout.axes[b].T @ arm).ravel()
+            _of(load, kind, layout)[row] += np.concatenate([force, moment])
+    meshed = push.faces[layout.kind[owner[push.faces]] == KINDS.index("tets")]
+    if layout.mesh is not None and len(meshed):
+        nodes, share = surface_nodes(layout.mesh, blocks, meshed)
+        np.add.at(_of(load, "tets", layout), nodes, share[:, None] * push.stress)
+
+
+def _of(load: dict, kind: str, layout: Layout) -> np.ndarray:
+    """The dead loads of a kind, made on first use; a kind without rows gets none."""
+    if layout.rows(kind) == 0:
+        return np.zeros((0, FREEDOMS[kind]))
+    if load[kind] is None:
+        load[kind] = np.zeros((layout.rows(kind), FREEDOMS[kind]))
+    return load[kind]
+
+
+def drive_freedoms(mask: dict[str, np.ndarray], axis: int) -> dict[str, np.ndarray | None]:
+    """Flat indices, per kind, of the freedoms of a mask that move along an axis; None where there are none."""
+    found: dict[str, np.ndarray | None] = {}
+    for kind, held in mask.items():
+        rows = np.flatnonzero(held[:, axis])
+        found[kind] = rows * FREEDOMS[kind] + axis if len(rows) else None
+    return found
+
+
+def smooth(x: np.ndarray) -> np.ndarray:
+    """Quintic rise from 0 to 1 over [0, 1] with zero slope and curvature at both ends."""
+    x = np.clip(x, 0.0, 1.0)
+    return x**3 * (10.0 + x * (6.0 * x - 15.0))
+
+
+@dataclass(frozen=True)
+class Program:
+    """What happens at each step 0..n: share of the dead load, velocity of the drive (m/s) after the step.
+
+    settle  steps before the drive starts     ramp  steps over which the drive's velocity rises
+    """
+
+    dead_load: np.ndarray
+    speed: np.ndarray
+    settle: int
+    ramp: int
+
+    @property
+    def steps(self) -> int:
+        return len(self.speed) - 1
+
+
+def program(
+    dt: float, settle: int, displacement: float, steps: int | None, rate: float | None, ramp: float
+) -> Program:
+    """Dead loads rise over the first half of `settle`; then the drive makes exactly `displacement` (m, signed).
+
+    Either the number of steps or the rate (m/s) after the ramp is given; the ramp takes a share of the steps.
+    """
+    if displacement == 0.0:
+        count = 0
+    elif steps is not None:
+        count = steps
+    else:
+        assert rate is not None
+        count = max(1, int(np.ceil(abs(displacement) / (rate * dt * (1.0 - 0.5 * ramp)))))
+    k = np.arange(settle + count + 1)
+    dead_load = smooth(k / (0.5 * settle)) if settle else np.zeros(len(k))
+    shape: np.ndarray = np.where(k < settle, 0.0, smooth((k - settle + 0.5) / (ramp * count)) if ramp * count > 0 else 1.0)
+    shape[[0, -1]] = 0.0  # the first step starts at rest; what is set after the last step moves nothing
+    speed = shape * (displacement / (dt * shape.sum())) if count else np.zeros(len(k))
+    return Program(dead_load, speed, settle, int(np.ceil(ramp * count)))

@@ -1,0 +1,71 @@
+"""A scene file or a packaged scene -> `Scene`, checked and in SI; and back to TOML that gives the same scene."""
+
+import json
+from pathlib import Path
+from typing import Any, get_args
+
+from pydantic import ValidationError
+
+from masonry.quantity import parse
+from masonry.scene_errors import explain
+from masonry.scene_overrides import Overrides, apply
+from masonry.scene_schema import Scene
+from masonry.scene_source import packaged, read
+from masonry.scene_types import Law
+
+__all__ = ["Scene", "load", "packaged", "to_toml"]
+
+
+def load(path_or_name: str | Path, overrides: Overrides = ()) -> Scene:
+    """The scene of a file, or of a packaged name such as "couplet".
+
+    overrides  {"law": "linear", "drive.steps": 5000} or ["law=linear", "drive.steps=5000"], by dotted key
+    Raises SceneError: one message with file and line, key, what is wrong, and what is allowed.
+    """
+    source = read(path_or_name)
+    apply(source, overrides)
+    confinement = source.raw.get("confinement")
+    if confinement is not None:
+        where = f"{source.place(('confinement',))}: confinement"
+        confinement = parse(confinement, "stress", where, "[0, inf)")
+    law = source.raw.get("law")
+    context = {"confinement": confinement, "law": law if law is None or law in get_args(Law) else "elastic"}
+    try:
+        return Scene.model_validate({"name": source.stem, **source.raw}, context=context)
+    except ValidationError as error:
+        raise explain(error, source) from None
+
+
+def to_toml(scene: Scene) -> str:
+    """The resolved scene as a TOML file; `load` of it gives the same scene bit by bit."""
+    return "\n".join(_table(scene.resolved(), ())).lstrip("\n") + "\n"
+
+
+def _table(table: dict[str, Any], path: tuple[str, ...]) -> list[str]:
+    """Lines of a table: its values first, then the tables and arrays of tables below it."""
+    lines, below = [], []
+    for key, value in table.items():
+        here = (*path, key)
+        if isinstance(value, dict):
+            inner = _table(value, here)
+            below += (["", f"[{_dotted(here)}]"] if inner[:1] != [""] else []) + inner
+        elif isinstance(value, (tuple, list)) and value and isinstance(value[0], dict):
+            for item in value:
+                below += ["", f"[[{_dotted(here)}]]", *_table(item, here)]
+        else:
+            lines.append(f"{_dotted((key,))} = {_value(value)}")
+    return lines + below
+
+
+def _dotted(keys: tuple[str, ...]) -> str:
+    return ".".join(key if key and key.replace("_", "").isalnum() and key.isascii() else _text(key) for key in keys)
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, (tuple, list)):
+        return f"[{', '.join(map(_value, value))}]"
+    return _text(value) if isinstance(value, str) else repr(value)
+
+
+def _text(value: str) -> str:
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -1,0 +1,114 @@
+"""What a scene says of its supports, its loading and the explicit solver."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, PlainSerializer, ValidationInfo, model_validator
+
+from masonry.quantity import convert
+from masonry.scene_types import (
+    Damping,
+    Direction,
+    Fraction,
+    Freedom,
+    KeyedError,
+    Length,
+    Rows,
+    Share,
+    Steps,
+    StressVector,
+    Table,
+    Velocity,
+)
+
+Selector = Annotated[str, Field(min_length=1)]
+BOUNDS = ("gershgorin", "equation-11")
+
+
+def _freedoms(value: Any) -> Any:
+    """ "all", one freedom or a list of them."""
+    if value == "all":
+        return ("x", "y", "z", "rotation")
+    return (value,) if isinstance(value, str) else value
+
+
+def _time_step(value: Any) -> str | float:
+    if isinstance(value, str) and (value in BOUNDS or not value[:1].isdigit()):
+        if value in BOUNDS:
+            return value
+        raise ValueError(f"'{value[:40]}' is not allowed; time_step is one of {', '.join(BOUNDS)}, or a time: '1e-6 s'")
+    return convert(value, "time", "time_step", "(0, inf)")
+
+
+def _rotation(value: Any, info: ValidationInfo) -> float:
+    kind, allowed = ("angle", "(0, 90) deg") if isinstance(value, str) else ("number", "(0, 1.6)")
+    return convert(value, kind, info.field_name or "", allowed)
+
+
+class Support(Table):
+    """Blocks or an outer face that are held in some directions."""
+
+    on: Selector
+    fix: Annotated[tuple[Freedom, ...], BeforeValidator(_freedoms), Field(min_length=1)]
+
+
+class Drive(Table):
+    """Blocks moved by `displacement` (m) in one direction, either at `rate` (m/s) or in so many `steps`."""
+
+    on: Selector
+    direction: Direction
+    displacement: Length
+    rate: Velocity | None = None
+    steps: Steps | None = None
+    ramp: Share = 0.3
+
+    @property
+    def axis(self) -> int:
+        return "xyz".index(self.direction[-1])
+
+    @property
+    def sign(self) -> float:
+        return -1.0 if self.direction[0] == "-" else 1.0
+
+    @model_validator(mode="after")
+    def _has_one_pace(self) -> "Drive":
+        if self.rate is not None and self.steps is not None:
+            raise KeyedError("steps", "rate and steps exclude each other; keep one of them")
+        if self.rate is None and self.steps is None:
+            raise KeyedError("steps", "missing; give steps = 20000 or rate = '0.1 mm/s'")
+        return self
+
+
+class Traction(Table):
+    """A dead force per area (Pa, by direction) on an outer face."""
+
+    on: Selector
+    stress: StressVector
+
+
+class Settle(Table):
+    """Steps in which the dead loads rise and come to rest before the drive starts."""
+
+    steps: Steps
+
+
+class Solver(Table):
+    """The explicit step. time_step: the name of a bound, or seconds; step_fraction: of that bound."""
+
+    masses: Literal["scaled", "real"] = "scaled"
+    time_step: Annotated[
+        str | float,
+        BeforeValidator(_time_step),
+        PlainSerializer(lambda value: value if isinstance(value, str) else f"{value!r} s"),
+    ] = "gershgorin"
+    step_fraction: Fraction = 0.9
+    damping: Damping = 0.8
+    rotation_limit: Annotated[float, BeforeValidator(_rotation)] = 0.02
+    rows: Rows = 1000
+
+    @model_validator(mode="before")
+    @classmethod
+    def _paper_fraction(cls, data: Any) -> Any:
+        """Eq. (11) has its own default, frac = 0.1."""
+        if isinstance(data, dict) and data.get("time_step") == "equation-11":
+            return {"step_fraction": 0.1, **data}
+        return data

@@ -1,0 +1,91 @@
+"""`--set key=value`: single values of a scene set anew, by dotted key, before the scene is checked."""
+
+import re
+import tomllib
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from masonry.errors import SceneError
+from masonry.scene_source import Keys, Source, split_key
+
+Overrides = Mapping[str, Any] | Sequence[str]
+RIVALS = (
+    {"rate", "steps"},
+    {"friction_angle", "tan_friction_angle"},
+    {"residual_friction_angle", "tan_residual_friction_angle"},
+)
+
+
+def apply(source: Source, overrides: Overrides) -> None:
+    """Put the overrides into the raw values of `source`. Raises SceneError for a key that leads nowhere."""
+    given = dict(overrides) if isinstance(overrides, Mapping) else dict(map(_split, overrides))
+    for key, value in given.items():
+        path = _set(source.raw, key, _value(value))
+        source.overridden[path] = key
+        assumptions = source.raw.get("assumptions")
+        if isinstance(assumptions, dict) and key in assumptions:
+            assumptions[key] = f"set to {value} by the user"
+    for path in source.overridden:
+        _drop_rivals(source, path)
+
+
+def _split(text: str) -> tuple[str, str]:
+    key, equals, value = text.partition("=")
+    if not equals or not key.strip():
+        raise SceneError(f"--set {text[:80]}: write key=value, for example --set law=linear")
+    return key.strip(), value.strip()
+
+
+def _value(value: Any) -> Any:
+    """A TOML value where the text is one, else the text."""
+    if not isinstance(value, str):
+        return value
+    try:
+        value.encode()
+        read_as_toml = tomllib.loads(f"value = {value}")
+    except (ValueError, RecursionError):
+        return value.encode(errors="replace").decode()
+    return read_as_toml["value"] if len(read_as_toml) == 1 else value
+
+
+def _set(raw: dict[str, Any], key: str, value: Any) -> Keys:
+    """Put the value at the dotted key, making tables on the way; the path it took."""
+    keys = split_key(key)
+    if not keys or ".".join(keys) != re.sub(r"[\"'\s]", "", key):
+        raise SceneError(f"--set {key[:80]}: not a dotted key such as contact.unit_unit.law")
+    at: Any = raw
+    path: Keys = ()
+    for n, part in enumerate(keys):
+        last = n == len(keys) - 1
+        where: str | int = _index(at, part, path, key) if isinstance(at, list) else part
+        path += (where,)
+        if last:
+            at[where] = value
+        elif isinstance(at, list):
+            at = at[int(where)]
+        else:
+            if path == ("kinematics",) and isinstance(at.get(part), str):
+                at[part] = {"default": at[part]}
+            at = at.setdefault(part, {})
+        if not last and not isinstance(at, (dict, list)):
+            raise SceneError(f"--set {key}: {'.'.join(map(str, path))} is a value, it has no '{keys[n + 1]}'")
+    return path
+
+
+def _index(items: list[Any], part: str, path: Keys, key: str) -> int:
+    if part.isdecimal() and len(part) < 9 and int(part) < len(items):
+        return int(part)
+    listed = ", ".join(str(n) for n in range(min(len(items), 10))) or "none, the list is empty"
+    raise SceneError(f"--set {key}: no item '{part}' in {'.'.join(map(str, path))}; items are {listed}")
+
+
+def _drop_rivals(source: Source, path: Keys) -> None:
+    """A key that is set takes the place of the other spelling of it, unless that is set too."""
+    table: Any = source.raw
+    for part in path[:-1]:
+        table = table[part]
+    for rivals in RIVALS:
+        if path[-1] in rivals and isinstance(table, dict):
+            for other in rivals - {path[-1]}:
+                if (*path[:-1], other) not in source.overridden:
+                    table.pop(other, None)

@@ -1,0 +1,100 @@
+"""A scene: specimen, properties, supports, loading and solver, checked and in SI."""
+
+from collections.abc import Iterator
+from difflib import get_close_matches
+from typing import Annotated, Any
+
+from pydantic import BaseModel, BeforeValidator, Field, model_validator
+
+from masonry.scene_contact import Contact, Material
+from masonry.scene_loading import Drive, Settle, Solver, Support, Traction
+from masonry.scene_specimen import Specimen
+from masonry.scene_types import AccelerationVector, KeyedError, Law, Motion, Strength, Table
+
+
+def _by_group(value: Any) -> Any:
+    """One kinematics for all groups, or a table of them."""
+    return {"default": "rigid", **value} if isinstance(value, dict) else {"default": value}
+
+
+class Scene(Table):
+    """All that a run needs, in SI; `name` is the file's unless it gives one."""
+
+    name: Annotated[str, Field(pattern=r"^[^/\\\x00]{1,200}$")]
+    title: str = ""
+    law: Law | None = None
+    kinematics: Annotated[dict[str, Motion], BeforeValidator(_by_group)] = {"default": "rigid"}
+    confinement: Strength | None = None
+    specimen: Specimen
+    material: Annotated[dict[str, Material], Field(min_length=1)]
+    contact: Annotated[dict[str, Contact], Field(min_length=1)]
+    support: tuple[Support, ...] = ()
+    drive: Drive | None = None
+    traction: tuple[Traction, ...] = ()
+    gravity: AccelerationVector | None = None
+    settle: Settle | None = None
+    solver: Solver = Solver()
+    assumptions: dict[str, str] = {}
+
+    def kinematics_of(self, group: str) -> str:
+        """ "rigid", "affine" or "tets": how the blocks of a group move."""
+        return self.kinematics.get(group, self.kinematics["default"])
+
+    def resolved(self) -> dict[str, Any]:
+        """The scene as plain values with SI units, defaults written out; loading it gives the same scene bit by bit.
+
+        What depends on the top-level law and confinement still names them, so both can be set anew.
+        """
+        data = self.model_dump(exclude_none=True, context={"law": self.law, "confinement": self.confinement})
+        return {key: value for key, value in data.items() if value not in ((), {})}
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> "Scene":
+        loads = bool(self.traction) or self.gravity is not None
+        if loads and self.settle is None:
+            raise KeyedError(
+                "settle", "missing; traction and gravity need steps to settle in, for example steps = 2000"
+            )
+        if self.settle is not None and not loads:
+            raise KeyedError("settle", "there is no traction and no gravity to settle; leave this table out")
+        if self.drive is None and not loads:
+            raise KeyedError("drive", "missing; a scene needs a drive, a traction or gravity, or nothing happens")
+        self._kinematics_have_what_they_need()
+        keys = set(dotted_keys(self))
+        for key in self.assumptions:
+            if key not in keys:
+                raise KeyedError("assumptions", _no_such(key, sorted(keys)))
+        return self
+
+    def _kinematics_have_what_they_need(self) -> None:
+        for group, material in self.material.items():
+            motion = self.kinematics_of(group)
+            for key in ("young_modulus", "poisson_ratio"):
+                if motion != "rigid" and getattr(material, key) is None:
+                    raise KeyedError(f"material.{group}.{key}", f"missing; kinematics '{motion}' of {group} needs it")
+            if motion == "tets" and self.specimen.mesh_size is None:
+                raise KeyedError(
+                    "specimen.mesh_size", f"missing; kinematics 'tets' of {group} needs it: mesh_size = '25 mm'"
+                )
+
+
+def _no_such(key: str, keys: list[str]) -> str:
+    nearest = get_close_matches(key[:100], keys, 1, 0.4)
+    return f"'{key[:100]}' is no key of this scene" + (f"; did you mean '{nearest[0]}'?" if nearest else "")
+
+
+def dotted_keys(value: Any, path: str = "") -> Iterator[str]:
+    """Every key that the scene has, "contact.unit_unit.cohesion", tables and numbered list items included."""
+    if path:
+        yield path
+    items: Any = ()
+    if isinstance(value, BaseModel):
+        items = ((name, getattr(value, name)) for name in type(value).model_fields if name != "assumptions")
+    elif hasattr(value, "_asdict"):
+        items = value._asdict().items()
+    elif isinstance(value, dict):
+        items = value.items()
+    elif isinstance(value, tuple):
+        items = enumerate(value)
+    for name, below in items:
+        yield from dotted_keys(below, f"{path}.{name}" if path else str(name))

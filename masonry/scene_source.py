@@ -1,0 +1,137 @@
+"""Where a scene's raw values come from: a file or a packaged scene, and the line of every key in it."""
+
+import difflib
+import re
+import tomllib
+from dataclasses import dataclass, field
+from functools import cached_property
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from pathlib import Path
+from typing import Any
+
+from masonry.errors import SceneError
+
+Keys = tuple[str | int, ...]
+LARGEST = 5_000_000
+_KEY = r"(?:[A-Za-z0-9_-]+|\"[^\"]*\"|'[^']*')"
+_KEYS = rf"{_KEY}(?:\s*\.\s*{_KEY})*"
+_HEADER = re.compile(rf"\s*(\[\[?)\s*({_KEYS})\s*\]")
+_ASSIGNMENT = re.compile(rf"\s*({_KEYS})\s*=")
+_BARE_QUANTITY = re.compile(r"=\s*([-+]?[\d.]+(?:[eE][-+]?\d+)? ?[A-Za-z][\w/^*]*)\s*(?:#.*)?$")
+
+
+@dataclass
+class Source:
+    """Raw values of a scene before they are checked, and where each one stands."""
+
+    file: str
+    stem: str
+    text: str
+    raw: dict[str, Any]
+    overridden: dict[Keys, str] = field(default_factory=dict)
+
+    @cached_property
+    def lines(self) -> dict[Keys, int]:
+        return _lines(self.text)
+
+    def place(self, path: Keys) -> str:
+        """`--set key`, or file and line of the key or of the nearest table above it."""
+        for n in range(len(path), 0, -1):
+            if path[:n] in self.overridden:
+                return f"--set {self.overridden[path[:n]]}"
+        for n in range(len(path), 0, -1):
+            if path[:n] in self.lines:
+                return f"{self.file}, line {self.lines[path[:n]]}"
+        return self.file
+
+
+def packaged() -> dict[str, Traversable]:
+    """The scenes that come with the program, by name."""
+    found = (f for f in files("masonry").joinpath("scenes").iterdir() if f.name.endswith(".toml"))
+    return {f.name.removesuffix(".toml"): f for f in sorted(found, key=lambda f: f.name)}
+
+
+def read(scene: str | Path) -> Source:
+    """The raw scene of a path or of a packaged name. Raises SceneError."""
+    known = packaged()
+    file = known[scene] if isinstance(scene, str) and scene in known else Path(scene)
+    name = f"{scene}.toml" if isinstance(scene, str) and scene in known else str(scene)
+    text = _text(file, name, known)
+    stem = name.replace("\\", "/").rsplit("/", 1)[-1].removesuffix(".toml")
+    return Source(name, stem, text, _parse(text, name))
+
+
+def _text(file: Traversable, name: str, known: dict[str, Traversable]) -> str:
+    shown = repr(name if len(name) <= 200 else name[:200] + "...")
+    try:
+        if file.is_dir():
+            raise SceneError(f"{shown} is a folder; give a scene file (.toml) or one of {', '.join(known)}")
+        if not file.is_file():
+            stem = re.split(r"[/\\]", name[-200:])[-1].removesuffix(".toml")
+            nearest = difflib.get_close_matches(stem, known, 1, 0.4)
+            hint = f"did you mean '{nearest[0]}'? " if nearest else ""
+            raise SceneError(f"no scene {shown}: no such file; {hint}packaged scenes are {', '.join(known)}")
+        with file.open("rb") as stream:
+            data = stream.read(LARGEST + 1)
+    except (OSError, ValueError) as error:
+        if isinstance(error, SceneError):
+            raise
+        raise SceneError(f"{shown} cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    if len(data) > LARGEST:
+        raise SceneError(f"{shown} is larger than {LARGEST // 1_000_000} MB; a scene file holds a few kB of text")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        raise SceneError(f"{name}, line {line}: not UTF-8 text; save the file as UTF-8") from None
+
+
+def _parse(text: str, name: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise SceneError(f"{name}: not a scene: tables nested too deeply") from None
+    except ValueError as error:  # tomllib's own, and Python's limit on the digits of a number
+        hint, line = "", re.search(r"at line (\d+)", str(error))
+        if line and (bare := _BARE_QUANTITY.search(text.splitlines()[int(line[1]) - 1][:200])):
+            hint = f"; a quantity stands in quotes: '{bare[1]}'"
+        raise SceneError(f"{name}: not valid TOML: {error}{hint}") from None
+
+
+def split_key(text: str) -> list[str]:
+    """'a."b.c".0' -> ['a', 'b.c', '0']."""
+    return [part.strip("\"'") for part in re.findall(_KEY, text)]
+
+
+def _lines(text: str) -> dict[Keys, int]:
+    """Line number of every table header and key that starts a line."""
+    found: dict[Keys, int] = {}
+    count: dict[Keys, int] = {}
+
+    def full(keys: list[str]) -> Keys:
+        path: Keys = ()
+        for key in keys:
+            path += (key,)
+            path += (count[path],) if path in count else ()
+        return path
+
+    table: Keys = ()
+    open_text = ""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if open_text:
+            open_text = "" if open_text in line else open_text
+            continue
+        open_text = next((quotes for quotes in ('"""', "'''") if line.count(quotes) % 2), "")
+        if header := _HEADER.match(line):
+            keys = split_key(header[2])
+            if header[1] == "[[":
+                array = (*full(keys[:-1]), keys[-1])
+                count[array] = count.get(array, -1) + 1
+            table = full(keys)
+            found.setdefault(table, number)
+        elif assignment := _ASSIGNMENT.match(line):
+            keys = split_key(assignment[1])
+            for n in range(1, len(keys) + 1):
+                found.setdefault((*table, *keys[:n]), number)
+    return found

@@ -1,0 +1,122 @@
+"""The types of a scene's values: what may stand in a file, what is kept (SI floats), how it is written out again."""
+
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal, NamedTuple
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, GetCoreSchemaHandler, PlainSerializer, SerializationInfo
+from pydantic_core import CoreSchema, core_schema
+
+from masonry.quantity import KINDS, convert
+
+Law = Literal["elastic", "brittle", "linear", "polynomial", "exponential"]
+Motion = Literal["rigid", "affine", "tets"]
+Freedom = Literal["x", "y", "z", "rotation"]
+Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
+CONFINEMENT = {"confinement": 1.0, "-confinement": -1.0}
+
+
+class KeyedError(ValueError):
+    """What is wrong with one key of the table that is being checked."""
+
+    def __init__(self, key: str, message: str) -> None:
+        super().__init__(message)
+        self.key = key
+
+
+class Table(BaseModel):
+    """A table of the scene: no key but the ones named here, and no change after loading."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+@dataclass(frozen=True)
+class Given:
+    """Marks a float or int that a file gives as a quantity of `kind` within the interval `allowed`."""
+
+    kind: str
+    allowed: str = "(-inf, inf)"
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        written = core_schema.plain_serializer_function_ser_schema(self.write)
+        return core_schema.with_info_before_validator_function(self.read, handler(source), serialization=written)
+
+    def read(self, value: Any, info: core_schema.ValidationInfo[Any]) -> float:
+        if self.kind == "stress" and isinstance(value, str) and value in CONFINEMENT:
+            value = f"{CONFINEMENT[value] * confinement_of(info, value)!r} Pa"
+        return convert(value, self.kind, info.field_name or "this", self.allowed)
+
+    def write(self, value: float) -> Any:
+        return f"{value!r} {KINDS[self.kind].unit}" if KINDS[self.kind].unit else value
+
+
+def confinement_of(info: core_schema.ValidationInfo[Any], what: str) -> float:
+    """The scene's top-level confinement in Pa; an error where `what` asks for one and there is none."""
+    confinement = (info.context or {}).get("confinement")
+    if confinement is None:
+        raise ValueError(f"{what!r} needs the top-level key confinement, for example confinement = '0.5 MPa'")
+    return float(confinement)
+
+
+Length = Annotated[float, Given("length", "(0, inf)")]
+Gap = Annotated[float, Given("length", "[0, inf)")]
+Position = Annotated[float, Given("length")]
+Area = Annotated[float, Given("area", "(0, inf)")]
+Duration = Annotated[float, Given("time", "(0, inf)")]
+Velocity = Annotated[float, Given("velocity", "(0, inf)")]
+Acceleration = Annotated[float, Given("acceleration")]
+Angle = Annotated[float, Given("angle", "[0, 90) deg")]
+Density = Annotated[float, Given("density", "(0, inf)")]
+Stress = Annotated[float, Given("stress")]
+Strength = Annotated[float, Given("stress", "[0, inf)")]
+Modulus = Annotated[float, Given("stress", "(0, inf)")]
+Stiffness = Annotated[float, Given("stiffness", "(0, inf)")]
+ShearStiffness = Annotated[float, Given("stiffness", "[0, inf)")]
+Energy = Annotated[float, Given("energy", "(0, inf)")]
+EnergySlope = Annotated[float, Given("energy per stress", "[0, inf)")]
+Poisson = Annotated[float, Given("number", "[0, 0.5)")]
+Tangent = Annotated[float, Given("number", "[0, inf)")]
+Exponent = Annotated[float, Given("number", "(1, inf)")]
+Share = Annotated[float, Given("number", "[0, 1]")]
+Damping = Annotated[float, Given("number", "[0, 1)")]
+Fraction = Annotated[float, Given("number", "(0, 10]")]
+Count = Annotated[int, Given("integer", "[1, 1000]")]
+Steps = Annotated[int, Given("integer", "[1, 1e12]")]
+Rows = Annotated[int, Given("integer", "[2, 1e6]")]
+Number = Annotated[int, Given("integer", "[0, 1e9]")]
+
+
+class Stresses(NamedTuple):
+    """Pa, by direction; what a file leaves out is 0."""
+
+    x: Stress = 0.0
+    y: Stress = 0.0
+    z: Stress = 0.0
+
+
+class Accelerations(NamedTuple):
+    """m/s2, by direction; what a file leaves out is 0."""
+
+    x: Acceleration = 0.0
+    y: Acceleration = 0.0
+    z: Acceleration = 0.0
+
+
+def _directions(value: Any) -> Any:
+    if not isinstance(value, dict) or not value:
+        raise ValueError("must be a table by direction, with one or more of x, y, z")
+    return value
+
+
+def _write_stresses(value: Stresses, info: SerializationInfo[Any]) -> dict[str, str]:
+    """By direction; a component that is the scene's confinement keeps saying so."""
+    confinement = (info.context or {}).get("confinement")
+    linked = {sign * confinement: word for word, sign in CONFINEMENT.items()} if confinement else {}
+    return {axis: linked.get(x, f"{x!r} Pa") for axis, x in value._asdict().items() if x != 0.0 or not any(value)}
+
+
+def _write_accelerations(value: Accelerations) -> dict[str, str]:
+    return {axis: f"{x!r} m/s^2" for axis, x in value._asdict().items()}
+
+
+StressVector = Annotated[Stresses, BeforeValidator(_directions), PlainSerializer(_write_stresses)]
+AccelerationVector = Annotated[Accelerations, BeforeValidator(_directions), PlainSerializer(_write_accelerations)]

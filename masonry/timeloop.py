@@ -1,0 +1,165 @@
+"""The time loop: chunks of compiled steps; between chunks the history, the watch for instability, progress, Ctrl-C."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from masonry import energy
+from masonry.errors import Stopped
+from masonry.history import UNITS, Frame, History
+from masonry.kernels.step import advance, reaction
+from masonry.loads import Program
+from masonry.model import Model
+from masonry.watch import Watch, frame_of
+
+LONGEST_CHUNK = 200
+FRAMES = 24
+
+
+@dataclass
+class Outcome:
+    """What the loop found besides the rows: the peak seen at any step, the largest rotation, the times."""
+
+    history: History
+    peak_force: float = 0.0
+    displacement_at_peak: float = 0.0
+    seconds_run: float = 0.0
+    seconds_compile: float = 0.0
+    rotation_max: float = 0.0
+    steps: int = 0
+    interrupted: bool = False
+    stopped: str = ""
+    log: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Recording:
+    """How forces become stresses (section, m2; sign of the drive) and how often to look."""
+
+    section: float
+    sign: float = 1.0
+    rows: int = 1000
+    rotation_limit: float = 0.02
+
+
+def run(
+    model: Model,
+    program: Program,
+    recording: Recording,
+    threads: int = 1,
+    progress: Callable[[int, str], None] | None = None,
+) -> Outcome:
+    """Run the whole program. An unstable or too large motion ends it: Outcome.stopped says why, rows stay trusted."""
+    outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
+    begun = time.perf_counter()
+    compile_for(model, program, threads)
+    outcome.seconds_compile = time.perf_counter() - begun
+    begun = time.perf_counter()
+    loop = _Loop(model, program, recording, threads, outcome)
+    try:
+        loop.run(progress)
+    except KeyboardInterrupt:
+        outcome.interrupted = True
+    except Stopped as stop:
+        outcome.stopped = str(stop)
+    outcome.seconds_run = time.perf_counter() - begun
+    loop.finish()
+    return outcome
+
+
+def compile_for(model: Model, program: Program, threads: int) -> None:
+    """Compile (or load from the cache) the step for exactly this model, without taking one."""
+    _advance(model, program, threads, 0, 0, np.zeros(0))
+    energy.observe(model)
+
+
+def _advance(model: Model, program: Program, threads: int, first: int, steps: int, gauge: np.ndarray) -> None:
+    advance(
+        True if threads > 1 else None,
+        first,
+        steps,
+        model.dt,
+        model.damping,
+        program.dead_load,
+        program.speed,
+        model.groups,
+        model.contacts,
+        model.bodies,
+        model.drives,
+        gauge,
+    )
+
+
+class _Loop:
+    """State of one run between chunks."""
+
+    def __init__(self, model: Model, program: Program, recording: Recording, threads: int, outcome: Outcome) -> None:
+        self.model, self.program, self.recording = model, program, recording
+        self.threads, self.outcome = threads, outcome
+        self.path = np.concatenate([[0.0], np.cumsum(program.speed[:-1]) * model.dt])
+        self.rows: list[list[float]] = []
+        self.watch = Watch(model, recording.rotation_limit)
+        self.frames: list[Frame] = []
+        self.peak_frame: Frame | None = None
+        self.highest_row = -np.inf
+        self.take_row(0, energy.velocities(model))
+
+    def run(self, progress: Callable[[int, str], None] | None) -> None:
+        steps = self.program.steps
+        every = min(max(1, steps // self.recording.rows), LONGEST_CHUNK) if steps else 1
+        frame_every = max(1, steps // every // FRAMES)
+        gauge = np.zeros(every)
+        done, count = 0, 0
+        while done < steps:
+            chunk = min(every, steps - done)
+            if chunk > 1:
+                _advance(self.model, self.program, self.threads, done, chunk - 1, gauge)
+            before = energy.velocities(self.model)
+            _advance(self.model, self.program, self.threads, done + chunk - 1, 1, gauge[chunk - 1 :])
+            self.watch.check(done + chunk)
+            self.find_peak(done, gauge[:chunk])
+            done += chunk
+            count += 1
+            frame_due = count % frame_every == 0 or done == steps
+            self.take_row(done, before, frame_due)
+            self.outcome.steps = done
+            if progress is not None:
+                progress(done, f"stress {self.rows[-1][3] / 1e6:.3f} MPa")
+
+    def find_peak(self, done: int, gauge: np.ndarray) -> None:
+        """The peak is looked for at every step, not only at rows."""
+        force = gauge * self.recording.sign
+        k = int(np.argmax(force))
+        if force[k] > self.outcome.peak_force:
+            self.outcome.peak_force = float(force[k])
+            self.outcome.displacement_at_peak = abs(float(self.path[done + k + 1]))
+
+    def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
+        model, area = self.model, self.recording.section
+        view = energy.observe(model)
+        stress, support = (
+            sum(reaction(b, f) for b, f in zip(model.bodies, freedoms, strict=True)) / area * self.recording.sign
+            for freedoms in (model.drives, model.supports)
+        )
+        terms = energy.ledger(model, view, before)
+        place = abs(float(self.path[step]))
+        self.rows.append([step, step * model.dt, place, stress, -support, *(terms[k] for k in list(UNITS)[5:])])
+        self.outcome.rotation_max = self.watch.rotation
+        higher = stress > self.highest_row and step > 0
+        if frame_due or higher:
+            frame = frame_of(model, view, step, place)
+            if frame_due:
+                self.frames.append(frame)
+            if higher:
+                self.peak_frame, self.highest_row = frame, stress
+
+    def finish(self) -> None:
+        """Columns from rows; the frame at the peak among the others, oldest first."""
+        table = np.array(self.rows).reshape(-1, len(UNITS))
+        self.outcome.history.rows = {key: table[:, i].copy() for i, key in enumerate(UNITS)}
+        frames = {frame.step: frame for frame in self.frames}
+        if self.peak_frame is not None:
+            frames[self.peak_frame.step] = self.peak_frame
+        self.outcome.history.frames = [frames[step] for step in sorted(frames)]

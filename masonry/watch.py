@@ -1,0 +1,111 @@
+"""What is looked at between chunks: is the motion still to be trusted, and what does the specimen look like."""
+
+import numpy as np
+
+from masonry.bodies import KINDS
+from masonry.energy import Observation
+from masonry.errors import Stopped
+from masonry.history import Frame
+from masonry.model import Model
+
+LEAP = 1e-3
+"""A freedom that moves by more than this share of the smallest block in one step is not a motion but an instability."""
+
+
+class Watch:
+    """Stops a run whose numbers can no longer be trusted, and names the block to blame."""
+
+    def __init__(self, model: Model, rotation_limit: float) -> None:
+        self.model = model
+        self.rotation_limit = rotation_limit
+        self.rotation = 0.0
+        self.size = float(np.cbrt(model.layout.volume.min()))
+
+    def check(self, step: int) -> None:
+        """Raise Stopped if a velocity is not finite or leaps, or if a block has turned beyond the limit."""
+        for kind, body in zip(KINDS, self.model.bodies, strict=True):
+            if body is None:
+                continue
+            speed = np.abs(body.v) * np.array([1.0] * 3 + [self.size] * (body.v.shape[1] - 3))
+            speed = np.where(np.isfinite(speed), speed, np.inf)
+            if speed.max() * self.model.dt > LEAP * self.size:
+                row, i = np.unravel_index(int(np.argmax(speed)), speed.shape)
+                self._stop_unstable(step, kind, int(row), int(i))
+        self._check_rotation(step)
+
+    def _stop_unstable(self, step: int, kind: str, row: int, i: int) -> None:
+        model = self.model
+        raise Stopped(
+            f"unstable at step {step}: {model.layout.freedom(kind, row, i)}, runs away. The time step is {model.dt:.4g} s; "
+            f"the proven bound is {model.bound:.4g} s (limited by {model.limited_by}). "
+            'Use time_step = "gershgorin" with step_fraction <= 1'
+        )
+
+    def _check_rotation(self, step: int) -> None:
+        rigid, affine, _ = self.model.bodies
+        turns = []
+        if rigid is not None:
+            turns.append((np.abs(rigid.q[:, 3:]).max(axis=1), "rigid"))
+        if affine is not None:
+            q = affine.q[:, 3:].reshape(-1, 3, 3)
+            turns.append((0.5 * np.abs(q - q.transpose(0, 2, 1)).max(axis=(1, 2)), "affine"))
+        for turn, kind in turns:
+            self.rotation = max(self.rotation, float(turn.max()))
+            if turn.max() > self.rotation_limit:
+                block = int(self.model.layout.members[kind][int(np.argmax(turn))])
+                where = ", ".join(f"{x:.4g}" for x in self.model.layout.centroid[block])
+                raise Stopped(
+                    f"step {step}: {kind} block {block} at ({where}) m has turned by {turn.max():.3g} rad, more than "
+                    f"solver.rotation_limit = {self.rotation_limit:g}; displacements are linear in rotations here, "
+                    "with an error of half their square"
+                )
+
+
+def frame_of(model: Model, view: Observation, step: int, displacement: float) -> Frame:
+    """The specimen now."""
+    seen, state = view.seen, model.state
+    tets = model.bodies[2]
+    nodes = model.contacts[3][: len(tets.v)].copy() if tets is not None else np.zeros((0, 3))
+    return Frame(
+        step=step,
+        time=step * model.dt,
+        displacement=displacement,
+        corners=corner_displacements(model),
+        nodes=nodes,
+        opening=seen[:, 0].copy(),
+        slip=seen[:, 1].copy(),
+        normal_stress=seen[:, 2].copy(),
+        shear_stress=seen[:, 3].copy(),
+        damage_tension=1.0 - state.intact_n,
+        damage_shear=1.0 - state.intact_s,
+        stress=view.stress,
+    )
+
+
+def corner_displacements(model: Model) -> np.ndarray:
+    """(P, 3) m at the corners of the blocks: exact for rigid and affine blocks, the nearest node for tets."""
+    blocks, layout = model.blocks, model.layout
+    owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
+    block_of_point = np.zeros(len(blocks.points), dtype=np.int64)
+    block_of_point[blocks.face_points] = owner
+    moved = np.zeros_like(blocks.points)
+    rigid, affine, _ = model.bodies
+    arm = blocks.points - layout.centroid[block_of_point]
+    kind, local = layout.kind[block_of_point], layout.local[block_of_point]
+    axes = layout.axes[block_of_point]
+    if rigid is not None:
+        p = np.flatnonzero(kind == 0)
+        turn = np.einsum("cij,cj->ci", axes[p], rigid.q[local[p], 3:])
+        moved[p] = rigid.q[local[p], :3] + np.cross(turn, arm[p])
+    if affine is not None:
+        p = np.flatnonzero(kind == 1)
+        h = affine.q[local[p], 3:].reshape(-1, 3, 3)
+        moved[p] = affine.q[local[p], :3] + np.einsum("cij,ckj,ck->ci", h, axes[p], arm[p])
+    mesh = layout.mesh
+    if mesh is not None:
+        for b in layout.members["tets"]:
+            p = np.flatnonzero(block_of_point == b)
+            first, last = mesh.node_start[b], mesh.node_start[b + 1]
+            gap = np.linalg.norm(mesh.nodes[None, first:last] - blocks.points[p, None], axis=2)
+            moved[p] = model.contacts[3][first + np.argmin(gap, axis=1)]
+    return moved
