@@ -1,0 +1,76 @@
+import numpy as np
+import pytest
+
+from geometry.blocks import GeometryError
+from geometry.boundary import outer_faces, surface_nodes
+from geometry.boxes import boxes
+from geometry.couplet import couplet
+from geometry.joints import find_joints
+from geometry.measures import face_areas_normals_centroids
+from geometry.mesher import mesh_blocks
+
+
+@pytest.fixture(scope="module")
+def divided():
+    specimen = couplet(0.2, 0.05, 0.06, (3, 2, 2))
+    joints = find_joints(specimen.blocks)
+    meshed = np.ones(specimen.blocks.count, dtype=bool)
+    return specimen, *mesh_blocks(specimen.blocks, meshed, 0.02, joints)
+
+
+@pytest.mark.parametrize(
+    ("direction", "area"), [("z+", 0.01), ("x-", 0.003), ("x+", 0.003), ("y-", 0.012), ("y+", 0.012)]
+)
+def test_outer_faces_of_a_divided_unit_cover_its_whole_side(divided, direction, area):
+    specimen, mesh, joints = divided
+    faces = outer_faces(specimen.blocks, joints, specimen.sets["top"], direction)
+    areas, normals, _ = face_areas_normals_centroids(specimen.blocks)
+    assert areas[faces].sum() == pytest.approx(area, rel=1e-14)
+    assert np.all(normals[faces, "xyz".index(direction[0])] == (1 if direction[1] == "+" else -1))
+    node, share = surface_nodes(mesh, specimen.blocks, faces)
+    assert share.sum() == pytest.approx(area, rel=1e-12)
+    assert np.all(np.diff(node) > 0)
+
+
+def test_nodal_areas_of_a_face_balance_about_its_centroid(divided):
+    specimen, mesh, joints = divided
+    faces = outer_faces(specimen.blocks, joints, specimen.sets["top"], "z+")
+    node, share = surface_nodes(mesh, specimen.blocks, faces)
+    assert np.allclose(share @ mesh.nodes[node] / share.sum(), (0.1, 0.025, 0.12), atol=1e-14)
+    assert np.allclose(mesh.nodes[node, 2], 0.12, atol=1e-15)
+
+
+def test_a_face_in_a_joint_is_no_outer_face(divided):
+    specimen, _, joints = divided
+    with pytest.raises(GeometryError, match="face z- lies in a joint; outer faces there are: x-, x\\+, y-, y\\+, z\\+"):
+        outer_faces(specimen.blocks, joints, specimen.sets["top"], "z-")
+
+
+def test_an_unknown_direction_names_the_allowed_ones(divided):
+    specimen, _, joints = divided
+    with pytest.raises(GeometryError, match="'up' is unknown; allowed: x-, x\\+"):
+        outer_faces(specimen.blocks, joints, specimen.sets["top"], "up")
+
+
+def test_a_partly_covered_face_is_refused():
+    specimen = boxes(
+        [("floor", (0, 0, 0), (2, 1, 1), "g", 0, (1, 1, 1)), ("post", (0, 0, 1), (1, 1, 1), "g", 1, (1, 1, 1))], 1.0
+    )
+    with pytest.raises(GeometryError, match="covered by a joint over 50.0%"):
+        outer_faces(specimen.blocks, find_joints(specimen.blocks), specimen.sets["floor"], "z+")
+
+
+def test_covered_faces_beside_free_ones_are_left_out():
+    specimen = boxes(
+        [("floor", (0, 0, 0), (2, 1, 1), "g", 0, (2, 1, 1)), ("post", (0, 0, 1), (1, 1, 1), "g", 1, (1, 1, 1))], 1.0
+    )
+    faces = outer_faces(specimen.blocks, find_joints(specimen.blocks), specimen.sets["floor"], "z+")
+    assert specimen.blocks.face_block()[faces].tolist() == [1]
+
+
+def test_faces_of_blocks_without_tets_have_no_nodes():
+    specimen = couplet(0.2, 0.05, 0.05)
+    joints = find_joints(specimen.blocks)
+    mesh, joints = mesh_blocks(specimen.blocks, np.array([True, False]), 0.05, joints)
+    node, area = surface_nodes(mesh, specimen.blocks, outer_faces(specimen.blocks, joints, specimen.sets["top"], "z+"))
+    assert len(node) == len(area) == 0
