@@ -14,9 +14,10 @@ BAR_SECONDS = 0.1
 
 
 class Progress:
-    """Says how far a run is. Use as a context manager; `update` may be called as often as one likes.
+    """Says how far a run is. Use as a context manager; `update`, or a call of the object itself, as often as one likes.
 
-    `total_steps` may be 0 while it is not known and set later.
+    `total_steps` may be 0 while it is not known and set later. Time left is counted from the first update, so that
+    compiling does not spoil it.
     """
 
     def __init__(
@@ -30,7 +31,8 @@ class Progress:
         self.label = label
         self._stream = sys.stderr if stream is None else stream
         self._clock = clock
-        self._begun: float | None = None
+        self._begun = False
+        self._first: tuple[int, float] | None = None
         self._said_at = 0.0
         self._said_step = 0
         self._bar: Any = None
@@ -50,6 +52,7 @@ class Progress:
         """`step` steps are done; `note` is a few words on the state of the run."""
         self._begin()
         now = self._clock()
+        self._first = self._first or (step, now)
         done = bool(self.total_steps) and step >= self.total_steps
         if self._bar is not None:
             if done or now - self._said_at >= BAR_SECONDS:
@@ -61,22 +64,25 @@ class Progress:
             self._said_at, self._said_step = now, step
             self._say(self.line(step, note, now))
 
+    __call__ = update
+
     def line(self, step: int, note: str, now: float) -> str:
         """One plain line: `couplet  40 %  20000/50000 steps  1.2 s left  stress 0.12 MPa`."""
         words = [self.label] if self.label else []
         if self.total_steps:
             words += [f"{100 * step / self.total_steps:.0f} %", f"{step}/{self.total_steps} steps"]
-            spent = now - (self._begun if self._begun is not None else now)
-            if 0 < step < self.total_steps:
-                words.append(f"{duration(spent * (self.total_steps - step) / step)} left")
+            first, then = self._first or (step, now)
+            if first < step < self.total_steps:
+                words.append(f"{duration((now - then) * (self.total_steps - step) / (step - first))} left")
         else:
             words.append(f"{step} steps")
         return "  ".join([*words, *([note] if note else [])])
 
     def _begin(self) -> None:
-        if self._begun is not None:
+        if self._begun:
             return
-        self._begun = self._said_at = self._clock()
+        self._begun = True
+        self._said_at = self._clock()
         if self._stream.isatty():
             self._bar = _bar(self._stream)
             self._task = self._bar.add_task(self.label, total=self.total_steps or None, note="")
