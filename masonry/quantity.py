@@ -68,7 +68,7 @@ def parse(text: Any, kind: str, where: str, allowed: str = "(-inf, inf)") -> flo
 
 def convert(value: Any, kind: str, name: str, allowed: str = "(-inf, inf)") -> float:
     """As `parse`; `name` is the last part of the key. Raises ValueError without the place."""
-    need = f"{name} is {KINDS[kind].words}, for example {_written(kind)}"
+    need = f"{name} is {KINDS[kind].words}, for example {written(kind)}"
     if isinstance(value, bool) or not isinstance(value, (str, int, float)):
         raise ValueError(f"{_short(value)} is not a quantity; {need}")
     if kind in ("number", "integer"):
@@ -171,7 +171,7 @@ def _check(si: float, value: Any, name: str, allowed: str) -> None:
         raise ValueError(f"{_short(value)} is out of range; {name} must be {words}")
 
 
-def _written(kind: str) -> str:
+def written(kind: str) -> str:
     """The kind's example as it stands in a file: quoted where it has a unit."""
     return f"'{KINDS[kind].example}'" if KINDS[kind].unit else KINDS[kind].example
 

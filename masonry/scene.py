@@ -26,7 +26,8 @@ def load(path_or_name: str | Path, overrides: Overrides = ()) -> Scene:
     apply(source, overrides)
     confinement = source.raw.get("confinement")
     if confinement is not None:
-        where = f"{source.place(('confinement',))}: confinement"
+        place = source.place(("confinement",))
+        where = place if place.endswith(" confinement") else f"{place}: confinement"
         confinement = parse(confinement, "stress", where, "[0, inf)")
     law = source.raw.get("law")
     context = {"confinement": confinement, "law": law if law is None or law in get_args(Law) else "elastic"}

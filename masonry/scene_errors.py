@@ -8,19 +8,54 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from masonry.errors import SceneError
+from masonry.quantity import KINDS, written
 from masonry.scene_schema import Scene
 from masonry.scene_source import Keys, Source, split_key
-from masonry.scene_types import KeyedError
+from masonry.scene_types import Given, KeyedError
 
 MOST = 5
 HIDDEN = {"exponent_shear_table"}
+UNKNOWN = ("extra_forbidden", "unexpected_keyword_argument")
+MISSING = ("missing", "missing_argument")
+QUOTED = r"'([^']+)'"
+HINTS = {
+    "law": "name the law here or once at the top of the file: law = 'exponential'",
+    "specimen": "give a table [specimen] with kind = 'couplet', 'wallette' or 'boxes'",
+    "material": "give a table [material.units] with a density",
+    "contact": "give a table [contact.unit_unit] with stiffnesses and strengths",
+}
+_NO_TABLE = "must be a table, not {shown}"
+PLAIN = {
+    "model_type": _NO_TABLE,
+    "model_attributes_type": _NO_TABLE,
+    "dict_type": _NO_TABLE,
+    "arguments_type": _NO_TABLE,
+    "tuple_type": "must be a list or, for tables, stand in double brackets [[{name}]]; not {shown}",
+    "too_short": "must have {min_length} or more items, not {actual_length}",
+    "too_long": "must have no more than {max_length} items",
+    "string_type": "must be a text in quotes, not {shown}",
+    "string_too_short": "must not be empty",
+    "string_pattern_mismatch": "must be a name without a slash, not {shown}",
+}
 
 
 def explain(error: ValidationError, source: Source) -> SceneError:
     """One error for all findings, the first few in full."""
-    lines = list(dict.fromkeys(_line(found, source) for found in error.errors(include_url=False)))
-    more = [f"... and {len(lines) - MOST} more"] if len(lines) > MOST else []
-    return SceneError("\n".join(lines[:MOST] + more))
+    findings = _without_echoes(error.errors(include_url=False))
+    lines = [_line(found, source) for found in findings[:MOST]]
+    more = [f"... and {len(findings) - MOST} more"] if len(findings) > MOST else []
+    return SceneError("\n".join(lines + more))
+
+
+def _without_echoes(findings: list[ErrorDetails]) -> list[ErrorDetails]:
+    """A misspelt key is one mistake: the key that is missing for it is not told as well."""
+    missing = {found["loc"]: found for found in findings if found["type"] in MISSING}
+    unknown = [found["loc"] for found in findings if found["type"] in UNKNOWN][:100]
+    for *table, name in unknown:
+        names = [str(key) for *others, key in missing if others == table]
+        for nearest in difflib.get_close_matches(str(name)[:80], names, 1, 0.5):
+            del missing[(*table, nearest)]
+    return [found for found in findings if found["type"] not in MISSING or found["loc"] in missing]
 
 
 def _line(found: ErrorDetails, source: Source) -> str:
@@ -28,11 +63,13 @@ def _line(found: ErrorDetails, source: Source) -> str:
     cause = found.get("ctx", {}).get("error")
     if isinstance(cause, KeyedError):
         loc += tuple(split_key(cause.key))
+    if found["type"].startswith("union_tag"):
+        loc += ("kind",)
     path = _in_file(loc, source.raw)
     place = source.place(path)
     key = ".".join(str(part)[:80] for part in path)
     text = _text(found, loc, str(path[-1]) if path else "")
-    return f"{place}: {key}: {text}" if key else f"{place}: {text}"
+    return f"{place}: {text}" if place == f"--set {key}" else f"{place}: {key}: {text}"
 
 
 def _in_file(loc: Keys, raw: Any) -> Keys:
@@ -51,41 +88,28 @@ def _in_file(loc: Keys, raw: Any) -> Keys:
 
 
 def _text(found: ErrorDetails, loc: Keys, name: str) -> str:
-    kind, value = found["type"], found["input"]
+    kind, shown, ctx = found["type"], f"{str(found['input'])[:60]!r}", found.get("ctx", {})
     if kind == "value_error":
-        return str(found["ctx"]["error"])
-    if kind in ("extra_forbidden", "unexpected_keyword_argument"):
-        return f"unknown key; {_choice(name, _fields(loc))}"
+        return str(ctx["error"])
+    if kind in UNKNOWN:
+        return f"unknown key; {_choice(name, list(_fields(loc)))}"
+    if kind in MISSING:
+        return f"missing{_hint(loc, name)}"
     if kind == "union_tag_not_found":
-        return "missing kind; allowed: couplet, wallette, boxes"
-    if kind in ("missing", "missing_argument"):
-        return _missing(name)
-    if kind in ("literal_error", "union_tag_invalid"):
-        expected = re.findall(r"'([^']+)'", found["ctx"].get("expected") or found["ctx"].get("expected_tags", ""))
-        return f"{str(value)[:60]!r} is not allowed; {_choice(_tag(value), expected)}"
-    if kind in ("model_type", "model_attributes_type", "dict_type", "arguments_type"):
-        return f"must be a table, not {str(value)[:60]!r}"
-    if kind == "string_type":
-        return f"must be a text in quotes, not {str(value)[:60]!r}"
-    if kind == "string_too_short":
-        return "must not be empty"
-    if kind == "tuple_type":
-        return f"must be a list, or tables with double brackets [[{name}]], not {str(value)[:60]!r}"
-    return found["msg"][:200]
+        return "missing; allowed: couplet, wallette, boxes"
+    if kind == "union_tag_invalid":
+        return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], re.findall(QUOTED, ctx['expected_tags']))}"
+    if kind == "literal_error":
+        return f"{shown} is not allowed; {_choice(shown, re.findall(QUOTED, ctx['expected']))}"
+    return PLAIN[kind].format(shown=shown, name=name, **ctx) if kind in PLAIN else found["msg"][:200]
 
 
-def _tag(value: Any) -> str:
-    return str(value.get("kind")) if isinstance(value, dict) else str(value)
-
-
-def _missing(name: str) -> str:
-    hints = {
-        "law": "missing; name the law here or once at the top of the file: law = 'exponential'",
-        "specimen": "missing table; give [specimen] with kind = 'couplet', 'wallette' or 'boxes'",
-        "material": "missing table; give [material.units] with a density",
-        "contact": "missing table; give [contact.unit_unit] with stiffnesses and strengths",
-    }
-    return hints.get(name, "missing")
+def _hint(loc: Keys, name: str) -> str:
+    if name in HINTS:
+        return f"; {HINTS[name]}"
+    field = _fields(loc).get(name)
+    given = next((mark for mark in getattr(field, "metadata", ()) if isinstance(mark, Given)), None)
+    return f"; {name} is {KINDS[given.kind].words}, for example {written(given.kind)}" if given else ""
 
 
 def _choice(name: str, allowed: list[str]) -> str:
@@ -93,21 +117,21 @@ def _choice(name: str, allowed: list[str]) -> str:
     return (f"did you mean '{nearest[0]}'? " if nearest else "") + f"allowed: {', '.join(allowed)}"
 
 
-def _fields(loc: Keys) -> list[str]:
-    """The keys that the table around the last part of `loc` may hold."""
+def _fields(loc: Keys) -> dict[str, Any]:
+    """The keys, with pydantic's knowledge of each, that the table around the last part of `loc` may hold."""
     model: Any = Scene
     choices: list[Any] = []
     for part in loc[:-1]:
         if part in _keys(model):
-            choices = _tables(model.model_fields[part].annotation)
+            choices = _tables(_keys(model)[part].annotation)
             model = choices[0] if choices else model
         else:
             model = next((m for m in choices if part in _kinds(m)), model)
-    return [key for key in _keys(model) if key not in HIDDEN]
+    return {key: field for key, field in _keys(model).items() if key not in HIDDEN}
 
 
-def _keys(model: Any) -> list[str]:
-    return list(model.model_fields if hasattr(model, "model_fields") else model._fields)
+def _keys(model: Any) -> dict[Any, Any]:
+    return model.model_fields if hasattr(model, "model_fields") else dict.fromkeys(model._fields)
 
 
 def _kinds(model: Any) -> tuple[str, ...]:

@@ -3,6 +3,7 @@
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
+from copy import deepcopy
 from typing import Any
 
 from masonry.errors import SceneError
@@ -18,6 +19,8 @@ RIVALS = (
 
 def apply(source: Source, overrides: Overrides) -> None:
     """Put the overrides into the raw values of `source`. Raises SceneError for a key that leads nowhere."""
+    if isinstance(overrides, str):
+        overrides = [overrides]
     given = dict(overrides) if isinstance(overrides, Mapping) else dict(map(_split, overrides))
     for key, value in given.items():
         path = _set(source.raw, key, _value(value))
@@ -39,7 +42,7 @@ def _split(text: str) -> tuple[str, str]:
 def _value(value: Any) -> Any:
     """A TOML value where the text is one, else the text."""
     if not isinstance(value, str):
-        return value
+        return deepcopy(value)
     try:
         value.encode()
         read_as_toml = tomllib.loads(f"value = {value}")
@@ -57,12 +60,12 @@ def _set(raw: dict[str, Any], key: str, value: Any) -> Keys:
     path: Keys = ()
     for n, part in enumerate(keys):
         last = n == len(keys) - 1
-        where: str | int = _index(at, part, path, key) if isinstance(at, list) else part
+        where: Any = _index(at, part, path, key) if isinstance(at, list) else part
         path += (where,)
         if last:
             at[where] = value
         elif isinstance(at, list):
-            at = at[int(where)]
+            at = at[where]
         else:
             if path == ("kinematics",) and isinstance(at.get(part), str):
                 at[part] = {"default": at[part]}
@@ -82,8 +85,9 @@ def _index(items: list[Any], part: str, path: Keys, key: str) -> int:
 def _drop_rivals(source: Source, path: Keys) -> None:
     """A key that is set takes the place of the other spelling of it, unless that is set too."""
     table: Any = source.raw
+    part: Any
     for part in path[:-1]:
-        table = table[part]
+        table = table[part] if isinstance(table, (dict, list)) else {}
     for rivals in RIVALS:
         if path[-1] in rivals and isinstance(table, dict):
             for other in rivals - {path[-1]}:

@@ -52,9 +52,7 @@ class Scene(Table):
     def _fits_together(self) -> "Scene":
         loads = bool(self.traction) or self.gravity is not None
         if loads and self.settle is None:
-            raise KeyedError(
-                "settle", "missing; traction and gravity need steps to settle in, for example steps = 2000"
-            )
+            raise KeyedError("settle", "missing; traction and gravity need steps to settle in: steps = 2000")
         if self.settle is not None and not loads:
             raise KeyedError("settle", "there is no traction and no gravity to settle; leave this table out")
         if self.drive is None and not loads:

@@ -94,7 +94,7 @@ def _parse(text: str, name: str) -> dict[str, Any]:
         raise SceneError(f"{name}: not a scene: tables nested too deeply") from None
     except ValueError as error:  # tomllib's own, and Python's limit on the digits of a number
         hint, line = "", re.search(r"at line (\d+)", str(error))
-        if line and (bare := _BARE_QUANTITY.search(text.splitlines()[int(line[1]) - 1][:200])):
+        if line and (bare := _BARE_QUANTITY.search(text.split("\n")[int(line[1]) - 1][:200].rstrip())):
             hint = f"; a quantity stands in quotes: '{bare[1]}'"
         raise SceneError(f"{name}: not valid TOML: {error}{hint}") from None
 
@@ -118,7 +118,7 @@ def _lines(text: str) -> dict[Keys, int]:
 
     table: Keys = ()
     open_text = ""
-    for number, line in enumerate(text.splitlines(), start=1):
+    for number, line in enumerate(text.split("\n"), start=1):
         if open_text:
             open_text = "" if open_text in line else open_text
             continue
@@ -129,7 +129,8 @@ def _lines(text: str) -> dict[Keys, int]:
                 array = (*full(keys[:-1]), keys[-1])
                 count[array] = count.get(array, -1) + 1
             table = full(keys)
-            found.setdefault(table, number)
+            for n in range(1, len(table) + 1):
+                found.setdefault(table[:n], number)
         elif assignment := _ASSIGNMENT.match(line):
             keys = split_key(assignment[1])
             for n in range(1, len(keys) + 1):

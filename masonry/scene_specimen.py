@@ -1,5 +1,6 @@
 """What a scene says of its specimen: the couplet, the wallette, or boxes one by one. Lengths in m, areas in m2."""
 
+from collections import Counter
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -73,10 +74,9 @@ class BoxesSpec(_Specimen):
 
     @model_validator(mode="after")
     def _names_differ(self) -> "BoxesSpec":
-        names = [box.name for box in self.box]
-        twice = next((name for name in names if names.count(name) > 1), None)
-        if twice is not None:
-            raise KeyedError("box", f"two boxes are named '{twice}'; each needs a name of its own")
+        name, times = Counter(box.name for box in self.box).most_common(1)[0]
+        if times > 1:
+            raise KeyedError("box", f"{times} boxes are named '{name}'; each needs a name of its own")
         return self
 
 

@@ -42,7 +42,7 @@ class Given:
 
     def read(self, value: Any, info: core_schema.ValidationInfo[Any]) -> float:
         if self.kind == "stress" and isinstance(value, str) and value in CONFINEMENT:
-            value = f"{CONFINEMENT[value] * confinement_of(info, value)!r} Pa"
+            value = f"{CONFINEMENT[value] * confinement_of(info, repr(value))!r} Pa"
         return convert(value, self.kind, info.field_name or "this", self.allowed)
 
     def write(self, value: float) -> Any:
@@ -53,7 +53,7 @@ def confinement_of(info: core_schema.ValidationInfo[Any], what: str) -> float:
     """The scene's top-level confinement in Pa; an error where `what` asks for one and there is none."""
     confinement = (info.context or {}).get("confinement")
     if confinement is None:
-        raise ValueError(f"{what!r} needs the top-level key confinement, for example confinement = '0.5 MPa'")
+        raise ValueError(f"{what} needs the top-level key confinement, for example confinement = '0.5 MPa'")
     return float(confinement)
 
 
