@@ -30,7 +30,7 @@ report: .venv/.ready
 lint: .venv/.ready
 	@echo "ruff check"
 	@$(PY) -m ruff check .
-	@$(PY) -m ruff format --check --quiet .
+	@$(PY) -m ruff format --check .
 	@echo "mypy"
 	@$(PY) -m mypy
 
