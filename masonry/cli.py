@@ -37,7 +37,7 @@ def parser() -> Parser:
     run = commands.add_parser("run", parents=[scene], help="run a scene and write its results")
     run.add_argument("--out", type=Path, metavar="DIR", help="folder for the results (default results/SCENE-N)")
     run.add_argument("--overwrite", action="store_true", help="replace results that are in DIR already")
-    run.add_argument("--threads", type=_threads, metavar="N", help=f"threads, 1 to {processors()}")
+    run.add_argument("--threads", type=_threads, default=1, metavar="N", help=f"threads, 1 (default) to {processors()}")
     run.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
     run.set_defaults(action=run_scene)
     check = commands.add_parser("check", parents=[scene], help="say what a scene will cost and what it leaves out")

@@ -61,7 +61,7 @@ def test_a_run_is_written_to_the_next_free_folder_and_says_where_and_how_well(la
     assert main(["run", "couplet", "--set", "law=linear", "--set", "drive.steps=9", "--threads", "1"]) == 0
     assert main(["run", "couplet", "--quiet"]) == 0
     assert laboratory.calls[0][:2] == (("couplet", ["law=linear", "drive.steps=9"]), 1)
-    assert laboratory.calls[0][2] is not None and laboratory.calls[1][1:] == (None, None)
+    assert laboratory.calls[0][2] is not None and laboratory.calls[1][1:] == (1, None)
     assert sorted(path.name for path in (tmp_path / "results").iterdir()) == ["couplet-1", "couplet-2"]
     said = capsys.readouterr().out
     for words in ("results/couplet-1/curve.png", "cracks.png", "summary.json", "0.19 MPa", "0.04 mm", "quasi-static"):

@@ -9,6 +9,7 @@ from matplotlib import image
 from masonry.cracks import crack_lines, front_view, outlines
 from masonry.deformation import Deformation
 from masonry.picture import frames_to_draw, magnification
+from masonry.plot import peak_point
 from tests.results.sample import HEIGHT, LENGTH, joints_of, opened, sample, wall, with_tets
 
 
@@ -54,6 +55,14 @@ def test_the_curve_is_drawn_at_1200_pixels_with_its_peak_and_its_ledger(tmp_path
     assert picture.shape[1] == 1200
     ledger = picture[len(picture) * 6 // 10 :, :1000]
     assert red(ledger).sum() > 5000, "fracture energy fills an area"
+
+
+def test_the_peak_is_that_of_the_summary_and_without_one_that_of_the_rows():
+    result = sample()
+    result.summary["peak_stress_pa"] = 190001.0
+    assert peak_point(result) == (4e-5, 190001.0)
+    result.summary = {"peak_stress_pa": None}
+    assert peak_point(result) == pytest.approx((4e-5, 190000.0))
 
 
 def test_a_negative_term_and_an_empty_history_do_not_stop_the_curve(tmp_path):
