@@ -106,7 +106,8 @@ def test_a_value_out_of_range_is_told_the_range(text, kind, allowed, words):
 
 
 @pytest.mark.parametrize(
-    "text", ["9**9**9 m", "1" * 1_000_000 + " m", "1 " + "m" * 1_000_000, "1 m" + " " * 70 + "x", "1e-999 m" * 9, "9" * 70]
+    "text",
+    ["9**9**9 m", "1" * 1_000_000 + " m", "1 " + "m" * 1_000_000, "1 m" + " " * 70 + "x", "1e-999 m" * 9, "9" * 70],
 )
 def test_no_text_can_hang_the_reader(text):
     started = time.perf_counter()
