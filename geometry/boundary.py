@@ -3,6 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Joints, TetMesh
+from geometry.joints import patch_faces
 from geometry.measures import extent, face_areas_normals_centroids
 from geometry.polygons import areas_normals_centroids, pad
 
@@ -20,7 +21,7 @@ def outer_faces(
     """
     if direction not in DIRECTIONS:
         raise GeometryError(f"face {direction!r} is unknown; allowed: {', '.join(DIRECTIONS)}")
-    covered = _covered_shares(blocks, joints, tolerance)
+    covered = _covered_shares(blocks, joints)
     faces = _extreme_faces(blocks, block_set, direction, tolerance)
     partly = faces[(covered[faces] > 1e-6) & (covered[faces] < 1 - 1e-6)]
     if len(partly):
@@ -49,18 +50,12 @@ def _extreme_faces(blocks: Blocks, block_set: np.ndarray, direction: str, tolera
     return mine[looks & (sign * centroid[mine, axis] >= level - tolerance * extent(blocks))]
 
 
-def _covered_shares(blocks: Blocks, joints: Joints, tolerance: float) -> np.ndarray:
+def _covered_shares(blocks: Blocks, joints: Joints) -> np.ndarray:
     """(F,) share of each face's area that lies in joints."""
-    area, normal, centroid = face_areas_normals_centroids(blocks)
+    area = face_areas_normals_centroids(blocks)[0]
+    polygon, _ = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
     covered = np.zeros(len(area))
-    start = blocks.block_face_start
-    for block, outward in ((joints.block_a, joints.normal), (joints.block_b, -joints.normal)):
-        for k in range(int(np.diff(start).max(initial=0))):
-            face = np.minimum(start[block] + k, start[block + 1] - 1)
-            height = np.einsum("ni,ni->n", joints.point - centroid[face], normal[face])
-            on = (start[block] + k < start[block + 1]) & (np.einsum("ni,ni->n", normal[face], outward) > 0.999)
-            on &= np.abs(height) <= tolerance * extent(blocks)
-            np.add.at(covered, face[on], joints.area[on])
+    np.add.at(covered, patch_faces(blocks, joints), areas_normals_centroids(polygon)[0][:, None])
     return covered / area
 
 

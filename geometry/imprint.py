@@ -12,6 +12,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from geometry.blocks import Blocks, Joints
+from geometry.joints import patch_faces
 from geometry.loops import free_regions, reverse
 from geometry.measures import extent, face_areas_normals_centroids
 from geometry.ragged import ranges
@@ -55,14 +56,14 @@ def imprint(blocks: Blocks, wanted: np.ndarray, joints: Joints, tolerance: float
     patch_surface[patches] = np.arange(len(patches))
     block_surfaces: list[list[int]] = [[] for _ in range(blocks.count)]
     covering: dict[int, list[Loop]] = {}
-    normal = face_areas_normals_centroids(blocks)[1]
+    under = patch_faces(blocks, joints)
     for p in patches.tolist():
-        for block, sign in zip(sides[p].tolist(), (1.0, -1.0), strict=True):
+        for block, face, outward in zip(sides[p].tolist(), under[p].tolist(), (True, False), strict=True):
             if wanted[block]:
                 block_surfaces[block].append(int(patch_surface[p]))
-                face = _face_under(blocks, normal, block, sign * joints.normal[first[p]], vertices[patch_loop[p]])
-                covering.setdefault(face, []).append(patch_loop[p] if sign > 0 else reverse(patch_loop[p]))
+                covering.setdefault(face, []).append(patch_loop[p] if outward else reverse(patch_loop[p]))
     owner = blocks.face_block()
+    normal = face_areas_normals_centroids(blocks)[1]
     for face, loop in outline.items():
         for region in free_regions(vertices, loop, covering.get(face, []), normal[face]):
             block_surfaces[owner[face]].append(len(surfaces))
@@ -110,19 +111,3 @@ def _split_edges(vertices: np.ndarray, loops: list[Loop], width: float) -> list[
             k += 1
         result.append(refined)
     return result
-
-
-def _face_under(blocks: Blocks, normals: np.ndarray, block: int, outward: np.ndarray, polygon: np.ndarray) -> int:
-    """The face of the block that the polygon lies on: same outward normal, the polygon's middle least outside of it."""
-    faces = np.array(blocks.faces_of(block))
-    faces = faces[normals[faces] @ outward > 0.999]
-    if len(faces) == 1:
-        return int(faces[0])
-    middle = polygon.mean(axis=0)
-    excess = []
-    for corners in map(blocks.face, faces.tolist()):
-        edges = np.roll(corners, -1, axis=0) - corners
-        inward = np.cross(outward, edges) / np.linalg.norm(edges, axis=1)[:, None]
-        inside = np.einsum("ki,ki->k", middle - corners, inward).min()
-        excess.append(max(-inside, 0.0) + abs((middle - corners[0]) @ outward))
-    return int(faces[np.argmin(excess)])

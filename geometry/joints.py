@@ -24,10 +24,8 @@ def find_joints(blocks: Blocks, rule: str = "gauss", points_per_edge: int = 2, t
     normal = face_areas_normals_centroids(blocks)[1]
     overlap, corner_count = clip(corners[face_a], count[face_a], corners[face_b], normal[face_b], width)
     touching = corner_count > 0
-    size = np.linalg.norm(np.ptp(overlap, axis=1), axis=1)
     overlap, corner_count = tidy(overlap, corner_count, width)
-    area = areas_normals_centroids(overlap)[0]
-    kept = touching & (corner_count >= 3) & (area > width * size)
+    kept = touching & (corner_count >= 3)
     overlap, corner_count, face_a, face_b = overlap[kept], corner_count[kept], face_a[kept], face_b[kept]
 
     patch, point, share = contact_points(overlap, corner_count, rule, points_per_edge)
@@ -67,6 +65,28 @@ def facing_pairs(blocks: Blocks, width: float) -> tuple[np.ndarray, np.ndarray]:
     pairs = pairs[np.abs(height).max(axis=1, initial=0.0) <= width]
     pairs = pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
     return pairs[:, 0], pairs[:, 1]
+
+
+def patch_faces(blocks: Blocks, joints: Joints) -> np.ndarray:
+    """(J, 2) the faces of block a and of block b that each overlap polygon lies on."""
+    first = np.searchsorted(joints.patch, np.arange(len(joints.patch_start) - 1))
+    polygon, _ = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
+    middle = areas_normals_centroids(polygon)[2]
+    corners, _ = pad(blocks.points, blocks.face_start, blocks.face_points)
+    normal = face_areas_normals_centroids(blocks)[1]
+    inward = np.cross(normal[:, None], np.roll(corners, -1, axis=1) - corners)
+    start = blocks.block_face_start
+    result = np.full((len(first), 2), -1, dtype=np.int64)
+    for side, (owner, sign) in enumerate(((joints.block_a, 1.0), (joints.block_b, -1.0))):
+        block, outward = owner[first], sign * joints.normal[first]
+        nearest = np.full(len(first), np.inf)
+        for k in range(int(np.diff(start).max(initial=0))):
+            face = np.minimum(start[block] + k, start[block + 1] - 1)
+            outside = -np.einsum("nki,nki->nk", middle[:, None] - corners[face], inward[face]).min(axis=1, initial=0.0)
+            outside[np.einsum("ni,ni->n", normal[face], outward) < 0.999] = np.inf
+            result[outside < nearest, side] = face[outside < nearest]
+            nearest = np.minimum(nearest, outside)
+    return result
 
 
 def connected(blocks: Blocks, joints: Joints) -> np.ndarray:

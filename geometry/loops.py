@@ -14,8 +14,9 @@ def reverse(loop: Loop) -> Loop:
 def free_regions(vertices: np.ndarray, outline: Loop, covering: list[Loop], normal: np.ndarray) -> list[list[Loop]]:
     """Regions of the outline that no covering polygon takes up: for each, its outer loop and then its holes.
 
-    All loops run counter-clockwise about normal (3,), over all vertices (V, 3) that lie on them, so that edges cancel:
-    outline less covering polygons, as chains of directed edges.
+    The outline and the polygons run counter-clockwise about normal (3,), over all vertices (V, 3) that lie on them, so
+    that edges cancel: outline less covering polygons, as chains of directed edges. A region that touches itself in a
+    point has a loop that comes through this point twice.
     """
     if not covering:
         return [[outline]]
@@ -30,7 +31,7 @@ def free_regions(vertices: np.ndarray, outline: Loop, covering: list[Loop], norm
         return []
     used = np.unique([v for edge in edges for v in edge]).astype(np.int64)
     flat = dict(zip(used.tolist(), _in_plane(vertices[used], normal), strict=True))
-    loops = [simple for loop in _chain(flat, list(edges)) for simple in _simple_parts(loop)]
+    loops = _chain(flat, list(edges))
     outer = [[loop] for loop in loops if _signed_area(flat, loop) > 0]
     for loop in loops:
         if _signed_area(flat, loop) <= 0:
@@ -68,19 +69,6 @@ def _chain(flat: Plane, edges: list[tuple[int, int]]) -> list[Loop]:
             edge = following.pop(edge)
         loops.append(loop)
     return loops
-
-
-def _simple_parts(loop: Loop) -> list[Loop]:
-    """The loop taken apart where it comes back to a vertex."""
-    parts: list[Loop] = []
-    path: Loop = []
-    for v in [*loop, loop[0]]:
-        if v in path:
-            begin = path.index(v)
-            parts.append(path[begin:])
-            path = path[:begin]
-        path.append(v)
-    return parts
 
 
 def _clockwise(start: np.ndarray, end: np.ndarray) -> float:

@@ -63,14 +63,15 @@ def clip(
         crosses = used & (distance * following < 0)
         share = np.divide(distance, distance - following, out=np.zeros_like(distance), where=crosses)
         crossing = corners + share[:, :, None] * (np.roll(corners, -1, axis=1) - corners)
-        both = np.stack([corners, crossing], axis=2).reshape(len(corners), -1, 3)
-        keep = np.stack([used & (distance >= 0), crosses], axis=2).reshape(len(corners), -1)
+        slots = 2 * corners.shape[1]
+        both = np.stack([corners, crossing], axis=2).reshape(len(corners), slots, 3)
+        keep = np.stack([used & (distance >= 0), crosses], axis=2).reshape(len(corners), slots)
         corners, count = compact(both, keep)
     return corners, count
 
 
 def tidy(corners: np.ndarray, count: np.ndarray, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
-    """The same polygons without doubled corners and without corners on the line between their neighbours."""
+    """The same polygons without doubled corners and corners on the line between their neighbours; lines vanish."""
     column = np.arange(corners.shape[1])
     step = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
     corners, count = compact(corners, (column < count[:, None]) & ((step > tolerance) | (count[:, None] == 1)))

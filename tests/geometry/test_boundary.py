@@ -8,6 +8,7 @@ from geometry.couplet import couplet
 from geometry.joints import find_joints
 from geometry.measures import face_areas_normals_centroids
 from geometry.mesher import mesh_blocks
+from geometry.shapes import from_faces
 
 
 @pytest.fixture(scope="module")
@@ -66,6 +67,29 @@ def test_covered_faces_beside_free_ones_are_left_out():
     )
     faces = outer_faces(specimen.blocks, find_joints(specimen.blocks), specimen.sets["floor"], "z+")
     assert specimen.blocks.face_block()[faces].tolist() == [1]
+
+
+def test_one_of_two_coplanar_faces_of_a_block_gets_its_own_nodes_only(prism):
+    bottom, top, *sides = prism(np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]]), 0, 1)
+    middle = (top[[0, 3]] + top[[1, 2]]) / 2
+    halves = [np.array([top[0], *middle, top[3]]), np.array([middle[0], top[1], top[2], middle[1]])]
+    blocks = from_faces([[bottom, *halves, *sides]], [0], [0], ["g"])
+    joints = find_joints(blocks)
+    mesh, _ = mesh_blocks(blocks, np.array([True]), 0.3, joints)
+    assert outer_faces(blocks, joints, np.array([0]), "z+").tolist() == [1, 2]
+    for face, centre in ((1, 0.25), (2, 0.75)):
+        node, area = surface_nodes(mesh, blocks, np.array([face]))
+        assert area.sum() == pytest.approx(0.5, rel=1e-13)
+        assert np.allclose(area @ mesh.nodes[node] / 0.5, (centre, 0.5, 1), atol=1e-13)
+
+
+def test_a_post_on_one_of_two_coplanar_faces_covers_this_one_alone(prism):
+    bottom, top, *sides = prism(np.array([[0, 0], [2, 0], [2, 1], [0, 1.0]]), 0, 1)
+    middle = (top[[0, 3]] + top[[1, 2]]) / 2
+    halves = [np.array([top[0], *middle, top[3]]), np.array([middle[0], top[1], top[2], middle[1]])]
+    post = prism(np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]]), 1, 2)
+    blocks = from_faces([[bottom, *halves, *sides], post], [0, 1], [0, 0], ["g"])
+    assert outer_faces(blocks, find_joints(blocks), np.array([0]), "z+").tolist() == [2]
 
 
 def test_faces_of_blocks_without_tets_have_no_nodes():

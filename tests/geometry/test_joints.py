@@ -169,6 +169,17 @@ def test_vertex_points_of_a_rectangle_are_its_corners_with_a_quarter_each():
     assert np.allclose(joints.area, 0.2 * 0.05 / 4, rtol=1e-15)
 
 
+@pytest.mark.parametrize("count", [1, 2])
+@pytest.mark.parametrize("rule", ["gauss", "vertex"])
+def test_blocks_that_stand_apart_have_no_joints(count, rule):
+    low = np.array([[2.0 * k, 0, 0] for k in range(count)])
+    blocks = from_boxes(low, low + 1, np.arange(count), np.zeros(count), ["g"])
+    joints = find_joints(blocks, rule)
+    assert len(joints.area) == joints.dropped == 0
+    assert joints.patch_start.tolist() == [0]
+    assert connected(blocks, joints).tolist() == list(range(count))
+
+
 def test_a_wrong_rule_is_refused_with_the_allowed_ones():
     blocks = couplet(0.2, 0.05, 0.05).blocks
     with pytest.raises(GeometryError, match="'simpson' is unknown; allowed: 'gauss', 'vertex'"):

@@ -1,5 +1,6 @@
 import signal
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -49,10 +50,39 @@ SPECIMENS = {
 }
 
 
-@pytest.fixture(scope="module", params=SPECIMENS)
-def solid(request):
+SQUARE = np.array([[0, 0], [2, 0], [2, 2], [0, 2.0]])
+POSTS = {
+    "touching one side": [[1, 0], [1.5, 1], [0.5, 1]],
+    "touching four sides": [[1, 0], [2, 1], [1, 2], [0, 1]],
+    "touching two corners": [[0, 0], [1.2, 0.8], [2, 2], [0.8, 1.2]],
+}
+
+
+def posts_on_a_floor(prism, *outlines):
+    solids = [prism(SQUARE, 0, 1), *(prism(np.array(outline, dtype=float), 1, 2) for outline in outlines)]
+    return from_faces(solids, range(len(solids)), [0] * len(solids), ["g"])
+
+
+def split_floor(prism):
+    """A floor whose top is two coplanar faces, with a post across both."""
+    bottom, top, *sides = prism(SQUARE, 0, 1)
+    middle = (top[[0, 3]] + top[[1, 2]]) / 2
+    left, right = np.array([top[0], middle[0], middle[1], top[3]]), np.array([middle[0], top[1], top[2], middle[1]])
+    post = prism(SQUARE / 4 + 0.7, 1, 2)
+    return from_faces([[bottom, left, right, *sides], post], [0, 1], [0, 0], ["g"])
+
+
+@pytest.fixture(scope="module", params=[*SPECIMENS, *POSTS, "touching each other", "split floor"])
+def solid(request, prism):
     """Blocks, joints, mesh and mesh joints of a specimen with every block meshed."""
-    blocks = SPECIMENS[request.param]().blocks
+    if request.param in SPECIMENS:
+        blocks = SPECIMENS[request.param]().blocks
+    elif request.param in POSTS:
+        blocks = posts_on_a_floor(prism, POSTS[request.param])
+    elif request.param == "split floor":
+        blocks = split_floor(prism)
+    else:
+        blocks = posts_on_a_floor(prism, [[1, 0], [1.5, 0.5], [1, 1], [0.5, 0.5]], [[1, 1], [1.5, 1.5], [0.7, 1.6]])
     joints = find_joints(blocks)
     size = np.ptp(blocks.points, axis=0).max() / 8
     return blocks, joints, *mesh_blocks(blocks, np.ones(blocks.count, dtype=bool), size, joints)
@@ -186,6 +216,14 @@ def test_gmsh_and_signal_handlers_are_left_as_found():
         assert gmsh.option.getNumber("Mesh.Algorithm3D") == 4
     finally:
         gmsh.finalize()
+
+
+def test_meshing_works_outside_the_main_thread():
+    blocks = couplet(0.2, 0.05, 0.05).blocks
+    joints = find_joints(blocks)
+    with ThreadPoolExecutor(1) as threads:
+        mesh, _ = threads.submit(mesh_blocks, blocks, np.array([True, True]), 0.05, joints).result()
+    assert len(mesh.tets) > 0
 
 
 def test_missing_system_libraries_are_named_with_the_line_that_installs_them(monkeypatch):

@@ -52,11 +52,11 @@ def test_turned_blocks_overlap_by_their_shape_not_by_their_bounding_box(rotate, 
             check_overlaps(turned)
 
 
-def test_blocks_parted_only_by_crossed_edges_are_accepted(hull):
-    ridge = np.array([[-1, 0, 0], [1, 0, 0], [-1, -0.2, -1], [1, -0.2, -1], [-1, 0.2, -1], [1, 0.2, -1.0]])
+def test_blocks_parted_only_by_crossed_edges_are_accepted(hull, rotate):
+    ridge = np.array([[-1, 0, 0], [1, 0, 0], [-1, -0.2, -2], [1, -0.2, -1], [-1, 0.2, -2], [1, 0.2, -1.0]])
     keel = ridge[:, [1, 0, 2]] * (1, 1, -1)
     for height, overlaps in ((1e-6, False), (0.0, False), (-1e-6, True)):
-        pair = concatenate([hull(ridge), hull(keel + (0, 0, height))])
+        pair, _ = rotate(concatenate([hull(ridge), hull(keel + (0, 0, height))]), 35.0)
         if overlaps:
             with pytest.raises(GeometryError):
                 check_overlaps(pair)
