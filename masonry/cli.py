@@ -93,12 +93,12 @@ def run_scene(words: argparse.Namespace) -> int:
             with Progress(label=scene_name(words.scene)) as progress:
                 result = laboratory.run(loaded, threads=words.threads, progress=progress)
     except BaseException as error:
-        result = getattr(error, "result", None)
-        if result is None or not isinstance(error, Stopped):
+        part = error.result if isinstance(error, Stopped) else None
+        if part is None:
             if not existed and not any(out.iterdir()):
                 out.rmdir()
             raise
-        _save(result, out)
+        _save(part, out)
         return _complain(f"{error}\nmasonry: the results up to there are in '{out}'", STOPPED)
     paths = _save(result, out)
     if not words.quiet:

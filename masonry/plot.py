@@ -50,10 +50,8 @@ def curve_figure(result: "Result") -> Any:
 
     figure = Figure(figsize=(10, 8), layout="constrained")
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
-    words = [result.title, *(result.summary.get(key) for key in ("law", "kinematics"))]
-    figure.suptitle(
-        ", ".join(word for word in words if isinstance(word, str)), fontsize=13, parse_math=False, wrap=True
-    )
+    words = [result.title, *(_words(result.summary.get(key)) for key in ("law", "kinematics"))]
+    figure.suptitle(", ".join(filter(None, words)), fontsize=13, parse_math=False, wrap=True)
     ledger.set_xlabel("displacement [mm]")
     curve.set_ylabel("stress [MPa]")
     ledger.set_ylabel("energy [J]")
@@ -70,6 +68,11 @@ def curve_figure(result: "Result") -> Any:
     for axes in (curve, ledger):
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
     return figure
+
+
+def _words(value: Any) -> str:
+    """A word of the summary, or the different ones of a table of them: `elastic + exponential`."""
+    return " + ".join(sorted(set(value.values()))) if isinstance(value, dict) else str(value or "")
 
 
 def _draw_curve(axes: Any, rows: dict[str, np.ndarray], peak_at: float, peak: float) -> None:

@@ -57,11 +57,12 @@ def test_the_curve_is_drawn_at_1200_pixels_with_its_peak_and_its_ledger(tmp_path
     assert red(ledger).sum() > 5000, "fracture energy fills an area"
 
 
-def test_the_peak_is_that_of_the_summary_and_without_one_that_of_the_rows():
+def test_the_peak_is_that_of_the_summary_and_without_one_that_of_the_rows(tmp_path):
     result = sample()
     result.summary["peak_stress_pa"] = 190001.0
     assert peak_point(result) == (4e-5, 190001.0)
-    result.summary = {"peak_stress_pa": None}
+    result.summary = {"peak_stress_pa": None, "law": {"a": "elastic", "b": "linear"}}
+    result.plot(tmp_path / "curve.png")
     assert peak_point(result) == pytest.approx((4e-5, 190000.0))
 
 
