@@ -31,9 +31,7 @@ def observe(model: Model) -> Observation:
     seen = np.zeros((len(model.group), 4))
     stored = 0.0
     for g in range(len(shapes)):
-        stored += contact.observe(
-            shapes[g], interfaces[g], states[g], bounds[g], bounds[g + 1], *model.contacts, seen
-        )
+        stored += contact.observe(shapes[g], interfaces[g], states[g], bounds[g], bounds[g + 1], *model.contacts, seen)
     stress = np.zeros((model.blocks.count, 6))
     _, affine_blocks, tet_blocks = model.bodies
     elastic = 0.0
@@ -42,7 +40,7 @@ def observe(model: Model) -> Observation:
             continue
         which = model.layout.members[kind]
         part = np.zeros((len(which), 6))
-        elastic += file.observe(body, model.contacts[3], part)
+        elastic += file.observe(body, part) if kind == "affine" else file.observe(body, model.contacts[3], part)
         stress[which] = part / model.layout.volume[which, None]
     return Observation(seen, stress, stored, elastic)
 

@@ -104,7 +104,7 @@ def _hold_rigid_face(row: np.ndarray, hold: Hold, normal: np.ndarray) -> None:
         )
 
 
-def add_gravity(blocks: Blocks, layout: Layout, load: dict, density: np.ndarray, gravity: np.ndarray) -> None:
+def add_gravity(layout: Layout, load: dict, density: np.ndarray, gravity: np.ndarray) -> None:
     """Add the weight; gravity (3,) m/s2. Real masses, also where the masses of motion are scaled."""
     for kind in ("rigid", "affine"):
         which = layout.members[kind]
@@ -173,9 +173,7 @@ class Program:
         return len(self.speed) - 1
 
 
-def program(
-    dt: float, settle: int, displacement: float, steps: int | None, rate: float | None, ramp: float
-) -> Program:
+def program(dt: float, settle: int, displacement: float, steps: int | None, rate: float | None, ramp: float) -> Program:
     """Dead loads rise over the first half of `settle`; then the drive makes exactly `displacement` (m, signed).
 
     Either the number of steps or the rate (m/s) after the ramp is given; the ramp takes a share of the steps.
@@ -189,7 +187,9 @@ def program(
         count = max(1, int(np.ceil(abs(displacement) / (rate * dt * (1.0 - 0.5 * ramp)))))
     k = np.arange(settle + count + 1)
     dead_load = smooth(k / (0.5 * settle)) if settle else np.zeros(len(k))
-    shape: np.ndarray = np.where(k < settle, 0.0, smooth((k - settle + 0.5) / (ramp * count)) if ramp * count > 0 else 1.0)
+    shape: np.ndarray = np.where(
+        k < settle, 0.0, smooth((k - settle + 0.5) / (ramp * count)) if ramp * count > 0 else 1.0
+    )
     shape[[0, -1]] = 0.0  # the first step starts at rest; what is set after the last step moves nothing
     speed = shape * (displacement / (dt * shape.sum())) if count else np.zeros(len(k))
     return Program(dead_load, speed, settle, int(np.ceil(ramp * count)))

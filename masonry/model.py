@@ -12,7 +12,7 @@ from masonry.kinematics.affine import Affine
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.tets import Tets
 from masonry.laws.interface import Interface
-from masonry.laws.state import ContactState
+from masonry.laws.state import ContactState, fresh
 from masonry.loads import Conditions
 
 
@@ -97,7 +97,7 @@ def build(
     side_rows, ordered = _number_sides(layout, sides, first, rows)
     u = np.zeros((first["affine"] + int(np.sum(np.concatenate([s.kind for s in sides]) == 1)), 3))
     bodies = _bodies(layout, conditions, masses, dt, lame, ordered, first)
-    state = _state(joints, group, interfaces)
+    state = _state(group, interfaces)
     bounds = np.searchsorted(group, np.arange(len(names) + 1))
     states = tuple(_trim(state, i) for i in interfaces)
     return Model(
@@ -197,7 +197,13 @@ def _bodies(
         start, code, _ = ordered[kind]
         common[kind] = {
             **dict(zip(("v", "contact", "hold"), zeros, strict=True)),
-            **{"pace": pace, "start": start, "code": code, "load": load, "work": np.zeros((len(layout.members[kind]), 3))},
+            **{
+                "pace": pace,
+                "start": start,
+                "code": code,
+                "load": load,
+                "work": np.zeros((len(layout.members[kind]), 3)),
+            },
         }
     which = layout.members
     axes = {
@@ -238,27 +244,22 @@ def _tets(layout: Layout, mesh: TetMesh, lame: np.ndarray, common: dict) -> Tets
     )
 
 
-def _state(joints: Joints, group: np.ndarray, interfaces: list[Interface]) -> ContactState:
+def _state(group: np.ndarray, interfaces: list[Interface]) -> ContactState:
     """Fresh memory: intact, nothing opened beyond the elastic limit."""
-    count = len(group)
     limit = np.array([(i.tensile_strength or 0.0) / i.normal_stiffness for i in interfaces])
-    opening = limit[group] if count else np.zeros(0)
-    return ContactState(
-        opening_max=opening,
-        intact_n=np.ones(count),
-        intact_s=np.ones(count),
-        slip=np.zeros((count, 3)),
-        spent=np.zeros((count, 3)),
-        uplift=np.zeros(count) if any(i.tan_dilation is not None for i in interfaces) else None,
-        gap=np.zeros(count) if any(i.elastic_unloading is not None for i in interfaces) else None,
-        run=np.zeros(count)
-        if any(i.tan_dilation is not None or i.plastic_softening is not None for i in interfaces)
-        else None,
+    return fresh(
+        len(group),
+        limit[group] if len(group) else np.zeros(0),
+        uplift=any(i.tan_dilation is not None for i in interfaces),
+        gap=any(i.elastic_unloading is not None for i in interfaces),
+        run=any(i.tan_dilation is not None or i.plastic_softening is not None for i in interfaces),
     )
 
 
 def _trim(state: ContactState, interface: Interface) -> ContactState:
     """A group's view of the memory: what its law does not use is None, and compiled away."""
+    if interface.tensile_strength is None:
+        return ContactState()
     dilates = interface.tan_dilation is not None
     return state._replace(
         uplift=state.uplift if dilates else None,

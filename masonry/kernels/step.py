@@ -73,9 +73,7 @@ def reaction(body, freedoms):
 def sweep_groups(parallel, shapes, interfaces, states, g, bounds, sides, normal, area, u, force):
     """Every contact group with its own compiled law."""
     for i, (shape, interface, state) in enumerate(zip(shapes, interfaces, states, strict=True)):
-        contact.sweep(
-            parallel, shape, interface, state, bounds[i], bounds[i + 1], sides, normal, area, u, force
-        )
+        contact.sweep(parallel, shape, interface, state, bounds[i], bounds[i + 1], sides, normal, area, u, force)
 
 
 @overload(sweep_groups)
@@ -87,8 +85,6 @@ def _sweep_groups(parallel, shapes, interfaces, states, g, bounds, sides, normal
         contact.sweep(
             parallel, shapes[0], interfaces[0], states[0], bounds[g], bounds[g + 1], sides, normal, area, u, force
         )
-        sweep_groups(
-            parallel, shapes[1:], interfaces[1:], states[1:], g + 1, bounds, sides, normal, area, u, force
-        )
+        sweep_groups(parallel, shapes[1:], interfaces[1:], states[1:], g + 1, bounds, sides, normal, area, u, force)
 
     return first_then_rest

@@ -130,7 +130,5 @@ def observe(body, u, stress):
 @register_jitable
 def _root_of_volume(g):
     """sqrt(V) from sqrt(V) grad N: det(grad N) = 1/(6 V), so det(slope) = sqrt(V)/6."""
-    det = (
-        g[0] * (g[4] * g[8] - g[5] * g[7]) - g[1] * (g[3] * g[8] - g[5] * g[6]) + g[2] * (g[3] * g[7] - g[4] * g[6])
-    )
+    det = g[0] * (g[4] * g[8] - g[5] * g[7]) - g[1] * (g[3] * g[8] - g[5] * g[6]) + g[2] * (g[3] * g[7] - g[4] * g[6])
     return 6.0 * det

@@ -66,7 +66,9 @@ def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence
     missing = [key for key in keys if properties.get(key) is None]
     if missing:
         spelled = [_SPELLING.get(key, key) for key in missing]
-        raise SceneError(f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: {_choices()}")
+        raise SceneError(
+            f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: {_choices()}"
+        )
 
 
 _SPELLING = {"tan_friction": "friction_angle (or tan_friction_angle)"}
@@ -81,9 +83,13 @@ def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) ->
     tan_residual = p.get("tan_residual_friction")
     tan_residual = p["tan_friction"] if tan_residual is None else tan_residual
     if residual_cohesion > p["cohesion"]:
-        raise SceneError(f"{where}.residual_cohesion: {residual_cohesion:g} Pa is more than cohesion {p['cohesion']:g} Pa")
+        raise SceneError(
+            f"{where}.residual_cohesion: {residual_cohesion:g} Pa is more than cohesion {p['cohesion']:g} Pa"
+        )
     if tan_residual > p["tan_friction"]:
-        raise SceneError(f"{where}.residual_friction_angle is larger than friction_angle; strength never grows on sliding")
+        raise SceneError(
+            f"{where}.residual_friction_angle is larger than friction_angle; strength never grows on sliding"
+        )
     dilation = tan(p.get("dilation_angle") or 0.0)
     if dilation > tan_residual:
         raise SceneError(

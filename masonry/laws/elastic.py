@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+from masonry.laws.state import Answer
+
 
 class Elastic(NamedTuple):
     """No strength, nothing to soften. (The field keeps the tuple from being empty.)"""
@@ -12,13 +14,19 @@ class Elastic(NamedTuple):
 PARAMETERS: dict[str, str] = {}
 
 
-def respond(shape, interface, c, opening, slip_x, slip_y, slip_z, state):
-    """Eqs (5) and (6)."""
-    ks = interface.shear_stiffness
-    return interface.normal_stiffness * opening, ks * slip_x, ks * slip_y, ks * slip_z
+def quiet(shape, interface, memory, opening, tau_squared):
+    """Eq. (5); there is no history to change."""
+    return interface.normal_stiffness * opening, True
 
 
-def stored(shape, interface, c, opening, slip_x, slip_y, slip_z, state):
-    """All of it is recoverable."""
-    shear = slip_x * slip_x + slip_y * slip_y + slip_z * slip_z
-    return 0.5 * (interface.normal_stiffness * opening * opening + interface.shear_stiffness * shear)
+def evolve(shape, interface, memory, opening, total, tau):
+    """Never needed; the elastic answer."""
+    return Answer(interface.normal_stiffness * opening, 1.0, memory, 0.0, 0.0, 0.0)
+
+
+def stored(shape, interface, memory, opening, tau_squared):
+    """All of it is recoverable; without shear stiffness (a frictionless glue) there is no shear to store."""
+    normal = 0.5 * interface.normal_stiffness * opening * opening
+    if interface.shear_stiffness == 0.0:
+        return normal
+    return normal + 0.5 * tau_squared / interface.shear_stiffness

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from masonry.laws.linear import mode_2_energy
 
+
 class Exponential(NamedTuple):
     """Fracture energies in N/m, post-peak only."""
 

@@ -23,7 +23,7 @@ PARAMETERS = {
 def refuse(shape, interface, compressions):
     """Snap-back, G_I <= fT^2/(2 kn) or ul <= us0: (scene key, the least energy that works, why) or None."""
     least = interface.tensile_strength**2 / (2.0 * interface.normal_stiffness)
-    if interface.tensile_strength > 0.0 and shape.G_I <= least:
+    if interface.tensile_strength > 0.0 and least >= shape.G_I:
         return "fracture_energy_mode_1", least, "tensile strength^2 / (2 normal stiffness)"
     for compression in compressions:
         loss = interface.cohesion - interface.residual_cohesion

@@ -1,4 +1,4 @@
-"""How a contact answers: the softening mechanism, unless the law's own file brings its own `respond` and `stored`."""
+"""How a contact answers: the softening mechanism, unless the law's own file brings its own functions."""
 
 from numba.extending import overload
 
@@ -6,23 +6,35 @@ from masonry.laws import softening
 from masonry.laws.door import beside
 
 
-def respond(shape, interface, c, opening, slip_x, slip_y, slip_z, state):
-    """Stresses (Pa: normal, then the three components of shear) of contact c; its state is written only on change."""
-    chosen = beside(type(shape), "respond", softening.respond)
-    return chosen(shape, interface, c, opening, slip_x, slip_y, slip_z, state)
+def _of(shape_class: type, name: str):
+    return beside(shape_class, name, getattr(softening, name))
 
 
-def stored(shape, interface, c, opening, slip_x, slip_y, slip_z, state):
-    """Recoverable energy per area (J/m2) of contact c, from its state alone."""
-    chosen = beside(type(shape), "stored", softening.stored)
-    return chosen(shape, interface, c, opening, slip_x, slip_y, slip_z, state)
+def quiet(shape, interface, memory, opening, tau_squared):
+    """(sigma, True) of a contact whose history does not change under this opening (m) and elastic shear stress^2 (Pa2)."""
+    return _of(type(shape), "quiet")(shape, interface, memory, opening, tau_squared)
 
 
-@overload(respond)
-def _respond(shape, interface, c, opening, slip_x, slip_y, slip_z, state):
-    return beside(shape.instance_class, "respond", softening.respond)
+def evolve(shape, interface, memory, opening, total, tau):
+    """Answer of a contact whose history changes; total slip (m), elastic shear stress before any return (Pa)."""
+    return _of(type(shape), "evolve")(shape, interface, memory, opening, total, tau)
+
+
+def stored(shape, interface, memory, opening, tau_squared):
+    """Recoverable energy per area (J/m2), from the state alone."""
+    return _of(type(shape), "stored")(shape, interface, memory, opening, tau_squared)
+
+
+@overload(quiet)
+def _quiet(shape, interface, memory, opening, tau_squared):
+    return _of(shape.instance_class, "quiet")
+
+
+@overload(evolve)
+def _evolve(shape, interface, memory, opening, total, tau):
+    return _of(shape.instance_class, "evolve")
 
 
 @overload(stored)
-def _stored(shape, interface, c, opening, slip_x, slip_y, slip_z, state):
-    return beside(shape.instance_class, "stored", softening.stored)
+def _stored(shape, interface, memory, opening, tau_squared):
+    return _of(shape.instance_class, "stored")

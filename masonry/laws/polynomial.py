@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from masonry.laws.linear import mode_2_energy
 
+
 class Polynomial(NamedTuple):
     """Fracture energies in N/m and exponents; the post-peak area in tension is 2 G_I/(alpha - 1)."""
 

@@ -2,127 +2,151 @@
 
 A law file gives the curves (`tension_intact`, `tension_area`, `shear_intact`); this file says when a contact follows
 them. Sign: sigma > 0 is tension. History never heals: `intact_n`, `intact_s` only fall, `opening_max` only grows.
+All helpers take and return plain numbers, so that an untouched contact costs no more than its springs.
 """
 
-from math import sqrt
+from math import inf
 
 from numba.extending import register_jitable
 
 from masonry.laws.door import shear_intact, tension_area, tension_intact
-from masonry.laws.state import add, read
+from masonry.laws.state import Answer, Memory, grown, lift
 
 
-def respond(shape, interface, c, opening, slip_x, slip_y, slip_z, state):
-    """Stresses of contact c under a total opening and slip (m): the stress update after eq. (6) of the paper."""
-    ks = interface.shear_stiffness
-    e = opening - read(state.uplift, c)
-    intact_before = state.intact_s[c] * shared_loss(interface.combined, state.intact_n[c])
-    if e > state.opening_max[c]:
-        open_further(shape, interface, c, e, state)
-    sigma = normal_stress(interface, c, e, state)
+def quiet(shape, interface, memory, opening, tau_squared):
+    """(sigma, whether the elastic answer stands): the contact neither opens further, nor tears, nor slips."""
+    e = opening - lift(memory.uplift)
+    sigma = normal_stress(interface, memory, e)
+    peak, residual = coulomb(interface, memory, e, sigma)
+    strength = residual + memory.intact_s * shared(interface.combined, memory.intact_n) * (peak - residual)
+    within = tau_squared <= strength * strength and sigma <= tensile_limit(interface, memory)
+    return sigma, within and e <= memory.opening_max
 
-    tau_x = ks * (slip_x - state.slip[c, 0])
-    tau_y = ks * (slip_y - state.slip[c, 1])
-    tau_z = ks * (slip_z - state.slip[c, 2])
-    tau_squared = tau_x * tau_x + tau_y * tau_y + tau_z * tau_z
-    peak, residual = coulomb(interface, c, e, sigma, state)
-    untorn = shared_loss(interface.combined, state.intact_n[c])
-    strength = residual + state.intact_s[c] * untorn * (peak - residual)
-    if tau_squared <= strength * strength:
-        return sigma, tau_x, tau_y, tau_z
 
-    tau = sqrt(tau_squared)
-    total = sqrt(slip_x * slip_x + slip_y * slip_y + slip_z * slip_z)
-    beyond = slip_beyond_peak(interface.plastic_softening, total - peak / ks, state.run, c)
-    intact = state.intact_s[c]
+def evolve(shape, interface, memory, opening, total, tau):
+    """Follow the envelope in tension, then return to the Coulomb line: the stress update after eq. (6) of the paper."""
+    e = opening - lift(memory.uplift)
+    torn, mode_1 = tear(shape, interface, memory, e)
+    sigma = normal_stress(interface, torn, e)
+    peak, residual = coulomb(interface, torn, e, sigma)
+    cohesive = shared(interface.combined, torn.intact_n) * (peak - residual)
+    if tau <= residual + torn.intact_s * cohesive:
+        return Answer(sigma, 1.0, torn, mode_1, 0.0, 0.0)
+
+    beyond = slip_beyond_peak(interface.plastic_softening, torn.run, total - peak / interface.shear_stiffness)
+    whole = torn.intact_s
     if beyond > 0.0 and peak > residual:
-        intact = soften_shear(shape, interface, c, e, beyond, peak, residual, max(-sigma, 0.0), state)
-    yielded = residual + intact * untorn * (peak - residual)
-    started = min(tau, residual + intact_before * (peak - residual))
-    slipped = (tau - yielded) / ks
-    share = yielded / tau
-    state.slip[c, 0] += tau_x * (1.0 - share) / ks
-    state.slip[c, 1] += tau_y * (1.0 - share) / ks
-    state.slip[c, 2] += tau_z * (1.0 - share) / ks
-    state.spent[c, 1] += slipped * (0.5 * (started + yielded) - residual)
-    state.spent[c, 2] += slipped * residual
-    dilate(interface.tan_dilation, interface, c, e, sigma, slipped, state)
-    add(state.run, c, slipped)
-    sigma = normal_stress(interface, c, opening - read(state.uplift, c), state)
-    return sigma, tau_x * share, tau_y * share, tau_z * share
+        whole = min(whole, shear_intact(shape, interface, beyond, peak, residual, max(-sigma, 0.0)))
+        mode_1 += 0.5 * secant_energy(interface, torn, e) * (torn.intact_s - whole)
+    yielded = residual + whole * cohesive
+    before = memory.intact_s * shared(interface.combined, memory.intact_n)
+    started = min(tau, residual + before * (peak - residual))
+    slipped = (tau - yielded) / interface.shear_stiffness
+    rise = dilation(interface.tan_dilation, interface.dilation_cutoff, torn, e, slipped)
+    slid = Memory(torn.opening_max, torn.intact_n, whole, grown(torn.uplift, rise), torn.gap, grown(torn.run, slipped))
+    lifted = normal_stress(interface, slid, e - rise)
+    mode_2 = slipped * (0.5 * (started + yielded) - residual)
+    friction = slipped * residual + 0.5 * (sigma + lifted) * rise
+    return Answer(lifted, yielded / tau, slid, mode_1, mode_2, friction)
+
+
+def stored(shape, interface, memory, opening, tau_squared):
+    """Recoverable energy per area (J/m2): normal (secant or elastic) and shear."""
+    e = opening - lift(memory.uplift)
+    return 0.5 * (
+        normal_stress(interface, memory, e) * (e - lift(memory.gap)) + tau_squared / interface.shear_stiffness
+    )
 
 
 @register_jitable
-def open_further(shape, interface, c, e, state):
-    """Follow the tension envelope to a new largest opening; what it costs is fracture energy of mode I."""
+def tear(shape, interface, memory, e):
+    """The history after an opening e, and the energy of mode I (J/m2) that it cost."""
+    if e <= memory.opening_max:
+        return stay_open(memory.gap, interface, memory, e, memory.opening_max, memory.intact_n)
     fT = interface.tensile_strength
-    before = state.intact_n[c]
-    intact = 0.0
+    left = 0.0
     if fT > 0.0:
-        intact = min(before, tension_intact(shape, interface, e))
-        gained = tension_area(shape, interface, e, intact)
-        gained -= tension_area(shape, interface, state.opening_max[c], before)
-        left = shared_loss(interface.combined, state.intact_s[c])
-        if state.gap is None:
-            gained -= 0.5 * fT * (intact * e - before * state.opening_max[c])
-            state.spent[c, 0] += left * gained
-    state.opening_max[c] = e
-    state.intact_n[c] = intact
+        left = min(memory.intact_n, tension_intact(shape, interface, e))
+    torn, energy = stay_open(memory.gap, interface, memory, e, e, left)
+    if fT > 0.0:
+        energy += envelope_energy(memory.gap, shape, interface, memory, e, left)
+    return torn, energy
 
 
 @register_jitable
-def normal_stress(interface, c, e, state):
-    """sigma(e): full kn in compression; in tension by secant (damage) or elastic (plastic opening) unloading."""
-    return unload(state.gap, interface, c, e, state)
+def envelope_energy(gap, shape, interface, memory, e, left):
+    """Secant unloading: area under the envelope between two openings less what the secants give back."""
+    if gap is not None:
+        return 0.0
+    gained = tension_area(shape, interface, e, left)
+    gained -= tension_area(shape, interface, memory.opening_max, memory.intact_n)
+    gained -= 0.5 * interface.tensile_strength * (left * e - memory.intact_n * memory.opening_max)
+    return shared(interface.combined, memory.intact_s) * gained
 
 
 @register_jitable
-def unload(gap, interface, c, e, state):
-    """Elastic unloading is there where the contact has a memory for the opening that stays."""
+def stay_open(gap, interface, memory, e, widest, left):
+    """Elastic unloading: what exceeds the strength becomes opening that stays; with its energy (J/m2)."""
     if gap is None:
-        return secant_stress(interface, c, e, state)
-    return plastic_stress(interface, c, e, gap, state)
+        return Memory(widest, left, memory.intact_s, memory.uplift, memory.gap, memory.run), 0.0
+    kn = interface.normal_stiffness
+    sigma = kn * (e - gap)
+    limit = shared(interface.combined, memory.intact_s) * left * interface.tensile_strength
+    before = shared(interface.combined, memory.intact_s) * memory.intact_n * interface.tensile_strength
+    if sigma <= limit:
+        return Memory(widest, left, memory.intact_s, memory.uplift, gap, memory.run), 0.0
+    parted = (sigma - limit) / kn
+    energy = 0.5 * (min(sigma, before) + limit) * parted
+    return Memory(widest, left, memory.intact_s, memory.uplift, gap + parted, memory.run), energy
 
 
 @register_jitable
-def secant_stress(interface, c, e, state):
-    """Tension on the secant of the largest opening; a share lost in shear no longer carries tension either."""
+def tensile_limit(interface, memory):
+    """Strength that elastic unloading must not pass; on a secant the stress cannot pass it."""
+    return strength_over(memory.gap, shared(interface.combined, memory.intact_s) * memory.intact_n, interface)
+
+
+@register_jitable
+def strength_over(gap, intact, interface):
+    """The tensile strength left, or no limit."""
+    if gap is None:
+        return inf
+    return intact * interface.tensile_strength
+
+
+@register_jitable
+def normal_stress(interface, memory, e):
+    """sigma(e): full kn in compression; in tension by secant (damage) or elastic (plastic opening) unloading."""
+    return unload(memory.gap, interface, memory, e)
+
+
+@register_jitable
+def unload(gap, interface, memory, e):
+    """On the secant a share lost in shear no longer carries tension either."""
+    if gap is not None:
+        return interface.normal_stiffness * (e - gap)
     if e <= 0.0:
         return interface.normal_stiffness * e
-    left = shared_loss(interface.combined, state.intact_s[c])
-    return left * state.intact_n[c] * interface.tensile_strength * e / state.opening_max[c]
+    left = shared(interface.combined, memory.intact_s) * memory.intact_n
+    return left * interface.tensile_strength * e / memory.opening_max
 
 
 @register_jitable
-def plastic_stress(interface, c, e, gap, state):
-    """Slope kn; where the strength is passed the excess becomes an opening that stays (compression then meets a gap)."""
-    kn = interface.normal_stiffness
-    sigma = kn * (e - gap[c])
-    limit = shared_loss(interface.combined, state.intact_s[c]) * state.intact_n[c] * interface.tensile_strength
-    if sigma <= limit:
-        return sigma
-    state.spent[c, 0] += 0.5 * (sigma + limit) * (sigma - limit) / kn
-    gap[c] = e - limit / kn
-    return limit
-
-
-@register_jitable
-def coulomb(interface, c, e, sigma, state):
+def coulomb(interface, memory, e, sigma):
     """Peak and residual shear strength at the present stress, eq. (8); never negative, never crossed.
 
-    The residual cohesion acts between faces that touch: torn faces lose it as they stand open, and find it again on closing.
+    The residual cohesion acts between faces that touch: torn faces lose it as they open, and find it again on closing.
     """
     peak = max(interface.cohesion - sigma * interface.tan_friction, 0.0)
     c_res = interface.residual_cohesion
-    if e > 0.0 and state.opening_max[c] > 0.0:
-        torn = 1.0 - shared_loss(interface.combined, state.intact_n[c])
-        c_res *= 1.0 - torn * e / state.opening_max[c]
+    if e > 0.0 and memory.intact_n < 1.0:
+        c_res *= 1.0 - (1.0 - shared(interface.combined, memory.intact_n)) * min(e / memory.opening_max, 1.0)
     residual = max(c_res - sigma * interface.tan_residual_friction, 0.0)
     return max(peak, residual), residual
 
 
 @register_jitable
-def shared_loss(combined, intact):
+def shared(combined, intact):
     """The other mode's intact share where tension and cohesion are lost together, D = dt + ds - dt ds; else 1."""
     if combined is None:
         return 1.0
@@ -130,51 +154,34 @@ def shared_loss(combined, intact):
 
 
 @register_jitable
-def slip_beyond_peak(plastic_softening, beyond, run, c):
+def slip_beyond_peak(plastic_softening, run, beyond):
     """Softening variable: total slip less the slip at peak (the paper), or the path of plastic slip."""
     if plastic_softening is None:
         return beyond
-    return run[c]
+    return run
 
 
 @register_jitable
-def soften_shear(shape, interface, c, e, beyond, peak, residual, compression, state):
-    """Follow the shear envelope; tension lost with it releases its stored energy as fracture energy of mode I."""
-    before = state.intact_s[c]
-    intact = min(before, shear_intact(shape, interface, beyond, peak, residual, compression))
-    if intact < before:
-        if interface.combined is not None and state.gap is None and e > 0.0:
-            held = state.intact_n[c] * interface.tensile_strength * e / state.opening_max[c]
-            state.spent[c, 0] += 0.5 * held * e * (before - intact)
-        state.intact_s[c] = intact
-    return intact
+def secant_energy(interface, memory, e):
+    """Twice the energy (J/m2) that tension holds, released as shear takes its share away."""
+    if interface.combined is None or e <= 0.0:
+        return 0.0
+    return on_secant(memory.gap, memory.intact_n * interface.tensile_strength * e * e / memory.opening_max)
 
 
 @register_jitable
-def dilate(tan_dilation, interface, c, e, sigma, slipped, state):
-    """Eqs (9) and (10): plastic slip lifts the faces apart until the cut-off; torn faces that stand open do not dilate."""
-    if tan_dilation is None:
-        return
-    room = interface.dilation_cutoff - state.run[c]
-    if room <= 0.0 or (e > 0.0 and state.intact_n[c] < 1.0):
-        return
-    rise = tan_dilation * min(slipped, room)
-    state.uplift[c] += rise
-    after = normal_stress(interface, c, e - rise, state)
-    state.spent[c, 2] += 0.5 * (sigma + after) * rise
-
-
-def stored(shape, interface, c, opening, slip_x, slip_y, slip_z, state):
-    """Recoverable energy per area: normal (secant or elastic) and shear."""
-    e = opening - read(state.uplift, c)
-    x, y, z = slip_x - state.slip[c, 0], slip_y - state.slip[c, 1], slip_z - state.slip[c, 2]
-    shear = 0.5 * interface.shear_stiffness * (x * x + y * y + z * z)
-    return shear + stored_normal(state.gap, interface, c, e, state)
-
-
-@register_jitable
-def stored_normal(gap, interface, c, e, state):
-    """Recoverable energy of the normal stress; looks only, changes nothing."""
+def on_secant(gap, energy):
+    """Only a secant gives energy back at a lower stiffness; elastic unloading books it as opening that stays."""
     if gap is None:
-        return 0.5 * secant_stress(interface, c, e, state) * e
-    return 0.5 * interface.normal_stiffness * (e - gap[c]) ** 2
+        return energy
+    return 0.0
+
+
+@register_jitable
+def dilation(tan_dilation, cutoff, memory, e, slipped):
+    """Rise (m) by eqs (9) and (10) up to the cut-off; torn faces that stand open do not dilate."""
+    if tan_dilation is None:
+        return 0.0
+    if memory.run >= cutoff or (e > 0.0 and memory.intact_n < 1.0):
+        return 0.0
+    return tan_dilation * min(slipped, cutoff - memory.run)

@@ -1,0 +1,70 @@
+"""The numbers of summary.json, from an assembly and the outcome of its run."""
+
+from typing import Any
+
+import numpy as np
+
+from masonry import __version__
+from masonry.assembly import Assembly
+from masonry.kernels.compiler import source_hash
+from masonry.timeloop import Outcome
+
+ENERGY_TERMS = (
+    *("external_work", "elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2"),
+    *("friction", "damping", "kinetic", "contact_work", "imbalance"),
+)
+BROKEN, DAMAGED = 0.95, 0.05
+
+
+def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
+    """Keys in SI; see docs of each in the README. Maxima are taken after the drive's ramp."""
+    scene, model, rows = assembly.scene, assembly.model, outcome.history.rows
+    after = rows["step"] >= assembly.program.settle + assembly.program.ramp
+    peak = outcome.peak_force / assembly.specimen.section
+    mismatch = np.abs(rows["stress"] - rows["support_stress"])[after]
+    internal = rows["elastic_blocks"] + rows["contact_work"]
+    ratio = rows["kinetic"][after] / np.maximum(internal[after], 1e-300)
+    work = np.abs(rows["external_work"]).max()
+    spent = sum(float(rows[key][-1]) for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
+    booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
+    return {
+        "scene": scene.name,
+        "law": {name: scene.contact[name].law for name in model.group_names},
+        "kinematics": {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups},
+        "blocks": assembly.specimen.blocks.count,
+        "contacts": len(model.group),
+        "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
+        "freedoms": model.freedoms,
+        "steps": outcome.steps,
+        "seconds_run": outcome.seconds_run,
+        "seconds_compile": outcome.seconds_compile,
+        "time_step_s": model.dt,
+        "step_fraction": scene.solver.step_fraction,
+        "peak_stress_pa": peak,
+        "displacement_at_peak_m": outcome.displacement_at_peak,
+        "final_stress_pa": float(rows["stress"][-1]),
+        "reaction_mismatch_max": float(mismatch.max() / peak) if peak > 0 and after.any() else 0.0,
+        "kinetic_over_internal_max": float(ratio.max()) if after.any() else 0.0,
+        "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
+        "energy_imbalance": float(np.abs(rows["imbalance"]).max() / work) if work > 0 else 0.0,
+        "dissipation_mismatch": abs(booked - spent) / abs(spent) if spent else 0.0,
+        "damping_over_external": float(rows["damping"][-1] / work) if work > 0 else 0.0,
+        "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
+        "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
+        "rotation_max_rad": outcome.rotation_max,
+        "section_m2": assembly.specimen.section,
+        "interrupted": outcome.interrupted,
+        "stopped": outcome.stopped,
+        "version": __version__,
+        "source_hash": source_hash(),
+    }
+
+
+def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict[str, float]:
+    """Area (m2) by contact group whose combined damage is at least the threshold at the end."""
+    damage = outcome.history.frames[-1].damage
+    model = assembly.model
+    return {
+        name: float(model.joints.area[(model.group == g) & (damage >= threshold)].sum())
+        for g, name in enumerate(model.group_names)
+    }
