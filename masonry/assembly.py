@@ -156,9 +156,8 @@ def conditions_of(
         hold = loads.Hold(chosen, (scene.drive.axis,), False, faces, "drive")
         driven = loads.held_freedoms(blocks, layout, hold)
         conditions.driven = loads.drive_freedoms(driven, scene.drive.axis)
-        held = {
-            kind: np.any([s[kind] for s in supports], axis=0) if supports else ~driven[kind] & False for kind in KINDS
-        }
+        nothing = loads.no_conditions(layout).prescribed
+        held = {kind: np.any([nothing[kind], *(s[kind] for s in supports)], axis=0) for kind in KINDS}
         if any((driven[kind] & held[kind]).any() for kind in KINDS):
             raise SceneError(f"drive.on = '{scene.drive.on}': a support holds it in the direction of the drive")
         conditions.support = loads.drive_freedoms(held, scene.drive.axis)
@@ -202,17 +201,17 @@ def _require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions
     for kind in ("rigid", "affine"):
         held[layout.members[kind]] = conditions.prescribed[kind].any(axis=1)
     if layout.mesh is not None:
-        nodes = conditions.prescribed["tets"].any(axis=1)
+        node_held: np.ndarray = np.any(conditions.prescribed["tets"], axis=1, keepdims=True)
         for b in layout.members["tets"]:
-            held[b] = nodes[layout.mesh.node_start[b] : layout.mesh.node_start[b + 1]].any()
+            held[b] = node_held[layout.mesh.node_start[b] : layout.mesh.node_start[b + 1]].any()
     loose = np.setdiff1d(part, part[held])
     if len(loose):
         block = int(np.flatnonzero(part == loose[0])[0])
         where = ", ".join(f"{x:.4g}" for x in layout.centroid[block])
         raise SceneError(
             f"block {block} (group '{specimen.blocks.groups[specimen.blocks.group[block]]}', unit "
-            f"{specimen.blocks.unit[block]}) at ({where}) m and what it touches are held by nothing; add a [[support]], "
-            "or close the gap to its neighbours"
+            f"{specimen.blocks.unit[block]}) at ({where}) m and what it touches are held by nothing; "
+            "add a [[support]], or close the gap to its neighbours"
         )
 
 

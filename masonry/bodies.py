@@ -1,4 +1,4 @@
-"""The three sets of blocks of a model, sorted by how they move: which block is where, and what mass each freedom has."""
+"""The blocks of a model sorted by how they move: which block is where, and what mass each freedom has."""
 
 from dataclasses import dataclass
 
@@ -21,10 +21,10 @@ class Material:
 
     def lame(self) -> tuple[float, float]:
         """Lame constants lambda and mu, Pa."""
-        E, nu = self.young_modulus, self.poisson_ratio
-        if E is None or nu is None:
+        modulus, nu = self.young_modulus, self.poisson_ratio
+        if modulus is None or nu is None:
             raise ValueError("young_modulus and poisson_ratio are needed")
-        return E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
+        return modulus * nu / ((1 + nu) * (1 - 2 * nu)), modulus / (2 * (1 + nu))
 
 
 @dataclass(frozen=True)

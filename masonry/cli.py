@@ -121,7 +121,7 @@ def check_scene(words: argparse.Namespace) -> int:
 
 def list_scenes(words: argparse.Namespace) -> int:
     """`masonry list`: name and title of every packaged scene."""
-    from masonry.scene_source import packaged
+    from masonry.scene.source import packaged
 
     titles = {name: tomllib.loads(file.read_text(encoding="utf-8")) for name, file in packaged().items()}
     margin = max(map(len, titles), default=0) + 2

@@ -13,7 +13,7 @@ from masonry.errors import SceneError
 
 @dataclass(frozen=True)
 class Hold:
-    """Blocks (or, where `faces` is given, outer faces of them) that are held: axes 0..2, and rotations of rigid blocks."""
+    """Blocks (or, where `faces` is given, outer faces of them) that are held: axes 0..2, rotations if rigid."""
 
     blocks: np.ndarray
     axes: tuple[int, ...]
@@ -32,7 +32,7 @@ class Push:
 
 @dataclass
 class Conditions:
-    """Per kind: which freedoms are prescribed, dead loads (None where there are none), driven and supporting freedoms."""
+    """Per kind: prescribed freedoms, dead loads (None where there are none), driven and supporting freedoms."""
 
     prescribed: dict[str, np.ndarray]
     load: dict[str, np.ndarray | None]

@@ -75,11 +75,11 @@ def build(
     """Arrays of a model. `joints` sorted by group (sort_by_group); laws: contact group -> (shape, Interface)."""
     names, group = contact_groups(blocks, joints)
     interfaces = [laws[name][1] for name in names]
-    sides = tuple(_side(layout, joints, which) for which in "ab")
+    sides = _side(layout, joints, "a"), _side(layout, joints, "b")
     length = stiffness.lengths(
         layout, np.concatenate([joints.block_a, joints.block_b]), np.concatenate([s.arm for s in sides])
     )
-    sides = tuple(_with_length(s, length[b]) for s, b in zip(sides, (joints.block_a, joints.block_b), strict=True))
+    sides = _with_length(sides[0], length[joints.block_a]), _with_length(sides[1], length[joints.block_b])
     dilated = np.array([i.normal_stiffness * (1.0 + (i.tan_dilation or 0.0)) for i in interfaces])[group] * joints.area
     shear = np.array([i.shear_stiffness for i in interfaces])[group] * joints.area
     lame = _lame(blocks, layout, materials)

@@ -64,7 +64,10 @@ class Progress:
             self._said_at, self._said_step = now, step
             self._say(self.line(step, note, now))
 
-    __call__ = update
+    def __call__(self, step: int, total_steps: int, note: str = "") -> None:
+        """What a time loop calls: `step` of `total_steps` are done."""
+        self.total_steps = total_steps
+        self.update(step, note)
 
     def line(self, step: int, note: str, now: float) -> str:
         """One plain line: `couplet  40 %  20000/50000 steps  1.2 s left  stress 0.12 MPa`."""

@@ -94,11 +94,12 @@ def tet_row_sums(sums: np.ndarray, layout: Layout, lame_of_block: np.ndarray) ->
     gradients, volumes = tet_gradients(mesh), tet_volumes(mesh)
     lame = np.repeat(lame_of_block, np.diff(mesh.tet_start), axis=0) * volumes[:, None]
     for first in range(0, len(volumes), CHUNK):
-        g, l = gradients[first : first + CHUNK], lame[first : first + CHUNK]
+        g, moduli = gradients[first : first + CHUNK], lame[first : first + CHUNK]
         outer = np.einsum("tai,tbj->taibj", g, g)
         dots = np.einsum("tai,tbi->tab", g, g)
-        k = l[:, 0, None, None, None, None] * outer + l[:, 1, None, None, None, None] * outer.transpose(0, 1, 4, 3, 2)
-        k += np.einsum("t,tab,ij->taibj", l[:, 1], dots, np.eye(3))
+        k = moduli[:, 0, None, None, None, None] * outer
+        k += moduli[:, 1, None, None, None, None] * outer.transpose(0, 1, 4, 3, 2)
+        k += np.einsum("t,tab,ij->taibj", moduli[:, 1], dots, np.eye(3))
         rows = np.abs(k).sum(axis=(3, 4))
         np.add.at(sums, mesh.tets[first : first + CHUNK], rows)
 

@@ -49,7 +49,7 @@ def run(
     program: Program,
     recording: Recording,
     threads: int = 1,
-    progress: Callable[[int, str], None] | None = None,
+    progress: Callable[[int, int, str], None] | None = None,
 ) -> Outcome:
     """Run the whole program. An unstable or too large motion ends it: Outcome.stopped says why, rows stay trusted."""
     outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
@@ -106,7 +106,7 @@ class _Loop:
         self.highest_row = -np.inf
         self.take_row(0, energy.velocities(model))
 
-    def run(self, progress: Callable[[int, str], None] | None) -> None:
+    def run(self, progress: Callable[[int, int, str], None] | None) -> None:
         steps = self.program.steps
         every = min(max(1, steps // self.recording.rows), LONGEST_CHUNK) if steps else 1
         frame_every = max(1, steps // every // FRAMES)
@@ -126,7 +126,7 @@ class _Loop:
             self.take_row(done, before, frame_due)
             self.outcome.steps = done
             if progress is not None:
-                progress(done, f"stress {self.rows[-1][3] / 1e6:.3f} MPa")
+                progress(done, steps, f"stress {self.rows[-1][3] / 1e6:.3f} MPa")
 
     def find_peak(self, done: int, gauge: np.ndarray) -> None:
         """The peak is looked for at every step, not only at rows."""

@@ -36,7 +36,8 @@ class Watch:
     def _stop_unstable(self, step: int, kind: str, row: int, i: int) -> None:
         model = self.model
         raise Stopped(
-            f"unstable at step {step}: {model.layout.freedom(kind, row, i)}, runs away. The time step is {model.dt:.4g} s; "
+            f"unstable at step {step}: {model.layout.freedom(kind, row, i)}, runs away. "
+            f"The time step is {model.dt:.4g} s; "
             f"the proven bound is {model.bound:.4g} s (limited by {model.limited_by}). "
             'Use time_step = "gershgorin" with step_fraction <= 1'
         )

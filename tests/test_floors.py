@@ -171,7 +171,7 @@ def test_an_import_that_goes_up_is_found(module: str, source: str) -> None:
         ("masonry.laws", "from .door import beside\nfrom . import state\nimport numba, math"),
         ("masonry.model", "from geometry import blocks\nfrom masonry.laws import door"),
         ("masonry.timeloop", "from masonry import __version__, model\nimport rich"),
-        ("masonry.scene_schema", "import pydantic\nfrom masonry.quantity import parse"),
+        ("masonry.scene.schema", "import pydantic\nfrom masonry.quantity import parse"),
         ("geometry.mesher", "def mesh():\n    import gmsh"),
     ],
 )

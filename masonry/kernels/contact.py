@@ -1,4 +1,4 @@
-"""The sweep over contact points: relative displacement in, force out. Knows neither kinematics nor any law's formula."""
+"""The sweep over contact points: relative displacement in, force out. Knows no kinematics and no law's formula."""
 
 from math import sqrt
 

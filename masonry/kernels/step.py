@@ -14,7 +14,8 @@ from masonry.kinematics.door import move, place
 def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, contacts, bodies, drives, gauge):
     """Run `steps` steps from step number `first`; all state is changed in place.
 
-    dead_load  (n + 1,) share of the dead load at step 0..n       speed  (n + 1,) velocity of the drive after step i, m/s
+    dead_load  (n + 1,) share of the dead load at step 0..n
+    speed      (n + 1,) velocity of the drive after step i, m/s
     groups     (shapes, interfaces, states, bounds), one entry per contact group; bounds (G + 1,)
     contacts   (sides, normal, area, u, force)
     bodies     (rigid, affine, tets), None where absent

@@ -42,12 +42,12 @@ class Affine(NamedTuple):
 
 def place(body, dt, u):
     """Advance the freedoms by dt v and write the displacement of every contact point."""
-    q, v, arm = body.q, body.v, body.arm
+    q, v, arm, start, first = body.q, body.v, body.arm, body.start, body.first_point
     for b in prange(len(q)):
         for i in range(12):
             q[b, i] += dt * v[b, i]
-        for k in range(body.start[b], body.start[b + 1]):
-            row = body.first_point + k
+        for k in range(start[b], start[b + 1]):
+            row = first + k
             for i in range(3):
                 h = 3 + 3 * i
                 u[row, i] = q[b, i] + q[b, h] * arm[k, 0] + q[b, h + 1] * arm[k, 1] + q[b, h + 2] * arm[k, 2]
@@ -55,20 +55,21 @@ def place(body, dt, u):
 
 def move(body, dt, damping, factor, factor_before, force, u):
     """Sum contact forces and their first moments, add the block's own stiffness, and advance."""
+    arm, start, code = body.arm, body.start, body.code
     for b in prange(len(body.q)):
         sums = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-        for k in range(body.start[b], body.start[b + 1]):
-            c = body.code[k] >> 1
-            side = 1.0 - 2.0 * (body.code[k] & 1)
-            sums = _add(sums, side * force[c, 0], side * force[c, 1], side * force[c, 2], body.arm[k])
+        for k in range(start[b], start[b + 1]):
+            c = code[k] >> 1
+            side = 1.0 - 2.0 * (code[k] & 1)
+            sums = _add(sums, side * force[c, 0], side * force[c, 1], side * force[c, 2], arm, k)
         inner = _inner(body, b)
         for i in range(12):
             advance(body, b, i, b, sums[i], inner[i], dt, damping, factor, factor_before)
 
 
 @register_jitable
-def _add(s, x, y, z, arm):
-    a, b, c = arm[0], arm[1], arm[2]
+def _add(s, x, y, z, arm, k):
+    a, b, c = arm[k, 0], arm[k, 1], arm[k, 2]
     return (
         *(s[0] + x, s[1] + y, s[2] + z),
         *(s[3] + x * a, s[4] + x * b, s[5] + x * c),

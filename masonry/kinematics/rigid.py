@@ -69,14 +69,14 @@ def turn_in(axes, b, x, y, z):
 
 def place(body, dt, u):
     """Advance the freedoms by dt v and write the displacement of every contact point."""
-    q, v, arm = body.q, body.v, body.arm
+    q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
     for b in prange(len(q)):
         for i in range(6):
             q[b, i] += dt * v[b, i]
         x, y, z = q[b, 0], q[b, 1], q[b, 2]
-        p, r, s = turn_out(body.axes, b, q[b, 3], q[b, 4], q[b, 5])
-        for k in range(body.start[b], body.start[b + 1]):
-            row = body.first_point + k
+        p, r, s = turn_out(axes, b, q[b, 3], q[b, 4], q[b, 5])
+        for k in range(start[b], start[b + 1]):
+            row = first + k
             u[row, 0] = x + r * arm[k, 2] - s * arm[k, 1]
             u[row, 1] = y + s * arm[k, 0] - p * arm[k, 2]
             u[row, 2] = z + p * arm[k, 1] - r * arm[k, 0]
@@ -84,19 +84,20 @@ def place(body, dt, u):
 
 def move(body, dt, damping, factor, factor_before, force, u):
     """Sum the contact forces of each block, damp, book the work, and kick the velocities by half a step each way."""
+    arm, start, code, axes = body.arm, body.start, body.code, body.axes
     for b in prange(len(body.q)):
         fx, fy, fz, mx, my, mz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-        for k in range(body.start[b], body.start[b + 1]):
-            c = body.code[k] >> 1
-            side = 1.0 - 2.0 * (body.code[k] & 1)
+        for k in range(start[b], start[b + 1]):
+            c = code[k] >> 1
+            side = 1.0 - 2.0 * (code[k] & 1)
             gx, gy, gz = side * force[c, 0], side * force[c, 1], side * force[c, 2]
             fx += gx
             fy += gy
             fz += gz
-            mx += body.arm[k, 1] * gz - body.arm[k, 2] * gy
-            my += body.arm[k, 2] * gx - body.arm[k, 0] * gz
-            mz += body.arm[k, 0] * gy - body.arm[k, 1] * gx
-        mx, my, mz = turn_in(body.axes, b, mx, my, mz)
+            mx += arm[k, 1] * gz - arm[k, 2] * gy
+            my += arm[k, 2] * gx - arm[k, 0] * gz
+            mz += arm[k, 0] * gy - arm[k, 1] * gx
+        mx, my, mz = turn_in(axes, b, mx, my, mz)
         advance(body, b, 0, b, fx, 0.0, dt, damping, factor, factor_before)
         advance(body, b, 1, b, fy, 0.0, dt, damping, factor, factor_before)
         advance(body, b, 2, b, fz, 0.0, dt, damping, factor, factor_before)

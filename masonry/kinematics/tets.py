@@ -42,23 +42,22 @@ class Tets(NamedTuple):
 
 
 @register_jitable
-def gradient(corner, slope, e, u):
-    """sqrt(volume) times the displacement gradient of tet e, row by row."""
+def gradient(corner, g, e, u):
+    """sqrt(volume) times the displacement gradient of tet e, row by row; g: slopes of all tets."""
     o, a, b, c = corner[e, 0], corner[e, 1], corner[e, 2], corner[e, 3]
     ax, ay, az = u[a, 0] - u[o, 0], u[a, 1] - u[o, 1], u[a, 2] - u[o, 2]
     bx, by, bz = u[b, 0] - u[o, 0], u[b, 1] - u[o, 1], u[b, 2] - u[o, 2]
     cx, cy, cz = u[c, 0] - u[o, 0], u[c, 1] - u[o, 1], u[c, 2] - u[o, 2]
-    g = slope[e]
     return (
-        ax * g[0] + bx * g[3] + cx * g[6],
-        ax * g[1] + bx * g[4] + cx * g[7],
-        ax * g[2] + bx * g[5] + cx * g[8],
-        ay * g[0] + by * g[3] + cy * g[6],
-        ay * g[1] + by * g[4] + cy * g[7],
-        ay * g[2] + by * g[5] + cy * g[8],
-        az * g[0] + bz * g[3] + cz * g[6],
-        az * g[1] + bz * g[4] + cz * g[7],
-        az * g[2] + bz * g[5] + cz * g[8],
+        ax * g[e, 0] + bx * g[e, 3] + cx * g[e, 6],
+        ax * g[e, 1] + bx * g[e, 4] + cx * g[e, 7],
+        ax * g[e, 2] + bx * g[e, 5] + cx * g[e, 8],
+        ay * g[e, 0] + by * g[e, 3] + cy * g[e, 6],
+        ay * g[e, 1] + by * g[e, 4] + cy * g[e, 7],
+        ay * g[e, 2] + by * g[e, 5] + cy * g[e, 8],
+        az * g[e, 0] + bz * g[e, 3] + cz * g[e, 6],
+        az * g[e, 1] + bz * g[e, 4] + cz * g[e, 7],
+        az * g[e, 2] + bz * g[e, 5] + cz * g[e, 8],
     )
 
 
@@ -76,32 +75,34 @@ def _push(inner, node, s, x, y, z):
 
 def place(body, dt, u):
     """Advance the nodes by dt v."""
-    for n in prange(len(body.v)):
-        u[n, 0] += dt * body.v[n, 0]
-        u[n, 1] += dt * body.v[n, 1]
-        u[n, 2] += dt * body.v[n, 2]
+    v = body.v
+    for n in prange(len(v)):
+        u[n, 0] += dt * v[n, 0]
+        u[n, 1] += dt * v[n, 1]
+        u[n, 2] += dt * v[n, 2]
 
 
 def move(body, dt, damping, factor, factor_before, force, u):
     """Eq. (4): stress of every tet to its corners; then contacts, damping and motion of the block's nodes."""
-    inner = body.inner
-    for b in prange(len(body.lame)):
+    inner, corner, g, lame, start, code = body.inner, body.corner, body.slope, body.lame, body.start, body.code
+    for b in prange(len(lame)):
         first, last = body.node_start[b], body.node_start[b + 1]
-        inner[first:last] = 0.0
+        for n in range(first, last):
+            inner[n, 0], inner[n, 1], inner[n, 2] = 0.0, 0.0, 0.0
         for e in range(body.tet_start[b], body.tet_start[b + 1]):
-            s = hooke(gradient(body.corner, body.slope, e, u), body.lame[b, 0], body.lame[b, 1])
-            g, corner = body.slope[e], body.corner[e]
-            px, py, pz = _push(inner, corner[1], s, g[0], g[1], g[2])
-            qx, qy, qz = _push(inner, corner[2], s, g[3], g[4], g[5])
-            rx, ry, rz = _push(inner, corner[3], s, g[6], g[7], g[8])
-            inner[corner[0], 0] += px + qx + rx
-            inner[corner[0], 1] += py + qy + ry
-            inner[corner[0], 2] += pz + qz + rz
+            s = hooke(gradient(corner, g, e, u), lame[b, 0], lame[b, 1])
+            px, py, pz = _push(inner, corner[e, 1], s, g[e, 0], g[e, 1], g[e, 2])
+            qx, qy, qz = _push(inner, corner[e, 2], s, g[e, 3], g[e, 4], g[e, 5])
+            rx, ry, rz = _push(inner, corner[e, 3], s, g[e, 6], g[e, 7], g[e, 8])
+            o = corner[e, 0]
+            inner[o, 0] += px + qx + rx
+            inner[o, 1] += py + qy + ry
+            inner[o, 2] += pz + qz + rz
         for n in range(first, last):
             fx, fy, fz = 0.0, 0.0, 0.0
-            for k in range(body.start[n], body.start[n + 1]):
-                c = body.code[k] >> 1
-                side = 1.0 - 2.0 * (body.code[k] & 1)
+            for k in range(start[n], start[n + 1]):
+                c = code[k] >> 1
+                side = 1.0 - 2.0 * (code[k] & 1)
                 fx += side * force[c, 0]
                 fy += side * force[c, 1]
                 fz += side * force[c, 2]
@@ -119,7 +120,7 @@ def observe(body, u, stress):
         for e in range(body.tet_start[b], body.tet_start[b + 1]):
             h = gradient(body.corner, body.slope, e, u)
             s = hooke(h, body.lame[b, 0], body.lame[b, 1])
-            root = _root_of_volume(body.slope[e])
+            root = _root_of_volume(body.slope, e)
             for i in range(6):
                 stress[b, i] += s[i] * root
             shear = s[3] * (h[5] + h[7]) + s[4] * (h[2] + h[6]) + s[5] * (h[1] + h[3])
@@ -128,7 +129,11 @@ def observe(body, u, stress):
 
 
 @register_jitable
-def _root_of_volume(g):
+def _root_of_volume(g, e):
     """sqrt(V) from sqrt(V) grad N: det(grad N) = 1/(6 V), so det(slope) = sqrt(V)/6."""
-    det = g[0] * (g[4] * g[8] - g[5] * g[7]) - g[1] * (g[3] * g[8] - g[5] * g[6]) + g[2] * (g[3] * g[7] - g[4] * g[6])
+    det = (
+        g[e, 0] * (g[e, 4] * g[e, 8] - g[e, 5] * g[e, 7])
+        - g[e, 1] * (g[e, 3] * g[e, 8] - g[e, 5] * g[e, 6])
+        + g[e, 2] * (g[e, 3] * g[e, 7] - g[e, 4] * g[e, 6])
+    )
     return 6.0 * det

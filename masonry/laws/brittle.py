@@ -1,4 +1,4 @@
-"""Brittle contact, eqs (7) and (8): tension cut-off and Coulomb line; past the peak nothing but the residual is left."""
+"""Brittle contact, eqs (7) and (8): tension cut-off and Coulomb line; past the peak only the residual is left."""
 
 from typing import NamedTuple
 

@@ -1,22 +1,15 @@
 """From the numbers of a scene to a law: what is missing, what contradicts itself, what would snap back."""
 
 import importlib
-import pkgutil
 from collections.abc import Mapping, Sequence
 from math import inf, tan
 from typing import Any
 
-from masonry import laws
 from masonry.errors import SceneError
+from masonry.laws import law_names
 from masonry.laws.interface import Interface
 
 STRENGTHS = ("tensile_strength", "cohesion", "tan_friction")
-
-
-def law_names() -> list[str]:
-    """Every law: a file of this folder that names its PARAMETERS."""
-    found = [m.name for m in pkgutil.iter_modules(laws.__path__)]
-    return [name for name in found if hasattr(_file(name), "PARAMETERS")]
 
 
 def _file(name: str):
@@ -67,15 +60,11 @@ def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence
     if missing:
         spelled = [_SPELLING.get(key, key) for key in missing]
         raise SceneError(
-            f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: {_choices()}"
+            f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: {', '.join(law_names())}"
         )
 
 
 _SPELLING = {"tan_friction": "friction_angle (or tan_friction_angle)"}
-
-
-def _choices() -> str:
-    return ", ".join(law_names())
 
 
 def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) -> Interface:

@@ -10,7 +10,8 @@ class Interface(NamedTuple):
     """Properties of one contact group, SI (Pa/m, Pa, 1).
 
     The stress is sigma > 0 in tension, so the Coulomb line of eq. (8) reads |tau| <= c - sigma tan(phi).
-    `tan_dilation` (eqs 9, 10) holds up to `dilation_cutoff` (m) of plastic slip. The last three are options: 1.0 or None.
+    `tan_dilation` (eqs 9, 10) holds up to `dilation_cutoff` (m) of plastic slip. The last three are options:
+    1.0 or None.
     """
 
     normal_stiffness: float

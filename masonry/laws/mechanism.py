@@ -11,7 +11,7 @@ def _of(shape_class: type, name: str):
 
 
 def quiet(shape, interface, memory, opening, tau_squared):
-    """(sigma, True) of a contact whose history does not change under this opening (m) and elastic shear stress^2 (Pa2)."""
+    """(sigma in Pa, True if the history does not change) under an opening (m) and elastic shear stress^2 (Pa2)."""
     return _of(type(shape), "quiet")(shape, interface, memory, opening, tau_squared)
 
 

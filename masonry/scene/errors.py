@@ -9,9 +9,9 @@ from pydantic_core import ErrorDetails
 
 from masonry.errors import SceneError
 from masonry.quantity import KINDS, written
-from masonry.scene_schema import Scene
-from masonry.scene_source import Keys, Source, split_key
-from masonry.scene_types import Given, KeyedError
+from masonry.scene.schema import Scene
+from masonry.scene.source import Keys, Source, split_key
+from masonry.scene.types import Given, KeyedError
 
 MOST = 5
 HIDDEN = {"exponent_shear_table"}

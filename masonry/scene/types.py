@@ -1,14 +1,18 @@
 """The types of a scene's values: what may stand in a file, what is kept (SI floats), how it is written out again."""
 
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, GetCoreSchemaHandler, PlainSerializer, SerializationInfo
 from pydantic_core import CoreSchema, core_schema
 
+from masonry.laws import law_names
 from masonry.quantity import KINDS, convert
 
-Law = Literal["elastic", "brittle", "linear", "polynomial", "exponential"]
+if TYPE_CHECKING:
+    Law = str
+else:
+    Law = Literal[law_names()]
 Motion = Literal["rigid", "affine", "tets"]
 Freedom = Literal["x", "y", "z", "rotation"]
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]

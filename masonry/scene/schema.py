@@ -6,10 +6,10 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
-from masonry.scene_contact import Contact, Material
-from masonry.scene_loading import Drive, Settle, Solver, Support, Traction
-from masonry.scene_specimen import Specimen
-from masonry.scene_types import AccelerationVector, KeyedError, Law, Motion, Strength, Table
+from masonry.scene.contact import Contact, Material
+from masonry.scene.loading import Drive, Settle, Solver, Support, Traction
+from masonry.scene.specimen import Specimen
+from masonry.scene.types import AccelerationVector, KeyedError, Law, Motion, Strength, Table
 
 
 def _by_group(value: Any) -> Any:

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, PlainSerializer, ValidationInfo, model_validator
 
 from masonry.quantity import convert
-from masonry.scene_types import (
+from masonry.scene.types import (
     Damping,
     Direction,
     Fraction,

@@ -2,16 +2,16 @@
 
 import json
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 from pydantic import ValidationError
 
+from masonry.laws import law_names
 from masonry.quantity import parse
-from masonry.scene_errors import explain
-from masonry.scene_overrides import Overrides, apply
-from masonry.scene_schema import Scene
-from masonry.scene_source import packaged, read
-from masonry.scene_types import Law
+from masonry.scene.errors import explain
+from masonry.scene.overrides import Overrides, apply
+from masonry.scene.schema import Scene
+from masonry.scene.source import packaged, read
 
 __all__ = ["Scene", "load", "packaged", "to_toml"]
 
@@ -30,7 +30,7 @@ def load(path_or_name: str | Path, overrides: Overrides = ()) -> Scene:
         where = place if place.endswith(" confinement") else f"{place}: confinement"
         confinement = parse(confinement, "stress", where, "[0, inf)")
     law = source.raw.get("law")
-    context = {"confinement": confinement, "law": law if law is None or law in get_args(Law) else "elastic"}
+    context = {"confinement": confinement, "law": law if law is None or law in law_names() else "elastic"}
     try:
         return Scene.model_validate({"name": source.stem, **source.raw}, context=context)
     except ValidationError as error:

@@ -13,7 +13,7 @@ from pydantic import (
 )
 
 from masonry.quantity import convert
-from masonry.scene_types import (
+from masonry.scene.types import (
     Angle,
     Density,
     Energy,

@@ -7,7 +7,7 @@ from copy import deepcopy
 from typing import Any
 
 from masonry.errors import SceneError
-from masonry.scene_source import Keys, Source, split_key
+from masonry.scene.source import Keys, Source, split_key
 
 Overrides = Mapping[str, Any] | Sequence[str]
 RIVALS = (

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from masonry.scene_types import Area, Count, Gap, KeyedError, Length, Number, Position, Table
+from masonry.scene.types import Area, Count, Gap, KeyedError, Length, Number, Position, Table
 
 
 class _Specimen(Table):
