@@ -49,8 +49,7 @@ def build(group: str, properties: Mapping[str, Any], compressions: Sequence[floa
     if refused is not None:
         key, least, why = refused
         raise SceneError(
-            f"{where}.{key} = {properties[key]:g} would snap back or never end with law '{name}'; "
-            f"it must be more than {least:.6g} (SI): {why}"
+            f"{where}.{key} = {properties[key]:g} (SI) cannot work with law '{name}': it must be more than {least}; {why}"
         )
     return shape, interface
 

@@ -21,18 +21,20 @@ PARAMETERS = {
 
 
 def refuse(shape, interface, compressions):
-    """Snap-back, G_I <= fT^2/(2 kn) or ul <= us0: (scene key, the least energy that works, why) or None."""
+    """Snap-back, G_I <= fT^2/(2 kn) or ul <= us0: (scene key, its least value with unit, why) or None."""
     least = interface.tensile_strength**2 / (2.0 * interface.normal_stiffness)
     if interface.tensile_strength > 0.0 and least >= shape.G_I:
-        return "fracture_energy_mode_1", least, "tensile strength^2 / (2 normal stiffness)"
+        why = "the curve would snap back below tensile strength^2 / (2 normal stiffness)"
+        return "fracture_energy_mode_1", f"{least:.6g} N/m", why
     for compression in compressions:
         loss = interface.cohesion - interface.residual_cohesion
         loss += compression * (interface.tan_friction - interface.tan_residual_friction)
         least = loss**2 / (2.0 * interface.shear_stiffness)
         given = mode_2_energy(shape.G_II, shape.G_II_slope, compression)
         if loss > 0.0 and given <= least:
-            at = f"(peak - residual shear strength)^2 / (2 shear stiffness) at a compression of {compression:g} Pa"
-            return "fracture_energy_mode_2", least - (given - shape.G_II), at
+            why = "the curve would snap back below (peak - residual shear strength)^2 / (2 shear stiffness)"
+            least -= given - shape.G_II
+            return "fracture_energy_mode_2", f"{least:.6g} N/m", f"{why}, at a compression of {compression:g} Pa"
     return None
 
 

@@ -25,10 +25,10 @@ PARAMETERS = {
 
 
 def refuse(shape, interface, compressions):
-    """Exponents <= 1 leave an infinite energy under the curve: (scene key, the least that works, why) or None."""
+    """Exponents <= 1 leave an infinite energy under the curve: (scene key, its least value, why) or None."""
     for key, value in (("exponent_tension", shape.alpha), ("exponent_shear", shape.beta)):
         if value <= 1.0:
-            return key, 1.0, "at 1 the area under the curve is infinite"
+            return key, "1", "at 1 and below the area under the curve is infinite"
     return None
 
 
