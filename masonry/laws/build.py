@@ -49,7 +49,7 @@ def build(group: str, properties: Mapping[str, Any], compressions: Sequence[floa
     if refused is not None:
         key, least, why = refused
         raise SceneError(
-            f"{where}.{key} = {properties[key]:g} (SI) cannot work with law '{name}': it must be more than {least}; {why}"
+            f"{where}.{key} = {properties[key]:g} (SI) does not work with law '{name}': it must be above {least}; {why}"
         )
     return shape, interface
 
