@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+import numba
 import numpy as np
 
 from masonry import energy
@@ -53,6 +54,8 @@ def run(
 ) -> Outcome:
     """Run the whole program. An unstable or too large motion ends it: Outcome.stopped says why, rows stay trusted."""
     outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
+    if threads > 1:
+        numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
     begun = time.perf_counter()
     compile_for(model, program, threads)
     outcome.seconds_compile = time.perf_counter() - begun

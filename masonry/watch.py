@@ -6,9 +6,10 @@ from masonry.bodies import KINDS
 from masonry.energy import Observation
 from masonry.errors import Stopped
 from masonry.history import Frame
+from masonry.kinematics.tets import mean_turn
 from masonry.model import Model
 
-LEAP = 1e-3
+LEAP = 1e-2
 """A freedom that moves by more than this share of the smallest block in one step is not a motion but an instability."""
 
 
@@ -20,6 +21,8 @@ class Watch:
         self.rotation_limit = rotation_limit
         self.rotation = 0.0
         self.size = float(np.cbrt(model.layout.volume.min()))
+        self.affine = model.layout.members["affine"]
+        self.tet_turn = np.zeros((len(model.layout.members["tets"]), 3))
 
     def check(self, step: int) -> None:
         """Raise Stopped if a velocity is not finite or leaps, or if a block has turned beyond the limit."""
@@ -43,13 +46,16 @@ class Watch:
         )
 
     def _check_rotation(self, step: int) -> None:
-        rigid, affine, _ = self.model.bodies
+        rigid, affine, tets = self.model.bodies
         turns = []
         if rigid is not None:
             turns.append((np.abs(rigid.q[:, 3:]).max(axis=1), "rigid"))
         if affine is not None:
-            q = affine.q[:, 3:].reshape(-1, 3, 3)
-            turns.append((0.5 * np.abs(q - q.transpose(0, 2, 1)).max(axis=(1, 2)), "affine"))
+            h = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), self.model.layout.axes[self.affine])
+            turns.append((0.5 * np.abs(h - h.transpose(0, 2, 1)).max(axis=(1, 2)), "affine"))
+        if tets is not None:
+            mean_turn(tets, self.model.contacts[3], self.tet_turn)
+            turns.append((np.abs(self.tet_turn).max(axis=1), "tets"))
         for turn, kind in turns:
             self.rotation = max(self.rotation, float(turn.max()))
             if turn.max() > self.rotation_limit:

@@ -128,6 +128,21 @@ def observe(body, u, stress):
     return energy
 
 
+@jit
+def mean_turn(body, u, turn):
+    """Write the mean small rotation (B, 3) rad of every block: the antisymmetric part of its displacement gradient."""
+    for b in range(len(body.lame)):
+        volume, x, y, z = 0.0, 0.0, 0.0, 0.0
+        for e in range(body.tet_start[b], body.tet_start[b + 1]):
+            h = gradient(body.corner, body.slope, e, u)
+            root = _root_of_volume(body.slope, e)
+            volume += root * root
+            x += 0.5 * root * (h[7] - h[5])
+            y += 0.5 * root * (h[2] - h[6])
+            z += 0.5 * root * (h[3] - h[1])
+        turn[b, 0], turn[b, 1], turn[b, 2] = x / volume, y / volume, z / volume
+
+
 @register_jitable
 def _root_of_volume(g, e):
     """sqrt(V) from sqrt(V) grad N: det(grad N) = 1/(6 V), so det(slope) = sqrt(V)/6."""
