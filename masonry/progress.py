@@ -52,6 +52,9 @@ class Progress:
         """`step` steps are done; `note` is a few words on the state of the run."""
         self._begin()
         now = self._clock()
+        if step == 0:
+            self._announce(note)
+            return
         self._first = self._first or (step, now)
         done = bool(self.total_steps) and step >= self.total_steps
         if self._bar is not None:
@@ -63,6 +66,13 @@ class Progress:
         if step > self._said_step and (due or done):
             self._said_at, self._said_step = now, step
             self._say(self.line(step, note, now))
+
+    def _announce(self, note: str) -> None:
+        """What is done before the first step, such as compiling; it does not count in the time left."""
+        if self._bar is not None:
+            self._bar.update(self._task, total=self.total_steps or None, note=note, refresh=True)
+        elif note:
+            self._say("  ".join([self.label, note] if self.label else [note]))
 
     def __call__(self, step: int, total_steps: int, note: str = "") -> None:
         """What a time loop calls: `step` of `total_steps` are done."""

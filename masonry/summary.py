@@ -27,10 +27,14 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     work = np.abs(rows["external_work"]).max()
     spent = sum(float(rows[key][-1]) for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
     booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
+    laws = {name: scene.contact[name].law for name in model.group_names}
+    kinematics = {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups}
     return {
         "scene": scene.name,
-        "law": {name: scene.contact[name].law for name in model.group_names},
-        "kinematics": {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups},
+        "law": _joined(laws),
+        "kinematics": _joined(kinematics),
+        "law_by_group": laws,
+        "kinematics_by_group": kinematics,
         "blocks": assembly.specimen.blocks.count,
         "contacts": len(model.group),
         "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
@@ -58,6 +62,11 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "version": __version__,
         "source_hash": source_hash(),
     }
+
+
+def _joined(words: dict[str, str]) -> str:
+    """One word where all agree, else all that occur: "elastic + exponential"."""
+    return " + ".join(sorted(set(words.values())))
 
 
 def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict[str, float]:

@@ -57,6 +57,8 @@ def run(
     if threads > 1:
         numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
     begun = time.perf_counter()
+    if progress is not None:
+        progress(0, program.steps, "compiling the step for this scene, or loading it")
     compile_for(model, program, threads)
     outcome.seconds_compile = time.perf_counter() - begun
     begun = time.perf_counter()
