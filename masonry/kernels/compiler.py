@@ -1,7 +1,7 @@
 """How the step is compiled, and where what was compiled is kept.
 
 Numba serves a changed law stale from its cache when only another file changed: so the cache folder is named after a
-hash of every source file of the package.
+hash of every source file that can be compiled.
 """
 
 import hashlib
@@ -16,13 +16,17 @@ KEPT = 5
 """Cache folders of older sources that are kept."""
 
 
+ALL = ("geometry", "masonry")
+COMPILED = ("masonry/laws", "masonry/kernels", "masonry/kinematics")
+
+
 @cache
-def source_hash() -> str:
-    """Hash (hex) of all that can change a number: the sources of `masonry` and `geometry`."""
+def source_hash(folders: tuple[str, ...] = ALL) -> str:
+    """Hash (hex) of the sources in some folders; by default all that can change a number in a result."""
     root = Path(__file__).resolve().parents[2]
     digest = hashlib.sha256()
-    for package in ("geometry", "masonry"):
-        for path in sorted((root / package).rglob("*.py")):
+    for folder in folders:
+        for path in sorted((root / folder).rglob("*.py")):
             digest.update(path.relative_to(root).as_posix().encode())
             digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
@@ -38,7 +42,7 @@ def cache_root() -> Path:
 
 def _use_cache_folder() -> None:
     root = cache_root()
-    folder = root / source_hash()
+    folder = root / source_hash(COMPILED)
     try:
         folder.mkdir(parents=True, exist_ok=True)
         os.utime(folder)
