@@ -69,7 +69,7 @@ def facing_pairs(blocks: Blocks, width: float) -> tuple[np.ndarray, np.ndarray]:
 
 def patch_faces(blocks: Blocks, joints: Joints) -> np.ndarray:
     """(J, 2) the faces of block a and of block b that each overlap polygon lies on."""
-    first = np.searchsorted(joints.patch, np.arange(len(joints.patch_start) - 1))
+    first = np.unique(joints.patch, return_index=True)[1]  # contact points may stand in any order
     polygon, _ = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
     middle = areas_normals_centroids(polygon)[2]
     corners, _ = pad(blocks.points, blocks.face_start, blocks.face_points)

@@ -185,6 +185,8 @@ def program(dt: float, settle: int, displacement: float, steps: int | None, rate
     else:
         assert rate is not None
         count = max(1, int(np.ceil(abs(displacement) / (rate * dt * (1.0 - 0.5 * ramp)))))
+    if count and settle == 0:
+        count = max(count, 2)  # the first step starts at rest and cannot move anything
     k = np.arange(settle + count + 1)
     dead_load = smooth(k / (0.5 * settle)) if settle else np.zeros(len(k))
     shape: np.ndarray = np.where(
