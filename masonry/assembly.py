@@ -1,25 +1,23 @@
 """From a scene to a model: specimen, joints, mesh, laws, conditions, and the program of loading."""
 
-import difflib
 from dataclasses import dataclass
 
 import numpy as np
 
-from geometry import boundary, overlaps
 from geometry import joints as joint_search
-from geometry.blocks import GeometryError, Joints, Specimen, TetMesh
+from geometry import overlaps
+from geometry.blocks import Joints, Specimen, TetMesh
 from geometry.boxes import boxes
 from geometry.couplet import couplet
 from geometry.wallette import wallette
 from masonry import loads, model
-from masonry.bodies import KINDS, Layout, Material, lay_out
+from masonry.bodies import Material, lay_out
+from masonry.conditions import conditions_of, require_held
 from masonry.contact_groups import contact_group_name
-from masonry.errors import SceneError
+from masonry.errors import SceneError, nearest
 from masonry.laws import build as law_build
 from masonry.scene import Scene
 from masonry.timeloop import Recording
-
-AXES = {"x": 0, "y": 1, "z": 2}
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,7 @@ def assemble(scene: Scene) -> Assembly:
     }
     layout = lay_out(blocks, kinds, mesh)
     conditions = conditions_of(scene, specimen, layout, joints, materials)
-    _require_held(specimen, joints, layout, conditions)
+    require_held(specimen, joints, layout, conditions)
     compressions = sorted({0.0, scene.confinement or 0.0})
     laws = {name: law_build.build(name, _properties(scene.contact[name]), compressions) for name in names}
     s = scene.solver
@@ -105,22 +103,16 @@ def _properties(contact) -> dict:
     return {key: getattr(contact, key) for key in keys}
 
 
-def _nearest(word: str, known) -> str:
-    close = difflib.get_close_matches(word, list(known), 1, 0.4)
-    hint = f"; did you mean '{close[0]}'?" if close else ""
-    return f"known here: {', '.join(sorted(known))}{hint}"
-
-
 def _require_groups(scene: Scene, groups: tuple[str, ...]) -> None:
     for group in groups:
         if group not in scene.material:
             raise SceneError(f"[material.{group}] is missing: the specimen has blocks of group '{group}'")
     for group in scene.material:
         if group not in groups:
-            raise SceneError(f"[material.{group}]: the specimen has no blocks of this group; {_nearest(group, groups)}")
+            raise SceneError(f"[material.{group}]: the specimen has no blocks of this group; {nearest(group, groups)}")
     for group in scene.kinematics:
         if group != "default" and group not in groups:
-            raise SceneError(f"kinematics.{group}: the specimen has no blocks of this group; {_nearest(group, groups)}")
+            raise SceneError(f"kinematics.{group}: the specimen has no blocks of this group; {nearest(group, groups)}")
 
 
 def _require_contact_groups(scene: Scene, specimen: Specimen, joints: Joints) -> None:
@@ -129,90 +121,13 @@ def _require_contact_groups(scene: Scene, specimen: Specimen, joints: Joints) ->
     for name in occurring:
         if name not in scene.contact:
             raise SceneError(
-                f"[contact.{name}] is missing: the specimen has such contacts; {_nearest(name, scene.contact)}"
+                f"[contact.{name}] is missing: the specimen has such contacts; {nearest(name, scene.contact)}"
             )
     groups = specimen.blocks.groups
     possible = {contact_group_name(g, h, same) for g in groups for h in groups for same in (True, False)}
     for name in scene.contact:
         if name not in possible:
-            raise SceneError(f"[contact.{name}]: no such contacts in this specimen; {_nearest(name, possible)}")
-
-
-def conditions_of(
-    scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, materials: dict[str, Material]
-) -> loads.Conditions:
-    """Supports, drive and dead loads on the freedoms."""
-    blocks, conditions = specimen.blocks, loads.no_conditions(layout)
-    supports: list[dict[str, np.ndarray]] = []
-    for k, support in enumerate(scene.support):
-        where = f"support.{k}.on"
-        chosen, faces = select(specimen, joints, support.on, where)
-        axes = tuple(AXES[f] for f in support.fix if f in AXES)
-        hold = loads.Hold(chosen, axes, "rotation" in support.fix, faces, f"support.{k}")
-        supports.append(loads.held_freedoms(blocks, layout, hold))
-    driven = None
-    if scene.drive is not None:
-        chosen, faces = select(specimen, joints, scene.drive.on, "drive.on")
-        hold = loads.Hold(chosen, (scene.drive.axis,), False, faces, "drive")
-        driven = loads.held_freedoms(blocks, layout, hold)
-        conditions.driven = loads.drive_freedoms(driven, scene.drive.axis)
-        nothing = loads.no_conditions(layout).prescribed
-        held = {kind: np.any([nothing[kind], *(s[kind] for s in supports)], axis=0) for kind in KINDS}
-        if any((driven[kind] & held[kind]).any() for kind in KINDS):
-            raise SceneError(f"drive.on = '{scene.drive.on}': a support holds it in the direction of the drive")
-        conditions.support = loads.drive_freedoms(held, scene.drive.axis)
-    for mask in [*supports, *([driven] if driven else [])]:
-        for kind in KINDS:
-            conditions.prescribed[kind] |= mask[kind]
-    for k, traction in enumerate(scene.traction):
-        where = f"traction.{k}.on"
-        _, faces = select(specimen, joints, traction.on, where)
-        if faces is None:
-            raise SceneError(f"{where} = '{traction.on}': a traction acts on a face, for example '{traction.on}.z+'")
-        loads.add_traction(blocks, layout, conditions.load, loads.Push(faces, np.array(traction.stress)))
-    if scene.gravity is not None:
-        density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
-        loads.add_gravity(layout, conditions.load, density, np.array(scene.gravity))
-    return conditions
-
-
-def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[np.ndarray, np.ndarray | None]:
-    """Blocks of a selector, and its faces if it names one: "top", "top.z+"."""
-    name, face = word, None
-    if word not in specimen.sets and word[-1:] in "+-" and "." in word:
-        name, _, face = word.rpartition(".")
-    if name not in specimen.sets:
-        raise SceneError(
-            f"{where} = '{word}' selects nothing; {_nearest(name, specimen.sets)}, or a face of one: '{name}.z+'"
-        )
-    chosen = specimen.sets[name]
-    if face is None:
-        return chosen, None
-    try:
-        return chosen, boundary.outer_faces(specimen.blocks, joints, chosen, face)
-    except GeometryError as error:
-        raise SceneError(f"{where} = '{word}': {error}") from None
-
-
-def _require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:
-    """Every connected part of the specimen must be held somewhere, or it would drift."""
-    part = joint_search.connected(specimen.blocks, joints)
-    held = np.zeros(specimen.blocks.count, dtype=bool)
-    for kind in ("rigid", "affine"):
-        held[layout.members[kind]] = conditions.prescribed[kind].any(axis=1)
-    if layout.mesh is not None:
-        node_held: np.ndarray = np.any(conditions.prescribed["tets"], axis=1, keepdims=True)
-        for b in layout.members["tets"]:
-            held[b] = node_held[layout.mesh.node_start[b] : layout.mesh.node_start[b + 1]].any()
-    loose = np.setdiff1d(part, part[held])
-    if len(loose):
-        block = int(np.flatnonzero(part == loose[0])[0])
-        where = ", ".join(f"{x:.4g}" for x in layout.centroid[block])
-        raise SceneError(
-            f"block {block} (group '{specimen.blocks.groups[specimen.blocks.group[block]]}', unit "
-            f"{specimen.blocks.unit[block]}) at ({where}) m and what it touches are held by nothing; "
-            "add a [[support]], or close the gap to its neighbours"
-        )
+            raise SceneError(f"[contact.{name}]: no such contacts in this specimen; {nearest(name, possible)}")
 
 
 def _program(scene: Scene, dt: float) -> loads.Program:

@@ -1,5 +1,7 @@
 """What a user may be told: one clear message, exit code 2, no traceback."""
 
+import difflib
+from collections.abc import Iterable
 from typing import Any
 
 
@@ -14,3 +16,11 @@ class Stopped(RuntimeError):
     """
 
     result: Any = None
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """What is allowed, and the nearest of it, for the end of a message."""
+    allowed = sorted(known)
+    close = difflib.get_close_matches(word, allowed, 1, 0.4)
+    hint = f"; did you mean '{close[0]}'?" if close else ""
+    return f"known here: {', '.join(allowed)}{hint}"

@@ -4,15 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from geometry.blocks import Blocks, Joints, TetMesh
+from geometry.blocks import Blocks, Joints
 from masonry import stiffness
-from masonry.bodies import KINDS, Layout, Material, real_masses, tet_gradients, tet_volumes
+from masonry.arrays import bodies_of, memory_of, number_sides, own_memory
+from masonry.bodies import KINDS, Layout, Material, real_masses
 from masonry.contact_groups import contact_groups
-from masonry.kinematics.affine import Affine
-from masonry.kinematics.rigid import Rigid
-from masonry.kinematics.tets import Tets
-from masonry.laws.interface import Interface
-from masonry.laws.state import ContactState, fresh
+from masonry.laws.state import ContactState
 from masonry.loads import Conditions
 
 
@@ -94,12 +91,12 @@ def build(
     rows = {kind: layout.rows(kind) for kind in KINDS}
     first = {"tets": 0, "rigid": rows["tets"]}
     first["affine"] = first["rigid"] + int(np.sum(np.concatenate([s.kind for s in sides]) == KINDS.index("rigid")))
-    side_rows, ordered = _number_sides(layout, sides, first, rows)
+    side_rows, ordered = number_sides(layout, sides, first, rows)
     u = np.zeros((first["affine"] + int(np.sum(np.concatenate([s.kind for s in sides]) == 1)), 3))
-    bodies = _bodies(layout, conditions, masses, dt, lame, ordered, first)
-    state = _state(group, interfaces)
+    bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first)
+    state = memory_of(group, interfaces)
     bounds = np.searchsorted(group, np.arange(len(names) + 1))
-    states = tuple(_trim(state, i) for i in interfaces)
+    states = tuple(own_memory(state, i) for i in interfaces)
     return Model(
         blocks=blocks,
         joints=joints,
@@ -162,107 +159,3 @@ def _stepping(
         dt = stepping.time_step
     masses = stiffness.scaled_masses(sums, dt, stepping.step_fraction, xi)
     return masses, dt, dt / stepping.step_fraction, "every freedom alike: masses are scaled to one bound"
-
-
-def _number_sides(layout: Layout, sides: tuple, first: dict[str, int], rows: dict[str, int]) -> tuple:
-    """Rows of u of both sides (C, 2), and per kind (start, code, arm) of the sides in the order of their bodies."""
-    count = len(sides[0].kind)
-    kind = np.concatenate([s.kind for s in sides])
-    row = np.concatenate([s.row for s in sides])
-    arm = np.concatenate([s.arm for s in sides])
-    axes = np.concatenate([s.axes for s in sides])
-    code = np.concatenate([2 * np.arange(count), 2 * np.arange(count) + 1])
-    place = row.copy()
-    ordered = {}
-    for k, name in enumerate(KINDS):
-        which = np.flatnonzero(kind == k)
-        which = which[np.lexsort((code[which], row[which]))]
-        start = np.searchsorted(row[which], np.arange(rows[name] + 1))
-        arms = arm[which] if name == "affine" else np.einsum("cij,cj->ci", axes[which], arm[which])
-        ordered[name] = start.astype(np.int64), code[which].astype(np.int64), np.ascontiguousarray(arms)
-        if name != "tets":
-            place[which] = first[name] + np.arange(len(which))
-    return np.ascontiguousarray(place.reshape(2, count).T), ordered
-
-
-def _bodies(
-    layout: Layout, conditions: Conditions, masses: dict, dt: float, lame: np.ndarray, ordered: dict, first: dict
-) -> tuple:
-    """(rigid, affine, tets), None where absent."""
-    common = {}
-    for kind in KINDS:
-        held, load = conditions.prescribed[kind], conditions.load[kind]
-        zeros = [np.zeros(held.shape) for _ in range(3)]
-        pace = np.where(held, 0.0, dt / np.where(masses[kind] > 0, masses[kind], np.inf))
-        start, code, _ = ordered[kind]
-        common[kind] = {
-            **dict(zip(("v", "contact", "hold"), zeros, strict=True)),
-            **{
-                "pace": pace,
-                "start": start,
-                "code": code,
-                "load": load,
-                "work": np.zeros((len(layout.members[kind]), 3)),
-            },
-        }
-    which = layout.members
-    axes = {
-        kind: None if np.array_equal(layout.axes[b], np.broadcast_to(np.eye(3), (len(b), 3, 3))) else layout.axes[b]
-        for kind, b in which.items()
-    }
-    rigid = affine = tets = None
-    if len(which["rigid"]):
-        q = np.zeros((len(which["rigid"]), 6))
-        rigid = Rigid(q=q, arm=ordered["rigid"][2], first_point=first["rigid"], axes=axes["rigid"], **common["rigid"])
-    if len(which["affine"]):
-        b = which["affine"]
-        affine = Affine(
-            q=np.zeros((len(b), 12)),
-            arm=ordered["affine"][2],
-            stiffness=lame[b] * layout.volume[b, None],
-            first_point=first["affine"],
-            axes=axes["affine"],
-            **common["affine"],
-        )
-    if layout.mesh is not None and len(which["tets"]):
-        tets = _tets(layout, layout.mesh, lame, common["tets"])
-    return rigid, affine, tets
-
-
-def _tets(layout: Layout, mesh: TetMesh, lame: np.ndarray, common: dict) -> Tets:
-    b = layout.members["tets"]
-    last = np.append(b, len(mesh.node_start) - 1)
-    root = np.sqrt(tet_volumes(mesh))
-    return Tets(
-        inner=np.zeros((len(mesh.nodes), 3)),
-        node_start=mesh.node_start[last],
-        tet_start=mesh.tet_start[last],
-        corner=mesh.tets.astype(np.uint32),
-        slope=(tet_gradients(mesh)[:, 1:] * root[:, None, None]).reshape(-1, 9),
-        lame=np.ascontiguousarray(lame[b]),
-        **common,
-    )
-
-
-def _state(group: np.ndarray, interfaces: list[Interface]) -> ContactState:
-    """Fresh memory: intact, nothing opened beyond the elastic limit."""
-    limit = np.array([(i.tensile_strength or 0.0) / i.normal_stiffness for i in interfaces])
-    return fresh(
-        len(group),
-        limit[group] if len(group) else np.zeros(0),
-        uplift=any(i.tan_dilation is not None for i in interfaces),
-        gap=any(i.elastic_unloading is not None for i in interfaces),
-        run=any(i.tan_dilation is not None or i.plastic_softening is not None for i in interfaces),
-    )
-
-
-def _trim(state: ContactState, interface: Interface) -> ContactState:
-    """A group's view of the memory: what its law does not use is None, and compiled away."""
-    if interface.tensile_strength is None:
-        return ContactState()
-    dilates = interface.tan_dilation is not None
-    return state._replace(
-        uplift=state.uplift if dilates else None,
-        gap=state.gap if interface.elastic_unloading is not None else None,
-        run=state.run if dilates or interface.plastic_softening is not None else None,
-    )
