@@ -33,7 +33,7 @@ def conditions_of(
         conditions.driven = loads.drive_freedoms(driven, scene.drive.axis)
         nothing = loads.no_conditions(layout).prescribed
         held = {kind: np.any([nothing[kind], *(s[kind] for s in supports)], axis=0) for kind in KINDS}
-        if any((driven[kind] & held[kind]).any() for kind in KINDS):
+        if any((driven[kind] & held[kind])[:, scene.drive.axis].any() for kind in KINDS):
             raise SceneError(f"drive.on = '{scene.drive.on}': a support holds it in the direction of the drive")
         conditions.support = loads.drive_freedoms(held, scene.drive.axis)
     for mask in [*supports, *([driven] if driven else [])]:
