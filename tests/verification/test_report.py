@@ -1,0 +1,124 @@
+"""The report on a small subset: its records are finite and right, and its page stands alone."""
+
+import json
+import math
+import re
+
+import pytest
+
+from verification.report.__main__ import found, write
+from verification.report.page import Chapter, Verdict, escape, table
+from verification.studies import assumptions, couplet, energy_balance, stability
+from verification.studies.grids import Grid
+from verification.studies.ladders import richardson, time_to
+
+LIMITS = Grid(
+    "Limits",
+    "couplet",
+    {"drive.steps": 4000},
+    {"shipped": {}, "far beyond the bound": {"solver.step_fraction": 5.0}, "refused": {"solver.damping": 1.0}},
+    {"damping 0.8": {}},
+    closed=True,
+)
+
+
+def quiet(_: str) -> None:
+    pass
+
+
+@pytest.fixture(scope="module")
+def chapters() -> list[Chapter]:
+    return [
+        couplet.chapter(quiet, laws=("exponential",), confinements=("0.1 MPa", "1.0 MPa"), kinematics=("rigid",)),
+        stability.chapter(quiet, [LIMITS]),
+        assumptions.chapter(quiet, cases=("couplet",), only=("unit_unit.residual_cohesion", "drive.displacement")),
+        energy_balance.chapter(quiet),
+    ]
+
+
+@pytest.fixture(scope="module")
+def written(chapters: list[Chapter], tmp_path_factory: pytest.TempPathFactory) -> tuple[str, list[dict]]:
+    page, records = write(chapters, 1.0, tmp_path_factory.mktemp("report"))
+    return page.read_text(encoding="utf-8"), json.loads(records.read_text(encoding="utf-8"))
+
+
+def test_every_record_says_what_was_run_and_holds_no_number_that_is_not_finite(written):
+    _, records = written
+    assert len(records) > 15
+    for record in records:
+        assert {"case", "quantity", "value", "reference", "kind_of_reference", "error", "seconds", "steps", "knobs",
+                "source_hash", "version"} <= set(record)  # fmt: skip
+        assert all(math.isfinite(v) for v in record.values() if isinstance(v, float))
+        assert record["status"] != "OK" or record["error"] is not None
+
+
+def test_the_couplet_is_within_its_tolerances_of_the_closed_form(chapters):
+    assert len(chapters[0].records) == 2 * len(couplet.TOLERANCE)
+    for record in chapters[0].records:
+        assert abs(record["error"]) <= couplet.TOLERANCE[record["quantity"]], record["quantity"]
+    assert chapters[0].verdicts[0].kind == "ok"
+
+
+def test_the_closed_form_gives_the_published_strengths_of_table_1():
+    for confinement, peak, slip, later in (
+        ("0.1 MPa", 0.971e6, 0.2e-3, 0.165e6),
+        ("1.0 MPa", 1.880e6, 0.2e-3, 1.246e6),
+    ):
+        knobs = {"confinement": confinement}
+        at_peak = peak / 70e9
+        assert couplet.exact_stress("couplet", knobs, at_peak)[()] == pytest.approx(peak, rel=1e-3)
+        assert couplet.exact_stress("couplet", knobs, slip)[()] == pytest.approx(later, rel=2e-3)
+
+
+def test_each_limit_ends_in_a_right_answer_or_in_a_reason(chapters):
+    found_status = {record["rung"]: (record["status"], record["reason"]) for record in chapters[1].records}
+    assert found_status["shipped"] == ("OK", "")
+    assert found_status["refused"][0] == "REFUSED" and "damping" in found_status["refused"][1]
+    assert found_status["far beyond the bound"][0] == "STOPPED" and "bound" in found_status["far beyond the bound"][1]
+    assert chapters[1].verdicts[0].kind == "ok"
+
+
+def test_residual_cohesion_lifts_the_final_stress_by_itself_and_leaves_the_peak(chapters):
+    changes = {r["quantity"]: r for r in chapters[2].records if r["rung"] == "50 kPa"}
+    assert changes["final"]["value"] - changes["final"]["reference"] == pytest.approx(50e3, rel=0.02)
+    assert changes["peak"]["error"] == pytest.approx(0.0, abs=1e-3)
+
+
+def test_the_page_stands_alone(written):
+    page, _ = written
+    assert not re.search(r"https?://", page)
+    images = re.findall(r"<img[^>]*>", page)
+    assert len(images) >= 2
+    assert all(re.search(r'src="data:image/', image) for image in images)
+    assert not re.search(r"<(script|link|iframe)", page)
+    assert "nan" not in re.sub(r"<[^>]*>", "", page).lower().split()
+
+
+def test_the_first_page_gives_a_verdict_on_each_area_and_says_where_one_is_missing(written):
+    page, _ = written
+    cover = page.partition("<nav>")[0]
+    for area in ("Closed forms", "Loading rate", "Stability", "Energy balance", "Assumptions"):
+        assert area in cover
+    assert cover.count("Not part of this report.") == 1
+
+
+def test_text_in_the_page_is_escaped():
+    assert "<b>" not in table(["<b>"], [["<b>"]]) and escape("a < b") == "a &lt; b"
+    assert Verdict("x", "ok", "y").kind == "ok"
+
+
+def test_all_studies_are_found_without_a_list_and_in_their_order():
+    names = list(found())
+    assert names[0] == "couplet" and names[-1] == "energy_balance" and len(names) >= 6
+
+
+def test_richardson_covers_the_limit_of_a_series_of_first_order():
+    values = [1.0 + 0.08 / 2**k for k in range(5)]
+    reference = richardson(values)
+    assert abs(reference.value - 1.0) <= reference.uncertainty <= 2 * abs(reference.value - 1.0)
+
+
+def test_a_lucky_crossing_is_no_time_to_one_percent():
+    rungs = [(1.0, 0.002, "lucky"), (2.0, 0.03, "worse"), (4.0, 0.005, "good"), (8.0, 0.001, "best")]
+    assert time_to(rungs, 0.01) == (4.0, "good")
+    assert time_to(rungs, 1e-4) is None

@@ -1,0 +1,97 @@
+"""The pictures of the report: matplotlib's object interface, no display, units on every axis."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator
+
+COLOURS = ("#1f3b5c", "#d7301f", "#2f8f4e", "#e07b00", "#7b4fa3", "#5b5b5b")
+MARKS = "osD^vP"
+
+
+def sheet(rows: int, columns: int, size: tuple[float, float], **options: Any) -> tuple[Figure, np.ndarray]:
+    """A figure of `size` inches and its (rows, columns) axes, with a quiet grid."""
+    figure = Figure(figsize=size, layout="constrained")
+    axes = figure.subplots(rows, columns, squeeze=False, **options)
+    for one in axes.flat:
+        one.grid(color="0.9", linewidth=0.7)
+        one.set_axisbelow(True)
+        one.spines[["top", "right"]].set_visible(False)
+    return figure, axes
+
+
+def plain_ticks(axis: Any, unit: str) -> None:
+    """Ticks of a logarithmic axis as plain numbers with their unit: 0.1 %, 1 %, 10 %."""
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}{unit}"))
+    axis.set_minor_formatter(FuncFormatter(lambda *_: ""))
+
+
+def error_against_time(
+    panels: Mapping[str, Mapping[str, Sequence[tuple[float, float, str]]]], doubts: Sequence[float], floor: float
+) -> Figure:
+    """Panel title -> knob -> (seconds, error, label of the rung): log-log, one line a knob.
+
+    A knob whose name starts with "model" changes what is solved, and is drawn dashed. Errors below `floor` are drawn
+    on it. `doubts`: by panel, what the reference itself may be off by; shaded.
+    """
+    figure, axes = sheet(1, len(panels), (10.0, 4.4), sharey=True)
+    places = ((4, 5), (-3, -11), (6, -4), (-4, 8))
+    for one, (title, knobs), doubt in zip(axes.flat, panels.items(), doubts, strict=True):
+        one.axhspan(0.0, 100.0 * doubt, color="0.92", linewidth=0)
+        one.set(xscale="log", yscale="log", title=title, xlabel="seconds of stepping, one thread [s]")
+        one.axhline(1.0, color="0.35", linewidth=0.9, linestyle=":")
+        for k, (knob, rungs) in enumerate(knobs.items()):
+            seconds, error, labels = zip(*rungs, strict=True)
+            shown = [max(100.0 * abs(e), 100.0 * floor) for e in error]
+            style = "--" if knob.startswith("model") else "-"
+            one.plot(seconds, shown, style, marker=MARKS[k], color=COLOURS[k], markersize=5, linewidth=1.4, label=knob)
+            for x, y, text in zip(seconds, shown, labels, strict=True):
+                one.annotate(text, (x, y), places[k], textcoords="offset points", fontsize=7, color=COLOURS[k])
+        plain_ticks(one.yaxis, " %")
+        one.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        plain_ticks(one.xaxis, "")
+    axes[0, 0].set_ylabel("error against the reference [%]")
+    axes[0, -1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False, fontsize=8)
+    return figure
+
+
+def tornado(rows: Sequence[tuple[str, Sequence[Sequence[float]]]], titles: Sequence[str]) -> Figure:
+    """Rows of (name, changes per panel in %), in order from the top; a bar spans all the variations of its entry."""
+    figure, axes = sheet(1, len(titles), (10.0, 0.9 + 0.26 * max(len(rows), 3)), sharey=True)
+    place = np.arange(len(rows))[::-1]
+    for k, (one, title) in enumerate(zip(axes.flat, titles, strict=True)):
+        low = np.array([min(0.0, *row[1][k]) for row in rows])
+        high = np.array([max(0.0, *row[1][k]) for row in rows])
+        one.barh(place, low, color="#4a90c2", height=0.62)
+        one.barh(place, high, color="#fc8d59", height=0.62)
+        one.axvline(0.0, color="0.2", linewidth=0.9)
+        for y, ends in zip(place, zip(low, high, strict=True), strict=True):
+            for end, side, at in zip(ends, (-3, 3), ("right", "left"), strict=True):
+                if abs(end) >= 0.05:
+                    text, offset = f"{end:+.2g}" if abs(end) < 10 else f"{end:+.0f}", (side, 0)
+                    one.annotate(
+                        text, (end, y), offset, textcoords="offset points", ha=at, va="center", fontsize=7, color="0.3"
+                    )
+        one.set_title(title, fontsize=10)
+        one.set_xlabel("change [%]")
+        reach = max(1.0, 1.35 * float(max(-low.min(initial=0.0), high.max(initial=0.0))))
+        one.set_xlim(-reach, reach)
+    axes[0, 0].set_yticks(place, [row[0] for row in rows], fontsize=8)
+    axes[0, 0].set_ylim(-0.6, len(rows) - 0.4)
+    return figure
+
+
+def curves(panels: Mapping[str, Sequence[tuple[str, np.ndarray, np.ndarray, np.ndarray]]]) -> Figure:
+    """Panel title -> (label, slip mm, stress MPa, closed form MPa): the run as a line, the closed form as dots."""
+    figure, axes = sheet(1, len(panels), (10.0, 3.7), sharey=True)
+    for one, (title, lines) in zip(axes.flat, panels.items(), strict=True):
+        one.set(title=title, xlabel="slip [mm]")
+        for k, (label, slip, stress, exact) in enumerate(lines):
+            one.plot(slip, stress, color=COLOURS[k], linewidth=1.6, label=label)
+            sparse = np.unique(np.searchsorted(slip, np.linspace(0.0, slip[-1], 30)).clip(max=len(slip) - 1))
+            one.plot(slip[sparse], exact[sparse], "o", color=COLOURS[k], markersize=3.5, markerfacecolor="white")
+    axes[0, 0].set_ylabel("shear stress [MPa]")
+    axes[0, -1].legend(title="confinement", frameon=False, fontsize=8)
+    return figure

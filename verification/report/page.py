@@ -1,0 +1,111 @@
+"""What a chapter is made of: verdicts, records and pieces of HTML, every text escaped."""
+
+import base64
+import html
+import io
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+WORDS = {"ok": "holds", "warn": "with\u00a0care", "bad": "fails", "none": "not\u00a0looked\u00a0at"}
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One line of the first page: area, one of WORDS, and a sentence with the figures."""
+
+    area: str
+    kind: str
+    sentence: str
+
+
+@dataclass
+class Chapter:
+    """What a study returns: its verdicts, its records (one dict each) and its page as pieces of HTML."""
+
+    title: str
+    verdicts: list[Verdict] = field(default_factory=list)
+    records: list[dict[str, Any]] = field(default_factory=list)
+    parts: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A coloured table cell; `note` is the small print under it."""
+
+    text: str
+    kind: str = ""
+    note: str = ""
+
+
+def escape(text: Any) -> str:
+    """Text as HTML."""
+    return html.escape(str(text))
+
+
+def heading(text: str) -> str:
+    """A heading within a chapter."""
+    return f"<h3>{escape(text)}</h3>"
+
+
+def paragraph(text: str, kind: str = "") -> str:
+    """A paragraph; kind "lead" is larger, "note" smaller."""
+    return f'<p class="{kind}">{escape(text)}</p>' if kind else f"<p>{escape(text)}</p>"
+
+
+def bullets(items: Iterable[str]) -> str:
+    """A plain list."""
+    return "<ul>" + "".join(f"<li>{escape(item)}</li>" for item in items) + "</ul>"
+
+
+def table(header: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "") -> str:
+    """A table; cells are text, numbers or `Cell`. The first column is left-aligned."""
+    top = "".join(f"<th>{escape(name)}</th>" for name in header)
+    body = "".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in rows)
+    title = f"<caption>{escape(caption)}</caption>" if caption else ""
+    return f'<div class="wide"><table>{title}<thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
+
+
+def _cell(value: Any) -> str:
+    if not isinstance(value, Cell):
+        return f"<td>{escape(value)}</td>"
+    small = f"<small>{escape(value.note)}</small>" if value.note else ""
+    return f'<td class="{value.kind}">{escape(value.text)}{small}</td>'
+
+
+def badge(kind: str) -> Cell:
+    """The word of a verdict, in its colour."""
+    return Cell(WORDS[kind], kind)
+
+
+def percent(value: float | None, digits: int = 2) -> str:
+    """A share as percent; very small ones as a power of ten."""
+    if value is None or value != value:
+        return "-"
+    shown = 100.0 * value
+    if abs(shown) >= 10.0**digits:
+        return f"{shown:.0f} %"
+    return f"{shown:.{digits}g} %" if abs(shown) >= 1e-3 or shown == 0.0 else f"{shown:.0e} %"
+
+
+def short(text: str, length: int = 150) -> str:
+    """The first sentence of a message, or its beginning."""
+    first = text.split(". ")[0]
+    return first if len(first) <= length else first[: length - 1] + "…"
+
+
+def picture(figure: Any, caption: str) -> str:
+    """A matplotlib figure as an SVG inside the page: sharp in print, and no other file is needed."""
+    import matplotlib
+
+    stream = io.BytesIO()
+    with matplotlib.rc_context({"svg.fonttype": "path", "svg.hashsalt": "masonry"}):
+        figure.savefig(stream, format="svg", metadata={"Date": None})
+    data = base64.b64encode(stream.getvalue()).decode()
+    text = escape(caption)
+    return f'<figure><img alt="{text}" src="data:image/svg+xml;base64,{data}"><figcaption>{text}</figcaption></figure>'
+
+
+def folded(title: str, content: str) -> str:
+    """HTML that is folded away on a screen, and stays folded in print."""
+    return f"<details><summary>{escape(title)}</summary>{content}</details>"

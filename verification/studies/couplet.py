@@ -1,0 +1,126 @@
+"""The couplet against its closed form: laws x confinements x kinematics, the whole curve."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from masonry import scene
+from verification.report import figures, page
+from verification.studies import trial
+from verification.studies.trial import Trial
+
+ORDER = 10
+LAWS = ("linear", "polynomial", "exponential")
+CONFINEMENTS = ("0.1 MPa", "0.5 MPa", "1.0 MPa")
+KINEMATICS = ("rigid", "affine", "tets")
+TOLERANCE = {"peak": 1e-3, "residual": 1e-3, "curve": 5e-3, "dissipated": 1e-3}
+WORDS = {"peak": "peak", "residual": "final stress", "curve": "whole curve", "dissipated": "dissipated energy"}
+
+
+def exact_stress(case: str, knobs: dict[str, Any], slip: np.ndarray) -> np.ndarray:
+    """Shear stress (Pa) at slips (m) of the couplet as the scene gives it: up with ks, then the law's envelope."""
+    loaded = scene.load(case, knobs)
+    joint, sigma = loaded.contact["unit_unit"], loaded.confinement or 0.0
+    c0, tan0 = joint.cohesion or 0.0, joint.tan_friction or 0.0
+    c_res, tan_res = joint.residual_cohesion or 0.0, joint.tan_residual_friction or 0.0
+    energy = (joint.fracture_energy_mode_2 or 0.0) + (joint.fracture_energy_mode_2_slope or 0.0) * sigma
+    top, rest, ks = c0 + sigma * tan0, c_res + sigma * tan_res, joint.shear_stiffness
+    beyond = np.maximum(slip - top / ks, 0.0)
+    if joint.law == "linear":
+        last = 2.0 * energy / (top - rest) + rest / ks
+        left = np.clip(1.0 - beyond / (last - top / ks), 0.0, 1.0)
+    elif joint.law == "polynomial":
+        width = 2.0 * energy / top
+        left = (width / (width + beyond)) ** (joint.exponent_shear or 0.0)
+    else:
+        left = np.exp(-(c0 / energy) * beyond)
+    return np.minimum(ks * slip, rest + left * (top - rest))
+
+
+def exact_values(one: Trial) -> dict[str, float]:
+    """Peak and final stress (Pa), and the energy (J) that the joint has dissipated at the end of the drive."""
+    loaded = scene.load(one.case, one.knobs)
+    assert loaded.drive is not None
+    slip = np.linspace(0.0, loaded.drive.displacement, 400_001)
+    tau = exact_stress(one.case, one.knobs, slip)
+    held = 0.5 * tau[-1] ** 2 / loaded.contact["unit_unit"].shear_stiffness
+    area = loaded.specimen.length * loaded.specimen.width  # type: ignore[union-attr]
+    return {
+        "peak": float(tau.max()),
+        "final": float(tau[-1]),
+        "dissipated": area * float(np.trapezoid(tau, slip) - held),
+    }
+
+
+def errors(one: Trial) -> tuple[dict[str, tuple[float, float, float]], tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """(quantity -> (value, reference, scale), (slip m, tau Pa, closed form Pa) at the rows).
+
+    The curve's value is its largest distance from the closed form, in shares of the peak.
+    """
+    exact = exact_values(one)
+    moving = one.rows["displacement"] > 0.0
+    slip, tau = one.rows["displacement"][moving], one.rows["stress"][moving]
+    closed = exact_stress(one.case, one.knobs, slip)
+    off = float(np.abs(tau - closed).max() / exact["peak"])
+    quantities = {
+        "peak": (one.value("peak"), exact["peak"], 0.0),
+        "residual": (one.value("final"), exact["final"], 0.0),
+        "curve": (off, 0.0, 1.0),
+        "dissipated": (one.value("dissipated"), exact["dissipated"], 0.0),
+    }
+    return quantities, (slip, tau, closed)
+
+
+def chapter(
+    tell: Callable[[str], None],
+    laws: tuple[str, ...] = LAWS,
+    confinements: tuple[str, ...] = CONFINEMENTS,
+    kinematics: tuple[str, ...] = KINEMATICS,
+) -> page.Chapter:
+    """All combinations: a picture of the curves, a table of the errors, and the verdict on them."""
+    made = page.Chapter("Couplet against closed forms")
+    worst = dict.fromkeys(TOLERANCE, 0.0)
+    panels: dict[str, list[tuple[str, np.ndarray, np.ndarray, np.ndarray]]] = {}
+    rows = []
+    for law in laws:
+        for motion in kinematics:
+            tell(f"couplet: {law}, {motion}")
+            for confinement in confinements:
+                one = trial.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement})
+                cells: list[str | page.Cell] = [law, motion, confinement]
+                if not one.ok:
+                    worst = dict.fromkeys(TOLERANCE, math.inf)
+                    rows.append([*cells, page.Cell(one.status, "bad", page.short(one.reason))])
+                    continue
+                quantities, (slip, tau, closed) = errors(one)
+                for name, (value, reference, scale) in quantities.items():
+                    entry = trial.record(one, name, value, reference, "closed form", scale)
+                    made.records.append(entry)
+                    worst[name] = max(worst[name], abs(entry["error"]))
+                    kind = "ok" if abs(entry["error"]) <= TOLERANCE[name] else "bad"
+                    cells.append(page.Cell(page.percent(entry["error"]), kind))
+                rows.append([*cells, f"{one.seconds:.2g} s"])
+                if motion == kinematics[0]:
+                    panels.setdefault(law, []).append((confinement, 1e3 * slip, 1e-6 * tau, 1e-6 * closed))
+    header = ["law", "units", "confinement", *(f"{w} (limit {page.percent(TOLERANCE[k])})" for k, w in WORDS.items())]
+    made.parts += [page.paragraph(INTRODUCTION)]
+    if panels:
+        caption = f"Shear stress against slip, {kinematics[0]} units: the run as a line, the closed form as dots."
+        made.parts.append(page.picture(figures.curves(panels), caption))
+    made.parts.append(page.table([*header, "stepping"], rows, "Signed error against the closed form; curve: largest."))
+    held = all(worst[name] <= limit for name, limit in TOLERANCE.items())
+    said = ", ".join(f"{words} {page.percent(worst[name])}" for name, words in WORDS.items())
+    sentence = f"Couplet, {len(rows)} combinations of law, confinement and kinematics; largest errors: {said}."
+    made.verdicts.append(page.Verdict("Closed forms", "ok" if held else "bad", sentence))
+    return made
+
+
+INTRODUCTION = (
+    "Two units with one joint: confined first, then the upper unit slides. Under constant confinement the joint's "
+    "shear stress is known in closed form at every slip: up with the stiffness ks to c0 + sigma tan(phi0), then down "
+    "the law's softening curve to the residual friction. The scene moves the upper unit and holds the lower one as a "
+    "whole, so that units that can deform have no shear of their own to subtract; their slip is the drive's "
+    "displacement."
+)

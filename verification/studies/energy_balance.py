@@ -1,0 +1,60 @@
+"""The energy balance of every run of this report: one sum that must close, and two sums that must agree."""
+
+from collections.abc import Callable
+
+from verification.report import page
+from verification.studies import trial
+
+ORDER = 90
+CLOSES, AGREES = 1e-9, 1e-3
+
+
+def chapter(tell: Callable[[str], None]) -> page.Chapter:
+    """The worst figures by scene, over all the runs that were not stopped. Comes last: it looks at all the others."""
+    made = page.Chapter("Energy balance")
+    made.parts.append(
+        page.paragraph(
+            "The external work must equal what is stored, dissipated, damped and in motion. Fracture and friction are "
+            "also added up a second time, from the laws' own state, and compared with the contacts' work less what "
+            "they still hold: so the balance cannot close merely by definition. Both figures are the worst of all "
+            "runs in this report with a time step within the proven bound, the roughest rates included."
+        )
+    )
+    rows, worst = [], {"energy_imbalance": 0.0, "dissipation_mismatch": 0.0}
+    for case in sorted({t.case for t in trial.DONE.values()}):
+        runs = [t for t in trial.DONE.values() if t.case == case and t.ok and within_bound(t)]
+        if not runs:
+            continue
+        tell(f"energy balance: {case}, {len(runs)} runs")
+        cells: list[str | int | page.Cell] = [case, len(runs)]
+        for key, limit in (("energy_imbalance", CLOSES), ("dissipation_mismatch", AGREES)):
+            highest = max(runs, key=lambda t: t.summary[key])
+            value = float(highest.summary[key])
+            worst[key] = max(worst[key], value)
+            made.records.append(trial.record(highest, key, value, 0.0, "identity", 1.0))
+            knobs = ", ".join(f"{k} = {v}" for k, v in highest.knobs.items()) or "as shipped"
+            cells.append(page.Cell(f"{value:.1e}", "ok" if value <= limit else "bad", f"at {knobs}"))
+        rows.append(cells)
+    header = ["scene", "runs", "imbalance / external work (limit 1e-9)", "dissipation, two sums (limit 1e-3)"]
+    made.parts.append(page.table(header, rows))
+    fine = worst["energy_imbalance"] <= CLOSES and worst["dissipation_mismatch"] <= AGREES
+    sentence = (
+        f"Closes within {worst['energy_imbalance']:.0e} of the external work in every run; fracture and friction "
+        f"summed in two ways agree within {page.percent(worst['dissipation_mismatch'])}."
+    )
+    made.verdicts.append(page.Verdict("Energy balance", "ok" if fine else "bad", sentence))
+    beyond = [t for t in trial.DONE.values() if t.ok and not within_bound(t)]
+    caught = [t for t in beyond if t.summary["dissipation_mismatch"] > AGREES]
+    made.parts.append(
+        page.paragraph(
+            f"Besides, {len(beyond)} runs took a time step beyond the proven bound and were not stopped; in "
+            f"{len(caught)} of them the two sums part by more than {page.percent(AGREES)}, which gives the "
+            "unstable step away."
+        )
+    )
+    return made
+
+
+def within_bound(one: trial.Trial) -> bool:
+    """Whether the time step was one that the program vouches for."""
+    return float(one.summary["step_fraction"]) <= 1.0

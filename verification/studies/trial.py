@@ -1,0 +1,126 @@
+"""A trial: one scene run with some knobs set, which never raises; and the record that a report keeps of it."""
+
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import GeometryError
+from masonry import __version__, laboratory, scene
+from masonry.errors import SceneError, Stopped
+from masonry.kernels.compiler import source_hash
+
+Knobs = Mapping[str, Any]
+SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
+QUANTITIES = {"peak": "Pa", "final": "Pa", "residual": "Pa", "dissipated": "J"}
+MISMATCH, KINETIC = 0.02, 0.01
+"""Beyond these shares of the peak and of the internal energy a run is not quasi-static, and says so itself."""
+
+
+@dataclass
+class Trial:
+    """What came of a scene: status OK, STOPPED, REFUSED or NOT FINITE; the reason; summary and rows (SI) of the run.
+
+    seconds  of stepping, the least of the repeats; the compile is apart
+    """
+
+    case: str
+    knobs: dict[str, Any]
+    status: str = "OK"
+    reason: str = ""
+    summary: dict[str, Any] = field(default_factory=dict)
+    rows: dict[str, np.ndarray] = field(default_factory=dict)
+    seconds: float = math.nan
+
+    @property
+    def ok(self) -> bool:
+        return self.status == "OK"
+
+    @property
+    def quasi_static(self) -> bool:
+        """Both ends carry the same force, and hardly any energy is in motion: the run's own measures.
+
+        Each is also open to the user in summary.json.
+        """
+        return bool(
+            self.summary["reaction_mismatch_max"] < MISMATCH and self.summary["kinetic_over_internal_max"] < KINETIC
+        )
+
+    def value(self, quantity: str) -> float:
+        """Peak and final stress (Pa), or the energy dissipated by fracture and friction (J)."""
+        if quantity == "dissipated":
+            return float(sum(self.summary["energy_j"][key] for key in SPENT))
+        return float(self.summary["peak_stress_pa" if quantity == "peak" else "final_stress_pa"])
+
+
+DONE: dict[str, Trial] = {}
+"""Every trial so far: the same one asked twice runs once."""
+
+
+def run(case: str, knobs: Knobs | None = None, timed: bool = False) -> Trial:
+    """Run a packaged scene with overrides by dotted key. Timed: short runs are repeated for a steadier time."""
+    knobs = dict(knobs or {})
+    key = json.dumps([case, knobs], sort_keys=True)
+    if key not in DONE:
+        DONE[key] = trial = _once(case, knobs)
+        for _ in range(_repeats(trial.seconds) if timed and trial.ok else 0):
+            trial.seconds = min(trial.seconds, _once(case, knobs).seconds)
+    return DONE[key]
+
+
+def _repeats(seconds: float) -> int:
+    return 2 if seconds < 0.25 else 1 if seconds < 1.0 else 0
+
+
+def _once(case: str, knobs: dict[str, Any]) -> Trial:
+    trial = Trial(case, knobs)
+    try:
+        result = laboratory.run(scene.load(case, knobs))
+    except (SceneError, GeometryError) as refused:
+        trial.status, trial.reason = "REFUSED", str(refused)
+        return trial
+    except Stopped as stopped:
+        trial.status, trial.reason, result = "STOPPED", str(stopped), stopped.result
+    trial.summary, trial.rows = result.summary, result.history.rows
+    trial.seconds = float(trial.summary["seconds_run"])
+    if not (all(np.isfinite(v).all() for v in trial.rows.values()) and _finite(trial.summary)):
+        trial.status, trial.reason = "NOT FINITE", trial.reason or "the results hold NaN or infinity"
+    return trial
+
+
+def _finite(value: Any) -> bool:
+    if isinstance(value, dict):
+        return all(map(_finite, value.values()))
+    return not isinstance(value, float) or math.isfinite(value)
+
+
+def record(trial: Trial, quantity: str, value: float, reference: float, kind: str, scale: float = 0.0) -> dict:
+    """One line of records.json; the signed error is relative to `scale`, or to the reference where none is given."""
+    size = abs(scale or reference)
+    error = (value - reference) / size if size else math.nan
+    steps = trial.summary.get("steps")
+    return {
+        "case": trial.case,
+        "quantity": quantity,
+        "unit": QUANTITIES.get(quantity.split()[0], "1"),
+        "value": _or_none(value),
+        "reference": _or_none(reference),
+        "kind_of_reference": kind,
+        "error": _or_none(error),
+        "seconds": _or_none(trial.seconds),
+        "steps": steps,
+        "knobs": trial.knobs,
+        "status": trial.status,
+        "reason": trial.reason,
+        "energy_imbalance": trial.summary.get("energy_imbalance"),
+        "kinetic_over_internal": trial.summary.get("kinetic_over_internal_max"),
+        "source_hash": source_hash(),
+        "version": __version__,
+    }
+
+
+def _or_none(value: float) -> float | None:
+    return float(value) if math.isfinite(value) else None
