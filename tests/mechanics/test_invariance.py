@@ -93,17 +93,18 @@ def run(s, law, turn, dt, damping=0.0, order=None):
     order = np.arange(s.blocks.count) if order is None else order
     held = rig.everything(*(np.argsort(order)[b] for b in (0, 1)))
     top = int(np.argsort(order)[4])
-    push = Push(np.array([s.blocks.block_face_start[top]]), turn @ [3e5, 1e5, -2e5])
+    push = Push(np.array([s.blocks.block_face_start[top]]), turn @ [6e4, 3e4, -3e4])
     model = rig.make(
         *(s, law, Stepping("real", dt, damping=damping), [held], [push]),
-        gravity=turn @ np.array([40.0, 30.0, -20.0]) * 200,
+        gravity=turn @ np.array([40.0, 30.0, -20.0]) * 2,
     )
     rig.march(model, 1500)
     return model
 
 
 def step_of(s):
-    return 0.8 * rig.make(s, holds=[rig.everything(0, 1)]).bound
+    """A step (s) well within the exact limit."""
+    return 0.4 * rig.true_limit(rig.make(s, holds=[rig.everything(0, 1)]))
 
 
 @pytest.mark.parametrize("law", [rig.GLUE, SOFT], ids=["elastic", "softening"])
@@ -111,7 +112,7 @@ def step_of(s):
 @pytest.mark.parametrize("kinds", MIXTURES.values(), ids=MIXTURES)
 def test_a_turned_or_mirrored_scene_answers_turned_or_mirrored(kinds, turn, law):
     s = specimen(kinds, "wall")
-    dt = 0.5 * step_of(s)
+    dt = step_of(s)
     plain, turned = run(s, law, np.eye(3), dt), run(shapes.mapped(s, turn), law, turn, dt)
     for was, is_now in zip(rig.displacements(plain), rig.displacements(turned), strict=True):
         assert np.abs(is_now - was @ turn.T).max(initial=0.0) < 1e-9 * np.abs(was).max(initial=0.0) + 1e-300
@@ -124,7 +125,7 @@ def test_a_turned_or_mirrored_scene_answers_turned_or_mirrored(kinds, turn, law)
 @pytest.mark.parametrize("kinds", [MIXTURES["rigid"], MIXTURES["affine"]], ids=["rigid", "affine"])
 def test_contacts_found_anew_on_turned_blocks_answer_alike(kinds, law):
     s = specimen(kinds, "skewed")
-    dt = 0.5 * step_of(s)
+    dt = step_of(s)
     turned = shapes.mapped(s, TURN)
     joints = sort_by_group(turned.blocks, find_joints(turned.blocks))[2]
     anew = shapes.Setup(turned.blocks, turned.kind, joints, None)
@@ -137,7 +138,7 @@ def test_contacts_found_anew_on_turned_blocks_answer_alike(kinds, law):
 @pytest.mark.parametrize("kinds", MIXTURES.values(), ids=MIXTURES)
 def test_numbering_blocks_differently_changes_nothing(kinds, law):
     s, order = specimen(kinds, "wall"), np.array([3, 0, 4, 2, 1])
-    dt = 0.5 * step_of(s)
+    dt = step_of(s)
     other, nodes = shapes.renumbered(s, order)
     was, is_now = run(s, law, np.eye(3), dt, 0.8), run(other, law, np.eye(3), dt, 0.8, order)
     (blocks_was, nodes_was), (blocks_now, nodes_now) = rig.displacements(was), rig.displacements(is_now)
