@@ -12,7 +12,7 @@ from masonry.model import Stepping
 from tests.mechanics import rig, shapes
 
 LEAST_RATIO = {"scaled": 0.4, "real": 0.04}
-"""Slivers with real masses cost most: all turns and strains of a block share one length; usual blocks reach 0.4 to 1."""
+"""Slivers with real masses cost most: turns and strains of a block share one length. Usual blocks reach 0.4 to 1."""
 kinds = st.sampled_from(["rigid", "affine", "tets"])
 
 
