@@ -52,6 +52,9 @@ def error_against_time(
         plain_ticks(one.yaxis, " %")
         one.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         plain_ticks(one.xaxis, "")
+    low, high = axes[0, 0].get_ylim()
+    if high < 300.0 * low:
+        axes[0, 0].yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes[0, 0].set_ylabel("error against the reference [%]")
     axes[0, -1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False, fontsize=8)
     return figure

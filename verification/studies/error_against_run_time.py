@@ -103,7 +103,11 @@ def choose(case: str, records: list[dict], doubts: dict[str, float]) -> tuple[st
             if label == SHIPPED:
                 shipped_with_doubt = max(shipped_with_doubt, abs(error) + doubts[q])
     shipped = f"as shipped it takes {seconds[SHIPPED]:.2g} s and is within {page.percent(within[SHIPPED])}"
-    doubt = f" The reference is known to {page.percent(max(doubts.values()))}." if any(doubts.values()) else ""
+    doubt = (
+        f" The reference itself is known only to within {page.percent(max(doubts.values()))}."
+        if any(doubts.values())
+        else ""
+    )
     good = [label for label in within if within[label] <= TARGET]
     if not good:
         return f"{case}: load more slowly than shipped for 1 %; {shipped}.{doubt}", shipped_with_doubt
