@@ -97,13 +97,14 @@ def test_the_ledger_closes_for_every_law_and_kinematics(kinematics, law):
 
 
 @pytest.mark.parametrize("law", ["linear", "polynomial", "exponential"])
-def test_what_the_laws_book_is_what_the_contacts_take_less_what_they_store(law):
-    rows, summary = rows_of(scene_text(MIXED, law, USUAL, 0.8))
+@pytest.mark.parametrize("kinematics", [MIXED, '"rigid"'], ids=["mostly mode II and friction", "mostly mode I"])
+def test_what_the_laws_book_is_what_the_contacts_take_less_what_they_store(kinematics, law):
+    rows, summary = rows_of(scene_text(kinematics, law, USUAL, 0.8))
     booked = sum(rows[key] for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
     lost = rows["contact_work"] - rows["elastic_contacts"]
     assert booked[-1] > 0.2 * np.abs(rows["external_work"]).max(), "it is not a matter of small change"
-    assert lost[-1] == pytest.approx(booked[-1], rel=1e-3)
-    assert summary["dissipation_mismatch"] < 1e-3
+    assert lost[-1] == pytest.approx(booked[-1], rel=2e-4)
+    assert summary["dissipation_mismatch"] < 2e-4
 
 
 def test_undamped_the_two_sums_meet_as_the_step_shrinks():
