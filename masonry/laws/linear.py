@@ -26,16 +26,19 @@ def refuse(shape, interface, compressions):
     if interface.tensile_strength > 0.0 and least >= shape.G_I:
         why = "the curve would snap back below tensile strength^2 / (2 normal stiffness)"
         return "fracture_energy_mode_1", f"{least:.6g} N/m", why
+    most = None
     for compression in compressions:
         loss = interface.cohesion - interface.residual_cohesion
         loss += compression * (interface.tan_friction - interface.tan_residual_friction)
         least = loss**2 / (2.0 * interface.shear_stiffness)
         given = mode_2_energy(shape.G_II, shape.G_II_slope, compression)
         if loss > 0.0 and given <= least:
-            why = "the curve would snap back below (peak - residual shear strength)^2 / (2 shear stiffness)"
-            least -= given - shape.G_II
-            return "fracture_energy_mode_2", f"{least:.6g} N/m", f"{why}, at a compression of {compression:g} Pa"
-    return None
+            wanted = least - (given - shape.G_II), compression
+            most = wanted if most is None else max(most, wanted)
+    if most is None:
+        return None
+    why = "the curve would snap back below (peak - residual shear strength)^2 / (2 shear stiffness)"
+    return "fracture_energy_mode_2", f"{most[0]:.6g} N/m", f"{why}, at a compression of {most[1]:g} Pa"
 
 
 def tension_intact(shape, interface, opening):
@@ -55,9 +58,13 @@ def tension_area(shape, interface, opening, intact):
 
 
 def shear_intact(shape, interface, slip, peak, residual, compression):
-    """Eq. (13): straight from peak at us0 to residual at ul = 2 G_II/(peak - residual) + residual/ks."""
-    G_II = mode_2_energy(shape.G_II, shape.G_II_slope, compression)
-    width = 2.0 * G_II / (peak - residual) - (peak - residual) / interface.shear_stiffness
+    """Eq. (13): straight from peak at us0 to residual at ul = 2 G_II/(peak - residual) + residual/ks.
+
+    Over the plastic slip, which has no elastic part, the same triangle ends at 2 G_II/(peak - residual).
+    """
+    width = 2.0 * mode_2_energy(shape.G_II, shape.G_II_slope, compression) / (peak - residual)
+    if interface.plastic_softening is None:
+        width -= (peak - residual) / interface.shear_stiffness
     if width <= slip:
         return 0.0
     return 1.0 - slip / width

@@ -17,9 +17,8 @@ def quiet(shape, interface, memory, opening, tau_squared):
     """(sigma, whether the elastic answer stands): the contact neither opens further, nor tears, nor slips."""
     e = opening - lift(memory.uplift)
     sigma = normal_stress(interface, memory, e)
-    peak, residual = coulomb(interface, memory, e, sigma)
-    strength = residual + memory.intact_s * shared(interface.combined, memory.intact_n) * (peak - residual)
-    within = tau_squared <= strength * strength and sigma <= tensile_limit(interface, memory)
+    most = strength(interface, memory, e, sigma)
+    within = tau_squared <= most * most and sigma <= tensile_limit(interface, memory)
     return sigma, within and e <= memory.opening_max
 
 
@@ -38,16 +37,17 @@ def evolve(shape, interface, memory, opening, total, tau):
     if beyond > 0.0 and peak > residual:
         whole = min(whole, shear_intact(shape, interface, beyond, peak, residual, max(-sigma, 0.0)))
         mode_1 += 0.5 * secant_energy(interface, torn, e) * (torn.intact_s - whole)
-    yielded = residual + whole * cohesive
-    before = memory.intact_s * shared(interface.combined, memory.intact_n)
-    started = min(tau, residual + before * (peak - residual))
+    started = min(tau, strength(interface, memory, e, sigma))
+    rise = dilation(interface.tan_dilation, interface, torn, e, tau - residual - whole * cohesive, whole)
+    peak, last = cone_after(interface.tan_dilation, interface, torn, e - rise, peak, residual)
+    yielded = last + whole * shared(interface.combined, torn.intact_n) * (peak - last)
     slipped = (tau - yielded) / interface.shear_stiffness
-    rise = dilation(interface.tan_dilation, interface.dilation_cutoff, torn, e, slipped)
     slid = Memory(torn.opening_max, torn.intact_n, whole, grown(torn.uplift, rise), torn.gap, grown(torn.run, slipped))
     lifted = normal_stress(interface, slid, e - rise)
-    mode_2 = slipped * (0.5 * (started + yielded) - residual)
-    friction = slipped * residual + 0.5 * (sigma + lifted) * rise
-    return Answer(lifted, yielded / tau, slid, mode_1, mode_2, friction)
+    parted, energy = stay_open(slid.gap, interface, slid, e - rise, slid.opening_max, slid.intact_n, lifted)
+    mode_2 = slipped * 0.5 * (started - residual + yielded - last)
+    friction = slipped * 0.5 * (residual + last) + 0.5 * (normal_stress(interface, slid, e) + lifted) * rise
+    return Answer(normal_stress(interface, parted, e - rise), yielded / tau, parted, mode_1 + energy, mode_2, friction)
 
 
 def stored(shape, interface, memory, opening, tau_squared):
@@ -61,13 +61,14 @@ def stored(shape, interface, memory, opening, tau_squared):
 @register_jitable
 def tear(shape, interface, memory, e):
     """The history after an opening e, and the energy of mode I (J/m2) that it cost."""
+    held = shared(interface.combined, memory.intact_s) * memory.intact_n * interface.tensile_strength
     if e <= memory.opening_max:
-        return stay_open(memory.gap, interface, memory, e, memory.opening_max, memory.intact_n)
+        return stay_open(memory.gap, interface, memory, e, memory.opening_max, memory.intact_n, held)
     fT = interface.tensile_strength
     left = 0.0
     if fT > 0.0:
         left = min(memory.intact_n, tension_intact(shape, interface, e))
-    torn, energy = stay_open(memory.gap, interface, memory, e, e, left)
+    torn, energy = stay_open(memory.gap, interface, memory, e, e, left, held)
     if fT > 0.0:
         energy += envelope_energy(memory.gap, shape, interface, memory, e, left)
     return torn, energy
@@ -85,18 +86,20 @@ def envelope_energy(gap, shape, interface, memory, e, left):
 
 
 @register_jitable
-def stay_open(gap, interface, memory, e, widest, left):
-    """Elastic unloading: what exceeds the strength becomes opening that stays; with its energy (J/m2)."""
+def stay_open(gap, interface, memory, e, widest, left, held):
+    """Elastic unloading: what exceeds the strength becomes opening that stays; with its energy (J/m2).
+
+    held  Pa, the most that the contact bore before, so that an elastic rise up to there costs nothing
+    """
     if gap is None:
         return Memory(widest, left, memory.intact_s, memory.uplift, memory.gap, memory.run), 0.0
     kn = interface.normal_stiffness
     sigma = kn * (e - gap)
     limit = shared(interface.combined, memory.intact_s) * left * interface.tensile_strength
-    before = shared(interface.combined, memory.intact_s) * memory.intact_n * interface.tensile_strength
     if sigma <= limit:
         return Memory(widest, left, memory.intact_s, memory.uplift, gap, memory.run), 0.0
     parted = (sigma - limit) / kn
-    energy = 0.5 * (min(sigma, before) + limit) * parted
+    energy = 0.5 * (min(sigma, held) + limit) * parted
     return Memory(widest, left, memory.intact_s, memory.uplift, gap + parted, memory.run), energy
 
 
@@ -146,6 +149,13 @@ def coulomb(interface, memory, e, sigma):
 
 
 @register_jitable
+def strength(interface, memory, e, sigma):
+    """Shear strength (Pa) that this history leaves at the present stress."""
+    peak, residual = coulomb(interface, memory, e, sigma)
+    return residual + memory.intact_s * shared(interface.combined, memory.intact_n) * (peak - residual)
+
+
+@register_jitable
 def shared(combined, intact):
     """The other mode's intact share where tension and cohesion are lost together, D = dt + ds - dt ds; else 1."""
     if combined is None:
@@ -178,10 +188,25 @@ def on_secant(gap, energy):
 
 
 @register_jitable
-def dilation(tan_dilation, cutoff, memory, e, slipped):
-    """Rise (m) by eqs (9) and (10) up to the cut-off; torn faces that stand open do not dilate."""
+def dilation(tan_dilation, interface, memory, e, excess, whole):
+    """Rise (m) by eqs (9) and (10) up to the cut-off; torn faces that stand open do not dilate.
+
+    The elastic shear stress exceeds the cone by `excess` (Pa), and the rise itself lifts the cone: both return at once.
+    """
     if tan_dilation is None:
         return 0.0
-    if memory.run >= cutoff or (e > 0.0 and memory.intact_n < 1.0):
+    room = interface.dilation_cutoff - memory.run
+    if room <= 0.0 or (e > 0.0 and memory.intact_n < 1.0):
         return 0.0
-    return tan_dilation * min(slipped, cutoff - memory.run)
+    tan_res = interface.tan_residual_friction
+    slope = tan_res + whole * shared(interface.combined, memory.intact_n) * (interface.tan_friction - tan_res)
+    slipped = excess / (interface.shear_stiffness + slope * interface.normal_stiffness * tan_dilation)
+    return tan_dilation * min(slipped, room)
+
+
+@register_jitable
+def cone_after(tan_dilation, interface, memory, e, peak, residual):
+    """Peak and residual shear strength (Pa) once dilation has pressed the faces; unchanged without it."""
+    if tan_dilation is None:
+        return peak, residual
+    return coulomb(interface, memory, e, normal_stress(interface, memory, e))

@@ -1,0 +1,117 @@
+"""Tension and shear together: what yields first, and what the loss of one does to the other."""
+
+import numpy as np
+import pytest
+
+from tests.laws.driver import along, law, walk
+from verification.closed_forms import LAWS, Joint, shear, tension
+
+UM = 1e-6
+KN, KS = 150e9, 70e9
+JOINT = Joint()
+
+
+@pytest.mark.parametrize("degrees", [0, 15, 30, 45, 60, 75, 90])
+@pytest.mark.parametrize("name", LAWS)
+def test_a_proportional_path_is_elastic_up_to_the_cutoff_or_the_cone_whichever_is_first(name, degrees):
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    cutoff = JOINT.fT / (KN * s) if s > 0 else np.inf
+    cone = JOINT.c0 / (KS * c + KN * s * JOINT.tan0)
+    limit, most = min(cutoff, cone), 0.005 * UM
+    found = walk(law(name), along([(0, 0, 0), (c * 20 * UM, 0, s * 20 * UM)], most))
+    far = np.linalg.norm(found.path, axis=1)
+    elastic = far < limit * (1 - 1e-12)
+    np.testing.assert_allclose(found.sigma[elastic], KN * found.path[elastic, 2], rtol=1e-13, atol=1e-9)
+    np.testing.assert_allclose(found.tau[elastic], KS * found.path[elastic, 0], rtol=1e-13, atol=1e-9)
+    assert not found.dissipated[elastic].any()
+    yielded = (found.dissipated > 0) | (found.intact_n < 1) | (found.slip[:, 0] != 0)
+    assert far[np.argmax(yielded)] == pytest.approx(limit, abs=1.01 * most)
+
+
+@pytest.mark.parametrize("coupling", ["combined", "independent"])
+@pytest.mark.parametrize("degrees", [15, 30, 45, 60, 75])
+@pytest.mark.parametrize("name", LAWS)
+def test_a_proportional_path_never_leaves_the_strength_that_damage_has_left(name, degrees, coupling):
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    found = walk(law(name, coupling=coupling), along([(0, 0, 0), (c * 60 * UM, 0, s * 60 * UM)], 0.05 * UM))
+    left_n, left_s = (found.intact_n, found.intact_s)
+    both = left_n * left_s
+    tensile = both if coupling == "combined" else left_n
+    cohesive = both if coupling == "combined" else left_s
+    peak = np.maximum(JOINT.c0 - found.sigma * JOINT.tan0, 0.0)
+    assert np.all(found.sigma <= tensile * JOINT.fT * (1 + 1e-12))
+    assert np.all(found.tau <= cohesive * peak * (1 + 1e-12) + 1e-9)
+    assert np.all(np.diff(found.dissipated) >= 0.0)
+
+
+def torn_then_sheared(name, coupling):
+    corners = [(0, 0, 0), (0, 0, 8 * UM), (0, 0, -2 * UM), (0.3e-3, 0, -2 * UM)]
+    found = walk(law(name, coupling=coupling), along(corners, 0.05 * UM))
+    return found, found.path[:, 0] > 0
+
+
+def test_combined_loss_in_tension_lowers_the_cohesion_by_the_same_share():
+    for name in LAWS:
+        found, sliding = torn_then_sheared(name, "combined")
+        kept = float(tension(name, JOINT, 8 * UM)) / JOINT.fT
+        assert found.intact_n[-1] == pytest.approx(kept, rel=1e-12)
+        slip, residual, peak = found.path[sliding, 0], float(JOINT.residual(0.3e6)), float(JOINT.peak(0.3e6))
+        envelope = np.where(slip > peak / KS, shear(name, JOINT, slip, 0.3e6), peak)
+        wanted = np.minimum(KS * slip, residual + kept * (envelope - residual))
+        np.testing.assert_allclose(found.tau[sliding], wanted, rtol=1e-11)
+
+
+def test_independent_loss_in_tension_leaves_the_shear_envelope_alone():
+    for name in LAWS:
+        found, sliding = torn_then_sheared(name, "independent")
+        wanted = shear(name, JOINT, found.path[sliding, 0], 0.3e6)
+        np.testing.assert_allclose(found.tau[sliding], wanted, rtol=1e-11)
+
+
+def sheared_then_torn(name, coupling, unloading):
+    """Slid under compression, let go of its shear stress, and pulled open."""
+    slid = 60 * UM
+    rest = slid - float(shear(name, JOINT, slid, 0.3e6)) / KS
+    corners = [(0, 0, -2 * UM), (slid, 0, -2 * UM), (rest, 0, -2 * UM), (rest, 0, 0), (rest, 0, 30 * UM)]
+    found = walk(law(name, coupling=coupling, unloading=unloading), along(corners, 0.02 * UM))
+    residual = float(JOINT.residual(0.3e6))
+    kept = (float(shear(name, JOINT, slid, 0.3e6)) - residual) / (float(JOINT.peak(0.3e6)) - residual)
+    opening = np.flatnonzero(found.path[:, 2] > 0)
+    assert np.max(found.tau[opening]) < 1.0
+    return found, opening, kept
+
+
+@pytest.mark.parametrize("unloading", ["secant", "elastic"])
+def test_combined_loss_in_shear_lowers_the_tensile_envelope_by_the_same_share(unloading):
+    for name in LAWS:
+        found, opening, kept = sheared_then_torn(name, "combined", unloading)
+        z = found.path[opening, 2]
+        wanted = kept * tension(name, JOINT, z)
+        if unloading == "elastic":
+            wanted = np.where(z <= JOINT.opening_at_peak, np.minimum(KN * z, kept * JOINT.fT), wanted)
+        np.testing.assert_allclose(found.sigma[opening], wanted, rtol=1e-10, atol=1e-10 * JOINT.fT)
+
+
+@pytest.mark.parametrize("unloading", ["secant", "elastic"])
+def test_independent_loss_in_shear_leaves_the_tensile_envelope_alone(unloading):
+    for name in LAWS:
+        found, opening, _ = sheared_then_torn(name, "independent", unloading)
+        np.testing.assert_allclose(
+            found.sigma[opening], tension(name, JOINT, found.path[opening, 2]), rtol=1e-10, atol=1e-6
+        )
+
+
+def test_combined_damage_is_dt_plus_ds_less_their_product():
+    for name in LAWS[1:]:
+        found, opening, kept = sheared_then_torn(name, "combined", "secant")
+        dt, ds = 1 - float(tension(name, JOINT, 30 * UM)) / JOINT.fT, 1 - kept
+        assert found.sigma[opening[-1]] == pytest.approx((1 - (dt + ds - dt * ds)) * JOINT.fT, rel=1e-9, abs=1e-6)
+
+
+def test_where_the_cone_ends_before_the_cutoff_the_shear_strength_is_zero_and_not_negative():
+    """c/tan(phi) < fT: beyond the apex of the cone a contact still pulls, but holds no shear."""
+    for name in LAWS:
+        found = walk(law(name, cohesion=0.3e6), along([(0, 0, 0), (0, 0, 3 * UM), (10 * UM, 0, 3 * UM)], 0.1 * UM))
+        assert found.sigma[-1] == pytest.approx(3 * UM * KN, rel=1e-12) or found.sigma[-1] <= JOINT.fT
+        assert found.tau[-1] == 0.0
+        assert np.isfinite(found.stress).all()

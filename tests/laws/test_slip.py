@@ -1,0 +1,175 @@
+"""Slip that turns back, turns round, and slides under a changing compression."""
+
+import numpy as np
+import pytest
+
+from tests.laws.driver import along, law, walk
+from verification.closed_forms import LAWS, Joint, dissipated_in_shear, shear
+
+UM = 1e-6
+PERFECT = {"residual_cohesion": 0.87e6, "tan_residual_friction": 1.01}
+
+
+def at(compression, *corners, most=0.1 * UM):
+    """Path through the corners (slip x, slip y) in m under constant compression."""
+    return along([(x, y, -compression / 150e9) for x, y in ((0.0, 0.0), *corners)], most)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_reversed_slip_returns_along_ks_and_slides_at_the_strength_left(name):
+    found = walk(law(name), at(0.5e6, (80 * UM, 0), (-120 * UM, 0)))
+    x, joint = found.path[:, 0], Joint()
+    turn = int(np.argmax(x >= 80 * UM - 1e-15))
+    top = float(shear(name, joint, 80 * UM, 0.5e6))
+    back = np.maximum(top - joint.ks * (80 * UM - x[turn:]), -top)
+    wanted = np.where(x[turn:] >= -80 * UM, back, -shear(name, joint, -x[turn:], 0.5e6))
+    np.testing.assert_allclose(found.stress[turn:, 0], wanted, rtol=0, atol=1e-10 * top)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_the_energy_of_a_slip_cycle_is_the_area_of_its_loop(name):
+    joint, top = Joint(), float(shear(name, Joint(), 80 * UM, 0.5e6))
+    us0 = float(joint.peak(0.5e6)) / joint.ks
+    found = walk(law(name), at(0.5e6, (us0, 0), (80 * UM, 0), (-80 * UM, 0)))
+    slid_back = 160 * UM - 2 * top / joint.ks
+    wanted = float(dissipated_in_shear(name, joint, 80 * UM, 0.5e6)) + top * slid_back
+    assert found.dissipated[-1] == pytest.approx(wanted, rel=1e-3 if name == "brittle" else 1e-5)
+
+
+@pytest.mark.parametrize("variable", ["displacement", "plastic"])
+@pytest.mark.parametrize("name", LAWS)
+def test_slip_that_turns_by_90_degrees_stays_on_the_cone_and_parallel_to_its_stress(name, variable):
+    found = walk(law(name, softening_variable=variable), at(0.5e6, (60 * UM, 0), (60 * UM, 150 * UM)))
+    slipped, stress = np.diff(found.slip[:, :2], axis=0), found.stress[1:, :2]
+    moving = np.hypot(*slipped.T) > 1e-13
+    assert moving.sum() > 1000
+    cross = slipped[:, 0] * stress[:, 1] - slipped[:, 1] * stress[:, 0]
+    size = np.hypot(*slipped.T) * np.hypot(*stress.T)
+    assert np.max(np.abs(cross[moving]) / size[moving]) < 1e-8
+    assert np.all(np.sum(slipped * stress, axis=1) >= 0.0)
+    joint = Joint()
+    strength = joint.residual(0.5e6) + found.intact_s[1:] * (joint.peak(0.5e6) - joint.residual(0.5e6))
+    np.testing.assert_allclose(found.tau[1:][moving], strength[moving], rtol=1e-12)
+    assert found.stress[-1, 1] > 0.99 * found.tau[-1]
+
+
+def test_the_stress_turns_after_the_slip_as_perfect_plasticity_has_it():
+    """t = T (cos a, sin a): a' = ks cos(a)/T along y, so a = 2 atan(tanh(ks y/(2 T)))."""
+    strength = 0.87e6 + 1.01 * 0.5e6
+    errors = []
+    for most in (0.2 * UM, 0.1 * UM, 0.05 * UM):
+        found = walk(law("linear", **PERFECT), at(0.5e6, (60 * UM, 0), (60 * UM, 100 * UM), most=most))
+        y = found.path[:, 1]
+        angle = 2 * np.arctan(np.tanh(70e9 * y / (2 * strength)))
+        turning = y > 0
+        assert found.tau[turning] == pytest.approx(strength, rel=1e-12)
+        found_angle = np.arctan2(found.stress[turning, 1], found.stress[turning, 0])
+        errors.append(np.max(np.abs(found_angle - angle[turning])))
+    assert errors[2] < 2e-3
+    assert errors[1] / errors[2] == pytest.approx(2.0, rel=0.1)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_perfect_slip_follows_the_cone_while_the_compression_changes(name):
+    corners = [(0, 0, -1 * UM), (40 * UM, 0, -1 * UM), (90 * UM, 0, -9 * UM), (200 * UM, 0, -0.5 * UM)]
+    found = walk(law(name, **PERFECT), along(corners, 0.1 * UM))
+    sliding = found.path[:, 0] > 40 * UM
+    wanted = 0.87e6 - found.sigma * 1.01
+    np.testing.assert_allclose(found.tau[sliding], wanted[sliding], rtol=1e-12)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_falling_compression_alone_lets_the_shear_stress_slide_down_the_cone(name):
+    corners = [(0, 0, -6 * UM), (20 * UM, 0, -6 * UM), (20 * UM, 0, -0.5 * UM), (20 * UM, 0, -6 * UM)]
+    found = walk(law(name, **PERFECT), along(corners, 0.05 * UM))
+    assert np.all(found.tau <= (0.87e6 - found.sigma * 1.01) * (1 + 1e-12))
+    lowest = 0.87e6 + 0.5 * UM * 150e9 * 1.01
+    assert found.tau[-1] == pytest.approx(lowest, rel=1e-12)
+
+
+def test_softening_under_a_changing_compression_is_never_taken_back():
+    joint = Joint(G_II_slope=0.0)
+    corners = [(0, 0, -1 * UM), (60 * UM, 0, -1 * UM), (140 * UM, 0, -9 * UM), (300 * UM, 0, -0.5 * UM)]
+    found = walk(law("exponential", fracture_energy_mode_2_slope=None), along(corners, 0.1 * UM))
+    peak, residual = joint.peak(-found.sigma), joint.residual(-found.sigma)
+    past = found.path[:, 0] - peak / joint.ks
+    left = np.minimum.accumulate(np.where(past > 0, np.exp(-joint.c0 / joint.G_II * past), 1.0))
+    sliding = found.path[:, 0] > 20 * UM
+    np.testing.assert_allclose(found.tau[sliding], (residual + left * (peak - residual))[sliding], rtol=1e-11)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_without_confinement_and_without_cohesion_nothing_holds_a_slip(name):
+    found = walk(law(name, cohesion=0.0), at(0.0, (50 * UM, 0)))
+    assert not found.tau.any()
+    assert not found.dissipated.any()
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_joint_without_cohesion_is_held_by_friction_alone(name):
+    """eq. (17) with c0 = 0 has nothing to soften with: its friction angle stays."""
+    found = walk(law(name, cohesion=0.0), at(0.5e6, (0.6e-3, 0)))
+    wanted = shear(name, Joint(c0=0.0), found.path[:, 0], 0.5e6)
+    np.testing.assert_allclose(found.tau, wanted, rtol=0, atol=1e-12 * wanted.max())
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_cohesion_that_is_all_residual_softens_in_friction_only(name):
+    found = walk(law(name, residual_cohesion=0.87e6), at(0.5e6, (0.6e-3, 0)))
+    wanted = shear(name, Joint(c_res=0.87e6), found.path[:, 0], 0.5e6)
+    np.testing.assert_allclose(found.tau, wanted, rtol=0, atol=1e-12 * wanted.max())
+    assert found.tau[-1] >= 0.87e6 + 0.5e6 * 0.73
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_joint_without_tensile_strength_shears_like_any_other(name):
+    found = walk(law(name, tensile_strength=0.0), at(0.5e6, (0.6e-3, 0)))
+    wanted = shear(name, Joint(), found.path[:, 0], 0.5e6)
+    np.testing.assert_allclose(found.tau, wanted, rtol=0, atol=1e-12 * wanted.max())
+
+
+@pytest.mark.parametrize("compression", [0.0, 0.5e6])
+def test_softening_by_plastic_slip_follows_the_same_law_of_the_plastic_slip(compression):
+    """tau = t_res + left(p) drop, us = p + tau/ks: one step behind, so an error that halves with the step."""
+    joint = Joint()
+    peak, residual, G_II = (float(f(compression)) for f in (joint.peak, joint.residual, joint.mode_2_energy))
+    curves = {
+        "linear": lambda p: np.maximum(0.0, 1 - p * (peak - residual) / (2 * G_II)),
+        "polynomial": lambda p: (1 + p * peak / (2 * G_II)) ** -joint.beta,
+        "exponential": lambda p: np.exp(-joint.c0 / G_II * p),
+    }
+    for name, left in curves.items():
+        errors = []
+        for most in (0.2 * UM, 0.1 * UM):
+            found = walk(law(name, softening_variable="plastic"), at(compression, (0.4e-3, 0), most=most))
+            plastic = found.slip[:, 0]
+            wanted = residual + left(plastic) * (peak - residual)
+            sliding = plastic > 0
+            errors.append(np.max(np.abs(found.tau - wanted)[sliding]) / peak)
+            assert np.all(np.diff(found.intact_s) <= 0.0)
+            assert np.all(np.diff(found.tau[sliding]) <= 1e-9 * peak)
+        assert errors[1] < 3e-3
+        assert errors[1] < 0.6 * errors[0]
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_the_energy_of_softening_by_plastic_slip_is_the_area_over_the_plastic_slip(name):
+    """The curve over plastic slip has the area of the law; friction is t_res on all of it.
+
+    G_II of the linear law is the whole triangle (physics: the elastic part included), whatever the variable; a brittle
+    contact lets go of what its spring held above t_res.
+    """
+    joint, compression = Joint(beta=4.0), 0.5e6
+    found = walk(
+        law(name, softening_variable="plastic", exponent_shear=4.0), at(compression, (4e-3, 0), most=0.05 * UM)
+    )
+    peak, residual, G_II = (float(f(compression)) for f in (joint.peak, joint.residual, joint.mode_2_energy))
+    drop = peak - residual
+    area = {
+        "brittle": 0.5 * drop**2 / joint.ks,
+        "linear": G_II,
+        "polynomial": 2 * G_II * drop / peak / 3.0 * (1 - (1 + found.slip[-1, 0] * peak / 2 / G_II) ** -3.0),
+        "exponential": G_II * drop / joint.c0,
+    }[name]
+    assert found.spent[-1, 1] == pytest.approx(area, rel=1e-3, abs=2 * drop * 0.05 * UM if name == "brittle" else 0.0)
+    assert found.spent[-1, 2] == pytest.approx(residual * found.slip[-1, 0], rel=1e-9)
