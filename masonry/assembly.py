@@ -12,9 +12,10 @@ from geometry.couplet import couplet
 from geometry.wallette import wallette
 from masonry import loads, model
 from masonry.bodies import Material, lay_out
-from masonry.conditions import conditions_of, require_held
+from masonry.conditions import conditions_of
 from masonry.contact_groups import contact_group_name
 from masonry.errors import SceneError, nearest
+from masonry.held import require_held
 from masonry.laws import build as law_build
 from masonry.scene import Scene
 from masonry.timeloop import Recording
@@ -57,7 +58,7 @@ def assemble(scene: Scene) -> Assembly:
     }
     layout = lay_out(blocks, kinds, mesh)
     conditions = conditions_of(scene, specimen, layout, joints, materials)
-    require_held(specimen, joints, layout, conditions)
+    require_held(specimen, joints, layout, conditions, loaded=bool(scene.traction) or scene.gravity is not None)
     compressions = sorted({0.0, scene.confinement or 0.0})
     laws = {name: law_build.build(name, _properties(scene.contact[name]), compressions) for name in names}
     s = scene.solver

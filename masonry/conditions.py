@@ -3,7 +3,6 @@
 import numpy as np
 
 from geometry import boundary
-from geometry import joints as joint_search
 from geometry.blocks import GeometryError, Joints, Specimen
 from masonry import loads
 from masonry.bodies import KINDS, Layout, Material
@@ -67,24 +66,3 @@ def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[n
         return chosen, boundary.outer_faces(specimen.blocks, joints, chosen, face)
     except GeometryError as error:
         raise SceneError(f"{where} = '{word}': {error}") from None
-
-
-def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:
-    """Every connected part of the specimen must be held somewhere, or it would drift."""
-    part = joint_search.connected(specimen.blocks, joints)
-    held = np.zeros(specimen.blocks.count, dtype=bool)
-    for kind in ("rigid", "affine"):
-        held[layout.members[kind]] = conditions.prescribed[kind].any(axis=1)
-    if layout.mesh is not None:
-        node_held: np.ndarray = np.any(conditions.prescribed["tets"], axis=1, keepdims=True)
-        for b in layout.members["tets"]:
-            held[b] = node_held[layout.mesh.node_start[b] : layout.mesh.node_start[b + 1]].any()
-    loose = np.setdiff1d(part, part[held])
-    if len(loose):
-        block = int(np.flatnonzero(part == loose[0])[0])
-        where = ", ".join(f"{x:.4g}" for x in layout.centroid[block])
-        raise SceneError(
-            f"block {block} (group '{specimen.blocks.groups[specimen.blocks.group[block]]}', unit "
-            f"{specimen.blocks.unit[block]}) at ({where}) m and what it touches are held by nothing; "
-            "add a [[support]], or close the gap to its neighbours"
-        )

@@ -123,7 +123,7 @@ def _side(layout: Layout, joints: Joints, which: str) -> stiffness.Side:
     row = np.where(kind == KINDS.index("tets"), node, layout.local[block])
     axes = layout.axes[block]
     arm = np.einsum("cji,cj->ci", axes, joints.point - layout.centroid[block])
-    return stiffness.Side(kind, row, arm, axes, np.ones(len(block)))
+    return stiffness.Side(kind, row, arm, axes, np.ones((len(block), 3)))
 
 
 def _with_length(side: stiffness.Side, length: np.ndarray) -> stiffness.Side:

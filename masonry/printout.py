@@ -7,8 +7,9 @@ from typing import Any
 from masonry.progress import duration
 
 WIDTH = 110
-MISMATCH, KINETIC, IMBALANCE = 0.02, 0.05, 1e-9
-"""Limits for a result to be trusted as quasi-static: reaction mismatch, kinetic over internal energy, imbalance."""
+MISMATCH, KINETIC, IMBALANCE, DISSIPATION = 0.02, 0.05, 1e-9, 0.01
+"""Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, and the difference
+between the energy that the laws booked and the work that the contacts took up."""
 
 
 def check_text(report: dict[str, Any]) -> str:
@@ -65,6 +66,9 @@ def trust(summary: dict[str, Any]) -> str:
         doubts.append("the energy balance is not known")
     elif abs(imbalance) > IMBALANCE:
         doubts.append(f"the energy balance is open by {abs(imbalance):.2g} (should be under {IMBALANCE:g})")
+    mismatch = summary.get("dissipation_mismatch") or 0.0
+    if mismatch > DISSIPATION:
+        doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
     slow = (
         ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),
         ("kinetic_over_internal_max", KINETIC, "kinetic energy reaches {:.2g} of the internal"),

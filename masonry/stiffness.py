@@ -2,7 +2,7 @@
 
 For a diagonal mass matrix w_max^2 <= max_i sum_j |K_ij| / m_i, so dt <= 2/w_max holds at dt = 2 min sqrt(m_i/S_i).
 Local damping lowers the limit: a freedom answers with up to (1 + xi) F, so dt is divided by sqrt(1 + xi).
-Turns and strains are scaled by a length of their block, so that the sums add like to like.
+Turns and strains are scaled by a length along their axis, so that the sums add like to like.
 """
 
 from dataclasses import dataclass
@@ -27,26 +27,32 @@ class Side:
     length: np.ndarray
 
     def columns(self, kind: int, which: np.ndarray) -> np.ndarray:
-        """(c, 3, n) displacement of the point for a unit of each freedom, turns and strains divided by the length."""
+        """(c, 3, n) displacement of the point for a unit of each freedom, turns and strains divided by their length."""
         identity = np.broadcast_to(np.eye(3), (len(which), 3, 3))
         if KINDS[kind] == "tets":
             return identity
-        arm = self.arm[which] / self.length[which, None]
         if KINDS[kind] == "affine":
+            arm = self.arm[which] / self.length[which]
             strain = np.einsum("im,ck->cimk", np.eye(3), arm).reshape(len(which), 3, 9)
             return np.concatenate([identity, strain], axis=2)
         axes = self.axes[which]
-        turned = np.einsum("cij,cj->ci", axes, arm)
+        turned = np.einsum("cij,cj->ci", axes, self.arm[which])
         turn = np.cross(axes.transpose(0, 2, 1), turned[:, None, :]).transpose(0, 2, 1)
+        turn = turn / across(self.length[which])[:, None]
         return np.concatenate([identity, turn], axis=2)
 
 
 def lengths(layout: Layout, block: np.ndarray, arm: np.ndarray) -> np.ndarray:
-    """(B,) m: root mean square of the arms of a block's contact points, or its size where it has none."""
-    count = np.bincount(block, minlength=len(layout.kind))
-    square = np.bincount(block, np.einsum("ci,ci->c", arm, arm), minlength=len(layout.kind))
-    mean = np.sqrt(square / np.maximum(count, 1))
-    return np.where(mean > 0, mean, np.cbrt(layout.volume))
+    """(B, 3) m along each axis of a block: the larger of its radius of gyration and the rms arm of its contacts."""
+    count = np.bincount(block, minlength=len(layout.kind))[:, None]
+    square = np.column_stack([np.bincount(block, arm[:, k] ** 2, minlength=len(layout.kind)) for k in range(3)])
+    return np.sqrt(np.maximum(square / np.maximum(count, 1), layout.moment / layout.volume[:, None]))
+
+
+def across(length: np.ndarray) -> np.ndarray:
+    """(n, 3) m: for each axis, the radius of gyration about it, from those along the two others."""
+    square = length**2
+    return np.sqrt(square.sum(axis=1, keepdims=True) - square)
 
 
 def contact_row_sums(
@@ -82,8 +88,9 @@ def affine_row_sums(sums: np.ndarray, layout: Layout, lame: np.ndarray, length: 
     bulk = np.einsum("cij,ckl->cijkl", axes, axes)
     shear = np.einsum("ik,jl->ijkl", d, d)[None] + np.einsum("cil,ckj->cijkl", axes, axes)
     stiffness = lame[:, 0, None, None, None, None] * bulk + lame[:, 1, None, None, None, None] * shear
-    rows = np.abs(stiffness).sum(axis=(3, 4)).reshape(len(which), 9)
-    sums[:, 3:] += rows * (layout.volume[which] / length[which] ** 2)[:, None]
+    own = length[which]
+    rows = (np.abs(stiffness) / own[:, None, None, None, :]).sum(axis=(3, 4)) / own[:, None, :]
+    sums[:, 3:] += rows.reshape(len(which), 9) * layout.volume[which][:, None]
 
 
 def tet_row_sums(sums: np.ndarray, layout: Layout, lame_of_block: np.ndarray) -> None:
@@ -110,7 +117,8 @@ def unscale(sums: dict[str, np.ndarray], layout: Layout, length: np.ndarray) -> 
         rows = sums[kind]
         if len(rows):
             np.maximum(rows, SOFTEST * rows.max(axis=1, keepdims=True), out=rows)
-            rows[:, 3:] *= length[layout.members[kind], None] ** 2
+            own = length[layout.members[kind]]
+            rows[:, 3:] *= across(own) ** 2 if kind == "rigid" else np.tile(own, 3) ** 2
     if len(sums["tets"]):
         np.maximum(sums["tets"], SOFTEST * sums["tets"].max(), out=sums["tets"])
 

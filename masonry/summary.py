@@ -23,8 +23,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     peak = outcome.peak_force / assembly.specimen.section
     mismatch = np.abs(rows["stress"] - rows["support_stress"])[after]
     internal = rows["elastic_blocks"] + rows["contact_work"]
-    ratio = rows["kinetic"][after] / np.maximum(internal[after], 1e-300)
-    work = np.abs(rows["external_work"]).max()
+    work = float(np.abs(rows["external_work"]).max())
+    ratio = rows["kinetic"][after] / np.maximum(internal[after], max(1e-6 * work, 1e-300))
     spent = sum(float(rows[key][-1]) for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
     booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
     laws = {name: scene.contact[name].law for name in model.group_names}

@@ -149,6 +149,7 @@ class _Loop:
             for freedoms in (model.drives, model.supports)
         )
         terms = energy.ledger(model, view, before)
+        self.watch.check_energies(step, terms)
         place = abs(float(self.path[step]))
         self.rows.append([step, step * model.dt, place, stress, -support, *(terms[k] for k in list(UNITS)[5:])])
         self.outcome.rotation_max = self.watch.rotation

@@ -13,6 +13,12 @@ LEAP = 1e-2
 """A freedom that moves by more than this share of the smallest block in one step is not a motion but an instability."""
 
 
+RINGING = 100.0
+"""Kinetic energy above this multiple of the external work is an instability: a stable step at 0.99 keeps below 50."""
+TORN_LEDGER = 0.2
+"""Share of the external work by which the two sums of the dissipation may differ before a run is stopped."""
+
+
 class Watch:
     """Stops a run whose numbers can no longer be trusted, and names the block to blame."""
 
@@ -20,21 +26,40 @@ class Watch:
         self.model = model
         self.rotation_limit = rotation_limit
         self.rotation = 0.0
+        self.work = 0.0
         self.size = float(np.cbrt(model.layout.volume.min()))
         self.affine = model.layout.members["affine"]
         self.tet_turn = np.zeros((len(model.layout.members["tets"]), 3))
 
     def check(self, step: int) -> None:
         """Raise Stopped if a velocity is not finite or leaps, or if a block has turned beyond the limit."""
+        speed, kind, row, i = self._fastest()
+        if speed * self.model.dt > LEAP * self.size:
+            self._stop_unstable(step, kind, row, i)
+        self._check_rotation(step)
+
+    def _fastest(self) -> tuple[float, str, int, int]:
+        """Speed (m/s; turns and strains times the block size), kind, row and freedom of what moves fastest."""
+        best = (-1.0, "", 0, 0)
         for kind, body in zip(KINDS, self.model.bodies, strict=True):
             if body is None:
                 continue
             speed = np.abs(body.v) * np.array([1.0] * 3 + [self.size] * (body.v.shape[1] - 3))
             speed = np.where(np.isfinite(speed), speed, np.inf)
-            if speed.max() * self.model.dt > LEAP * self.size:
-                row, i = np.unravel_index(int(np.argmax(speed)), speed.shape)
-                self._stop_unstable(step, kind, int(row), int(i))
-        self._check_rotation(step)
+            row, i = np.unravel_index(int(np.argmax(speed)), speed.shape)
+            best = max(best, (float(speed[row, i]), kind, int(row), int(i)))
+        return best
+
+    def check_energies(self, step: int, terms: dict[str, float]) -> None:
+        """Raise Stopped if the energies of a row (J) can no longer be those of the specimen.
+
+        An instability that the softening feeds on may stay small; the ledger shows it.
+        """
+        self.work = max(self.work, abs(terms["external_work"]))
+        spent = terms["fracture_mode_1"] + terms["fracture_mode_2"] + terms["friction"]
+        torn = abs(terms["contact_work"] - terms["elastic_contacts"] - spent)
+        if self.work > 0.0 and (abs(terms["kinetic"]) > RINGING * self.work or torn > TORN_LEDGER * self.work):
+            self._stop_unstable(step, *self._fastest()[1:])
 
     def _stop_unstable(self, step: int, kind: str, row: int, i: int) -> None:
         model = self.model

@@ -6,6 +6,7 @@ import pytest
 from masonry import laboratory
 from masonry.assembly import assemble
 from masonry.errors import Stopped
+from masonry.scene import load as load_shipped
 from tests.mechanics import rig
 from tests.mechanics.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
@@ -70,3 +71,13 @@ def test_equation_11_is_unsafe_for_soft_contacts_beside_stiff_blocks():
     assert model.dt > exact
     with pytest.raises(Stopped, match="block"):
         laboratory.run(load(text))
+
+
+@pytest.mark.parametrize(("damping", "rate"), [(0.0, "8 mm/s"), (0.8, "1 mm/s")])
+def test_an_instability_that_softening_keeps_small_is_stopped_by_the_ledger(damping, rate):
+    scene = load_shipped(
+        "wallette-mode-1",
+        ["solver.step_fraction=1.4", f"solver.damping={damping}", f"drive.rate={rate}"],
+    )
+    with pytest.raises(Stopped, match=r"unstable at step \d+: rigid block \d+"):
+        laboratory.run(scene)

@@ -1,0 +1,42 @@
+"""A part that a dead load could move as a whole is refused; one that nothing pushes may float."""
+
+import pytest
+
+from masonry import laboratory
+from masonry.errors import SceneError
+from tests.mechanics.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
+
+
+def column(kinematics: str, fix: str, gravity: str) -> str:
+    """Two blocks on each other, the lower one held in some directions, under a weight."""
+    boxes = [box(f"b{k}", (0, 0, 0.06 * k), (0.2, 0.1, 0.06), "units", k) for k in range(2)]
+    return (
+        f'kinematics = "{kinematics}"\n'
+        + specimen(boxes, 0.02, "100 mm")
+        + tables("material", {"units": MATERIAL})
+        + tables("contact", {"unit_unit": ELASTIC})
+        + listed("support", [f'on = "b0"\nfix = {fix}'])
+        + f"[gravity]\n{gravity}\n[settle]\nsteps = 10\n"
+    )
+
+
+@pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
+def test_a_part_that_would_fall_is_refused_with_the_way_it_would_go(kinematics):
+    scene = load(column(kinematics, '["x", "y"]', 'z = "-9.81 m/s^2"'))
+    with pytest.raises(SceneError, match=r"block 0 .*not held along z.*\[\[support\]\]"):
+        laboratory.check(scene)
+
+
+@pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
+def test_what_nothing_pushes_may_float(kinematics):
+    assert laboratory.check(load(column(kinematics, '["z"]', 'z = "-9.81 m/s^2"')))["blocks"] == 2
+
+
+def test_a_rigid_block_held_at_its_centre_may_not_be_turned_over():
+    scene = load(column("rigid", '["x", "y", "z"]', 'x = "1 m/s^2"'))
+    with pytest.raises(SceneError, match="turning about y"):
+        laboratory.check(scene)
+
+
+def test_a_tet_block_held_in_all_directions_cannot_turn():
+    assert laboratory.check(load(column("tets", '["x", "y", "z"]', 'x = "1 m/s^2"')))["blocks"] == 2
