@@ -19,7 +19,7 @@ run: .venv/.ready
 
 test: lint
 	@echo "pytest"
-	@$(PY) -m pytest $(ARGS)
+	@$(PY) -m pytest -n auto --dist loadfile $(ARGS)
 
 bench: .venv/.ready
 	@$(PY) -m pytest benchmarks -m "" --benchmark-json=bench.json $(ARGS)

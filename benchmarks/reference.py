@@ -15,10 +15,10 @@ def elastic_contacts(kn, ks, sides, normal, area, u, force):
         dx, dy, dz = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
         nx, ny, nz = normal[c, 0], normal[c, 1], normal[c, 2]
         opening = dx * nx + dy * ny + dz * nz
-        push = (kn - ks) * opening
-        force[c, 0] = area[c] * (ks * dx + push * nx)
-        force[c, 1] = area[c] * (ks * dy + push * ny)
-        force[c, 2] = area[c] * (ks * dz + push * nz)
+        sigma = kn * opening
+        force[c, 0] = area[c] * (sigma * nx + ks * (dx - opening * nx))
+        force[c, 1] = area[c] * (sigma * ny + ks * (dy - opening * ny))
+        force[c, 2] = area[c] * (sigma * nz + ks * (dz - opening * nz))
 
 
 @jit
