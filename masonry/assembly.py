@@ -18,6 +18,7 @@ from masonry.errors import SceneError, nearest
 from masonry.held import require_held
 from masonry.laws import build as law_build
 from masonry.scene import Scene
+from masonry.size_guard import require_sane_size
 from masonry.timeloop import Recording
 
 
@@ -36,6 +37,7 @@ class Assembly:
 
 def assemble(scene: Scene) -> Assembly:
     """Build the model of a scene; raises SceneError or GeometryError with one clear message."""
+    require_sane_size(scene)
     specimen = specimen_of(scene)
     blocks = specimen.blocks
     overlaps.check_overlaps(blocks)

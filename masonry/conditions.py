@@ -35,6 +35,9 @@ def conditions_of(
         if any((driven[kind] & held[kind])[:, scene.drive.axis].any() for kind in KINDS):
             raise SceneError(f"drive.on = '{scene.drive.on}': a support holds it in the direction of the drive")
         conditions.support = loads.drive_freedoms(held, scene.drive.axis)
+    for mask in supports:
+        for kind in KINDS:
+            conditions.supported[kind] |= mask[kind]
     for mask in [*supports, *([driven] if driven else [])]:
         for kind in KINDS:
             conditions.prescribed[kind] |= mask[kind]
@@ -57,7 +60,7 @@ def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[n
         name, _, face = word.rpartition(".")
     if name not in specimen.sets:
         raise SceneError(
-            f"{where} = '{word}' selects nothing; {nearest(name, specimen.sets)}, or a face of one: '{name}.z+'"
+            f"{where} = '{word}' selects nothing; {nearest(name, specimen.sets)}, or a face of one, such as '{min(specimen.sets)}.z+'"
         )
     chosen = specimen.sets[name]
     if face is None:

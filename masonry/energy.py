@@ -51,6 +51,17 @@ def kinetic(model: Model, before: list[np.ndarray]) -> float:
     return 0.5 * sum(float(np.sum(model.masses[k] * old * b.v)) for (k, b), old in zip(present, before, strict=True))
 
 
+def unbalanced(model: Model, before: list[np.ndarray]) -> float:
+    """Sum of |force that accelerates| over the sum of |dead load| on the free movements; 0 without dead loads."""
+    force = load = 0.0
+    present = [(k, b) for k, b in zip(KINDS, model.bodies, strict=True) if b is not None]
+    for (kind, body), old in zip(present, before, strict=True):
+        if body.load is not None:
+            load += float(np.abs(body.load[:, :3]).sum())
+        force += float(np.abs(model.masses[kind] * (body.v - old))[:, :3].sum()) / model.dt
+    return force / load if load > 0.0 else 0.0
+
+
 def velocities(model: Model) -> list[np.ndarray]:
     """Copies of the velocities of the bodies that are there."""
     return [body.v.copy() for body in model.bodies if body is not None]

@@ -9,7 +9,7 @@ from masonry.errors import SceneError
 from masonry.loads import Conditions
 
 LOOSE = 1e-9
-"""Share of the largest singular value below which a motion counts as not held, and of a load's below which as idle."""
+"""Share of the largest (squared) below which a motion counts as not held, and of the loads below which as idle."""
 
 
 def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions: Conditions, loaded: bool) -> None:
@@ -26,10 +26,12 @@ def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions:
             _refuse(
                 specimen, layout, member, "are held by nothing; add a [[support]], or close the gap to the neighbours"
             )
+        if not _supported(layout, conditions, member):
+            _refuse(specimen, layout, member, "are driven, but held by no [[support]]; add one, or close the gap to it")
         if not loaded:
             continue
-        _, values, directions = np.linalg.svd(rows)
-        held = np.concatenate([values, np.zeros(6 - len(values))]) > LOOSE * values.max()
+        squares, vectors = np.linalg.eigh(rows.T @ rows)
+        directions, held = vectors.T, squares > LOOSE * squares.max()
         work = np.abs(directions[~held] @ load)
         if np.any(work > LOOSE * max(np.abs(load).max(), 1e-300)):
             mode = directions[~held][int(np.argmax(work))]
@@ -37,6 +39,21 @@ def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions:
             if np.abs(mode[3:]).max() > np.abs(mode[:3]).max():
                 way = f"from turning about {'xyz'[int(np.argmax(np.abs(mode[3:])))]}"
             _refuse(specimen, layout, member, f"are not held {way}, where the dead loads push; add it to a [[support]]")
+
+
+def _supported(layout: Layout, conditions: Conditions, member: np.ndarray) -> bool:
+    """Whether a support, and not only the drive, holds some freedom of a part."""
+    return any(
+        bool((conditions.supported[kind] & member[_owner(layout, kind)][:, None]).any())
+        for kind in KINDS
+        if layout.rows(kind)
+    )
+
+
+def _owner(layout: Layout, kind: str) -> np.ndarray:
+    """The block of each row of freedoms of a kind."""
+    members = layout.members[kind]
+    return np.repeat(members, np.diff(_row_start(layout))) if kind == "tets" else members
 
 
 def _rigid_motions(
@@ -47,7 +64,7 @@ def _rigid_motions(
     for kind in KINDS:
         if layout.rows(kind) == 0:
             continue
-        owner = np.repeat(layout.members[kind], np.diff(_row_start(layout))) if kind == "tets" else layout.members[kind]
+        owner = _owner(layout, kind)
         motion = _motion_of_rows(layout, kind, owner, size)
         motion[~member[owner]] = 0.0
         held.append(motion[conditions.prescribed[kind] & member[owner][:, None]])

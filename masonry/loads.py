@@ -1,6 +1,7 @@
 """Supports, drive, tractions and gravity on the freedoms of the bodies; what is absent stays None."""
 
 from dataclasses import dataclass, field
+from math import ceil
 
 import numpy as np
 
@@ -32,18 +33,22 @@ class Push:
 
 @dataclass
 class Conditions:
-    """Per kind: prescribed freedoms, dead loads (None where there are none), driven and supporting freedoms."""
+    """Per kind: masks of what supports and drive prescribe, dead loads (None where there are none); flat indices of the
+    driven freedoms and of those that support against the drive; masks of what supports alone hold.
+    """
 
     prescribed: dict[str, np.ndarray]
     load: dict[str, np.ndarray | None]
     driven: dict[str, np.ndarray | None] = field(default_factory=dict)
     support: dict[str, np.ndarray | None] = field(default_factory=dict)
+    supported: dict[str, np.ndarray] = field(default_factory=dict)
 
 
 def no_conditions(layout: Layout) -> Conditions:
     """Nothing held, nothing loaded."""
     shapes = {kind: (layout.rows(kind), FREEDOMS[kind]) for kind in KINDS}
-    return Conditions({k: np.zeros(s, dtype=bool) for k, s in shapes.items()}, dict.fromkeys(KINDS))
+    masks = [{k: np.zeros(s, dtype=bool) for k, s in shapes.items()} for _ in range(2)]
+    return Conditions(masks[0], dict.fromkeys(KINDS), supported=masks[1])
 
 
 def held_freedoms(blocks: Blocks, layout: Layout, hold: Hold) -> dict[str, np.ndarray]:
@@ -156,6 +161,9 @@ def smooth(x: np.ndarray) -> np.ndarray:
     return x**3 * (10.0 + x * (6.0 * x - 15.0))
 
 
+MOST_STEPS = 100_000_000
+
+
 @dataclass(frozen=True)
 class Program:
     """What happens at each step 0..n: share of the dead load, velocity of the drive (m/s) after the step.
@@ -184,9 +192,14 @@ def program(dt: float, settle: int, displacement: float, steps: int | None, rate
         count = steps
     else:
         assert rate is not None
-        count = max(1, int(np.ceil(abs(displacement) / (rate * dt * (1.0 - 0.5 * ramp)))))
+        count = max(1, ceil(min(abs(displacement) / (rate * dt * (1.0 - 0.5 * ramp)), 1e18)))
     if count and settle == 0:
         count = max(count, 2)  # the first step starts at rest and cannot move anything
+    if settle + count > MOST_STEPS:
+        raise SceneError(
+            f"drive: this would take {settle + count:.2g} steps of {dt:.3g} s; at most {MOST_STEPS:.0e} are allowed: "
+            "raise drive.rate, or give drive.steps"
+        )
     k = np.arange(settle + count + 1)
     dead_load = smooth(k / (0.5 * settle)) if settle else np.zeros(len(k))
     shape: np.ndarray = np.where(

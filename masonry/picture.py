@@ -8,7 +8,7 @@ from geometry.blocks import Blocks
 from masonry.cracks import CrackLines, Outlines, View, crack_lines, front_view, outlines
 from masonry.deformation import Deformation
 from masonry.history import Frame
-from masonry.plot import MEGA, MILLI, peak_row
+from masonry.plot import MEGA, MILLI, peak_row, plain
 
 if TYPE_CHECKING:
     from masonry.results import Result
@@ -58,7 +58,7 @@ def cracks_figure(result: "Result") -> Any:
     width = 14.0 if columns * rows > 1 else 9.0
     height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
     figure = Figure(figsize=(width, height), layout="constrained")
-    figure.suptitle(result.title, fontsize=13, parse_math=False, wrap=True)
+    figure.suptitle(plain(result.title), fontsize=13, wrap=True)
     axes = np.atleast_1d(figure.subplots(rows, columns)).ravel()
     if not panels:
         axes[0].text(0.5, 0.5, "no frames were recorded", transform=axes[0].transAxes, ha="center")

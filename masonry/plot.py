@@ -30,6 +30,11 @@ def write_png(figure: Any, path: Path | str, dpi: float = 120.0) -> None:
     figure.savefig(path, format="png", dpi=dpi)
 
 
+def plain(title: str) -> str:
+    """A title as it was written: no control characters, no dollar sign that would begin a formula."""
+    return "".join(c if c.isprintable() else " " for c in title).replace("$", r"\$")
+
+
 def peak_row(rows: dict[str, np.ndarray]) -> int:
     """The row of the greatest stress, in tension or compression."""
     return int(np.argmax(np.abs(rows["stress"])))
@@ -51,7 +56,7 @@ def curve_figure(result: "Result") -> Any:
     figure = Figure(figsize=(10, 8), layout="constrained")
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     words = [result.title, *(_words(result.summary.get(key)) for key in ("law", "kinematics"))]
-    figure.suptitle(", ".join(filter(None, words)), fontsize=13, parse_math=False, wrap=True)
+    figure.suptitle(plain(", ".join(filter(None, words))), fontsize=13, wrap=True)
     ledger.set_xlabel("displacement [mm]")
     curve.set_ylabel("stress [MPa]")
     ledger.set_ylabel("energy [J]")

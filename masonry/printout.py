@@ -7,7 +7,7 @@ from typing import Any
 from masonry.progress import duration
 
 WIDTH = 110
-MISMATCH, KINETIC, IMBALANCE, DISSIPATION = 0.02, 0.05, 1e-9, 0.01
+MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED = 0.02, 0.05, 1e-9, 0.01, 0.01
 """Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, and the difference
 between the energy that the laws booked and the work that the contacts took up."""
 
@@ -69,6 +69,9 @@ def trust(summary: dict[str, Any]) -> str:
     mismatch = summary.get("dissipation_mismatch") or 0.0
     if mismatch > DISSIPATION:
         doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
+    if (summary.get("unbalanced_after_settling") or 0.0) > UNBALANCED:
+        share = summary["unbalanced_after_settling"]
+        doubts.append(f"the dead loads had not come to rest ({share:.2g} of them unbalanced): raise settle.steps")
     slow = (
         ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),
         ("kinetic_over_internal_max", KINETIC, "kinetic energy reaches {:.2g} of the internal"),

@@ -17,9 +17,12 @@ BROKEN, DAMAGED = 0.95, 0.05
 
 
 def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
-    """Keys in SI; see docs of each in the README. Maxima are taken after the drive's ramp."""
+    """Keys in SI. Maxima are taken from the end of the drive's ramp, or from the peak where it comes first."""
     scene, model, rows = assembly.scene, assembly.model, outcome.history.rows
-    after = rows["step"] >= assembly.program.settle + assembly.program.ramp
+    program = assembly.program
+    settled = rows["step"] > program.settle
+    at_peak = rows["step"][settled][int(np.argmax(rows["stress"][settled]))] if settled.any() else 0
+    after = settled & (rows["step"] >= min(program.settle + program.ramp, at_peak))
     peak = outcome.peak_force / assembly.specimen.section
     mismatch = np.abs(rows["stress"] - rows["support_stress"])[after]
     internal = rows["elastic_blocks"] + rows["contact_work"]
@@ -52,6 +55,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / work) if work > 0 else 0.0,
         "dissipation_mismatch": abs(booked - spent) / abs(spent) if spent else 0.0,
+        "unbalanced_after_settling": outcome.unbalanced,
         "damping_over_external": float(rows["damping"][-1] / work) if work > 0 else 0.0,
         "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),

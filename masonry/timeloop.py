@@ -1,7 +1,10 @@
 """The time loop: chunks of compiled steps; between chunks the history, the watch for instability, progress, Ctrl-C."""
 
+import contextlib
+import signal
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 import numba
@@ -21,7 +24,9 @@ FRAMES = 24
 
 @dataclass
 class Outcome:
-    """What the loop found besides the rows: the peak seen at any step, the largest rotation, the times."""
+    """What the loop found besides the rows: the peak seen at any step, the largest rotation, the times, and the force
+    that was still unbalanced when the dead loads had settled, over the dead loads.
+    """
 
     history: History
     peak_force: float = 0.0
@@ -29,6 +34,7 @@ class Outcome:
     seconds_run: float = 0.0
     seconds_compile: float = 0.0
     rotation_max: float = 0.0
+    unbalanced: float = 0.0
     steps: int = 0
     interrupted: bool = False
     stopped: str = ""
@@ -76,8 +82,25 @@ def run(
 
 def compile_for(model: Model, program: Program, threads: int) -> None:
     """Compile (or load from the cache) the step for exactly this model, without taking one."""
-    _advance(model, program, threads, 0, 0, np.zeros(0))
-    energy.observe(model)
+    with interrupt_afterwards():
+        _advance(model, program, threads, 0, 0, np.zeros(0))
+        energy.observe(model)
+
+
+@contextlib.contextmanager
+def interrupt_afterwards() -> Iterator[None]:
+    """Ctrl-C waits for the compiler, which cannot be interrupted cleanly, and counts when it is done."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    pressed: list[int] = []
+    usual = signal.signal(signal.SIGINT, lambda number, frame: pressed.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, usual)
+    if pressed:
+        raise KeyboardInterrupt
 
 
 def _advance(model: Model, program: Program, threads: int, first: int, steps: int, gauge: np.ndarray) -> None:
@@ -150,6 +173,8 @@ class _Loop:
         )
         terms = energy.ledger(model, view, before)
         self.watch.check_energies(step, terms)
+        if step <= self.program.settle:
+            self.outcome.unbalanced = energy.unbalanced(model, before)
         place = abs(float(self.path[step]))
         self.rows.append([step, step * model.dt, place, stress, -support, *(terms[k] for k in list(UNITS)[5:])])
         self.outcome.rotation_max = self.watch.rotation

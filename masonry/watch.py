@@ -63,12 +63,16 @@ class Watch:
 
     def _stop_unstable(self, step: int, kind: str, row: int, i: int) -> None:
         model = self.model
-        raise Stopped(
-            f"unstable at step {step}: {model.layout.freedom(kind, row, i)}, runs away. "
-            f"The time step is {model.dt:.4g} s; "
-            f"the proven bound is {model.bound:.4g} s (limited by {model.limited_by}). "
-            'Use time_step = "gershgorin" with step_fraction <= 1'
+        why = (
+            f"The time step is {model.dt:.4g} s; the proven bound is {model.bound:.4g} s (limited by "
+            f'{model.limited_by}). Use time_step = "gershgorin" with step_fraction <= 1'
         )
+        if model.dt <= model.bound:
+            why = (
+                "The time step is within its proven bound, so the drive is too fast (take more steps or a lower rate), "
+                "a load too large, or a contact too soft for this specimen"
+            )
+        raise Stopped(f"unstable at step {step}: {model.layout.freedom(kind, row, i)}, runs away. {why}")
 
     def _check_rotation(self, step: int) -> None:
         rigid, affine, tets = self.model.bodies

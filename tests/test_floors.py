@@ -42,7 +42,8 @@ FLOORS = {
     ),
     "scene": Floor(
         "masonry masonry.__main__ masonry.cli masonry.doctor masonry.printout masonry.quantity masonry.scene*"
-        " masonry.assembly masonry.conditions masonry.held masonry.summary masonry.laboratory masonry.sweep",
+        " masonry.assembly masonry.conditions masonry.held"
+        " masonry.size_guard masonry.summary masonry.laboratory masonry.sweep",
         sees="scene run model equations errors geometry",
     ),
     "verification": Floor("verification", sees="verification scene run model equations errors geometry"),

@@ -61,10 +61,10 @@ def confinement_of(info: core_schema.ValidationInfo[Any], what: str) -> float:
     return float(confinement)
 
 
-Length = Annotated[float, Given("length", "(0, inf)")]
+Length = Annotated[float, Given("length", "[1e-9, 1e5]")]
 Gap = Annotated[float, Given("length", "[0, inf)")]
-Position = Annotated[float, Given("length")]
-Area = Annotated[float, Given("area", "(0, inf)")]
+Position = Annotated[float, Given("length", "[-1e5, 1e5]")]
+Area = Annotated[float, Given("area", "[1e-12, 1e8]")]
 Duration = Annotated[float, Given("time", "(0, inf)")]
 Velocity = Annotated[float, Given("velocity", "(0, inf)")]
 Acceleration = Annotated[float, Given("acceleration")]
@@ -84,7 +84,7 @@ Share = Annotated[float, Given("number", "[0, 1]")]
 Damping = Annotated[float, Given("number", "[0, 1)")]
 Fraction = Annotated[float, Given("number", "(0, 10]")]
 Count = Annotated[int, Given("integer", "[1, 1000]")]
-Steps = Annotated[int, Given("integer", "[1, 1e12]")]
+Steps = Annotated[int, Given("integer", "[1, 1e8]")]
 Rows = Annotated[int, Given("integer", "[2, 1e6]")]
 Number = Annotated[int, Given("integer", "[0, 1e9]")]
 

@@ -40,3 +40,18 @@ def test_a_rigid_block_held_at_its_centre_may_not_be_turned_over():
 
 def test_a_tet_block_held_in_all_directions_cannot_turn():
     assert laboratory.check(load(column("tets", '["x", "y", "z"]', 'x = "1 m/s^2"')))["blocks"] == 2
+
+
+def test_a_driven_part_that_no_support_holds_is_refused():
+    """Two blocks with a gap of 10 nm between them: the upper one is driven and touches nothing."""
+    boxes = [box(f"b{k}", (0, 0, (0.06 + 1e-8) * k), (0.2, 0.1, 0.06), "units", k) for k in range(2)]
+    text = (
+        'kinematics = "rigid"\n'
+        + specimen(boxes, 0.02)
+        + tables("material", {"units": MATERIAL})
+        + tables("contact", {"unit_unit": ELASTIC})
+        + listed("support", ['on = "b0"\nfix = "all"'])
+        + '[drive]\non = "b1"\ndirection = "x"\ndisplacement = "1 mm"\nsteps = 10\n'
+    )
+    with pytest.raises(SceneError, match="block 1 .*driven, but held by no"):
+        laboratory.check(load(text))

@@ -1,0 +1,38 @@
+"""Sizes are capped before anything is built: a slip of a unit must not fill the memory or run for a year."""
+
+from math import prod
+
+from masonry.errors import SceneError
+from masonry.scene import Scene
+
+BLOCKS, CONTACT_POINTS, TETS = 5e5, 5e6, 5e6
+"""The most that a scene may ask for; about 10 GB of memory each."""
+TETS_PER_CUBE = 8.0
+"""Tets in a cube of the mesh size (6 to 7 were measured)."""
+
+
+def require_sane_size(scene: Scene) -> None:
+    """Refuse a scene whose estimated size is beyond what a machine can hold; says which key to change."""
+    spec = scene.specimen
+    if spec.kind == "couplet":
+        blocks = 2 * prod(spec.divisions) + (prod(spec.mortar.divisions) if spec.mortar else 0)
+        volume = 2 * spec.length * spec.width * spec.height
+    elif spec.kind == "wallette":
+        units = spec.courses * spec.units_per_course
+        blocks = units * prod(spec.divisions)
+        volume = units * spec.unit_length * spec.thickness * spec.unit_height
+    else:
+        blocks = sum(prod(box.divisions) for box in spec.box)
+        volume = sum(prod(box.size) for box in spec.box)
+    _require(blocks, BLOCKS, "blocks", "specimen.divisions")
+    _require(3 * blocks * spec.points_per_edge**2, CONTACT_POINTS, "contact points", "specimen.points_per_edge")
+    meshed = "tets" in scene.kinematics.values() and spec.mesh_size is not None
+    if meshed:
+        assert spec.mesh_size is not None
+        edge = min(spec.mesh_size, volume ** (1 / 3))
+        _require(TETS_PER_CUBE * volume / edge**3 if edge**3 > 0 else float("inf"), TETS, "tets", "specimen.mesh_size")
+
+
+def _require(count: float, most: float, what: str, key: str) -> None:
+    if not count <= most:
+        raise SceneError(f"{key}: this would make about {count:.2g} {what}; at most {most:.0e} are allowed")
