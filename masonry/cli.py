@@ -62,9 +62,8 @@ def main(arguments: list[str] | None = None) -> int:
         return _complain(str(error), USAGE)
     except Stopped as error:
         return _complain(str(error), STOPPED)
-    except (MemoryError, ArithmeticError) as error:
-        what = "not enough memory" if isinstance(error, MemoryError) else "numbers beyond what can be computed"
-        return _complain(f"{what}: {error}; look at the sizes and stiffnesses of the scene", STOPPED)
+    except MemoryError as error:
+        return _complain(f"not enough memory: {error}; look at the sizes of the scene", STOPPED)
     except KeyboardInterrupt:
         return _complain("interrupted before there were results", INTERRUPTED)
     except BrokenPipeError:
