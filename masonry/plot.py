@@ -57,7 +57,6 @@ def curve_figure(result: "Result") -> Any:
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     words = [result.title, *(_words(result.summary.get(key)) for key in ("law", "kinematics"))]
     figure.suptitle(plain(", ".join(filter(None, words))), fontsize=13, wrap=True)
-    ledger.set_xlabel("displacement [mm]")
     curve.set_ylabel("stress [MPa]")
     ledger.set_ylabel("energy [J]")
     for axes in (curve, ledger):
@@ -68,8 +67,10 @@ def curve_figure(result: "Result") -> Any:
     if not len(rows.get("displacement", ())):
         curve.text(0.5, 0.5, "no rows were recorded", transform=curve.transAxes, ha="center")
         return figure
-    _draw_curve(curve, rows, *peak_point(result))
-    _draw_ledger(ledger, rows)
+    across, label = abscissa(rows)
+    ledger.set_xlabel(label)
+    _draw_curve(curve, rows, across, *peak_point(result))
+    _draw_ledger(ledger, rows, across)
     for axes in (curve, ledger):
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
     return figure
@@ -80,11 +81,20 @@ def _words(value: Any) -> str:
     return " + ".join(sorted(set(value.values()))) if isinstance(value, dict) else str(value or "")
 
 
-def _draw_curve(axes: Any, rows: dict[str, np.ndarray], peak_at: float, peak: float) -> None:
+def abscissa(rows: dict[str, np.ndarray]) -> tuple[np.ndarray, str]:
+    """What the curve is drawn against: displacement of the drive, or time in a scene without one."""
+    if rows["displacement"].any():
+        return rows["displacement"] * MILLI, "displacement [mm]"
+    return rows["time"], "time [s]"
+
+
+def _draw_curve(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray, peak_at: float, peak: float) -> None:
     peak_at, peak = peak_at * MILLI, peak * MEGA
-    displacement, stress = rows["displacement"] * MILLI, rows["stress"] * MEGA
+    stress = rows["stress"] * MEGA
     axes.plot(displacement, stress, color="#1f3b5c", linewidth=2.0, label="at the drive")
     axes.plot(displacement, rows["support_stress"] * MEGA, "--", color="#e07b00", linewidth=1.0, label="at the support")
+    if not rows["displacement"].any():
+        return
     axes.plot(peak_at, peak, "o", color="#b2182b", markersize=7, label="peak")
     axes.annotate(
         f"peak {peak:.4g} MPa at {peak_at:.4g} mm",
@@ -110,9 +120,8 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], peak_at: float, peak: fl
         )
 
 
-def _draw_ledger(axes: Any, rows: dict[str, np.ndarray]) -> None:
+def _draw_ledger(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray) -> None:
     """Stacked areas; a term that is clearly negative somewhere cannot be stacked and is drawn as a line."""
-    displacement = rows["displacement"] * MILLI
     terms = {name: rows[name] for name in LEDGER if name in rows}
     size = max((float(np.abs(values).max()) for values in terms.values()), default=0.0)
     floor = -1e-3 * size

@@ -3,10 +3,19 @@
 from math import sqrt
 
 from numba import prange
+from numba.extending import register_jitable
 
 from masonry.kernels.compiler import jit, jit_parallel
 from masonry.laws.mechanism import evolve, quiet, stored
 from masonry.laws.state import Memory, add_slip, plastic_slip, recall, spend, store
+
+
+@register_jitable
+def relative(u, a, b, nx, ny, nz):
+    """Displacement of point b against point a, split into opening along n and slip (m)."""
+    dx, dy, dz = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
+    opening = dx * nx + dy * ny + dz * nz
+    return opening, dx - opening * nx, dy - opening * ny, dz - opening * nz
 
 
 def _sweep(
@@ -16,11 +25,8 @@ def _sweep(
     """Contacts first..last: d = u_b - u_a, split along n; force[c] acts on side a, its opposite on side b."""
     ks = interface.shear_stiffness
     for c in prange(first, last):
-        a, b = sides[c, 0], sides[c, 1]
-        dx, dy, dz = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
         nx, ny, nz = normal[c, 0], normal[c, 1], normal[c, 2]
-        opening = dx * nx + dy * ny + dz * nz
-        sx, sy, sz = dx - opening * nx, dy - opening * ny, dz - opening * nz
+        opening, sx, sy, sz = relative(u, sides[c, 0], sides[c, 1], nx, ny, nz)
         px, py, pz = plastic_slip(slip, c)
         tx, ty, tz = ks * (sx - px), ks * (sy - py), ks * (sz - pz)
         tau_squared = tx * tx + ty * ty + tz * tz
@@ -76,11 +82,8 @@ def observe(shape, interface, state, first, last, sides, normal, area, u, force,
     """
     energy, ks = 0.0, interface.shear_stiffness
     for c in range(first, last):
-        a, b = sides[c, 0], sides[c, 1]
-        dx, dy, dz = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
         nx, ny, nz = normal[c, 0], normal[c, 1], normal[c, 2]
-        opening = dx * nx + dy * ny + dz * nz
-        sx, sy, sz = dx - opening * nx, dy - opening * ny, dz - opening * nz
+        opening, sx, sy, sz = relative(u, sides[c, 0], sides[c, 1], nx, ny, nz)
         px, py, pz = plastic_slip(state.slip, c)
         tau_squared = ks * ks * ((sx - px) ** 2 + (sy - py) ** 2 + (sz - pz) ** 2)
         memory = Memory(

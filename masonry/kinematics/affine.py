@@ -79,22 +79,24 @@ def _add(s, x, y, z, arm, k):
 
 
 @register_jitable
+def product(m, a):
+    """Product of two 3 x 3 matrices, both row by row."""
+    return (
+        *(m[0] * a[0] + m[1] * a[3] + m[2] * a[6], m[0] * a[1] + m[1] * a[4] + m[2] * a[7]),
+        *(m[0] * a[2] + m[1] * a[5] + m[2] * a[8], m[3] * a[0] + m[4] * a[3] + m[5] * a[6]),
+        *(m[3] * a[1] + m[4] * a[4] + m[5] * a[7], m[3] * a[2] + m[4] * a[5] + m[5] * a[8]),
+        *(m[6] * a[0] + m[7] * a[3] + m[8] * a[6], m[6] * a[1] + m[7] * a[4] + m[8] * a[7]),
+        m[6] * a[2] + m[7] * a[5] + m[8] * a[8],
+    )
+
+
+@register_jitable
 def times_axes(axes, b, m):
     """(3 x 3 matrix, row by row) times the block's axes: derivatives along x, y, z -> along the axes."""
     if axes is None:
         return m
     q = axes[b]
-    return (
-        m[0] * q[0, 0] + m[1] * q[1, 0] + m[2] * q[2, 0],
-        m[0] * q[0, 1] + m[1] * q[1, 1] + m[2] * q[2, 1],
-        m[0] * q[0, 2] + m[1] * q[1, 2] + m[2] * q[2, 2],
-        m[3] * q[0, 0] + m[4] * q[1, 0] + m[5] * q[2, 0],
-        m[3] * q[0, 1] + m[4] * q[1, 1] + m[5] * q[2, 1],
-        m[3] * q[0, 2] + m[4] * q[1, 2] + m[5] * q[2, 2],
-        m[6] * q[0, 0] + m[7] * q[1, 0] + m[8] * q[2, 0],
-        m[6] * q[0, 1] + m[7] * q[1, 1] + m[8] * q[2, 1],
-        m[6] * q[0, 2] + m[7] * q[1, 2] + m[8] * q[2, 2],
-    )
+    return product(m, (q[0, 0], q[0, 1], q[0, 2], q[1, 0], q[1, 1], q[1, 2], q[2, 0], q[2, 1], q[2, 2]))
 
 
 @register_jitable
@@ -104,17 +106,7 @@ def gradient(axes, b, q):
     if axes is None:
         return h
     a = axes[b]
-    return (
-        h[0] * a[0, 0] + h[1] * a[0, 1] + h[2] * a[0, 2],
-        h[0] * a[1, 0] + h[1] * a[1, 1] + h[2] * a[1, 2],
-        h[0] * a[2, 0] + h[1] * a[2, 1] + h[2] * a[2, 2],
-        h[3] * a[0, 0] + h[4] * a[0, 1] + h[5] * a[0, 2],
-        h[3] * a[1, 0] + h[4] * a[1, 1] + h[5] * a[1, 2],
-        h[3] * a[2, 0] + h[4] * a[2, 1] + h[5] * a[2, 2],
-        h[6] * a[0, 0] + h[7] * a[0, 1] + h[8] * a[0, 2],
-        h[6] * a[1, 0] + h[7] * a[1, 1] + h[8] * a[1, 2],
-        h[6] * a[2, 0] + h[7] * a[2, 1] + h[8] * a[2, 2],
-    )
+    return product(h, (a[0, 0], a[1, 0], a[2, 0], a[0, 1], a[1, 1], a[2, 1], a[0, 2], a[1, 2], a[2, 2]))
 
 
 @register_jitable
