@@ -90,7 +90,7 @@ def stepper(name: str, overrides: list[str], ledger: bool = True, steps: int = 2
     timeloop.compile_for(model, assembly.program, 1)
 
     def take():
-        timeloop._advance(model, assembly.program, 1, 0, steps, gauge)
+        timeloop.advance_model(model, assembly.program, 1, 0, steps, gauge)
 
     return take, model
 

@@ -19,6 +19,7 @@ from masonry.model import Model
 from masonry.watch import Watch, frame_of
 
 LONGEST_CHUNK = 200
+"""Steps between two looks at the motion: an instability then cannot grow into infinities unseen."""
 FRAMES = 24
 
 
@@ -83,7 +84,7 @@ def run(
 def compile_for(model: Model, program: Program, threads: int) -> None:
     """Compile (or load from the cache) the step for exactly this model, without taking one."""
     with interrupt_afterwards():
-        _advance(model, program, threads, 0, 0, np.zeros(0))
+        advance_model(model, program, threads, 0, 0, np.zeros(0))
         energy.observe(model)
 
 
@@ -103,7 +104,8 @@ def interrupt_afterwards() -> Iterator[None]:
         raise KeyboardInterrupt
 
 
-def _advance(model: Model, program: Program, threads: int, first: int, steps: int, gauge: np.ndarray) -> None:
+def advance_model(model: Model, program: Program, threads: int, first: int, steps: int, gauge: np.ndarray) -> None:
+    """Take some compiled steps; gauge (steps,) N out: force of the drive after each."""
     advance(
         True if threads > 1 else None,
         first,
@@ -136,25 +138,29 @@ class _Loop:
 
     def run(self, progress: Callable[[int, int, str], None] | None) -> None:
         steps = self.program.steps
-        every = min(max(1, steps // self.recording.rows), LONGEST_CHUNK) if steps else 1
+        every = max(1, steps // self.recording.rows)
         frame_every = max(1, steps // every // FRAMES)
-        gauge = np.zeros(every)
-        done, count = 0, 0
+        done = rows = 0
         while done < steps:
-            chunk = min(every, steps - done)
-            if chunk > 1:
-                _advance(self.model, self.program, self.threads, done, chunk - 1, gauge)
-            before = energy.velocities(self.model)
-            _advance(self.model, self.program, self.threads, done + chunk - 1, 1, gauge[chunk - 1 :])
-            self.watch.check(done + chunk)
-            self.find_peak(done, gauge[:chunk])
-            done += chunk
-            count += 1
-            frame_due = count % frame_every == 0 or done == steps
-            self.take_row(done, before, frame_due)
+            due = min(done + every, steps)
+            while done < due:
+                before, done = self.take_steps(done, min(due - done, LONGEST_CHUNK))
+            rows += 1
+            self.take_row(done, before, frame_due=rows % frame_every == 0 or done == steps)
             self.outcome.steps = done
             if progress is not None:
                 progress(done, steps, f"stress {self.rows[-1][3] / 1e6:.3f} MPa")
+
+    def take_steps(self, done: int, count: int) -> tuple[list[np.ndarray], int]:
+        """Some steps, and a look whether they can be trusted; returns the velocities before the last, and the step."""
+        gauge = np.zeros(count)
+        if count > 1:
+            advance_model(self.model, self.program, self.threads, done, count - 1, gauge)
+        before = energy.velocities(self.model)
+        advance_model(self.model, self.program, self.threads, done + count - 1, 1, gauge[count - 1 :])
+        self.watch.check(done + count)
+        self.find_peak(done, gauge)
+        return before, done + count
 
     def find_peak(self, done: int, gauge: np.ndarray) -> None:
         """The peak is looked for at every step, not only at rows."""
