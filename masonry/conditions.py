@@ -17,30 +17,22 @@ def conditions_of(
 ) -> loads.Conditions:
     """Supports, drive and dead loads on the freedoms."""
     blocks, conditions = specimen.blocks, loads.no_conditions(layout)
-    supports: list[dict[str, np.ndarray]] = []
     for k, support in enumerate(scene.support):
         where = f"support.{k}.on"
         chosen, faces = select(specimen, joints, support.on, where)
         axes = tuple(AXES[f] for f in support.fix if f in AXES)
         hold = loads.Hold(chosen, axes, "rotation" in support.fix, faces, f"support.{k}")
-        supports.append(loads.held_freedoms(blocks, layout, hold))
-    driven = None
+        _add(conditions.supported, loads.held_freedoms(blocks, layout, hold))
+    _add(conditions.prescribed, conditions.supported)
     if scene.drive is not None:
         chosen, faces = select(specimen, joints, scene.drive.on, "drive.on")
         hold = loads.Hold(chosen, (scene.drive.axis,), False, faces, "drive")
         driven = loads.held_freedoms(blocks, layout, hold)
         conditions.driven = loads.drive_freedoms(driven, scene.drive.axis)
-        nothing = loads.no_conditions(layout).prescribed
-        held = {kind: np.any([nothing[kind], *(s[kind] for s in supports)], axis=0) for kind in KINDS}
-        if any((driven[kind] & held[kind])[:, scene.drive.axis].any() for kind in KINDS):
+        if any((driven[kind] & conditions.supported[kind])[:, scene.drive.axis].any() for kind in KINDS):
             raise SceneError(f"drive.on = '{scene.drive.on}': a support holds it in the direction of the drive")
-        conditions.support = loads.drive_freedoms(held, scene.drive.axis)
-    for mask in supports:
-        for kind in KINDS:
-            conditions.supported[kind] |= mask[kind]
-    for mask in [*supports, *([driven] if driven else [])]:
-        for kind in KINDS:
-            conditions.prescribed[kind] |= mask[kind]
+        conditions.support = loads.drive_freedoms(conditions.supported, scene.drive.axis)
+        _add(conditions.prescribed, driven)
     for k, traction in enumerate(scene.traction):
         where = f"traction.{k}.on"
         _, faces = select(specimen, joints, traction.on, where)
@@ -51,6 +43,12 @@ def conditions_of(
         density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
         loads.add_gravity(layout, conditions.load, density, np.array(scene.gravity))
     return conditions
+
+
+def _add(masks: dict[str, np.ndarray], more: dict[str, np.ndarray]) -> None:
+    """Freedoms that are held besides those that already are."""
+    for kind in KINDS:
+        masks[kind] |= more[kind]
 
 
 def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[np.ndarray, np.ndarray | None]:

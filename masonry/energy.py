@@ -6,6 +6,7 @@ energy must equal what the laws booked as fracture and friction: equal only as f
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -47,15 +48,14 @@ def observe(model: Model) -> Observation:
 
 def kinetic(model: Model, before: list[np.ndarray]) -> float:
     """v(n-1/2) M v(n+1/2) / 2 (J), with which the balance closes to round-off; `before`: velocities a step earlier."""
-    present = [(k, b) for k, b in zip(KINDS, model.bodies, strict=True) if b is not None]
-    return 0.5 * sum(float(np.sum(model.masses[k] * old * b.v)) for (k, b), old in zip(present, before, strict=True))
+    pairs = zip(present(model), before, strict=True)
+    return 0.5 * sum(float(np.sum(model.masses[kind] * old * body.v)) for (kind, body), old in pairs)
 
 
 def unbalanced(model: Model, before: list[np.ndarray]) -> float:
     """Sum of |force that accelerates| over the sum of |dead load| on the free movements; 0 without dead loads."""
     force = load = 0.0
-    present = [(k, b) for k, b in zip(KINDS, model.bodies, strict=True) if b is not None]
-    for (kind, body), old in zip(present, before, strict=True):
+    for (kind, body), old in zip(present(model), before, strict=True):
         if body.load is not None:
             load += float(np.abs(body.load[:, :3]).sum())
         force += float(np.abs(model.masses[kind] * (body.v - old))[:, :3].sum()) / model.dt
@@ -64,12 +64,17 @@ def unbalanced(model: Model, before: list[np.ndarray]) -> float:
 
 def velocities(model: Model) -> list[np.ndarray]:
     """Copies of the velocities of the bodies that are there."""
-    return [body.v.copy() for body in model.bodies if body is not None]
+    return [body.v.copy() for _, body in present(model)]
+
+
+def present(model: Model) -> list[tuple[str, Any]]:
+    """Kind and body of the bodies that are there."""
+    return [(kind, body) for kind, body in zip(KINDS, model.bodies, strict=True) if body is not None]
 
 
 def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[str, float]:
     """All terms (J) at this moment, under the names of history.UNITS."""
-    works = np.sum([body.work.sum(axis=0) for body in model.bodies if body is not None], axis=0)
+    works = np.sum([body.work.sum(axis=0) for _, body in present(model)], axis=0)
     contact_work, damping, external = -float(works[0]), -float(works[1]), float(works[2])
     spent = model.joints.area @ model.state.spent
     moving = kinetic(model, before)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from masonry import scene
+from verification import closed_forms
 from verification.report import figures, page
 from verification.studies import trial
 from verification.studies.trial import Trial
@@ -22,21 +23,18 @@ WORDS = {"peak": "peak", "residual": "final stress", "curve": "whole curve", "di
 def exact_stress(case: str, knobs: dict[str, Any], slip: np.ndarray) -> np.ndarray:
     """Shear stress (Pa) at slips (m) of the couplet as the scene gives it: up with ks, then the law's envelope."""
     loaded = scene.load(case, knobs)
-    joint, sigma = loaded.contact["unit_unit"], loaded.confinement or 0.0
-    c0, tan0 = joint.cohesion or 0.0, joint.tan_friction or 0.0
-    c_res, tan_res = joint.residual_cohesion or 0.0, joint.tan_residual_friction or 0.0
-    energy = (joint.fracture_energy_mode_2 or 0.0) + (joint.fracture_energy_mode_2_slope or 0.0) * sigma
-    top, rest, ks = c0 + sigma * tan0, c_res + sigma * tan_res, joint.shear_stiffness
-    beyond = np.maximum(slip - top / ks, 0.0)
-    if joint.law == "linear":
-        last = 2.0 * energy / (top - rest) + rest / ks
-        left = np.clip(1.0 - beyond / (last - top / ks), 0.0, 1.0)
-    elif joint.law == "polynomial":
-        width = 2.0 * energy / top
-        left = (width / (width + beyond)) ** (joint.exponent_shear or 0.0)
-    else:
-        left = np.exp(-(c0 / energy) * beyond)
-    return np.minimum(ks * slip, rest + left * (top - rest))
+    contact = loaded.contact["unit_unit"]
+    joint = closed_forms.Joint(
+        ks=contact.shear_stiffness,
+        c0=contact.cohesion or 0.0,
+        tan0=contact.tan_friction or 0.0,
+        c_res=contact.residual_cohesion or 0.0,
+        tan_res=contact.tan_residual_friction or 0.0,
+        G_II=contact.fracture_energy_mode_2 or 0.0,
+        G_II_slope=contact.fracture_energy_mode_2_slope or 0.0,
+        beta=contact.exponent_shear or 0.0,
+    )
+    return closed_forms.shear(contact.law, joint, slip, loaded.confinement or 0.0)
 
 
 def exact_values(one: Trial) -> dict[str, float]:
