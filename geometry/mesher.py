@@ -1,20 +1,17 @@
-"""Tets inside blocks by gmsh, matching node to node across joints. The only file that imports gmsh."""
+"""Tets inside blocks by gmsh, matching node to node across joints."""
 
 import math
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Joints, TetMesh
+from geometry.gmsh_model import gmsh_model
 from geometry.imprint import Imprint, imprint
 from geometry.mesh_joints import PatchTriangles, mesh_joints
 from geometry.sizes import require_lengths
 
 OPTIONS = {
-    "General.Terminal": 0,
-    "General.NumThreads": 1,
     "Mesh.RandomSeed": 1,
     "Mesh.Algorithm": 6,
     "Mesh.Algorithm3D": 10,  # HXT: the default leaves flat slivers in thin walls, worst radius ratio 0.000 against 0.3
@@ -37,7 +34,7 @@ def mesh_blocks(blocks: Blocks, meshed: np.ndarray, size: float, joints: Joints)
         return _no_tets(blocks.count), joints
     skeleton = imprint(blocks, meshed, joints)
     scale = 2.0 ** round(math.log2(size))  # a power of two: scaling to the mesh size and back changes no digit
-    with _model() as gmsh:
+    with gmsh_model(OPTIONS) as gmsh:
         volumes = _build(gmsh, skeleton, scale, size / scale)
         _generate(gmsh, volumes)
         tags, coordinates, _ = gmsh.model.mesh.getNodes()
@@ -50,37 +47,6 @@ def mesh_blocks(blocks: Blocks, meshed: np.ndarray, size: float, joints: Joints)
         }
     mesh, block_tags = _assemble(blocks.count, nodes, tets)
     return mesh, mesh_joints(joints, mesh, PatchTriangles(nodes, triangles, block_tags))
-
-
-@contextmanager
-def _model() -> Iterator[Any]:
-    """An open gmsh with an empty model and fixed options; leaves it as it was found, signal handlers included."""
-    try:
-        import gmsh
-    except OSError as error:
-        raise GeometryError(
-            f"tets need gmsh, and gmsh needs system libraries that are missing here ({error}); on Debian: "
-            "apt-get install libgl1 libglu1-mesa libxrender1 libxcursor1 libxft2 libxinerama1 libfontconfig1 libgomp1"
-        ) from error
-    except ImportError as error:
-        raise GeometryError(f"tets need gmsh, which is not installed ({error}); pip install gmsh") from error
-    found_running = bool(gmsh.isInitialized())
-    if not found_running:
-        gmsh.initialize(readConfigFiles=False, interruptible=False)
-    before = {name: gmsh.option.getNumber(name) for name in OPTIONS}
-    try:
-        for name, value in OPTIONS.items():
-            gmsh.option.setNumber(name, value)
-        gmsh.model.add("blocks")
-        try:
-            yield gmsh
-        finally:
-            gmsh.model.remove()
-    finally:
-        for name, value in before.items():
-            gmsh.option.setNumber(name, value)
-        if not found_running:
-            gmsh.finalize()
 
 
 def _build(gmsh: Any, skeleton: Imprint, scale: float, size: float) -> dict[int, int]:

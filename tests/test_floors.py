@@ -49,7 +49,7 @@ FLOORS = {
     "verification": Floor("verification", sees="verification scene run model equations errors geometry"),
     "tests": Floor("tests benchmarks", sees="tests verification scene run model equations errors geometry"),
 }
-GMSH = ("geometry.mesher", "masonry.doctor", "tests", "tests.*")
+GMSH = ("geometry.gmsh_model", "masonry.doctor", "tests", "tests.*")
 
 
 class Import(NamedTuple):
@@ -121,7 +121,7 @@ def offences(module: str, source: str, is_package: bool = False) -> list[str]:
             elif other not in floor.sees.split():
                 found.append(f"{says} of floor '{other}'; floor '{own}' sees only: {floor.sees or 'nothing'}")
         elif package == "gmsh" and not any(fnmatchcase(module, allowed) for allowed in GMSH):
-            found.append(f"{says}; only geometry/mesher.py imports gmsh")
+            found.append(f"{says}; only geometry/gmsh_model.py imports gmsh")
         elif floor.packages is not None and package not in (*sys.stdlib_module_names, *floor.packages.split()):
             found.append(f"{says}; floor '{own}' uses only the standard library {floor.packages}".rstrip())
     return found
@@ -173,7 +173,7 @@ def test_an_import_that_goes_up_is_found(module: str, source: str) -> None:
         ("masonry.model", "from geometry import blocks\nfrom masonry.laws import door"),
         ("masonry.timeloop", "from masonry import __version__, model\nimport rich"),
         ("masonry.scene.schema", "import pydantic\nfrom masonry.quantity import parse"),
-        ("geometry.mesher", "def mesh():\n    import gmsh"),
+        ("geometry.gmsh_model", "def mesh():\n    import gmsh"),
     ],
 )
 def test_an_import_that_goes_down_is_let_through(module: str, source: str) -> None:

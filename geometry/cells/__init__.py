@@ -1,0 +1,1 @@
+"""Voronoi and Laguerre division of units and mortar beds into convex cells with planar faces."""

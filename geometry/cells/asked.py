@@ -1,0 +1,64 @@
+"""What is asked of a division into cells, and what came out of it."""
+
+from dataclasses import dataclass
+
+from geometry.blocks import GeometryError
+
+
+@dataclass(frozen=True)
+class CellsAsked:
+    """How to divide units into cells. Exactly one of total, per_unit and size is given.
+
+    total       cells in all units together, shared out by volume
+    per_unit    cells of a whole unit; parts of units get their share, at least 1
+    size        m, root of the mean area of a plane cell, cube root of the mean volume of one in space
+    space       False: cells of the plane (x, z), each as deep as the unit; True: cells in all three dimensions
+    laguerre    weights hold the sizes asked for; False: a Voronoi division, whose sizes fall out as they may
+    spread      coefficient of variation of the cells' sizes (area or volume), lognormal; 0 is equal sizes
+    sizes       relative sizes of the cells of each unit, in place of spread
+    sites       (x, y, z) m of the cells' seeds, in place of random ones
+    seed        fixes everything that is random
+    regularise  lengthen short edges and short joint segments between neighbouring units
+    """
+
+    total: int | None = None
+    per_unit: int | None = None
+    size: float | None = None
+    space: bool = False
+    laguerre: bool = True
+    spread: float = 0.0
+    sizes: tuple[float, ...] | None = None
+    sites: tuple[tuple[float, float, float], ...] | None = None
+    seed: int = 0
+    regularise: bool = True
+
+    def __post_init__(self) -> None:
+        given = [name for name in ("total", "per_unit", "size") if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise GeometryError(
+                f"cells: exactly one of total, per_unit and size is needed, not {' and '.join(given) or 'none'}"
+            )
+
+
+@dataclass(frozen=True)
+class CellReport:
+    """What a division came to. Lengths are relative to h: the root of the mean area, or cube root of the mean volume.
+
+    count               cells
+    h                   m
+    shortest_over_mean  shortest edge over the mean edge
+    shortest            shortest edge / h
+    small_edges         share of the edges below 0.125 h (plane) or 0.25 h (space)
+    size_error          largest deviation of a cell's size from its target, relative to the target
+    shortest_joint      shortest segment of a joint between cells of neighbouring units / h; None where there is none
+    seconds             time taken
+    """
+
+    count: int
+    h: float
+    shortest_over_mean: float
+    shortest: float
+    small_edges: float
+    size_error: float
+    shortest_joint: float | None
+    seconds: float
