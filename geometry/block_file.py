@@ -1,7 +1,8 @@
 """The native file of a specimen, .blocks.h5: what was imported or built, bit for bit.
 
-HDF5 in h5py's default file version. `about` is a JSON text in bytes: format, version, names of groups and sets, section
-and shape. `blocks/` and (with tets) `mesh/` hold the arrays of the geometry floor, `sets/0`, `sets/1`, ... block numbers.
+HDF5 in h5py's default file version. `about` is a JSON text in bytes: format, version, names of groups and sets,
+section and shape. `blocks/` and (with tets) `mesh/` hold the arrays of the geometry floor, `sets/0`, `sets/1`, ...
+block numbers.
 Arrays lie open in the file, int64 or float64, neither packed nor linked: a file can only claim what it holds.
 """
 
