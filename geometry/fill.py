@@ -3,11 +3,19 @@
 from collections.abc import Sequence
 
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 from geometry.blocks import Blocks
 from geometry.cells.asked import CellReport, CellsAsked
+from geometry.cells.plane_cells import divide_plane
+from geometry.cells.targets import given_sites, random_sites, share_out, target_sizes
+from geometry.extrude import extrude
 from geometry.grid import divide
 from geometry.shapes import from_boxes
+
+PLANE = [0, 2]
+ATTEMPTS = 3
+"""Sets of random seeds that are tried before a division is left as it is."""
 
 
 def fill_with_grid(low: np.ndarray, high: np.ndarray, divisions: Sequence[Sequence[int]], group: str) -> Blocks:
@@ -19,5 +27,37 @@ def fill_with_grid(low: np.ndarray, high: np.ndarray, divisions: Sequence[Sequen
 
 
 def fill_with_cells(low: np.ndarray, high: np.ndarray, asked: CellsAsked, group: str) -> tuple[Blocks, CellReport]:
-    """Every box low[u]..high[u] (U, 3) m divided into cells, all together; the unit of a block is u."""
-    raise NotImplementedError
+    """Every box low[u]..high[u] (U, 3) m divided into cells, all together; the unit of a block is u.
+
+    Raises GeometryError for numbers that do not fit the boxes.
+    """
+    rng = np.random.default_rng(asked.seed)
+    volume = np.prod(high - low, axis=1)
+    if asked.sites is not None:
+        site, counts = given_sites(asked, low, high)
+    else:
+        site, counts = None, share_out(asked, volume, high[:, 1] - low[:, 1])
+    with threadpool_limits(1):  # threads of BLAS make the many small products ten times slower
+        return _plane_cells(low, high, asked, group, counts, site, rng)
+
+
+def _plane_cells(
+    low: np.ndarray,
+    high: np.ndarray,
+    asked: CellsAsked,
+    group: str,
+    counts: np.ndarray,
+    site: np.ndarray | None,
+    rng: np.random.Generator,
+) -> tuple[Blocks, CellReport]:
+    flat_low, flat_high = low[:, PLANE], high[:, PLANE]
+    target = target_sizes(asked, counts, np.prod(flat_high - flat_low, axis=1), rng)
+    if site is None:
+        seeds = [random_sites(flat_low, flat_high, counts, rng) for _ in range(ATTEMPTS)]
+    else:
+        seeds = [site[:, PLANE]]
+    (x0, z0), (x1, z1) = flat_low.T, flat_high.T
+    polygons = list(np.stack([np.stack([x0, x1, x1, x0], axis=1), np.stack([z0, z0, z1, z1], axis=1)], axis=2))
+    loops, report = divide_plane(polygons, counts, target, seeds, asked.laguerre, asked.regularise)
+    unit = np.repeat(np.arange(len(counts)), counts)
+    return extrude(loops, low[unit, 1], high[unit, 1], unit, (group,)), report

@@ -1,0 +1,156 @@
+"""Cells of the plane: seeds, sizes held by weights, short edges and short joint segments lengthened.
+
+Lloyd's relaxation first; then limited-memory BFGS on the energy of plane_energy.py over sites and weights of all units
+together, with thresholds that rise in two stages; then Newton's method on the weights alone, which sets the sizes
+exactly (semi-discrete optimal transport).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import OptimizeResult, minimize
+from scipy.sparse import coo_array
+from scipy.sparse.linalg import spsolve
+
+from geometry.cells.plane_energy import MOST, Domains, Wishes, energy, tessellate
+
+STAGES = ((0.30, 0.25), (0.36, 0.30))
+"""Thresholds of edges and of joint segments, in h, by stage; the first alone is enough for what users are promised."""
+SIZES_MATTER = 30.0
+RELAXATIONS = 20
+EVALUATIONS = 800
+ENOUGH = 1e-4
+"""Energy at which a stage ends: no edge lacks more than a hundredth of its threshold."""
+NEVER = 1e10
+
+
+@dataclass
+class PlaneDiagram:
+    """A power diagram of n cells in units of h, and room for its corners (see plane_energy)."""
+
+    domains: Domains
+    site: np.ndarray
+    weight: np.ndarray
+    corner: np.ndarray
+    label: np.ndarray
+    count: np.ndarray
+
+    def update(self) -> bool:
+        """Cut all cells anew; whether none is empty."""
+        enough = tessellate(self.site, self.weight, self.domains, self.corner, self.label, self.count)
+        return enough and bool(np.all(self.count >= 3))
+
+    def loop(self, i: int) -> np.ndarray:
+        """(k, 2) corners of cell i, counter-clockwise."""
+        return self.corner[i, : self.count[i]]
+
+
+def plane_diagram(domains: Domains, site: np.ndarray) -> PlaneDiagram:
+    """The Voronoi division of the domains by these sites (n, 2), in units of h."""
+    n = len(site)
+    room = np.zeros((n, MOST, 2)), np.zeros((n, MOST), dtype=np.int64), np.zeros(n, dtype=np.int64)
+    return PlaneDiagram(domains, site.copy(), np.zeros(n), *room)
+
+
+def areas_and_centroids(diagram: PlaneDiagram) -> tuple[np.ndarray, np.ndarray]:
+    """(n,) and (n, 2), in units of h; an empty cell has its site for a centroid."""
+    inside = np.arange(MOST) < diagram.count[:, None]
+    after = np.where(np.arange(1, MOST + 1) < diagram.count[:, None], np.arange(1, MOST + 1), 0)
+    a = diagram.corner - diagram.site[:, None]
+    b = np.take_along_axis(a, after[:, :, None], axis=1)
+    cross = np.where(inside, a[:, :, 0] * b[:, :, 1] - a[:, :, 1] * b[:, :, 0], 0.0)
+    area = cross.sum(axis=1) / 2
+    moment = np.einsum("nk,nki->ni", cross, np.where(inside[:, :, None], a + b, 0.0)) / 6
+    return area, diagram.site + moment / np.where(area != 0, area, 1.0)[:, None]
+
+
+def relax(diagram: PlaneDiagram, times: int) -> None:
+    """Lloyd's relaxation: every site moves to the centroid of its cell."""
+    for _ in range(times):
+        if diagram.update():
+            diagram.site = areas_and_centroids(diagram)[1]
+    diagram.update()
+
+
+def regularise(diagram: PlaneDiagram, target: np.ndarray, laguerre: bool) -> float:
+    """Move sites (and weights, if laguerre) until nothing is short; returns the energy that is left."""
+    n, left = len(diagram.site), np.inf
+    to_site, to_weight = np.empty((n, 2)), np.empty(n)
+
+    def value(x: np.ndarray, wishes: Wishes) -> tuple[float, np.ndarray]:
+        weight = x[2 * n :] if laguerre else diagram.weight
+        room = diagram.corner, diagram.label, diagram.count
+        total = energy(x[: 2 * n].reshape(n, 2), weight, diagram.domains, wishes, *room, to_site, to_weight)
+        if not np.isfinite(total):
+            return NEVER, np.zeros_like(x)
+        return total, np.concatenate([to_site.ravel(), to_weight]) if laguerre else to_site.ravel().copy()
+
+    x = np.concatenate([diagram.site.ravel(), diagram.weight]) if laguerre else diagram.site.ravel()
+    for edge, segment in STAGES:
+        wishes = Wishes(target, edge, segment, SIZES_MATTER if laguerre else 0.0, 1.0, 1.0)
+        options = {"maxfun": EVALUATIONS, "maxiter": EVALUATIONS, "maxcor": 20}
+        found = minimize(value, x, (wishes,), "L-BFGS-B", jac=True, callback=_until_enough, options=options)
+        x, left = found.x, float(found.fun)
+    diagram.site = x[: 2 * n].reshape(n, 2).copy()
+    if laguerre:
+        diagram.weight = x[2 * n :].copy()
+    diagram.update()
+    return left
+
+
+def _until_enough(intermediate_result: OptimizeResult) -> None:
+    if intermediate_result.fun < ENOUGH:
+        raise StopIteration
+
+
+def hold_sizes(diagram: PlaneDiagram, target: np.ndarray, tolerance: float = 1e-10, most: int = 60) -> bool:
+    """Newton's method on the weights until every area is its target (n,); damped so that no cell dries up.
+
+    Kitagawa, Merigot and Thibert (2019). Returns whether all areas are within the tolerance of their targets.
+    """
+    if not diagram.update():
+        return False
+    area = areas_and_centroids(diagram)[0]
+    least = 0.5 * min(area.min(), target.min())
+    for _ in range(most):
+        lack = target - area
+        if np.abs(lack / target).max() <= tolerance:
+            return True
+        step, before, share = _newton_step(diagram, lack), diagram.weight, 1.0
+        while share > 1e-6:
+            diagram.weight = before + share * step
+            if diagram.update():
+                area = areas_and_centroids(diagram)[0]
+                progress = np.linalg.norm(target - area) <= (1 - 0.5 * share) * np.linalg.norm(lack)
+                if area.min() >= least and progress:
+                    break
+            share *= 0.5
+        else:
+            diagram.weight = before
+            diagram.update()
+            return bool(np.abs(lack / target).max() <= 1e-6)
+    return False
+
+
+def _newton_step(diagram: PlaneDiagram, lack: np.ndarray) -> np.ndarray:
+    """Change of the weights that makes up for the lack of area (n,), to first order; one weight a unit stays."""
+    n = len(lack)
+    i, j, length = shared_edges(diagram)
+    share = length / (2 * np.linalg.norm(diagram.site[i] - diagram.site[j], axis=1))
+    diagonal = np.bincount(i, share, n) + np.bincount(j, share, n)
+    kept = np.ones(n, dtype=bool)
+    kept[diagram.domains.cell_start[:-1]] = False
+    rows, columns = np.concatenate([i, j, np.arange(n)]), np.concatenate([j, i, np.arange(n)])
+    matrix = coo_array((np.concatenate([-share, -share, diagonal]), (rows, columns)), shape=(n, n)).tocsr()
+    step = np.zeros(n)
+    if kept.any():
+        step[kept] = spsolve(matrix[kept][:, kept].tocsc(), lack[kept])
+    return step
+
+
+def shared_edges(diagram: PlaneDiagram) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Edges between cells i < j, (m,) each, and their lengths in h."""
+    inside = np.arange(MOST) < diagram.count[:, None]
+    i, k = np.nonzero(inside & (diagram.label > np.arange(len(inside))[:, None]))
+    after = np.where(k + 1 < diagram.count[i], k + 1, 0)
+    return i, diagram.label[i, k], np.linalg.norm(diagram.corner[i, after] - diagram.corner[i, k], axis=1)

@@ -1,0 +1,66 @@
+"""Convex polygons of a plane divided into cells, all together."""
+
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from geometry.blocks import GeometryError
+from geometry.cells.asked import CellReport
+from geometry.cells.plane import RELAXATIONS, PlaneDiagram, hold_sizes, plane_diagram, regularise, relax
+from geometry.cells.plane_domains import plane_domains
+from geometry.cells.plane_measures import loops_in_metres, report
+
+SETTLED = 0.01
+"""Energy below which nothing is worth another attempt: no edge or segment lacks more than a tenth of its threshold."""
+
+
+def divide_plane(
+    polygons: Sequence[np.ndarray],
+    counts: np.ndarray,
+    target: np.ndarray,
+    sites: Sequence[np.ndarray],
+    laguerre: bool = True,
+    regular: bool = True,
+) -> tuple[list[np.ndarray], CellReport]:
+    """Corners (k, 2) m of every cell, counter-clockwise, polygon by polygon, and what the division came to.
+
+    polygons   (k, 2) m each, convex and counter-clockwise; where two lie on one line they meet in a joint
+    counts     (U,) cells of each        target  (n,) m2, areas that add up to each polygon's
+    sites      (n, 2) m, one set of seeds for each attempt; later ones are tried where an earlier one gets stuck
+    laguerre   hold the targets by weights; False: a Voronoi division, whose sizes fall out as they may
+    regular    lengthen short edges and short joint segments
+    Raises GeometryError where a site is left without a cell.
+    """
+    begin = time.perf_counter()
+    h = float(np.sqrt(target.sum() / len(target)))
+    domains = plane_domains(polygons, counts, h)
+    best, least = None, np.inf
+    for seeds in sites:
+        diagram, left = _attempt(plane_diagram(domains, seeds / h), target / h**2, laguerre, regular)
+        if best is None or left < least:
+            best, least = diagram, left
+        if least <= SETTLED or not regular:
+            break
+    assert best is not None
+    if np.any(best.count < 3):
+        x, z = best.site[np.argmin(best.count)] * h
+        raise GeometryError(f"cells: the site at x = {x:g}, z = {z:g} m has no cell; move it away from its neighbours")
+    outcome = report(best, target / h**2, h, 0.0)
+    loops = loops_in_metres(best, polygons, h)
+    return loops, replace(outcome, seconds=time.perf_counter() - begin)
+
+
+def _attempt(diagram: PlaneDiagram, target: np.ndarray, laguerre: bool, regular: bool) -> tuple[PlaneDiagram, float]:
+    left = 0.0
+    if regular:
+        relax(diagram, RELAXATIONS)
+        if laguerre:
+            hold_sizes(diagram, target, tolerance=0.05)
+        left = regularise(diagram, target, laguerre)
+    if not diagram.update():
+        left = np.inf
+    elif laguerre and not hold_sizes(diagram, target):
+        left += 1.0
+    return diagram, left

@@ -1,0 +1,77 @@
+"""How many cells each unit gets, how large each is to be, and where the seeds start."""
+
+import numpy as np
+
+from geometry.blocks import GeometryError
+from geometry.cells.asked import CellsAsked
+
+MOST_CELLS = 200_000
+
+
+def share_out(asked: CellsAsked, volume: np.ndarray, depth: np.ndarray) -> np.ndarray:
+    """(U,) cells of each unit of volume (U,) m3 and depth (U,) m; a total is met exactly, by largest remainders."""
+    if asked.total is not None:
+        counts = _largest_remainders(asked.total, volume)
+    elif asked.per_unit is not None:
+        counts = np.maximum(1, np.rint(asked.per_unit * volume / volume.max())).astype(np.int64)
+    else:
+        assert asked.size is not None
+        one = asked.size**3 if asked.space else asked.size**2 * depth
+        counts = np.maximum(1, np.rint(np.minimum(volume / one, 1e9))).astype(np.int64)
+    if counts.sum() > MOST_CELLS:
+        raise GeometryError(f"cells: this would make {counts.sum()} cells; at most {MOST_CELLS} are allowed")
+    return counts
+
+
+def _largest_remainders(total: int, volume: np.ndarray) -> np.ndarray:
+    if total < len(volume):
+        raise GeometryError(f"cells: total is {total}, but there are {len(volume)} units; nearest: {len(volume)}")
+    share = total * volume / volume.sum()
+    counts = np.maximum(1, np.floor(share * (1 + 1e-12))).astype(np.int64)
+    while counts.sum() < total:
+        counts[np.argmax(np.round(share - counts, 9))] += 1
+    while counts.sum() > total:  # units too small for one cell got one all the same
+        counts[np.argmax(np.where(counts > 1, np.round(counts - share, 9), -np.inf))] -= 1
+    return counts
+
+
+def target_sizes(asked: CellsAsked, counts: np.ndarray, whole: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """(n,) sizes of all cells, unit by unit, that add up to the size whole (U,) of each unit."""
+    sizes = np.ones(counts.sum())
+    if asked.sizes is not None:
+        _require_sizes(asked.sizes, counts)
+        sizes = np.tile(np.asarray(asked.sizes, dtype=float), len(counts))
+    elif asked.spread > 0:
+        sizes = rng.lognormal(0.0, np.sqrt(np.log1p(asked.spread**2)), len(sizes))
+    unit = np.repeat(np.arange(len(counts)), counts)
+    return sizes * (whole / np.bincount(unit, sizes))[unit]
+
+
+def _require_sizes(sizes: tuple[float, ...], counts: np.ndarray) -> None:
+    if not np.all(np.isfinite(sizes)) or min(sizes, default=0.0) <= 0:
+        raise GeometryError("cells: every one of sizes must be greater than 0")
+    if np.any(counts != len(sizes)):
+        odd = int(counts[counts != len(sizes)][0])
+        raise GeometryError(f"cells: there are {len(sizes)} sizes, but a unit has {odd} cells; give {odd} sizes")
+
+
+def given_sites(asked: CellsAsked, low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Seeds (n, 3) m of a scene sorted by unit, and how many each box low[u]..high[u] (U, 3) m holds."""
+    site = np.asarray(asked.sites, dtype=float).reshape(-1, 3)
+    inside = np.all((site[:, None] > low) & (site[:, None] < high), axis=2)
+    if np.any(inside.sum(axis=1) != 1):
+        x, y, z = site[np.flatnonzero(inside.sum(axis=1) != 1)[0]]
+        raise GeometryError(f"cells: the site ({x:g}, {y:g}, {z:g}) m lies in no unit; move it or leave it out")
+    counts = inside.sum(axis=0)
+    if asked.total != len(site):
+        raise GeometryError(f"cells: there are {len(site)} sites; total must say so: total = {len(site)}")
+    if counts.min() < 1:
+        u = int(np.argmin(counts))
+        raise GeometryError(f"cells: unit {u} holds no site; every unit needs at least one")
+    return site[np.argsort(np.argmax(inside, axis=1), kind="stable")], counts
+
+
+def random_sites(low: np.ndarray, high: np.ndarray, counts: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """(n, d) seeds spread evenly at random over the boxes low[u]..high[u] (U, d)."""
+    unit = np.repeat(np.arange(len(counts)), counts)
+    return rng.uniform(low[unit], high[unit])
