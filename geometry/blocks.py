@@ -4,8 +4,12 @@ Axes: x along the length of the specimen, y through its thickness, z up. All len
 """
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from geometry.cells.asked import CellReport
 
 
 class GeometryError(ValueError):
@@ -100,9 +104,11 @@ class Specimen:
     sets     name -> block numbers ("top", "bottom", "left plate", ...)
     section  m2, the area that turns a force into the reported stress
     shape    one word for the report ("couplet", "wallette", "boxes")
+    cells    what came of each division into cells
     """
 
     blocks: Blocks
     sets: dict[str, np.ndarray] = field(default_factory=dict)
     section: float = 1.0
     shape: str = "boxes"
+    cells: "tuple[CellReport, ...]" = ()

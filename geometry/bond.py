@@ -1,49 +1,120 @@
-"""Running bond: courses of whole units, half a unit apart, in expanded units.
+"""Bonds of masonry: how the units of a wall lie on each other, in expanded units.
 
-An expanded unit is as long as the unit and one joint together (its module), so that joints have no thickness.
+An expanded unit is as large as the unit and one joint together (its module), so that joints have no thickness. Every
+bond is written in parts, quarters of the length of a whole unit: S stretcher 4, H header 2, B half unit 2, q closer 1.
+A header lies across the wall and shows its width, half of a stretcher. Courses alternate; each line is one, from below:
+
+    running   |S   |S   |      header    |S |S |S |     (whole units are headers here; a part is a quarter of one)
+              |B |S   |B |               |B|S |S |B|
+    stack     |S   |S   |      english   |S   |S   |S   |     stretchers, then headers with closers beside the corners
+              |S   |S   |                |H |q|H |H |H |q|H |
+    flemish   |S   |H |S   |H |S   |                    each header stands in the middle of a stretcher
+              |H |q|S   |H |S   |q|H |
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from geometry.blocks import GeometryError
+
+WHOLE = 4
+
 
 @dataclass(frozen=True)
 class Bond:
-    """Modules of a wall in running bond.
+    """Modules of a wall.
 
     low, high  (U, 3) m, corners of each module, course by course from below, left to right
     course     (U,) counted from 0
-    half       (U,) whether it is a half unit
+    parts      (U,) length of each module in quarters of a whole unit
     length     of the wall, m          height  of the wall, m
     """
 
     low: np.ndarray
     high: np.ndarray
     course: np.ndarray
-    half: np.ndarray
+    parts: np.ndarray
     length: float
     height: float
 
 
-def running_bond(
-    courses: int, units_per_course: int, module_length: float, module_height: float, thickness: float
+def _running(units: int) -> tuple[list[int], list[int]]:
+    return [4] * units, [2, *[4] * (units - 1), 2]
+
+
+def _stack(units: int) -> tuple[list[int], list[int]]:
+    return [4] * units, [4] * units
+
+
+def _english(units: int) -> tuple[list[int], list[int]]:
+    return [4] * units, [2, 1, *[2] * (2 * units - 3), 1, 2]
+
+
+def _flemish(units: int) -> tuple[list[int], list[int]]:
+    return [4, *[2, 4] * (units - 1)], [2, 1, 4, *[2, 4] * (units - 2), 1, 2]
+
+
+COURSES: dict[str, Callable[[int], tuple[list[int], list[int]]]] = {
+    "running": _running,
+    "stack": _stack,
+    "header": _running,
+    "english": _english,
+    "flemish": _flemish,
+}
+"""Parts of the courses 1, 3, ... and 2, 4, ... for so many whole units (flemish: stretchers of the first course)."""
+
+
+def lay(
+    name: str,
+    courses: int,
+    units_per_course: int,
+    unit: tuple[float, float],
+    joint: float,
+    thickness: float,
+    unit_width: float | None = None,
 ) -> Bond:
-    """Courses 1, 3, ... of whole units; courses 2, 4, ... begin and end with half a unit."""
-    left, right, course = [], [], []
-    ends = 2 * units_per_course
-    for c in range(courses):
-        cuts = [0, *range(1, ends, 2), ends] if c % 2 else list(range(0, ends + 1, 2))
-        left += cuts[:-1]
-        right += cuts[1:]
-        course += [c] * (len(cuts) - 1)
-    row = np.array(course)
+    """The modules of a wall in the bond `name`, a key of COURSES.
+
+    unit        (length, height) m of a real unit, without joint         joint  thickness (m) of bed and head joints
+    unit_width  m, needed where a bond has headers; in english and flemish bond two headers with the joint between them
+                must be as long as a stretcher
+    Raises GeometryError for an unknown bond and for units that do not fit it.
+    """
+    if name not in COURSES:
+        raise GeometryError(f"bond '{name}' is unknown; allowed: {', '.join(COURSES)}")
+    whole = (unit[0] if name != "header" else _header_width(name, unit[0], joint, unit_width)) + joint
+    if name in ("english", "flemish"):
+        _header_width(name, unit[0], joint, unit_width)
+        if units_per_course < 2:
+            raise GeometryError(f"bond '{name}' needs at least 2 units in a course, not {units_per_course}")
+    module = unit[1] + joint
+    laid = COURSES[name](units_per_course)
+    parts = [np.array(laid[c % 2]) for c in range(courses)]
+    end = np.concatenate([np.cumsum(p) for p in parts])
+    part, row = np.concatenate(parts), np.repeat(np.arange(courses), [len(p) for p in parts])
     zero = np.zeros(len(row))
     return Bond(
-        low=np.stack([np.array(left) * module_length / 2, zero, row * module_height], axis=1),
-        high=np.stack([np.array(right) * module_length / 2, zero + thickness, (row + 1) * module_height], axis=1),
+        low=np.stack([(end - part) * (whole / WHOLE), zero, row * module], axis=1),
+        high=np.stack([end * (whole / WHOLE), zero + thickness, (row + 1) * module], axis=1),
         course=row,
-        half=np.array(right) - np.array(left) == 1,
-        length=units_per_course * module_length,
-        height=courses * module_height,
+        parts=part,
+        length=sum(laid[0]) * (whole / WHOLE),
+        height=courses * module,
     )
+
+
+def _header_width(name: str, length: float, joint: float, width: float | None) -> float:
+    """The width that a header shows, or GeometryError."""
+    fitting = (length - joint) / 2
+    if width is None:
+        raise GeometryError(
+            f"bond '{name}' has headers: unit_width is needed, {fitting:g} m for a unit of {length:g} m and its joint"
+        )
+    if name != "header" and not abs(width - fitting) <= 1e-6 * length:
+        raise GeometryError(
+            f"bond '{name}': unit_width is {width:g} m, but two headers and their joint must be as long as a stretcher "
+            f"of {length:g} m; nearest: {fitting:g} m"
+        )
+    return width

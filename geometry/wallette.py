@@ -1,15 +1,16 @@
-"""The wallette: a wall in running bond of expanded units, with end plates left and right."""
+"""The wallette: a plane wall of expanded units in any bond, with end plates left and right."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
-from geometry.blocks import Blocks, GeometryError, Specimen
-from geometry.bond import running_bond
-from geometry.grid import divide
+from geometry.blocks import Blocks, Specimen
+from geometry.bond import lay
+from geometry.cells.asked import CellsAsked
 from geometry.overlaps import check_overlaps
 from geometry.shapes import concatenate, from_boxes
 from geometry.sizes import require_counts, require_lengths
+from geometry.walls import fill_bond, wall_sets
 
 
 def wallette(
@@ -19,58 +20,40 @@ def wallette(
     unit_height: float,
     thickness: float,
     joint_thickness: float,
-    divisions: Sequence[int] = (1, 1),
+    divisions: Sequence[int] | CellsAsked = (1, 1),
     plates: float | None = None,
+    bond: str = "running",
+    unit_width: float | None = None,
 ) -> Specimen:
     """A wall of courses x units_per_course units of unit_length x thickness x unit_height (m, along x, y, z).
 
     joint_thickness  of head and bed joints: units are expanded by it, the joints themselves have no thickness
-    divisions        (nx, nz) blocks in a whole unit; half units get nx / 2, so nx is 1 or even
+    divisions        (nx, nz) blocks in a whole unit, of which half units get nx / 2; or cells in all units together
     plates           thickness (m) of a plate left and right over the whole height, one block each
+    bond, unit_width  as in geometry.bond
     The section is the height of the wall times its thickness. Raises GeometryError for sizes that cannot be built.
     """
-    require_lengths(
-        "wallette",
-        {
-            "unit_length": unit_length,
-            "unit_height": unit_height,
-            "thickness": thickness,
-            "joint_thickness": joint_thickness,
-            "plates": 1.0 if plates is None else plates,
-        },
-        zero_allowed=("joint_thickness",),
-    )
-    require_counts("wallette", "number of units", (units_per_course, courses), "xz")
-    require_counts("wallette", "divisions", divisions, "xz")
-    nx, nz = divisions
-    if nx > 1 and nx % 2 and courses > 1:
-        raise GeometryError(
-            f"wallette: divisions along x is {nx}, but a half unit takes half of them: 1 or an even number; "
-            f"nearest: {nx - 1} or {nx + 1}"
-        )
-    module = (unit_length + joint_thickness, unit_height + joint_thickness)
-    bond = running_bond(courses, units_per_course, *module, thickness)
-    lows, highs, units = [], [], []
-    for number, (low, high, half) in enumerate(zip(bond.low, bond.high, bond.half, strict=True)):
-        cells = divide(low, high, (max(1, nx // 2) if half else nx, 1, nz))
-        lows.append(cells[0])
-        highs.append(cells[1])
-        units.append(np.full(len(cells[0]), number))
-    unit = np.concatenate(units)
-    blocks = from_boxes(np.concatenate(lows), np.concatenate(highs), unit, np.zeros(len(unit)), ("units",))
-    course = bond.course[unit]
-    sets = {
-        "units": np.arange(blocks.count),
-        "left end": np.flatnonzero(np.concatenate(lows)[:, 0] == 0.0),
-        "right end": np.flatnonzero(np.concatenate(highs)[:, 0] == bond.length),
-        "bottom course": np.flatnonzero(course == 0),
-        "top course": np.flatnonzero(course == courses - 1),
+    lengths = {
+        "unit_length": unit_length,
+        "unit_height": unit_height,
+        "thickness": thickness,
+        "joint_thickness": joint_thickness,
+        "plates": 1.0 if plates is None else plates,
+        "unit_width": 1.0 if unit_width is None else unit_width,
     }
+    require_lengths("wallette", lengths, zero_allowed=("joint_thickness",))
+    require_counts("wallette", "number of units", (units_per_course, courses), "xz")
+    if not isinstance(divisions, CellsAsked):
+        require_counts("wallette", "divisions", divisions, "xz")
+        divisions = (divisions[0], 1, divisions[1])
+    laid = lay(bond, courses, units_per_course, (unit_length, unit_height), joint_thickness, thickness, unit_width)
+    blocks, reports = fill_bond("wallette", laid, divisions)
+    sets = wall_sets(blocks, laid)
     if plates is not None:
         sets |= {"left plate": np.array([blocks.count]), "right plate": np.array([blocks.count + 1])}
-        blocks = concatenate([blocks, _end_plates(plates, bond.length, thickness, bond.height, unit[-1] + 1)])
+        blocks = concatenate([blocks, _end_plates(plates, laid.length, thickness, laid.height, len(laid.parts))])
     check_overlaps(blocks)
-    return Specimen(blocks, sets, section=bond.height * thickness, shape="wallette")
+    return Specimen(blocks, sets, section=laid.height * thickness, shape="wallette", cells=reports)
 
 
 def _end_plates(plate: float, length: float, thickness: float, height: float, unit: int) -> Blocks:
