@@ -1,5 +1,7 @@
 """Joints: where faces of two blocks lie on each other, wholly or in part, and the contact points there."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
@@ -7,17 +9,26 @@ from scipy.sparse.csgraph import connected_components
 from geometry.blocks import Blocks, Joints
 from geometry.contact_points import contact_points
 from geometry.measures import extent, face_areas_normals_centroids
+from geometry.point_density import Density
 from geometry.polygons import areas_normals_centroids, clip, pad, tidy, unpad
 from geometry.sweep import overlapping_boxes
 
 
-def find_joints(blocks: Blocks, rule: str = "gauss", points_per_edge: int = 2, tolerance: float = 1e-9) -> Joints:
+def find_joints(
+    blocks: Blocks,
+    rule: str = "gauss",
+    points_per_edge: int | Sequence[int] = 2,
+    points_per_face: int | None = None,
+    spacing: float | None = None,
+    tolerance: float = 1e-9,
+) -> Joints:
     """Every overlap of coplanar faces of different blocks that look at each other, with its contact points.
 
-    rule, points_per_edge  as in contact_points
-    tolerance              of distances, relative to the longest side of the specimen
+    rule, points_per_edge, points_per_face, spacing  as in Density
+    tolerance  of distances, relative to the longest side of the specimen
     Pairs of faces that touch along a line or in a corner only are not joints; they are counted in `dropped`.
     """
+    density = Density(rule, points_per_edge, points_per_face, spacing)
     width = tolerance * extent(blocks)
     face_a, face_b = facing_pairs(blocks, width)
     corners, count = pad(blocks.points, blocks.face_start, blocks.face_points)
@@ -28,7 +39,7 @@ def find_joints(blocks: Blocks, rule: str = "gauss", points_per_edge: int = 2, t
     kept = touching & (corner_count >= 3)
     overlap, corner_count, face_a, face_b = overlap[kept], corner_count[kept], face_a[kept], face_b[kept]
 
-    patch, point, share = contact_points(overlap, corner_count, rule, points_per_edge)
+    patch, point, share = contact_points(overlap, corner_count, density)
     patch_start, patch_points = unpad(overlap, corner_count)
     owner = blocks.face_block()
     return Joints(

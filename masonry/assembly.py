@@ -43,7 +43,10 @@ def assemble(scene: Scene) -> Assembly:
     overlaps.check_overlaps(blocks)
     _require_groups(scene, blocks.groups)
     kinds = {g: scene.kinematics_of(g) for g in blocks.groups}
-    joints = joint_search.find_joints(blocks, scene.specimen.contact_points, scene.specimen.points_per_edge)
+    spec = scene.specimen
+    joints = joint_search.find_joints(
+        blocks, spec.contact_points, spec.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
+    )
     _require_contact_groups(scene, specimen, joints)
     mesh = None
     if "tets" in kinds.values():

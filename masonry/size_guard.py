@@ -4,6 +4,8 @@ from math import prod
 
 from masonry.errors import SceneError
 from masonry.scene import Scene
+from masonry.scene.points import DENSITIES
+from masonry.scene.specimen import Specimen
 
 BLOCKS, CONTACT_POINTS, TETS = 5e5, 5e6, 5e6
 """The most that a scene may ask for; about 10 GB of memory each."""
@@ -25,12 +27,26 @@ def require_sane_size(scene: Scene) -> None:
         blocks = sum(prod(box.divisions) for box in spec.box)
         volume = sum(prod(box.size) for box in spec.box)
     _require(blocks, BLOCKS, "blocks", "specimen.divisions")
-    _require(3 * blocks * spec.points_per_edge**2, CONTACT_POINTS, "contact points", "specimen.points_per_edge")
+    _require_few_points(spec, blocks, volume)
     meshed = "tets" in scene.kinematics.values() and spec.mesh_size is not None
     if meshed:
         assert spec.mesh_size is not None
         edge = min(spec.mesh_size, volume ** (1 / 3))
         _require(TETS_PER_CUBE * volume / edge**3 if edge**3 > 0 else float("inf"), TETS, "tets", "specimen.mesh_size")
+
+
+def _require_few_points(spec: Specimen, blocks: float, volume: float) -> None:
+    """Three faces of each block lie in a joint."""
+    key = next(key for key in DENSITIES if getattr(spec, key) is not None)
+    if spec.points_per_edge is not None:
+        x, y, z = spec.points_per_edge
+        points = x * y + y * z + z * x
+    elif spec.points_per_face is not None:
+        points = 3 * spec.points_per_face
+    else:
+        assert spec.contact_spacing is not None
+        points = 3 * max(1.0, 1.6 * (volume / blocks) ** (1 / 3) / spec.contact_spacing) ** 2
+    _require(blocks * points, CONTACT_POINTS, "contact points", f"specimen.{key}")
 
 
 def _require(count: float, most: float, what: str, key: str) -> None:

@@ -14,6 +14,7 @@ RIVALS = (
     {"rate", "steps"},
     {"friction_angle", "tan_friction_angle"},
     {"residual_friction_angle", "tan_residual_friction_angle"},
+    {"points_per_edge", "points_per_face", "contact_spacing"},
 )
 
 

@@ -1,23 +1,34 @@
 """What a scene says of its specimen: the couplet, the wallette, or boxes one by one. Lengths in m, areas in m2."""
 
 from collections import Counter
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
+from masonry.scene.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
 from masonry.scene.types import Area, Count, Gap, KeyedError, Length, Number, Position, Table
 
 
 class _Specimen(Table):
     kind: str
     contact_points: Literal["gauss", "vertex"] = "gauss"
-    points_per_edge: Count = 2
+    points_per_edge: PointsPerEdge = PerAxis()
+    points_per_face: PointsPerFace | None = None
+    contact_spacing: Length | None = None
     mesh_size: Length | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_density(cls, data: Any) -> Any:
+        return one_density(data)
 
     @model_validator(mode="after")
     def _has_corners(self) -> "_Specimen":
-        if self.contact_points == "vertex" and self.points_per_edge < 2:
-            raise KeyedError("points_per_edge", "must be 2 or more with contact_points = 'vertex'")
+        if self.contact_points == "vertex":
+            for key, number in (("points_per_edge", 2), ("points_per_face", 4)):
+                given = getattr(self, key)
+                if given is not None and fewest(given) < number:
+                    raise KeyedError(key, f"must be {number} or more with contact_points = 'vertex'")
         return self
 
 

@@ -9,6 +9,7 @@ from geometry.boxes import boxes
 from geometry.contact_points import contact_points
 from geometry.couplet import couplet
 from geometry.joints import connected, find_joints
+from geometry.point_density import Density
 from geometry.polygons import areas_normals_centroids
 from geometry.shapes import concatenate, from_boxes, from_faces
 from geometry.wallette import wallette
@@ -115,7 +116,9 @@ def test_points_on_random_convex_polygons_sum_to_area_and_first_moments(seed):
     moment = cross @ (flat + after) / 6
     turn = Rotation.random(rng=seed).as_matrix()
     for rule, points in RULES:
-        polygon, point, share = contact_points((flat @ turn[:, :2].T)[None], np.array([len(flat)]), rule, points)
+        polygon, point, share = contact_points(
+            (flat @ turn[:, :2].T)[None], np.array([len(flat)]), Density(rule, points)
+        )
         assert np.all(share > 0)
         assert share.sum() == pytest.approx(area, rel=1e-14)
         size = np.abs(flat).max() * area
@@ -128,7 +131,7 @@ def test_points_on_random_convex_polygons_sum_to_area_and_first_moments(seed):
 def test_gauss_points_are_exact_for_quadratic_fields_on_random_polygons(seed):
     flat = convex_polygon(seed)
     corners = np.column_stack([flat, np.zeros(len(flat))])[None]
-    _, point, share = contact_points(corners, np.array([len(flat)]), "gauss", 2)
+    _, point, share = contact_points(corners, np.array([len(flat)]), Density("gauss", 2))
     x, y = flat.T
     x2, y2 = np.roll(x, -1), np.roll(y, -1)
     second = np.sum((x * y2 - x2 * y) * (x * x + x * x2 + x2 * x2)) / 12
