@@ -7,9 +7,6 @@ import numpy as np
 from geometry import joints as joint_search
 from geometry import overlaps
 from geometry.blocks import Joints, Specimen, TetMesh
-from geometry.boxes import boxes
-from geometry.couplet import couplet
-from geometry.wallette import wallette
 from masonry import loads, model
 from masonry.bodies import Material, lay_out
 from masonry.conditions import conditions_of
@@ -19,6 +16,7 @@ from masonry.held import require_held
 from masonry.laws import build as law_build
 from masonry.scene import Scene
 from masonry.size_guard import require_sane_size
+from masonry.specimens import specimen_of
 from masonry.timeloop import Recording
 
 
@@ -77,26 +75,6 @@ def assemble(scene: Scene) -> Assembly:
     sign = scene.drive.sign if scene.drive else 1.0
     recording = Recording(specimen.section, sign, s.rows, s.rotation_limit)
     return Assembly(scene, specimen, joints, mesh, built, program, recording)
-
-
-def specimen_of(scene: Scene) -> Specimen:
-    """The blocks of a scene, with named sets."""
-    spec = scene.specimen
-    if spec.kind == "couplet":
-        mortar = (spec.mortar.thickness, spec.mortar.divisions) if spec.mortar else None
-        return couplet(spec.length, spec.width, spec.height, spec.divisions, mortar, spec.plates)
-    if spec.kind == "wallette":
-        return wallette(
-            spec.courses,
-            spec.units_per_course,
-            spec.unit_length,
-            spec.unit_height,
-            spec.thickness,
-            spec.joint_thickness,
-            spec.divisions,
-            spec.plates,
-        )
-    return boxes([(b.name, b.origin, b.size, b.group, b.unit, b.divisions) for b in spec.box], spec.section)
 
 
 def _properties(contact) -> dict:

@@ -1,6 +1,7 @@
 """Sizes are capped before anything is built: a slip of a unit must not fill the memory or run for a year."""
 
 from math import prod
+from typing import Any
 
 from masonry.errors import SceneError
 from masonry.scene import Scene
@@ -16,23 +17,43 @@ TETS_PER_CUBE = 8.0
 def require_sane_size(scene: Scene) -> None:
     """Refuse a scene whose estimated size is beyond what a machine can hold; says which key to change."""
     spec = scene.specimen
-    if spec.kind == "couplet":
-        blocks = 2 * prod(spec.divisions) + (prod(spec.mortar.divisions) if spec.mortar else 0)
-        volume = 2 * spec.length * spec.width * spec.height
-    elif spec.kind == "wallette":
-        units = spec.courses * spec.units_per_course
-        blocks = units * prod(spec.divisions)
-        volume = units * spec.unit_length * spec.thickness * spec.unit_height
-    else:
-        blocks = sum(prod(box.divisions) for box in spec.box)
-        volume = sum(prod(box.size) for box in spec.box)
-    _require(blocks, BLOCKS, "blocks", "specimen.divisions")
+    blocks, volume = blocks_and_volume(spec)
+    _require(
+        blocks, BLOCKS, "blocks", "specimen.divisions" if getattr(spec, "cells", None) is None else "specimen.cells"
+    )
     _require_few_points(spec, blocks, volume)
     meshed = "tets" in scene.kinematics.values() and spec.mesh_size is not None
     if meshed:
         assert spec.mesh_size is not None
         edge = min(spec.mesh_size, volume ** (1 / 3))
         _require(TETS_PER_CUBE * volume / edge**3 if edge**3 > 0 else float("inf"), TETS, "tets", "specimen.mesh_size")
+
+
+def blocks_and_volume(spec: Any) -> tuple[float, float]:
+    """About how many blocks a specimen has, and the volume (m3) of its units."""
+    if spec.kind == "boxes":
+        return sum(prod(box.divisions) for box in spec.box), sum(prod(box.size) for box in spec.box)
+    if spec.kind in ("wallette", "bending"):
+        units, depth = spec.courses * spec.units_per_course, spec.thickness
+        volume = units * spec.unit_length * spec.thickness * spec.unit_height
+        return _blocks(spec, units, volume, depth), volume
+    units, depth = getattr(spec, "units", 2), spec.width
+    volume = units * spec.length * spec.width * spec.height
+    beds = 0.0
+    if spec.mortar is not None:
+        beds = _blocks(spec.mortar, units - 1, (units - 1) * spec.length * spec.width * spec.mortar.thickness, depth)
+    return _blocks(spec, units, volume, depth) + beds, volume
+
+
+def _blocks(table: Any, units: int, volume: float, depth: float) -> float:
+    """About how many blocks a grid or cells in so many units make, of this volume (m3) in all and depth (m)."""
+    cells = table.cells
+    if cells is None:
+        return float(units * prod(table.divisions))
+    if cells.size is not None:
+        one = cells.size**3 if cells.form == "space" else cells.size**2 * depth
+        return volume / one if one > 0 else float("inf")
+    return float(cells.total or units * cells.per_unit)
 
 
 def _require_few_points(spec: Specimen, blocks: float, volume: float) -> None:

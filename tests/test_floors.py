@@ -42,7 +42,7 @@ FLOORS = {
     ),
     "scene": Floor(
         "masonry masonry.__main__ masonry.cli masonry.doctor masonry.printout masonry.quantity masonry.scene*"
-        " masonry.assembly masonry.conditions masonry.held"
+        " masonry.assembly masonry.specimens masonry.conditions masonry.held"
         " masonry.size_guard masonry.summary masonry.laboratory masonry.sweep",
         sees="scene run model equations errors geometry",
     ),

@@ -11,6 +11,7 @@ from masonry.errors import SceneError
 from masonry.quantity import KINDS, written
 from masonry.scene.schema import Scene
 from masonry.scene.source import Keys, Source, split_key
+from masonry.scene.specimen import kinds
 from masonry.scene.types import Given, KeyedError
 
 MOST = 5
@@ -20,7 +21,7 @@ MISSING = ("missing", "missing_argument")
 QUOTED = r"'([^']+)'"
 HINTS = {
     "law": "name the law here or once at the top of the file: law = 'exponential'",
-    "specimen": "give a table [specimen] with kind = 'couplet', 'wallette' or 'boxes'",
+    "specimen": f"give a table [specimen] with a kind: {', '.join(kinds())}",
     "material": "give a table [material.units] with a density",
     "contact": "give a table [contact.unit_unit] with stiffnesses and strengths",
 }
@@ -33,6 +34,7 @@ PLAIN = {
     "tuple_type": "must be a list or, for tables, stand in double brackets [[{name}]]; not {shown}",
     "too_short": "must have {min_length} or more items, not {actual_length}",
     "too_long": "must have no more than {max_length} items",
+    "bool_type": "must be true or false, not {shown}",
     "string_type": "must be a text in quotes, not {shown}",
     "string_too_short": "must not be empty",
     "string_pattern_mismatch": "must be a name without a slash, not {shown}",
@@ -75,7 +77,7 @@ def _line(found: ErrorDetails, source: Source) -> str:
 def _in_file(loc: Keys, raw: Any) -> Keys:
     """The path as the file has it: without pydantic's own steps, and ending where the file ends."""
     path: Keys = ()
-    if len(loc) > 1 and loc[0] == "specimen" and loc[1] in ("couplet", "wallette", "boxes"):
+    if len(loc) > 1 and loc[0] == "specimen" and loc[1] in kinds():
         loc = (loc[0], *loc[2:])
     for part in loc:
         if not isinstance(raw, (dict, list)) or part == "[key]":
@@ -96,7 +98,7 @@ def _text(found: ErrorDetails, loc: Keys, name: str) -> str:
     if kind in MISSING:
         return f"missing{_hint(loc, name)}"
     if kind == "union_tag_not_found":
-        return "missing; allowed: couplet, wallette, boxes"
+        return f"missing; allowed: {', '.join(kinds())}"
     if kind == "union_tag_invalid":
         return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], re.findall(QUOTED, ctx['expected_tags']))}"
     if kind == "literal_error":

@@ -1,10 +1,11 @@
-"""What a scene says of its specimen: the couplet, the wallette, or boxes one by one. Lengths in m, areas in m2."""
+"""What a scene says of its specimen: what is built, and of which size. Lengths in m, areas in m2."""
 
 from collections import Counter
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import Field, model_validator
 
+from masonry.scene.cells import Cells, exclude
 from masonry.scene.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
 from masonry.scene.types import Area, Count, Gap, KeyedError, Length, Number, Position, Table
 
@@ -32,37 +33,82 @@ class _Specimen(Table):
         return self
 
 
-class Mortar(Table):
-    """A mortar layer made of blocks."""
+class _Divided(Table):
+    """A grid of blocks (nx, ny, nz), or cells."""
+
+    divisions: tuple[Count, Count, Count] = (1, 1, 1)
+    cells: Cells | None = None
+
+    @model_validator(mode="after")
+    def _is_divided_once(self) -> "_Divided":
+        exclude(self)
+        return self
+
+
+class Mortar(_Divided):
+    """Layers of mortar made of blocks."""
 
     thickness: Length
-    divisions: tuple[Count, Count, Count] = (1, 1, 1)
 
 
-class CoupletSpec(_Specimen):
-    """Two units, one above the other; length, width and height are those of one unit."""
+class _Stack(_Specimen, _Divided):
+    """Units one above the other; length, width and height are those of one unit."""
 
-    kind: Literal["couplet"]
     length: Length
     width: Length
     height: Length
-    divisions: tuple[Count, Count, Count] = (1, 1, 1)
     mortar: Mortar | None = None
     plates: Length | None = None
 
 
-class WalletteSpec(_Specimen):
-    """Running bond of expanded units with zero-thickness joints; divisions (nx, nz) of a whole unit."""
+class CoupletSpec(_Stack):
+    """Two units."""
 
-    kind: Literal["wallette"]
+    kind: Literal["couplet"]
+
+
+class PrismSpec(_Stack):
+    """Any number of units."""
+
+    kind: Literal["prism"]
+    units: Count = 3
+
+
+class _Wall(_Specimen):
+    """Courses of expanded units with zero-thickness joints."""
+
     courses: Count
     units_per_course: Count = 2
     unit_length: Length
     unit_height: Length
+    unit_width: Length | None = None
     thickness: Length
     joint_thickness: Gap = 0.0
+    bond: Literal["running", "stack", "header", "english", "flemish"] = "running"
+
+
+class WalletteSpec(_Wall):
+    """A plane wall between plates; divisions (nx, nz) of a whole unit."""
+
+    kind: Literal["wallette"]
     divisions: tuple[Count, Count] = (1, 1)
+    cells: Cells | None = None
     plates: Length | None = None
+
+    @model_validator(mode="after")
+    def _is_divided_once(self) -> "WalletteSpec":
+        exclude(self)
+        return self
+
+
+class BendingSpec(_Wall, _Divided):
+    """A wall between support rollers and load rollers."""
+
+    kind: Literal["bending"]
+    support_distance: Length = 0.025
+    load_distance: Length | None = None
+    roller_width: Length = 0.01
+    bottom_plate: Length | None = None
 
 
 class Box(Table):
@@ -91,4 +137,10 @@ class BoxesSpec(_Specimen):
         return self
 
 
-Specimen = Annotated[CoupletSpec | WalletteSpec | BoxesSpec, Field(discriminator="kind")]
+Specimen = Annotated[CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | BoxesSpec, Field(discriminator="kind")]
+
+
+def kinds() -> list[str]:
+    """The words that `kind` may be."""
+    union = get_args(Specimen)[0]
+    return [get_args(table.model_fields["kind"].annotation)[0] for table in get_args(union)]

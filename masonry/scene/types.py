@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 else:
     Law = Literal[law_names()]
 Motion = Literal["rigid", "affine", "tets"]
-Freedom = Literal["x", "y", "z", "rotation"]
+Freedom = Literal["x", "y", "z", "rotation", "rotation x", "rotation y", "rotation z"]
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
 CONFINEMENT = {"confinement": 1.0, "-confinement": -1.0}
 
@@ -87,6 +87,9 @@ Count = Annotated[int, Given("integer", "[1, 1000]")]
 Steps = Annotated[int, Given("integer", "[1, 1e8]")]
 Rows = Annotated[int, Given("integer", "[2, 1e6]")]
 Number = Annotated[int, Given("integer", "[0, 1e9]")]
+CellCount = Annotated[int, Given("integer", "[1, 2e5]")]
+RelativeSize = Annotated[float, Given("number", "(0, 1e6]")]
+Spread = Annotated[float, Given("number", "[0, 2]")]
 
 
 class Stresses(NamedTuple):

@@ -68,7 +68,7 @@ BAD = {
     "an unknown law": ('"exponential" ', '"exponental" ', "law", "law", ["did you mean 'exponential'"]),
     "an unknown kinematics": ('"rigid" ', '"rgid" ', "kinematics", "kinematics", ["did you mean 'rigid'"]),
     "an unknown specimen": ('"couplet"', '"cuplet"', "kind", "specimen.kind", ["did you mean 'couplet'"]),
-    "a specimen without a kind": ('kind = "couplet"', "", "[specimen]", "specimen.kind", ["couplet, wallette, boxes"]),
+    "a specimen without a kind": ('kind = "couplet"', "", "[specimen]", "specimen.kind", ["couplet, prism, wallette, bending, boxes"]),
     "rate and steps": ("steps = 40000", 'steps = 4\nrate = "1 mm/s"', "steps", "drive.steps", ["exclude each other"]),
     "neither rate nor steps": ("steps = 40000", "", "[drive]", "drive.steps", ["rate = '0.1 mm/s'"]),
     "half a step": ("steps = 40000", "steps = 0.5", "steps", "drive.steps", ["whole number"]),

@@ -1,0 +1,45 @@
+"""From a scene's words to a specimen: blocks with named sets."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from geometry.bending import bending
+from geometry.blocks import Specimen
+from geometry.boxes import boxes
+from geometry.cells.asked import CellsAsked
+from geometry.couplet import couplet
+from geometry.prism import prism
+from geometry.wallette import wallette
+from masonry.scene import Scene
+
+
+def specimen_of(scene: Scene) -> Specimen:
+    """The blocks of a scene, with named sets; raises GeometryError for what cannot be built."""
+    spec = scene.specimen
+    if spec.kind == "couplet" or spec.kind == "prism":
+        mortar = (spec.mortar.thickness, _filling(spec.mortar)) if spec.mortar else None
+        size = (spec.length, spec.width, spec.height)
+        if spec.kind == "couplet":
+            return couplet(*size, _filling(spec), mortar, spec.plates)
+        return prism(spec.units, *size, _filling(spec), mortar, spec.plates)
+    if spec.kind == "boxes":
+        return boxes([(b.name, b.origin, b.size, b.group, b.unit, b.divisions) for b in spec.box], spec.section)
+    wall: dict[str, Any] = {
+        key: getattr(spec, key)
+        for key in ("courses", "units_per_course", "unit_length", "unit_height", "thickness", "joint_thickness")
+    }
+    wall |= {"divisions": _filling(spec), "bond": spec.bond, "unit_width": spec.unit_width}
+    if spec.kind == "wallette":
+        return wallette(**wall, plates=spec.plates)
+    rollers = ("support_distance", "load_distance", "roller_width", "bottom_plate")
+    return bending(**wall, **{key: getattr(spec, key) for key in rollers})
+
+
+def _filling(table: Any) -> Sequence[int] | CellsAsked:
+    """Blocks along each axis, or the cells that a table asks for."""
+    divisions: Sequence[int] = table.divisions
+    if (cells := table.cells) is None:
+        return divisions
+    plain = ("total", "per_unit", "size", "spread", "sizes", "sites", "seed", "regularise")
+    given = {key: getattr(cells, key) for key in plain}
+    return CellsAsked(**given, space=cells.form == "space", laguerre=cells.kind == "laguerre")
