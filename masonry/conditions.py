@@ -21,12 +21,12 @@ def conditions_of(
         where = f"support.{k}.on"
         chosen, faces = select(specimen, joints, support.on, where)
         axes = tuple(AXES[f] for f in support.fix if f in AXES)
-        hold = loads.Hold(chosen, axes, "rotation" in support.fix, faces, f"support.{k}")
+        hold = loads.Hold(chosen, axes, _turns(support.fix), faces, f"support.{k}")
         _add(conditions.supported, loads.held_freedoms(blocks, layout, hold))
     _add(conditions.prescribed, conditions.supported)
     if scene.drive is not None:
         chosen, faces = select(specimen, joints, scene.drive.on, "drive.on")
-        hold = loads.Hold(chosen, (scene.drive.axis,), False, faces, "drive")
+        hold = loads.Hold(chosen, (scene.drive.axis,), (), faces, "drive")
         driven = loads.held_freedoms(blocks, layout, hold)
         conditions.driven = loads.drive_freedoms(driven, scene.drive.axis)
         if any((driven[kind] & conditions.supported[kind])[:, scene.drive.axis].any() for kind in KINDS):
@@ -43,6 +43,11 @@ def conditions_of(
         density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
         loads.add_gravity(layout, conditions.load, density, np.array(scene.gravity))
     return conditions
+
+
+def _turns(fix: tuple[str, ...]) -> tuple[int, ...]:
+    """The axes that blocks may not turn about."""
+    return tuple(k for axis, k in AXES.items() if "rotation" in fix or f"rotation {axis}" in fix)
 
 
 def _add(masks: dict[str, np.ndarray], more: dict[str, np.ndarray]) -> None:

@@ -50,7 +50,7 @@ def make(
 
 def everything(*blocks: int) -> Hold:
     """Blocks that are held altogether."""
-    return Hold(np.array(blocks), (0, 1, 2), rotation=True)
+    return Hold(np.array(blocks), (0, 1, 2), turns=(0, 1, 2))
 
 
 def present(model: Model) -> list[tuple]:

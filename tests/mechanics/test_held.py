@@ -3,7 +3,10 @@
 import pytest
 
 from masonry import laboratory
+from masonry.assembly import assemble
+from masonry.bodies import KINDS
 from masonry.errors import SceneError
+from masonry.scene import load as load_scene
 from tests.mechanics.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
 
@@ -55,3 +58,52 @@ def test_a_driven_part_that_no_support_holds_is_refused():
     )
     with pytest.raises(SceneError, match="block 1 .*driven, but held by no"):
         laboratory.check(load(text))
+
+
+def turned(fix: str):
+    """A block on another, with a support of its own and a roller on top."""
+    boxes = [box(f"b{k}", (0, 0, 0.06 * k), (0.2, 0.1, 0.06), "units", k) for k in range(2)]
+    return load(
+        'kinematics = "rigid"\n'
+        + specimen(boxes, 0.02)
+        + tables("material", {"units": MATERIAL})
+        + tables("contact", {"unit_unit": ELASTIC})
+        + listed("support", ['on = "b0"\nfix = "all"', f'on = "b1"\nfix = {fix}'])
+        + '[drive]\non = "b1.z+"\ndirection = "z"\ndisplacement = "1 um"\nsteps = 10\n'
+    )
+
+
+@pytest.mark.parametrize(
+    ("fix", "held"), [('"rotation z"', [5]), ('["x", "rotation y"]', [0, 4]), ('"rotation"', [3, 4, 5])]
+)
+def test_a_support_may_hold_single_turns_of_a_rigid_block(fix, held):
+    scene = turned(fix)
+    built = assemble(scene)
+    pace = built.model.bodies[KINDS.index("rigid")].pace[1]
+    roller = {2, 3, 4}  # the drive's face may not tilt
+    assert set((pace == 0.0).nonzero()[0].tolist()) == set(held) | roller
+
+
+def test_a_turn_about_an_axis_that_is_not_a_principal_one_is_refused():
+    cells = {"specimen.cells": {"total": 40}, "specimen.divisions": [1, 1]}
+    scene = load_scene(
+        "wallette-mode-1", cells | {"support": [{"on": "units", "fix": "rotation x"}], "assumptions": {}}
+    )
+    with pytest.raises(SceneError, match=r"support\.0: x is no principal axis of rigid block .*fix 'rotation'"):
+        assemble(scene)
+
+
+def test_cells_of_the_plane_may_turn_in_it_though_their_other_principal_axes_are_oblique():
+    supports = [
+        {"on": "left plate", "fix": "all"},
+        {"on": "right plate", "fix": "y"},
+        {"on": "units", "fix": "rotation y"},
+    ]
+    cells = {"specimen.cells": {"total": 40}, "specimen.divisions": [1, 1]}
+    scene = load_scene("wallette-mode-1", cells | {"support": supports})
+    built = assemble(scene)
+    units = built.specimen.sets["units"]
+    held = built.model.bodies[KINDS.index("rigid")].pace[built.model.layout.local[units], 3:] == 0.0
+    assert held.sum(axis=1).tolist() == [1] * len(units)
+    axis = built.model.layout.axes[units].transpose(0, 2, 1)[held]
+    assert abs(abs(axis[:, 1]) - 1.0).max() < 1e-9
