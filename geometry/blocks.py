@@ -82,6 +82,7 @@ class Joints:
     patch_start       (J + 1,) corners of polygon j in patch_points
     patch_points      (., 3) m
     dropped           joint faces dropped because their area is zero within the tolerance
+    repeated          joint faces dropped because the two blocks have the same one already
     """
 
     block_a: np.ndarray
@@ -95,6 +96,7 @@ class Joints:
     patch_start: np.ndarray
     patch_points: np.ndarray
     dropped: int = 0
+    repeated: int = 0
 
 
 @dataclass(frozen=True)

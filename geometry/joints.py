@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
 
 from geometry.blocks import Blocks, Joints
 from geometry.contact_points import contact_points
@@ -26,7 +27,8 @@ def find_joints(
 
     rule, points_per_edge, points_per_face, spacing  as in Density
     tolerance  of distances, relative to the longest side of the specimen
-    Pairs of faces that touch along a line or in a corner only are not joints; they are counted in `dropped`.
+    Pairs of faces that touch along a line or in a corner only are not joints; they are counted in `dropped`. A polygon
+    that two blocks share more than once, where a face is there twice, counts once; the others are in `repeated`.
     """
     density = Density(rule, points_per_edge, points_per_face, spacing)
     width = tolerance * extent(blocks)
@@ -37,11 +39,13 @@ def find_joints(
     touching = corner_count > 0
     overlap, corner_count = tidy(overlap, corner_count, width)
     kept = touching & (corner_count >= 3)
-    overlap, corner_count, face_a, face_b = overlap[kept], corner_count[kept], face_a[kept], face_b[kept]
+    owner = blocks.face_block()
+    once = np.flatnonzero(kept)
+    once = once[~_repeated(overlap[once], np.stack([owner[face_a], owner[face_b]], axis=1)[once], width)]
+    overlap, corner_count, face_a, face_b = overlap[once], corner_count[once], face_a[once], face_b[once]
 
     patch, point, share = contact_points(overlap, corner_count, density)
     patch_start, patch_points = unpad(overlap, corner_count)
-    owner = blocks.face_block()
     return Joints(
         block_a=owner[face_a][patch],
         block_b=owner[face_b][patch],
@@ -54,7 +58,21 @@ def find_joints(
         patch_start=patch_start,
         patch_points=patch_points,
         dropped=int(np.sum(touching & ~kept)),
+        repeated=int(kept.sum()) - len(once),
     )
+
+
+def _repeated(corners: np.ndarray, pair: np.ndarray, width: float) -> np.ndarray:
+    """(N,) whether two blocks (N, 2) share the same polygon (N, K, 3) once more, earlier in the list."""
+    area, normal, middle = areas_normals_centroids(corners)
+    close = cKDTree(middle).query_pairs(width, output_type="ndarray") if len(middle) else np.zeros((0, 2), dtype=int)
+    first, second = close.min(axis=1), close.max(axis=1)
+    size = np.sqrt(area)
+    same = np.all(pair[first] == pair[second], axis=1) & (np.abs(size[first] - size[second]) <= width)
+    same &= np.einsum("ni,ni->n", normal[first], normal[second]) > 0.999
+    again = np.zeros(len(middle), dtype=bool)
+    again[second[same]] = True
+    return again
 
 
 def facing_pairs(blocks: Blocks, width: float) -> tuple[np.ndarray, np.ndarray]:

@@ -183,3 +183,21 @@ def test_three_points_in_each_triangle_integrate_quadratic_fields_exactly(kind):
 def test_what_gives_no_points_or_far_too_many_is_refused(wrong, words):
     with pytest.raises(GeometryError, match=words):
         find_joints(couplet(0.2, 0.05, 0.05).blocks, **wrong)
+
+
+def test_a_face_that_is_there_twice_is_one_joint_and_the_other_is_counted(prism):
+    flat = convex_polygon(3, 0.8)
+    below, above = prism(flat, -1.0, 0.0), prism(flat, 0.0, 1.0)
+    once = find_joints(from_faces([below, above], [0, 1], [0, 0], ["g"]))
+    twice = find_joints(from_faces([[*below, below[1]], above], [0, 1], [0, 0], ["g"]))
+    assert (once.repeated, twice.repeated) == (0, 1)
+    assert np.allclose(twice.area, once.area, rtol=1e-14)
+    assert np.allclose(twice.point, once.point, atol=1e-14)
+
+
+def test_neighbouring_pieces_of_one_face_are_joints_of_their_own(prism):
+    piece = [np.array([[x, 0, 0], [x + 1, 0, 0], [x + 1, 1, 0], [x, 1, 0.0]]) for x in (0, 1)]
+    square = np.array([[0, 0], [2, 0], [2, 1], [0, 1.0]])
+    below, above = prism(square, -1.0, 0.0), prism(square, 0.0, 1.0)
+    joints = find_joints(from_faces([[*piece, below[0], *below[2:]], above], [0, 1], [0, 0], ["g"]), "vertex")
+    assert joints.repeated == 0 and joints.area.sum() == pytest.approx(2, rel=1e-14)
