@@ -8,14 +8,9 @@ from typing import Any
 
 from masonry.errors import SceneError
 from masonry.scene.source import Keys, Source, split_key
+from masonry.scene.variant import drop_rivals
 
 Overrides = Mapping[str, Any] | Sequence[str]
-RIVALS = (
-    {"rate", "steps"},
-    {"friction_angle", "tan_friction_angle"},
-    {"residual_friction_angle", "tan_residual_friction_angle"},
-    {"points_per_edge", "points_per_face", "contact_spacing"},
-)
 
 
 def apply(source: Source, overrides: Overrides) -> None:
@@ -30,7 +25,7 @@ def apply(source: Source, overrides: Overrides) -> None:
         if isinstance(assumptions, dict) and key in assumptions:
             assumptions[key] = f"set to {value} by the user"
     for path in source.overridden:
-        _drop_rivals(source, path)
+        drop_rivals(source.raw, path, {*source.overridden, ("assumptions", source.overridden[path])})
 
 
 def _split(text: str) -> tuple[str, str]:
@@ -81,16 +76,3 @@ def _index(items: list[Any], part: str, path: Keys, key: str) -> int:
         return int(part)
     listed = ", ".join(str(n) for n in range(min(len(items), 10))) or "none, the list is empty"
     raise SceneError(f"--set {key}: no item '{part}' in {'.'.join(map(str, path))}; items are {listed}")
-
-
-def _drop_rivals(source: Source, path: Keys) -> None:
-    """A key that is set takes the place of the other spelling of it, unless that is set too."""
-    table: Any = source.raw
-    part: Any
-    for part in path[:-1]:
-        table = table[part] if isinstance(table, (dict, list)) else {}
-    for rivals in RIVALS:
-        if path[-1] in rivals and isinstance(table, dict):
-            for other in rivals - {path[-1]}:
-                if (*path[:-1], other) not in source.overridden:
-                    table.pop(other, None)

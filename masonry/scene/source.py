@@ -11,9 +11,11 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError
+from masonry.scene.variant import Keys, overlay
 
-Keys = tuple[str | int, ...]
 LARGEST = 5_000_000
+DEEPEST = 8
+"""Scenes that may stand one on top of the other."""
 _KEY = r"(?:[A-Za-z0-9_-]+|\"[^\"]*\"|'[^']*')"
 _KEYS = rf"{_KEY}(?:\s*\.\s*{_KEY})*"
 _HEADER = re.compile(rf"\s*(\[\[?)\s*({_KEYS})\s*\]")
@@ -29,6 +31,7 @@ class Source:
     stem: str
     text: str
     raw: dict[str, Any]
+    base: "Source | None" = None
     overridden: dict[Keys, str] = field(default_factory=dict)
 
     @cached_property
@@ -41,9 +44,15 @@ class Source:
             if path[:n] in self.overridden:
                 return f"--set {self.overridden[path[:n]]}"
         for n in range(len(path), 0, -1):
-            if path[:n] in self.lines:
-                return f"{self.file}, line {self.lines[path[:n]]}"
+            if line := self._line(path[:n]):
+                return line
         return self.file
+
+    def _line(self, path: Keys) -> str | None:
+        """File and line of just this key, here or in the scene below."""
+        if path in self.lines:
+            return f"{self.file}, line {self.lines[path]}"
+        return self.base._line(path) if self.base else None
 
 
 def packaged() -> dict[str, Traversable]:
@@ -52,14 +61,33 @@ def packaged() -> dict[str, Traversable]:
     return {f.name.removesuffix(".toml"): f for f in sorted(found, key=lambda f: f.name)}
 
 
-def read(scene: str | Path) -> Source:
-    """The raw scene of a path or of a packaged name. Raises SceneError."""
+def read(scene: str | Path, depth: int = 0) -> Source:
+    """The raw scene of a path or of a packaged name, on top of its `base` if it names one. Raises SceneError."""
     known = packaged()
     file = known[scene] if isinstance(scene, str) and scene in known else Path(scene)
     name = f"{scene}.toml" if isinstance(scene, str) and scene in known else str(scene)
     text = _text(file, name, known)
     stem = name.replace("\\", "/").rsplit("/", 1)[-1].removesuffix(".toml")
-    return Source(name, stem, text, _parse(text, name))
+    source = Source(name, stem, text, _parse(text, name))
+    base = source.raw.pop("base", None)
+    if base is not None:
+        source.base = _below(source, base, file, depth)
+        source.raw = overlay({key: value for key, value in source.base.raw.items() if key != "name"}, source.raw)
+    return source
+
+
+def _below(source: Source, base: Any, file: Traversable, depth: int) -> Source:
+    """The scene that `base` names: a packaged one, or a file beside this one."""
+    where = f"{source.place(('base',))}: base"
+    if not isinstance(base, str) or not base:
+        raise SceneError(f"{where}: must be the name of a packaged scene or a file, not {base!r:.60}")
+    if depth >= DEEPEST:
+        raise SceneError(f"{where}: more than {DEEPEST} scenes stand on top of each other; does one name itself?")
+    beside = file.parent if isinstance(file, Path) else Path()
+    try:
+        return read(base if base in packaged() else beside / base, depth + 1)
+    except SceneError as error:
+        raise SceneError(f"{where}: {error}") from None
 
 
 def _text(file: Traversable, name: str, known: dict[str, Traversable]) -> str:

@@ -60,7 +60,7 @@ def floats(value):
     return [bits for item in value for bits in floats(item)] if isinstance(value, (list, tuple)) else []
 
 
-@pytest.mark.parametrize("name", ["couplet", "wallette-mode-1", "wallette-mode-2"])
+@pytest.mark.parametrize("name", packaged())
 def test_every_packaged_scene_loads_and_states_its_assumptions(name):
     scene = load(name)
     assert name in packaged()
@@ -101,6 +101,18 @@ def test_mode_2_has_the_values_of_table_4():
     assert (unit.residual_cohesion, joint.residual_cohesion) == (0.0, pytest.approx(0.01 * joint.cohesion))
     for contact in (unit, joint):
         assert (contact.fracture_energy_mode_1, contact.fracture_energy_mode_2) == (8.0, 20.0)
+
+
+@pytest.mark.parametrize("mode", [1, 2])
+@pytest.mark.parametrize(("cells", "stiffness"), [(218, 167e9), (335, 200e9), (540, 250e9)])
+def test_the_walls_of_cells_have_the_numbers_and_stiffnesses_of_section_6(mode, cells, stiffness):
+    scene, below = load(f"wallette-mode-{mode}-{cells}"), load(f"wallette-mode-{mode}")
+    assert scene.specimen.cells.total == cells
+    for name, contact in scene.contact.items():
+        assert contact.normal_stiffness == stiffness
+        assert contact.shear_stiffness == pytest.approx(stiffness / 2.4, rel=1e-3)
+        stiffnesses = {key: getattr(contact, key) for key in ("normal_stiffness", "shear_stiffness")}
+        assert below.contact[name].model_copy(update=stiffnesses) == contact
 
 
 def test_both_wallettes_stand_on_the_same_specimen_of_at_least_200_blocks():
@@ -217,7 +229,7 @@ def test_boxes_without_friction_or_drive_are_a_scene(tmp_path):
         load(file)
 
 
-@pytest.mark.parametrize("name", ["couplet", "wallette-mode-1", "wallette-mode-2"])
+@pytest.mark.parametrize("name", packaged())
 def test_a_written_scene_is_toml_in_si_and_reads_back_as_it_was(name, tmp_path):
     scene = load(name)
     assert tomllib.loads(to_toml(scene))["name"] == name

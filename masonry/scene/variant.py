@@ -1,0 +1,70 @@
+"""One scene on top of another, `base = "couplet"` and the keys that differ; and keys that exclude each other."""
+
+from collections.abc import Container, Iterator
+from copy import deepcopy
+from typing import Any
+
+Keys = tuple[str | int, ...]
+RIVALS = (
+    {"rate", "steps"},
+    {"friction_angle", "tan_friction_angle"},
+    {"residual_friction_angle", "tan_residual_friction_angle"},
+    {"points_per_edge", "points_per_face", "contact_spacing"},
+    {"divisions", "cells"},
+    {"total", "per_unit", "size"},
+)
+
+
+def overlay(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
+    """Raw values of a scene with those of another on top: tables are merged, lists and values replaced.
+
+    A key takes the place of its rivals. An assumption about what was replaced goes with it.
+    """
+    merged = deepcopy(below)
+    paths = list(_leaves(above))
+    _put(merged, above)
+    given = {path[:n] for path in paths for n in range(1, len(path) + 1)}
+    for path in paths:
+        if path[0] != "assumptions":
+            drop_rivals(merged, path, given)
+            _forget(merged, path, given)
+    return merged
+
+
+def drop_rivals(raw: dict[str, Any], path: Keys, given: Container[Keys]) -> None:
+    """What stands at `path` takes the place of the rivals of its keys, and of what was assumed of them."""
+    table: Any = raw
+    part: Any
+    for n, part in enumerate(path):
+        for rival in {key for rivals in RIVALS if part in rivals for key in rivals - {part}}:
+            at = (*path[:n], rival)
+            if isinstance(table, dict) and rival in table and at not in given:
+                del table[rival]
+                _forget(raw, at, given)
+        table = table[part] if isinstance(table, dict) or (isinstance(table, list) and isinstance(part, int)) else {}
+
+
+def _put(table: dict[str, Any], above: dict[str, Any]) -> None:
+    for key, value in above.items():
+        if isinstance(value, dict) and isinstance(table.get(key), dict):
+            _put(table[key], value)
+        else:
+            table[key] = deepcopy(value)
+
+
+def _leaves(table: dict[str, Any], path: Keys = ()) -> Iterator[Keys]:
+    """The path of every value that is not a table."""
+    for key, value in table.items():
+        if isinstance(value, dict) and value:
+            yield from _leaves(value, (*path, key))
+        else:
+            yield (*path, key)
+
+
+def _forget(raw: dict[str, Any], path: Keys, given: Container[Keys]) -> None:
+    """Drop assumptions about a key, or about parts of it, that are not given anew."""
+    assumptions, dotted = raw.get("assumptions"), ".".join(map(str, path))
+    if isinstance(assumptions, dict):
+        for key in list(assumptions):
+            if (key == dotted or key.startswith(f"{dotted}.")) and ("assumptions", key) not in given:
+                del assumptions[key]

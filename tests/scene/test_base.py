@@ -1,0 +1,92 @@
+"""`base`: a scene that says only in what it differs from another."""
+
+import pytest
+
+from masonry.errors import SceneError
+from masonry.scene import load, to_toml
+
+
+def scene(folder, text, name="own.toml"):
+    file = folder / name
+    file.write_text(text, encoding="utf-8")
+    return load(file)
+
+
+def refusal(folder, text):
+    with pytest.raises(SceneError) as error:
+        scene(folder, text)
+    return str(error.value).replace(str(folder), "here")
+
+
+def test_a_scene_on_a_base_has_all_its_values_but_those_it_changes(tmp_path):
+    own = scene(tmp_path, 'base = "couplet"\n[contact.unit_unit]\ncohesion = "0.6 MPa"\n')
+    below = load("couplet")
+    assert own.name == "own"
+    assert own.contact["unit_unit"].cohesion == 0.6e6
+    assert own.contact["unit_unit"].model_copy(update={"cohesion": 0.87e6}) == below.contact["unit_unit"]
+    assert own.model_copy(update={"name": "couplet", "contact": below.contact}) == below
+
+
+def test_a_list_takes_the_place_of_the_whole_list_below_and_of_what_was_assumed_of_it(tmp_path):
+    own = scene(tmp_path, 'base = "couplet"\n[[support]]\non = "bottom"\nfix = "all"\n')
+    assert len(own.support) == 1
+    assert "support.1.fix" in load("couplet").assumptions
+    assert "support.1.fix" not in own.assumptions
+
+
+def test_a_key_takes_the_place_of_its_rival_below(tmp_path):
+    own = scene(tmp_path, 'base = "couplet"\n[drive]\nrate = "1 mm/s"\n')
+    assert (own.drive.steps, own.drive.rate) == (None, 1e-3)
+    assert "drive.steps" not in own.assumptions
+
+
+def test_an_assumption_about_a_changed_key_goes_unless_it_is_made_anew(tmp_path):
+    text = 'base = "couplet"\n[contact.unit_unit]\ntensile_strength = "0.5 MPa"\n'
+    key = "contact.unit_unit.tensile_strength"
+    assert key not in scene(tmp_path, text).assumptions
+    assert scene(tmp_path, f'{text}[assumptions]\n"{key}" = "guessed"\n').assumptions[key] == "guessed"
+
+
+def test_the_resolved_scene_is_whole_and_names_no_base(tmp_path):
+    own = scene(tmp_path, 'base = "couplet"\nconfinement = "1 MPa"\n')
+    assert "base" not in to_toml(own)
+    assert scene(tmp_path, to_toml(own), "resolved.toml") == own
+    assert own.traction[0].stress.z == -1e6
+
+
+def test_bases_may_stand_on_each_other_and_beside_each_other_in_a_folder(tmp_path):
+    (tmp_path / "one.toml").write_text('base = "couplet"\nname = "one"\ntitle = "One"\nlaw = "linear"\n')
+    two = scene(tmp_path, 'base = "one.toml"\nconfinement = "0.1 MPa"\n', "two.toml")
+    assert (two.name, two.title, two.law, two.confinement) == ("two", "One", "linear", 1e5)
+
+
+def test_cells_that_are_set_for_one_run_take_the_place_of_a_grid_and_what_was_assumed_of_it():
+    own = load("wallette-mode-1", ["specimen.cells.total=218"])
+    assert own.specimen.divisions == (1, 1)
+    assert own.specimen.cells.total == 218
+    assert "specimen.divisions" not in own.assumptions
+    other = load("wallette-mode-1-218", ["specimen.cells.per_unit=20"])
+    assert (other.specimen.cells.total, other.specimen.cells.per_unit) == (None, 20)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (
+            'base = "cuplet"',
+            "here/own.toml, line 1: base: no scene 'here/cuplet': no such file; did you mean 'couplet'",
+        ),
+        ("base = 5", "here/own.toml, line 1: base: must be the name of a packaged scene or a file, not 5"),
+        ('base = "own.toml"', "does one name itself?"),
+        (
+            'base = "couplet"\n[drive]\nstpes = 5',
+            "here/own.toml, line 3: drive.stpes: unknown key; did you mean 'steps'",
+        ),
+        (
+            'base = "couplet"\n[drive]\non = "x"\n[specimen]\nkind = "boxes"',
+            "couplet.toml, line 9: specimen.length: unkn",
+        ),
+    ],
+)
+def test_what_is_wrong_is_told_where_it_stands(tmp_path, text, words):
+    assert words in refusal(tmp_path, text)
