@@ -46,8 +46,8 @@ def imprint(blocks: Blocks, wanted: np.ndarray, joints: Joints, tolerance: float
 
     corners = [blocks.face(f) for f in faces.tolist()]
     corners += [joints.patch_points[joints.patch_start[p] : joints.patch_start[p + 1]] for p in patches]
-    vertices, loops = _weld(corners, width)
-    loops = _split_edges(vertices, loops, width)
+    vertices, loops = weld(corners, width)
+    loops = split_edges(vertices, loops, width)
     outline = dict(zip(faces.tolist(), loops, strict=False))
     patch_loop = dict(zip(patches.tolist(), loops[len(faces) :], strict=True))
 
@@ -71,7 +71,7 @@ def imprint(blocks: Blocks, wanted: np.ndarray, joints: Joints, tolerance: float
     return Imprint(vertices, surfaces, block_surfaces, patch_surface)
 
 
-def _weld(corners: list[np.ndarray], width: float) -> tuple[np.ndarray, list[Loop]]:
+def weld(corners: list[np.ndarray], width: float) -> tuple[np.ndarray, list[Loop]]:
     """Vertices (V, 3), points within width taken as one, and the polygons as loops of vertex numbers."""
     points = np.concatenate(corners)
     near = cKDTree(points).query_pairs(width, output_type="ndarray")
@@ -82,7 +82,7 @@ def _weld(corners: list[np.ndarray], width: float) -> tuple[np.ndarray, list[Loo
     return points[representative], [loop.tolist() for loop in np.split(number, ends)]
 
 
-def _split_edges(vertices: np.ndarray, loops: list[Loop], width: float) -> list[Loop]:
+def split_edges(vertices: np.ndarray, loops: list[Loop], width: float) -> list[Loop]:
     """The same loops with every vertex that lies on an edge put into it."""
     edges = np.concatenate([np.stack([loop, np.roll(loop, -1)], axis=1) for loop in loops])
     unique, of_edge = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)

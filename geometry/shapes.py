@@ -1,6 +1,7 @@
 """Building Blocks: from axis-parallel boxes, from lists of faces, from other Blocks."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -65,4 +66,14 @@ def concatenate(parts: Sequence[Blocks]) -> Blocks:
             [np.array([groups.index(g) for g in part.groups], dtype=np.int64)[part.group] for part in parts]
         ),
         groups=groups,
+    )
+
+
+def with_own_points(blocks: Blocks) -> Blocks:
+    """The same blocks, each with its own copy of the points that it stands on; points of no block are left out."""
+    owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
+    key = owner * max(len(blocks.points), 1) + blocks.face_points
+    unique, number = np.unique(key, return_inverse=True)
+    return replace(
+        blocks, points=blocks.points[unique % max(len(blocks.points), 1)], face_points=number.astype(np.int64)
     )

@@ -10,6 +10,7 @@ import numpy as np
 
 from geometry.blocks import GeometryError
 from geometry.imported import Imported
+from geometry.shapes import with_own_points
 from geometry.sizes import require_lengths
 from geometry.soundness import require_sound
 from geometry.tess_blocks import Faces, drawn_out, solid
@@ -45,7 +46,7 @@ def read_tess(path: Path, unit: float = 1.0, thickness: float | None = None) -> 
         raise GeometryError(f"'{path}': **cell announces {len(ids)} cells, there are {blocks.count}")
     names, index = np.unique(group, return_inverse=True)
     groups = ("units",) if len(names) == 1 else tuple(f"group{number}" for number in names)
-    blocks = replace(blocks, group=index.astype(np.int64), groups=groups)
+    blocks = with_own_points(replace(blocks, group=index.astype(np.int64), groups=groups))
     try:
         require_sound(blocks)
     except GeometryError as error:

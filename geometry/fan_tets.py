@@ -1,0 +1,77 @@
+"""Blocks filled with tets as simply as can be: from the centroid to a fan on each face; by gmsh where that fails."""
+
+import numpy as np
+
+from geometry.blocks import Blocks, TetMesh
+from geometry.joints import find_joints
+from geometry.measures import centroids, face_areas_normals_centroids, volumes
+from geometry.ragged import ranges
+
+THINNEST = 1e-9
+"""Of a block's volume: the least tet of a fan."""
+
+
+def fan_tets(blocks: Blocks, which: np.ndarray | None = None) -> TetMesh:
+    """Tets in the blocks which (B,), in all by default: centroid of the block, centroid of a face, an edge.
+
+    Triangles have no centre of their own. Blocks that are not seen whole from their centroid are meshed by gmsh, with
+    edges as long as the cube root of their volume. Raises GeometryError where gmsh does.
+    """
+    wanted = np.ones(blocks.count, dtype=bool) if which is None else np.asarray(which, dtype=bool)
+    volume = volumes(blocks)
+    fans = _fans(blocks, wanted)
+    edge = fans.nodes[fans.tets[:, 1:]] - fans.nodes[fans.tets[:, :1]]
+    owner = np.repeat(np.arange(blocks.count), np.diff(fans.tet_start))
+    failed = np.unique(owner[np.linalg.det(edge) / 6 <= THINNEST * volume[owner]])
+    if len(failed) == 0:
+        return fans
+    from geometry.mesher import mesh_blocks
+
+    joints = find_joints(blocks)
+    parts = {b: (fans, b) for b in np.flatnonzero(wanted).tolist()}
+    for b in failed.tolist():
+        alone = np.arange(blocks.count) == b
+        parts[b] = (mesh_blocks(blocks, alone, float(np.cbrt(volume[b])), joints)[0], b)
+    return gathered(blocks.count, parts)
+
+
+def gathered(count: int, parts: dict[int, tuple[TetMesh, int]]) -> TetMesh:
+    """One mesh for `count` blocks: that of block b is the tets of block parts[b][1] in parts[b][0]."""
+    nodes, tets = [np.zeros((0, 3))], [np.zeros((0, 4), dtype=np.int64)]
+    node_count, tet_count = np.zeros(count, dtype=np.int64), np.zeros(count, dtype=np.int64)
+    for b in sorted(parts):
+        mesh, k = parts[b]
+        first, last = mesh.node_start[k], mesh.node_start[k + 1]
+        corner = mesh.tets[mesh.tet_start[k] : mesh.tet_start[k + 1]]
+        nodes.append(mesh.nodes[first:last])
+        tets.append(corner - first + node_count.sum())
+        node_count[b], tet_count[b] = last - first, len(corner)
+    starts = [np.concatenate([[0], np.cumsum(number)]) for number in (node_count, tet_count)]
+    return TetMesh(np.concatenate(nodes), starts[0], np.concatenate(tets), starts[1])
+
+
+def _fans(blocks: Blocks, wanted: np.ndarray) -> TetMesh:
+    faces = np.flatnonzero(wanted[blocks.face_block()])
+    size = np.diff(blocks.face_start)[faces]
+    owner = blocks.face_block()[faces]
+    middle = face_areas_normals_centroids(blocks)[2][faces]
+    # points of all tets: corners of the faces, then face centroids, then block centroids; unique within a block
+    of, corner = ranges(blocks.face_start[faces], size)
+    place = np.concatenate([blocks.points[blocks.face_points[corner]], middle, centroids(blocks)])
+    block = np.concatenate([owner[of], owner, np.arange(blocks.count)])
+    _, first, number = np.unique(np.column_stack([block, place]), axis=0, return_index=True, return_inverse=True)
+    number = number.ravel()
+    here = np.arange(len(of))
+    start = np.cumsum(size) - size
+    after = start[of] + (here - start[of] + 1) % size[of]
+    fanned = size[of] > 3
+    apex = np.where(fanned, len(of) + of, start[of])
+    kept = fanned | (here == start[of] + 1)
+    centre = len(of) + len(faces) + owner[of]
+    tets = number[np.stack([centre, apex, here, after], axis=1)[kept]]
+    used, tets = np.unique(tets, return_inverse=True)
+    nodes, node_block = place[first][used], block[first][used]
+    every = np.arange(blocks.count + 1)
+    return TetMesh(
+        nodes, np.searchsorted(node_block, every), tets.reshape(-1, 4), np.searchsorted(owner[of][kept], every)
+    )
