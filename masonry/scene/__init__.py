@@ -65,6 +65,8 @@ def _dotted(keys: tuple[str, ...]) -> str:
 def _value(value: Any) -> str:
     if isinstance(value, (tuple, list)):
         return f"[{', '.join(map(_value, value))}]"
+    if isinstance(value, bool):
+        return "true" if value else "false"
     return _text(value) if isinstance(value, str) else repr(value)
 
 
