@@ -1,0 +1,97 @@
+"""What the text of a STEP file (ISO 10303-21) says beside the shapes: records, strings, the unit of length.
+
+The CAD kernel can hand over names itself, but takes time that grows as the square of the number of solids.
+"""
+
+import re
+
+import numpy as np
+
+from geometry.blocks import GeometryError
+
+Records = dict[int, tuple[str, str]]
+SI_PREFIX = {"": 1.0, "DECI": 0.1, "CENTI": 1e-2, "MILLI": 1e-3, "MICRO": 1e-6, "DECA": 10.0, "KILO": 1e3}
+_STRING = r"'(?:[^']++|'')*+'"
+_RECORD = re.compile(rf"#(\d{{1,18}})\s*=\s*([A-Z0-9_]*)\s*\(((?:[^';]++|{_STRING})*+);")
+_COMMENT = re.compile(rf"{_STRING}|/\*.*?\*/", re.DOTALL)
+_STRINGS = re.compile(_STRING)
+_REFERENCE = re.compile(r"#(\d{1,18})")
+_NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
+_WIDE = re.compile(r"\\X2\\((?:[0-9A-F]{4})*)\\X0\\")
+
+
+def records(text: str) -> Records:
+    """Number -> type and arguments of every entity; the type of a complex entity is empty."""
+    if "/*" in text:
+        text = _COMMENT.sub(lambda found: found[0] if found[0][0] == "'" else " ", text)
+    return {int(number): (kind, arguments) for number, kind, arguments in _RECORD.findall(text)}
+
+
+def references(arguments: str) -> list[int]:
+    """Numbers of the entities that the arguments refer to."""
+    return [int(number) for number in _REFERENCE.findall(_STRINGS.sub("''", arguments))]
+
+
+def strings(arguments: str) -> list[str]:
+    """The strings among the arguments, decoded."""
+    return [_decoded(found[1:-1]) for found in _STRINGS.findall(arguments)]
+
+
+def numbers(arguments: str) -> list[float]:
+    """The numbers among the arguments, without the references."""
+    return [float(found) for found in _NUMBER.findall(_REFERENCE.sub("", _STRINGS.sub("", arguments)))]
+
+
+def length_unit(entities: Records) -> float:
+    """m, the unit that the file states for its lengths. Raises GeometryError if it states none or several."""
+    units = [text for kind, text in entities.values() if kind == "" and "LENGTH_UNIT" in text]
+    found = {_unit(entities, text) for text in units}
+    found -= {_base(entities, text) for text in units}
+    if len(found) != 1:
+        said = ", ".join(f"{unit:g} m" for unit in sorted(found)) or "none"
+        raise GeometryError(f"the file must state one unit of length; it states: {said}")
+    return found.pop()
+
+
+def _unit(entities: Records, text: str) -> float:
+    """m of a unit such as (LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)); NaN if it cannot be told."""
+    if measure := _measure(entities, text):
+        return (numbers(measure) or [float("nan")])[0] * _base(entities, text)
+    prefix = re.search(r"SI_UNIT\s*\(\s*(?:\.(\w+)\.|\$)\s*,\s*\.METRE\.", text)
+    return SI_PREFIX.get(prefix[1] or "", float("nan")) if prefix else float("nan")
+
+
+def _base(entities: Records, text: str) -> float:
+    """m of the unit that another one, such as the inch, is stated in; 0 for one that stands by itself."""
+    base = [entities[r][1] for r in references(_measure(entities, text)) if r in entities]
+    return _unit(entities, base[0]) if base and "CONVERSION_BASED_UNIT" not in base[0] else 0.0
+
+
+def _measure(entities: Records, text: str) -> str:
+    """Arguments of the LENGTH_MEASURE_WITH_UNIT of a converted unit; empty for a unit that is not."""
+    if "CONVERSION_BASED_UNIT" not in text:
+        return ""
+    measures = (entities.get(r, ("", "")) for r in references(text))
+    return next((arguments for kind, arguments in measures if kind.endswith("MEASURE_WITH_UNIT")), "")
+
+
+def placement(entities: Records, number: int) -> np.ndarray:
+    """(4, 4) from the axes of an AXIS2_PLACEMENT_3D to those it stands in, in the unit of the file."""
+    vectors = [numbers(entities[r][1]) for r in references(entities.get(number, ("", ""))[1]) if r in entities]
+    given = [np.array(v[:3]) for v in vectors if len(v) >= 3]
+    matrix = np.eye(4)
+    if given:
+        matrix[:3, 3] = given[0]
+    z = given[1] if len(given) > 1 else np.array([0.0, 0.0, 1.0])
+    x = given[2] if len(given) > 2 else np.array([1.0, 0.0, 0.0])
+    y = np.cross(z, x)
+    if np.linalg.norm(y) > 0:
+        axes = np.stack([np.cross(y, z), y, z], axis=1)
+        matrix[:3, :3] = axes / np.linalg.norm(axes, axis=0)
+    return matrix
+
+
+def _decoded(text: str) -> str:
+    text = _WIDE.sub(lambda found: bytes.fromhex(found[1]).decode("utf-16-be", "replace"), text)
+    text = re.sub(r"\\X\\([0-9A-F]{2})", lambda found: bytes.fromhex(found[1]).decode("latin-1"), text)
+    return re.sub(r"\\S\\(.)", lambda found: chr((ord(found[1]) + 128) % 256), text).replace("''", "'")
