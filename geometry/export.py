@@ -23,9 +23,7 @@ def export(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> None:
     Blocks without tets in mesh are written as fans of tets. Raises GeometryError for other suffixes.
     """
     path = Path(path)
-    suffix = path.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise GeometryError(f"'{path}': files are written as {', '.join(SUFFIXES)}, not as '{path.suffix}'")
+    suffix = require_suffix(path)
     if suffix in (".step", ".stp"):
         names = block_names(specimen)
         with whole_file(path) as place, open(place, "w", encoding="ascii") as file:
@@ -34,6 +32,14 @@ def export(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> None:
     whole = _filled(specimen.blocks, mesh)
     with whole_file(path) as place:
         _write_tets(place, suffix, specimen.blocks, whole)
+
+
+def require_suffix(path: Path) -> str:
+    """The suffix of a file that can be written; GeometryError for others."""
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise GeometryError(f"'{path}': files are written as {', '.join(SUFFIXES)}, not as '{path.suffix}'")
+    return suffix
 
 
 def block_names(specimen: Specimen) -> list[str]:

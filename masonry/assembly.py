@@ -6,7 +6,7 @@ import numpy as np
 
 from geometry import joints as joint_search
 from geometry import overlaps
-from geometry.blocks import Joints, Specimen, TetMesh
+from geometry.blocks import Blocks, Joints, Specimen, TetMesh
 from masonry import loads, model
 from masonry.bodies import Material, lay_out
 from masonry.conditions import conditions_of
@@ -35,24 +35,12 @@ class Assembly:
 
 def assemble(scene: Scene) -> Assembly:
     """Build the model of a scene; raises SceneError or GeometryError with one clear message."""
-    require_sane_size(scene)
-    specimen = specimen_of(scene)
+    specimen, joints = joined(scene)
     blocks = specimen.blocks
-    overlaps.check_overlaps(blocks)
     _require_groups(scene, blocks.groups)
-    kinds = {g: scene.kinematics_of(g) for g in blocks.groups}
-    spec = scene.specimen
-    joints = joint_search.find_joints(
-        blocks, spec.contact_points, spec.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
-    )
     _require_contact_groups(scene, specimen, joints)
-    mesh = None
-    if "tets" in kinds.values():
-        from geometry.mesher import mesh_blocks
-
-        assert scene.specimen.mesh_size is not None
-        meshed = np.array([kinds[g] == "tets" for g in blocks.groups])[blocks.group]
-        mesh, joints = mesh_blocks(blocks, meshed, scene.specimen.mesh_size, joints)
+    mesh, joints = meshed(scene, blocks, joints)
+    kinds = {g: scene.kinematics_of(g) for g in blocks.groups}
     names, _, joints = model.sort_by_group(blocks, joints)
     materials = {
         g: Material(m.density, m.young_modulus, m.poisson_ratio)
@@ -75,6 +63,28 @@ def assemble(scene: Scene) -> Assembly:
     sign = scene.drive.sign if scene.drive else 1.0
     recording = Recording(specimen.section, sign, s.rows, s.rotation_limit)
     return Assembly(scene, specimen, joints, mesh, built, program, recording)
+
+
+def joined(scene: Scene) -> tuple[Specimen, Joints]:
+    """The blocks of a scene and the joints between them."""
+    require_sane_size(scene)
+    specimen, spec = specimen_of(scene), scene.specimen
+    overlaps.check_overlaps(specimen.blocks)
+    joints = joint_search.find_joints(
+        specimen.blocks, spec.contact_points, spec.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
+    )
+    return specimen, joints
+
+
+def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None, Joints]:
+    """Tets in the blocks that a scene wants to have them, and the joints with points at their nodes."""
+    wanted = np.array([scene.kinematics_of(g) == "tets" for g in blocks.groups])[blocks.group]
+    if not wanted.any():
+        return None, joints
+    from geometry.mesher import mesh_blocks
+
+    assert scene.specimen.mesh_size is not None
+    return mesh_blocks(blocks, wanted, scene.specimen.mesh_size, joints)
 
 
 def _properties(contact) -> dict:

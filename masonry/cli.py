@@ -42,6 +42,9 @@ def parser() -> Parser:
     run.set_defaults(action=run_scene)
     check = commands.add_parser("check", parents=[scene], help="say what a scene will cost and what it leaves out")
     check.set_defaults(action=check_scene)
+    export = commands.add_parser("export", parents=[scene], help="write the blocks of a scene for other programs")
+    export.add_argument("--to", type=Path, required=True, metavar="FILE", help="a .step, .msh or .vtu file")
+    export.set_defaults(action=export_scene)
     commands.add_parser("list", help="list the packaged scenes").set_defaults(action=list_scenes)
     plot = commands.add_parser("plot", help="draw the pictures of a folder of results again")
     plot.add_argument("folder", type=Path, metavar="DIR")
@@ -118,6 +121,20 @@ def check_scene(words: argparse.Namespace) -> int:
     from masonry.printout import check_text
 
     print(check_text(laboratory.check(scene.load(words.scene, words.overrides))))
+    return OK
+
+
+def export_scene(words: argparse.Namespace) -> int:
+    """`masonry export`: with tets where the scene has them."""
+    from geometry.export import export, require_suffix
+    from masonry import scene
+    from masonry.assembly import joined, meshed
+
+    require_suffix(words.to)
+    loaded = scene.load(words.scene, words.overrides)
+    specimen, joints = joined(loaded)
+    export(words.to, specimen, meshed(loaded, specimen.blocks, joints)[0])
+    print(f"{words.to}: {specimen.blocks.count} blocks")
     return OK
 
 
