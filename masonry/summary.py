@@ -1,9 +1,11 @@
 """The numbers of summary.json, from an assembly and the outcome of its run."""
 
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
+from geometry.cells.asked import CellReport
 from masonry import __version__
 from masonry.assembly import Assembly
 from masonry.kernels.compiler import source_hash
@@ -39,6 +41,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "law_by_group": laws,
         "kinematics_by_group": kinematics,
         "blocks": assembly.specimen.blocks.count,
+        "cells": [asdict(report) for report in assembly.specimen.cells],
         "contacts": len(model.group),
         "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
         "freedoms": model.freedoms,
@@ -66,6 +69,15 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "version": __version__,
         "source_hash": source_hash(),
     }
+
+
+def cells_text(report: CellReport) -> str:
+    """What a division into cells came to, in one line; h is the mean size of a cell."""
+    joint = "" if report.shortest_joint is None else f", shortest joint piece {report.shortest_joint:.2g} h"
+    return (
+        f"{report.count} of h = {report.h * 1e3:.3g} mm: shortest edge {report.shortest_over_mean:.2g} of the mean, "
+        f"{report.small_edges:.1%} small, sizes within {report.size_error:.1%}{joint}"
+    )
 
 
 def _joined(words: dict[str, str]) -> str:
