@@ -8,6 +8,7 @@ import numpy as np
 from masonry import timeloop
 from masonry.assembly import Assembly, assemble
 from masonry.errors import Stopped
+from masonry.quality_lines import quality_lines
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
 from masonry.summary import summarise
@@ -54,6 +55,7 @@ def check(scene: Scene) -> dict[str, Any]:
         "freedoms": model.freedoms,
         "time_step_s": model.dt,
         "limited_by": model.limited_by,
+        "quality": quality_lines(assembly),
         "steps": assembly.program.steps,
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),

@@ -11,6 +11,7 @@ from masonry.bodies import KINDS, Layout, Material, real_masses
 from masonry.contact_groups import contact_groups
 from masonry.laws.state import ContactState
 from masonry.loads import Conditions
+from masonry.step_cost import StepCost, step_cost
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,7 @@ class Model:
     dt: float
     bound: float
     limited_by: str
+    cost: StepCost | None
 
     @property
     def freedoms(self) -> int:
@@ -87,7 +89,9 @@ def build(
     stiffness.unscale(sums, layout, length)
 
     density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
-    masses, dt, bound, limited_by = _stepping(layout, sums, real_masses(layout, density), conditions, stepping, dilated)
+    real = real_masses(layout, density)
+    masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, dilated)
+    free = {kind: ~held for kind, held in conditions.prescribed.items()}
     rows = {kind: layout.rows(kind) for kind in KINDS}
     first = {"tets": 0, "rigid": rows["tets"]}
     first["affine"] = first["rigid"] + int(np.sum(np.concatenate([s.kind for s in sides]) == KINDS.index("rigid")))
@@ -114,6 +118,7 @@ def build(
         dt=dt,
         bound=bound,
         limited_by=limited_by,
+        cost=step_cost(layout, sums, real, free, stepping.masses == "scaled"),
     )
 
 

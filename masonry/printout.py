@@ -23,6 +23,7 @@ def check_text(report: dict[str, Any]) -> str:
         ("tets", [f"{report['tets']}"]),
         ("freedoms", [f"{report['freedoms']}"]),
         ("time step", [f"{report['time_step_s']:.4g} s, limited by {report['limited_by']}"]),
+        *((word, [sentence]) for word, sentence in report["quality"].items()),
         ("steps", [f"{report['steps']}"]),
         ("expected time", [f"about {duration(report['expected_seconds'])}"]),
         ("compiled in", report["compiled"] or ["nothing beyond contacts"]),

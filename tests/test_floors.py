@@ -30,7 +30,8 @@ FLOORS = {
         packages="numpy numba",
     ),
     "model": Floor(
-        "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays",
+        "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays"
+        " masonry.step_cost",
         sees="model equations errors geometry",
         packages="numpy numba",
     ),
@@ -43,7 +44,7 @@ FLOORS = {
     "scene": Floor(
         "masonry masonry.__main__ masonry.cli masonry.doctor masonry.printout masonry.quantity masonry.scene*"
         " masonry.assembly masonry.specimens masonry.conditions masonry.held"
-        " masonry.size_guard masonry.summary masonry.laboratory masonry.sweep",
+        " masonry.size_guard masonry.quality_lines masonry.summary masonry.laboratory masonry.sweep",
         sees="scene run model equations errors geometry",
     ),
     "verification": Floor("verification", sees="verification scene run model equations errors geometry"),
