@@ -47,7 +47,8 @@ def read_cad(path: Path | str, unit: float | None = None, facet: float | None = 
     Raises GeometryError for a file that holds no closed solids.
     """
     path = Path(path)
-    suffix, notes = path.suffix.lower(), []
+    suffix = path.suffix.lower()
+    notes: list[str] = []
     found: list[Label] = []
     scale = MILLIMETRE
     if suffix in STEP:
@@ -73,8 +74,8 @@ def read_cad(path: Path | str, unit: float | None = None, facet: float | None = 
     notes += _curved_notes(list(solids.values()), chord * scale)
     blocks = from_faces(
         [[face * scale for face in solid.faces] for solid in solids.values()],
-        np.arange(len(solids)),
-        np.zeros(len(solids), dtype=np.int64),
+        range(len(solids)),
+        [0] * len(solids),
         ("units",),
     )
     return Imported(blocks, names, colours, None, tuple(notes))

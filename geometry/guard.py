@@ -87,9 +87,9 @@ def _answer(folder: Path, code: int, name: str) -> Imported:
         raise GeometryError(f"'{name}' cannot be read: the reader crashed on it ({how}); it is damaged or too large")
     with np.load(folder / ANSWER, allow_pickle=False) as found:
         words = json.loads(bytes(found["words"]).decode())
-        blocks = Blocks(*(found[key] for key in BLOCKS), tuple(words["groups"]))
-        mesh = TetMesh(*(found[key] for key in MESH)) if MESH[0] in found else None
-        colours = found["colours"] if "colours" in found else None
+        blocks = Blocks(**{key: found[key] for key in BLOCKS}, groups=tuple(words["groups"]))
+        mesh = TetMesh(**{key: found[key] for key in MESH}) if MESH[0] in found else None
+        colours = found.get("colours", None)
     return Imported(blocks, tuple(words["names"]), colours, mesh, tuple(words["notes"]))
 
 

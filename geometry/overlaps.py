@@ -1,4 +1,4 @@
-"""Blocks that take up the same space: found by the separating axis theorem, refused with a message."""
+"""Blocks that take up the same space: convex ones found by the separating axis theorem; refused with a message."""
 
 from collections.abc import Sequence
 
@@ -6,7 +6,8 @@ import numpy as np
 
 from geometry.blocks import Blocks, GeometryError
 from geometry.measures import bounds, extent, face_areas_normals_centroids, volumes
-from geometry.polygons import pad
+from geometry.polygons import areas_normals_centroids, pad
+from geometry.solids import are_convex, share_space, solid
 from geometry.sweep import overlapping_boxes
 
 CHUNK = 4096
@@ -21,10 +22,15 @@ def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None, tolerance
     low, high = bounds(blocks)
     pairs = overlapping_boxes(low + depth / 2, high - depth / 2)
     is_box = np.abs(volumes(blocks) / np.prod(high - low, axis=1) - 1) < 1e-12
-    sure = is_box[pairs].all(axis=1)
+    convex = np.ones(blocks.count, dtype=bool) if is_box.all() else are_convex(blocks, depth)
+    sure, both = is_box[pairs].all(axis=1), convex[pairs].all(axis=1)
     overlapping = [tuple(pair) for pair in pairs[sure][:1]]
-    for a, b in _not_separated_by_faces(blocks, pairs[~sure], depth):
+    for a, b in _not_separated_by_faces(blocks, pairs[both & ~sure], depth):
         if _penetration(blocks, a, b) > depth:
+            overlapping.append((a, b))
+            break
+    for a, b in pairs[~both]:
+        if share_space(solid(blocks, a), solid(blocks, b), depth):
             overlapping.append((a, b))
             break
     if overlapping:
@@ -57,7 +63,7 @@ def _penetration(blocks: Blocks, a: int, b: int) -> float:
     for block in (a, b):
         faces = [blocks.face(f) for f in blocks.faces_of(block)]
         corners.append(np.concatenate(faces))
-        normals.append(np.array([np.cross(face[1] - face[0], face[2] - face[1]) for face in faces]))
+        normals.append(np.concatenate([areas_normals_centroids(face[None])[1] for face in faces]))
         edges.append(np.concatenate([np.roll(face, -1, axis=0) - face for face in faces]))
     crossed = np.cross(edges[0][:, None], edges[1][None]).reshape(-1, 3)
     axes = np.concatenate([*normals, crossed])

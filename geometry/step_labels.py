@@ -50,7 +50,7 @@ def labels(entities: Records, most: int) -> list[Label]:
     """The solids of a file by walking down its assemblies; at most `most` of them."""
     products = _products(entities)
     uses = Counter(child for parts in products.parts.values() for child, _, _ in parts)
-    found = []
+    found: list[Label] = []
     corners: dict[int, np.ndarray] = {}
     roots = [p for p in products.name if p not in products.inner]
     repeated = {child for child, times in uses.items() if times > 1}

@@ -54,7 +54,7 @@ def length_unit(entities: Records) -> float:
 
 
 def _unit(entities: Records, text: str) -> float:
-    """m of a unit such as (LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)); NaN if it cannot be told."""
+    """Metres of a unit such as (LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)); NaN if it cannot be told."""
     if measure := _measure(entities, text):
         return (numbers(measure) or [float("nan")])[0] * _base(entities, text)
     prefix = re.search(r"SI_UNIT\s*\(\s*(?:\.(\w+)\.|\$)\s*,\s*\.METRE\.", text)
@@ -62,7 +62,7 @@ def _unit(entities: Records, text: str) -> float:
 
 
 def _base(entities: Records, text: str) -> float:
-    """m of the unit that another one, such as the inch, is stated in; 0 for one that stands by itself."""
+    """Metres of the unit that another one, such as the inch, is stated in; 0 for one that stands by itself."""
     base = [entities[r][1] for r in references(_measure(entities, text)) if r in entities]
     return _unit(entities, base[0]) if base and "CONVERSION_BASED_UNIT" not in base[0] else 0.0
 
