@@ -74,13 +74,16 @@ class Joints:
     """Contact points between blocks.
 
     block_a, block_b  (C,) with block_a < block_b
-    node_a, node_b    (C,) tet node that sits at the point, or -1 where that side is not meshed
+    node_a, node_b    (C,) tet node that sits at the point, or -1 where that side has none there
     point             (C, 3) m
     normal            (C, 3) unit vector from a to b
     area              (C,) m2; the areas of one joint face add up to the area of its overlap polygon
     patch             (C,) the overlap polygon that the point belongs to
     patch_start       (J + 1,) corners of polygon j in patch_points
     patch_points      (., 3) m
+    corner_a, corner_b  (C, 3) tet nodes of the surface triangle that the point lies in, -1 on a side that has a node at
+                      the point or no tets; None where no point of the specimen needs them
+    share_a, share_b  (C, 3) shape functions of these nodes at the point, adding up to 1; 0 where there are none
     dropped           joint faces dropped because their area is zero within the tolerance
     repeated          joint faces dropped because the two blocks have the same one already
     """
@@ -97,6 +100,10 @@ class Joints:
     patch_points: np.ndarray
     dropped: int = 0
     repeated: int = 0
+    corner_a: np.ndarray | None = None
+    share_a: np.ndarray | None = None
+    corner_b: np.ndarray | None = None
+    share_b: np.ndarray | None = None
 
 
 @dataclass(frozen=True)

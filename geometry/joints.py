@@ -30,7 +30,11 @@ def find_joints(
     Pairs of faces that touch along a line or in a corner only are not joints; they are counted in `dropped`. A polygon
     that two blocks share more than once, where a face is there twice, counts once; the others are in `repeated`.
     """
-    density = Density(rule, points_per_edge, points_per_face, spacing)
+    return face_joints(blocks, Density(rule, points_per_edge, points_per_face, spacing), tolerance)[0]
+
+
+def face_joints(blocks: Blocks, density: Density, tolerance: float = 1e-9) -> tuple[Joints, np.ndarray]:
+    """The joints, as find_joints, and the faces of block a and of block b that each polygon lies on (J, 2)."""
     width = tolerance * extent(blocks)
     face_a, face_b = facing_pairs(blocks, width)
     corners, count = pad(blocks.points, blocks.face_start, blocks.face_points)
@@ -46,7 +50,7 @@ def find_joints(
 
     patch, point, share = contact_points(overlap, corner_count, density)
     patch_start, patch_points = unpad(overlap, corner_count)
-    return Joints(
+    joints = Joints(
         block_a=owner[face_a][patch],
         block_b=owner[face_b][patch],
         node_a=np.full(len(patch), -1, dtype=np.int64),
@@ -60,6 +64,7 @@ def find_joints(
         dropped=int(np.sum(touching & ~kept)),
         repeated=int(kept.sum()) - len(once),
     )
+    return joints, np.stack([face_a, face_b], axis=1)
 
 
 def _repeated(corners: np.ndarray, pair: np.ndarray, width: float) -> np.ndarray:

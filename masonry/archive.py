@@ -88,6 +88,8 @@ def _write_arrays(group: Any, value: Blocks | Joints | TetMesh) -> None:
     """Every array of a dataclass as a dataset, every other field as an attribute."""
     for entry in fields(value):
         content = getattr(value, entry.name)
+        if content is None:
+            continue
         if isinstance(content, np.ndarray):
             group.create_dataset(entry.name, data=content, **_packing(content.size))
         else:
@@ -101,7 +103,7 @@ def _read_arrays(group: Any, kind: type) -> Any:
             content[entry.name] = group[entry.name][()]
         elif entry.name == "groups":
             content["groups"] = tuple(str(name) for name in group.attrs["groups"])
-        else:
+        elif entry.name in group.attrs:
             content[entry.name] = int(group.attrs[entry.name])
     return kind(**content)
 

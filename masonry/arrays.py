@@ -10,12 +10,16 @@ from masonry.kinematics.tets import Tets
 from masonry.laws.interface import Interface
 from masonry.laws.state import ContactState, fresh
 from masonry.loads import Conditions
+from masonry.stiffness import BETWEEN
 
 
-def number_sides(layout: Layout, sides: tuple, first: dict[str, int], rows: dict[str, int]) -> tuple:
-    """Rows of u of both sides (C, 2), and per kind (start, code, arm) of the sides in the order of their bodies."""
+def number_sides(sides: tuple, first: dict[str, int], rows: dict[str, int]) -> tuple:
+    """Rows of u of both sides (C, 2), and per kind (start, code, arm) of the sides in the order of their bodies.
+
+    Under "between": nodes, shape functions and code of the sides whose points lie between tet nodes, in order of nodes.
+    """
     count = len(sides[0].kind)
-    kind = np.concatenate([s.kind for s in sides])
+    kind = np.concatenate([s.form for s in sides])
     row = np.concatenate([s.row for s in sides])
     arm = np.concatenate([s.arm for s in sides])
     axes = np.concatenate([s.axes for s in sides])
@@ -30,6 +34,12 @@ def number_sides(layout: Layout, sides: tuple, first: dict[str, int], rows: dict
         ordered[name] = start.astype(np.int64), code[which].astype(np.int64), np.ascontiguousarray(arms)
         if name != "tets":
             place[which] = first[name] + np.arange(len(which))
+    between = np.flatnonzero(kind == BETWEEN)
+    if len(between):
+        corner, share = (np.concatenate([getattr(s, name) for s in sides])[between] for name in ("corner", "share"))
+        order = np.argsort(corner[:, 0], kind="stable")
+        place[between[order]] = first["between"] + np.arange(len(between))
+        ordered["between"] = corner[order], share[order], code[between[order]]
     return np.ascontiguousarray(place.reshape(2, count).T), ordered
 
 
@@ -73,7 +83,8 @@ def bodies_of(
             **common["affine"],
         )
     if layout.mesh is not None and len(which["tets"]):
-        tets = _tets(layout, layout.mesh, lame, common["tets"])
+        between = _between(layout, layout.mesh, ordered["between"], first["between"]) if "between" in ordered else {}
+        tets = _tets(layout, layout.mesh, lame, {**common["tets"], **between})
     return rigid, affine, tets
 
 
@@ -90,6 +101,22 @@ def _tets(layout: Layout, mesh: TetMesh, lame: np.ndarray, common: dict) -> Tets
         lame=np.ascontiguousarray(lame[b]),
         **common,
     )
+
+
+def _between(layout: Layout, mesh: TetMesh, sides: tuple, first: int) -> dict:
+    """Fields of Tets for the sides whose points lie between nodes, as number_sides gives them."""
+    corner, share, code = sides
+    last = np.append(layout.members["tets"], len(mesh.node_start) - 1)
+    order = np.argsort(corner.ravel(), kind="stable")
+    return {
+        "corner_between": corner.astype(np.uint32),
+        "share_between": np.ascontiguousarray(share),
+        "start_between": np.searchsorted(corner[:, 0], mesh.node_start[last]),
+        "first_between": first,
+        "pull_start": np.searchsorted(corner.ravel()[order], np.arange(len(mesh.nodes) + 1)),
+        "pull_code": np.repeat(code, 3)[order],
+        "pull_share": share.ravel()[order],
+    }
 
 
 def memory_of(group: np.ndarray, interfaces: list[Interface]) -> ContactState:

@@ -1,6 +1,7 @@
 """What a picture of cracks shows, as plain arrays: the view, the outlines of blocks, the contacts seen edge-on."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -103,10 +104,16 @@ class CrackLines:
 
     def displaced(self, joints: Joints, field: Deformation, magnification: float) -> np.ndarray:
         """(n, 2, 3) m, both ends of each piece midway between the two displaced sides."""
-        sides = ((joints.block_a, joints.node_a), (joints.block_b, joints.node_b))
+        sides: list[tuple[Any, ...]] = [
+            tuple(None if part is None else part[self.contact] for part in side)
+            for side in (
+                (joints.block_a, joints.node_a, joints.corner_a, joints.share_a),
+                (joints.block_b, joints.node_b, joints.corner_b, joints.share_b),
+            )
+        ]
         ends = []
         for point in (self.start, self.end):
-            moves = [field.at(block[self.contact], point, node[self.contact]) for block, node in sides]
+            moves = [field.at(block, point, node, *between) for block, node, *between in sides]
             ends.append(point + 0.5 * magnification * (moves[0] + moves[1]))
         return np.stack(ends, axis=1)
 

@@ -61,8 +61,8 @@ class Grid:
         """`displacement` (points, 3) m of one frame."""
         joints = result.joints
         field = Deformation(result.specimen.blocks, frame)
-        mean = 0.5 * field.at(joints.block_a, joints.point, joints.node_a)
-        mean += 0.5 * field.at(joints.block_b, joints.point, joints.node_b)
+        mean = 0.5 * field.at(joints.block_a, joints.point, joints.node_a, joints.corner_a, joints.share_a)
+        mean += 0.5 * field.at(joints.block_b, joints.point, joints.node_b, joints.corner_b, joints.share_b)
         return {"displacement": np.concatenate([frame.corners[self.corners], frame.nodes.reshape(-1, 3), mean])}
 
     def cell_data(self, frame: Frame) -> dict[str, np.ndarray]:

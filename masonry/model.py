@@ -1,6 +1,6 @@
 """Blocks + properties -> the flat arrays that the step runs on. Owns dtype (float64) and units (SI)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -56,7 +56,9 @@ def sort_by_group(blocks: Blocks, joints: Joints) -> tuple[tuple[str, ...], np.n
     """Names of the contact groups, the (C,) group of each contact, and the joints, sorted by group."""
     names, group = contact_groups(blocks, joints)
     order = np.argsort(group, kind="stable")
-    per_contact = ("block_a", "block_b", "node_a", "node_b", "point", "normal", "area", "patch")
+    per_contact = ["block_a", "block_b", "node_a", "node_b", "point", "normal", "area", "patch"]
+    if joints.corner_a is not None:
+        per_contact += ["corner_a", "share_a", "corner_b", "share_b"]
     values = {name: getattr(joints, name) for name in Joints.__dataclass_fields__}
     values.update({name: np.ascontiguousarray(values[name][order]) for name in per_contact})
     return names, group[order], Joints(**values)
@@ -94,9 +96,11 @@ def build(
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
     rows = {kind: layout.rows(kind) for kind in KINDS}
     first = {"tets": 0, "rigid": rows["tets"]}
-    first["affine"] = first["rigid"] + int(np.sum(np.concatenate([s.kind for s in sides]) == KINDS.index("rigid")))
-    side_rows, ordered = number_sides(layout, sides, first, rows)
-    u = np.zeros((first["affine"] + int(np.sum(np.concatenate([s.kind for s in sides]) == 1)), 3))
+    forms = np.concatenate([s.form for s in sides])
+    first["affine"] = first["rigid"] + int(np.sum(forms == KINDS.index("rigid")))
+    first["between"] = first["affine"] + int(np.sum(forms == KINDS.index("affine")))
+    side_rows, ordered = number_sides(sides, first, rows)
+    u = np.zeros((first["between"] + int(np.sum(forms == stiffness.BETWEEN)), 3))
     bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first)
     state = memory_of(group, interfaces)
     bounds = np.searchsorted(group, np.arange(len(names) + 1))
@@ -123,16 +127,16 @@ def build(
 
 
 def _side(layout: Layout, joints: Joints, which: str) -> stiffness.Side:
-    block, node = getattr(joints, f"block_{which}"), getattr(joints, f"node_{which}")
+    block, node, corner, share = (getattr(joints, f"{name}_{which}") for name in ("block", "node", "corner", "share"))
     kind = layout.kind[block]
     row = np.where(kind == KINDS.index("tets"), node, layout.local[block])
     axes = layout.axes[block]
     arm = np.einsum("cji,cj->ci", axes, joints.point - layout.centroid[block])
-    return stiffness.Side(kind, row, arm, axes, np.ones((len(block), 3)))
+    return stiffness.Side(kind, row, arm, axes, np.ones((len(block), 3)), corner, share)
 
 
 def _with_length(side: stiffness.Side, length: np.ndarray) -> stiffness.Side:
-    return stiffness.Side(side.kind, side.row, side.arm, side.axes, length)
+    return replace(side, length=length)
 
 
 def _lame(blocks: Blocks, layout: Layout, materials: dict[str, Material]) -> np.ndarray:

@@ -12,23 +12,40 @@ import numpy as np
 from masonry.bodies import KINDS, Layout, tet_gradients, tet_volumes
 
 CHUNK = 8192
+BETWEEN = len(KINDS)
+"""Form of a side whose point lies between tet nodes, in a triangle of them; the other forms are the kinds."""
 SOFTEST = 1e-3
 """No row sum is taken smaller than this share of the block's largest (a freedom that nothing resists needs a mass)."""
 
 
 @dataclass(frozen=True)
 class Side:
-    """One side of all contacts: kind of its body, row of its freedoms, arm from the centroid along the block's axes."""
+    """One side of all contacts: kind of its body, row of its freedoms, arm from the centroid along the block's axes.
+
+    corner, share  (C, 3) nodes and shape functions of points between tet nodes, as in Joints; None where there are none
+    """
 
     kind: np.ndarray
     row: np.ndarray
     arm: np.ndarray
     axes: np.ndarray
     length: np.ndarray
+    corner: np.ndarray | None = None
+    share: np.ndarray | None = None
+
+    @property
+    def form(self) -> np.ndarray:
+        """(C,) kind of the body, or BETWEEN."""
+        if self.corner is None:
+            return self.kind
+        return np.where(self.corner[:, 0] >= 0, BETWEEN, self.kind)
 
     def columns(self, kind: int, which: np.ndarray) -> np.ndarray:
         """(c, 3, n) displacement of the point for a unit of each freedom, turns and strains divided by their length."""
         identity = np.broadcast_to(np.eye(3), (len(which), 3, 3))
+        if kind == BETWEEN:
+            assert self.share is not None
+            return np.einsum("cj,ik->cijk", self.share[which], np.eye(3)).reshape(len(which), 3, 9)
         if KINDS[kind] == "tets":
             return identity
         if KINDS[kind] == "affine":
@@ -58,12 +75,16 @@ def across(length: np.ndarray) -> np.ndarray:
 def contact_row_sums(
     sums: dict[str, np.ndarray], sides: tuple[Side, Side], normal: np.ndarray, kn: np.ndarray, ks: np.ndarray
 ) -> None:
-    """Add the contacts' share; kn, ks (C,) N/m are stiffnesses times area, kn with dilation included."""
+    """Add the contacts' share; kn, ks (C,) N/m are stiffnesses times area, kn with dilation included.
+
+    A point between nodes, u = sum of N_j u_j with N_j >= 0 that add up to 1, gives node i a row of N_i k (1 + sum N_j),
+    N_i times that of a point on a node: the bound needs no other proof.
+    """
     a, b = sides
-    pair = a.kind * len(KINDS) + b.kind
+    pair = a.form * (BETWEEN + 1) + b.form
     for code in np.unique(pair):
         chosen = np.flatnonzero(pair == code)
-        kinds = code // len(KINDS), code % len(KINDS)
+        kinds = code // (BETWEEN + 1), code % (BETWEEN + 1)
         for first in range(0, len(chosen), CHUNK):
             which = chosen[first : first + CHUNK]
             n = normal[which]
@@ -74,7 +95,11 @@ def contact_row_sums(
             row = np.abs(np.einsum("cki,ckl,clj->cij", move, stiffness, move, optimize=True)).sum(axis=2)
             split = move_a.shape[2]
             for side, kind, part in ((a, kinds[0], row[:, :split]), (b, kinds[1], row[:, split:])):
-                np.add.at(sums[KINDS[kind]], side.row[which], part)
+                if kind == BETWEEN:
+                    assert side.corner is not None
+                    np.add.at(sums["tets"], side.corner[which], part.reshape(-1, 3, 3))
+                else:
+                    np.add.at(sums[KINDS[kind]], side.row[which], part)
 
 
 def affine_row_sums(sums: np.ndarray, layout: Layout, lame: np.ndarray, length: np.ndarray) -> None:

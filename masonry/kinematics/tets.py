@@ -23,6 +23,12 @@ class Tets(NamedTuple):
     slope           (T, 9) sqrt(volume) times the gradients of the last three shape functions
     lame            (B, 2) Pa, lambda and mu
     work, load      (B, 3) and (N, 3), as for rigid blocks; None where absent
+
+    Contact points that lie between nodes, in a surface triangle; None where there are none:
+    corner_between, share_between  (S, 3) nodes of the triangle, and their shape functions at the point
+    start_between   (B + 1,) sides of each block
+    first_between   row of u at which these sides begin
+    pull_start, pull_code, pull_share  (N + 1,), (3 S,), (3 S,) the same by nodes: sides, and the share of each
     """
 
     v: np.ndarray
@@ -39,6 +45,13 @@ class Tets(NamedTuple):
     lame: np.ndarray
     work: np.ndarray | None = None
     load: np.ndarray | None = None
+    corner_between: np.ndarray | None = None
+    share_between: np.ndarray | None = None
+    start_between: np.ndarray | None = None
+    first_between: int | None = None
+    pull_start: np.ndarray | None = None
+    pull_code: np.ndarray | None = None
+    pull_share: np.ndarray | None = None
 
 
 @register_jitable
@@ -74,17 +87,46 @@ def _push(inner, node, s, x, y, z):
 
 
 def place(body, dt, u):
-    """Advance the nodes by dt v."""
-    v = body.v
-    for n in prange(len(v)):
-        u[n, 0] += dt * v[n, 0]
-        u[n, 1] += dt * v[n, 1]
-        u[n, 2] += dt * v[n, 2]
+    """Advance the nodes by dt v, and with them the points between nodes."""
+    v, start = body.v, body.node_start
+    corner, share, own, first = body.corner_between, body.share_between, body.start_between, body.first_between
+    for b in prange(len(body.lame)):
+        for n in range(start[b], start[b + 1]):
+            u[n, 0] += dt * v[n, 0]
+            u[n, 1] += dt * v[n, 1]
+            u[n, 2] += dt * v[n, 2]
+        _interpolate(corner, share, own, first, b, u)
+
+
+@register_jitable
+def _interpolate(corner, share, start, first, b, u):
+    """Displacement of the contact points of block b that lie between nodes: sum of N_j u_j."""
+    if start is None:
+        return
+    for k in range(start[b], start[b + 1]):
+        p, q, r = corner[k, 0], corner[k, 1], corner[k, 2]
+        for i in range(3):
+            u[first + k, i] = share[k, 0] * u[p, i] + share[k, 1] * u[q, i] + share[k, 2] * u[r, i]
+
+
+@register_jitable
+def _pulled(start, code, share, n, force, x, y, z):
+    """(x, y, z) and what the contact points between nodes add to node n: N_j times their force."""
+    if start is None:
+        return x, y, z
+    for k in range(start[n], start[n + 1]):
+        c = code[k] >> 1
+        part = share[k] * (1.0 - 2.0 * (code[k] & 1))
+        x += part * force[c, 0]
+        y += part * force[c, 1]
+        z += part * force[c, 2]
+    return x, y, z
 
 
 def move(body, dt, damping, factor, factor_before, force, u):
     """Eq. (4): stress of every tet to its corners; then contacts, damping and motion of the block's nodes."""
     inner, corner, g, lame, start, code = body.inner, body.corner, body.slope, body.lame, body.start, body.code
+    pull_start, pull_code, pull_share = body.pull_start, body.pull_code, body.pull_share
     for b in prange(len(lame)):
         first, last = body.node_start[b], body.node_start[b + 1]
         for n in range(first, last):
@@ -106,6 +148,7 @@ def move(body, dt, damping, factor, factor_before, force, u):
                 fx += side * force[c, 0]
                 fy += side * force[c, 1]
                 fz += side * force[c, 2]
+            fx, fy, fz = _pulled(pull_start, pull_code, pull_share, n, force, fx, fy, fz)
             advance(body, n, 0, b, fx, inner[n, 0], dt, damping, factor, factor_before)
             advance(body, n, 1, b, fy, inner[n, 1], dt, damping, factor, factor_before)
             advance(body, n, 2, b, fz, inner[n, 2], dt, damping, factor, factor_before)
