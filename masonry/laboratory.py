@@ -11,7 +11,7 @@ from masonry.errors import Stopped
 from masonry.quality_lines import quality_lines
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
-from masonry.summary import summarise
+from masonry.summary import cells_text, summarise
 
 Progress = Callable[[int, int, str], None]
 
@@ -33,7 +33,7 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None) -> Res
         joint_groups=assembly.model.group_names,
         mesh=assembly.mesh,
         scene_toml=to_toml(scene),
-        log=[*left_out(assembly), *outcome.log],
+        log=[*(f"cells: {cells_text(c)}" for c in assembly.specimen.cells), *left_out(assembly), *outcome.log],
     )
     if outcome.stopped:
         stop = Stopped(outcome.stopped)
@@ -49,6 +49,7 @@ def check(scene: Scene) -> dict[str, Any]:
     counts = np.bincount(model.group, minlength=len(model.group_names))
     return {
         "blocks": assembly.specimen.blocks.count,
+        "cells": [cells_text(report) for report in assembly.specimen.cells],
         "contacts": {name: int(n) for name, n in zip(model.group_names, counts, strict=True)},
         "contact_points": len(model.group),
         "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),

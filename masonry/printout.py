@@ -18,6 +18,7 @@ def check_text(report: dict[str, Any]) -> str:
     longest = max((len(name) for name in contacts), default=0)
     rows = [
         ("blocks", [f"{report['blocks']}"]),
+        *([("cells", report["cells"])] if report.get("cells") else []),
         ("contacts", [f"{name:<{longest}}  {number}" for name, number in contacts.items()] or ["none"]),
         ("contact points", [f"{report['contact_points']}"]),
         ("tets", [f"{report['tets']}"]),
@@ -30,7 +31,7 @@ def check_text(report: dict[str, Any]) -> str:
         ("left out", report["left_out"] or ["nothing"]),
         ("warnings", report["warnings"] or ["none"]),
     ]
-    return _aligned(rows)
+    return aligned(rows)
 
 
 def paths_text(paths: dict[str, Path]) -> str:
@@ -38,7 +39,7 @@ def paths_text(paths: dict[str, Path]) -> str:
     names = {"curve": "curve.png", "crack picture": "cracks.png", "summary": "summary.json"}
     rows = [(word, [str(paths[name])]) for word, name in names.items() if name in paths]
     others = [name for name in paths if name not in names.values()]
-    return _aligned([*rows, ("also there", [", ".join(others)])] if others else rows, wrap=False)
+    return aligned([*rows, ("also there", [", ".join(others)])] if others else rows, wrap=False)
 
 
 def summary_text(summary: dict[str, Any]) -> str:
@@ -54,7 +55,7 @@ def summary_text(summary: dict[str, Any]) -> str:
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
         ("trust", [trust(summary)]),
     ]
-    return _aligned(rows)
+    return aligned(rows)
 
 
 def trust(summary: dict[str, Any]) -> str:
@@ -104,7 +105,7 @@ def _seconds(summary: dict[str, Any], key: str) -> str:
     return "not known" if value is None else duration(value)
 
 
-def _aligned(rows: list[tuple[str, list[str]]], wrap: bool = True) -> str:
+def aligned(rows: list[tuple[str, list[str]]], wrap: bool = True) -> str:
     """Two columns: a word, and lines that are wrapped under each other."""
     margin = max(len(word) for word, _ in rows) + 2
     lines = []
