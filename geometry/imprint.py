@@ -84,7 +84,10 @@ def weld(corners: list[np.ndarray], width: float) -> tuple[np.ndarray, list[Loop
 
 def split_edges(vertices: np.ndarray, loops: list[Loop], width: float) -> list[Loop]:
     """The same loops with every vertex that lies on an edge put into it."""
-    edges = np.concatenate([np.stack([loop, np.roll(loop, -1)], axis=1) for loop in loops])
+    begin, length = np.concatenate(loops), np.array([len(loop) for loop in loops])
+    following = np.arange(1, len(begin) + 1)
+    following[np.cumsum(length) - 1] -= length
+    edges = np.stack([begin, begin[following]], axis=1)
     unique, of_edge = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True)
     start, end = vertices[unique[:, 0]], vertices[unique[:, 1]]
     length = np.linalg.norm(end - start, axis=1)

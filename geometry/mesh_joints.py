@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from geometry.blocks import Joints, TetMesh
+from geometry.blocks import Joints
 
 
 @dataclass(frozen=True)
@@ -21,46 +21,52 @@ class PatchTriangles:
     block_tags: dict[int, np.ndarray]
 
 
-def mesh_joints(joints: Joints, mesh: TetMesh, surface: PatchTriangles) -> Joints:
+def mesh_joints(joints: Joints, surface: PatchTriangles) -> Joints:
     """The joints with the contact points of meshed polygons moved to the mesh nodes; in the order of polygons."""
+    empty = np.zeros((0, 3), dtype=np.int64)
+    patches = np.array(sorted(surface.triangles), dtype=np.int64)
+    triangle = np.concatenate([empty, *(surface.triangles[p] for p in patches.tolist())])
+    patch = np.repeat(patches, [len(surface.triangles[p]) for p in patches.tolist()])
+    count = len(surface.nodes)
+    keys = np.concatenate([[], *(b * count + surface.block_tags[b] for b in sorted(surface.block_tags))])
+    return joints_at_nodes(joints, surface.nodes, triangle, patch, keys.astype(np.int64))
+
+
+def joints_at_nodes(
+    joints: Joints, points: np.ndarray, triangle: np.ndarray, patch: np.ndarray, node_key: np.ndarray
+) -> Joints:
+    """The same from triangles (M, 3) of points (P, 3) and their joint polygons (M,).
+
+    node_key  (N,) block * P + point of every mesh node, in the order of the mesh, rising
+    """
+    a, b, c = (points[triangle[:, k]] for k in range(3))
+    third = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 6
+    pair, place = np.unique((patch[:, None] * len(points) + triangle).ravel(), return_inverse=True)
+    meshed, point = np.divmod(pair, len(points))
     has_mesh = np.zeros(len(joints.patch_start) - 1, dtype=bool)
-    has_mesh[list(surface.triangles)] = True
+    has_mesh[meshed] = True
     kept = np.flatnonzero(~has_mesh[joints.patch])
-    origin, tags, areas = [kept], [np.full(len(kept), -1)], [joints.area[kept]]
     first = np.searchsorted(joints.patch, np.arange(len(has_mesh)))
-    for patch, triangles in surface.triangles.items():
-        tag, area = _node_areas(surface.nodes, triangles)
-        origin.append(np.full(len(tag), first[patch]))
-        tags.append(tag)
-        areas.append(area)
-    source, tag, area = np.concatenate(origin), np.concatenate(tags), np.concatenate(areas)
+    source = np.concatenate([kept, first[meshed]])
+    point = np.concatenate([np.full(len(kept), -1), point])
+    area = np.concatenate([joints.area[kept], np.bincount(place, np.repeat(third, 3), len(pair))])
     order = np.argsort(joints.patch[source], kind="stable")
-    source, tag, area = source[order], tag[order], area[order]
+    source, point, area = source[order], point[order], area[order]
     return replace(
         joints,
         block_a=joints.block_a[source],
         block_b=joints.block_b[source],
-        node_a=_node_numbers(joints.block_a[source], tag, mesh, surface.block_tags),
-        node_b=_node_numbers(joints.block_b[source], tag, mesh, surface.block_tags),
-        point=np.where((tag >= 0)[:, None], surface.nodes[tag], joints.point[source]),
+        node_a=_node_numbers(joints.block_a[source], point, len(points), node_key),
+        node_b=_node_numbers(joints.block_b[source], point, len(points), node_key),
+        point=np.where((point >= 0)[:, None], points[point], joints.point[source]),
         normal=joints.normal[source],
         area=area,
         patch=joints.patch[source],
     )
 
 
-def _node_areas(nodes: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Node tags of a surface mesh, rising, and the area (m2) that belongs to each."""
-    a, b, c = (nodes[triangles[:, k]] for k in range(3))
-    third = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 6
-    tag, place = np.unique(triangles, return_inverse=True)
-    return tag, np.bincount(place.ravel(), weights=np.repeat(third, 3), minlength=len(tag))
-
-
-def _node_numbers(block: np.ndarray, tag: np.ndarray, mesh: TetMesh, block_tags: dict[int, np.ndarray]) -> np.ndarray:
-    """(C,) number in the mesh of each tag's node within the block, -1 where the block or the point has none."""
-    number = np.full(len(block), -1, dtype=np.int64)
-    for b in np.intersect1d(block, list(block_tags)):
-        here = (block == b) & (tag >= 0)
-        number[here] = mesh.node_start[b] + np.searchsorted(block_tags[b], tag[here])
-    return number
+def _node_numbers(block: np.ndarray, point: np.ndarray, count: int, node_key: np.ndarray) -> np.ndarray:
+    """(C,) the mesh node of each point within the block, -1 where the block or the point has none."""
+    key = block * count + point
+    number = np.minimum(np.searchsorted(node_key, key), len(node_key) - 1)
+    return np.where((point >= 0) & (node_key[number] == key), number, -1)

@@ -36,6 +36,7 @@ def mesh_blocks(blocks: Blocks, meshed: np.ndarray, size: float, joints: Joints)
     scale = 2.0 ** round(math.log2(size))  # a power of two: scaling to the mesh size and back changes no digit
     with gmsh_model(OPTIONS) as gmsh:
         volumes = _build(gmsh, skeleton, scale, size / scale)
+        name_groups(gmsh, blocks, joints, skeleton, volumes)
         _generate(gmsh, volumes)
         tags, coordinates, _ = gmsh.model.mesh.getNodes()
         nodes = np.empty((int(tags.max()) + 1, 3))
@@ -46,7 +47,7 @@ def mesh_blocks(blocks: Blocks, meshed: np.ndarray, size: float, joints: Joints)
             for patch in np.flatnonzero(skeleton.patch_surface >= 0)
         }
     mesh, block_tags = _assemble(blocks.count, nodes, tets)
-    return mesh, mesh_joints(joints, mesh, PatchTriangles(nodes, triangles, block_tags))
+    return mesh, mesh_joints(joints, PatchTriangles(nodes, triangles, block_tags))
 
 
 def _build(gmsh: Any, skeleton: Imprint, scale: float, size: float) -> dict[int, int]:
@@ -72,6 +73,22 @@ def _build(gmsh: Any, skeleton: Imprint, scale: float, size: float) -> dict[int,
             volumes[block] = geo.addVolume([geo.addSurfaceLoop([s + 1 for s in surfaces])])
     geo.synchronize()
     return volumes
+
+
+def name_groups(gmsh: Any, blocks: Blocks, joints: Joints, skeleton: Imprint, volumes: dict[int, int]) -> None:
+    """Physical groups: the volumes of each group of blocks by its name, joint surfaces as "joint units mortar"."""
+    for number, name in enumerate(blocks.groups):
+        tags = [tag for block, tag in volumes.items() if blocks.group[block] == number]
+        if tags:
+            gmsh.model.addPhysicalGroup(3, tags, name=name)
+    first = np.searchsorted(joints.patch, np.arange(len(joints.patch_start) - 1))
+    between: dict[str, list[int]] = {}
+    for patch in np.flatnonzero(skeleton.patch_surface >= 0).tolist():
+        sides = sorted({int(blocks.group[side[first[patch]]]) for side in (joints.block_a, joints.block_b)})
+        name = " ".join(["joint", *(blocks.groups[g] for g in sides)])
+        between.setdefault(name, []).append(int(skeleton.patch_surface[patch]) + 1)
+    for name, tags in between.items():
+        gmsh.model.addPhysicalGroup(2, tags, name=name)
 
 
 def _generate(gmsh: Any, volumes: dict[int, int]) -> None:
