@@ -24,8 +24,9 @@ def apply(source: Source, overrides: Overrides) -> None:
         assumptions = source.raw.get("assumptions")
         if isinstance(assumptions, dict) and key in assumptions:
             assumptions[key] = f"set to {value} by the user"
-    for path in source.overridden:
-        drop_rivals(source.raw, path, {*source.overridden, ("assumptions", source.overridden[path])})
+    set_here = {path[:n] for path in source.overridden for n in range(1, len(path) + 1)}
+    for path, key in source.overridden.items():
+        drop_rivals(source.raw, path, {*set_here, ("assumptions", key)})
 
 
 def _split(text: str) -> tuple[str, str]:
