@@ -7,6 +7,7 @@ import numpy as np
 from geometry import joints as joint_search
 from geometry import overlaps
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
+from geometry.fan import mesh_by_fans
 from masonry import loads, model
 from masonry.bodies import Material, lay_out
 from masonry.conditions import conditions_of
@@ -81,6 +82,8 @@ def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None
     wanted = np.array([scene.kinematics_of(g) == "tets" for g in blocks.groups])[blocks.group]
     if not wanted.any():
         return None, joints
+    if scene.specimen.mesh == "fan":
+        return mesh_by_fans(blocks, wanted, joints)
     from geometry.mesher import mesh_blocks
 
     assert scene.specimen.mesh_size is not None

@@ -12,6 +12,8 @@ BLOCKS, CONTACT_POINTS, TETS = 5e5, 5e6, 5e6
 """The most that a scene may ask for; about 10 GB of memory each."""
 TETS_PER_CUBE = 8.0
 """Tets in a cube of the mesh size (6 to 7 were measured)."""
+TETS_PER_FAN = 45
+"""Tets in a block that is filled with a fan (12 in a box, 36 to 44 in a cell of space)."""
 
 
 def require_sane_size(scene: Scene) -> None:
@@ -22,9 +24,10 @@ def require_sane_size(scene: Scene) -> None:
         blocks, BLOCKS, "blocks", "specimen.divisions" if getattr(spec, "cells", None) is None else "specimen.cells"
     )
     _require_few_points(spec, blocks, volume)
-    meshed = "tets" in scene.kinematics.values() and spec.mesh_size is not None
-    if meshed:
-        assert spec.mesh_size is not None
+    meshed = "tets" in scene.kinematics.values()
+    if meshed and spec.mesh == "fan":
+        _require(TETS_PER_FAN * blocks, TETS, "tets", "specimen.mesh")
+    elif meshed and spec.mesh_size is not None:
         edge = min(spec.mesh_size, volume ** (1 / 3))
         _require(TETS_PER_CUBE * volume / edge**3 if edge**3 > 0 else float("inf"), TETS, "tets", "specimen.mesh_size")
 

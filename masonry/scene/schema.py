@@ -70,9 +70,10 @@ class Scene(Table):
             for key in ("young_modulus", "poisson_ratio"):
                 if motion != "rigid" and getattr(material, key) is None:
                     raise KeyedError(f"material.{group}.{key}", f"missing; kinematics '{motion}' of {group} needs it")
-            if motion == "tets" and self.specimen.mesh_size is None:
+            sized = self.specimen.mesh == "fan" or self.specimen.mesh_size is not None
+            if motion == "tets" and not sized:
                 raise KeyedError(
-                    "specimen.mesh_size", f"missing; kinematics 'tets' of {group} needs it: mesh_size = '25 mm'"
+                    "specimen.mesh_size", f"missing; kinematics 'tets' of {group} needs it: mesh_size = '25 mm', or mesh = 'fan'"
                 )
 
 

@@ -16,6 +16,7 @@ class _Specimen(Table):
     points_per_edge: PointsPerEdge = PerAxis()
     points_per_face: PointsPerFace | None = None
     contact_spacing: Length | None = None
+    mesh: Literal["gmsh", "fan"] = "gmsh"
     mesh_size: Length | None = None
 
     @model_validator(mode="before")
