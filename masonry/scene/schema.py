@@ -73,7 +73,8 @@ class Scene(Table):
             sized = self.specimen.mesh == "fan" or self.specimen.mesh_size is not None
             if motion == "tets" and not sized:
                 raise KeyedError(
-                    "specimen.mesh_size", f"missing; kinematics 'tets' of {group} needs it: mesh_size = '25 mm', or mesh = 'fan'"
+                    "specimen.mesh_size",
+                    f"missing; kinematics 'tets' of {group} needs it: mesh_size = '25 mm', or mesh = 'fan'",
                 )
 
 
