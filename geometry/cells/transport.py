@@ -1,0 +1,128 @@
+"""Power diagrams of one convex domain while they are being improved: sizes held by weights, sites moved to centroids.
+
+Everything here is in units of h, the cube root of the mean volume, about the centre of the domain.
+"""
+
+import numpy as np
+from scipy.sparse import coo_array, diags_array
+from scipy.sparse.linalg import cg
+from scipy.spatial import cKDTree
+
+from geometry.cells.domain import Domain
+from geometry.cells.space_energy import MOST_FACES, Diagram, Wishes, energy, measure, room
+
+NEIGHBOURS = 40
+"""Sites that are looked at first for each cell; where these may not suffice, all are."""
+
+
+class SpaceDiagram:
+    """A power diagram of n sites (n, 3) with weights (n,); every answer is that of the full diagram.
+
+    volume, centroid    (n,), (n, 3) after update
+    energy_of           (n,) after energy; to_site (n, 3), to_weight (n,) its gradient
+    """
+
+    def __init__(self, domain: Domain, site: np.ndarray, weight: np.ndarray | None = None) -> None:
+        n = len(site)
+        self.domain = domain
+        self.site = np.array(site, dtype=float)
+        self.weight = np.zeros(n) if weight is None else np.array(weight, dtype=float)
+        self.volume, self.centroid = np.zeros(n), np.zeros((n, 3))
+        self.energy_of, self.to_site, self.to_weight = np.zeros(n), np.zeros((n, 3)), np.zeros(n)
+        self._faces = np.zeros(n, dtype=np.int64)
+        self._beyond = np.zeros((n, MOST_FACES), dtype=np.int64)
+        self._area = np.zeros((n, MOST_FACES))
+        self._cut = room()
+        self._list()
+
+    @property
+    def count(self) -> int:
+        return len(self.site)
+
+    def _list(self) -> None:
+        n = self.count
+        k = min(NEIGHBOURS, n - 1)
+        if n == 1:
+            self._near, self._covered = np.zeros((1, 0), dtype=np.int64), np.full(1, np.inf)
+        else:
+            distance, near = cKDTree(self.site).query(self.site, k + 1)
+            own = near == np.arange(n)[:, None]
+            own[~own.any(axis=1), -1] = True
+            self._near = near[~own].reshape(n, k).astype(np.int64)
+            self._covered = distance[:, -1] if k < n - 1 else np.full(n, np.inf)
+        self._listed_at = self.site.copy()
+
+    def _now(self, cells: int) -> Diagram:
+        """What the compiled functions are given; new lists if they did not suffice for one of 20 of the last cells."""
+        if 20 * self._cut.count[2] > cells:
+            self._list()
+        self._cut.count[2] = 0
+        moved = np.linalg.norm(self.site - self._listed_at, axis=1)
+        size = float(2.0 * np.abs(self.domain.corners).max() + np.abs(self.site).max())
+        covered = self._covered - moved - moved.max()
+        return Diagram(self.site, self.weight, self._near, covered, self.domain.normal, self.domain.offset, size)
+
+    def update(self) -> bool:
+        """Volumes, centroids and faces of all cells; whether none is empty."""
+        now = self._now(self.count)
+        measure(now, self._cut, self.volume, self.centroid, self._faces, self._beyond, self._area)
+        return bool(np.all(self.volume > 0))
+
+    def energy(self, wishes: Wishes, cells: np.ndarray | None = None) -> float:
+        """Energy of these cells (all), with its gradient in to_site and to_weight; inf where one is empty."""
+        cells = np.arange(self.count) if cells is None else cells
+        results = self.energy_of, self.to_site, self.to_weight
+        return float(energy(cells, self._now(len(cells)), wishes, self._cut, *results))
+
+    def contacts(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Cells i, j and area (m,) of each shared face, seen from both sides."""
+        held = np.arange(MOST_FACES) < self._faces[:, None]
+        return np.nonzero(held)[0], self._beyond[held], self._area[held]
+
+
+def relax(diagram: SpaceDiagram, times: int) -> None:
+    """Lloyd's relaxation: every site moves to the centroid of its cell."""
+    for _ in range(times):
+        diagram.update()
+        diagram.site = np.where((diagram.volume > 0)[:, None], diagram.centroid, diagram.site)
+
+
+def hold_sizes(diagram: SpaceDiagram, target: np.ndarray, tolerance: float = 1e-10, most: int = 60) -> bool:
+    """Newton's method on the weights until every volume is its target (n,); damped so that no cell dries up.
+
+    Kitagawa, Merigot and Thibert (2019). Returns whether all volumes are within the tolerance of their targets.
+    """
+    if not diagram.update():
+        return False
+    least = 0.5 * min(diagram.volume.min(), target.min())
+    for _ in range(most):
+        lack = target - diagram.volume
+        if np.abs(lack / target).max() <= tolerance:
+            return True
+        step, before, share = _newton_step(diagram, lack), diagram.weight, 1.0
+        while share > 1e-6:
+            diagram.weight = before + share * step
+            whole = diagram.update()
+            progress = np.linalg.norm(target - diagram.volume) <= (1 - 0.5 * share) * np.linalg.norm(lack)
+            if whole and diagram.volume.min() >= least and progress:
+                break
+            share *= 0.5
+        else:
+            diagram.weight = before
+            diagram.update()
+            return False
+    return False
+
+
+def _newton_step(diagram: SpaceDiagram, lack: np.ndarray) -> np.ndarray:
+    """Change of the weights that makes up for the lack of volume (n,), to first order; the first weight stays."""
+    n = len(lack)
+    i, j, area = diagram.contacts()
+    share = area / (2 * np.linalg.norm(diagram.site[i] - diagram.site[j], axis=1))
+    diagonal = np.bincount(i, share, n)
+    matrix = (diags_array(diagonal) - coo_array((share, (i, j)), shape=(n, n))).tocsr()[1:, 1:]
+    step = np.zeros(n)
+    if n > 1:
+        scaling = diags_array(1 / diagonal[1:])
+        step[1:] = cg(matrix, lack[1:], rtol=1e-6, maxiter=5 * n, M=scaling)[0]
+    return step
