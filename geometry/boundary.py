@@ -23,19 +23,52 @@ def outer_faces(
         raise GeometryError(f"face {direction!r} is unknown; allowed: {', '.join(DIRECTIONS)}")
     covered = _covered_shares(blocks, joints)
     faces = _extreme_faces(blocks, block_set, direction, tolerance)
-    partly = faces[(covered[faces] > 1e-6) & (covered[faces] < 1 - 1e-6)]
-    if len(partly):
-        block = int(blocks.face_block()[partly[0]])
-        raise GeometryError(
-            f"face {direction} of block {block} (unit {blocks.unit[block]}) is covered by a joint over "
-            f"{covered[partly[0]]:.1%} of its area; an outer face must be free: divide the block where the joint ends"
-        )
+    _require_wholly_free_or_covered(blocks, covered, faces, f"face {direction}")
     free = faces[covered[faces] <= 1e-6]
     if len(free) == 0:
         others = [d for d in DIRECTIONS if np.any(covered[_extreme_faces(blocks, block_set, d, tolerance)] <= 1e-6)]
         reason = "lies in a joint" if len(faces) else "does not exist: no block has a face there"
         raise GeometryError(f"face {direction} {reason}; outer faces there are: {', '.join(others) or 'none'}")
     return free
+
+
+def faces_in_plane(blocks: Blocks, axis: int, level: float, tolerance: float = 1e-6) -> np.ndarray:
+    """Faces across axis 0, 1 or 2 (x, y, z) that lie at level (m), whichever way they look.
+
+    tolerance  of the level, relative to the longest side of the specimen. Raises GeometryError if there is none, naming
+    the nearest levels that have faces.
+    """
+    _, normal, centroid = face_areas_normals_centroids(blocks)
+    across = np.flatnonzero(np.abs(normal[:, axis]) > 1 - 1e-9)
+    width = tolerance * extent(blocks)
+    found = across[np.abs(centroid[across, axis] - level) <= width]
+    if len(found) == 0:
+        levels = np.unique(np.round(centroid[across, axis] / width) * width)
+        near = sorted(levels[np.argsort(np.abs(levels - level))[:3]].tolist())
+        said = ", ".join(f"{'xyz'[axis]} = {value * 1e3:.10g} mm" for value in near)
+        raise GeometryError(f"no block has a face there; the nearest planes with faces are {said or 'none'}")
+    return found
+
+
+def free_faces_in_plane(blocks: Blocks, joints: Joints, axis: int, level: float) -> np.ndarray:
+    """Faces of faces_in_plane that lie in no joint; GeometryError if there is none, or if one is covered in part."""
+    covered = _covered_shares(blocks, joints)
+    faces = faces_in_plane(blocks, axis, level)
+    _require_wholly_free_or_covered(blocks, covered, faces, "a face there")
+    free = faces[covered[faces] <= 1e-6]
+    if len(free) == 0:
+        raise GeometryError("all faces there lie in joints; name a plane of outer faces")
+    return free
+
+
+def _require_wholly_free_or_covered(blocks: Blocks, covered: np.ndarray, faces: np.ndarray, what: str) -> None:
+    partly = faces[(covered[faces] > 1e-6) & (covered[faces] < 1 - 1e-6)]
+    if len(partly):
+        block = int(blocks.face_block()[partly[0]])
+        raise GeometryError(
+            f"{what} of block {block} (unit {blocks.unit[block]}) is covered by a joint over "
+            f"{covered[partly[0]]:.1%} of its area; an outer face must be free: divide the block where the joint ends"
+        )
 
 
 def _extreme_faces(blocks: Blocks, block_set: np.ndarray, direction: str, tolerance: float) -> np.ndarray:

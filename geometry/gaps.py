@@ -1,4 +1,4 @@
-"""Faces that look at each other and nearly touch: gaps and overlaps of a fraction of a millimetre in imported solids."""
+"""Faces that look at each other and nearly touch: small gaps and overlaps of imported solids."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -19,6 +19,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, TetMesh
 from geometry.imported import Imported
+from geometry.whole_files import require_file
 
 LARGEST = 500_000_000  # bytes of a file
 MEMORY = 4 << 30  # bytes
@@ -36,7 +37,7 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
     missing, empty or larger than 500 MB.
     """
     path = Path(path).resolve()
-    _require_file(path)
+    require_file(path, LARGEST)
     with tempfile.TemporaryDirectory(prefix="masonry-") as folder:
         task = json.dumps([module, reader, str(path), words])
         house = str(Path(__file__).resolve().parents[1])
@@ -60,19 +61,6 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
                     child.kill()
                     child.wait()
         return _answer(Path(folder), code, path.name)
-
-
-def _require_file(path: Path) -> None:
-    try:
-        size = path.stat().st_size if path.is_file() else None
-    except OSError as error:
-        raise GeometryError(f"'{path.name}' cannot be read: {error.strerror or error}") from None
-    if size is None:
-        raise GeometryError(f"'{path}': there is no such file")
-    if size == 0:
-        raise GeometryError(f"'{path.name}' is empty")
-    if size > LARGEST:
-        raise GeometryError(f"'{path.name}' has {size / 1e6:.0f} MB; at most {LARGEST / 1e6:.0f} MB are read")
 
 
 def _answer(folder: Path, code: int, name: str) -> Imported:

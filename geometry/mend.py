@@ -1,4 +1,4 @@
-"""Small gaps and overlaps closed: facing faces are moved to a common plane and the corners of their blocks with them."""
+"""Small gaps and overlaps closed: facing faces go to a common plane and the corners of their blocks with them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -134,8 +134,8 @@ def _corners_moved(
             if np.linalg.norm(step) > farthest or np.abs(axis[faces] @ step - lacking).max() > width:
                 x, y, z = old
                 raise GeometryError(
-                    f"'{names[b]}' cannot be mended: its {len(faces)} faces at ({x:.4g}, {y:.4g}, {z:.4g}) m do not meet "
-                    "in a corner any more; mend it in the CAD program, or leave it by a smaller --tolerance"
+                    f"'{names[b]}' cannot be mended: its {len(faces)} faces at ({x:.4g}, {y:.4g}, {z:.4g}) m do not "
+                    "meet in a corner any more; mend it in the CAD program, or leave it by a smaller --tolerance"
                 )
             points[here] = old + step
     return Blocks(

@@ -45,12 +45,28 @@ def parser() -> Parser:
     export = commands.add_parser("export", parents=[scene], help="write the blocks of a scene for other programs")
     export.add_argument("--to", type=Path, required=True, metavar="FILE", help="a .step, .msh or .vtu file")
     export.set_defaults(action=export_scene)
+    _add_import(commands)
     commands.add_parser("list", help="list the packaged scenes").set_defaults(action=list_scenes)
     plot = commands.add_parser("plot", help="draw the pictures of a folder of results again")
     plot.add_argument("folder", type=Path, metavar="DIR")
     plot.set_defaults(action=plot_results)
     commands.add_parser("doctor", help="look whether this machine has what a run needs").set_defaults(action=doctor)
     return main
+
+
+def _add_import(commands: Any) -> None:
+    """`masonry import` and its options."""
+    words = commands.add_parser("import", help="make blocks and a scene of a CAD file, a Neper file or a mesh")
+    words.add_argument("file", type=Path, metavar="FILE", help=".step .stp .iges .igs .brep .tess .msh .vtu")
+    words.add_argument("--out", type=Path, required=True, metavar="SCENE.toml", help="the scene to write")
+    words.add_argument("--unit", metavar="UNIT", help="what 1 in the file stands for, such as mm; STEP says so itself")
+    words.add_argument("--tolerance", default="0.1 mm", metavar="LENGTH", help="gaps and overlaps up to it are mended")
+    words.add_argument("--facet", metavar="LENGTH", help="how far flat facets may be off curved faces")
+    words.add_argument("--group", action="append", default=[], metavar="PATTERN=GROUP", help="'brick*=units', by name")
+    words.add_argument("--section", metavar="AREA", help="force over this area is the reported stress")
+    words.add_argument("--open-gaps", action="store_true", help="leave gaps larger than the tolerance as they are")
+    words.add_argument("--overwrite", action="store_true", help="replace SCENE.toml and its blocks")
+    words.set_defaults(action=import_blocks)
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -138,6 +154,25 @@ def export_scene(words: argparse.Namespace) -> int:
     return OK
 
 
+def import_blocks(words: argparse.Namespace) -> int:
+    """`masonry import`: a scene and a file of blocks, and a table of what was found."""
+    from masonry import importing
+    from masonry.printout import aligned
+    from masonry.quantity import parse
+
+    wishes = importing.Wishes(
+        unit=None if words.unit is None else parse(_one(words.unit), "length", "--unit", "[1e-9, 1e5]"),
+        tolerance=parse(words.tolerance, "length", "--tolerance", "[1e-9, 1]"),
+        facet=None if words.facet is None else parse(words.facet, "length", "--facet", "[1e-9, 1e5]"),
+        groups=[_group(text) for text in words.group],
+        section=None if words.section is None else parse(words.section, "area", "--section", "[1e-12, 1e8]"),
+        open_gaps=words.open_gaps,
+    )
+    report = importing.import_file(words.file, words.out, wishes, words.overwrite)
+    print(aligned(importing.report_text(report)))
+    return OK
+
+
 def list_scenes(words: argparse.Namespace) -> int:
     """`masonry list`: name and title of every packaged scene."""
     from masonry.scene.source import packaged
@@ -175,6 +210,18 @@ def doctor(words: argparse.Namespace) -> int:
 def processors() -> int:
     """How many processors this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _one(unit: str) -> str:
+    """A unit by itself means one of it."""
+    return unit if unit[:1].isdigit() else f"1 {unit}"
+
+
+def _group(text: str) -> tuple[str, str]:
+    pattern, equals, group = text.rpartition("=")
+    if not equals or not pattern or not group or "." in group:
+        raise SceneError(f"--group '{text}': write PATTERN=GROUP, for example 'brick*=units'; no dot in a group")
+    return pattern, group
 
 
 def _threads(text: str) -> int:

@@ -1,5 +1,7 @@
 """From a scene's words to the freedoms they mean: supports, drive, tractions, gravity, and what they select."""
 
+import re
+
 import numpy as np
 
 from geometry import boundary
@@ -7,9 +9,11 @@ from geometry.blocks import GeometryError, Joints, Specimen
 from masonry import loads
 from masonry.bodies import KINDS, Layout, Material
 from masonry.errors import SceneError, nearest
+from masonry.quantity import parse
 from masonry.scene import Scene
 
 AXES = {"x": 0, "y": 1, "z": 2}
+PLANE = re.compile(r"\s*(blocks at\s+)?([xyz])\s*=\s*(\S.*)")
 
 
 def conditions_of(
@@ -57,8 +61,10 @@ def _add(masks: dict[str, np.ndarray], more: dict[str, np.ndarray]) -> None:
 
 
 def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[np.ndarray, np.ndarray | None]:
-    """Blocks of a selector, and its faces if it names one: "top", "top.z+"."""
+    """Blocks of a selector, and its faces if it names some: "top", "top.z+", "z = 0 mm", "blocks at z = 0 mm"."""
     name, face = word, None
+    if word not in specimen.sets and (plane := PLANE.fullmatch(word)):
+        return _in_plane(specimen, joints, plane, f"{where} = '{word}'")
     if word not in specimen.sets and word[-1:] in "+-" and "." in word:
         name, _, face = word.rpartition(".")
     if name not in specimen.sets:
@@ -71,3 +77,17 @@ def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[n
         return chosen, boundary.outer_faces(specimen.blocks, joints, chosen, face)
     except GeometryError as error:
         raise SceneError(f"{where} = '{word}': {error}") from None
+
+
+def _in_plane(
+    specimen: Specimen, joints: Joints, plane: re.Match[str], where: str
+) -> tuple[np.ndarray, np.ndarray | None]:
+    """Outer faces in a plane and their blocks; or all blocks with a face in it."""
+    blocks_only, axis, level = plane[1] is not None, AXES[plane[2]], parse(plane[3], "length", where)
+    try:
+        if blocks_only:
+            return np.unique(specimen.blocks.face_block()[boundary.faces_in_plane(specimen.blocks, axis, level)]), None
+        faces = boundary.free_faces_in_plane(specimen.blocks, joints, axis, level)
+    except GeometryError as error:
+        raise SceneError(f"{where}: {error}") from None
+    return np.unique(specimen.blocks.face_block()[faces]), faces

@@ -3,6 +3,8 @@
 from math import prod
 from typing import Any
 
+from geometry.measures import volumes
+from masonry.block_files import blocks_from
 from masonry.errors import SceneError
 from masonry.scene import Scene
 from masonry.scene.points import DENSITIES
@@ -34,6 +36,9 @@ def require_sane_size(scene: Scene) -> None:
 
 def blocks_and_volume(spec: Any) -> tuple[float, float]:
     """About how many blocks a specimen has, and the volume (m3) of its units."""
+    if spec.kind == "file":
+        blocks = blocks_from(spec.path)[0].blocks
+        return blocks.count, float(volumes(blocks).sum())
     if spec.kind == "boxes":
         return sum(prod(box.divisions) for box in spec.box), sum(prod(box.size) for box in spec.box)
     if spec.kind in ("wallette", "bending"):

@@ -1,6 +1,7 @@
 """From a scene's words to a specimen: blocks with named sets."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from geometry.bending import bending
@@ -10,6 +11,7 @@ from geometry.cells.asked import CellsAsked
 from geometry.couplet import couplet
 from geometry.prism import prism
 from geometry.wallette import wallette
+from masonry.block_files import blocks_from
 from masonry.scene import Scene
 
 
@@ -22,6 +24,9 @@ def specimen_of(scene: Scene) -> Specimen:
         if spec.kind == "couplet":
             return couplet(*size, _filling(spec), mortar, spec.plates)
         return prism(spec.units, *size, _filling(spec), mortar, spec.plates)
+    if spec.kind == "file":
+        found = blocks_from(spec.path)[0]
+        return found if spec.section is None else replace(found, section=spec.section)
     if spec.kind == "boxes":
         return boxes([(b.name, b.origin, b.size, b.group, b.unit, b.divisions) for b in spec.box], spec.section)
     wall: dict[str, Any] = {

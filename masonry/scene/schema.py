@@ -71,7 +71,7 @@ class Scene(Table):
                 if motion != "rigid" and getattr(material, key) is None:
                     raise KeyedError(f"material.{group}.{key}", f"missing; kinematics '{motion}' of {group} needs it")
             sized = self.specimen.mesh == "fan" or self.specimen.mesh_size is not None
-            if motion == "tets" and not sized:
+            if motion == "tets" and not sized and self.specimen.kind != "file":
                 raise KeyedError(
                     "specimen.mesh_size",
                     f"missing; kinematics 'tets' of {group} needs it: mesh_size = '25 mm', or mesh = 'fan'",

@@ -69,11 +69,20 @@ def read(scene: str | Path, depth: int = 0) -> Source:
     text = _text(file, name, known)
     stem = name.replace("\\", "/").rsplit("/", 1)[-1].removesuffix(".toml")
     source = Source(name, stem, text, _parse(text, name))
+    _anchor(source.raw, file)
     base = source.raw.pop("base", None)
     if base is not None:
         source.base = _below(source, base, file, depth)
         source.raw = overlay({key: value for key, value in source.base.raw.items() if key != "name"}, source.raw)
     return source
+
+
+def _anchor(raw: dict[str, Any], file: Traversable) -> None:
+    """A file that the specimen comes from is looked for beside the scene that names it."""
+    specimen = raw.get("specimen")
+    path = specimen.get("path") if isinstance(specimen, dict) else None
+    if isinstance(specimen, dict) and isinstance(path, str) and path and isinstance(file, Path):
+        specimen["path"] = str(file.absolute().parent / path)
 
 
 def _below(source: Source, base: Any, file: Traversable, depth: int) -> Source:

@@ -138,7 +138,17 @@ class BoxesSpec(_Specimen):
         return self
 
 
-Specimen = Annotated[CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | BoxesSpec, Field(discriminator="kind")]
+class FileSpec(_Specimen):
+    """Blocks from a file that `masonry import` wrote; `section`, if given, takes the place of the file's."""
+
+    kind: Literal["file"]
+    path: Annotated[str, Field(min_length=1)]
+    section: Area | None = None
+
+
+Specimen = Annotated[
+    CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | BoxesSpec | FileSpec, Field(discriminator="kind")
+]
 
 
 def kinds() -> list[str]:

@@ -1,0 +1,194 @@
+"""`masonry import`: a file of solids or of a mesh becomes a file of blocks and a scene that can be run at once."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from geometry.block_file import save_blocks
+from geometry.blocks import Joints, Specimen
+from geometry.gaps import Facing, described
+from geometry.guard import guarded
+from geometry.imported import Imported
+from geometry.joints import find_joints
+from geometry.measures import bounds, extent, face_areas_normals_centroids, volumes
+from geometry.mend import Mended, mend
+from geometry.overlaps import check_overlaps
+from geometry.whole_files import whole_file
+from masonry.errors import SceneError, nearest
+from masonry.import_scene import scene_text
+
+READERS = {
+    **dict.fromkeys((".step", ".stp", ".iges", ".igs", ".brep"), ("geometry.cad", "read_cad")),
+    ".tess": ("geometry.tess", "read_tess"),
+    **dict.fromkeys((".msh", ".vtu"), ("geometry.mesh_files", "read_mesh")),
+}
+TOLERANCE = 1e-4  # m
+SUFFIX = ".blocks.h5"
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """What the user says of a file: unit, tolerance of gaps, chord height of facets (all m), groups, section (m2)."""
+
+    unit: float | None = None
+    tolerance: float = TOLERANCE
+    facet: float | None = None
+    groups: Sequence[tuple[str, str]] = ()
+    section: float | None = None
+    open_gaps: bool = False
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was imported: the specimen, its joints, what was mended, and sentences of the reader."""
+
+    specimen: Specimen
+    joints: Joints
+    mended: Mended | None
+    names: tuple[str, ...]
+    notes: tuple[str, ...]
+    paths: tuple[Path, Path]
+
+
+def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False) -> Report:
+    """Read source, mend it, and write the scene `out` with its blocks beside it.
+
+    Raises SceneError or GeometryError with one message; then nothing is written.
+    """
+    reader = READERS.get(source.suffix.lower())
+    if reader is None:
+        raise SceneError(f"'{source}': {source.suffix or 'a file without suffix'} is not read; {nearest('', READERS)}")
+    target = out.with_name(out.name.removesuffix(".toml") + SUFFIX)
+    _require_free(source, out, target, overwrite)
+    words: dict[str, Any] = {} if wishes.unit is None else {"unit": wishes.unit}
+    is_cad = reader[0] == "geometry.cad"
+    if is_cad and wishes.facet is not None:
+        words["facet"] = wishes.facet
+    found = guarded(*reader, source, **words)
+    names = tuple(name or f"solid {number}" for number, name in enumerate(found.names, start=1))
+    found = grouped(found, names, wishes.groups)
+    mended = mend(found.blocks, wishes.tolerance, names, wishes.open_gaps) if is_cad else None
+    blocks = mended.blocks if mended else found.blocks
+    if mended is None:
+        check_overlaps(blocks, names)
+    specimen = Specimen(blocks, _sets(blocks, found.names), _section(blocks, wishes.section), "file")
+    joints = find_joints(blocks)
+    text = scene_text(specimen, joints, source.name, target.name, wishes.section is None)
+    save_blocks(target, specimen, found.mesh)
+    with whole_file(out) as place:
+        place.write_text(text, encoding="utf-8")
+    return Report(specimen, joints, mended, names, found.notes, (out, target))
+
+
+def _require_free(source: Path, out: Path, target: Path, overwrite: bool) -> None:
+    if out.suffix != ".toml":
+        raise SceneError(f"--out '{out}': must be the name of a scene, for example '{source.stem}.toml'")
+    if not out.parent.is_dir():
+        raise SceneError(f"--out '{out}': the folder '{out.parent}' does not exist")
+    there = [str(path) for path in (out, target) if path.exists()]
+    if there and not overwrite:
+        raise SceneError(f"'{there[0]}' exists already; --overwrite replaces it")
+
+
+def grouped(found: Imported, names: Sequence[str], rules: Sequence[tuple[str, str]]) -> Imported:
+    """The blocks in the groups of the first rule that fits their name or colour ("#c04020"); else in the file's own."""
+    blocks, own = found.blocks, [found.blocks.groups[g] for g in found.blocks.group]
+    painted = [""] * blocks.count if found.colours is None else [_hex(colour) for colour in found.colours]
+    used = set()
+    for b, (name, colour) in enumerate(zip(names, painted, strict=True)):
+        for pattern, wanted in reversed(rules):
+            if fnmatchcase(name, pattern) or (colour and fnmatchcase(colour, pattern.lower())):
+                own[b] = wanted
+                used.add(pattern)
+    for pattern, wanted in rules:
+        if pattern not in used:
+            known = sorted({*names, *filter(None, painted)})[:20]
+            raise SceneError(
+                f"--group '{pattern}={wanted}': no solid has such a name or colour; {nearest(pattern, known)}"
+            )
+    groups = tuple(dict.fromkeys(own))
+    number = np.array([groups.index(name) for name in own], dtype=np.int64)
+    return replace(found, blocks=replace(blocks, group=number, groups=groups))
+
+
+def _hex(colour: np.ndarray) -> str:
+    if not np.isfinite(colour).all():
+        return ""
+    return "#" + "".join(f"{round(255 * float(part)):02x}" for part in np.clip(colour, 0, 1))
+
+
+def _sets(blocks, names: Sequence[str]) -> dict[str, np.ndarray]:
+    """Blocks of each name and of each group, those that reach the bottom and the top, and all; groups come first."""
+    low, high = bounds(blocks)
+    near = 1e-6 * extent(blocks)
+    sets = {
+        "all": np.arange(blocks.count),
+        "bottom": np.flatnonzero(low[:, 2] <= low[:, 2].min() + near),
+        "top": np.flatnonzero(high[:, 2] >= high[:, 2].max() - near),
+    }
+    members: dict[str, list[int]] = {}
+    for b, name in enumerate(names):
+        members.setdefault(name, []).append(b)
+    sets |= {name: np.array(numbers) for name, numbers in members.items() if name}
+    return sets | {name: np.flatnonzero(blocks.group == g) for g, name in enumerate(blocks.groups)}
+
+
+def _section(blocks, section: float | None) -> float:
+    """m2, as asked, or the area of the faces in the lowest plane; else that of the box round all, seen from above."""
+    if section is not None:
+        return section
+    area, normal, centroid = face_areas_normals_centroids(blocks)
+    low, high = (corner for corner in bounds(blocks))
+    at_bottom = (normal[:, 2] < -1 + 1e-9) & (centroid[:, 2] <= low[:, 2].min() + 1e-6 * extent(blocks))
+    span = high.max(axis=0) - low.min(axis=0)
+    return float(area[at_bottom].sum()) or float(span[0] * span[1])
+
+
+def report_text(report: Report) -> list[tuple[str, list[str]]]:
+    """Rows of a table: groups with counts and volumes, joints, gaps and overlaps, files, notes."""
+    blocks, volume = report.specimen.blocks, volumes(report.specimen.blocks)
+    rows = [
+        f"{name}: {np.sum(blocks.group == g)} blocks, {volume[blocks.group == g].sum():.6g} m^3"
+        for g, name in enumerate(blocks.groups)
+    ]
+    low, high = bounds(blocks)
+    span = " x ".join(f"{side * 1e3:.6g}" for side in high.max(axis=0) - low.min(axis=0))
+    joints = len(report.joints.patch_start) - 1
+    ends = zip("xyz", low.min(axis=0) * 1e3, high.max(axis=0) * 1e3, strict=True)
+    where = ", ".join(f"{axis} {least:.6g} to {most:.6g}" for axis, least, most in ends)
+    table = [
+        ("groups", rows),
+        ("size", [f"{span} mm ({where})"]),
+        ("joints", [f"{joints} polygons, {report.joints.area.sum():.9g} m^2"]),
+        ("section", [f"{report.specimen.section:.6g} m^2"]),
+    ]
+    if report.mended is not None:
+        table += _mended_rows(report)
+    table += [("notes", list(report.notes) or ["none"]), ("written", [str(path) for path in report.paths])]
+    return table
+
+
+def _mended_rows(report: Report) -> list[tuple[str, list[str]]]:
+    mended = report.mended
+    assert mended is not None
+    rows = [("mended", _counted(report, mended.found) or ["nothing: no gaps and no overlaps"])]
+    if len(mended.found.size):
+        change, worst = mended.volume_change, int(np.argmax(np.abs(mended.volume_change)))
+        after = volumes(mended.blocks)
+        total = after.sum() / (after / (1 + change)).sum() - 1
+        rows.append(("volume", [f"{total:+.3g} in all, at most {change[worst]:+.3g} ('{report.names[worst]}')"]))
+    if len(mended.left.size):
+        rows.append(("left open", _counted(report, mended.left)))
+    return rows
+
+
+def _counted(report: Report, found: Facing) -> list[str]:
+    gaps, overlaps = int(np.sum(found.size > 0)), int(np.sum(found.size < 0))
+    if gaps + overlaps == 0:
+        return []
+    assert report.mended is not None
+    return [f"{gaps} gaps and {overlaps} overlaps", *described(report.mended.blocks, found, report.names)]
