@@ -58,7 +58,7 @@ class Source:
 def packaged() -> dict[str, Traversable]:
     """The scenes that come with the program, by name."""
     found = (f for f in files("masonry").joinpath("scenes").iterdir() if f.name.endswith(".toml"))
-    return {f.name.removesuffix(".toml"): f for f in sorted(found, key=lambda f: f.name)}
+    return dict(sorted((f.name.removesuffix(".toml"), f) for f in found))
 
 
 def read(scene: str | Path, depth: int = 0) -> Source:
