@@ -9,10 +9,12 @@ from pydantic_core import ErrorDetails
 
 from masonry.errors import SceneError
 from masonry.quantity import KINDS, written
+from masonry.scene.lines import split_key
 from masonry.scene.schema import Scene
-from masonry.scene.source import Keys, Source, split_key
+from masonry.scene.source import Source
 from masonry.scene.specimen import kinds
 from masonry.scene.types import Given, KeyedError
+from masonry.scene.variant import Keys
 
 MOST = 5
 HIDDEN = {"exponent_shear_table"}

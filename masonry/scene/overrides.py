@@ -7,8 +7,9 @@ from copy import deepcopy
 from typing import Any
 
 from masonry.errors import SceneError
-from masonry.scene.source import Keys, Source, split_key
-from masonry.scene.variant import drop_rivals
+from masonry.scene.lines import split_key
+from masonry.scene.source import Source
+from masonry.scene.variant import Keys, drop_rivals
 
 Overrides = Mapping[str, Any] | Sequence[str]
 

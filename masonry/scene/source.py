@@ -11,15 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError
+from masonry.scene.lines import line_numbers
 from masonry.scene.variant import Keys, overlay
 
 LARGEST = 5_000_000
 DEEPEST = 8
 """Scenes that may stand one on top of the other."""
-_KEY = r"(?:[A-Za-z0-9_-]+|\"[^\"]*\"|'[^']*')"
-_KEYS = rf"{_KEY}(?:\s*\.\s*{_KEY})*"
-_HEADER = re.compile(rf"\s*(\[\[?)\s*({_KEYS})\s*\]")
-_ASSIGNMENT = re.compile(rf"\s*({_KEYS})\s*=")
 _BARE_QUANTITY = re.compile(r"=\s*([-+]?[\d.]+(?:[eE][-+]?\d+)? ?[A-Za-z][\w/^*]*)\s*(?:#.*)?$")
 
 
@@ -36,7 +33,7 @@ class Source:
 
     @cached_property
     def lines(self) -> dict[Keys, int]:
-        return _lines(self.text)
+        return line_numbers(self.text)
 
     def place(self, path: Keys) -> str:
         """`--set key`, or file and line of the key or of the nearest table above it."""
@@ -134,42 +131,3 @@ def _parse(text: str, name: str) -> dict[str, Any]:
         if line and (bare := _BARE_QUANTITY.search(text.split("\n")[int(line[1]) - 1][:200].rstrip())):
             hint = f"; a quantity stands in quotes: '{bare[1]}'"
         raise SceneError(f"{name}: not valid TOML: {error}{hint}") from None
-
-
-def split_key(text: str) -> list[str]:
-    """'a."b.c".0' -> ['a', 'b.c', '0']."""
-    return [part.strip("\"'") for part in re.findall(_KEY, text)]
-
-
-def _lines(text: str) -> dict[Keys, int]:
-    """Line number of every table header and key that starts a line."""
-    found: dict[Keys, int] = {}
-    count: dict[Keys, int] = {}
-
-    def full(keys: list[str]) -> Keys:
-        path: Keys = ()
-        for key in keys:
-            path += (key,)
-            path += (count[path],) if path in count else ()
-        return path
-
-    table: Keys = ()
-    open_text = ""
-    for number, line in enumerate(text.split("\n"), start=1):
-        if open_text:
-            open_text = "" if open_text in line else open_text
-            continue
-        open_text = next((quotes for quotes in ('"""', "'''") if line.count(quotes) % 2), "")
-        if header := _HEADER.match(line):
-            keys = split_key(header[2])
-            if header[1] == "[[":
-                array = (*full(keys[:-1]), keys[-1])
-                count[array] = count.get(array, -1) + 1
-            table = full(keys)
-            for n in range(1, len(table) + 1):
-                found.setdefault(table[:n], number)
-        elif assignment := _ASSIGNMENT.match(line):
-            keys = split_key(assignment[1])
-            for n in range(1, len(keys) + 1):
-                found.setdefault((*table, *keys[:n]), number)
-    return found
