@@ -9,6 +9,7 @@ from geometry.blocks import GeometryError, Joints, Specimen
 from masonry import loads
 from masonry.bodies import KINDS, Layout, Material
 from masonry.errors import SceneError, nearest
+from masonry.holds import Hold, held_freedoms
 from masonry.quantity import parse
 from masonry.scene import Scene
 
@@ -25,13 +26,13 @@ def conditions_of(
         where = f"support.{k}.on"
         chosen, faces = select(specimen, joints, support.on, where)
         axes = tuple(AXES[f] for f in support.fix if f in AXES)
-        hold = loads.Hold(chosen, axes, _turns(support.fix), faces, f"support.{k}")
-        _add(conditions.supported, loads.held_freedoms(blocks, layout, hold))
+        hold = Hold(chosen, axes, _turns(support.fix), faces, f"support.{k}")
+        _add(conditions.supported, held_freedoms(blocks, layout, hold))
     _add(conditions.prescribed, conditions.supported)
     if scene.drive is not None:
         chosen, faces = select(specimen, joints, scene.drive.on, "drive.on")
-        hold = loads.Hold(chosen, (scene.drive.axis,), (), faces, "drive")
-        driven = loads.held_freedoms(blocks, layout, hold)
+        hold = Hold(chosen, (scene.drive.axis,), (), faces, "drive")
+        driven = held_freedoms(blocks, layout, hold)
         conditions.driven = loads.drive_freedoms(driven, scene.drive.axis)
         if any((driven[kind] & conditions.supported[kind])[:, scene.drive.axis].any() for kind in KINDS):
             raise SceneError(f"drive.on = '{scene.drive.on}': a support holds it in the direction of the drive")

@@ -31,7 +31,7 @@ FLOORS = {
     ),
     "model": Floor(
         "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays"
-        " masonry.step_cost",
+        " masonry.holds masonry.step_cost",
         sees="model equations errors geometry",
         packages="numpy numba",
     ),

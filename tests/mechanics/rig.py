@@ -7,10 +7,11 @@ import numpy as np
 
 from masonry import loads
 from masonry.bodies import KINDS, Material, lay_out
+from masonry.holds import Hold, held_freedoms
 from masonry.kernels.step import advance
 from masonry.laws.elastic import Elastic
 from masonry.laws.interface import Interface
-from masonry.loads import Hold, Push
+from masonry.loads import Push
 from masonry.model import Model, Stepping, build
 from tests.mechanics.shapes import Setup
 
@@ -32,7 +33,7 @@ def make(
     layout = lay_out(replace(s.blocks, group=s.kind, groups=KINDS), {k: k for k in KINDS}, s.mesh)
     conditions = loads.no_conditions(layout)
     for hold in holds:
-        for kind, mask in loads.held_freedoms(s.blocks, layout, hold).items():
+        for kind, mask in held_freedoms(s.blocks, layout, hold).items():
             conditions.prescribed[kind] |= mask
     loads.add_gravity(layout, conditions.load, np.full(s.blocks.count, material.density), np.asarray(gravity))
     for push in pushes:

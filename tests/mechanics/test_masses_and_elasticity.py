@@ -6,7 +6,8 @@ from scipy.linalg import eigh
 
 from geometry.blocks import Blocks
 from masonry.bodies import Material
-from masonry.loads import Hold, Push
+from masonry.holds import Hold
+from masonry.loads import Push
 from masonry.model import Stepping
 from tests.mechanics import rig, shapes
 

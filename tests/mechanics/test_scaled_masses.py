@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from masonry.loads import Hold
+from masonry.holds import Hold
 from masonry.model import Stepping
 from tests.mechanics import rig, shapes
 
