@@ -47,6 +47,13 @@ def parser() -> Parser:
     export.set_defaults(action=export_scene)
     _add_import(commands)
     commands.add_parser("list", help="list the packaged scenes").set_defaults(action=list_scenes)
+    picture = commands.add_parser("picture", parents=[scene], help="draw the specimen of a scene")
+    picture.add_argument(
+        "--geometry", action="store_true", required=True, help="units, cells, groups, supports, loads and sets"
+    )
+    picture.add_argument("--out", type=Path, metavar="FILE.png", help="the picture (default SCENE-geometry.png)")
+    picture.add_argument("--view", choices=("front", "iso"), help="default: iso where the drive moves across the front")
+    picture.set_defaults(action=picture_scene)
     plot = commands.add_parser("plot", help="draw the pictures of a folder of results again")
     plot.add_argument("folder", type=Path, metavar="DIR")
     plot.set_defaults(action=plot_results)
@@ -170,6 +177,18 @@ def import_blocks(words: argparse.Namespace) -> int:
     )
     report = importing.import_file(words.file, words.out, wishes, words.overwrite)
     print(aligned(importing.report_text(report)))
+    return OK
+
+
+def picture_scene(words: argparse.Namespace) -> int:
+    """`masonry picture --geometry`: what stands there, how it is held and what moves."""
+    from masonry import scene
+    from masonry.folder import scene_name
+    from masonry.geometry_picture import draw_geometry
+
+    loaded = scene.load(words.scene, words.overrides)
+    out = words.out or Path(f"{scene_name(words.scene)}-geometry.png")
+    print(draw_geometry(loaded, out, words.view))
     return OK
 
 
