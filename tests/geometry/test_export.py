@@ -4,7 +4,6 @@ import pytest
 from geometry.blocks import GeometryError, Specimen
 from geometry.boxes import boxes
 from geometry.export import block_names, export
-from geometry.fan_tets import fan_tets
 from geometry.gmsh_model import gmsh_model
 from geometry.measures import bounds, volumes
 from geometry.mesh_files import read_mesh
@@ -86,16 +85,6 @@ def test_volumes_come_back_from_meshes(wall, notched, tmp_path, suffix):
         assert np.array_equal(imported.blocks.group, specimen.blocks.group)
         if suffix == ".msh":
             assert imported.blocks.groups == specimen.blocks.groups
-
-
-def test_fans_fill_blocks_with_tets_of_their_own(wall, notched):
-    for specimen in (wall, notched):
-        require_sound_mesh(specimen.blocks, fan_tets(specimen.blocks))
-    only = np.arange(wall.blocks.count) == 1
-    mesh = fan_tets(wall.blocks, only)
-    require_sound_mesh(wall.blocks, mesh)
-    assert np.array_equal(np.diff(mesh.tet_start) > 0, only)
-    assert len(mesh.tets) == 24
 
 
 def test_blocks_are_called_by_the_sets_that_hold_them_alone():

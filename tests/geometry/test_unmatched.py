@@ -5,11 +5,12 @@ from geometry.blocks import GeometryError, TetMesh
 from geometry.boxes import boxes
 from geometry.couplet import couplet
 from geometry.export import export
-from geometry.fan_tets import fan_tets, gathered
+from geometry.fan import mesh_by_fans
 from geometry.joints import find_joints
 from geometry.mesh_files import read_mesh
 from geometry.mesher import mesh_blocks
 from geometry.surface_joints import surface_joints
+from geometry.tet_meshes import gathered
 
 
 def meshed_apart(blocks, sizes):
@@ -121,7 +122,7 @@ def test_a_conforming_mesh_file_gives_node_pairs_and_no_points_between(tmp_path)
 
 def test_without_tets_nothing_changes(specimen):
     whole = find_joints(specimen)
-    none = fan_tets(specimen, np.zeros(specimen.count, dtype=bool))
+    none = gathered(specimen.count, {})
     joints = surface_joints(specimen, whole, none)
     assert np.array_equal(joints.point, whole.point)
     assert np.array_equal(joints.patch, whole.patch)
@@ -130,7 +131,7 @@ def test_without_tets_nothing_changes(specimen):
 
 def test_tets_that_do_not_fill_their_block_are_refused(specimen):
     whole = find_joints(specimen)
-    mesh = fan_tets(specimen)
+    mesh, _ = mesh_by_fans(specimen, np.ones(specimen.count, dtype=bool), whole)
     middle = mesh.nodes.mean(axis=0)
     small = TetMesh(middle + 0.9 * (mesh.nodes - middle), mesh.node_start, mesh.tets, mesh.tet_start)
     with pytest.raises(GeometryError, match="do not fill|beyond"):

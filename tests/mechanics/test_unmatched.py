@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from geometry.fan_tets import gathered
 from geometry.joints import find_joints
 from geometry.mesher import mesh_blocks
 from geometry.surface_joints import surface_joints
+from geometry.tet_meshes import gathered
 from masonry import energy
 from masonry.bodies import KINDS, Material
 from masonry.model import Stepping, sort_by_group
