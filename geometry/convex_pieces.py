@@ -35,8 +35,6 @@ def _flat_parts(points: np.ndarray, triangles: np.ndarray, width: float) -> list
         if not free[seed]:
             continue
         normal = vector[seed] / size[seed] if size[seed] > 0 else np.zeros(3)
-        near = np.abs((corner - corner[seed, 0]) @ normal).max(axis=1) <= width
-        near &= (vector @ normal > 0) | (size <= width * width)
         part, waiting = [], [seed]
         free[seed] = False
         while waiting:
@@ -44,11 +42,16 @@ def _flat_parts(points: np.ndarray, triangles: np.ndarray, width: float) -> list
             part.append(t)
             for edge in _undirected(triangles[t].tolist()):
                 for other in sharing[edge]:
-                    if free[other] and near[other]:
+                    if free[other] and _is_in_plane(corner[other] - corner[seed, 0], vector[other], normal, width):
                         free[other] = False
                         waiting.append(other)
         parts.append(triangles[sorted(part)])
     return parts
+
+
+def _is_in_plane(arm: np.ndarray, vector: np.ndarray, normal: np.ndarray, width: float) -> bool:
+    """Whether a triangle lies in the plane and looks the way of its normal; one without area looks any way."""
+    return bool(np.abs(arm @ normal).max() <= width and (vector @ normal > 0 or vector @ vector <= width**4))
 
 
 def _merged(points: np.ndarray, loops: list[Polygon], normal: np.ndarray) -> list[Polygon]:

@@ -73,7 +73,10 @@ def labels(entities: Records, most: int) -> list[Label]:
 
 
 def match(found: list[Label], corners: list[np.ndarray]) -> np.ndarray:
-    """(B,) number of the label that each solid with these corners (n, 3) has, or -1; in the same unit of length."""
+    """(B,) number of the label that each solid with these corners (n, 3) has, or -1; in the same unit of length.
+
+    Round solids have corners of the kernel's own making. Where only they are left, the order of the file decides.
+    """
     if not found or not corners:
         return np.full(len(corners), -1)
     key = [np.concatenate([c.min(axis=0), c.max(axis=0), c.mean(axis=0)]) for c in (x.corners for x in found) if len(c)]
@@ -83,7 +86,9 @@ def match(found: list[Label], corners: list[np.ndarray]) -> np.ndarray:
         return np.full(len(corners), -1)
     distance, nearest = cKDTree(np.array(key)).query(wanted)
     size = np.linalg.norm(wanted[:, 3:6] - wanted[:, :3], axis=1)
-    return np.where(distance <= 1e-4 * size, number[nearest], -1)
+    result = np.where(distance <= 1e-4 * size, number[nearest], -1)
+    order = np.arange(len(corners))
+    return order if len(found) == len(corners) and np.all((result == order) | (result < 0)) else result
 
 
 def _products(entities: Records) -> _Products:
