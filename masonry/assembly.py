@@ -8,7 +8,9 @@ from geometry import joints as joint_search
 from geometry import overlaps
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
 from geometry.fan import mesh_by_fans
+from geometry.tet_meshes import within
 from masonry import loads, model
+from masonry.block_files import blocks_from
 from masonry.bodies import Material, lay_out
 from masonry.conditions import conditions_of
 from masonry.contact_groups import contact_group_name
@@ -78,15 +80,25 @@ def joined(scene: Scene) -> tuple[Specimen, Joints]:
 
 
 def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None, Joints]:
-    """Tets in the blocks that a scene wants to have them, and the joints with points at their nodes."""
+    """Tets in the blocks that a scene wants to have them, those of its file first, and the joints with points there."""
     wanted = np.array([scene.kinematics_of(g) == "tets" for g in blocks.groups])[blocks.group]
     if not wanted.any():
         return None, joints
+    if scene.specimen.kind == "file" and (own := blocks_from(scene.specimen.path)[1]) is not None:
+        from geometry.surface_joints import surface_joints
+
+        mesh = within(own, wanted)
+        if np.all(wanted == (np.diff(mesh.tet_start) > 0)):
+            return mesh, surface_joints(blocks, joints, mesh)
     if scene.specimen.mesh == "fan":
         return mesh_by_fans(blocks, wanted, joints)
     from geometry.mesher import mesh_blocks
 
-    assert scene.specimen.mesh_size is not None
+    if scene.specimen.mesh_size is None:
+        raise SceneError(
+            "specimen.mesh_size: missing; kinematics 'tets' needs it where the file holds no tets of its own: "
+            "mesh_size = '25 mm', or mesh = 'fan'"
+        )
     return mesh_blocks(blocks, wanted, scene.specimen.mesh_size, joints)
 
 
