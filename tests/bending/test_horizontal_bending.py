@@ -1,0 +1,48 @@
+"""The wall of Fig. 20 in bending, with and without pre-compression, within bounds from the strengths alone."""
+
+from functools import cache
+
+import numpy as np
+
+from masonry import laboratory, scene
+from masonry.results import Result
+
+MEAN = (3 * 0.5e6 + 3 * 1.5e6) / 6
+"""Tensile strength (Pa) of a straight crack: head joints in three courses, units in the other three."""
+
+
+@cache
+def run(name: str) -> Result:
+    return laboratory.run(scene.load(name, ["drive.steps=15000"]))
+
+
+def test_the_flexural_strength_lies_between_first_cracking_and_full_plasticity():
+    """M / W is the strength where the extreme fibre cracks, and three times that where all but an edge is at it."""
+    summary = run("bending-0").summary
+    assert (summary["blocks"], summary["stopped"]) == (180 + 4, "")
+    assert MEAN < summary["peak_stress_pa"] < 3 * MEAN
+    assert summary["energy_imbalance"] < 1e-9
+
+
+def test_pre_compression_makes_the_wall_stronger():
+    assert run("bending-025").summary["peak_stress_pa"] > 1.02 * run("bending-0").summary["peak_stress_pa"]
+
+
+def test_the_crack_opens_on_the_side_of_the_support_rollers_between_the_loads():
+    result = run("bending-0")
+    joints, damage = result.joints, result.history.frames[-1].damage_tension
+    inside = result.joint_group != result.joint_groups.index("rollers_units")
+    broken = inside & (damage > 0.95) & (np.abs(joints.normal[:, 0]) > 0.7)
+    assert np.any(broken)
+    x, y = joints.point[broken, 0], joints.point[broken, 1]
+    between = (x > 0.24) & (x < 0.48)
+    assert joints.area[broken][between].sum() > 0.95 * joints.area[broken].sum()
+    assert np.average(y, weights=joints.area[broken]) > 0.057
+
+
+def test_bed_joints_carry_the_pressure_from_the_top_to_the_plate():
+    result = run("bending-025")
+    frame, joints = result.history.frames[-1], result.joints
+    plate = result.joint_group == result.joint_groups.index("plate")
+    force = np.sum(frame.normal_stress * joints.area, where=plate)
+    assert abs(force / (-0.25e6 * 0.72 * 0.114) - 1) < 1e-3
