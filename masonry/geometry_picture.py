@@ -8,21 +8,18 @@ import numpy as np
 from geometry.blocks import Blocks, Joints, Specimen
 from geometry.whole_files import whole_file
 from masonry.assembly import joined
-from masonry.condition_marks import Mark, box_of, marks, nearer_side, spread
+from masonry.condition_marks import Mark, marks
 from masonry.errors import SceneError
+from masonry.mark_drawing import COLOURS, draw_mark
 from masonry.picture import group_colours
 from masonry.picture_frame import draw_axes, draw_sets
 from masonry.plot import plain, write_png
 from masonry.scene import Scene
-from masonry.solid_view import Piece, Sight, front_sight, hidden, oblique_sight, visible_pieces
+from masonry.solid_view import Piece, Sight, front_sight, oblique_sight, visible_pieces
 
-COLOURS = {"support": "#1e7a4c", "drive": "#c0392b", "traction": "#1f5fa8"}
 UNIT_EDGE, CELL_EDGE = "#3a362f", "#9a9386"
 WIDTH = 11.0
 """Of the picture, inches."""
-ARROW = 0.09
-"""Length of an arrow over the size of the picture."""
-VIEWS = ("front", "iso")
 
 
 def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
@@ -64,7 +61,7 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     pieces = visible_pieces(blocks, joints, sight)
     _draw_pieces(axes, blocks, pieces, sight)
     for mark in listed:
-        _draw_mark(axes, specimen, mark, pieces, sight, size)
+        draw_mark(axes, specimen, mark, pieces, sight, size)
     draw_sets(axes, specimen, pieces, sight, size)
     draw_axes(axes, blocks, sight)
     rows = _draw_list(figure, blocks, listed)
@@ -110,105 +107,6 @@ def _draw_pieces(axes: Any, blocks: Blocks, pieces: list[Piece], sight: Sight) -
                 lines.append((*to_rgb(colour), 1.0))
                 widths.append(wide)
     axes.add_collection(PathCollection(paths, facecolors=fills, edgecolors=lines, linewidths=widths, capstyle="round"))
-
-
-def _draw_mark(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], sight: Sight, size: float) -> None:
-    colour = COLOURS[mark.kind]
-    if mark.kind == "support":
-        _draw_support(axes, specimen, mark, pieces, sight, size)
-    for base, way, presses in mark.arrows:
-        _draw_arrows(axes, sight, pieces, (base, way, presses), colour, size)
-    if mark.arrows and mark.value:
-        _draw_value(axes, sight, mark, size)
-
-
-def _draw_value(axes: Any, sight: Sight, mark: Mark, size: float) -> None:
-    """Words at the free end of the last arrow of the first group."""
-    base, way, presses = mark.arrows[0]
-    out = (-1.0 if presses else 1.0) * _flat(sight, way)
-    at = sight.project(base[-1]) + 1.1 * ARROW * size * out
-    ha = "center" if abs(out[0]) < 0.3 else "left" if out[0] > 0 else "right"
-    va = "center" if abs(out[1]) < 0.3 else "bottom" if out[1] > 0 else "top"
-    axes.annotate(mark.value, at, ha=ha, va=va, fontsize=10, color=COLOURS[mark.kind], zorder=9)
-    axes.update_datalim([at + (0.0, 0.05 * size), at - (0.0, 0.05 * size)])
-
-
-def _flat(sight: Sight, way: np.ndarray) -> np.ndarray:
-    """Direction on the paper; zero where it runs along the line of sight."""
-    direction = sight.project(way)
-    length = np.linalg.norm(direction)
-    return direction / length if length > 0.2 else np.zeros(2)
-
-
-def _draw_arrows(
-    axes: Any, sight: Sight, pieces: list[Piece], arrows: tuple[np.ndarray, np.ndarray, bool], colour: str, size: float
-) -> None:
-    """Arrows onto or away from their places; a dot or a cross in a ring where they run along the line of sight."""
-    base, way, presses = arrows
-    direction = _flat(sight, way)
-    if not direction.any():
-        nearer = way @ sight.toward > 0
-        for x, z in sight.project(base):
-            axes.plot(x, z, "o", ms=11, mfc="white", mec=colour, mew=1.6, zorder=8)
-            axes.plot(x, z, "o" if nearer else "x", ms=4 if nearer else 7, color=colour, mew=1.6, zorder=8)
-        return
-    for point in base:
-        place = sight.project(point)
-        start, end = (place - ARROW * size * direction, place) if presses else (place, place + ARROW * size * direction)
-        behind = hidden(point + (-1e-3 if presses else 1e-3) * size * way, pieces, sight, 1e-4 * size)
-        style = {"arrowstyle": "-|>", "color": colour, "lw": 1.8, "mutation_scale": 14, "shrinkA": 0, "shrinkB": 0}
-        axes.annotate("", end, start, zorder=0.5 if behind else 8, arrowprops=style)
-        axes.update_datalim([start, end])
-
-
-def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], sight: Sight, size: float) -> None:
-    """Hatched where nothing moves; else triangles with a line, as rollers, against each direction that is held."""
-    from matplotlib.collections import PolyCollection
-
-    colour = COLOURS["support"]
-    owner = specimen.blocks.face_block()
-    if mark.all_held:
-        own = np.isin([owner[p.face] for p in pieces], mark.blocks)
-        if mark.faces is not None:
-            own = np.isin([p.face for p in pieces], mark.faces)
-        shown = [sight.project(p.corners) for p, mine in zip(pieces, own, strict=True) if mine]
-        axes.add_collection(
-            PolyCollection(shown, facecolors="none", edgecolors=colour, hatch="////", linewidths=0.0, zorder=5)
-        )
-        if shown and mark.faces is None:
-            return
-    for part in mark.parts:
-        low, high = box_of(specimen, part, mark.faces)
-        for axis in mark.held:
-            at_high = nearer_side(specimen, low, high, axis)
-            way = (1.0 if at_high else -1.0) * np.eye(3)[axis]
-            direction = _flat(sight, way)
-            if not direction.any():
-                continue
-            for place in spread(
-                low, high, axis, high[axis] if at_high else low[axis], 3 if sight.front else 2, 0.08 * size
-            ):
-                behind = hidden(place + 1e-3 * size * way, pieces, sight, 1e-4 * size)
-                depth = 0.5 if behind else 7.0
-                _draw_roller(axes, sight.project(place), direction, 0.028 * size, colour, mark.all_held, depth)
-
-
-def _draw_roller(
-    axes: Any, tip: np.ndarray, out: np.ndarray, size: float, colour: str, fixed: bool, depth: float
-) -> None:
-    from matplotlib.patches import Polygon
-
-    along = np.array([-out[1], out[0]])
-    base = tip + size * out
-    axes.add_patch(
-        Polygon(
-            [tip, base + 0.6 * size * along, base - 0.6 * size * along], fc="white", ec=colour, lw=1.4, zorder=depth
-        )
-    )
-    level = base + (0.0 if fixed else 0.25) * size * out
-    ends = np.array([level - 0.8 * size * along, level + 0.8 * size * along])
-    axes.plot(*ends.T, color=colour, lw=1.6, zorder=depth)
-    axes.update_datalim(ends)
 
 
 def _draw_list(figure: Any, blocks: Blocks, listed: list[Mark]) -> int:
