@@ -1,5 +1,6 @@
 """Faces that look at each other and nearly touch: small gaps and overlaps of imported solids."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -104,8 +105,9 @@ def require_small(blocks: Blocks, found: Facing, names: Sequence[str], tolerance
     worst = found.chosen(large)
     gaps, overlaps = int(np.sum(worst.size > 0)), int(np.sum(worst.size < 0))
     said = [f"{n} {word}{'s' if n > 1 else ''}" for n, word in ((gaps, "gap"), (overlaps, "overlap")) if n]
-    needed = float(f"{np.abs(worst.size).max() * 1.001e3:.2g}")
-    needed = needed if needed > np.abs(worst.size).max() * 1e3 else needed * 1.1
+    largest = float(np.abs(worst.size).max()) * 1e3
+    step = 10.0 ** (math.floor(math.log10(largest)) - 1)
+    needed = math.ceil(largest / step + 1e-6) * step
     leave = ", or --open-gaps leaves gaps as they are" if gaps and not overlaps else ""
     raise GeometryError(
         f"{' and '.join(said)} between facing faces, larger than the tolerance of {tolerance * 1e3:.4g} mm: "
