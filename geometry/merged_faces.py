@@ -5,6 +5,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from geometry.convex_faces import reflex
+from geometry.convex_pieces import convex_pieces
 from geometry.polygons import areas_normals_centroids, pad
 
 FLAT = 2e-10
@@ -16,7 +17,7 @@ STRAIGHT = 1e-12
 def merged_faces(points: np.ndarray, triangle: np.ndarray, block: np.ndarray) -> tuple[list[np.ndarray], np.ndarray]:
     """Faces as loops of points (P, 3), and the block of each, from the surface triangles (T, 3) of each block (T,).
 
-    Faces come in the order of blocks. Triangles whose union is not convex stay as they are.
+    Faces come in the order of blocks. Triangles whose union is not convex become convex pieces of it.
     """
     size = float(np.ptp(points, axis=0).max()) if len(points) else 1.0
     region = _regions(points, triangle, block, size)
@@ -26,9 +27,9 @@ def merged_faces(points: np.ndarray, triangle: np.ndarray, block: np.ndarray) ->
     loops = [_outline(triangle[part]) if len(part) > 1 else None for part in parts]
     whole = _convex(points, loops, size)
     for part, loop in zip(parts, whole, strict=True):
-        for face in [loop] if loop is not None else list(triangle[part]):
-            faces.append(face)
-            owner.append(block[part[0]])
+        pieces = [loop] if loop is not None else _pieces(points, triangle[part], size)
+        faces += pieces
+        owner += [block[part[0]]] * len(pieces)
     by_block = np.argsort(owner, kind="stable")
     return [faces[i] for i in by_block], np.array(owner, dtype=np.int64)[by_block]
 
@@ -84,6 +85,14 @@ def _convex(points: np.ndarray, loops: list[np.ndarray | None], size: float) -> 
     for i in np.flatnonzero(refused):
         loops[which[i]] = None
     return loops
+
+
+def _pieces(points: np.ndarray, triangle: np.ndarray, size: float) -> list[np.ndarray]:
+    if len(triangle) == 1:
+        return [triangle[0]]
+    loops: list[np.ndarray | None] = [np.array(loop) for loop in convex_pieces(points, triangle, FLAT * size)]
+    flat = [loop for loop in _convex(points, list(loops), size) if loop is not None]
+    return flat if len(flat) == len(loops) else list(triangle)
 
 
 def _corners(points: np.ndarray, loop: np.ndarray, size: float) -> np.ndarray | None:
