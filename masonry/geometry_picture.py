@@ -73,9 +73,12 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
 
 
 def _title(figure: Any, scene: Scene, specimen: Specimen) -> None:
-    count = specimen.blocks.count
     figure.suptitle(plain(scene.title or scene.name), fontsize=13, wrap=True)
-    figure.axes[0].set_title(f"{specimen.shape}: {count} block{'s' * (count > 1)}", fontsize=10, color="0.3")
+    figure.axes[0].set_title(f"{specimen.shape}: {_blocks(specimen.blocks.count)}", fontsize=10, color="0.3")
+
+
+def _blocks(count: int) -> str:
+    return f"{count} block{'s' * (count > 1)}"
 
 
 def _draw_pieces(axes: Any, blocks: Blocks, pieces: list[Piece], sight: Sight) -> None:
@@ -116,7 +119,7 @@ def _draw_list(figure: Any, blocks: Blocks, listed: list[Mark]) -> int:
 
     used = np.unique(blocks.group)
     keys: list[Any] = [
-        Patch(facecolor=colour, edgecolor=UNIT_EDGE, label=f"{name}, {int((blocks.group == number).sum())} blocks")
+        Patch(facecolor=colour, edgecolor=UNIT_EDGE, label=f"{name}, {_blocks(int((blocks.group == number).sum()))}")
         for number, (name, colour) in enumerate(zip(blocks.groups, group_colours(blocks.groups), strict=True))
         if number in used
     ]

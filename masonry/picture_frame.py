@@ -106,7 +106,8 @@ def _draw_edge(axes: Any, sight: Sight, start: np.ndarray, axis: int, low: np.nd
     out = sight.project(np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]])[axis])
     out = out / np.linalg.norm(out)
     span = high[axis] - low[axis]
-    ticks = _ticks(low[axis], high[axis], max(2, min(7, round(8 * span / size) + 1)))
+    ticks = _ticks(low[axis], high[axis], max(1, min(7, round(9 * span / size))))
+    ticks = ticks[-1:] if span < 0.05 * size else ticks
     along = np.eye(3)[axis]
     ends = np.array([sight.project(start + s * span * along) + OUT * size * out for s in (0.0, 1.0)])
     axes.plot(*ends.T, color="0.3", lw=0.9)
@@ -114,6 +115,6 @@ def _draw_edge(axes: Any, sight: Sight, start: np.ndarray, axis: int, low: np.nd
         at = sight.project(start + (tick * 1e-3 - low[axis]) * along) + OUT * size * out
         axes.plot(*np.array([at, at + 0.012 * size * out]).T, color="0.3", lw=0.9)
         axes.annotate(f"{tick:.4g}", at + 0.03 * size * out, ha="center", va="center", fontsize=8, color="0.2")
-    name = ends.mean(axis=0) + 0.08 * size * out if axis < 2 else ends[1] + (0.0, 0.03 * size)
+    name = ends.mean(axis=0) + (0.08, 0.12)[axis] * size * out if axis < 2 else ends[1] + (0.0, 0.05 * size)
     axes.annotate(f"{'xyz'[axis]} [mm]", name, ha="center", va="center", fontsize=9)
     axes.update_datalim([name + 0.03 * size * out])
