@@ -68,6 +68,7 @@ def _add_import(commands: Any) -> None:
     words.add_argument("--out", type=Path, required=True, metavar="SCENE.toml", help="the scene to write")
     words.add_argument("--unit", metavar="UNIT", help="what 1 in the file stands for, such as mm; STEP says so itself")
     words.add_argument("--tolerance", default="0.1 mm", metavar="LENGTH", help="gaps and overlaps up to it are mended")
+    words.add_argument("--thickness", metavar="LENGTH", help="of a plane .tess file, along y")
     words.add_argument("--facet", metavar="LENGTH", help="how far flat facets may be off curved faces")
     words.add_argument("--group", action="append", default=[], metavar="PATTERN=GROUP", help="'brick*=units', by name")
     words.add_argument("--section", metavar="AREA", help="force over this area is the reported stress")
@@ -170,6 +171,7 @@ def import_blocks(words: argparse.Namespace) -> int:
     wishes = importing.Wishes(
         unit=None if words.unit is None else parse(_one(words.unit), "length", "--unit", "[1e-9, 1e5]"),
         tolerance=parse(words.tolerance, "length", "--tolerance", "[1e-9, 1]"),
+        thickness=None if words.thickness is None else parse(words.thickness, "length", "--thickness", "[1e-9, 1e5]"),
         facet=None if words.facet is None else parse(words.facet, "length", "--facet", "[1e-9, 1e5]"),
         groups=[_group(text) for text in words.group],
         section=None if words.section is None else parse(words.section, "area", "--section", "[1e-12, 1e8]"),

@@ -32,10 +32,12 @@ SUFFIX = ".blocks.h5"
 
 @dataclass(frozen=True)
 class Wishes:
-    """What the user says of a file: unit, tolerance of gaps, chord height of facets (all m), groups, section (m2)."""
+    """What the user says of a file: unit, tolerance of gaps, thickness of plane cells, chord height of facets (all m),
+    groups, section (m2)."""
 
     unit: float | None = None
     tolerance: float = TOLERANCE
+    thickness: float | None = None
     facet: float | None = None
     groups: Sequence[tuple[str, str]] = ()
     section: float | None = None
@@ -68,6 +70,10 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
     is_cad = reader[0] == "geometry.cad"
     if is_cad and wishes.facet is not None:
         words["facet"] = wishes.facet
+    if wishes.thickness is not None:
+        if source.suffix.lower() != ".tess":
+            raise SceneError(f"--thickness: only plane .tess files need it, not '{source}'")
+        words["thickness"] = wishes.thickness
     found = guarded(*reader, source, **words)
     names = tuple(name or f"solid {number}" for number, name in enumerate(found.names, start=1))
     found = grouped(found, names, wishes.groups)

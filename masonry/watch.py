@@ -1,6 +1,7 @@
 """What is looked at between chunks: is the motion still to be trusted, and what does the specimen look like."""
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from masonry.bodies import KINDS
 from masonry.energy import Observation
@@ -142,6 +143,5 @@ def corner_displacements(model: Model) -> np.ndarray:
         for b in layout.members["tets"]:
             p = np.flatnonzero(block_of_point == b)
             first, last = mesh.node_start[b], mesh.node_start[b + 1]
-            gap = np.linalg.norm(mesh.nodes[None, first:last] - blocks.points[p, None], axis=2)
-            moved[p] = model.contacts[3][first + np.argmin(gap, axis=1)]
+            moved[p] = model.contacts[3][first + cKDTree(mesh.nodes[first:last]).query(blocks.points[p])[1]]
     return moved
