@@ -67,6 +67,11 @@ def test_flemish_headers_stand_in_the_middle_of_stretchers():
         assert all(np.abs(below - x).min() < 1e-12 for x in middle[inner])
 
 
+def test_flemish_closers_stand_beside_the_corner_headers():
+    laid = bond("flemish", 4)
+    assert laid.parts[laid.course == 1].tolist() == [2, 1, 4, 2, 4, 2, 4, 1, 2]
+
+
 def test_english_bond_lays_courses_of_headers_on_courses_of_stretchers():
     laid = bond("english", 4)
     assert [sorted(set(laid.parts[laid.course == c].tolist())) for c in range(3)] == [[4], [1, 2], [4]]

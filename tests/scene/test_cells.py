@@ -1,7 +1,12 @@
 """`cells` in a scene: what may be asked of a division, where it is told what is wrong, and what the report says."""
 
+import numpy as np
 import pytest
 
+from geometry import layers
+from geometry.blocks import GeometryError
+from geometry.cells.asked import CellsAsked
+from geometry.shapes import from_boxes
 from masonry import laboratory
 from masonry.errors import SceneError
 from masonry.printout import check_text
@@ -30,15 +35,25 @@ def test_the_beds_of_the_couplets_have_the_number_of_cells_that_their_scene_asks
         assert specimen.cells[0].shortest_over_mean >= 0.35
 
 
-def test_every_key_of_cells_reaches_the_division():
-    cells = {"total": 3, "kind": "voronoi", "form": "plane", "seed": 9, "regularise": False}
-    sites = [["50 mm", "2 mm", "55 mm"], ["100 mm", "2 mm", "58 mm"], ["150 mm", "2 mm", "60 mm"]]
-    overrides = {"specimen.mortar.cells": cells | {"sites": sites}, "assumptions": {}}
-    specimen = specimen_of(load(MESO, overrides))
-    assert specimen.cells[0].count == 3
-    sizes = {"per_unit": 4, "sizes": [1.0, 2.0, 3.0, 4.0]}
-    specimen = specimen_of(load(MESO, {"specimen.mortar.cells": sizes, "assumptions": {}}))
-    assert specimen.cells[0].count == 4
+def test_every_key_of_cells_reaches_the_division(monkeypatch):
+    """Whatever a scene asks for stands in what the geometry is asked for."""
+    heard = []
+
+    def fill(low, high, asked, group):
+        heard.append(asked)
+        return from_boxes(low, high, np.arange(len(low)), np.zeros(len(low)), (group,)), None
+
+    monkeypatch.setattr(layers, "fill_with_cells", fill)
+    sites = [["50 mm", "2 mm", "55 mm"], ["100 mm", "2 mm", "58 mm"]]
+    cells = {"total": 2, "kind": "voronoi", "form": "space", "seed": 9, "regularise": False, "sites": sites}
+    for table in (cells, {"per_unit": 2, "sizes": [1.0, 2.0]}, {"size": "5 mm", "spread": 0.3}):
+        specimen_of(load(MESO, {"specimen.mortar.cells": table, "assumptions": {}}))
+    places = ((0.05, 0.002, 0.055), (0.1, 0.002, 0.058))
+    assert heard == [
+        CellsAsked(total=2, laguerre=False, space=True, seed=9, regularise=False, sites=places),
+        CellsAsked(per_unit=2, sizes=(1.0, 2.0)),
+        CellsAsked(size=0.005, spread=0.3),
+    ]
 
 
 def test_another_seed_gives_other_cells_of_the_same_number():
@@ -89,8 +104,6 @@ def test_a_grid_and_cells_exclude_each_other():
     ],
 )
 def test_too_many_and_too_few_cells_are_refused_before_anything_is_built(override, words):
-    from geometry.blocks import GeometryError
-
     with pytest.raises((SceneError, GeometryError), match=words):
         laboratory.check(load("wallette-mode-1-218", [override]))
 

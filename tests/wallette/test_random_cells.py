@@ -3,7 +3,6 @@
 from functools import cache
 
 import numpy as np
-import pytest
 
 from masonry import laboratory, scene
 from masonry.results import Result
