@@ -18,7 +18,9 @@ class GeometryError(ValueError):
 
 @dataclass(frozen=True)
 class Blocks:
-    """Convex polyhedra with planar faces.
+    """Polyhedra with planar convex faces.
+
+    A block that is not convex, such as a perforated unit, has several convex faces in one plane where it needs them.
 
     points            (P, 3) m, corners; blocks may or may not share them
     face_start        (F + 1,) where the corners of face f begin in face_points

@@ -43,7 +43,8 @@ def faces_in_plane(blocks: Blocks, axis: int, level: float, tolerance: float = 1
     width = tolerance * extent(blocks)
     found = across[np.abs(centroid[across, axis] - level) <= width]
     if len(found) == 0:
-        levels = np.unique(np.round(centroid[across, axis] / width) * width)
+        levels = centroid[across, axis]
+        levels = levels[np.unique(np.round(levels / width), return_index=True)[1]]
         near = sorted(levels[np.argsort(np.abs(levels - level))[:3]].tolist())
         said = ", ".join(f"{'xyz'[axis]} = {value * 1e3:.10g} mm" for value in near)
         raise GeometryError(f"no block has a face there; the nearest planes with faces are {said or 'none'}")

@@ -66,7 +66,7 @@ def scene_text(specimen: Specimen, joints: Joints, source: str, blocks_file: str
         "[specimen]",
         'kind = "file"',
         f"path = {_quoted(blocks_file)}",
-        f'section = "{specimen.section!r} m^2"   # the force at the drive over this area is the reported stress',
+        f'section = "{specimen.section:.12g} m^2"   # the force at the drive over this area is the reported stress',
         "",
     ]
     for group in specimen.blocks.groups:

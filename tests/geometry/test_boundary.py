@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from geometry.blocks import GeometryError
-from geometry.boundary import outer_faces, surface_nodes
+from geometry.boundary import faces_in_plane, free_faces_in_plane, outer_faces, surface_nodes
 from geometry.boxes import boxes
 from geometry.couplet import couplet
 from geometry.joints import find_joints
@@ -98,3 +98,32 @@ def test_faces_of_blocks_without_tets_have_no_nodes():
     mesh, joints = mesh_blocks(specimen.blocks, np.array([True, False]), 0.05, joints)
     node, area = surface_nodes(mesh, specimen.blocks, outer_faces(specimen.blocks, joints, specimen.sets["top"], "z+"))
     assert len(node) == len(area) == 0
+
+
+def test_a_plane_has_all_faces_in_it_and_those_that_are_free():
+    specimen = boxes(
+        [
+            ("low", (0, 0, 0), (1, 1, 1), "g", 0, (1, 1, 1)),
+            ("high", (0, 0, 1), (1, 1, 1), "g", 1, (1, 1, 1)),
+            ("beside", (3, 0, 0), (1, 1, 1), "g", 2, (2, 1, 1)),
+            ("hanging", (5, 0, 1), (1, 1, 1), "g", 3, (1, 1, 1)),
+        ],
+        1.0,
+    )
+    blocks, joints = specimen.blocks, find_joints(specimen.blocks)
+    owner = blocks.face_block()
+    assert owner[faces_in_plane(blocks, 2, 1.0)].tolist() == [0, 1, 2, 3, 4]
+    assert owner[free_faces_in_plane(blocks, joints, 2, 1.0)].tolist() == [2, 3, 4]
+    assert owner[free_faces_in_plane(blocks, joints, 0, 6.0 + 1e-9)].tolist() == [4]
+    with pytest.raises(GeometryError, match="nearest planes with faces are z = 0 mm, z = 1000 mm, z = 2000 mm"):
+        faces_in_plane(blocks, 2, 0.4)
+    with pytest.raises(GeometryError, match="lie in joints"):
+        free_faces_in_plane(blocks, joints, 0, 3.5)
+
+
+def test_a_plane_with_a_partly_covered_face_is_refused():
+    specimen = boxes(
+        [("floor", (0, 0, 0), (2, 1, 1), "g", 0, (1, 1, 1)), ("post", (0, 0, 1), (1, 1, 1), "g", 1, (1, 1, 1))], 1.0
+    )
+    with pytest.raises(GeometryError, match="a face there of block 0 .* is covered by a joint over 50.0%"):
+        free_faces_in_plane(specimen.blocks, find_joints(specimen.blocks), 2, 1.0)

@@ -118,6 +118,27 @@ def test_solids_that_are_put_into_an_assembly_have_the_names_of_their_use(tmp_pa
     assert read(path).names == ("stone",)
 
 
+def test_names_follow_the_solids_to_their_places_in_an_assembly(tmp_path):
+    """Every part is turned a quarter about z and moved up by as much as its number: names must not be mixed up."""
+    path = files.write_step(tmp_path / "wall.step", files.wall(5, 1), [f"unit {k}" for k in range(5)])
+    text = path.read_text()
+    place = re.findall(r"ITEM_DEFINED_TRANSFORMATION\('','',#\d+,#(\d+)\)", text)
+    assert len(place) == 5
+    for k, number in enumerate(place):
+        origin, axis, across = re.search(rf"#{number} = AXIS2_PLACEMENT_3D\('',#(\d+),#(\d+),#(\d+)\)", text).groups()
+        text = re.sub(rf"#{origin} = .*;", f"#{origin} = CARTESIAN_POINT('',(0.,0.,{100 * k}.));", text)
+        text = re.sub(rf"#{axis} = .*;", f"#{axis} = DIRECTION('',(0.,0.,1.));", text)
+        text = re.sub(rf"#{across} = .*;", f"#{across} = DIRECTION('',(0.,1.,0.));", text)
+    path.write_text(text)
+    found = read(path)
+    low, high = bounds(found.blocks)
+    for b, name in enumerate(found.names):
+        k = int(name.split()[-1])
+        assert low[b] == pytest.approx([-0.12, 0.25 * k, 0.1 * k], abs=1e-12)
+        assert high[b] == pytest.approx([0, 0.25 * (k + 1), 0.1 * k + 0.06], abs=1e-12)
+    assert sorted(found.names) == [f"unit {k}" for k in range(5)]
+
+
 def test_unreadable_files_end_in_one_message(wall, tmp_path):
     text = wall.read_text()
 
