@@ -1,0 +1,104 @@
+"""What a scene may say of contact points and of tets, and that it comes to what it says."""
+
+import re
+
+import numpy as np
+import pytest
+
+from masonry import laboratory
+from masonry.assembly import assemble, joined
+from masonry.errors import SceneError
+from masonry.scene import load, to_toml
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "points"),
+    [
+        ("points_per_edge", 3, 9),
+        ("points_per_edge", {"y": 10}, 20),
+        ("points_per_edge", {"x": 5, "y": 1, "z": 7}, 5),
+        ("points_per_face", 16, 16),
+        ("contact_spacing", "1 m", 1),
+        ("contact_spacing", "29.8 mm", 10 * 2),  # the middle two of ten Gauss points are 0.148874 of 200 mm apart
+    ],
+)
+def test_a_joint_gets_the_points_that_the_scene_asks_for_and_the_written_scene_too(key, value, points, tmp_path):
+    scene = load("couplet", {f"specimen.{key}": value})
+    assert len(joined(scene)[1].area) == points
+    (tmp_path / "again.toml").write_text(to_toml(scene), encoding="utf-8")
+    assert load(tmp_path / "again.toml").specimen == scene.specimen
+
+
+@pytest.mark.parametrize(
+    ("overrides", "says"),
+    [
+        (["specimen.points_per_face=9", "specimen.points_per_edge=2"], "points_per_edge and points_per_face exclude"),
+        (
+            ["specimen.points_per_face=9", "specimen.contact_spacing=1 cm"],
+            "points_per_face and contact_spacing exclude",
+        ),
+        (["specimen.points_per_edge={w=3}"], r"points_per_edge\.w: unknown key; allowed: x, y, z"),
+        (["specimen.points_per_edge={y=0}"], "0 is out of range; y must be in"),
+        (
+            ["specimen.points_per_edge=[2, 10, 2]"],
+            r"a table by axis such as \{x = 2, y = 10, z = 2\}; not \[2, 10, 2\]",
+        ),
+        (["specimen.points_per_edge=true"], "must be a whole number, or a table by axis"),
+        (["specimen.contact_points=vertex", "specimen.points_per_edge={y=1}"], "must be 2 or more"),
+        (["specimen.contact_points=vertex", "specimen.points_per_face=3"], "must be 4 or more"),
+        (["specimen.contact_spacing=0 mm"], "out of range"),
+        (["specimen.mesh=tetgen"], "'tetgen' is not allowed; allowed: gmsh, fan"),
+    ],
+)
+def test_what_cannot_be_meant_is_refused_with_what_can(overrides, says):
+    with pytest.raises(SceneError) as error:
+        load("couplet", overrides)
+    assert re.search(says, str(error.value))
+
+
+def test_a_key_that_is_set_takes_the_place_of_the_other_two():
+    scene = load("bending-0", ["specimen.points_per_face=4"])
+    assert scene.specimen.points_per_edge is None and scene.specimen.points_per_face == 4
+
+
+@pytest.mark.parametrize(
+    "overrides",
+    [{"specimen.points_per_face": 100000, "specimen.divisions": [100, 100, 10]}, {"specimen.contact_spacing": "1 um"}],
+)
+def test_more_points_than_a_machine_can_hold_are_refused_by_the_key_that_asks_for_them(overrides):
+    with pytest.raises(SceneError, match=f"{next(iter(overrides))}.*contact points"):
+        assemble(load("couplet", overrides))
+
+
+def test_a_couplet_of_fans_slides_at_the_strength_of_its_joint_with_12_tets_in_each_box():
+    scene = load(
+        "couplet",
+        {
+            "kinematics": "tets",
+            "specimen.mesh": "fan",
+            "specimen.divisions": [2, 1, 1],
+            "drive.steps": 8000,
+            "settle.steps": 2000,
+        },
+    )
+    assert len(assemble(scene).mesh.tets) == 4 * 12
+    summary = laboratory.run(scene).summary
+    assert summary["peak_stress_pa"] == pytest.approx(0.87e6 + 1.01 * 0.5e6, rel=0.02)
+    assert abs(summary["energy_imbalance"]) < 1e-9
+
+
+def test_a_fan_needs_no_mesh_size():
+    text = to_toml(load("couplet", {"kinematics": "tets", "specimen.mesh": "fan"}))
+    assert "mesh_size" in text
+    scene = load(
+        "couplet-meso-coarse",
+        {
+            "kinematics": {"default": "rigid", "mortar": "tets"},
+            "specimen.mesh": "fan",
+            "material.mortar.young_modulus": "5 GPa",
+            "material.mortar.poisson_ratio": 0.2,
+        },
+    )
+    assert scene.specimen.mesh == "fan"
+    mesh = assemble(scene).mesh
+    assert np.count_nonzero(np.diff(mesh.tet_start)) == 100
