@@ -9,6 +9,7 @@ from geometry.boxes import boxes
 from geometry.contact_points import contact_points
 from geometry.couplet import couplet
 from geometry.joints import connected, find_joints
+from geometry.measures import centroids
 from geometry.point_density import Density
 from geometry.polygons import areas_normals_centroids
 from geometry.shapes import concatenate, from_boxes, from_faces
@@ -41,12 +42,16 @@ def patch_areas(joints):
 def test_areas_of_every_joint_add_up_to_its_overlap(rule, points):
     specimen = couplet(0.2, 0.05, 0.06, (4, 2, 2), mortar=(0.01, (5, 3, 1)), plates=0.02)
     joints = find_joints(specimen.blocks, rule, points)
-    unit = specimen.blocks.unit
-    for below in range(4):
-        between = (unit[joints.block_a] == below) & (unit[joints.block_b] == below + 1)
-        assert joints.area[between].sum() == pytest.approx(0.2 * 0.05, rel=1e-14)
-        assert np.all(joints.normal[between] == (0, 0, 1))
-    within = (unit[joints.block_a] == 1) & (unit[joints.block_b] == 1)
+    unit, height = specimen.blocks.unit, centroids(specimen.blocks)[:, 2]
+    upward = sorted(set(unit.tolist()), key=lambda u: height[unit == u].mean())
+    sides = unit[np.stack([joints.block_a, joints.block_b])]
+    for below, above in zip(upward[:-1], upward[1:], strict=True):
+        for low, high, up in ((0, 1, 1), (1, 0, -1)):
+            between = (sides[low] == below) & (sides[high] == above)
+            assert np.all(joints.normal[between] == (0, 0, up))
+        either = np.sort(sides, axis=0).T == sorted((below, above))
+        assert joints.area[either.all(axis=1)].sum() == pytest.approx(0.2 * 0.05, rel=1e-14)
+    within = np.all(sides == upward[1], axis=0)
     assert joints.area[within].sum() == pytest.approx(3 * 0.05 * 0.06 + 0.2 * 0.06 + 0.2 * 0.05, rel=1e-14)
 
 
