@@ -1,7 +1,5 @@
 """What `masonry check` says of the quality of a specimen: worst values, and the block to blame for each."""
 
-import numpy as np
-
 from geometry.measures import bounds
 from geometry.quality import Worst, quality
 from masonry.assembly import Assembly
@@ -33,11 +31,11 @@ def _sentence(assembly: Assembly, worst: Worst, factor: float, unit: str, of: st
 
 
 def _place(assembly: Assembly, which: tuple[int, ...]) -> str:
-    """Numbers, groups and place of one block, or of the two of a joint."""
+    """Numbers, groups and place of one block, or of the two of a joint and of what their boxes share."""
     blocks = assembly.specimen.blocks
     low, high = bounds(blocks)
     names = [f"{b} ({blocks.groups[blocks.group[b]]}, unit {blocks.unit[b]})" for b in which]
-    middle = np.mean([(low[b] + high[b]) / 2 for b in which], axis=0) * 1e3
+    middle = (low[list(which)].max(axis=0) + high[list(which)].min(axis=0)) / 2 * 1e3
     word = "block" if len(which) == 1 else "blocks"
     return f"{word} {' and '.join(names)} at ({', '.join(f'{x:.4g}' for x in middle)}) mm"
 
@@ -49,6 +47,10 @@ def _cost(assembly: Assembly) -> str:
     if cost.usual < 1.005:
         return "none: all blocks that move allow the same time step"
     return (
-        f"the time step would be {cost.usual:.3g} times as long if no block were worse than the median, "
-        f"{cost.without:.3g} times without the worst, {_place(assembly, (cost.block,))}"
+        f"the time step would be {_longer(cost.usual)} if no block were worse than the median, "
+        f"{_longer(cost.without)} without the worst, {_place(assembly, (cost.block,))}"
     )
+
+
+def _longer(ratio: float) -> str:
+    return f"{ratio:.2g} times as long" if ratio >= 2 else f"{ratio - 1:.1%} longer"

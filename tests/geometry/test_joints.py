@@ -49,8 +49,8 @@ def test_areas_of_every_joint_add_up_to_its_overlap(rule, points):
         for low, high, up in ((0, 1, 1), (1, 0, -1)):
             between = (sides[low] == below) & (sides[high] == above)
             assert np.all(joints.normal[between] == (0, 0, up))
-        either = np.sort(sides, axis=0).T == sorted((below, above))
-        assert joints.area[either.all(axis=1)].sum() == pytest.approx(0.2 * 0.05, rel=1e-14)
+        pair = (sides.min(axis=0) == min(below, above)) & (sides.max(axis=0) == max(below, above))
+        assert joints.area[pair].sum() == pytest.approx(0.2 * 0.05, rel=1e-14)
     within = np.all(sides == upward[1], axis=0)
     assert joints.area[within].sum() == pytest.approx(3 * 0.05 * 0.06 + 0.2 * 0.06 + 0.2 * 0.05, rel=1e-14)
 
