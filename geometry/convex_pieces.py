@@ -1,11 +1,13 @@
 """Triangles of flat faces merged into convex polygons, after Hertel and Mehlhorn (1983)."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
 Polygon = list[int]
 Edge = tuple[int, int]
+STRAIGHT = 1e-10  # rad, a corner that turns right by less goes straight on
 
 
 def convex_pieces(points: np.ndarray, triangles: np.ndarray, width: float) -> list[Polygon]:
@@ -57,15 +59,16 @@ def _is_in_plane(arm: np.ndarray, vector: np.ndarray, normal: np.ndarray, width:
 def _merged(points: np.ndarray, loops: list[Polygon], normal: np.ndarray) -> list[Polygon]:
     """The polygons of one plane with every inner edge taken away that convexity does not need; longest edges first."""
     piece = dict(enumerate(loops))
+    place = _in_plane(points, loops, normal)
     side = {edge: n for n, loop in piece.items() for edge in _directed(loop)}
     inner = [edge for edge in side if edge[0] < edge[1] and edge[::-1] in side]
-    length = {edge: float(np.linalg.norm(points[edge[1]] - points[edge[0]])) for edge in inner}
+    length = {edge: math.dist(place[edge[0]], place[edge[1]]) for edge in inner}
     for edge in sorted(inner, key=lambda e: (-length[e], e)):
         a, b = side[edge], side[edge[::-1]]
         if a == b:
             continue
         union = _spliced(piece[a], piece[b], edge)
-        if len(set(union)) == len(union) and _is_convex(points[union], normal):
+        if len(set(union)) == len(union) and _is_convex([place[v] for v in union]):
             piece[a] = union
             for moved in _directed(piece.pop(b)):
                 side[moved] = a
@@ -79,12 +82,24 @@ def _spliced(one: Polygon, two: Polygon, edge: Edge) -> Polygon:
     return ring + other[1:-1]
 
 
-def _is_convex(corner: np.ndarray, normal: np.ndarray) -> bool:
-    step = np.roll(corner, -1, axis=0) - corner
-    before = np.roll(step, 1, axis=0)
-    length = np.linalg.norm(step, axis=1)
-    turn = np.cross(before, step) @ normal
-    return bool(np.all(turn >= -1e-10 * length * np.roll(length, 1)))
+def _in_plane(points: np.ndarray, loops: list[Polygon], normal: np.ndarray) -> dict[int, tuple[float, float]]:
+    """Coordinates in right-handed axes across the normal, of every corner."""
+    used = sorted({v for loop in loops for v in loop})
+    across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+    across /= np.linalg.norm(across)
+    flat = points[used] @ np.stack([across, np.cross(normal, across)], axis=1)
+    return dict(zip(used, map(tuple, flat.tolist()), strict=True))
+
+
+def _is_convex(corner: list[tuple[float, float]]) -> bool:
+    """Whether a polygon turns left or goes straight on at every corner."""
+    before, here = corner[-2], corner[-1]
+    for after in corner:
+        ax, ay, bx, by = here[0] - before[0], here[1] - before[1], after[0] - here[0], after[1] - here[1]
+        if ax * by - ay * bx < -STRAIGHT * math.hypot(ax, ay) * math.hypot(bx, by):
+            return False
+        before, here = here, after
+    return True
 
 
 def _directed(loop: Sequence[int]) -> list[Edge]:
