@@ -67,7 +67,9 @@ def read_cad(path: Path | str, unit: float | None = None, facet: float | None = 
         chord = facet / scale if facet is not None else CHORD * float(np.median(sizes))
         for option, value in facet_options(chord).items():
             gmsh.option.setNumber(option, value)
-        solids = _polyhedra(gmsh, tags, extent)
+        titles = [label.name for label in found] if len(found) == len(tags) else [""] * len(tags)
+        called = {t: f"'{title}'" if title else f"solid {t}" for t, title in zip(tags, titles, strict=True)}
+        solids = _polyhedra(gmsh, called, extent)
         if suffix in IGES:
             found = [Label(gmsh.model.getEntityName(3, t).split("/")[-1], None, s.corners) for t, s in solids.items()]
     names, colours = _labelled(found, list(solids.values()), notes)
@@ -124,21 +126,21 @@ def _sizes(gmsh: Any, tags: list[int]) -> tuple[np.ndarray, float]:
     return np.linalg.norm(box[:, 3:] - box[:, :3], axis=1), float((box[:, 3:].max(axis=0) - box.min(axis=0)[:3]).max())
 
 
-def _polyhedra(gmsh: Any, tags: list[int], extent: float) -> dict[int, _Solid]:
+def _polyhedra(gmsh: Any, called: dict[int, str], extent: float) -> dict[int, _Solid]:
     points, triangles = triangulate(gmsh, extent)
     width = 1e-9 * extent
     vertex = {v: gmsh.model.getValue(0, v, []) for _, v in gmsh.model.getEntities(0)}
     straight = {c for _, c in gmsh.model.getEntities(1) if gmsh.model.getType(1, c) == "Line"}
     solids = {}
-    for tag in tags:
+    for tag, name in called.items():
         surfaces = sorted({s for _, s in gmsh.model.getBoundary([(3, tag)], oriented=False)})
         edges = {c for _, c in gmsh.model.getBoundary([(2, s) for s in surfaces], combined=False, oriented=False)}
         ends = {v for _, v in gmsh.model.getBoundary([(1, c) for c in edges], combined=False, oriented=False)}
         flat = edges <= straight and all(gmsh.model.getType(2, s) == "Plane" for s in surfaces)
-        faces = _faces(points, [triangles[s] for s in surfaces], width, f"solid {tag}")
+        faces = _faces(points, [triangles[s] for s in surfaces], width, name)
         corners = np.array([vertex[v] for v in sorted(ends)])
         solids[tag] = _Solid(faces, corners, float(gmsh.model.occ.getMass(3, tag)), flat)
-        _require_volume(solids[tag], tag)
+        _require_volume(solids[tag], name)
     return solids
 
 
@@ -150,15 +152,15 @@ def _faces(points: np.ndarray, surfaces: list[np.ndarray], width: float, solid: 
     return [points[piece] for piece in pieces]
 
 
-def _require_volume(solid: _Solid, tag: int) -> None:
+def _require_volume(solid: _Solid, name: str) -> None:
     volume = _volume(solid)
     if not volume > 0 or not solid.volume > 0:
-        raise GeometryError(f"solid {tag} has no volume ({solid.volume:.3g} mm^3); mend it in the CAD program")
+        raise GeometryError(f"{name} has no volume ({solid.volume:.3g} mm^3); mend it in the CAD program")
     change = abs(volume / solid.volume - 1)
     if solid.flat and change > EXACT:
-        raise GeometryError(f"solid {tag}: its faces enclose {volume:.9g} mm^3, the file says {solid.volume:.9g} mm^3")
+        raise GeometryError(f"{name}: its faces enclose {volume:.9g} mm^3, the file says {solid.volume:.9g} mm^3")
     if change > MOST_CHANGE:
-        raise GeometryError(f"solid {tag}: flat facets change its volume by {change:.1%}; take a smaller --facet")
+        raise GeometryError(f"{name}: flat facets change its volume by {change:.1%}; take a smaller --facet")
 
 
 def _volume(solid: _Solid) -> float:
