@@ -7,9 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Specimen, TetMesh
-from geometry.fan import mesh_by_fans
-from geometry.joints import find_joints
-from geometry.measures import volumes
+from geometry.fan_tets import fan_tets
 from geometry.step_text import step_text
 from geometry.tet_meshes import gathered
 from geometry.whole_files import whole_file
@@ -63,20 +61,11 @@ def block_names(specimen: Specimen) -> list[str]:
 
 
 def _filled(blocks: Blocks, mesh: TetMesh | None) -> TetMesh:
-    """The mesh, with fans of tets in the blocks that it leaves empty, or tets by gmsh where fans cannot fill them."""
-    empty = np.ones(blocks.count, dtype=bool) if mesh is None else np.diff(mesh.tet_start) == 0
-    if not empty.any():
-        assert mesh is not None
-        return mesh
-    joints = find_joints(blocks)
-    try:
-        filling = mesh_by_fans(blocks, empty, joints)[0]
-    except GeometryError:
-        from geometry.mesher import mesh_blocks
-
-        filling = mesh_blocks(blocks, empty, float(np.cbrt(volumes(blocks)[empty].mean())), joints)[0]
+    """The mesh, with fans of tets in the blocks that it leaves empty."""
     if mesh is None:
-        return filling
+        return fan_tets(blocks, np.ones(blocks.count, dtype=bool))
+    empty = np.diff(mesh.tet_start) == 0
+    filling = fan_tets(blocks, empty)
     return gathered(blocks.count, {b: (filling if empty[b] else mesh, b) for b in range(blocks.count)})
 
 

@@ -112,3 +112,10 @@ def test_an_unknown_suffix_is_refused_and_nothing_is_written(wall, tmp_path):
     with pytest.raises(GeometryError, match="cannot write"):
         export(tmp_path / "none" / "a.step", wall)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_slivers_of_faces_do_not_hinder_the_export_and_cost_no_volume(tmp_path, prism):
+    thin = prism(np.array([[0, 0], [1, 0], [1, 1], [1 - 1e-9, 1], [0, 1.0]]), 0.0, 1.0)
+    specimen = Specimen(from_faces([thin], [0], [0], ["units"]))
+    export(tmp_path / "a.msh", specimen)
+    assert volumes(read_mesh(tmp_path / "a.msh").blocks) == pytest.approx([1.0], rel=1e-9)
