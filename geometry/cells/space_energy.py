@@ -19,13 +19,13 @@ MOST_FACES = 128
 """Planes that may cut one cell, those that later cuts remove among them."""
 MOST_CORNERS = 256
 FAR = -10_000_000
-"""Labels at or below this one are of the box round the domain that cutting starts from."""
+"""Label of a side of the box round the domain that is no wall."""
 
 
 class Cut(NamedTuple):
     """Room for one cell: faces with label, normal and level (inside: normal . u <= level, u from the site), corners.
 
-    count  faces, corners, and how often all sites had to be gone through
+    used  faces, corners, and how often all sites had to be gone through
     """
 
     label: np.ndarray
@@ -36,7 +36,7 @@ class Cut(NamedTuple):
     left: np.ndarray
     outside: np.ndarray
     rim: np.ndarray
-    count: np.ndarray
+    used: np.ndarray
 
 
 class Diagram(NamedTuple):
@@ -44,28 +44,39 @@ class Diagram(NamedTuple):
 
     site, weight    (n, 3), (n,)
     near            (n, k) the sites nearest to each, in the order of their distance when the lists were made
-    covered         (n,) every site closer than this to site i is in its list
+    held            (n,) no site that is not in the list can cut off what is closer to site i than this
+    box             (6,) low x, high x, low y, ... of the box round the domain, that cutting starts from
+    box_label       (6,) the label of each of its sides: a wall, or FAR
     normal, offset  (m, 3), (m,) inside: normal . x <= offset
-    size            half the side of a cube about any site that holds the domain
+    wall            (m,) labels of the walls
     """
 
     site: np.ndarray
     weight: np.ndarray
     near: np.ndarray
-    covered: np.ndarray
+    held: np.ndarray
+    box: np.ndarray
+    box_label: np.ndarray
     normal: np.ndarray
     offset: np.ndarray
-    size: float
+    wall: np.ndarray
 
 
 class Wishes(NamedTuple):
-    """target (n,) volumes; scale (n,) of the thresholds by cell; threshold of edges; weights of the two sums."""
+    """What a division should be like.
+
+    target        (n,) volumes
+    scale         (n,) of the threshold about each cell
+    edge          threshold of edges
+    of_size       weight of the sizes against that of the edges
+    of_triangles  how much the edges of its own triangles count for a cell, 0 to 1
+    """
 
     target: np.ndarray
     scale: np.ndarray
     edge: float
     of_size: float
-    of_edges: float
+    of_triangles: float
 
 
 def room() -> Cut:
@@ -79,15 +90,15 @@ def room() -> Cut:
         left=np.zeros((MOST_FACES, MOST_FACES), dtype=np.int32),
         outside=np.zeros(MOST_CORNERS, dtype=np.bool_),
         rim=np.zeros((MOST_CORNERS, 2), dtype=np.int64),
-        count=np.zeros(3, dtype=np.int64),
+        used=np.zeros(3, dtype=np.int64),
     )
 
 
 @njit(cache=True)
 def _add_corner(cut, p, q, r):
     """A corner where faces p, q, r meet, counter-clockwise seen from outside; its place is solved for."""
-    t = cut.count[1]
-    cut.count[1] = t + 1
+    t = cut.used[1]
+    cut.used[1] = t + 1
     cut.corner[t, 0], cut.corner[t, 1], cut.corner[t, 2] = p, q, r
     cut.left[p, q] = cut.left[q, r] = cut.left[r, p] = t
     ax, ay, az = cut.normal[p]
@@ -106,14 +117,15 @@ def _add_corner(cut, p, q, r):
 
 
 @njit(cache=True)
-def _begin(cut, size):
-    """A cube of half a side size about the site."""
-    cut.count[0], cut.count[1] = 6, 0
+def _begin(cut, site, box, box_label):
+    """The box round the domain."""
+    cut.used[0], cut.used[1] = 6, 0
     for k in range(6):
-        cut.label[k] = FAR - k
+        outward = 1.0 if k % 2 else -1.0
+        cut.label[k] = box_label[k]
         cut.normal[k] = 0.0
-        cut.normal[k, k // 2] = 1.0 if k % 2 else -1.0
-        cut.level[k] = size
+        cut.normal[k, k // 2] = outward
+        cut.level[k] = outward * (box[k] - site[k // 2])
     for x in range(2):
         for y in range(2):
             for z in range(2):
@@ -126,16 +138,16 @@ def _begin(cut, size):
 @njit(cache=True)
 def _clip(cut, label, ax, ay, az, level):
     """Cut off what lies beyond a plane. Returns 1 if something is left, 0 if nothing, -1 where there is no room."""
-    corners, gone = cut.count[1], 0
+    corners, gone = cut.used[1], 0
     for t in range(corners):
         cut.outside[t] = ax * cut.place[t, 0] + ay * cut.place[t, 1] + az * cut.place[t, 2] > level
         gone += cut.outside[t]
     if gone == 0:
         return 1
     if gone == corners:
-        cut.count[1] = 0
+        cut.used[1] = 0
         return 0
-    f, rim = cut.count[0], 0
+    f, rim = cut.used[0], 0
     if f >= MOST_FACES:
         return -1
     for t in range(corners):
@@ -147,7 +159,7 @@ def _clip(cut, label, ax, ay, az, level):
                     rim += 1
     if corners - gone + rim > MOST_CORNERS:
         return -1
-    cut.count[0] = f + 1
+    cut.used[0] = f + 1
     cut.label[f], cut.level[f] = label, level
     cut.normal[f, 0], cut.normal[f, 1], cut.normal[f, 2] = ax, ay, az
     stay = 0
@@ -159,7 +171,7 @@ def _clip(cut, label, ax, ay, az, level):
                 cut.place[stay, 0], cut.place[stay, 1], cut.place[stay, 2] = cut.place[t]
                 cut.left[p, q] = cut.left[q, r] = cut.left[r, p] = stay
             stay += 1
-    cut.count[1] = stay
+    cut.used[1] = stay
     for k in range(rim):
         _add_corner(cut, cut.rim[k, 0], cut.rim[k, 1], f)
     return 1
@@ -169,7 +181,7 @@ def _clip(cut, label, ax, ay, az, level):
 def _reach(cut):
     """Distance of the farthest corner from the site."""
     most = 0.0
-    for t in range(cut.count[1]):
+    for t in range(cut.used[1]):
         x, y, z = cut.place[t]
         most = max(most, x * x + y * y + z * z)
     return np.sqrt(most)
@@ -190,9 +202,9 @@ def _cut_by(i, j, diagram, cut, reach):
 
 
 @njit(cache=True)
-def cut_cell(i, diagram, heaviest, cut):
+def cut_cell(i, diagram, cut):
     """Cell i in cut. Returns the distance of its farthest corner from its site; 0 if empty, -1 without room."""
-    _begin(cut, diagram.size)
+    _begin(cut, diagram.site[i], diagram.box, diagram.box_label)
     reach = _reach(cut)
     for j in diagram.near[i]:
         reach = _cut_by(i, j, diagram, cut, reach)
@@ -203,18 +215,14 @@ def cut_cell(i, diagram, heaviest, cut):
         x, y, z = diagram.site[i]
         level = diagram.offset[w] - ax * x - ay * y - az * z
         if level < reach:
-            left = _clip(cut, -1 - w, ax, ay, az, level)
+            left = _clip(cut, diagram.wall[w], ax, ay, az, level)
             if left < 1:
                 return float(left)
             reach = _reach(cut)
-    seen = reach + np.sqrt(reach * reach + heaviest - diagram.weight[i])
-    if seen > diagram.covered[i]:
-        cut.count[2] += 1
+    if reach > diagram.held[i]:
+        cut.used[2] += 1
         for j in range(len(diagram.site)):
-            x = diagram.site[j, 0] - diagram.site[i, 0]
-            y = diagram.site[j, 1] - diagram.site[i, 1]
-            z = diagram.site[j, 2] - diagram.site[i, 2]
-            if j != i and x * x + y * y + z * z < seen * seen and not _has_met(cut, j):
+            if j != i and not _has_met(cut, j):
                 reach = _cut_by(i, j, diagram, cut, reach)
                 if reach <= 0:
                     return reach
@@ -222,8 +230,26 @@ def cut_cell(i, diagram, heaviest, cut):
 
 
 @njit(cache=True)
+def hold(site, weight, near, held):
+    """Fill in held of a Diagram whose lists are made for these very sites and weights."""
+    listed = np.zeros(len(site), dtype=np.bool_)
+    for i in range(len(site)):
+        listed[near[i]] = True
+        listed[i] = True
+        least = np.inf
+        for j in range(len(site)):
+            if not listed[j]:
+                x, y, z = site[j, 0] - site[i, 0], site[j, 1] - site[i, 1], site[j, 2] - site[i, 2]
+                square = x * x + y * y + z * z
+                least = min(least, 0.5 * (square + weight[i] - weight[j]) / np.sqrt(square))
+        held[i] = least
+        listed[near[i]] = False
+        listed[i] = False
+
+
+@njit(cache=True)
 def _has_met(cut, j):
-    for p in range(cut.count[0]):  # noqa: SIM110 - compiled
+    for p in range(cut.used[0]):  # noqa: SIM110 - compiled
         if cut.label[p] == j:
             return True
     return False
@@ -262,12 +288,14 @@ def _next(cut, p, t):
 
 
 @njit(cache=True)
-def _some_corner(cut, start):
-    """start[p] becomes a corner of face p, or -1 where nothing is left of the face."""
-    start[: cut.count[0]] = -1
-    for t in range(cut.count[1]):
+def _some_corner(cut, start, sides):
+    """start[p] becomes a corner of face p, or -1 where nothing is left of the face; sides[p] the number of them."""
+    start[: cut.used[0]] = -1
+    sides[: cut.used[0]] = 0
+    for t in range(cut.used[1]):
         for k in range(3):
             start[cut.corner[t, k]] = t
+            sides[cut.corner[t, k]] += 1
 
 
 @njit(cache=True)
@@ -302,11 +330,11 @@ def _push(cut, i, t, gx, gy, gz, site, to_site, to_weight):
 
 
 @njit(cache=True)
-def _edges(cut, i, wishes, site, to_site, to_weight, wanted):
+def _edges(cut, i, wishes, site, to_site, to_weight, wanted, sides):
     """The cell's share of the energy of its short edges."""
     total = 0.0
-    wanted[: cut.count[1]] = 0.0
-    for t in range(cut.count[1]):
+    wanted[: cut.used[1]] = 0.0
+    for t in range(cut.used[1]):
         for k in range(3):
             p, q = cut.corner[t, k], cut.corner[t, (k + 1) % 3]
             s = cut.left[q, p]
@@ -327,8 +355,11 @@ def _edges(cut, i, wishes, site, to_site, to_weight, wanted):
             if square < threshold * threshold:
                 length = max(np.sqrt(square), 1e-12)
                 short = 1 - length / threshold
-                total += short * short * wishes.of_edges / cells
-                pull = -2 * short / threshold / length * wishes.of_edges / cells
+                share = 1 / 3
+                if sides[p] == 3 or sides[q] == 3:
+                    share *= wishes.of_triangles
+                total += short * short * share
+                pull = -2 * short / threshold / length * share
                 wanted[t, 0] += pull * x
                 wanted[t, 1] += pull * y
                 wanted[t, 2] += pull * z
@@ -336,7 +367,7 @@ def _edges(cut, i, wishes, site, to_site, to_weight, wanted):
                 wanted[s, 1] -= pull * y
                 wanted[s, 2] -= pull * z
     if total > 0:
-        for t in range(cut.count[1]):
+        for t in range(cut.used[1]):
             if wanted[t, 0] != 0.0 or wanted[t, 1] != 0.0 or wanted[t, 2] != 0.0:
                 _push(cut, i, t, wanted[t, 0], wanted[t, 1], wanted[t, 2], site, to_site, to_weight)
     return total
@@ -346,13 +377,13 @@ def _edges(cut, i, wishes, site, to_site, to_weight, wanted):
 def _size(cut, i, wishes, site, to_site, to_weight, start, face):
     """The cell's energy of size; face (., 5) is room for area, moments and length of normal by face."""
     volume = 0.0
-    for p in range(cut.count[0]):
+    for p in range(cut.used[0]):
         if start[p] >= 0:
             face[p, 0], face[p, 1], face[p, 2], face[p, 3], face[p, 4] = _face(cut, p, start[p])
             volume += face[p, 0] * cut.level[p] / face[p, 4] / 3
     lack = volume / wishes.target[i] - 1
     push = 2 * lack / wishes.target[i] * wishes.of_size
-    for p in range(cut.count[0]):
+    for p in range(cut.used[0]):
         j = cut.label[p]
         if start[p] >= 0 and j >= 0:
             area, by_length = face[p, 0], push / face[p, 4]
@@ -371,17 +402,17 @@ def energy(cells, diagram, wishes, cut, of_cell, to_site, to_weight):
 
     of_cell  (n,) becomes the energy of each cell listed
     """
-    total, heaviest = 0.0, diagram.weight.max()
+    total = 0.0
     to_site[:] = 0.0
     to_weight[:] = 0.0
-    start = np.empty(MOST_FACES, dtype=np.int64)
+    start, sides = np.empty(MOST_FACES, dtype=np.int64), np.empty(MOST_FACES, dtype=np.int64)
     face, wanted = np.empty((MOST_FACES, 5)), np.empty((MOST_CORNERS, 3))
     for i in cells:
-        if cut_cell(i, diagram, heaviest, cut) <= 0:
+        if cut_cell(i, diagram, cut) <= 0:
             return np.inf
-        _some_corner(cut, start)
+        _some_corner(cut, start, sides)
         of_cell[i] = _size(cut, i, wishes, diagram.site, to_site, to_weight, start, face)
-        of_cell[i] += _edges(cut, i, wishes, diagram.site, to_site, to_weight, wanted)
+        of_cell[i] += _edges(cut, i, wishes, diagram.site, to_site, to_weight, wanted, sides)
         total += of_cell[i]
     return total
 
@@ -389,16 +420,15 @@ def energy(cells, diagram, wishes, cut, of_cell, to_site, to_weight):
 @njit(cache=True)
 def measure(diagram, cut, volume, centroid, faces, beyond, area):
     """Volume (n,) and centroid (n, 3) of all cells; their faces (n,), cells beyond (n, MOST_FACES) and areas."""
-    heaviest = diagram.weight.max()
-    start = np.empty(MOST_FACES, dtype=np.int64)
+    start, sides = np.empty(MOST_FACES, dtype=np.int64), np.empty(MOST_FACES, dtype=np.int64)
     for i in range(len(diagram.site)):
         volume[i], faces[i] = 0.0, 0
         centroid[i] = diagram.site[i]
-        if cut_cell(i, diagram, heaviest, cut) <= 0:
+        if cut_cell(i, diagram, cut) <= 0:
             continue
-        _some_corner(cut, start)
+        _some_corner(cut, start, sides)
         x, y, z = 0.0, 0.0, 0.0
-        for p in range(cut.count[0]):
+        for p in range(cut.used[0]):
             if start[p] >= 0:
                 a, mx, my, mz, length = _face(cut, p, start[p])
                 part = cut.level[p] / length / 3

@@ -9,9 +9,9 @@ from scipy.sparse.linalg import cg
 from scipy.spatial import cKDTree
 
 from geometry.cells.domain import Domain
-from geometry.cells.space_energy import MOST_FACES, Diagram, Wishes, energy, measure, room
+from geometry.cells.space_energy import FAR, MOST_FACES, Diagram, Wishes, energy, hold, measure, room
 
-NEIGHBOURS = 40
+NEIGHBOURS = 48
 """Sites that are looked at first for each cell; where these may not suffice, all are."""
 
 
@@ -32,7 +32,9 @@ class SpaceDiagram:
         self._faces = np.zeros(n, dtype=np.int64)
         self._beyond = np.zeros((n, MOST_FACES), dtype=np.int64)
         self._area = np.zeros((n, MOST_FACES))
+        self._held = np.zeros(n)
         self._cut = room()
+        self._walls = _walls(domain)
         self._list()
 
     @property
@@ -42,25 +44,25 @@ class SpaceDiagram:
     def _list(self) -> None:
         n = self.count
         k = min(NEIGHBOURS, n - 1)
-        if n == 1:
-            self._near, self._covered = np.zeros((1, 0), dtype=np.int64), np.full(1, np.inf)
-        else:
-            distance, near = cKDTree(self.site).query(self.site, k + 1)
-            own = near == np.arange(n)[:, None]
-            own[~own.any(axis=1), -1] = True
-            self._near = near[~own].reshape(n, k).astype(np.int64)
-            self._covered = distance[:, -1] if k < n - 1 else np.full(n, np.inf)
-        self._listed_at = self.site.copy()
+        distance, near = cKDTree(self.site).query(self.site, [*range(1, k + 2)])
+        own = near == np.arange(n)[:, None]
+        own[~own.any(axis=1), -1] = True
+        self._near, self._apart = near[~own].reshape(n, k).astype(np.int64), distance[:, -1]
+        hold(self.site, self.weight, self._near, self._held)
+        self._listed_at = self.site.copy(), self.weight.copy()
 
     def _now(self, cells: int) -> Diagram:
         """What the compiled functions are given; new lists if they did not suffice for one of 20 of the last cells."""
-        if 20 * self._cut.count[2] > cells:
+        if 20 * self._cut.used[2] > cells:
             self._list()
-        self._cut.count[2] = 0
-        moved = np.linalg.norm(self.site - self._listed_at, axis=1)
-        size = float(2.0 * np.abs(self.domain.corners).max() + np.abs(self.site).max())
-        covered = self._covered - moved - moved.max()
-        return Diagram(self.site, self.weight, self._near, covered, self.domain.normal, self.domain.offset, size)
+        self._cut.used[2] = 0
+        site, weight = self._listed_at
+        moved = np.linalg.norm(self.site - site, axis=1)
+        moved += moved.max()
+        apart = np.maximum(self._apart - moved, 1e-3)
+        slope = 0.5 + np.ptp(weight) / (2 * apart**2)  # of a bisector's distance over that of the two sites
+        held = self._held - moved * slope - np.abs(self.weight - weight).max() / apart
+        return Diagram(self.site, self.weight, self._near, held, *self._walls)
 
     def update(self) -> bool:
         """Volumes, centroids and faces of all cells; whether none is empty."""
@@ -78,6 +80,18 @@ class SpaceDiagram:
         """Cells i, j and area (m,) of each shared face, seen from both sides."""
         held = np.arange(MOST_FACES) < self._faces[:, None]
         return np.nonzero(held)[0], self._beyond[held], self._area[held]
+
+
+def _walls(domain: Domain) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """box, box_label, normal, offset and wall of a Diagram: walls across an axis are sides of the box already."""
+    box = np.stack([domain.corners.min(axis=0), domain.corners.max(axis=0)], axis=1).ravel()
+    label, rest = np.full(6, FAR), np.ones(len(domain.offset), dtype=bool)
+    for wall, (normal, offset) in enumerate(zip(domain.normal, domain.offset, strict=True)):
+        axis = int(np.argmax(np.abs(normal)))
+        side = 2 * axis + int(normal[axis] > 0)
+        if abs(normal[axis]) == 1.0 and abs(box[side] - offset * normal[axis]) < 1e-9:
+            box[side], label[side], rest[wall] = offset * normal[axis], -1 - wall, False
+    return box, label, domain.normal[rest], domain.offset[rest], -1 - np.flatnonzero(rest)
 
 
 def relax(diagram: SpaceDiagram, times: int) -> None:
