@@ -8,21 +8,12 @@ from itertools import islice
 import numpy as np
 from scipy.spatial import cKDTree
 
+from geometry.step_colours import Colour, colours
 from geometry.step_records import Records, numbers, placement, references, strings
 
 SOLIDS = ("MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "FACETED_BREP")
 GENERATED = ("Open CASCADE STEP translator", "NONE")
 DEEPEST = 50
-PREDEFINED = {
-    "red": (1, 0, 0),
-    "green": (0, 1, 0),
-    "blue": (0, 0, 1),
-    "yellow": (1, 1, 0),
-    "magenta": (1, 0, 1),
-    "cyan": (0, 1, 1),
-    "black": (0, 0, 0),
-    "white": (1, 1, 1),
-}
 
 
 @dataclass(frozen=True)
@@ -30,7 +21,7 @@ class Label:
     """One solid as it stands in the assembly; corners (n, 3) in the unit of the file."""
 
     name: str
-    colour: tuple[float, ...] | None
+    colour: Colour | None
     corners: np.ndarray
 
 
@@ -43,7 +34,7 @@ class _Products:
     solids: dict[int, list[int]] = field(default_factory=dict)
     parts: dict[int, list[tuple[int, str, np.ndarray]]] = field(default_factory=dict)
     inner: set[int] = field(default_factory=set)
-    colour: dict[int, tuple[float, ...]] = field(default_factory=dict)
+    colour: dict[int, Colour] = field(default_factory=dict)
 
 
 def labels(entities: Records, most: int) -> list[Label]:
@@ -116,7 +107,7 @@ def _products(entities: Records) -> _Products:
         items = references(entities.get(representation, ("", ""))[1])
         result.solids.setdefault(product, []).extend(i for i in items if entities.get(i, ("",))[0] in SOLIDS)
     _assemble(result, of_kind, refer)
-    _paint(result, of_kind)
+    result.colour = colours(entities, of_kind, (n for own in result.solids.values() for n in own))
     return result
 
 
@@ -159,42 +150,6 @@ def _assemble(products: _Products, of_kind: dict[str, list[int]], refer: dict[in
             matrix = placed.get(number, np.eye(4))
             products.parts.setdefault(ends[0], []).append((ends[1], called, matrix))
             products.inner.add(ends[1])
-
-
-def _paint(products: _Products, of_kind: dict[str, list[int]]) -> None:
-    entities = products.entities
-    painted = {}
-    for kind in ("STYLED_ITEM", "OVER_RIDING_STYLED_ITEM"):
-        for number in of_kind.get(kind, []):
-            *styles, item = [*references(entities[number][1])[:2], -1][:2]
-            colour = _colour(entities, styles[0]) if styles else None
-            if colour is not None:
-                painted[item] = colour
-    for solids in products.solids.values():
-        for solid in solids:
-            below = [solid, *(n for shell in references(entities[solid][1]) for n in _below(entities, shell))]
-            own = next((painted[n] for n in below if n in painted), None)
-            if own is not None:
-                products.colour[solid] = own
-
-
-def _below(entities: Records, number: int) -> list[int]:
-    return [number, *references(entities.get(number, ("", ""))[1])]
-
-
-def _colour(entities: Records, style: int) -> tuple[float, ...] | None:
-    waiting, seen = [style], {style}
-    while waiting and len(seen) < 1000:
-        kind, arguments = entities.get(waiting.pop(), ("", ""))
-        if kind == "COLOUR_RGB":
-            value = tuple(numbers(arguments)[:3])
-            return value if len(value) == 3 else None
-        if kind == "DRAUGHTING_PRE_DEFINED_COLOUR":
-            return PREDEFINED.get(strings(arguments)[0] if strings(arguments) else "")
-        below = [n for n in references(arguments) if n not in seen]
-        seen.update(below)
-        waiting += below
-    return None
 
 
 def _walk(products: _Products, roots: list[int], repeated: set[int]) -> Iterator[tuple[int, str, np.ndarray]]:

@@ -165,6 +165,7 @@ def export_scene(words: argparse.Namespace) -> int:
 def import_blocks(words: argparse.Namespace) -> int:
     """`masonry import`: a scene and a file of blocks, and a table of what was found."""
     from masonry import importing
+    from masonry.import_report import report_text
     from masonry.printout import aligned
     from masonry.quantity import parse
 
@@ -178,7 +179,7 @@ def import_blocks(words: argparse.Namespace) -> int:
         open_gaps=words.open_gaps,
     )
     report = importing.import_file(words.file, words.out, wishes, words.overwrite)
-    print(aligned(importing.report_text(report)))
+    print(aligned(report_text(report)))
     return OK
 
 
