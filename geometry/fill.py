@@ -1,5 +1,6 @@
 """Boxes of a specimen (units, mortar beds) divided into blocks: a regular grid, or cells."""
 
+import time
 from collections.abc import Sequence
 
 import numpy as np
@@ -7,11 +8,14 @@ from threadpoolctl import threadpool_limits
 
 from geometry.blocks import Blocks
 from geometry.cells.asked import CellReport, CellsAsked
+from geometry.cells.domain import box_domain
 from geometry.cells.plane_cells import divide_plane
+from geometry.cells.power_blocks import to_blocks
+from geometry.cells.space import divide_space, space_report
 from geometry.cells.targets import given_sites, random_sites, share_out, target_sizes
 from geometry.extrude import extrude
 from geometry.grid import divide
-from geometry.shapes import from_boxes
+from geometry.shapes import concatenate, from_boxes
 
 PLANE = [0, 2]
 ATTEMPTS = 3
@@ -38,7 +42,8 @@ def fill_with_cells(low: np.ndarray, high: np.ndarray, asked: CellsAsked, group:
     else:
         site, counts = None, share_out(asked, volume, high[:, 1] - low[:, 1])
     with threadpool_limits(1):  # threads of BLAS make the many small products ten times slower
-        return _plane_cells(low, high, asked, group, counts, site, rng)
+        fill = _space_cells if asked.space else _plane_cells
+        return fill(low, high, asked, group, counts, site, rng)
 
 
 def _plane_cells(
@@ -61,3 +66,24 @@ def _plane_cells(
     loops, report = divide_plane(polygons, counts, target, seeds, asked.laguerre, asked.regularise)
     unit = np.repeat(np.arange(len(counts)), counts)
     return extrude(loops, low[unit, 1], high[unit, 1], unit, (group,)), report
+
+
+def _space_cells(
+    low: np.ndarray,
+    high: np.ndarray,
+    asked: CellsAsked,
+    group: str,
+    counts: np.ndarray,
+    site: np.ndarray | None,
+    rng: np.random.Generator,
+) -> tuple[Blocks, CellReport]:
+    """Cells in space, unit by unit: what cells of two units share is cut up as it may fall."""
+    start = np.concatenate([[0], np.cumsum(counts)])
+    target = np.split(target_sizes(asked, counts, np.prod(high - low, axis=1), rng), start[1:-1])
+    begin, parts, powers = time.perf_counter(), [], []
+    for u, sizes in enumerate(target):
+        seeds = None if site is None else site[start[u] : start[u + 1]]
+        power, _ = divide_space(box_domain(low[u], high[u]), sizes, seeds, rng, asked.laguerre, asked.regularise)
+        powers.append(power)
+        parts.append(to_blocks(power, np.full(len(sizes), u), (group,)))
+    return concatenate(parts), space_report(powers, target, time.perf_counter() - begin)
