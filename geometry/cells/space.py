@@ -4,6 +4,7 @@ import time
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.stats.qmc import Halton
 from threadpoolctl import threadpool_limits
 
 from geometry.blocks import GeometryError
@@ -68,11 +69,11 @@ def space_report(powers: Sequence[Power], targets: Sequence[np.ndarray], seconds
 
 
 def random_sites_in(domain: Domain, n: int, rng: np.random.Generator) -> np.ndarray:
-    """(n, 3) m, spread evenly at random over the domain."""
+    """(n, 3) m, at random and of even density over the domain (a scrambled Halton sequence)."""
     low, high = domain.corners.min(axis=0), domain.corners.max(axis=0)
-    found = np.zeros((0, 3))
+    sequence, found = Halton(3, seed=rng), np.zeros((0, 3))
     while len(found) < n:
-        some = rng.uniform(low, high, (2 * n, 3))
+        some = low + (high - low) * sequence.random(n)
         found = np.concatenate([found, some[domain.contains(some)]])
     return found[:n]
 
