@@ -24,6 +24,7 @@ from geometry.whole_files import require_file
 LARGEST = 500_000_000  # bytes of a file
 MEMORY = 4 << 30  # bytes
 SECONDS = 600
+START, PER_MEGABYTE = 20, 60  # s of processor time, so that a small file cannot take long
 ANSWER, COMPLAINT = "answer.npz", "complaint.txt"
 SAID, LACKS_MEMORY = 3, 4
 BLOCKS = ("points", "face_start", "face_points", "block_face_start", "unit", "group")
@@ -37,9 +38,9 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
     missing, empty or larger than 500 MB.
     """
     path = Path(path).resolve()
-    require_file(path, LARGEST)
+    seconds = min(SECONDS, START + PER_MEGABYTE * require_file(path, LARGEST) // 1_000_000)
     with tempfile.TemporaryDirectory(prefix="masonry-") as folder:
-        task = json.dumps([module, reader, str(path), words])
+        task = json.dumps([module, reader, str(path), words, seconds])
         house = str(Path(__file__).resolve().parents[1])
         surroundings = {**os.environ, "PYTHONPATH": house, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
         with open(os.devnull, "wb") as nothing:
@@ -60,16 +61,16 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
                 if child.poll() is None:
                     child.kill()
                     child.wait()
-        return _answer(Path(folder), code, path.name)
+        return _answer(Path(folder), code, path.name, seconds)
 
 
-def _answer(folder: Path, code: int, name: str) -> Imported:
+def _answer(folder: Path, code: int, name: str, seconds: int) -> Imported:
     if code == SAID:
         raise GeometryError((folder / COMPLAINT).read_text(encoding="utf-8")[:4000])
     if code == LACKS_MEMORY:
         raise GeometryError(f"'{name}': reading it takes more than {MEMORY >> 30} GB of memory; is it damaged?")
     if code == -signal.SIGXCPU:
-        raise GeometryError(f"'{name}': reading it takes more than {SECONDS} s; is it damaged?")
+        raise GeometryError(f"'{name}': reading it takes more than {seconds} s of processor time; is it damaged?")
     if code != 0:
         how = signal.Signals(-code).name if code < 0 else f"exit code {code}"
         raise GeometryError(f"'{name}' cannot be read: the reader crashed on it ({how}); it is damaged or too large")
@@ -83,15 +84,15 @@ def _answer(folder: Path, code: int, name: str) -> Imported:
 
 def serve(task: str) -> int:
     """The reader's side: limits, the call, the answer as a file in the working folder; returns the exit code."""
+    module, reader, path, words, seconds = json.loads(task)
     for limit, most in (
         (resource.RLIMIT_AS, MEMORY),
-        (resource.RLIMIT_CPU, SECONDS),
+        (resource.RLIMIT_CPU, seconds),
         (resource.RLIMIT_CORE, 0),
         (resource.RLIMIT_FSIZE, MEMORY),
     ):
         hard = resource.getrlimit(limit)[1]
         resource.setrlimit(limit, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
-    module, reader, path, words = json.loads(task)
     try:
         _save(getattr(import_module(module), reader)(Path(path), **words))
     except MemoryError:

@@ -20,6 +20,7 @@ def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None, tolerance
     """
     depth = tolerance * extent(blocks)
     low, high = bounds(blocks)
+    _require_thick(blocks, names, high - low, depth)
     pairs = overlapping_boxes(low + depth / 2, high - depth / 2)
     is_box = np.abs(volumes(blocks) / np.prod(high - low, axis=1) - 1) < 1e-12
     convex = np.ones(blocks.count, dtype=bool) if is_box.all() else are_convex(blocks, depth)
@@ -35,6 +36,18 @@ def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None, tolerance
             break
     if overlapping:
         raise GeometryError(_message(blocks, names, low, high, *min(overlapping)))
+
+
+def _require_thick(blocks: Blocks, names: Sequence[str] | None, size: np.ndarray, depth: float) -> None:
+    """Blocks thinner than what counts as touching can neither touch nor overlap."""
+    thickness = size.min(axis=1)
+    if not np.all(thickness > depth):
+        b = int(np.argmin(np.where(np.isfinite(thickness), thickness, -1.0)))
+        what = names[b] if names else f"block {b} (unit {blocks.unit[b]})"
+        raise GeometryError(
+            f"{what} is {thickness[b]:.3g} m thin in a specimen of {extent(blocks):.4g} m; it must be more than "
+            f"{depth:.3g} m"
+        )
 
 
 def _not_separated_by_faces(blocks: Blocks, pairs: np.ndarray, depth: float) -> np.ndarray:

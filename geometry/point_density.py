@@ -1,7 +1,9 @@
 """How many contact points a joint polygon gets: so many along its edges, so many in all, or a spacing."""
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -93,8 +95,10 @@ class Density:
         self._require_coarse(length)
         assert self.spacing is not None
         most = int(np.ceil(1.6 * length.max(initial=0.0) / self.spacing)) + 2
-        gaps = np.array([widest_gap(self.rule, n) for n in range(self.least, most + 1)])
-        return self.least + np.searchsorted(-gaps, -self.spacing / length)
+        numbers = range(self.least, most + 1)
+        different, place = np.unique(length, return_inverse=True)
+        found = [bisect_left(numbers, -self.spacing / x, key=lambda n: -widest_gap(self.rule, n)) for x in different]
+        return self.least + np.array(found, dtype=np.int64)[place.reshape(length.shape)]
 
     def _require_coarse(self, length: np.ndarray) -> None:
         longest = float(length.max(initial=0.0))
@@ -116,6 +120,7 @@ def edge_rule(rule: str, number: int) -> tuple[np.ndarray, np.ndarray]:
     return place, weight
 
 
+@lru_cache(maxsize=4096)
 def widest_gap(rule: str, number: int) -> float:
     """Between neighbours along an edge of length 1; a point by the end counts as next to its mirror image."""
     place = edge_rule(rule, number)[0]

@@ -2,10 +2,13 @@
 
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from geometry.blocks import GeometryError
+
+LONGEST_NAME = 48
+"""Letters of the name that the place beside keeps, so that it is no longer than a system allows."""
 
 
 @contextmanager
@@ -15,14 +18,17 @@ def whole_file(path: Path) -> Iterator[Path]:
     Raises GeometryError if the folder cannot be written to.
     """
     path = Path(path)
-    beside = path.with_name(f".{os.getpid()}-{path.name}")
+    if not path.name or "\0" in str(path):
+        raise GeometryError(f"cannot write '{path}': this is no name of a file")
+    beside = path.with_name(f".{os.getpid()}-{path.name[-LONGEST_NAME:]}")
     try:
         yield beside
         os.replace(beside, path)
     except OSError as error:
         raise GeometryError(f"cannot write '{path}': {error.strerror or error}") from error
     finally:
-        beside.unlink(missing_ok=True)
+        with suppress(OSError):
+            beside.unlink()
 
 
 def require_file(path: Path, largest: int) -> int:

@@ -6,6 +6,7 @@ trusted, 130 interrupted. Nothing that computes is imported before it is needed.
 
 import argparse
 import os
+import re
 import sys
 import tomllib
 from pathlib import Path
@@ -15,6 +16,8 @@ from masonry import __version__
 from masonry.errors import SceneError, Stopped
 
 OK, USAGE, STOPPED, INTERRUPTED = 0, 2, 3, 130
+LONGEST_WORD = 1000
+"""Letters of a word that a message repeats."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -262,5 +265,8 @@ def _save(result: Any, out: Path) -> dict[str, Path]:
 
 
 def _complain(message: str, code: int) -> int:
-    print(f"masonry: {message}", file=sys.stderr)
+    """Say it so that no letter of a file can steer the terminal, and no word of it fills the screen."""
+    short = re.sub(rf"(\S{{{LONGEST_WORD}}})\S+", r"\1...", message)
+    plain = (c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode("ascii") for c in short)
+    print(f"masonry: {''.join(plain)}", file=sys.stderr)
     return code

@@ -30,7 +30,7 @@ def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
     """
     path = Path(path)
     if path.suffix != ".png":
-        raise SceneError(f"--out '{path}': the picture is a .png file; nearest: '{path.with_suffix('.png')}'")
+        raise SceneError(f"--out '{path}': the picture is a .png file; nearest: '{path.stem or 'picture'}.png'")
     specimen, joints = joined(scene)
     figure = geometry_figure(scene, specimen, joints, view)
     with whole_file(path) as beside:

@@ -6,6 +6,8 @@ from geometry.blocks import GeometryError
 from geometry.cells.asked import CellsAsked
 
 MOST_CELLS = 200_000
+MOST_RATIO = 1e6
+"""Largest over smallest of the sizes of a unit's cells."""
 
 
 def share_out(asked: CellsAsked, volume: np.ndarray, depth: np.ndarray) -> np.ndarray:
@@ -50,6 +52,11 @@ def target_sizes(asked: CellsAsked, counts: np.ndarray, whole: np.ndarray, rng: 
 def _require_sizes(sizes: tuple[float, ...], counts: np.ndarray) -> None:
     if not np.all(np.isfinite(sizes)) or min(sizes, default=0.0) <= 0:
         raise GeometryError("cells: every one of sizes must be greater than 0")
+    if max(sizes) > MOST_RATIO * min(sizes):
+        raise GeometryError(
+            f"cells: sizes run from {min(sizes):g} to {max(sizes):g}; the largest may be {MOST_RATIO:.0e} times the "
+            f"smallest, so nearest: {max(sizes) / MOST_RATIO:g}"
+        )
     if np.any(counts != len(sizes)):
         odd = int(counts[counts != len(sizes)][0])
         raise GeometryError(f"cells: there are {len(sizes)} sizes, but a unit has {odd} cells; give {odd} sizes")

@@ -52,7 +52,10 @@ def explain(error: ValidationError, source: Source) -> SceneError:
 
 
 def _without_echoes(findings: list[ErrorDetails]) -> list[ErrorDetails]:
-    """A misspelt key is one mistake: the key that is missing for it is not told as well."""
+    """A misspelt key is one mistake, and the key that is missing for it is not told as well; nor is a list short of
+    items because some of them are wrong."""
+    within = {found["loc"][:n] for found in findings for n in range(1, len(found["loc"]))}
+    findings = [found for found in findings if found["type"] != "too_short" or found["loc"] not in within]
     missing = {found["loc"]: found for found in findings if found["type"] in MISSING}
     unknown = [found["loc"] for found in findings if found["type"] in UNKNOWN][:100]
     for *table, name in unknown:

@@ -17,6 +17,9 @@ from masonry.scene.variant import Keys, overlay
 LARGEST = 5_000_000
 DEEPEST = 8
 """Scenes that may stand one on top of the other."""
+NESTED = 32
+"""Tables within tables; a scene has five."""
+_NESTED_KEY = re.compile(rf"(?<![\w\"'-])(?:[\w\"'-]+[ \t]*\.[ \t]*){{{NESTED}}}")
 _BARE_QUANTITY = re.compile(r"=\s*([-+]?[\d.]+(?:[eE][-+]?\d+)? ?[A-Za-z][\w/^*]*)\s*(?:#.*)?$")
 
 
@@ -122,12 +125,22 @@ def _text(file: Traversable, name: str, known: dict[str, Traversable]) -> str:
 
 
 def _parse(text: str, name: str) -> dict[str, Any]:
+    too_deep = SceneError(f"{name}: not a scene: tables nested too deeply")
+    if _NESTED_KEY.search(text):  # their reader takes time that grows with the square of the depth
+        raise too_deep
     try:
-        return tomllib.loads(text)
+        raw = tomllib.loads(text)
     except RecursionError:
-        raise SceneError(f"{name}: not a scene: tables nested too deeply") from None
+        raise too_deep from None
     except ValueError as error:  # tomllib's own, and Python's limit on the digits of a number
         hint, line = "", re.search(r"at line (\d+)", str(error))
         if line and (bare := _BARE_QUANTITY.search(text.split("\n")[int(line[1]) - 1][:200].rstrip())):
             hint = f"; a quantity stands in quotes: '{bare[1]}'"
         raise SceneError(f"{name}: not valid TOML: {error}{hint}") from None
+    level: list[Any] = [raw]
+    for _ in range(NESTED):
+        level = [part for value in level for part in (value.values() if isinstance(value, dict) else value)]
+        level = [part for part in level if isinstance(part, (dict, list))]
+        if not level:
+            return raw
+    raise too_deep

@@ -153,6 +153,14 @@ def test_wrong_words_give_one_line_and_exit_code_2(words, capsys):
     assert said.out == "" and said.err.startswith("masonry: ") and said.err.count("\n") == 1
 
 
+def test_what_a_message_repeats_can_neither_steer_the_terminal_nor_fill_it(capsys):
+    assert main(["check", "couplet", "--set", 'drive.on="\x1b[2J\x07' + 5000 * "a" + '"']) == 2
+    assert main(["picture", "couplet", "--geometry", "--out", "\x1b[31m/"]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 2 and len(said) < 2500 and said.replace("\n", "").isprintable()
+    assert "\\x1b[2J" in said and "\\x1b[31m.png" in said
+
+
 def test_check_prints_every_part_of_the_report_aligned(laboratory, capsys):
     assert main(["check", "couplet"]) == 0
     lines = capsys.readouterr().out.splitlines()

@@ -16,5 +16,10 @@ def trip(path):
     raise ValueError("no such thing")
 
 
+def loop(path):
+    while True:
+        pass
+
+
 def sleep(path):
     time.sleep(60)

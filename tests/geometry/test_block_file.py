@@ -11,6 +11,7 @@ from geometry.blocks import Blocks, GeometryError, Specimen, TetMesh
 from geometry.couplet import couplet
 from geometry.joints import find_joints
 from geometry.mesher import mesh_blocks
+from geometry.whole_files import whole_file
 
 
 @pytest.fixture
@@ -204,3 +205,18 @@ def test_a_mesh_of_another_specimen_is_refused(tmp_path, specimen, mesh):
     save_blocks(tmp_path / "d.blocks.h5", specimen, wrong)
     with pytest.raises(GeometryError, match="node_start"):
         load_blocks(tmp_path / "d.blocks.h5")
+
+
+@pytest.mark.parametrize("name", ["x" * 300, "loop/a", "file/a", "a\0b", "."])
+def test_a_name_that_no_file_can_have_is_told_in_one_message(name, tmp_path):
+    (tmp_path / "loop").symlink_to("loop")
+    (tmp_path / "file").touch()
+    with pytest.raises(GeometryError, match="cannot write"), whole_file(tmp_path / name) as place:
+        place.write_text("x")
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["file", "loop"]
+
+
+def test_the_longest_name_that_the_system_allows_can_be_written(tmp_path):
+    with whole_file(tmp_path / ("x" * 255)) as place:
+        place.write_text("x")
+    assert [len(p.name) for p in tmp_path.iterdir()] == [255]

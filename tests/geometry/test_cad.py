@@ -170,6 +170,9 @@ def test_a_reader_that_crashes_loops_or_eats_memory_is_stopped(monkeypatch, tmp_
         guarded("tests.geometry.bad_readers", "eat", path)
     with pytest.raises(GeometryError, match="ValueError: no such thing"):
         guarded("tests.geometry.bad_readers", "trip", path)
+    monkeypatch.setattr("geometry.guard.START", 1)
+    with pytest.raises(GeometryError, match="more than 1 s of processor time"):
+        guarded("tests.geometry.bad_readers", "loop", path)
     monkeypatch.setattr("geometry.guard.SECONDS", 2)
     with pytest.raises(GeometryError, match="after 2 s"):
         guarded("tests.geometry.bad_readers", "sleep", path)

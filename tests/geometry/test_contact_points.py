@@ -8,7 +8,7 @@ from geometry.blocks import GeometryError
 from geometry.contact_points import contact_points
 from geometry.couplet import couplet
 from geometry.joints import find_joints
-from geometry.point_density import Density
+from geometry.point_density import Density, widest_gap
 from geometry.shapes import concatenate, from_faces
 
 DENSITIES = [
@@ -201,3 +201,10 @@ def test_neighbouring_pieces_of_one_face_are_joints_of_their_own(prism):
     below, above = prism(square, -1.0, 0.0), prism(square, 0.0, 1.0)
     joints = find_joints(from_faces([[*piece, below[0], *below[2:]], above], [0, 1], [0, 0], ["g"]), "vertex")
     assert joints.repeated == 0 and joints.area.sum() == pytest.approx(2, rel=1e-14)
+
+
+def test_a_fine_spacing_tries_few_numbers_of_points():
+    """Places of Gauss points take time that grows with the cube of their number."""
+    widest_gap.cache_clear()
+    Density("gauss", 2, None, 0.001)._by_spacing(np.array([[0.2, 0.05], [0.2, 0.05]]))
+    assert widest_gap.cache_info().misses < 20

@@ -22,6 +22,19 @@ def test_overlapping_boxes_are_named_with_size_and_place():
     assert "move one by 0.1 m along x" in message
 
 
+def test_a_box_thinner_than_what_counts_as_touching_is_refused_with_its_name():
+    for thin, said in (
+        (1e-9, r"right is 1e-09 m thin in a specimen of 2 m; it must be more than 2e-09 m"),
+        (1e-8, ""),
+    ):
+        pair = [two_boxes((1.0, 0.0, 0.0))[0], ("right", (1, 0, 0), (1, thin, 1), "units", 1, (1, 1, 1))]
+        if said:
+            with pytest.raises(GeometryError, match=said):
+                boxes(pair, 1.0)
+        else:
+            boxes(pair, 1.0)
+
+
 def test_boxes_that_touch_or_overlap_within_rounding_are_accepted():
     boxes(two_boxes((1.0, 0.5, 0.0)), 1.0)
     boxes(two_boxes((1.0 - 1e-12, 0.5, 0.0)), 1.0)

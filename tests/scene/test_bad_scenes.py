@@ -238,3 +238,17 @@ def test_the_line_is_found_inside_arrays_of_tables_and_after_long_texts(tmp_path
     )
     line = line_of(text, 'fix = ["q"]')
     assert refusal(tmp_path, text).startswith(f"bad.toml, line {line}: support.1.fix.0: ")
+
+
+@pytest.mark.parametrize(
+    "text", [f"{'.'.join(['a'] * 20000)} = 1", f"[{'.'.join(['a'] * 3000)}]", f"a = {'[' * 90}{']' * 90}"]
+)
+def test_tables_within_tables_without_end_are_refused_at_once(text, tmp_path):
+    start = time.perf_counter()
+    assert refusal(tmp_path, f'base = "couplet"\n{text}\n').endswith("tables nested too deeply")
+    assert time.perf_counter() - start < 2.0
+
+
+def test_a_list_is_not_called_empty_because_of_a_wrong_item(tmp_path):
+    said = refusal(tmp_path, 'base = "couplet"\nspecimen.cells = {total = 2, sizes = ["a"]}\n')
+    assert "sizes.0: 'a' is not a plain number" in said and "\n" not in said

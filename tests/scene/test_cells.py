@@ -100,6 +100,7 @@ def test_a_grid_and_cells_exclude_each_other():
     ("override", "words"),
     [
         ("specimen.cells.size=0.01 mm", r"specimen\.cells: this would make about 2.* blocks"),
+        ("specimen.cells={per_unit=2, sizes=[1e-9, 1]}", "sizes run from 1e-09 to 1; the largest may be 1e.06 times"),
         ("specimen.cells.total=9", "total is 9, but there are 10 units; nearest: 10"),
     ],
 )
