@@ -104,10 +104,13 @@ def relax(diagram: SpaceDiagram, times: int) -> None:
 def hold_sizes(diagram: SpaceDiagram, target: np.ndarray, tolerance: float = 1e-10, most: int = 60) -> bool:
     """Newton's method on the weights until every volume is its target (n,); damped so that no cell dries up.
 
-    Kitagawa, Merigot and Thibert (2019). Returns whether all volumes are within the tolerance of their targets.
+    Kitagawa, Merigot and Thibert (2019). Returns whether all volumes are within the tolerance of their targets. Where
+    weights have left a cell empty they begin anew at 0, at which every site has a cell.
     """
     if not diagram.update():
-        return False
+        diagram.weight = np.zeros_like(diagram.weight)
+        if not diagram.update():
+            return False
     least = 0.5 * min(diagram.volume.min(), target.min())
     for _ in range(most):
         lack = target - diagram.volume

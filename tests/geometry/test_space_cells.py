@@ -208,3 +208,11 @@ def test_of_the_edges_of_5000_cells_at_most_one_in_twenty_is_small():
     power, report = divided(5000)
     assert bends(power).max() < 1e-9 * report.h
     assert report.size_error < 0.02 and report.small_edges <= 0.05
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_every_cell_is_there_however_unequal_the_sizes_and_thin_the_unit(seed):
+    thin = box_domain(np.zeros(3), np.array([0.25, 0.0115, 0.123]))
+    power, report = divided(8, seed, thin, spread=1.0)
+    assert np.all(np.diff(power.cell_start) >= 4)
+    assert report.size_error < 1e-6
