@@ -24,7 +24,7 @@ from geometry.whole_files import require_file
 LARGEST = 500_000_000  # bytes of a file
 MEMORY = 4 << 30  # bytes
 SECONDS = 600
-START, PER_MEGABYTE = 20, 60  # s of processor time, so that a small file cannot take long
+START, PER_MEGABYTE = 15, 60  # s of processor time, so that a small file cannot take long
 ANSWER, COMPLAINT = "answer.npz", "complaint.txt"
 SAID, LACKS_MEMORY = 3, 4
 BLOCKS = ("points", "face_start", "face_points", "block_face_start", "unit", "group")
@@ -37,7 +37,7 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
     Raises GeometryError with the reader's message, or one that says how the reader ended; also for a file that is
     missing, empty or larger than 500 MB.
     """
-    path = Path(path).resolve()
+    path = Path(path).absolute()
     seconds = min(SECONDS, START + PER_MEGABYTE * require_file(path, LARGEST) // 1_000_000)
     with tempfile.TemporaryDirectory(prefix="masonry-") as folder:
         task = json.dumps([module, reader, str(path), words, seconds])
@@ -112,7 +112,7 @@ def _save(found: Imported) -> None:
         arrays |= {key: getattr(found.mesh, key) for key in MESH}
     if found.colours is not None:
         arrays["colours"] = found.colours
-    text = json.dumps(words).encode("utf-8", "replace")
+    text = json.dumps(words, ensure_ascii=False).encode("utf-8", "replace")
     np.savez(ANSWER, words=np.frombuffer(text, dtype=np.uint8), **arrays)
 
 

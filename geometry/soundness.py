@@ -10,6 +10,8 @@ FLAT = 1e-9
 """How far a corner may stand off its face, over the specimen's longest side."""
 CLOSED = 1e-7
 """What the area vectors of a block's faces may add up to, over the block's surface."""
+FARTHEST = 1e8
+"""m from the origin; beyond, areas and volumes lose themselves in rounding, and at last overflow."""
 PADDED = 5e7
 """Faces times the corners of the largest: the size of the tables that measures work on."""
 FILLED = 1e-6
@@ -19,6 +21,7 @@ FILLED = 1e-6
 def require_sound(blocks: Blocks) -> None:
     """Raise GeometryError, naming the block or face, unless all numbers are sane, faces flat and blocks closed."""
     _require_table("points", blocks.points, (None, 3), float)
+    require_near(blocks)
     for name in ("face_start", "face_points", "block_face_start", "unit", "group"):
         _require_table(name, getattr(blocks, name), (None,), int)
     if blocks.count == 0:
@@ -34,6 +37,15 @@ def require_sound(blocks: Blocks) -> None:
     _require_range("group", blocks.group, len(blocks.groups))
     _require_flat(blocks)
     _require_closed(blocks)
+
+
+def require_near(blocks: Blocks) -> None:
+    """Raise GeometryError for points too far from the origin to be a building."""
+    reach = float(np.abs(blocks.points).max(initial=0.0))
+    if not reach <= FARTHEST:
+        raise GeometryError(
+            f"points lie up to {reach:.3g} m from the origin, allowed: {FARTHEST:.0e} m; is the unit right?"
+        )
 
 
 def require_sound_mesh(blocks: Blocks, mesh: TetMesh) -> None:

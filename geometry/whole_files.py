@@ -1,6 +1,7 @@
 """Files appear whole or not at all: written beside the place and put there at the end."""
 
 import os
+import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -34,13 +35,17 @@ def whole_file(path: Path) -> Iterator[Path]:
 def require_file(path: Path, largest: int) -> int:
     """Size in bytes of a plain file that can be read and is no larger than allowed; GeometryError otherwise."""
     path = Path(path)
-    if not path.exists():
-        raise GeometryError(f"'{path}' does not exist")
-    if not path.is_file():
+    try:
+        state = path.stat()
+    except FileNotFoundError:
+        raise GeometryError(f"'{path}' does not exist") from None
+    except (OSError, ValueError) as error:
+        raise GeometryError(f"'{path}' cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    if not stat.S_ISREG(state.st_mode):
         raise GeometryError(f"'{path}' is no file")
     if not os.access(path, os.R_OK):
         raise GeometryError(f"'{path}' cannot be read: permission denied")
-    size = path.stat().st_size
+    size = state.st_size
     if size == 0:
         raise GeometryError(f"'{path}' is empty")
     if size > largest:

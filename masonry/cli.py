@@ -244,7 +244,7 @@ def _one(unit: str) -> str:
 
 def _group(text: str) -> tuple[str, str]:
     pattern, equals, group = text.rpartition("=")
-    if not equals or not pattern or not group or "." in group:
+    if not equals or not pattern or not group or "." in group or not group.isprintable():
         raise SceneError(f"--group '{text}': write PATTERN=GROUP, for example 'brick*=units'; no dot in a group")
     return pattern, group
 

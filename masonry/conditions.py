@@ -69,7 +69,7 @@ def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[n
     if word not in specimen.sets and word[-1:] in "+-" and "." in word:
         name, _, face = word.rpartition(".")
     if name not in specimen.sets:
-        face_too = f"or a face of one, such as '{min(specimen.sets)}.z+'"
+        face_too = f"or a face of one, such as '{min(specimen.sets, default='bottom')}.z+'"
         raise SceneError(f"{where} = '{word}' selects nothing; {nearest(name, specimen.sets)}, {face_too}")
     chosen = specimen.sets[name]
     if face is None:

@@ -5,7 +5,7 @@ import json
 import numpy as np
 
 from geometry.blocks import Joints, Specimen
-from masonry.contact_groups import contact_groups
+from masonry.contact_groups import contact_group_name, contact_groups
 
 MATERIAL = """density = "1900 kg/m^3"
 # young_modulus = "10 GPa"        # for kinematics "affine" and "tets"
@@ -52,7 +52,7 @@ INVENTED = "a placeholder that the import made up: put in your own"
 
 def scene_text(specimen: Specimen, joints: Joints, source: str, blocks_file: str, section_is_made_up: bool) -> str:
     """TOML of a scene on these blocks. Where blocks reach from bottom to top there is weight instead of a drive."""
-    contacts = contact_groups(specimen.blocks, joints)[0] if len(joints.area) else ("unit_unit",)
+    contacts = contact_groups(specimen.blocks, joints)[0] or (_possible(specimen.blocks.groups[0]),)
     spans = np.intersect1d(specimen.sets["bottom"], specimen.sets["top"])
     loading = WEIGHT if len(spans) else PRESS
     invented = [f"material.{group}" for group in specimen.blocks.groups]
@@ -79,6 +79,11 @@ def scene_text(specimen: Specimen, joints: Joints, source: str, blocks_file: str
     if section_is_made_up:
         lines.append(f'"specimen.section" = {_quoted("the import took the area of the faces in the lowest plane")}')
     return "\n".join(lines) + "\n"
+
+
+def _possible(group: str) -> str:
+    """The contacts that a lone block could have with one like it."""
+    return contact_group_name(group, group, same_unit=False)
 
 
 def _key(name: str) -> str:

@@ -1,5 +1,6 @@
 """`masonry import`: a file of solids or of a mesh becomes a file of blocks and a scene that can be run at once."""
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
@@ -16,6 +17,7 @@ from geometry.joints import find_joints
 from geometry.measures import bounds, extent, face_areas_normals_centroids
 from geometry.mend import Mended, mend
 from geometry.overlaps import check_overlaps
+from geometry.soundness import require_near, require_sound
 from geometry.whole_files import whole_file
 from masonry.errors import SceneError, nearest
 from masonry.import_scene import scene_text
@@ -27,6 +29,7 @@ READERS = {
 }
 TOLERANCE = 1e-4  # m
 SUFFIX = ".blocks.h5"
+SECTIONS = 1e-12, 1e8  # m2, what a scene allows
 
 
 @dataclass(frozen=True)
@@ -74,29 +77,46 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
             raise SceneError(f"--thickness: only plane .tess files need it, not '{source}'")
         words["thickness"] = wishes.thickness
     found = guarded(*reader, source, **words)
+    require_near(found.blocks)
     names = tuple(name or f"solid {number}" for number, name in enumerate(found.names, start=1))
     found = grouped(found, names, wishes.groups)
     mended = mend(found.blocks, wishes.tolerance, names, wishes.open_gaps) if is_cad else None
     blocks = mended.blocks if mended else found.blocks
     if mended is None:
         check_overlaps(blocks, names)
-    specimen = Specimen(blocks, _sets(blocks, found.names), _section(blocks, wishes.section), "file")
+    require_sound(blocks)
+    section = _section(blocks, wishes.section)
+    if not SECTIONS[0] <= section <= SECTIONS[1]:
+        raise SceneError(
+            f"'{source}': its faces in the lowest plane have {section:.3g} m^2, allowed: {SECTIONS[0]:g} to "
+            f"{SECTIONS[1]:g} m^2; say by --unit what 1 in the file stands for"
+        )
+    specimen = Specimen(blocks, _sets(blocks, found.names), section, "file")
     joints = find_joints(blocks)
-    text = scene_text(specimen, joints, source.name, target.name, wishes.section is None)
-    save_blocks(target, specimen, found.mesh)
+    text = scene_text(specimen, joints, _readable(source.name), target.name, wishes.section is None)
     with whole_file(out) as place:
         place.write_text(text, encoding="utf-8")
+        save_blocks(target, specimen, found.mesh)
     return Report(specimen, joints, mended, names, found.notes, (out, target))
 
 
 def _require_free(source: Path, out: Path, target: Path, overwrite: bool) -> None:
     if out.suffix != ".toml":
         raise SceneError(f"--out '{out}': must be the name of a scene, for example '{source.stem}.toml'")
-    if not out.parent.is_dir():
+    if _readable(out.name) != out.name:
+        raise SceneError(f"--out '{out}': the scene cannot hold this name; give one in UTF-8")
+    if not os.path.isdir(out.parent):
         raise SceneError(f"--out '{out}': the folder '{out.parent}' does not exist")
-    there = [str(path) for path in (out, target) if path.exists()]
+    there = [str(path) for path in (out, target) if os.path.lexists(path)]
     if there and not overwrite:
         raise SceneError(f"'{there[0]}' exists already; --overwrite replaces it")
+    if folders := [str(path) for path in (out, target) if os.path.isdir(path)]:
+        raise SceneError(f"'{folders[0]}' is a folder; give another --out")
+
+
+def _readable(name: str) -> str:
+    """A name that may hold bytes which are no text, as text."""
+    return name.encode("utf-8", "replace").decode()
 
 
 def grouped(found: Imported, names: Sequence[str], rules: Sequence[tuple[str, str]]) -> Imported:

@@ -149,6 +149,28 @@ def test_wrong_words_end_in_one_message(wall, tmp_path, capsys):
     imported(wall, out, "--overwrite")
 
 
+def test_names_that_the_system_or_the_scene_cannot_hold_leave_nothing_behind(wall, tmp_path, capsys):
+    loop = tmp_path / "loop.step"
+    loop.symlink_to("loop.step")
+    assert "cannot be read" in complaint(capsys, loop, "--out", tmp_path / "out.toml")
+    assert "UTF-8" in complaint(capsys, wall, "--out", tmp_path / "a\udcff.toml")
+    assert "cannot write" in complaint(capsys, wall, "--out", tmp_path / f"{248 * 'x'}.toml")
+    assert "no dot" in complaint(capsys, wall, "--out", tmp_path / "out.toml", "--group", "*=\x1b[2J")
+    (tmp_path / "out.toml").mkdir()
+    assert "is a folder" in complaint(capsys, wall, "--out", tmp_path / "out.toml", "--overwrite")
+    assert "--unit" in complaint(capsys, wall, "--out", tmp_path / "small.toml", "--unit", "1e-9 m")
+    brep = files.write_step(tmp_path.parent / "far.step", files.wall(1, 1, 0, 1e9), [])
+    assert "from the origin" in complaint(capsys, brep, "--out", tmp_path / "far.toml", "--unit", "1000 m")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["loop.step", "out.toml"]
+
+
+@pytest.mark.parametrize("group", ["stone", "units", "mortar", "plates"])
+def test_a_lone_block_of_any_group_makes_a_scene_that_can_be_checked(tmp_path, group):
+    path = files.write_step(tmp_path / "one.step", files.wall(1, 1), ["pillar"])
+    imported(path, tmp_path / "one.toml", "--group", f"*={group}")
+    assert main(["check", str(tmp_path / "one.toml")]) == 0
+
+
 @pytest.mark.parametrize("suffix", [".step", ".tess", ".msh", ".vtu", ".brep", ".iges"])
 def test_torn_empty_and_hostile_files_end_in_one_message(tmp_path, capsys, suffix):
     contents = {

@@ -83,6 +83,7 @@ def put(row, value):
 
 DAMAGES = {
     "points not finite": ("blocks/points", put((0, 1), np.nan), "not finite"),
+    "points as far as the stars": ("blocks/points", lambda p: p * 1e300, "is the unit right"),
     "corner out of range": ("blocks/face_points", put(0, 10**9), "allowed: 0 to"),
     "negative corner": ("blocks/face_points", put(0, -1), "allowed: 0 to"),
     "a face that falls back": ("blocks/face_start", put(1, 9), "at least 3"),
