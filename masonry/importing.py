@@ -29,6 +29,7 @@ READERS = {
 }
 TOLERANCE = 1e-4  # m
 SUFFIX = ".blocks.h5"
+LONGEST_NAME = 200  # letters, what a scene allows
 SECTIONS = 1e-12, 1e8  # m2, what a scene allows
 
 
@@ -66,7 +67,7 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
     reader = READERS.get(source.suffix.lower())
     if reader is None:
         raise SceneError(f"'{source}': {source.suffix or 'a file without suffix'} is not read; {nearest('', READERS)}")
-    target = out.with_name(out.name.removesuffix(".toml") + SUFFIX)
+    target = out.parent / (out.name.removesuffix(".toml") + SUFFIX)
     _require_free(source, out, target, overwrite)
     words: dict[str, Any] = {} if wishes.unit is None else {"unit": wishes.unit}
     is_cad = reader[0] == "geometry.cad"
@@ -103,8 +104,8 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
 def _require_free(source: Path, out: Path, target: Path, overwrite: bool) -> None:
     if out.suffix != ".toml":
         raise SceneError(f"--out '{out}': must be the name of a scene, for example '{source.stem}.toml'")
-    if _readable(out.name) != out.name:
-        raise SceneError(f"--out '{out}': the scene cannot hold this name; give one in UTF-8")
+    if _readable(out.name) != out.name or len(out.stem) > LONGEST_NAME:
+        raise SceneError(f"--out '{out}': no name of a scene; give one in UTF-8, at most {LONGEST_NAME} letters long")
     if not os.path.isdir(out.parent):
         raise SceneError(f"--out '{out}': the folder '{out.parent}' does not exist")
     there = [str(path) for path in (out, target) if os.path.lexists(path)]
