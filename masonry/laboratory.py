@@ -22,6 +22,8 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None) -> Res
     Raises SceneError or GeometryError before anything is computed, Stopped (with `.result`, the rows up to the last
     trusted one) when the numbers can no longer be trusted. Ctrl-C ends the run; the result says so.
     """
+    if progress is not None:
+        progress(0, 0, "building the specimen")
     assembly = assemble(scene)
     outcome = timeloop.run(assembly.model, assembly.program, assembly.recording, threads, progress)
     result = Result(

@@ -46,7 +46,8 @@ FLOORS = {
         " masonry.assembly masonry.specimens masonry.conditions masonry.held"
         " masonry.size_guard masonry.block_files masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
-        " masonry.solid_view masonry.condition_marks masonry.mark_drawing masonry.summary masonry.laboratory masonry.sweep",
+        " masonry.solid_view masonry.condition_marks masonry.mark_drawing"
+        " masonry.summary masonry.laboratory masonry.sweep",
         sees="scene run model equations errors geometry",
     ),
     "verification": Floor("verification", sees="verification scene run model equations errors geometry"),
