@@ -95,12 +95,8 @@ def room() -> Cut:
 
 
 @njit(cache=True)
-def _add_corner(cut, p, q, r):
-    """A corner where faces p, q, r meet, counter-clockwise seen from outside; its place is solved for."""
-    t = cut.used[1]
-    cut.used[1] = t + 1
-    cut.corner[t, 0], cut.corner[t, 1], cut.corner[t, 2] = p, q, r
-    cut.left[p, q] = cut.left[q, r] = cut.left[r, p] = t
+def _crosses(cut, p, q, r):
+    """Cross products of the normals of faces p, q and r, two by two, and the product of all three."""
     ax, ay, az = cut.normal[p]
     bx, by, bz = cut.normal[q]
     cx, cy, cz = cut.normal[r]
@@ -108,6 +104,17 @@ def _add_corner(cut, p, q, r):
     vx, vy, vz = cy * az - cz * ay, cz * ax - cx * az, cx * ay - cy * ax
     wx, wy, wz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
     det = ax * ux + ay * uy + az * uz
+    return ux, uy, uz, vx, vy, vz, wx, wy, wz, det
+
+
+@njit(cache=True)
+def _add_corner(cut, p, q, r):
+    """A corner where faces p, q, r meet, counter-clockwise seen from outside; its place is solved for."""
+    t = cut.used[1]
+    cut.used[1] = t + 1
+    cut.corner[t, 0], cut.corner[t, 1], cut.corner[t, 2] = p, q, r
+    cut.left[p, q] = cut.left[q, r] = cut.left[r, p] = t
+    ux, uy, uz, vx, vy, vz, wx, wy, wz, det = _crosses(cut, p, q, r)
     if det == 0.0:
         det = 1e-300
     f, g, h = cut.level[p] / det, cut.level[q] / det, cut.level[r] / det
@@ -302,13 +309,7 @@ def _some_corner(cut, start, sides):
 def _push(cut, i, t, gx, gy, gz, site, to_site, to_weight):
     """Hand what is wanted of corner t (gx, gy, gz) on to its generators."""
     p, q, r = cut.corner[t]
-    ax, ay, az = cut.normal[p]
-    bx, by, bz = cut.normal[q]
-    cx, cy, cz = cut.normal[r]
-    ux, uy, uz = by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx
-    vx, vy, vz = cy * az - cz * ay, cz * ax - cx * az, cx * ay - cy * ax
-    wx, wy, wz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    det = ax * ux + ay * uy + az * uz
+    ux, uy, uz, vx, vy, vz, wx, wy, wz, det = _crosses(cut, p, q, r)
     if det == 0.0:
         return
     for k in range(3):
