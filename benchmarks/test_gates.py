@@ -17,6 +17,7 @@ from masonry.laws.elastic import Elastic
 from masonry.laws.exponential import Exponential
 from masonry.laws.interface import Interface
 from masonry.laws.state import ContactState, fresh
+from masonry.pace import Chunk
 
 COUNT = 5000
 INTERFACE = Interface(167e9, 69.6e9, 0.1e6, 0.15e6, 1.0, 0.0, 0.7265, combined=1.0)
@@ -87,10 +88,11 @@ def stepper(name: str, overrides: list[str], ledger: bool = True, steps: int = 2
     model, gauge = assembly.model, np.zeros(steps)
     if not ledger:
         model.bodies = tuple(None if b is None else b._replace(work=None) for b in model.bodies)
-    timeloop.compile_for(model, assembly.program, 1)
+    timeloop.compile_for(model, 1)
+    chunk = Chunk(assembly.plan.dead_load[: steps + 1], assembly.plan.speed[: steps + 1], row=False)
 
     def take():
-        timeloop.advance_model(model, assembly.program, 1, 0, steps, gauge)
+        timeloop.advance_model(model, chunk, 1, 0, steps, gauge)
 
     return take, model
 

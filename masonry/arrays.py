@@ -44,9 +44,16 @@ def number_sides(sides: tuple, first: dict[str, int], rows: dict[str, int]) -> t
 
 
 def bodies_of(
-    layout: Layout, conditions: Conditions, masses: dict, dt: float, lame: np.ndarray, ordered: dict, first: dict
+    layout: Layout,
+    conditions: Conditions,
+    masses: dict,
+    dt: float,
+    lame: np.ndarray,
+    ordered: dict,
+    first: dict,
+    guided: bool,
 ) -> tuple:
-    """(rigid, affine, tets), None where absent."""
+    """(rigid, affine, tets), None where absent; guided bodies have room for their expected velocities."""
     common = {}
     for kind in KINDS:
         held, load = conditions.prescribed[kind], conditions.load[kind]
@@ -60,6 +67,7 @@ def bodies_of(
                 "start": start,
                 "code": code,
                 "load": load,
+                "guess": np.zeros(held.shape) if guided else None,
                 "work": np.zeros((len(layout.members[kind]), 3)),
             },
         }

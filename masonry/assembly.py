@@ -15,6 +15,7 @@ from masonry.bodies import Material, lay_out
 from masonry.conditions import conditions_of
 from masonry.contact_groups import contact_group_name
 from masonry.errors import SceneError, nearest
+from masonry.guide import LITTLE
 from masonry.held import require_held
 from masonry.laws import build as law_build
 from masonry.scene import Scene
@@ -32,7 +33,7 @@ class Assembly:
     joints: Joints
     mesh: TetMesh | None
     model: model.Model
-    program: loads.Program
+    plan: loads.Program | loads.Controlled
     recording: Recording
 
 
@@ -56,16 +57,18 @@ def assemble(scene: Scene) -> Assembly:
     compressions = sorted({0.0, scene.confinement or 0.0})
     laws = {name: law_build.build(name, _properties(scene.contact[name]), compressions) for name in names}
     s = scene.solver
-    stepping = model.Stepping(s.masses, s.time_step, s.step_fraction, s.damping)
+    stepping = model.Stepping(
+        s.masses, s.time_step, s.step_fraction, LITTLE if scene.is_controlled else s.damping, scene.is_controlled
+    )
     if s.time_step == "equation-11" and s.masses == "scaled":
         raise SceneError(
             'solver.time_step = "equation-11" needs solver.masses = "real": scaled masses have one bound of their own'
         )
     built = model.build(blocks, joints, materials, laws, stepping, conditions, layout)
-    program = _program(scene, built.dt)
+    plan = _plan(scene, built.dt)
     sign = scene.drive.sign if scene.drive else 1.0
     recording = Recording(specimen.section, sign, s.rows, s.rotation_limit)
-    return Assembly(scene, specimen, joints, mesh, built, program, recording)
+    return Assembly(scene, specimen, joints, mesh, built, plan, recording)
 
 
 def joined(scene: Scene) -> tuple[Specimen, Joints]:
@@ -139,9 +142,11 @@ def _require_contact_groups(scene: Scene, specimen: Specimen, joints: Joints) ->
             raise SceneError(f"[contact.{name}]: no such contacts in this specimen; {nearest(name, possible)}")
 
 
-def _program(scene: Scene, dt: float) -> loads.Program:
+def _plan(scene: Scene, dt: float) -> loads.Program | loads.Controlled:
     settle = scene.settle.steps if scene.settle else 0
     if scene.drive is None:
         return loads.program(dt, settle, 0.0, None, None, 0.0)
     d = scene.drive
+    if d.accuracy is not None:
+        return loads.controlled(settle, d.sign * d.displacement, d.accuracy)
     return loads.program(dt, settle, d.sign * d.displacement, d.steps, d.rate, d.ramp)

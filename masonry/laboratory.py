@@ -8,6 +8,7 @@ import numpy as np
 from masonry import timeloop
 from masonry.assembly import Assembly, assemble
 from masonry.errors import Stopped
+from masonry.kernels.freedom import Guided
 from masonry.quality_lines import quality_lines
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
@@ -25,7 +26,7 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None) -> Res
     if progress is not None:
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)
-    outcome = timeloop.run(assembly.model, assembly.program, assembly.recording, threads, progress)
+    outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress)
     result = Result(
         summary=summarise(assembly, outcome),
         history=outcome.history,
@@ -59,7 +60,7 @@ def check(scene: Scene) -> dict[str, Any]:
         "time_step_s": model.dt,
         "limited_by": model.limited_by,
         "quality": quality_lines(assembly),
-        "steps": assembly.program.steps,
+        "steps": assembly.plan.steps,
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),
         "compiled": compiled(assembly),
@@ -79,7 +80,7 @@ def expected_seconds(assembly: Assembly) -> float:
     blocks = len(m.layout.members["rigid"]) + 2 * len(m.layout.members["affine"])
     each = {"contact": len(m.group), "side": 2 * len(m.group), "block": blocks, "tet": tets, "node": nodes, "step": 1}
     step = sum(NANOSECONDS[key] * count for key, count in each.items())
-    return 1e-9 * (assembly.program.steps * step + assembly.recording.rows * NANOSECONDS["row"])
+    return 1e-9 * (assembly.plan.steps * step + assembly.recording.rows * NANOSECONDS["row"])
 
 
 def left_out(assembly: Assembly) -> list[str]:
@@ -94,6 +95,8 @@ def left_out(assembly: Assembly) -> list[str]:
         out.append("damping")
     if all(drive is None for drive in m.drives):
         out.append("drive")
+    if all(body is None or body.guess is None for body in m.bodies):
+        out.append("expected motion: a drive at a rate or in steps has no use for it")
     for name, interface in zip(m.group_names, m.groups[1], strict=True):
         lacks = []
         if interface.tensile_strength is None:
@@ -114,7 +117,14 @@ def compiled(assembly: Assembly) -> list[str]:
     m = assembly.model
     names = [f"{len(v)} {k} blocks" for k, v in m.layout.members.items() if len(v)]
     laws = [f"{n}: {type(s).__name__.lower()} law" for n, s in zip(m.group_names, m.groups[0], strict=True)]
-    return [*names, *laws, f"local damping {m.damping:g}" if m.damping else "no damping", "energy ledger"]
+    return [*names, *laws, damping_text(m.damping), "energy ledger"]
+
+
+def damping_text(damping: float | Guided | None) -> str:
+    """The damping of a step in words."""
+    if isinstance(damping, Guided):
+        return f"viscous damping of the unexpected motion, local damping {damping.xi:g}"
+    return f"local damping {damping:g}" if damping else "no damping"
 
 
 def warnings(assembly: Assembly) -> list[str]:

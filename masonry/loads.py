@@ -112,6 +112,38 @@ class Program:
         return len(self.speed) - 1
 
 
+@dataclass(frozen=True)
+class Controlled:
+    """A drive paced by its error (pace.py): displacement (m, signed) and accuracy (0.01 is 1 %).
+
+    dead_load  (settle + 1,) share of the dead load at each step before the drive starts; its last value stays
+    """
+
+    dead_load: np.ndarray
+    displacement: float
+    accuracy: float
+
+    ramp = 0
+
+    @property
+    def settle(self) -> int:
+        return len(self.dead_load) - 1
+
+    @property
+    def steps(self) -> int:
+        """About how many there will be: what tests of masonry took."""
+        return self.settle + 4000 + round(150 / self.accuracy)
+
+
+def controlled(settle: int, displacement: float, accuracy: float) -> Controlled:
+    """Dead loads rise over the first half of `settle`; then the drive makes `displacement` to an accuracy."""
+    return Controlled(_rise(settle, settle), displacement, accuracy)
+
+
+def _rise(settle: int, steps: int) -> np.ndarray:
+    return smooth(np.arange(steps + 1) / (0.5 * settle)) if settle else np.zeros(steps + 1)
+
+
 def program(dt: float, settle: int, displacement: float, steps: int | None, rate: float | None, ramp: float) -> Program:
     """Dead loads rise over the first half of `settle`; then the drive makes exactly `displacement` (m, signed).
 
@@ -132,10 +164,9 @@ def program(dt: float, settle: int, displacement: float, steps: int | None, rate
             "raise drive.rate, or give drive.steps"
         )
     k = np.arange(settle + count + 1)
-    dead_load = smooth(k / (0.5 * settle)) if settle else np.zeros(len(k))
     shape: np.ndarray = np.where(
         k < settle, 0.0, smooth((k - settle + 0.5) / (ramp * count)) if ramp * count > 0 else 1.0
     )
     shape[[0, -1]] = 0.0  # the first step starts at rest; what is set after the last step moves nothing
     speed = shape * (displacement / (dt * shape.sum())) if count else np.zeros(len(k))
-    return Program(dead_load, speed, settle, int(np.ceil(ramp * count)))
+    return Program(_rise(settle, settle + count), speed, settle, int(np.ceil(ramp * count)))

@@ -9,6 +9,7 @@ from masonry import stiffness
 from masonry.arrays import bodies_of, memory_of, number_sides, own_memory
 from masonry.bodies import KINDS, Layout, Material, real_masses
 from masonry.contact_groups import contact_groups
+from masonry.kernels.freedom import Guided
 from masonry.laws.state import ContactState
 from masonry.loads import Conditions
 from masonry.step_cost import StepCost, step_cost
@@ -17,12 +18,14 @@ from masonry.step_cost import StepCost, step_cost
 @dataclass(frozen=True)
 class Stepping:
     """How time advances. masses: "scaled" (quasi-static) or "real"; time_step: "gershgorin", "equation-11", or seconds;
-    step_fraction: of the proven bound (of eq. (11): its frac); damping: xi of eq. (3)."""
+    step_fraction: of the proven bound (of eq. (11): its frac); damping: xi of eq. (3); guided: damp what moves
+    otherwise than expected besides (guide.py)."""
 
     masses: str = "scaled"
     time_step: str | float = "gershgorin"
     step_fraction: float = 0.9
     damping: float = 0.8
+    guided: bool = False
 
 
 @dataclass
@@ -41,7 +44,7 @@ class Model:
     drives: tuple
     supports: tuple
     masses: dict[str, np.ndarray]
-    damping: float | None
+    damping: float | Guided | None
     dt: float
     bound: float
     limited_by: str
@@ -101,7 +104,7 @@ def build(
     first["between"] = first["affine"] + int(np.sum(forms == KINDS.index("affine")))
     side_rows, ordered = number_sides(sides, first, rows)
     u = np.zeros((first["between"] + int(np.sum(forms == stiffness.BETWEEN)), 3))
-    bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first)
+    bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first, stepping.guided)
     state = memory_of(group, interfaces)
     bounds = np.searchsorted(group, np.arange(len(names) + 1))
     states = tuple(own_memory(state, i) for i in interfaces)
@@ -118,7 +121,7 @@ def build(
         drives=tuple(conditions.driven.get(kind) for kind in KINDS),
         supports=tuple(conditions.support.get(kind) for kind in KINDS),
         masses={kind: np.where(conditions.prescribed[kind], 0.0, masses[kind]) for kind in KINDS},
-        damping=stepping.damping or None,
+        damping=Guided(0.0, stepping.damping) if stepping.guided else stepping.damping or None,
         dt=dt,
         bound=bound,
         limited_by=limited_by,

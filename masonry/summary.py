@@ -21,10 +21,10 @@ BROKEN, DAMAGED = 0.95, 0.05
 def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     """Keys in SI. Maxima are taken from the end of the drive's ramp, or from the peak where it comes first."""
     scene, model, rows = assembly.scene, assembly.model, outcome.history.rows
-    program = assembly.program
-    settled = rows["step"] > program.settle
+    plan = assembly.plan
+    settled = rows["step"] > plan.settle
     at_peak = rows["step"][settled][int(np.argmax(rows["stress"][settled]))] if settled.any() else 0
-    after = settled & (rows["step"] >= min(program.settle + program.ramp, at_peak))
+    after = settled & (rows["step"] >= min(plan.settle + plan.ramp, at_peak))
     peak = outcome.peak_force / assembly.specimen.section
     mismatch = np.abs(rows["stress"] - rows["support_stress"])[after]
     internal = rows["elastic_blocks"] + rows["contact_work"]
@@ -46,6 +46,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
         "freedoms": model.freedoms,
         "steps": outcome.steps,
+        "control": outcome.control,
         "seconds_run": outcome.seconds_run,
         "seconds_compile": outcome.seconds_compile,
         "time_step_s": model.dt,

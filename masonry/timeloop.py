@@ -14,13 +14,14 @@ from masonry import energy
 from masonry.errors import Stopped
 from masonry.history import UNITS, Frame, History
 from masonry.kernels.step import advance, reaction
-from masonry.loads import Program
+from masonry.loads import Controlled, Program
 from masonry.model import Model
+from masonry.pace import Chunk, pace_of
+from masonry.utilisation import utilisation
 from masonry.watch import Watch, frame_of
 
-LONGEST_CHUNK = 200
-"""Steps between two looks at the motion: an instability then cannot grow into infinities unseen."""
 FRAMES = 24
+"""Frames that are kept of a run, about."""
 
 
 @dataclass
@@ -39,6 +40,7 @@ class Outcome:
     steps: int = 0
     interrupted: bool = False
     stopped: str = ""
+    control: dict[str, float] = field(default_factory=dict)
     log: list[str] = field(default_factory=list)
 
 
@@ -54,22 +56,22 @@ class Recording:
 
 def run(
     model: Model,
-    program: Program,
+    plan: Program | Controlled,
     recording: Recording,
     threads: int = 1,
     progress: Callable[[int, int, str], None] | None = None,
 ) -> Outcome:
-    """Run the whole program. An unstable or too large motion ends it: Outcome.stopped says why, rows stay trusted."""
+    """Run the whole plan. An unstable or too large motion ends it: Outcome.stopped says why, rows stay trusted."""
     outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
     if threads > 1:
         numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
     begun = time.perf_counter()
+    loop = _Loop(model, plan, recording, threads, outcome)
     if progress is not None:
-        progress(0, program.steps, "compiling the step for this scene, or loading it")
-    compile_for(model, program, threads)
+        progress(0, loop.pace.progress()[1], "compiling the step for this scene, or loading it")
+    compile_for(model, threads)
     outcome.seconds_compile = time.perf_counter() - begun
     begun = time.perf_counter()
-    loop = _Loop(model, program, recording, threads, outcome)
     try:
         loop.run(progress)
     except KeyboardInterrupt:
@@ -81,10 +83,10 @@ def run(
     return outcome
 
 
-def compile_for(model: Model, program: Program, threads: int) -> None:
+def compile_for(model: Model, threads: int) -> None:
     """Compile (or load from the cache) the step for exactly this model, without taking one."""
     with interrupt_afterwards():
-        advance_model(model, program, threads, 0, 0, np.zeros(0))
+        advance_model(model, Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
         energy.observe(model)
 
 
@@ -104,16 +106,16 @@ def interrupt_afterwards() -> Iterator[None]:
         raise KeyboardInterrupt
 
 
-def advance_model(model: Model, program: Program, threads: int, first: int, steps: int, gauge: np.ndarray) -> None:
-    """Take some compiled steps; gauge (steps,) N out: force of the drive after each."""
+def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, gauge: np.ndarray) -> None:
+    """Take some compiled steps of a chunk; gauge (steps,) N out: force of the drive after each."""
     advance(
         True if threads > 1 else None,
         first,
         steps,
         model.dt,
         model.damping,
-        program.dead_load,
-        program.speed,
+        chunk.dead_load,
+        chunk.speed,
         model.groups,
         model.contacts,
         model.bodies,
@@ -125,10 +127,13 @@ def advance_model(model: Model, program: Program, threads: int, first: int, step
 class _Loop:
     """State of one run between chunks."""
 
-    def __init__(self, model: Model, program: Program, recording: Recording, threads: int, outcome: Outcome) -> None:
-        self.model, self.program, self.recording = model, program, recording
+    def __init__(
+        self, model: Model, plan: Program | Controlled, recording: Recording, threads: int, outcome: Outcome
+    ) -> None:
+        self.model, self.recording, self.settle = model, recording, plan.settle
+        self.pace = pace_of(model, plan, recording.rows)
         self.threads, self.outcome = threads, outcome
-        self.path = np.concatenate([[0.0], np.cumsum(program.speed[:-1]) * model.dt])
+        self.place = 0.0
         self.rows: list[list[float]] = []
         self.watch = Watch(model, recording.rotation_limit)
         self.frames: list[Frame] = []
@@ -137,38 +142,40 @@ class _Loop:
         self.take_row(0, energy.velocities(model))
 
     def run(self, progress: Callable[[int, int, str], None] | None) -> None:
-        steps = self.program.steps
-        every = max(1, steps // self.recording.rows)
-        frame_every = max(1, steps // every // FRAMES)
-        done = rows = 0
-        while done < steps:
-            due = min(done + every, steps)
-            while done < due:
-                before, done = self.take_steps(done, min(due - done, LONGEST_CHUNK))
-            rows += 1
-            self.take_row(done, before, frame_due=rows % frame_every == 0 or done == steps)
+        done = frames = 0
+        while (chunk := self.pace.next()) is not None:
+            before = self.take_steps(done, chunk)
+            done += chunk.steps
+            if not chunk.row:
+                continue
+            now, whole = self.pace.progress()
+            frame_due = now * FRAMES >= (frames + 1) * whole or now == whole
+            frames = now * FRAMES // whole
+            self.take_row(done, before, frame_due)
             self.outcome.steps = done
             if progress is not None:
-                progress(done, steps, f"stress {self.rows[-1][3] / 1e6:.3f} MPa")
+                progress(now, whole, f"stress {self.rows[-1][3] / 1e6:.3f} MPa")
 
-    def take_steps(self, done: int, count: int) -> tuple[list[np.ndarray], int]:
-        """Some steps, and a look whether they can be trusted; returns the velocities before the last, and the step."""
-        gauge = np.zeros(count)
+    def take_steps(self, done: int, chunk: Chunk) -> list[np.ndarray]:
+        """The steps of a chunk, and a look whether they can be trusted; returns the velocities before the last."""
+        count, gauge = chunk.steps, np.zeros(chunk.steps)
         if count > 1:
-            advance_model(self.model, self.program, self.threads, done, count - 1, gauge)
+            advance_model(self.model, chunk, self.threads, 0, count - 1, gauge)
         before = energy.velocities(self.model)
-        advance_model(self.model, self.program, self.threads, done + count - 1, 1, gauge[count - 1 :])
+        advance_model(self.model, chunk, self.threads, count - 1, 1, gauge[count - 1 :])
         self.watch.check(done + count)
-        self.find_peak(done, gauge)
-        return before, done + count
+        path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
+        self.place = float(path[-1])
+        self.find_peak(path, gauge)
+        return before
 
-    def find_peak(self, done: int, gauge: np.ndarray) -> None:
+    def find_peak(self, path: np.ndarray, gauge: np.ndarray) -> None:
         """The peak is looked for at every step, not only at rows."""
         force = gauge * self.recording.sign
         k = int(np.argmax(force))
         if force[k] > self.outcome.peak_force:
             self.outcome.peak_force = float(force[k])
-            self.outcome.displacement_at_peak = abs(float(self.path[done + k + 1]))
+            self.outcome.displacement_at_peak = abs(float(path[k]))
 
     def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
         model, area = self.model, self.recording.section
@@ -179,10 +186,17 @@ class _Loop:
         )
         terms = energy.ledger(model, view, before)
         self.watch.check_energies(step, terms)
-        if step <= self.program.settle:
+        if step <= self.settle:
             self.outcome.unbalanced = energy.unbalanced(model, before)
-        place = abs(float(self.path[step]))
+        place = abs(self.place)
         self.rows.append([step, step * model.dt, place, stress, -support, *(terms[k] for k in list(UNITS)[5:])])
+        self.pace.look(
+            stress * area * self.recording.sign,
+            utilisation(model, view.seen),
+            terms["elastic_blocks"] + terms["elastic_contacts"],
+            terms["fracture_mode_1"] + terms["fracture_mode_2"],
+            terms["kinetic"],
+        )
         self.outcome.rotation_max = self.watch.rotation
         higher = stress > self.highest_row and step > 0
         if frame_due or higher:
@@ -199,4 +213,5 @@ class _Loop:
         frames = {frame.step: frame for frame in self.frames}
         if self.peak_frame is not None:
             frames[self.peak_frame.step] = self.peak_frame
+        self.outcome.control = self.pace.report()
         self.outcome.history.frames = [frames[step] for step in sorted(frames)]

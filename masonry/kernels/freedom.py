@@ -1,6 +1,9 @@
-"""One freedom: local damping, leapfrog, and the work of each force by the trapezoid (eqs 1 and 3)."""
+"""One freedom: damping, leapfrog, and the work of each force by the trapezoid (eqs 1 and 3)."""
 
-from numba.extending import register_jitable
+from typing import NamedTuple
+
+from numba import types
+from numba.extending import overload, register_jitable
 
 
 @register_jitable
@@ -9,20 +12,68 @@ def sign(v):
     return (v > 0.0) - (v < 0.0)
 
 
-@register_jitable
-def held_back(damping, pace, force, velocity):
-    """What else acts on a freedom: the reaction where it is prescribed (pace = 0), else local damping, eq. (3)."""
-    if pace == 0.0:
-        return -force
-    return resist(damping, force, velocity)
+class Guided(NamedTuple):
+    """Damping of what moves otherwise than expected.
+
+    share  c dt / 2, for a viscosity of c times the mass against the unexpected part of the velocity
+    xi     of a little local damping, eq. (3), of all motion
+    """
+
+    share: float
+    xi: float
 
 
-@register_jitable
-def resist(damping, force, velocity):
-    """Local damping -xi |F| sign(v), eq. (3); None where there is none."""
+def resist(damping, pace, force, velocity, now, before):
+    """What damping adds to the force on a freedom that is expected to move at `before`, and at `now` after the step.
+
+    None: nothing. A number: local damping -xi |F| sign(v), eq. (3). Guided: the rest of the velocity, v - expected,
+    decays by (1 - share) / (1 + share) a step, and the expected part follows the drive without any force. Leapfrog with
+    a viscosity taken at the middle of the step is stable as without, so the bound is that of the local part.
+    """
     if damping is None:
         return 0.0
-    return -damping * abs(force) * sign(velocity)
+    if isinstance(damping, Guided):
+        return _guided(damping.share, damping.xi, pace, force, velocity, now, before)
+    return _local(damping, force, velocity)
+
+
+@register_jitable
+def _local(xi, force, velocity):
+    return -xi * abs(force) * sign(velocity)
+
+
+@register_jitable
+def _guided(share, xi, pace, force, velocity, now, before):
+    driving = force + _local(xi, force, velocity)
+    after = now + ((velocity - before) * (1.0 - share) + pace * driving) / (1.0 + share)
+    return (after - velocity) / pace - force
+
+
+@overload(resist, inline="always")
+def _resist(damping, pace, force, velocity, now, before):
+    if isinstance(damping, (types.NoneType, types.Omitted)):
+        return lambda damping, pace, force, velocity, now, before: 0.0
+    if getattr(damping, "instance_class", None) is Guided:
+        return lambda damping, pace, force, velocity, now, before: _guided(
+            damping.share, damping.xi, pace, force, velocity, now, before
+        )
+    return lambda damping, pace, force, velocity, now, before: _local(damping, force, velocity)
+
+
+@register_jitable
+def held_back(damping, pace, force, velocity, now, before):
+    """What else acts on a freedom: the reaction where it is prescribed (pace = 0), else damping."""
+    if pace == 0.0:
+        return -force
+    return resist(damping, pace, force, velocity, now, before)
+
+
+@register_jitable
+def expected(guess, row, i, speed):
+    """Velocity that is expected of freedom i while the drive has this speed; 0 where nothing is."""
+    if guess is None:
+        return 0.0
+    return speed * guess[row, i]
 
 
 @register_jitable
@@ -47,19 +98,20 @@ def book(work, b, pace, half_step_move, contact, hold, load):
 
 
 @register_jitable
-def advance(body, row, i, block, contact, inner, dt, damping, factor, factor_before):
+def advance(body, row, i, block, contact, inner, dt, damping, clock):
     """Freedom i of a row: total force, damping or reaction, works, and the kick of eq. (1).
 
     contact, inner  force of the contacts and of the block's own stiffness now
-    factor          share of the dead load that acts now (and one step before)
+    clock           share of the dead load that acts now and one step before; speed of the drive after and before
     """
-    load = dead(body.load, row, i, factor)
+    load = dead(body.load, row, i, clock[0])
     pace, velocity = body.pace[row, i], body.v[row, i]
     total = contact + inner + load
-    hold = held_back(damping, pace, total, velocity)
+    now, before = expected(body.guess, row, i, clock[2]), expected(body.guess, row, i, clock[3])
+    hold = held_back(damping, pace, total, velocity, now, before)
     contacts = contact + body.contact[row, i]
     holds = hold + body.hold[row, i]
-    loads = load + dead(body.load, row, i, factor_before)
+    loads = load + dead(body.load, row, i, clock[1])
     book(body.work, block, pace, 0.5 * dt * velocity, contacts, holds, loads)
     body.contact[row, i] = contact
     body.hold[row, i] = hold

@@ -14,6 +14,7 @@ from masonry.kinematics.door import move, place
 def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, contacts, bodies, drives, gauge):
     """Run `steps` steps from step number `first`; all state is changed in place.
 
+    damping    None, a number (xi of eq. 3) or Guided
     dead_load  (n + 1,) share of the dead load at step 0..n
     speed      (n + 1,) velocity of the drive after step i, m/s
     groups     (shapes, interfaces, states, bounds), one entry per contact group; bounds (G + 1,)
@@ -34,10 +35,10 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
 
         sweep_groups(parallel, shapes, interfaces, states, 0, bounds, sides, normal, area, u, force)
 
-        now, before = dead_load[n + 1], dead_load[n]
-        move(parallel, rigid_blocks, dt, damping, now, before, force, u)
-        move(parallel, affine_blocks, dt, damping, now, before, force, u)
-        move(parallel, tet_blocks, dt, damping, now, before, force, u)
+        clock = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
+        move(parallel, rigid_blocks, dt, damping, clock, force, u)
+        move(parallel, affine_blocks, dt, damping, clock, force, u)
+        move(parallel, tet_blocks, dt, damping, clock, force, u)
 
         gauge[k] = (
             reaction(rigid_blocks, rigid_drive)

@@ -22,7 +22,7 @@ class Affine(NamedTuple):
     arm             (S, 3) m, from the centroid to the point, along the block's axes
     stiffness       (B, 2) J: volume times the Lame constants lambda, mu
     first_point     row of u at which the sides begin
-    work, load, axes  as for rigid blocks; None where absent
+    work, load, guess, axes  as for rigid blocks; None where absent
     """
 
     q: np.ndarray
@@ -37,6 +37,7 @@ class Affine(NamedTuple):
     first_point: int
     work: np.ndarray | None = None
     load: np.ndarray | None = None
+    guess: np.ndarray | None = None
     axes: np.ndarray | None = None
 
 
@@ -53,7 +54,7 @@ def place(body, dt, u):
                 u[row, i] = q[b, i] + q[b, h] * arm[k, 0] + q[b, h + 1] * arm[k, 1] + q[b, h + 2] * arm[k, 2]
 
 
-def move(body, dt, damping, factor, factor_before, force, u):
+def move(body, dt, damping, clock, force, u):
     """Sum contact forces and their first moments, add the block's own stiffness, and advance."""
     arm, start, code = body.arm, body.start, body.code
     for b in prange(len(body.q)):
@@ -64,7 +65,7 @@ def move(body, dt, damping, factor, factor_before, force, u):
             sums = _add(sums, side * force[c, 0], side * force[c, 1], side * force[c, 2], arm, k)
         inner = _inner(body, b)
         for i in range(12):
-            advance(body, b, i, b, sums[i], inner[i], dt, damping, factor, factor_before)
+            advance(body, b, i, b, sums[i], inner[i], dt, damping, clock)
 
 
 @register_jitable

@@ -24,11 +24,11 @@ def place(parallel, body, dt, u):
         _loop(type(body), "place", parallel is not None)(body, dt, u)
 
 
-def move(parallel, body, dt, damping, factor, factor_before, force, u):
-    """Second half of the step: forces, damping, works, velocities; `factor` is the share of the dead load that acts."""
+def move(parallel, body, dt, damping, clock, force, u):
+    """Second half of the step: forces, damping, works, velocities; clock as in kernels/freedom.py."""
     if body is not None:
         loop = _loop(type(body), "move", parallel is not None)
-        loop(body, dt, damping, factor, factor_before, force, u)
+        loop(body, dt, damping, clock, force, u)
 
 
 def _is_absent(numba_type) -> bool:
@@ -44,10 +44,8 @@ def _place(parallel, body, dt, u):
 
 
 @overload(move)
-def _move(parallel, body, dt, damping, factor, factor_before, force, u):
+def _move(parallel, body, dt, damping, clock, force, u):
     if _is_absent(body):
-        return lambda parallel, body, dt, damping, factor, factor_before, force, u: None
+        return lambda parallel, body, dt, damping, clock, force, u: None
     loop = _loop(body.instance_class, "move", "bool" in str(parallel))
-    return lambda parallel, body, dt, damping, factor, factor_before, force, u: loop(
-        body, dt, damping, factor, factor_before, force, u
-    )
+    return lambda parallel, body, dt, damping, clock, force, u: loop(body, dt, damping, clock, force, u)

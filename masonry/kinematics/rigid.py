@@ -24,6 +24,7 @@ class Rigid(NamedTuple):
     first_point     row of u at which the sides begin
     work            (B, 3) J: contact, damping, external; None without a ledger
     load            (B, 6) dead loads or None
+    guess           (B, 6) expected velocity for a unit speed of the drive, or None
     axes            (B, 3, 3) or None
     """
 
@@ -38,6 +39,7 @@ class Rigid(NamedTuple):
     first_point: int
     work: np.ndarray | None = None
     load: np.ndarray | None = None
+    guess: np.ndarray | None = None
     axes: np.ndarray | None = None
 
 
@@ -82,7 +84,7 @@ def place(body, dt, u):
             u[row, 2] = z + p * arm[k, 1] - r * arm[k, 0]
 
 
-def move(body, dt, damping, factor, factor_before, force, u):
+def move(body, dt, damping, clock, force, u):
     """Sum the contact forces of each block, damp, book the work, and kick the velocities by half a step each way."""
     arm, start, code, axes = body.arm, body.start, body.code, body.axes
     for b in prange(len(body.q)):
@@ -98,9 +100,9 @@ def move(body, dt, damping, factor, factor_before, force, u):
             my += arm[k, 2] * gx - arm[k, 0] * gz
             mz += arm[k, 0] * gy - arm[k, 1] * gx
         mx, my, mz = turn_in(axes, b, mx, my, mz)
-        advance(body, b, 0, b, fx, 0.0, dt, damping, factor, factor_before)
-        advance(body, b, 1, b, fy, 0.0, dt, damping, factor, factor_before)
-        advance(body, b, 2, b, fz, 0.0, dt, damping, factor, factor_before)
-        advance(body, b, 3, b, mx, 0.0, dt, damping, factor, factor_before)
-        advance(body, b, 4, b, my, 0.0, dt, damping, factor, factor_before)
-        advance(body, b, 5, b, mz, 0.0, dt, damping, factor, factor_before)
+        advance(body, b, 0, b, fx, 0.0, dt, damping, clock)
+        advance(body, b, 1, b, fy, 0.0, dt, damping, clock)
+        advance(body, b, 2, b, fz, 0.0, dt, damping, clock)
+        advance(body, b, 3, b, mx, 0.0, dt, damping, clock)
+        advance(body, b, 4, b, my, 0.0, dt, damping, clock)
+        advance(body, b, 5, b, mz, 0.0, dt, damping, clock)

@@ -22,7 +22,7 @@ class Tets(NamedTuple):
     corner          (T, 4) nodes
     slope           (T, 9) sqrt(volume) times the gradients of the last three shape functions
     lame            (B, 2) Pa, lambda and mu
-    work, load      (B, 3) and (N, 3), as for rigid blocks; None where absent
+    work, load, guess  (B, 3), (N, 3) and (N, 3), as for rigid blocks; None where absent
 
     Contact points that lie between nodes, in a surface triangle; None where there are none:
     corner_between, share_between  (S, 3) nodes of the triangle, and their shape functions at the point
@@ -45,6 +45,7 @@ class Tets(NamedTuple):
     lame: np.ndarray
     work: np.ndarray | None = None
     load: np.ndarray | None = None
+    guess: np.ndarray | None = None
     corner_between: np.ndarray | None = None
     share_between: np.ndarray | None = None
     start_between: np.ndarray | None = None
@@ -123,7 +124,7 @@ def _pulled(start, code, share, n, force, x, y, z):
     return x, y, z
 
 
-def move(body, dt, damping, factor, factor_before, force, u):
+def move(body, dt, damping, clock, force, u):
     """Eq. (4): stress of every tet to its corners; then contacts, damping and motion of the block's nodes."""
     inner, corner, g, lame, start, code = body.inner, body.corner, body.slope, body.lame, body.start, body.code
     pull_start, pull_code, pull_share = body.pull_start, body.pull_code, body.pull_share
@@ -149,9 +150,9 @@ def move(body, dt, damping, factor, factor_before, force, u):
                 fy += side * force[c, 1]
                 fz += side * force[c, 2]
             fx, fy, fz = _pulled(pull_start, pull_code, pull_share, n, force, fx, fy, fz)
-            advance(body, n, 0, b, fx, inner[n, 0], dt, damping, factor, factor_before)
-            advance(body, n, 1, b, fy, inner[n, 1], dt, damping, factor, factor_before)
-            advance(body, n, 2, b, fz, inner[n, 2], dt, damping, factor, factor_before)
+            advance(body, n, 0, b, fx, inner[n, 0], dt, damping, clock)
+            advance(body, n, 1, b, fy, inner[n, 1], dt, damping, clock)
+            advance(body, n, 2, b, fz, inner[n, 2], dt, damping, clock)
 
 
 @jit

@@ -39,6 +39,13 @@ def _time_step(value: Any) -> str | float:
     return convert(value, "time", "time_step", "(0, inf)")
 
 
+def _accuracy(value: Any) -> Any:
+    """A share, or a percentage: 0.01 or "1 %"."""
+    if isinstance(value, str) and value.rstrip().endswith("%"):
+        return convert(value.rstrip()[:-1], "number", "accuracy", "[0.01, 20] %".removesuffix(" %")) / 100
+    return value if value is None else convert(value, "number", "accuracy", "[1e-4, 0.2]")
+
+
 def _rotation(value: Any, info: ValidationInfo) -> float:
     kind, allowed = ("angle", "(0, 90) deg") if isinstance(value, str) else ("number", "(0, 1.6)")
     return convert(value, kind, info.field_name or "", allowed)
@@ -52,11 +59,12 @@ class Support(Table):
 
 
 class Drive(Table):
-    """Blocks moved by `displacement` (m) in one direction, either at `rate` (m/s) or in so many `steps`."""
+    """Blocks moved by `displacement` (m) in one direction: to an accuracy, at `rate` (m/s) or in so many `steps`."""
 
     on: Selector
     direction: Direction
     displacement: Length
+    accuracy: Annotated[float | None, BeforeValidator(_accuracy)] = None
     rate: Velocity | None = None
     steps: Steps | None = None
     ramp: Share = 0.3
@@ -71,11 +79,10 @@ class Drive(Table):
 
     @model_validator(mode="after")
     def _has_one_pace(self) -> "Drive":
-        if self.rate is not None and self.steps is not None:
-            raise KeyedError("steps", "rate and steps exclude each other; keep one of them")
-        if self.rate is None and self.steps is None:
-            raise KeyedError("steps", "missing; give steps = 20000 or rate = '0.1 mm/s'")
-        return self
+        given = [key for key in ("accuracy", "rate", "steps") if getattr(self, key) is not None]
+        if len(given) > 1:
+            raise KeyedError(given[-1], f"{' and '.join(given)} exclude each other; keep one of them")
+        return self if given else self.model_copy(update={"accuracy": 0.01})
 
 
 class Traction(Table):

@@ -40,6 +40,11 @@ class Scene(Table):
         """ "rigid", "affine" or "tets": how the blocks of a group move."""
         return self.kinematics.get(group, self.kinematics["default"])
 
+    @property
+    def is_controlled(self) -> bool:
+        """Whether the drive is paced by its error, and motion is damped against what is expected."""
+        return self.drive is not None and self.drive.accuracy is not None
+
     def resolved(self) -> dict[str, Any]:
         """The scene as plain values with SI units, defaults written out; loading it gives the same scene bit by bit.
 
@@ -57,6 +62,10 @@ class Scene(Table):
             raise KeyedError("settle", "there is no traction and no gravity to settle; leave this table out")
         if self.drive is None and not loads:
             raise KeyedError("drive", "missing; a scene needs a drive, a traction or gravity, or nothing happens")
+        if self.is_controlled and self.solver.masses == "real":
+            raise KeyedError(
+                "solver.masses", "real masses move in real time; give drive.rate, or leave masses = 'scaled'"
+            )
         self._kinematics_have_what_they_need()
         keys = set(dotted_keys(self))
         for key in self.assumptions:

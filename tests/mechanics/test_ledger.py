@@ -175,5 +175,5 @@ def test_a_mass_that_moves_but_is_not_counted_is_detected():
 
     assembly = assemble(load(scene_text(MIXED, "exponential", USUAL, 0.0, "real")))
     assembly.model.masses["affine"][:, 3:] *= 1.1
-    rows = timeloop.run(assembly.model, assembly.program, assembly.recording).history.rows
+    rows = timeloop.run(assembly.model, assembly.plan, assembly.recording).history.rows
     assert np.abs(rows["imbalance"]).max() > 1e-8 * np.abs(rows["external_work"]).max()

@@ -82,12 +82,12 @@ def test_the_drive_makes_exactly_the_asked_displacement(kinematics, direction, p
     assert frame.corners[top, 0] == pytest.approx(sign * 2e-5, rel=1e-11)
     assert rows["displacement"][-1] == pytest.approx(2e-5, rel=1e-12)
     assert np.diff(rows["displacement"]).min() >= 0.0
-    assert rows["step"][-1] == assembly.program.steps
+    assert rows["step"][-1] == assembly.plan.steps
     assert rows["stress"][-1] > 1e5, "stress is counted along the drive, whichever way it points"
     assert rows["support_stress"][-1] == pytest.approx(rows["stress"][-1], rel=0.05)
     if "rate" in pace:
-        assert np.abs(assembly.program.speed).max() == pytest.approx(
-            0.02, rel=0.05 if assembly.program.steps > settle + 60 else 0.3
+        assert np.abs(assembly.plan.speed).max() == pytest.approx(
+            0.02, rel=0.05 if assembly.plan.steps > settle + 60 else 0.3
         )
 
 

@@ -1,0 +1,54 @@
+"""What the specimen is expected to do next: what it did last, for as much displacement of the drive.
+
+Every free velocity is the drive's speed times a field (the displacement that the last increment brought, for a unit of
+the drive's) plus a rest, and only the rest is damped by viscosity. Steady loading then meets no drag and sends out no
+waves; what is damped is what follows from cracks. A little local damping besides ends swings, which the field follows.
+"""
+
+import numpy as np
+
+from masonry.kernels.freedom import Guided
+from masonry.model import Model
+
+LITTLE = 0.2
+"""xi of the local damping, eq. (3), that acts on all motion."""
+RATIO = 1.0
+"""Viscosity over the critical one at the frequency of the expected motion."""
+LEAST, MOST = 0.002, 0.3
+"""Bounds of the share c dt / 2."""
+
+
+class Guide:
+    """Learns the field from increment to increment, and sets the viscosity of the model's damping."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.parts = [
+            (body, model.masses[kind], model.contacts[3][: len(body.v)] if kind == "tets" else body.q)
+            for kind, body in zip(model.masses, model.bodies, strict=True)
+            if body is not None
+        ]
+        self.last = [place.copy() for _, _, place in self.parts]
+        self.displacement = 0.0
+        model.damping = Guided(0.05, LITTLE)
+
+    def settle(self) -> None:
+        """The dead loads have come to rest: what they moved is not the drive's."""
+        for (_, _, place), last in zip(self.parts, self.last, strict=True):
+            last[...] = place
+
+    def learn(self, displacement: float, speed: float, force: float) -> None:
+        """The drive has come to `displacement` (m, signed), moves at `speed` (m/s) and exerts `force` (N)."""
+        rest = sum(float(np.sum(m * (body.v - speed * body.guess) ** 2)) for body, m, _ in self.parts)
+        foreseen = sum(float(np.sum(m * (speed * body.guess) ** 2)) for body, m, _ in self.parts)
+        trust = foreseen / (foreseen + rest) if foreseen > 0.0 else 1.0
+        inertia = 0.0
+        for (body, m, place), last in zip(self.parts, self.last, strict=True):
+            body.guess[...] += trust * ((place - last) / (displacement - self.displacement) - body.guess)
+            body.guess[body.pace == 0.0] = 0.0
+            last[...] = place
+            inertia += float(np.sum(m * body.guess**2))
+        self.displacement = displacement
+        if inertia > 0.0:
+            share = RATIO * np.sqrt(abs(force / displacement) / inertia) * self.model.dt
+            self.model.damping = Guided(float(np.clip(share, LEAST, MOST)), LITTLE)

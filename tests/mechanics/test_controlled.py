@@ -1,0 +1,120 @@
+"""A drive paced by its error: it arrives, keeps its word, costs few steps, and its guide neither drags nor rings."""
+
+import numpy as np
+import pytest
+
+from masonry import laboratory
+from masonry.assembly import assemble
+from masonry.errors import SceneError
+from masonry.kernels.freedom import Guided, resist
+from masonry.loads import controlled
+from masonry.pace import STEPS, ControlledPace
+from masonry.scene import load
+from tests.mechanics.test_loop import bits, corner_numbers, couplet
+from tests.mechanics.test_loop import load as load_text
+from verification.closed_forms import Joint
+from verification.closed_forms import couplet as curve_of
+
+
+@pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
+@pytest.mark.parametrize("direction", ["x", "-x"])
+def test_the_drive_makes_exactly_the_asked_displacement(kinematics, direction):
+    text = couplet(kinematics, settle=200, displacement="0.05 mm", direction=direction, pace='accuracy = "5 %"')
+    result = laboratory.run(load_text(text))
+    rows, frame = result.history.rows, result.history.frames[-1]
+    top = np.unique(np.concatenate([corner_numbers(result, b) for b in result.specimen.sets["top"]]))
+    assert frame.corners[top, 0] == pytest.approx((-1.0 if direction == "-x" else 1.0) * 5e-5, rel=1e-10)
+    assert rows["displacement"][-1] == pytest.approx(5e-5, rel=1e-10)
+    assert np.diff(rows["displacement"]).min() >= 0.0
+    assert result.summary["energy_imbalance"] < 1e-10, "the guide's forces are booked as any other"
+
+
+def test_one_and_two_threads_give_the_same_bits():
+    scene = load_text(couplet("rigid", settle=200, displacement="0.05 mm", pace='accuracy = "5 %"'))
+    assert bits(laboratory.run(scene, threads=1)) == bits(laboratory.run(scene, threads=2))
+
+
+@pytest.mark.parametrize("accuracy", [0.05, 0.01])
+def test_the_shipped_couplet_keeps_the_accuracy_that_was_asked(accuracy):
+    scene = load("couplet", {"drive.accuracy": accuracy})
+    result = laboratory.run(scene)
+    rows = result.history.rows
+    after = rows["step"] > scene.settle.steps
+    wanted = curve_of("exponential", Joint(), rows["displacement"][after], 0.5e6)
+    assert np.abs(rows["stress"][after] - wanted).max() < accuracy * wanted.max()
+    assert result.summary["peak_stress_pa"] == pytest.approx(1.375e6, rel=accuracy)
+
+
+def elastic_wall(pace: str):
+    over = {"drive.displacement": "0.002 mm", "contact.unit_unit.law": "elastic", "contact.within_units.law": "elastic"}
+    scene = load("wallette-mode-1", over)
+    drive = scene.drive.model_copy(update={"rate": None, "accuracy": None, "steps": None, **eval_pace(pace)})
+    return laboratory.run(scene.model_copy(update={"drive": drive}))
+
+
+def eval_pace(pace: str) -> dict:
+    key, value = pace.split("=")
+    return {key: float(value) if key == "accuracy" else int(value)}
+
+
+def test_while_elastic_a_guided_drive_meets_no_drag():
+    guided, slow = elastic_wall("accuracy=0.05"), elastic_wall("steps=60000")
+    assert guided.summary["steps"] <= 5250
+    stiffness = [r.history.rows["stress"][-1] / r.history.rows["displacement"][-1] for r in (guided, slow)]
+    assert stiffness[0] == pytest.approx(stiffness[1], rel=2e-4)
+    assert guided.summary["reaction_mismatch_max"] < 3e-4
+
+
+def test_a_tighter_accuracy_takes_smaller_increments_and_says_so():
+    done = [laboratory.run(load("wallette-mode-2", {"drive.accuracy": a})).summary for a in (0.05, 0.005)]
+    assert done[1]["steps"] > 1.5 * done[0]["steps"]
+    assert done[1]["control"]["accuracy"] == 0.005 and done[1]["control"]["increments"] * STEPS == done[1]["steps"]
+    assert done[0]["dissipation_mismatch"] < 0.02 and done[1]["peak_stress_pa"] < done[0]["peak_stress_pa"] * 1.001
+
+
+def test_the_unexpected_part_of_a_velocity_decays_as_leapfrog_with_a_viscosity_does():
+    damping, v, mass, stiffness, dt = Guided(0.1, 0.0), 1.0, 2.0, 3.0, 0.2
+    place, peaks = 0.0, []
+    for _ in range(60):
+        place += dt * v
+        force = -stiffness * place
+        before = v
+        v += dt / mass * (force + resist(damping, dt / mass, force, v, 0.0, 0.0))
+        if before > 0.0 >= v:
+            peaks.append(place)
+    c = 2 * 0.1 / dt  # viscosity over mass; the discrete root of z^2 (1 + b) - (2 - (w dt)^2) z + 1 - b = 0
+    ratio = ((1 - 0.1) / (1 + 0.1)) ** 0.5
+    turn = np.arccos((2 - stiffness / mass * dt**2) / (2 * np.sqrt((1 - 0.1) * (1 + 0.1))))
+    assert c > 0 and len(peaks) >= 2
+    assert peaks[1] / peaks[0] == pytest.approx(ratio ** (2 * np.pi / turn), rel=0.05)
+
+
+def test_what_is_expected_needs_no_force():
+    assert resist(Guided(0.2, 0.0), 0.5, 0.0, 3.0, 3.0, 3.0) == pytest.approx(0.0, abs=1e-15)
+    assert resist(Guided(0.2, 0.0), 0.5, 0.0, 3.0, 4.0, 3.0) == pytest.approx(2.0), "it follows a faster drive at once"
+
+
+def test_increments_add_up_whatever_the_energies_say():
+    scene = load("wallette-mode-1", {"drive.accuracy": 0.05})
+    assembly = assemble(scene)
+    rng = np.random.default_rng(0)
+    pace, moved = ControlledPace(assembly.model, controlled(10, -3e-4, 0.05), 100), 0.0
+    while (chunk := pace.next()) is not None:
+        moved += chunk.speed[:-1].sum() * assembly.model.dt
+        assert np.all(chunk.speed <= 0.0)
+        pace.look(*(float(x) for x in rng.lognormal(0, 3, 5)))
+    assert moved == pytest.approx(-3e-4, rel=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("over", "words"),
+    [
+        (["drive.accuracy=0 %"], "accuracy"),
+        (["drive.accuracy=50 %"], "accuracy"),
+        (["drive.accuracy=fine"], "accuracy"),
+        (["drive.accuracy=1 %", "solver.masses=real"], "real masses"),
+    ],
+)
+def test_what_cannot_be_asked_is_said(over, words):
+    with pytest.raises(SceneError, match=words):
+        load("wallette-mode-1", over)
