@@ -76,7 +76,7 @@ BAD = {
         ["couplet, prism, wallette, bending, boxes"],
     ),
     "rate and steps": ("steps = 40000", 'steps = 4\nrate = "1 mm/s"', "steps", "drive.steps", ["exclude each other"]),
-    "accuracy and steps": ("steps = 40000", 'steps = 4\naccuracy = "1 %"', "steps", "drive.steps", ["exclude each other"]),
+    "accuracy and steps": ("steps = 40000", 'steps = 4\naccuracy = "1 %"', "steps", "drive.steps", ["exclude"]),
     "an accuracy of half": ("steps = 40000", 'accuracy = "50 %"', "accuracy", "drive.accuracy", ["0.01"]),
     "half a step": ("steps = 40000", "steps = 0.5", "steps", "drive.steps", ["whole number"]),
     "a huge exponent": ('width = "50 mm"', 'width = "1e999 mm"', "width", "specimen.width", ["finite"]),
