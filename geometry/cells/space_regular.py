@@ -41,8 +41,9 @@ class Stage:
 
 STAGES = (Stage(0.31, 2.0, 0.15, 400), Stage(0.29, 30.0, 0.3, 150), Stage(0.27, 300.0, 1.0, 300))
 AGAIN = (Stage(0.33, 3.0, 0.15, 100), Stage(0.29, 30.0, 0.3, 100), Stage(0.27, 300.0, 1.0, 200))
-ROUNDS = 4
-"""How often it is tried again where short edges are left."""
+ROUNDS, TRIED_AGAIN = 4, 4000
+"""How often it is tried again where short edges are left, at most; and the cells that may be tried again in all, since
+a round of 5000 cells takes two minutes and mends little."""
 SHAKEN, SHAKE = 0.8, 0.12
 """h, sites within this distance of a short edge are shaken; and how far."""
 
@@ -62,7 +63,7 @@ def regularise(diagram: SpaceDiagram, target: np.ndarray, laguerre: bool, rng: n
     if laguerre:
         hold_sizes(diagram, target, tolerance=0.01, most=20)
     best, least = (diagram.site, diagram.weight), np.inf
-    for number in range(1 + ROUNDS):
+    for number in range(1 + min(ROUNDS, TRIED_AGAIN // diagram.count)):
         if number > 1:
             _shake(diagram, rng)
         for stage in AGAIN if number else STAGES:
