@@ -146,6 +146,9 @@ class ControlledPace:
         return {"accuracy": self.plan.accuracy, "increments": self.increments, "largest_change": CHANGE * self.worst}
 
 
-def pace_of(model: Model, plan: Program | Controlled, rows: int) -> FixedPace | ControlledPace:
+Pace = FixedPace | ControlledPace
+
+
+def pace_of(model: Model, plan: Program | Controlled, rows: int) -> Pace:
     """The pace that a plan asks for."""
     return FixedPace(plan, rows) if isinstance(plan, Program) else ControlledPace(model, plan, rows)

@@ -16,7 +16,7 @@ from masonry.history import UNITS, Frame, History
 from masonry.kernels.step import advance, reaction
 from masonry.loads import Controlled, Program
 from masonry.model import Model
-from masonry.pace import Chunk, pace_of
+from masonry.pace import Chunk, Pace, pace_of
 from masonry.utilisation import utilisation
 from masonry.watch import Watch, frame_of
 
@@ -66,12 +66,13 @@ def run(
     if threads > 1:
         numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
     begun = time.perf_counter()
-    loop = _Loop(model, plan, recording, threads, outcome)
+    pace = pace_of(model, plan, recording.rows)
     if progress is not None:
-        progress(0, loop.pace.progress()[1], "compiling the step for this scene, or loading it")
+        progress(0, pace.progress()[1], "compiling the step for this scene, or loading it")
     compile_for(model, threads)
     outcome.seconds_compile = time.perf_counter() - begun
     begun = time.perf_counter()
+    loop = _Loop(model, pace, plan.settle, recording, threads, outcome)
     try:
         loop.run(progress)
     except KeyboardInterrupt:
@@ -128,10 +129,9 @@ class _Loop:
     """State of one run between chunks."""
 
     def __init__(
-        self, model: Model, plan: Program | Controlled, recording: Recording, threads: int, outcome: Outcome
+        self, model: Model, pace: Pace, settle: int, recording: Recording, threads: int, outcome: Outcome
     ) -> None:
-        self.model, self.recording, self.settle = model, recording, plan.settle
-        self.pace = pace_of(model, plan, recording.rows)
+        self.model, self.pace, self.settle, self.recording = model, pace, settle, recording
         self.threads, self.outcome = threads, outcome
         self.place = 0.0
         self.rows: list[list[float]] = []
