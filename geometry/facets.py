@@ -3,11 +3,9 @@
 from typing import Any
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
 from geometry.blocks import GeometryError
+from geometry.welding import weld
 
 TRIANGLE = 2
 SAME = 1e-6  # mm, corners of neighbouring faces nearer than this are one
@@ -38,7 +36,8 @@ def triangulate(gmsh: Any, extent: float) -> tuple[np.ndarray, dict[int, np.ndar
         raise GeometryError(f"the faces of the solids make {len(tags)} corners of facets; take a larger --facet")
     if not np.isfinite(coordinates).all():
         raise GeometryError("the file holds corners at infinity; is it damaged?")
-    corners, number = _welded(coordinates.reshape(-1, 3), max(SAME, 1e-9 * extent))
+    points = coordinates.reshape(-1, 3)
+    kept, number = weld(points, max(SAME, 1e-9 * extent))
     of_tag = np.zeros(int(tags.max()) + 1, dtype=np.int64)
     of_tag[tags.astype(np.int64)] = number
     triangles = {}
@@ -46,13 +45,4 @@ def triangulate(gmsh: Any, extent: float) -> tuple[np.ndarray, dict[int, np.ndar
         found = of_tag[gmsh.model.mesh.getElementsByType(TRIANGLE, surface)[1].astype(np.int64).reshape(-1, 3)]
         flat = (found[:, 0] == found[:, 1]) | (found[:, 1] == found[:, 2]) | (found[:, 2] == found[:, 0])
         triangles[surface] = found[~flat]
-    return corners, triangles
-
-
-def _welded(points: np.ndarray, width: float) -> tuple[np.ndarray, np.ndarray]:
-    """Points nearer than width taken as one (the first of them), and the number of each point among those left."""
-    near = cKDTree(points).query_pairs(width, output_type="ndarray")
-    graph = coo_array((np.ones(len(near)), (near[:, 0], near[:, 1])), shape=(len(points),) * 2)
-    label = connected_components(graph, directed=False)[1]
-    _, first, number = np.unique(label, return_index=True, return_inverse=True)
-    return points[first], number.ravel()
+    return points[kept], triangles

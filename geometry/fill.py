@@ -4,7 +4,6 @@ import time
 from collections.abc import Sequence
 
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from geometry.blocks import Blocks
 from geometry.cells.asked import CellReport, CellsAsked
@@ -41,9 +40,8 @@ def fill_with_cells(low: np.ndarray, high: np.ndarray, asked: CellsAsked, group:
         site, counts = given_sites(asked, low, high)
     else:
         site, counts = None, share_out(asked, volume, high[:, 1] - low[:, 1])
-    with threadpool_limits(1):  # threads of BLAS make the many small products ten times slower
-        fill = _space_cells if asked.space else _plane_cells
-        return fill(low, high, asked, group, counts, site, rng)
+    fill = _space_cells if asked.space else _plane_cells
+    return fill(low, high, asked, group, counts, site, rng)
 
 
 def _plane_cells(

@@ -7,8 +7,6 @@ stay where they are and the time grows nearly as the number of blocks.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from geometry.blocks import Blocks, Joints
@@ -16,6 +14,7 @@ from geometry.joints import patch_faces
 from geometry.loops import free_regions, reverse
 from geometry.measures import extent, face_areas_normals_centroids
 from geometry.ragged import ranges
+from geometry.welding import weld
 
 Loop = list[int]
 
@@ -46,7 +45,7 @@ def imprint(blocks: Blocks, wanted: np.ndarray, joints: Joints, tolerance: float
 
     corners = [blocks.face(f) for f in faces.tolist()]
     corners += [joints.patch_points[joints.patch_start[p] : joints.patch_start[p + 1]] for p in patches]
-    vertices, loops = weld(corners, width)
+    vertices, loops = weld_loops(corners, width)
     loops = split_edges(vertices, loops, width)
     outline = dict(zip(faces.tolist(), loops, strict=False))
     patch_loop = dict(zip(patches.tolist(), loops[len(faces) :], strict=True))
@@ -71,15 +70,12 @@ def imprint(blocks: Blocks, wanted: np.ndarray, joints: Joints, tolerance: float
     return Imprint(vertices, surfaces, block_surfaces, patch_surface)
 
 
-def weld(corners: list[np.ndarray], width: float) -> tuple[np.ndarray, list[Loop]]:
+def weld_loops(corners: list[np.ndarray], width: float) -> tuple[np.ndarray, list[Loop]]:
     """Vertices (V, 3), points within width taken as one, and the polygons as loops of vertex numbers."""
     points = np.concatenate(corners)
-    near = cKDTree(points).query_pairs(width, output_type="ndarray")
-    graph = coo_array((np.ones(len(near)), (near[:, 0], near[:, 1])), shape=(len(points),) * 2)
-    label = connected_components(graph, directed=False)[1]
-    _, representative, number = np.unique(label, return_index=True, return_inverse=True)
+    kept, number = weld(points, width)
     ends = np.cumsum([len(c) for c in corners])[:-1]
-    return points[representative], [loop.tolist() for loop in np.split(number, ends)]
+    return points[kept], [loop.tolist() for loop in np.split(number, ends)]
 
 
 def split_edges(vertices: np.ndarray, loops: list[Loop], width: float) -> list[Loop]:

@@ -9,10 +9,10 @@ from scipy.sparse.csgraph import connected_components
 
 from geometry.blocks import Blocks, GeometryError
 from geometry.gaps import Facing, facing_faces, require_small
-from geometry.imprint import weld
 from geometry.measures import extent, face_areas_normals_centroids, volumes
 from geometry.overlaps import check_overlaps
 from geometry.polygons import pad
+from geometry.welding import weld
 
 SUSPICIOUS = 10.0
 """Gaps up to so many times the tolerance are taken for mistakes."""
@@ -124,7 +124,7 @@ def _corners_moved(
     face_of = np.repeat(np.arange(len(plane)), np.diff(blocks.face_start))
     for b in np.unique(blocks.face_block()[moving]).tolist():
         begin, end = (blocks.face_start[blocks.block_face_start[k]] for k in (b, b + 1))
-        vertex = np.array(weld([points[begin:end]], width)[1][0])
+        vertex = weld(points[begin:end], width)[1]
         for v in np.unique(vertex[moving[face_of[begin:end]]]):
             here = begin + np.flatnonzero(vertex == v)
             faces = face_of[here][np.unique(plane[face_of[here]], return_index=True)[1]]

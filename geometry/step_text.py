@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from geometry.blocks import Blocks
-from geometry.imprint import split_edges, weld
+from geometry.imprint import split_edges, weld_loops
 from geometry.measures import extent, face_areas_normals_centroids
 
 WIDTH = 1e-9
@@ -151,7 +151,7 @@ def _plane(axes: str) -> str:
 
 def _shell(blocks: Blocks, b: int, width: float) -> tuple[np.ndarray, list[list[int]]]:
     """Corners and faces of a block, every edge in two faces: corners on the edges of other faces are put in."""
-    vertices, loops = weld([blocks.face(f) for f in blocks.faces_of(b)], width)
+    vertices, loops = weld_loops([blocks.face(f) for f in blocks.faces_of(b)], width)
     edges = {(i, j) for loop in loops for i, j in zip(loop, loop[1:] + loop[:1], strict=True)}
     if all((j, i) in edges for i, j in edges):
         return vertices, loops

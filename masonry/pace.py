@@ -7,6 +7,7 @@ import numpy as np
 from masonry.guide import Guide
 from masonry.loads import Controlled, Program, smooth
 from masonry.model import Model
+from masonry.utilisation import utilisation
 
 LONGEST_CHUNK = 200
 """Steps between two looks at the motion: an instability then cannot grow into infinities unseen."""
@@ -45,7 +46,7 @@ class FixedPace:
         part = slice(first, self.done + 1)
         return Chunk(self.program.dead_load[part], self.program.speed[part], self.done == due)
 
-    def look(self, force: float, used: float, stored: float, broken: float, kinetic: float) -> None:
+    def look(self, force: float, seen: np.ndarray, terms: dict[str, float]) -> None:
         """A fixed program does not care."""
 
     def progress(self) -> tuple[int, int]:
@@ -82,7 +83,7 @@ class ControlledPace:
     """
 
     def __init__(self, model: Model, plan: Controlled, rows: int) -> None:
-        self.dt, self.plan, self.guide = model.dt, plan, Guide(model)
+        self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Guide(model)
         self.settling = FixedPace(Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0), rows)
         self.goal = abs(plan.displacement)
         self.sign = -1.0 if plan.displacement < 0 else 1.0
@@ -112,12 +113,14 @@ class ControlledPace:
         self.increments += 1
         return Chunk(np.full(STEPS + 1, self.plan.dead_load[-1]), self.sign * speed, True)
 
-    def look(self, force: float, used: float, stored: float, broken: float, kinetic: float) -> None:
-        """Choose the next speed: by the force of the drive (N), the share of strength that is used, and energies (J).
+    def look(self, force: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+        """Choose the next speed by the force of the drive (N), what contacts show, and the ledger (J; see energy.py).
 
-        The energies are those stored, spent on fracture, and kinetic. Where nothing is damaged, the next increment goes
-        half of the way to damage at most, or as far as the accuracy lets it.
+        Where nothing is damaged, the next increment goes half of the way to damage at most, or as far as the accuracy
+        lets it.
         """
+        stored = terms["elastic_blocks"] + terms["elastic_contacts"]
+        broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
         if self.increments == 0:
             self.stored = self.most_stored = stored
             self.guide.settle()
@@ -126,12 +129,13 @@ class ControlledPace:
         allowed = CHANGE * self.plan.accuracy
         change = abs(stored - self.stored) / self.most_stored
         if broken <= INTACT * self.most_stored:
-            excess = change / (2.0 * np.clip(0.5 * (1.0 / max(used, 1e-9) - 1.0), allowed, STRIDE))
+            used = max(utilisation(self.model, seen), 1e-9)
+            excess = change / (2.0 * np.clip(0.5 * (1.0 / used - 1.0), allowed, STRIDE))
         else:
             fracture = (broken - self.broken) / self.most_stored
             excess = max(change / allowed, fracture / allowed)
             self.worst = max(self.worst, excess)
-            excess = max(excess, kinetic / max(stored, 1e-300) / (MOTION * self.plan.accuracy))
+            excess = max(excess, terms["kinetic"] / max(stored, 1e-300) / (MOTION * self.plan.accuracy))
         self.stored, self.broken = stored, broken
         factor = np.clip(1.0 / np.sqrt(max(excess, 1e-12)), SLOWER, FASTER)
         self.target = float(np.clip(self.target * factor, self.slowest, self.fastest))

@@ -17,7 +17,6 @@ from masonry.kernels.step import advance, reaction
 from masonry.loads import Controlled, Program
 from masonry.model import Model
 from masonry.pace import Chunk, Pace, pace_of
-from masonry.utilisation import utilisation
 from masonry.watch import Watch, frame_of
 
 FRAMES = 24
@@ -190,13 +189,7 @@ class _Loop:
             self.outcome.unbalanced = energy.unbalanced(model, before)
         place = abs(self.place)
         self.rows.append([step, step * model.dt, place, stress, -support, *(terms[k] for k in list(UNITS)[5:])])
-        self.pace.look(
-            stress * area * self.recording.sign,
-            utilisation(model, view.seen),
-            terms["elastic_blocks"] + terms["elastic_contacts"],
-            terms["fracture_mode_1"] + terms["fracture_mode_2"],
-            terms["kinetic"],
-        )
+        self.pace.look(stress * area * self.recording.sign, view.seen, terms)
         self.outcome.rotation_max = self.watch.rotation
         higher = stress > self.highest_row and step > 0
         if frame_due or higher:

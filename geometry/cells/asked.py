@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from geometry.blocks import GeometryError
 
 
@@ -62,3 +64,22 @@ class CellReport:
     size_error: float
     shortest_joint: float | None
     seconds: float
+
+
+def report_of(
+    length: np.ndarray, small: float, size: np.ndarray, h: float, shortest_joint: float | None, seconds: float
+) -> CellReport:
+    """The report of a division from the lengths of its edges in h, and the sizes (n,) of its cells over their targets.
+
+    small  the length in h below which an edge is small
+    """
+    return CellReport(
+        count=len(size),
+        h=h,
+        shortest_over_mean=float(length.min() / length.mean()),
+        shortest=float(length.min()),
+        small_edges=float(np.mean(length < small)),
+        size_error=float(np.abs(size - 1).max()),
+        shortest_joint=shortest_joint,
+        seconds=seconds,
+    )

@@ -135,7 +135,9 @@ def hold_sizes(diagram: PlaneDiagram, target: np.ndarray, tolerance: float = 1e-
 def _newton_step(diagram: PlaneDiagram, lack: np.ndarray) -> np.ndarray:
     """Change of the weights that makes up for the lack of area (n,), to first order; one weight a unit stays."""
     n = len(lack)
-    i, j, length = shared_edges(diagram)
+    cell, label, length = edges(diagram)
+    once = label > cell
+    i, j, length = cell[once], label[once], length[once]
     share = length / (2 * np.linalg.norm(diagram.site[i] - diagram.site[j], axis=1))
     diagonal = np.bincount(i, share, n) + np.bincount(j, share, n)
     kept = np.ones(n, dtype=bool)
@@ -148,9 +150,8 @@ def _newton_step(diagram: PlaneDiagram, lack: np.ndarray) -> np.ndarray:
     return step
 
 
-def shared_edges(diagram: PlaneDiagram) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Edges between cells i < j, (m,) each, and their lengths in h."""
-    inside = np.arange(MOST) < diagram.count[:, None]
-    i, k = np.nonzero(inside & (diagram.label > np.arange(len(inside))[:, None]))
-    after = np.where(k + 1 < diagram.count[i], k + 1, 0)
-    return i, diagram.label[i, k], np.linalg.norm(diagram.corner[i, after] - diagram.corner[i, k], axis=1)
+def edges(diagram: PlaneDiagram) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Cell (m,), label (m,) and length (m,) in h of every edge of every cell."""
+    cell, k = np.nonzero(np.arange(MOST) < diagram.count[:, None])
+    after = np.where(k + 1 < diagram.count[cell], k + 1, 0)
+    return cell, diagram.label[cell, k], np.linalg.norm(diagram.corner[cell, after] - diagram.corner[cell, k], axis=1)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 from geometry.blocks import GeometryError
 from geometry.cells.asked import CellReport
@@ -38,7 +39,8 @@ def divide_plane(
     domains = plane_domains(polygons, counts, h)
     best, least = None, np.inf
     for seeds in sites:
-        diagram, left = _attempt(plane_diagram(domains, seeds / h), target / h**2, laguerre, regular)
+        with threadpool_limits(1):  # threads of BLAS make the many small products ten times slower
+            diagram, left = _attempt(plane_diagram(domains, seeds / h), target / h**2, laguerre, regular)
         if best is None or left < least:
             best, least = diagram, left
         if least <= SETTLED or not regular:

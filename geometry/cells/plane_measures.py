@@ -3,13 +3,11 @@
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
-from geometry.cells.asked import CellReport
-from geometry.cells.plane import PlaneDiagram, areas_and_centroids
+from geometry.cells.asked import CellReport, report_of
+from geometry.cells.plane import PlaneDiagram, areas_and_centroids, edges
 from geometry.cells.plane_energy import joint_points
+from geometry.welding import weld
 
 WELD = 1e-8
 """Corners closer than this share of h are one."""
@@ -24,11 +22,8 @@ def loops_in_metres(diagram: PlaneDiagram, polygons: Sequence[np.ndarray], h: fl
     before = np.arange(len(leaving)) - 1
     before[start] += diagram.count
     place, walls = _on_walls(diagram.corner[inside] * h, leaving, leaving[before], np.concatenate(polygons))
-    near = cKDTree(place).query_pairs(WELD * h, output_type="ndarray")
-    graph = coo_array((np.ones(len(near)), (near[:, 0], near[:, 1])), shape=(len(place),) * 2)
-    number = connected_components(graph, directed=False)[1]
-    order = np.argsort(-walls, kind="stable")  # where corners are one, the one that lies on most walls counts
-    welded = place[order[np.unique(number[order], return_index=True)[1]]][number]
+    kept, number = weld(place, WELD * h, walls)  # where corners are one, the one that lies on most walls counts
+    welded = place[kept][number]
     distinct = number != number[before]
     return [loop[keep] for loop, keep in zip(np.split(welded, start[1:]), np.split(distinct, start[1:]), strict=True)]
 
@@ -57,25 +52,13 @@ def report(diagram: PlaneDiagram, target: np.ndarray, h: float, seconds: float) 
     length = edge_lengths(diagram)
     segment = joint_segments(diagram)
     area = areas_and_centroids(diagram)[0]
-    return CellReport(
-        count=len(target),
-        h=h,
-        shortest_over_mean=float(length.min() / length.mean()),
-        shortest=float(length.min()),
-        small_edges=float(np.mean(length < SMALL)),
-        size_error=float(np.abs(area / target - 1).max()),
-        shortest_joint=float(segment.min()) if len(segment) else None,
-        seconds=seconds,
-    )
+    shortest_joint = float(segment.min()) if len(segment) else None
+    return report_of(length, SMALL, area / target, h, shortest_joint, seconds)
 
 
 def edge_lengths(diagram: PlaneDiagram) -> np.ndarray:
     """(m,) lengths in h of all edges, those on walls too, each once."""
-    width = diagram.corner.shape[1]
-    cell, k = np.nonzero(np.arange(width) < diagram.count[:, None])
-    after = np.where(k + 1 < diagram.count[cell], k + 1, 0)
-    length = np.linalg.norm(diagram.corner[cell, after] - diagram.corner[cell, k], axis=1)
-    label = diagram.label[cell, k]
+    cell, label, length = edges(diagram)
     return length[((label < 0) | (label > cell)) & (length > WELD)]
 
 

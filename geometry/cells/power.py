@@ -10,12 +10,11 @@ from their four generators in coordinates near them, and those that are one (reg
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import ConvexHull, cKDTree
+from scipy.spatial import ConvexHull
 
 from geometry.blocks import GeometryError
 from geometry.cells.domain import Domain
+from geometry.welding import weld
 
 WELD = 5e-10
 """Vertices closer than this share of h are one; h is the cube root of the mean volume."""
@@ -61,7 +60,7 @@ def tessellate(sites: np.ndarray, weights: np.ndarray, domain: Domain) -> Power:
     scaled, site, weight = domain.scaled(h), (sites - domain.centre) / h, (weights - weights.mean()) / h**2
     simplices, rough = _dual_hull(site, weight, scaled)
     place, quality = _solve(simplices, rough, site, weight, scaled)
-    number, kept = _weld(place, quality)
+    kept, number = weld(place, WELD, quality)
     vertices = _on_walls(domain.centre + h * place[kept], simplices, number, n, domain)
     face_start, face_points, cell, other = _faces(simplices, number, place[kept], site, scaled)
     cell_start, cell_faces = _faces_of_cells(cell, other, n)
@@ -105,16 +104,6 @@ def _solve(
     place = rough.copy()
     place[sound] = site[first[sound]] + np.linalg.solve(normal[sound], level[sound][:, :, None])[:, :, 0]
     return place, np.where(sound, quality, 0.0)
-
-
-def _weld(place: np.ndarray, quality: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(f,) number of the vertex that each place becomes, and (V,) the place that stands for each vertex."""
-    near = cKDTree(place).query_pairs(WELD, output_type="ndarray")
-    graph = coo_array((np.ones(len(near)), (near[:, 0], near[:, 1])), shape=(len(place),) * 2)
-    number = connected_components(graph, directed=False)[1].astype(np.int64)
-    order = np.argsort(-quality, kind="stable")
-    kept = order[np.unique(number[order], return_index=True)[1]]
-    return number, kept
 
 
 def _on_walls(vertices: np.ndarray, simplices: np.ndarray, number: np.ndarray, n: int, domain: Domain) -> np.ndarray:

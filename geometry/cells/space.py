@@ -8,7 +8,7 @@ from scipy.stats.qmc import Halton
 from threadpoolctl import threadpool_limits
 
 from geometry.blocks import GeometryError
-from geometry.cells.asked import CellReport
+from geometry.cells.asked import CellReport, report_of
 from geometry.cells.domain import Domain
 from geometry.cells.power import Power, tessellate
 from geometry.cells.power_blocks import cell_volumes, edge_lengths
@@ -56,16 +56,7 @@ def space_report(powers: Sequence[Power], targets: Sequence[np.ndarray], seconds
     h = float(np.cbrt(target.mean()))
     length = np.concatenate([edge_lengths(power) for power in powers]) / h
     volume = np.concatenate([cell_volumes(power) for power in powers])
-    return CellReport(
-        count=len(target),
-        h=h,
-        shortest_over_mean=float(length.min() / length.mean()),
-        shortest=float(length.min()),
-        small_edges=float(np.mean(length < SMALL)),
-        size_error=float(np.abs(volume / target - 1).max()),
-        shortest_joint=None,
-        seconds=seconds,
-    )
+    return report_of(length, SMALL, volume / target, h, None, seconds)
 
 
 def random_sites_in(domain: Domain, n: int, rng: np.random.Generator) -> np.ndarray:

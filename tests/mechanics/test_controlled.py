@@ -45,6 +45,9 @@ def test_the_shipped_couplet_keeps_the_accuracy_that_was_asked(accuracy):
     assert result.summary["peak_stress_pa"] == pytest.approx(1.375e6, rel=accuracy)
 
 
+TERMS = ("elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "kinetic")
+
+
 def elastic_wall(pace: str):
     over = {"drive.displacement": "0.002 mm", "contact.unit_unit.law": "elastic", "contact.within_units.law": "elastic"}
     scene = load("wallette-mode-1", over)
@@ -102,7 +105,9 @@ def test_increments_add_up_whatever_the_energies_say():
     while (chunk := pace.next()) is not None:
         moved += chunk.speed[:-1].sum() * assembly.model.dt
         assert np.all(chunk.speed <= 0.0)
-        pace.look(*(float(x) for x in rng.lognormal(0, 3, 5)))
+        force, *energies = (float(x) for x in rng.lognormal(0, 3, 6))
+        seen = rng.lognormal(0, 3, (len(assembly.model.group), 4))
+        pace.look(force, seen, dict(zip(TERMS, energies, strict=True)))
     assert moved == pytest.approx(-3e-4, rel=1e-10)
 
 
