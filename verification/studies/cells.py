@@ -74,22 +74,25 @@ def chapter(tell: Callable[[str], None]) -> page.Chapter:
     )
     rows, tets = [], []
     met: list[bool] = []
-    round_enough: list[bool] = []
+    ratios: list[float] = []
     for case in cases():
         tell(f"cells: {case.name}")
         reports = [_divided(case, seed)[1] for seed in range(SEEDS)]
         rows.append(_row(case, reports, met))
         made.records += [{"case": case.name, "seed": k, **vars(r)} for k, r in enumerate(reports)]
         if case.meshed:
-            tets.append(_meshed(case, round_enough))
+            tets.append(_meshed(case, ratios))
     header = ["cells", "shortest / mean edge", "small edges", "size error", "shortest joint piece", "seconds", "Neper"]
     made.parts.append(page.table(header, rows, "Cells: worst of all seeds"))
     made.parts.append(page.table(["cells", "tets", "ms a block", "worst radius ratio"], tets, "Tets of 0.55 h by gmsh"))
     tell("cells: 50,000 tessellated")
     made.parts.append(page.paragraph(_many(50_000)))
+    least = min(ratios)
     made.verdicts += [
         page.Verdict("Cells", "ok" if all(met) else "bad", f"{sum(met)} of {len(met)} limits are kept."),
-        page.Verdict("Tets in cells", "ok" if all(round_enough) else "bad", f"Radius ratios above {ROUND:g} sought."),
+        page.Verdict(
+            "Tets in cells", "ok" if least >= ROUND else "bad", f"Least radius ratio {least:.2f}; {ROUND:g} is sought."
+        ),
     ]
     return made
 
@@ -107,24 +110,24 @@ def _row(case: Case, reports: list[CellReport], met: list[bool]) -> list[page.Ce
         page.Cell(f"{edge:.2f}", "ok" if good[0] else "bad", f"sought {case.edge:g}"),
         page.Cell(page.percent(small), "ok" if good[1] else "bad", f"sought {page.percent(case.small)}"),
         page.Cell(f"{size:.0e}", "ok" if good[2] else "bad", f"sought {case.size:g}"),
-        page.Cell("-", "text"),
+        page.Cell("-"),
     ]
     if joints:
         good.append(min(joints) >= case.joint)
         cells[3] = page.Cell(f"{min(joints):.2f} h", "ok" if good[3] else "bad", f"sought {case.joint:g} h")
     met += good
-    return [case.name, *cells, f"{min(r.seconds for r in reports):.2g}", case.neper]
+    return [case.name, *cells, f"{max(r.seconds for r in reports):.2g}", case.neper]
 
 
-def _meshed(case: Case, good: list[bool]) -> list[page.Cell | str | int]:
+def _meshed(case: Case, ratios: list[float]) -> list[page.Cell | str | int]:
     blocks, report = _divided(case, 0)
     joints = find_joints(blocks)
     begin = time.perf_counter()
     mesh, _ = mesh_blocks(blocks, np.ones(blocks.count, dtype=bool), MESH_SIZE * report.h, joints)
     each = 1e3 * (time.perf_counter() - begin) / blocks.count
     worst = float(radius_ratios(mesh).min())
-    good.append(worst >= ROUND)
-    ratio = page.Cell(f"{worst:.3f}", "ok" if good[-1] else "bad", f"sought {ROUND:g}")
+    ratios.append(worst)
+    ratio = page.Cell(f"{worst:.3f}", "ok" if worst >= ROUND else "bad", f"sought {ROUND:g}")
     return [case.name, len(mesh.tets), f"{each:.1f}", ratio]
 
 
