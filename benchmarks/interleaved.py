@@ -1,15 +1,33 @@
-"""Times two things in turn, in one process, and compares their minima: what a noisy machine allows to be said."""
+"""Times things in turn, in one process, and compares their minima: what a noisy machine allows to be said."""
 
 import time
 from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Times(NamedTuple):
+    """Least time (s) of some rounds, and by how much the upper quartile lies above it (share)."""
+
+    least: float
+    spread: float
+
+
+def in_turn(*works: Callable[[], object], rounds: int = 60) -> list[Times]:
+    """Times of each work, rounds interleaved."""
+    taken = np.empty((rounds, len(works)))
+    for times in taken:
+        for k, work in enumerate(works):
+            begun = time.perf_counter()
+            work()
+            times[k] = time.perf_counter() - begun
+    least = taken.min(axis=0)
+    upper = np.quantile(taken, 0.75, axis=0)
+    return [Times(float(a), float(b / a - 1.0)) for a, b in zip(least, upper, strict=True)]
 
 
 def ratio(measured: Callable[[], object], reference: Callable[[], object], rounds: int = 60) -> float:
-    """Least time of `measured` over least time of `reference`, rounds interleaved."""
-    best = [float("inf"), float("inf")]
-    for _ in range(rounds):
-        for k, work in enumerate((measured, reference)):
-            begun = time.perf_counter()
-            work()
-            best[k] = min(best[k], time.perf_counter() - begun)
-    return best[0] / best[1]
+    """Least time of `measured` over least time of `reference`."""
+    ours, theirs = in_turn(measured, reference, rounds=rounds)
+    return ours.least / theirs.least

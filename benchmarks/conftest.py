@@ -1,0 +1,62 @@
+"""What `make bench` shows at its end and writes into bench.json besides the timings: figures, with reach and aim.
+
+Figures of a machine are recorded and never fail; what can fail are the gates, and these are ratios.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import pytest
+
+FIGURES: list["Figure"] = []
+
+
+class Figure(NamedTuple):
+    """One line of the table; reach and aim are upper limits in the same unit, or None."""
+
+    row: str
+    value: float
+    unit: str
+    reach: float | None = None
+    aim: float | None = None
+    spread: float | None = None  # of the rounds: upper quartile over the least, less 1
+    least: bool = False  # reach and aim are lower limits
+
+    def verdict(self) -> str:
+        """How the value stands to its limits."""
+        if self.reach is None:
+            return ""
+        sign = -1.0 if self.least else 1.0
+        if self.aim is not None and sign * self.value <= sign * self.aim:
+            return "aim kept"
+        return "reached" if sign * self.value <= sign * self.reach else "MISSED"
+
+
+@pytest.fixture
+def figure() -> Callable[..., None]:
+    """figure(row, value, unit, reach=None, aim=None, spread=None, least=False): a line of the table."""
+
+    def add(*values, **named) -> None:
+        FIGURES.append(Figure(*values, **named))
+
+    return add
+
+
+def pytest_benchmark_update_json(config, benchmarks, output_json) -> None:
+    """The figures go into bench.json beside the timings."""
+    output_json["figures"] = [entry._asdict() for entry in FIGURES]
+
+
+def pytest_terminal_summary(terminalreporter) -> None:
+    """The table."""
+    if not FIGURES:
+        return
+    lines = [("", "measured", "spread", "reach", "aim", "")]
+    for f in FIGURES:
+        limits = ["" if x is None else f"{x:g}" for x in (f.reach, f.aim)]
+        spread = "" if f.spread is None else f"+{100 * f.spread:.0f} %"
+        lines.append((f.row, f"{f.value:.3g} {f.unit}", spread, *limits, f.verdict()))
+    widths = [max(len(line[i]) for line in lines) for i in range(6)]
+    terminalreporter.section("figures")
+    for line in lines:
+        terminalreporter.write_line("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)))
