@@ -11,6 +11,7 @@ from numba.core.runtime import _nrt_python, rtsys
 from benchmarks.interleaved import ratio
 from benchmarks.reference import elastic_contacts, exponential_contacts
 from masonry import scene, timeloop
+from masonry.arrays import in_rows
 from masonry.assembly import assemble
 from masonry.kernels.contact import sweep
 from masonry.laws.elastic import Elastic
@@ -27,18 +28,18 @@ ENERGIES = (5.0, 15.0)
 def contacts(spread: float) -> tuple:
     """Node pairs with random relative displacements of up to `spread` metres."""
     rng = np.random.default_rng(1)
-    sides = np.arange(2 * COUNT).reshape(COUNT, 2)
-    normal = np.zeros((COUNT, 3))
+    sides = np.arange(2 * COUNT, dtype=np.uint32).reshape(COUNT, 2)
+    normal = np.zeros((COUNT, 3), order="F")
     normal[np.arange(COUNT), rng.integers(0, 3, COUNT)] = 1.0
     u = rng.uniform(-spread, spread, (2 * COUNT, 3))
-    return sides, normal, np.full(COUNT, 1e-4), u, np.zeros((COUNT, 3))
+    return sides, normal, np.full(COUNT, 1e-4), in_rows(u), in_rows(np.zeros((COUNT, 3)))
 
 
 def softening_pair(spread: float) -> tuple:
     """(ours, by hand) over the same contacts, each with its own history."""
     geometry = contacts(spread)
     limit = np.full(COUNT, INTERFACE.tensile_strength / INTERFACE.normal_stiffness)
-    state = fresh(COUNT, limit.copy(), uplift=False, gap=False, run=False)
+    state = fresh(limit.copy(), np.full(COUNT, 167e9), uplift=False, gap=False, run=False)
     opened, whole, slip = limit.copy(), np.ones((COUNT, 2)), np.zeros((COUNT, 3))
     shape = Exponential(*ENERGIES)
     numbers = (167e9, 69.6e9, 0.1e6, 0.15e6, 1.0, 0.7265, *ENERGIES)

@@ -31,7 +31,7 @@ def number_sides(sides: tuple, first: dict[str, int], rows: dict[str, int]) -> t
         which = which[np.lexsort((code[which], row[which]))]
         start = np.searchsorted(row[which], np.arange(rows[name] + 1))
         arms = arm[which] if name == "affine" else np.einsum("cij,cj->ci", axes[which], arm[which])
-        ordered[name] = start.astype(np.int64), code[which].astype(np.int64), np.ascontiguousarray(arms)
+        ordered[name] = start.astype(np.uint32), code[which].astype(np.uint32), np.ascontiguousarray(arms)
         if name != "tets":
             place[which] = first[name] + np.arange(len(which))
     between = np.flatnonzero(kind == BETWEEN)
@@ -40,7 +40,7 @@ def number_sides(sides: tuple, first: dict[str, int], rows: dict[str, int]) -> t
         order = np.argsort(corner[:, 0], kind="stable")
         place[between[order]] = first["between"] + np.arange(len(between))
         ordered["between"] = corner[order], share[order], code[between[order]]
-    return np.ascontiguousarray(place.reshape(2, count).T), ordered
+    return np.asfortranarray(place.reshape(2, count).T, dtype=np.uint32), ordered
 
 
 def bodies_of(
@@ -57,8 +57,8 @@ def bodies_of(
     common = {}
     for kind in KINDS:
         held, load = conditions.prescribed[kind], conditions.load[kind]
-        zeros = [np.zeros(held.shape) for _ in range(3)]
-        pace = np.where(held, 0.0, dt / np.where(masses[kind] > 0, masses[kind], np.inf))
+        zeros = [in_rows(np.zeros(held.shape)) for _ in range(3)]
+        pace = in_rows(np.where(held, 0.0, dt / np.where(masses[kind] > 0, masses[kind], np.inf)))
         start, code, _ = ordered[kind]
         common[kind] = {
             **dict(zip(("v", "contact", "hold"), zeros, strict=True)),
@@ -66,8 +66,8 @@ def bodies_of(
                 "pace": pace,
                 "start": start,
                 "code": code,
-                "load": load,
-                "guess": np.zeros(held.shape) if guided else None,
+                "load": None if load is None else in_rows(load),
+                "guess": in_rows(np.zeros(held.shape)) if guided else None,
                 "work": np.zeros((len(layout.members[kind]), 3)),
             },
         }
@@ -78,15 +78,17 @@ def bodies_of(
     }
     rigid = affine = tets = None
     if len(which["rigid"]):
-        q = np.zeros((len(which["rigid"]), 6))
-        rigid = Rigid(q=q, arm=ordered["rigid"][2], first_point=first["rigid"], axes=axes["rigid"], **common["rigid"])
+        q = in_rows(np.zeros((len(which["rigid"]), 6)))
+        rigid = Rigid(
+            q=q, arm=ordered["rigid"][2], first_point=np.uint32(first["rigid"]), axes=axes["rigid"], **common["rigid"]
+        )
     if len(which["affine"]):
         b = which["affine"]
         affine = Affine(
-            q=np.zeros((len(b), 12)),
+            q=in_rows(np.zeros((len(b), 12))),
             arm=ordered["affine"][2],
             stiffness=lame[b] * layout.volume[b, None],
-            first_point=first["affine"],
+            first_point=np.uint32(first["affine"]),
             axes=axes["affine"],
             **common["affine"],
         )
@@ -99,16 +101,38 @@ def bodies_of(
 def _tets(layout: Layout, mesh: TetMesh, lame: np.ndarray, common: dict) -> Tets:
     b = layout.members["tets"]
     last = np.append(b, len(mesh.node_start) - 1)
-    root = np.sqrt(tet_volumes(mesh))
+    count = np.diff(mesh.tet_start[last])
+    group_start = np.concatenate([[0], np.cumsum(-(-count // 8))])
+    slot = np.arange(len(mesh.tets)) + np.repeat(8 * group_start[:-1] - mesh.tet_start[last[:-1]], count)
+    corner = np.repeat(np.repeat(mesh.node_start[b], 8 * np.diff(group_start))[:, None], 4, axis=1)
+    corner[slot] = mesh.tets
+    slope = np.zeros((len(corner), 9))
+    slope[slot] = (tet_gradients(mesh)[:, 1:] * np.sqrt(tet_volumes(mesh))[:, None, None]).reshape(-1, 9)
     return Tets(
-        inner=np.zeros((len(mesh.nodes), 3)),
-        node_start=mesh.node_start[last],
-        tet_start=mesh.tet_start[last],
-        corner=mesh.tets.astype(np.uint32),
-        slope=(tet_gradients(mesh)[:, 1:] * root[:, None, None]).reshape(-1, 9),
+        inner=in_rows(np.zeros((len(mesh.nodes), 3))),
+        node_start=mesh.node_start[last].astype(np.uint32),
+        group_start=group_start.astype(np.uint32),
+        corner=_side_by_side(corner).astype(np.uint32),
+        slope=_side_by_side(slope),
         lame=np.ascontiguousarray(lame[b]),
         **common,
     )
+
+
+def _side_by_side(rows: np.ndarray) -> np.ndarray:
+    """(8 G, n) -> (G, n, 8)."""
+    return np.ascontiguousarray(rows.reshape(-1, 8, rows.shape[1]).transpose(0, 2, 1))
+
+
+def in_rows(values: np.ndarray) -> np.ndarray:
+    """The same numbers in rows that lie 4 or 8 apart, on boundaries of 64 bytes, so that a row is one vector."""
+    rows, used = values.shape
+    width = -(-used // 8) * 8 if used in (6, 8) else -(-used // 4) * 4
+    room = np.zeros(rows * width + 8)
+    first = -(room.ctypes.data // 8) % 8
+    view = room[first : first + rows * width].reshape(rows, width)[:, :used]
+    view[...] = values
+    return view
 
 
 def _between(layout: Layout, mesh: TetMesh, sides: tuple, first: int) -> dict:
@@ -119,10 +143,10 @@ def _between(layout: Layout, mesh: TetMesh, sides: tuple, first: int) -> dict:
     return {
         "corner_between": corner.astype(np.uint32),
         "share_between": np.ascontiguousarray(share),
-        "start_between": np.searchsorted(corner[:, 0], mesh.node_start[last]),
-        "first_between": first,
-        "pull_start": np.searchsorted(corner.ravel()[order], np.arange(len(mesh.nodes) + 1)),
-        "pull_code": np.repeat(code, 3)[order],
+        "start_between": np.searchsorted(corner[:, 0], mesh.node_start[last]).astype(np.uint32),
+        "first_between": np.uint32(first),
+        "pull_start": np.searchsorted(corner.ravel()[order], np.arange(len(mesh.nodes) + 1)).astype(np.uint32),
+        "pull_code": np.repeat(code, 3)[order].astype(np.uint32),
         "pull_share": share.ravel()[order],
     }
 
@@ -130,9 +154,10 @@ def _between(layout: Layout, mesh: TetMesh, sides: tuple, first: int) -> dict:
 def memory_of(group: np.ndarray, interfaces: list[Interface]) -> ContactState:
     """Fresh memory: intact, nothing opened beyond the elastic limit."""
     limit = np.array([(i.tensile_strength or 0.0) / i.normal_stiffness for i in interfaces])
+    stiffness = np.array([i.normal_stiffness for i in interfaces])
     return fresh(
-        len(group),
         limit[group] if len(group) else np.zeros(0),
+        stiffness[group] if len(group) else np.zeros(0),
         uplift=any(i.tan_dilation is not None for i in interfaces),
         gap=any(i.elastic_unloading is not None for i in interfaces),
         run=any(i.tan_dilation is not None or i.plastic_softening is not None for i in interfaces),

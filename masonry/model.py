@@ -6,8 +6,8 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints
 from masonry import stiffness
-from masonry.arrays import bodies_of, memory_of, number_sides, own_memory
-from masonry.bodies import KINDS, Layout, Material, real_masses
+from masonry.arrays import bodies_of, in_rows, memory_of, number_sides, own_memory
+from masonry.bodies import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.contact_groups import contact_groups
 from masonry.kernels.freedom import Guided
 from masonry.laws.state import ContactState
@@ -103,10 +103,10 @@ def build(
     first["affine"] = first["rigid"] + int(np.sum(forms == KINDS.index("rigid")))
     first["between"] = first["affine"] + int(np.sum(forms == KINDS.index("affine")))
     side_rows, ordered = number_sides(sides, first, rows)
-    u = np.zeros((first["between"] + int(np.sum(forms == stiffness.BETWEEN)), 3))
+    u = in_rows(np.zeros((first["between"] + int(np.sum(forms == stiffness.BETWEEN)), 3)))
     bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first, stepping.guided)
     state = memory_of(group, interfaces)
-    bounds = np.searchsorted(group, np.arange(len(names) + 1))
+    bounds = np.searchsorted(group, np.arange(len(names) + 1)).astype(np.uint32)
     states = tuple(own_memory(state, i) for i in interfaces)
     return Model(
         blocks=blocks,
@@ -116,10 +116,10 @@ def build(
         group=group,
         state=state,
         groups=(tuple(laws[n][0] for n in names), tuple(interfaces), states, bounds),
-        contacts=(side_rows, joints.normal, joints.area, u, np.zeros((len(group), 3))),
+        contacts=(side_rows, np.asfortranarray(joints.normal), joints.area, u, in_rows(np.zeros((len(group), 3)))),
         bodies=bodies,
-        drives=tuple(conditions.driven.get(kind) for kind in KINDS),
-        supports=tuple(conditions.support.get(kind) for kind in KINDS),
+        drives=tuple(_row_and_number(conditions.driven.get(kind), kind) for kind in KINDS),
+        supports=tuple(_row_and_number(conditions.support.get(kind), kind) for kind in KINDS),
         masses={kind: np.where(conditions.prescribed[kind], 0.0, masses[kind]) for kind in KINDS},
         damping=Guided(0.0, stepping.damping) if stepping.guided else stepping.damping or None,
         dt=dt,
@@ -127,6 +127,11 @@ def build(
         limited_by=limited_by,
         cost=step_cost(layout, sums, real, free, stepping.masses == "scaled"),
     )
+
+
+def _row_and_number(freedoms: np.ndarray | None, kind: str) -> np.ndarray | None:
+    """(K, 2) of flat indices of freedoms."""
+    return None if freedoms is None else np.column_stack(np.divmod(freedoms, FREEDOMS[kind]))
 
 
 def _side(layout: Layout, joints: Joints, which: str) -> stiffness.Side:

@@ -5,54 +5,67 @@ from math import sqrt
 from numba import prange
 from numba.extending import register_jitable
 
+import masonry.kernels.lane_exponential  # noqa: F401  exp of lanes, which laws call
 from masonry.kernels.compiler import jit, jit_parallel
+from masonry.kernels.lane_memory import EIGHT, eight, gather, or_zero, put, put_rows, take, width_of
+from masonry.kernels.lanes import every
 from masonry.laws.mechanism import evolve, quiet, stored
-from masonry.laws.state import Memory, add_slip, plastic_slip, recall, spend, store
+from masonry.laws.state import Memory
 
 
 @register_jitable
-def relative(u, a, b, nx, ny, nz):
-    """Displacement of point b against point a, split into opening along n and slip (m)."""
-    dx, dy, dz = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
-    opening = dx * nx + dy * ny + dz * nz
-    return opening, dx - opening * nx, dy - opening * ny, dz - opening * nz
+def apart(a, b, n):
+    """Displacement of side b against side a, split into opening along n and slip (m); all of them x, y, z."""
+    dx, dy, dz = b[0] - a[0], b[1] - a[1], b[2] - a[2]
+    opening = dx * n[0] + dy * n[1] + dz * n[2]
+    return opening, dx - opening * n[0], dy - opening * n[1], dz - opening * n[2]
 
 
 def _sweep(
-    shape, interface, first, last, sides, normal, area, u, force,
-    opening_max, intact_n, intact_s, slip, spent, uplift, gap, run,
+    like, shape, interface, first, last, sides, normal, area, u, force,
+    opening_max, intact_n, intact_s, secant, slip, spent, uplift, gap, run,
 ):  # fmt: skip
-    """Contacts first..last: d = u_b - u_a, split along n; force[c] acts on side a, its opposite on side b."""
-    ks = interface.shear_stiffness
-    for c in prange(first, last):
-        nx, ny, nz = normal[c, 0], normal[c, 1], normal[c, 2]
-        opening, sx, sy, sz = relative(u, sides[c, 0], sides[c, 1], nx, ny, nz)
-        px, py, pz = plastic_slip(slip, c)
+    """Contacts first..last, as many at a time as `like` has: d = u_b - u_a, split along n; force acts on side a.
+
+    Arrays are read and written by `take` and `put` alone: handed to a function they would be counted at every contact.
+    """
+    ks, width = interface.shear_stiffness, width_of(like)
+    for k in prange((last - first) // width):
+        c = first + width * k
+        nx, ny, nz = take(normal, (c, 0), like), take(normal, (c, 1), like), take(normal, (c, 2), like)
+        a, b = gather(u, sides, (c, 0), like), gather(u, sides, (c, 1), like)
+        opening, sx, sy, sz = apart(a, b, (nx, ny, nz))
+        px = or_zero(take(slip, (c, 0), like), like)
+        py = or_zero(take(slip, (c, 1), like), like)
+        pz = or_zero(take(slip, (c, 2), like), like)
         tx, ty, tz = ks * (sx - px), ks * (sy - py), ks * (sz - pz)
         tau_squared = tx * tx + ty * ty + tz * tz
         memory = Memory(
-            recall(opening_max, c), recall(intact_n, c), recall(intact_s, c),
-            recall(uplift, c), recall(gap, c), recall(run, c),
+            take(opening_max, c, like), take(intact_n, c, like), take(intact_s, c, like), take(secant, c, like),
+            take(uplift, c, like), take(gap, c, like), take(run, c, like),
         )  # fmt: skip
         sigma, unchanged = quiet(shape, interface, memory, opening, tau_squared)
-        if not unchanged:
+        if not every(unchanged):
             total = sqrt(sx * sx + sy * sy + sz * sz)
             answer = evolve(shape, interface, memory, opening, total, sqrt(tau_squared))
-            store(opening_max, c, answer.memory.opening_max)
-            store(intact_n, c, answer.memory.intact_n)
-            store(intact_s, c, answer.memory.intact_s)
-            store(uplift, c, answer.memory.uplift)
-            store(gap, c, answer.memory.gap)
-            store(run, c, answer.memory.run)
-            spend(spent, c, answer.mode_1, answer.mode_2, answer.friction)
+            put(opening_max, c, answer.memory.opening_max)
+            put(intact_n, c, answer.memory.intact_n)
+            put(intact_s, c, answer.memory.intact_s)
+            put(secant, c, answer.memory.secant)
+            put(uplift, c, answer.memory.uplift)
+            put(gap, c, answer.memory.gap)
+            put(run, c, answer.memory.run)
+            put(spent, (c, 0), or_zero(take(spent, (c, 0), like), like) + answer.mode_1)
+            put(spent, (c, 1), or_zero(take(spent, (c, 1), like), like) + answer.mode_2)
+            put(spent, (c, 2), or_zero(take(spent, (c, 2), like), like) + answer.friction)
             sigma, share = answer.sigma, answer.share
-            if share < 1.0:
-                left = (1.0 - share) / ks
-                add_slip(slip, c, left * tx, left * ty, left * tz)
-                tx, ty, tz = share * tx, share * ty, share * tz
-        force[c, 0] = area[c] * (sigma * nx + tx)
-        force[c, 1] = area[c] * (sigma * ny + ty)
-        force[c, 2] = area[c] * (sigma * nz + tz)
+            left = (1.0 - share) / ks
+            put(slip, (c, 0), px + left * tx)
+            put(slip, (c, 1), py + left * ty)
+            put(slip, (c, 2), pz + left * tz)
+            tx, ty, tz = share * tx, share * ty, share * tz
+        own = take(area, c, like)
+        put_rows(force, c, own * (sigma * nx + tx), own * (sigma * ny + ty), own * (sigma * nz + tz))
 
 
 _sweep_serial = jit(_sweep)
@@ -61,16 +74,25 @@ _sweep_parallel = jit_parallel(_sweep)
 
 @jit
 def sweep(parallel, shape, interface, state, first, last, sides, normal, area, u, force):
-    """One contact group; `parallel` is None or True, and only the version that is used gets compiled."""
+    """One contact group: eight at a time, the rest one by one.
+
+    `parallel` is None or True, and only the version that is used gets compiled.
+    """
+    whole = last - (last - first) % EIGHT
     if parallel is None:
         _sweep_serial(
-            shape, interface, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
-            state.intact_s, state.slip, state.spent, state.uplift, state.gap, state.run,
+            eight(), shape, interface, first, whole, sides, normal, area, u, force, state.opening_max, state.intact_n,
+            state.intact_s, state.secant, state.slip, state.spent, state.uplift, state.gap, state.run,
         )  # fmt: skip
     else:
         _sweep_parallel(
-            shape, interface, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
-            state.intact_s, state.slip, state.spent, state.uplift, state.gap, state.run,
+            eight(), shape, interface, first, whole, sides, normal, area, u, force, state.opening_max, state.intact_n,
+            state.intact_s, state.secant, state.slip, state.spent, state.uplift, state.gap, state.run,
+        )  # fmt: skip
+    if whole < last:
+        _sweep_serial(
+            0.0, shape, interface, whole, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
+            state.intact_s, state.secant, state.slip, state.spent, state.uplift, state.gap, state.run,
         )  # fmt: skip
 
 
@@ -83,12 +105,15 @@ def observe(shape, interface, state, first, last, sides, normal, area, u, force,
     energy, ks = 0.0, interface.shear_stiffness
     for c in range(first, last):
         nx, ny, nz = normal[c, 0], normal[c, 1], normal[c, 2]
-        opening, sx, sy, sz = relative(u, sides[c, 0], sides[c, 1], nx, ny, nz)
-        px, py, pz = plastic_slip(state.slip, c)
+        a, b = gather(u, sides, (c, 0), 0.0), gather(u, sides, (c, 1), 0.0)
+        opening, sx, sy, sz = apart(a, b, (nx, ny, nz))
+        px = or_zero(take(state.slip, (c, 0), 0.0), 0.0)
+        py = or_zero(take(state.slip, (c, 1), 0.0), 0.0)
+        pz = or_zero(take(state.slip, (c, 2), 0.0), 0.0)
         tau_squared = ks * ks * ((sx - px) ** 2 + (sy - py) ** 2 + (sz - pz) ** 2)
         memory = Memory(
-            recall(state.opening_max, c), recall(state.intact_n, c), recall(state.intact_s, c),
-            recall(state.uplift, c), recall(state.gap, c), recall(state.run, c),
+            take(state.opening_max, c, 0.0), take(state.intact_n, c, 0.0), take(state.intact_s, c, 0.0),
+            take(state.secant, c, 0.0), take(state.uplift, c, 0.0), take(state.gap, c, 0.0), take(state.run, c, 0.0),
         )  # fmt: skip
         energy += area[c] * stored(shape, interface, memory, opening, tau_squared)
         sigma = (force[c, 0] * nx + force[c, 1] * ny + force[c, 2] * nz) / area[c]

@@ -5,11 +5,8 @@ from typing import NamedTuple
 from numba import types
 from numba.extending import overload, register_jitable
 
-
-@register_jitable
-def sign(v):
-    """sign(0) = 0: with the printed sgn(0) = +1 a body at rest would answer +F and -F differently (errata)."""
-    return (v > 0.0) - (v < 0.0)
+from masonry.kernels.lane_memory import put, take
+from masonry.kernels.lanes import choose, filled, total
 
 
 class Guided(NamedTuple):
@@ -39,7 +36,9 @@ def resist(damping, pace, force, velocity, now, before):
 
 @register_jitable
 def _local(xi, force, velocity):
-    return -xi * abs(force) * sign(velocity)
+    """sign(0) = 0: with the printed sgn(0) = +1 a body at rest would answer +F and -F differently (errata)."""
+    size = xi * abs(force)
+    return choose(velocity > 0.0, -size, choose(velocity < 0.0, size, filled(0.0, size)))
 
 
 @register_jitable
@@ -49,10 +48,10 @@ def _guided(share, xi, pace, force, velocity, now, before):
     return (after - velocity) / pace - force
 
 
-@overload(resist, inline="always")
+@overload(resist)
 def _resist(damping, pace, force, velocity, now, before):
     if isinstance(damping, (types.NoneType, types.Omitted)):
-        return lambda damping, pace, force, velocity, now, before: 0.0
+        return lambda damping, pace, force, velocity, now, before: filled(0.0, force)
     if getattr(damping, "instance_class", None) is Guided:
         return lambda damping, pace, force, velocity, now, before: _guided(
             damping.share, damping.xi, pace, force, velocity, now, before
@@ -60,67 +59,68 @@ def _resist(damping, pace, force, velocity, now, before):
     return lambda damping, pace, force, velocity, now, before: _local(damping, force, velocity)
 
 
-@register_jitable
-def held_back(damping, pace, force, velocity, now, before):
-    """What else acts on a freedom: the reaction where it is prescribed (pace = 0), else damping."""
-    if pace == 0.0:
-        return -force
-    return resist(damping, pace, force, velocity, now, before)
+def share_of(array, at, like, factor):
+    """A factor times what an array holds from index `at` on, as many as `like` has; 0 where the array is absent."""
+    return 0.0 if array is None else factor * take(array, at, like)
+
+
+@overload(share_of)
+def _share_of(array, at, like, factor):
+    if isinstance(array, types.Array):
+        return lambda array, at, like, factor: factor * take(array, at, like)
+    return lambda array, at, like, factor: 0.0
 
 
 @register_jitable
-def expected(guess, row, i, speed):
-    """Velocity that is expected of freedom i while the drive has this speed; 0 where nothing is."""
-    if guess is None:
-        return 0.0
-    return speed * guess[row, i]
-
-
-@register_jitable
-def dead(load, row, i, factor):
-    """Dead load on freedom i now; absent in a scene without gravity and tractions."""
-    if load is None:
-        return 0.0
-    return factor * load[row, i]
-
-
-@register_jitable
-def book(work, b, pace, half_step_move, contact, hold, load):
-    """Add a trapezoid's half-sums of forces times the move: contact, damping, external (reactions and dead loads)."""
-    if work is None:
-        return
-    work[b, 0] += contact * half_step_move
-    if pace == 0.0:
-        work[b, 2] += hold * half_step_move
-    else:
-        work[b, 1] += hold * half_step_move
-    work[b, 2] += load * half_step_move
-
-
-@register_jitable
-def advance(body, row, i, block, contact, inner, dt, damping, clock):
-    """Freedom i of a row: total force, damping or reaction, works, and the kick of eq. (1).
-
-    contact, inner  force of the contacts and of the block's own stiffness now
-    clock           share of the dead load that acts now and one step before; speed of the drive after and before
+def book(done, held, half_step_move, contact, hold, load):
+    """Add a trapezoid's half-sums of forces times the move to the works done so far: of the contacts, of damping, and
+    of reactions and dead loads.
     """
-    load = dead(body.load, row, i, clock[0])
-    pace, velocity = body.pace[row, i], body.v[row, i]
-    total = contact + inner + load
-    now, before = expected(body.guess, row, i, clock[2]), expected(body.guess, row, i, clock[3])
-    hold = held_back(damping, pace, total, velocity, now, before)
-    contacts = contact + body.contact[row, i]
-    holds = hold + body.hold[row, i]
-    loads = load + dead(body.load, row, i, clock[1])
-    book(body.work, block, pace, 0.5 * dt * velocity, contacts, holds, loads)
-    body.contact[row, i] = contact
-    body.hold[row, i] = hold
-    body.v[row, i] = at_rest_or(velocity + pace * (total + hold))
+    by_hold = hold * half_step_move
+    return (
+        done[0] + contact * half_step_move,
+        done[1] + choose(held, 0.0, by_hold),
+        done[2] + choose(held, by_hold, 0.0) + load * half_step_move,
+    )
+
+
+@register_jitable
+def advance(body, at, contact, inner, dt, damping, clock, done):
+    """Freedoms of a row from `at` on, one or several: total force, damping or reaction, and the kick of eq. (1).
+
+    contact, inner  force of the contacts and of the block's own stiffness now: numbers or lanes
+    clock           share of the dead load that acts now and one step before; speed of the drive after and before
+    done            works (J) of contacts, damping, and what acts from outside, so far; returned with this step's
+    """
+    load = share_of(body.load, at, contact, clock[0])
+    pace, velocity = take(body.pace, at, contact), take(body.v, at, contact)
+    sum_of_forces = contact + inner + load
+    now, before = (
+        share_of(body.guess, at, contact, clock[2]),
+        share_of(body.guess, at, contact, clock[3]),
+    )
+    held = pace == 0.0
+    hold = choose(held, -sum_of_forces, resist(damping, pace, sum_of_forces, velocity, now, before))
+    contacts = contact + take(body.contact, at, contact)
+    holds = hold + take(body.hold, at, contact)
+    loads = load + share_of(body.load, at, contact, clock[1])
+    done = book(done, held, 0.5 * dt * velocity, contacts, holds, loads)
+    put(body.contact, at, contact)
+    put(body.hold, at, hold)
+    put(body.v, at, at_rest_or(velocity + pace * (sum_of_forces + hold)))
+    return done
 
 
 @register_jitable
 def at_rest_or(velocity):
     """Velocities that damping has brought below 1e-100 m/s are rest: denormal numbers would slow the step tenfold."""
-    if abs(velocity) < 1e-100:
-        return 0.0
-    return velocity
+    return choose(abs(velocity) < 1e-100, filled(0.0, velocity), velocity)
+
+
+@register_jitable
+def keep(work, b, done):
+    """Add the works of a block's freedoms to its account, where one is kept."""
+    if work is not None:
+        work[b, 0] += total(done[0])
+        work[b, 1] += total(done[1])
+        work[b, 2] += total(done[2])

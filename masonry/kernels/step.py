@@ -20,7 +20,7 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
     groups     (shapes, interfaces, states, bounds), one entry per contact group; bounds (G + 1,)
     contacts   (sides, normal, area, u, force)
     bodies     (rigid, affine, tets), None where absent
-    drives     freedoms that the drive moves, flat, one array per kinematics or None
+    drives     (K, 2) row and number of the freedoms that the drive moves, one array per kinematics or None
     gauge      (steps,) out: force (N) that the drive exerts, after each step
     """
     shapes, interfaces, states, bounds = groups
@@ -55,9 +55,8 @@ def pull(body, freedoms, speed):
     """Set the velocity of the driven freedoms."""
     if freedoms is None:
         return
-    v = body.v.reshape(-1)
-    for i in freedoms:
-        v[i] = speed
+    for k in range(len(freedoms)):
+        body.v[freedoms[k, 0], freedoms[k, 1]] = speed
 
 
 @jit
@@ -65,10 +64,9 @@ def reaction(body, freedoms):
     """Sum of the forces that hold the given freedoms."""
     if freedoms is None:
         return 0.0
-    hold = body.hold.reshape(-1)
     total = 0.0
-    for i in freedoms:
-        total += hold[i]
+    for k in range(len(freedoms)):
+        total += body.hold[freedoms[k, 0], freedoms[k, 1]]
     return total
 
 

@@ -10,7 +10,8 @@ from numba import prange
 from numba.extending import register_jitable
 
 from masonry.kernels.compiler import jit
-from masonry.kernels.freedom import advance
+from masonry.kernels.freedom import advance, keep
+from masonry.kernels.lane_memory import FOUR, four, pack, part, put, take
 
 
 class Affine(NamedTuple):
@@ -45,8 +46,8 @@ def place(body, dt, u):
     """Advance the freedoms by dt v and write the displacement of every contact point."""
     q, v, arm, start, first = body.q, body.v, body.arm, body.start, body.first_point
     for b in prange(len(q)):
-        for i in range(12):
-            q[b, i] += dt * v[b, i]
+        for i in range(0, 12, FOUR):
+            put(q, (b, i), take(q, (b, i), four()) + dt * take(v, (b, i), four()))
         for k in range(start[b], start[b + 1]):
             row = first + k
             for i in range(3):
@@ -64,8 +65,19 @@ def move(body, dt, damping, clock, force, u):
             side = 1.0 - 2.0 * (code[k] & 1)
             sums = _add(sums, side * force[c, 0], side * force[c, 1], side * force[c, 2], arm, k)
         inner = _inner(body, b)
-        for i in range(12):
-            advance(body, b, i, b, sums[i], inner[i], dt, damping, clock)
+        done = four(), four(), four()
+        done = _advance_row(body, b, 0, sums[0:4], inner[0:4], dt, damping, clock, done)
+        done = _advance_row(body, b, 4, sums[4:8], inner[4:8], dt, damping, clock, done)
+        done = _advance_row(body, b, 8, sums[8:12], inner[8:12], dt, damping, clock, done)
+        keep(body.work, b, done)
+
+
+@register_jitable
+def _advance_row(body, b, first, contact, inner, dt, damping, clock, done):
+    contacts, inners = pack(contact), pack(inner)
+    for i in range(0, 4, FOUR):
+        done = advance(body, (b, first + i), part(contacts, i), part(inners, i), dt, damping, clock, done)
+    return done
 
 
 @register_jitable

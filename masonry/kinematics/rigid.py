@@ -10,7 +10,8 @@ import numpy as np
 from numba import prange
 from numba.extending import register_jitable
 
-from masonry.kernels.freedom import advance
+from masonry.kernels.freedom import advance, keep
+from masonry.kernels.lane_memory import EIGHT, eight, pack, part, put, take
 
 
 class Rigid(NamedTuple):
@@ -73,8 +74,8 @@ def place(body, dt, u):
     """Advance the freedoms by dt v and write the displacement of every contact point."""
     q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
     for b in prange(len(q)):
-        for i in range(6):
-            q[b, i] += dt * v[b, i]
+        for i in range(0, 6, EIGHT):
+            put(q, (b, i), take(q, (b, i), eight()) + dt * take(v, (b, i), eight()))
         x, y, z = q[b, 0], q[b, 1], q[b, 2]
         p, r, s = turn_out(axes, b, q[b, 3], q[b, 4], q[b, 5])
         for k in range(start[b], start[b + 1]):
@@ -100,9 +101,8 @@ def move(body, dt, damping, clock, force, u):
             my += arm[k, 2] * gx - arm[k, 0] * gz
             mz += arm[k, 0] * gy - arm[k, 1] * gx
         mx, my, mz = turn_in(axes, b, mx, my, mz)
-        advance(body, b, 0, b, fx, 0.0, dt, damping, clock)
-        advance(body, b, 1, b, fy, 0.0, dt, damping, clock)
-        advance(body, b, 2, b, fz, 0.0, dt, damping, clock)
-        advance(body, b, 3, b, mx, 0.0, dt, damping, clock)
-        advance(body, b, 4, b, my, 0.0, dt, damping, clock)
-        advance(body, b, 5, b, mz, 0.0, dt, damping, clock)
+        forces = pack((fx, fy, fz, mx, my, mz, 0.0, 0.0))
+        done = eight(), eight(), eight()
+        for i in range(0, 6, EIGHT):
+            done = advance(body, (b, i), part(forces, i), 0.0, dt, damping, clock, done)
+        keep(body.work, b, done)

@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 from numba.extending import register_jitable
 
+from masonry.kernels.lanes import choose, filled, larger
+
 
 class Linear(NamedTuple):
     """Fracture energies in N/m; `G_II_slope` (m) times the compressive stress is added to G_II."""
@@ -46,7 +48,7 @@ def tension_intact(shape, interface, opening):
     fT = interface.tensile_strength
     un0 = fT / interface.normal_stiffness
     uf = 2.0 * shape.G_I / fT
-    return max(0.0, (uf - opening) / (uf - un0))
+    return larger((uf - opening) / (uf - un0), 0.0)
 
 
 def tension_area(shape, interface, opening, intact):
@@ -65,14 +67,12 @@ def shear_intact(shape, interface, slip, peak, residual, compression):
     width = 2.0 * mode_2_energy(shape.G_II, shape.G_II_slope, compression) / (peak - residual)
     if interface.plastic_softening is None:
         width -= (peak - residual) / interface.shear_stiffness
-    if width <= slip:
-        return 0.0
-    return 1.0 - slip / width
+    return choose(width <= slip, 0.0, 1.0 - slip / width)
 
 
 @register_jitable
 def mode_2_energy(G_II, slope, compression):
     """G_II (Table 1) grows with the compressive stress where a slope is given."""
     if slope is None:
-        return G_II
+        return filled(G_II, compression)
     return G_II + slope * compression

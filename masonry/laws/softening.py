@@ -9,52 +9,57 @@ from math import inf
 
 from numba.extending import register_jitable
 
+from masonry.kernels.lane_memory import or_zero
+from masonry.kernels.lanes import choose, filled, larger, smaller, some
 from masonry.laws.door import shear_intact, tension_area, tension_intact
-from masonry.laws.state import Answer, Memory, grown, lift
+from masonry.laws.state import Answer, Memory, grown
 
 
 def quiet(shape, interface, memory, opening, tau_squared):
     """(sigma, whether the elastic answer stands): the contact neither opens further, nor tears, nor slips."""
-    e = opening - lift(memory.uplift)
+    e = opening - or_zero(memory.uplift, opening)
     sigma = normal_stress(interface, memory, e)
     most = strength(interface, memory, e, sigma)
-    within = tau_squared <= most * most and sigma <= tensile_limit(interface, memory)
-    return sigma, within and e <= memory.opening_max
+    within = (tau_squared <= most * most) & (sigma <= tensile_limit(interface, memory))
+    return sigma, within & (e <= memory.opening_max)
 
 
 def evolve(shape, interface, memory, opening, total, tau):
     """Follow the envelope in tension, then return to the Coulomb line: the stress update after eq. (6) of the paper."""
-    e = opening - lift(memory.uplift)
+    e = opening - or_zero(memory.uplift, opening)
     torn, mode_1 = tear(shape, interface, memory, e)
     sigma = normal_stress(interface, torn, e)
     peak, residual = coulomb(interface, torn, e, sigma)
     cohesive = shared(interface.combined, torn.intact_n) * (peak - residual)
-    if tau <= residual + torn.intact_s * cohesive:
-        return Answer(sigma, 1.0, torn, mode_1, 0.0, 0.0)
+    slides = tau > residual + torn.intact_s * cohesive
+    if not some(slides):
+        return Answer(sigma, filled(1.0, e), torn, mode_1, filled(0.0, e), filled(0.0, e))
 
     beyond = slip_beyond_peak(interface.plastic_softening, torn.run, total - peak / interface.shear_stiffness)
-    whole = torn.intact_s
-    if beyond > 0.0 and peak > residual:
-        whole = min(whole, shear_intact(shape, interface, beyond, peak, residual, max(-sigma, 0.0)))
-        mode_1 += 0.5 * secant_energy(interface, torn, e) * (torn.intact_s - whole)
-    started = min(tau, strength(interface, memory, e, sigma))
-    rise = dilation(interface.tan_dilation, interface, torn, e, tau - residual - whole * cohesive, whole)
+    left = shear_intact(shape, interface, larger(beyond, 0.0), peak, residual, larger(-sigma, 0.0))
+    whole = choose(slides & (beyond > 0.0) & (peak > residual), smaller(torn.intact_s, left), torn.intact_s)
+    mode_1 += 0.5 * secant_energy(interface, torn, e) * (torn.intact_s - whole)
+    started = smaller(tau, strength(interface, memory, e, sigma))
+    excess = choose(slides, tau - residual - whole * cohesive, 0.0)
+    rise = dilation(interface.tan_dilation, interface, torn, e, excess, whole)
     peak, last = cone_after(interface.tan_dilation, interface, torn, e - rise, peak, residual)
     yielded = last + whole * shared(interface.combined, torn.intact_n) * (peak - last)
-    slipped = (tau - yielded) / interface.shear_stiffness
-    slid = Memory(torn.opening_max, torn.intact_n, whole, grown(torn.uplift, rise), torn.gap, grown(torn.run, slipped))
+    slipped = choose(slides, (tau - yielded) / interface.shear_stiffness, 0.0)
+    lift_now, run_now = grown(torn.uplift, rise), grown(torn.run, slipped)
+    slid = remember(interface, torn.opening_max, torn.intact_n, whole, lift_now, torn.gap, run_now)
     lifted = normal_stress(interface, slid, e - rise)
-    parted, energy = stay_open(slid.gap, interface, slid, e - rise, slid.opening_max, slid.intact_n, lifted)
+    parted, energy = stay_open(slid.gap, interface, slid, e - rise, lifted)
     mode_2 = slipped * 0.5 * (started - residual + yielded - last)
     friction = slipped * 0.5 * (residual + last) + 0.5 * (normal_stress(interface, slid, e) + lifted) * rise
-    return Answer(normal_stress(interface, parted, e - rise), yielded / tau, parted, mode_1 + energy, mode_2, friction)
+    share = choose(slides, yielded / tau, 1.0)
+    return Answer(normal_stress(interface, parted, e - rise), share, parted, mode_1 + energy, mode_2, friction)
 
 
 def stored(shape, interface, memory, opening, tau_squared):
     """Recoverable energy per area (J/m2): normal (secant or elastic) and shear."""
-    e = opening - lift(memory.uplift)
+    e = opening - or_zero(memory.uplift, opening)
     return 0.5 * (
-        normal_stress(interface, memory, e) * (e - lift(memory.gap)) + tau_squared / interface.shear_stiffness
+        normal_stress(interface, memory, e) * (e - or_zero(memory.gap, e)) + tau_squared / interface.shear_stiffness
     )
 
 
@@ -62,15 +67,16 @@ def stored(shape, interface, memory, opening, tau_squared):
 def tear(shape, interface, memory, e):
     """The history after an opening e, and the energy of mode I (J/m2) that it cost."""
     held = shared(interface.combined, memory.intact_s) * memory.intact_n * interface.tensile_strength
-    if e <= memory.opening_max:
-        return stay_open(memory.gap, interface, memory, e, memory.opening_max, memory.intact_n, held)
-    fT = interface.tensile_strength
-    left = 0.0
-    if fT > 0.0:
-        left = min(memory.intact_n, tension_intact(shape, interface, e))
-    torn, energy = stay_open(memory.gap, interface, memory, e, e, left, held)
-    if fT > 0.0:
-        energy += envelope_energy(memory.gap, shape, interface, memory, e, left)
+    opens = e > memory.opening_max
+    if not some(opens):
+        return stay_open(memory.gap, interface, memory, e, held)
+    widest, left = choose(opens, e, memory.opening_max), choose(opens, 0.0, memory.intact_n)
+    if interface.tensile_strength > 0.0:
+        left = smaller(memory.intact_n, choose(opens, tension_intact(shape, interface, widest), memory.intact_n))
+    torn = remember(interface, widest, left, memory.intact_s, memory.uplift, memory.gap, memory.run)
+    torn, energy = stay_open(memory.gap, interface, torn, e, held)
+    if interface.tensile_strength > 0.0:
+        energy += choose(opens, envelope_energy(memory.gap, shape, interface, memory, widest, left), 0.0)
     return torn, energy
 
 
@@ -78,7 +84,7 @@ def tear(shape, interface, memory, e):
 def envelope_energy(gap, shape, interface, memory, e, left):
     """Secant unloading: area under the envelope between two openings less what the secants give back."""
     if gap is not None:
-        return 0.0
+        return filled(0.0, e)
     gained = tension_area(shape, interface, e, left)
     gained -= tension_area(shape, interface, memory.opening_max, memory.intact_n)
     gained -= 0.5 * interface.tensile_strength * (left * e - memory.intact_n * memory.opening_max)
@@ -86,21 +92,37 @@ def envelope_energy(gap, shape, interface, memory, e, left):
 
 
 @register_jitable
-def stay_open(gap, interface, memory, e, widest, left, held):
+def remember(interface, opening_max, intact_n, intact_s, uplift, gap, run):
+    """A history with the secant that follows from it."""
+    secant = secant_of(gap, interface, opening_max, shared(interface.combined, intact_s) * intact_n)
+    return Memory(opening_max, intact_n, intact_s, secant, uplift, gap, run)
+
+
+@register_jitable
+def secant_of(gap, interface, opening_max, intact):
+    """Stiffness in tension below the largest opening; a share lost in shear no longer carries tension either."""
+    if gap is not None:
+        return filled(0.0, opening_max)
+    return choose(opening_max > 0.0, intact * interface.tensile_strength / opening_max, 0.0)
+
+
+@register_jitable
+def stay_open(gap, interface, memory, e, held):
     """Elastic unloading: what exceeds the strength becomes opening that stays; with its energy (J/m2).
 
     held  Pa, the most that the contact bore before, so that an elastic rise up to there costs nothing
     """
     if gap is None:
-        return Memory(widest, left, memory.intact_s, memory.uplift, memory.gap, memory.run), 0.0
+        return memory, filled(0.0, e)
     kn = interface.normal_stiffness
     sigma = kn * (e - gap)
-    limit = shared(interface.combined, memory.intact_s) * left * interface.tensile_strength
-    if sigma <= limit:
-        return Memory(widest, left, memory.intact_s, memory.uplift, gap, memory.run), 0.0
-    parted = (sigma - limit) / kn
-    energy = 0.5 * (min(sigma, held) + limit) * parted
-    return Memory(widest, left, memory.intact_s, memory.uplift, gap + parted, memory.run), energy
+    limit = shared(interface.combined, memory.intact_s) * memory.intact_n * interface.tensile_strength
+    parted = choose(sigma > limit, (sigma - limit) / kn, 0.0)
+    energy = 0.5 * (smaller(sigma, held) + limit) * parted
+    now = Memory(
+        memory.opening_max, memory.intact_n, memory.intact_s, memory.secant, memory.uplift, gap + parted, memory.run
+    )
+    return now, energy
 
 
 @register_jitable
@@ -113,7 +135,7 @@ def tensile_limit(interface, memory):
 def strength_over(gap, intact, interface):
     """The tensile strength left, or no limit."""
     if gap is None:
-        return inf
+        return filled(inf, intact)
     return intact * interface.tensile_strength
 
 
@@ -125,13 +147,10 @@ def normal_stress(interface, memory, e):
 
 @register_jitable
 def unload(gap, interface, memory, e):
-    """On the secant a share lost in shear no longer carries tension either."""
+    """Elastic, or along the secant."""
     if gap is not None:
         return interface.normal_stiffness * (e - gap)
-    if e <= 0.0:
-        return interface.normal_stiffness * e
-    left = shared(interface.combined, memory.intact_s) * memory.intact_n
-    return left * interface.tensile_strength * e / memory.opening_max
+    return e * choose(e > 0.0, memory.secant, interface.normal_stiffness)
 
 
 @register_jitable
@@ -140,12 +159,20 @@ def coulomb(interface, memory, e, sigma):
 
     The residual cohesion acts between faces that touch: torn faces lose it as they open, and find it again on closing.
     """
-    peak = max(interface.cohesion - sigma * interface.tan_friction, 0.0)
-    c_res = interface.residual_cohesion
-    if e > 0.0 and memory.intact_n < 1.0:
-        c_res *= 1.0 - (1.0 - shared(interface.combined, memory.intact_n)) * min(e / memory.opening_max, 1.0)
-    residual = max(c_res - sigma * interface.tan_residual_friction, 0.0)
-    return max(peak, residual), residual
+    peak = larger(interface.cohesion - sigma * interface.tan_friction, 0.0)
+    c_res = residual_cohesion(interface, memory, e)
+    residual = larger(c_res - sigma * interface.tan_residual_friction, 0.0)
+    return larger(peak, residual), residual
+
+
+@register_jitable
+def residual_cohesion(interface, memory, e):
+    """Residual cohesion (Pa) of faces that stand open by e."""
+    c_res = filled(interface.residual_cohesion, e)
+    if interface.residual_cohesion == 0.0:
+        return c_res
+    lost = (1.0 - shared(interface.combined, memory.intact_n)) * smaller(e / memory.opening_max, 1.0)
+    return choose((e > 0.0) & (memory.intact_n < 1.0), c_res * (1.0 - lost), c_res)
 
 
 @register_jitable
@@ -159,7 +186,7 @@ def strength(interface, memory, e, sigma):
 def shared(combined, intact):
     """The other mode's intact share where tension and cohesion are lost together, D = dt + ds - dt ds; else 1."""
     if combined is None:
-        return 1.0
+        return filled(1.0, intact)
     return intact
 
 
@@ -174,9 +201,10 @@ def slip_beyond_peak(plastic_softening, run, beyond):
 @register_jitable
 def secant_energy(interface, memory, e):
     """Twice the energy (J/m2) that tension holds, released as shear takes its share away."""
-    if interface.combined is None or e <= 0.0:
-        return 0.0
-    return on_secant(memory.gap, memory.intact_n * interface.tensile_strength * e * e / memory.opening_max)
+    if interface.combined is None:
+        return filled(0.0, e)
+    held = memory.intact_n * interface.tensile_strength * e * e / memory.opening_max
+    return on_secant(memory.gap, choose(e > 0.0, held, 0.0))
 
 
 @register_jitable
@@ -184,7 +212,7 @@ def on_secant(gap, energy):
     """Only a secant gives energy back at a lower stiffness; elastic unloading books it as opening that stays."""
     if gap is None:
         return energy
-    return 0.0
+    return filled(0.0, energy)
 
 
 @register_jitable
@@ -194,14 +222,13 @@ def dilation(tan_dilation, interface, memory, e, excess, whole):
     The elastic shear stress exceeds the cone by `excess` (Pa), and the rise itself lifts the cone: both return at once.
     """
     if tan_dilation is None:
-        return 0.0
-    room = interface.dilation_cutoff - memory.run
-    if room <= 0.0 or (e > 0.0 and memory.intact_n < 1.0):
-        return 0.0
+        return filled(0.0, e)
+    room = larger(interface.dilation_cutoff - memory.run, 0.0)
+    room = choose((e > 0.0) & (memory.intact_n < 1.0), 0.0, room)
     tan_res = interface.tan_residual_friction
     slope = tan_res + whole * shared(interface.combined, memory.intact_n) * (interface.tan_friction - tan_res)
     slipped = excess / (interface.shear_stiffness + slope * interface.normal_stiffness * tan_dilation)
-    return tan_dilation * min(slipped, room)
+    return tan_dilation * smaller(slipped, room)
 
 
 @register_jitable

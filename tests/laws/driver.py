@@ -1,15 +1,21 @@
-"""One contact of unit area and normal z, taken along a path of relative displacements by the compiled sweep itself."""
+"""A contact of unit area and normal z, taken along a path of relative displacements by the compiled sweep itself.
+
+There are nine of it: the sweep takes eight at once and the ninth alone, and all must answer alike.
+"""
 
 from typing import NamedTuple
 
 import numpy as np
 
+from masonry.arrays import in_rows
 from masonry.kernels.compiler import jit
 from masonry.kernels.contact import observe, sweep
 from masonry.laws.build import build
 from masonry.laws.state import ContactState, fresh
 
-SIDES, NORMAL, AREA = np.array([[0, 1]]), np.array([[0.0, 0.0, 1.0]]), np.ones(1)
+COUNT = 9
+SIDES = np.asfortranarray(np.tile(np.array([0, 1], dtype=np.uint32), (COUNT, 1)))
+NORMAL, AREA = np.asfortranarray(np.tile([0.0, 0.0, 1.0], (COUNT, 1))), np.ones(COUNT)
 
 TABLE_1 = {
     "normal_stiffness": 150e9,
@@ -71,13 +77,13 @@ def law(name: str, **changes) -> tuple:
 
 
 def contact(interface) -> ContactState:
-    """One contact that nothing has happened to; only the memory that its options need."""
+    """A contact, nine times, that nothing has happened to; only the memory that its options need."""
     if interface.tensile_strength is None:
         return ContactState()
     dilates = interface.tan_dilation is not None
     return fresh(
-        1,
-        np.array([interface.tensile_strength / interface.normal_stiffness]),
+        np.full(COUNT, interface.tensile_strength / interface.normal_stiffness),
+        np.full(COUNT, interface.normal_stiffness),
         uplift=dilates,
         gap=interface.elastic_unloading is not None,
         run=dilates or interface.plastic_softening is not None,
@@ -89,39 +95,51 @@ def walk(law: tuple, path: np.ndarray, state: ContactState | None = None) -> Wal
     shape, interface = law
     state = contact(interface) if state is None else state
     path = np.ascontiguousarray(path, dtype=float)
-    seen = np.zeros((len(path), 13))
+    seen = np.zeros((len(path), 2, 13))
+    u, force, view = in_rows(np.zeros((2, 3))), in_rows(np.zeros((COUNT, 3))), np.zeros((COUNT, 4))
     if state.spent is None:
-        _springs(shape, interface, state, path, seen)
+        _springs(shape, interface, state, path, u, force, view, seen)
     else:
-        _march(shape, interface, state, SIDES, NORMAL, AREA, path, seen)
-    return Walk(path, seen[:, :3], seen[:, 3:6], seen[:, 6], *seen[:, 7:10].T, seen[:, 10:])
+        _march(shape, interface, state, SIDES, NORMAL, AREA, path, u, force, view, seen)
+    _answer_alike(seen)
+    one = seen[:, 0]
+    return Walk(path, one[:, :3], one[:, 3:6], one[:, 6], *one[:, 7:10].T, one[:, 10:])
+
+
+def _answer_alike(seen: np.ndarray) -> None:
+    """The contact that is worked off alone does what the same contact does among eight."""
+    scale = np.abs(seen).max(axis=(0, 1))
+    np.testing.assert_array_less(
+        np.abs(seen[:, 0] - seen[:, 1]), np.broadcast_to(1e-9 * scale + 1e-300, seen[:, 0].shape)
+    )
 
 
 @jit
-def _march(shape, interface, state, sides, normal, area, path, seen):
-    u, force, view = np.zeros((2, 3)), np.zeros((1, 3)), np.zeros((1, 4))
+def _march(shape, interface, state, sides, normal, area, path, u, force, view, seen):
     for k in range(len(path)):
         for i in range(3):
             u[1, i] = path[k, i]
-        sweep(None, shape, interface, state, 0, 1, sides, normal, area, u, force)
-        seen[k, 6] = observe(shape, interface, state, 0, 1, sides, normal, area, u, force, view)
-        for i in range(3):
-            seen[k, i] = force[0, i]
-            seen[k, 3 + i] = state.spent[0, i]
-            seen[k, 10 + i] = state.slip[0, i]
-        seen[k, 7] = state.opening_max[0]
-        seen[k, 8] = state.intact_n[0]
-        seen[k, 9] = state.intact_s[0]
+        sweep(None, shape, interface, state, 0, len(area), sides, normal, area, u, force)
+        stored = observe(shape, interface, state, 0, len(area), sides, normal, area, u, force, view) / len(area)
+        for which, c in enumerate((0, len(area) - 1)):
+            seen[k, which, 6] = stored
+            for i in range(3):
+                seen[k, which, i] = force[c, i]
+                seen[k, which, 3 + i] = state.spent[c, i]
+                seen[k, which, 10 + i] = state.slip[c, i]
+            seen[k, which, 7] = state.opening_max[c]
+            seen[k, which, 8] = state.intact_n[c]
+            seen[k, which, 9] = state.intact_s[c]
 
 
-def _springs(shape, interface, state, path, seen):
+def _springs(shape, interface, state, path, u, force, view, seen):
     """The same without a history, for the elastic law."""
-    u, force, view = np.zeros((2, 3)), np.zeros((1, 3)), np.zeros((1, 4))
     for k, relative in enumerate(path):
         u[1] = relative
-        sweep(None, shape, interface, state, 0, 1, SIDES, NORMAL, AREA, u, force)
-        seen[k, :3] = force[0]
-        seen[k, 6] = observe(shape, interface, state, 0, 1, SIDES, NORMAL, AREA, u, force, view)
+        sweep(None, shape, interface, state, 0, COUNT, SIDES, NORMAL, AREA, u, force)
+        seen[k, :, :3] = force[[0, -1]]
+        stored = observe(shape, interface, state, 0, COUNT, SIDES, NORMAL, AREA, u, force, view)
+        seen[k, :, 6] = stored / COUNT
 
 
 def along(corners, most: float = 0.1e-6) -> np.ndarray:

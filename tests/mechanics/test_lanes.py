@@ -1,0 +1,70 @@
+"""Several numbers at once give what one after the other gives: in a run of each kinematics, and in exp."""
+
+import json
+import math
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from masonry.kernels import lane_exponential  # noqa: F401
+from masonry.kernels.compiler import jit
+from masonry.kernels.lane_memory import eight, put, take
+from masonry.kernels.lanes import PLAIN
+
+RUNS = {
+    "rigid": ["wallette-mode-1", "specimen.divisions=[2, 1]", "drive.rate=20 mm/s"],
+    "affine": ["couplet", "kinematics=affine", "law=exponential", "drive.steps=2000", "settle.steps=500"],
+    "tets": ["couplet", "kinematics=tets", "specimen.mesh_size=40 mm", "drive.steps=2000", "settle.steps=500"],
+}
+TAKE = """
+import json, sys
+import masonry
+for name, *changes in json.loads(sys.argv[1]):
+    rows = masonry.run(masonry.load(name, changes)).history.rows
+    print(json.dumps([rows["stress"].tolist(), rows["fracture_mode_1"].tolist(), rows["fracture_mode_2"].tolist()]))
+"""
+
+
+def curves(lanes: str) -> dict[str, np.ndarray]:
+    """(3, rows) of each run, in a process of its own."""
+    done = subprocess.run(
+        [sys.executable, "-c", TAKE, json.dumps(list(RUNS.values()))],
+        env=os.environ | {"MASONRY_LANES": lanes},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    return {kind: np.array(json.loads(line)) for kind, line in zip(RUNS, done.stdout.splitlines(), strict=True)}
+
+
+@pytest.fixture(scope="module")
+def both() -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
+    return curves("1"), curves("0")
+
+
+@pytest.mark.parametrize("kind", RUNS)
+def test_a_run_in_lanes_and_a_run_in_single_numbers_agree_past_the_peak(both, kind):
+    lanes, plain = (found[kind] for found in both)
+    scale = np.abs(plain).max(axis=1, keepdims=True)
+    assert plain[2, -1] > 0.0, "something softened"
+    assert np.abs(lanes - plain).max() < 1e-6 * scale.max()
+    assert np.all(np.abs(lanes - plain) < 1e-6 * np.maximum(scale, 1e-12))
+
+
+@pytest.mark.skipif(PLAIN, reason="single numbers use the exp of the C library")
+def test_exp_of_lanes_is_exp_to_fourteen_digits_and_keeps_its_limits():
+    @jit
+    def apply(x, y):
+        for k in range(len(x) // 8):
+            put(y, 8 * k, math.exp(take(x, 8 * k, eight())))
+
+    x = np.random.default_rng(1).uniform(-707.0, 708.0, 80_000)
+    x[:8] = 0.0, -0.0, np.nan, np.inf, -np.inf, -1e300, 1e-300, -1e-17
+    y = np.zeros_like(x)
+    apply(x, y)
+    wanted = np.exp(x)
+    np.testing.assert_array_equal(y[:8], wanted[:8])
+    assert np.abs(y[8:] / wanted[8:] - 1.0).max() < 1e-14
