@@ -126,11 +126,11 @@ def patch_faces(blocks: Blocks, joints: Joints) -> np.ndarray:
 
 def connected(blocks: Blocks, joints: Joints) -> np.ndarray:
     """(B,) a number for each block, the same for all blocks that hang together by joints."""
-    part, before = np.arange(blocks.count), None
-    while not np.array_equal(part, before):  # every part joins its neighbour of the least number: half are gone each time
-        before = part.copy()
-        a, b = before[joints.block_a], before[joints.block_b]
-        np.minimum.at(part, np.maximum(a, b), np.minimum(a, b))
+    part = np.arange(blocks.count)
+    while True:
+        a, b = part[joints.block_a], part[joints.block_b]
+        if np.array_equal(a, b):
+            return np.unique(part, return_inverse=True)[1]
+        np.minimum.at(part, np.maximum(a, b), np.minimum(a, b))  # a part joins a neighbour of a lower number
         while not np.array_equal(part, part[part]):
             part = part[part]
-    return np.unique(part, return_inverse=True)[1]
