@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).parent
@@ -19,12 +20,13 @@ class Worker:
         self.words = [*command, str(HERE / script), kind]
         one = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
         bare = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+        self.complaint = tempfile.TemporaryFile("w+")  # noqa: SIM115 - closed with the worker
         try:
             self.process = subprocess.Popen(
                 self.words,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL,
+                stderr=self.complaint,
                 text=True,
                 env=bare | one,
             )
@@ -45,10 +47,14 @@ class Worker:
         self.process.stdin.close()
         self.process.terminate()
         self.process.wait()
+        self.complaint.close()
 
     def _answer(self) -> str:
         assert self.process.stdout is not None
         for line in self.process.stdout:
             if line.startswith("PEER "):
                 return line[5:]
-        raise Absent(f"`{' '.join(self.words)}` ended with code {self.process.wait()}")
+        code = self.process.wait()
+        self.complaint.seek(0)
+        last = [line.strip() for line in self.complaint if line.strip()][-1:]
+        raise Absent(f"{self.words[0]} ended with code {code}: {' '.join(last) or 'no word of why'}")
