@@ -3,9 +3,10 @@
 PYTHON is one that has `akantu` (pip install akantu), COMMAND starts Yade (apt-get install yade). One that is absent is
 left out, and the table says so. Rounds are taken in turn, on one thread each, and the least time of each counts.
 
-The items are alike, not the same: a tet is linear elastic everywhere; a contact point of ours and an integration point
-of Akantu's cohesive elements soften, a bond of Yade is between two spheres. Akantu's tets and joints and ours are told
-apart by leaving one of them out; Yade's figure is its whole loop.
+The items are alike, not the same. A tet is linear elastic everywhere. Figures of ours and of Yade are whole steps, over
+tets, contact points or bonds (of two spheres); a cohesive integration point of Akantu is a step with such elements less
+one without, on the same nodes. Nor is the damage the same: in these rounds half of Akantu's points soften and few of
+ours do, and Yade's bonds start whole and hardly move.
 """
 
 import argparse
