@@ -7,10 +7,6 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from geometry.cells.asked import CellReport, CellsAsked
-from geometry.cells.domain import box_domain
-from geometry.cells.plane_cells import divide_plane
-from geometry.cells.power_blocks import to_blocks
-from geometry.cells.space import divide_space, space_report
 from geometry.cells.targets import given_sites, random_sites, share_out, target_sizes
 from geometry.extrude import extrude
 from geometry.grid import divide
@@ -53,6 +49,8 @@ def _plane_cells(
     site: np.ndarray | None,
     rng: np.random.Generator,
 ) -> tuple[Blocks, CellReport]:
+    from geometry.cells.plane_cells import divide_plane
+
     flat_low, flat_high = low[:, PLANE], high[:, PLANE]
     target = target_sizes(asked, counts, np.prod(flat_high - flat_low, axis=1), rng)
     if site is None:
@@ -76,6 +74,10 @@ def _space_cells(
     rng: np.random.Generator,
 ) -> tuple[Blocks, CellReport]:
     """Cells in space, unit by unit: what cells of two units share is cut up as it may fall."""
+    from geometry.cells.domain import box_domain
+    from geometry.cells.power_blocks import to_blocks
+    from geometry.cells.space import divide_space, space_report
+
     start = np.concatenate([[0], np.cumsum(counts)])
     target = np.split(target_sizes(asked, counts, np.prod(high - low, axis=1), rng), start[1:-1])
     begin, parts, powers = time.perf_counter(), [], []

@@ -3,9 +3,6 @@
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
 from geometry.blocks import Blocks, Joints
 from geometry.contact_points import contact_points
@@ -69,8 +66,12 @@ def face_joints(blocks: Blocks, density: Density, tolerance: float = 1e-9) -> tu
 
 def _repeated(corners: np.ndarray, pair: np.ndarray, width: float) -> np.ndarray:
     """(N,) whether two blocks (N, 2) share the same polygon (N, K, 3) once more, earlier in the list."""
+    if len(np.unique(pair @ [pair.max(initial=0) + 1, 1])) == len(pair):
+        return np.zeros(len(pair), dtype=bool)
+    from scipy.spatial import cKDTree
+
     area, normal, middle = areas_normals_centroids(corners)
-    close = cKDTree(middle).query_pairs(width, output_type="ndarray") if len(middle) else np.zeros((0, 2), dtype=int)
+    close = cKDTree(middle).query_pairs(width, output_type="ndarray")
     first, second = close.min(axis=1), close.max(axis=1)
     size = np.sqrt(area)
     same = np.all(pair[first] == pair[second], axis=1) & (np.abs(size[first] - size[second]) <= width)
@@ -125,5 +126,11 @@ def patch_faces(blocks: Blocks, joints: Joints) -> np.ndarray:
 
 def connected(blocks: Blocks, joints: Joints) -> np.ndarray:
     """(B,) a number for each block, the same for all blocks that hang together by joints."""
-    link = coo_array((np.ones(len(joints.block_a)), (joints.block_a, joints.block_b)), shape=(blocks.count,) * 2)
-    return connected_components(link, directed=False)[1]
+    part = np.arange(blocks.count)
+    while True:
+        a, b = part[joints.block_a], part[joints.block_b]
+        if np.array_equal(a, b):
+            return np.unique(part, return_inverse=True)[1]
+        np.minimum.at(part, np.maximum(a, b), np.minimum(a, b))  # a part joins a neighbour of a lower number
+        while not np.array_equal(part, part[part]):
+            part = part[part]

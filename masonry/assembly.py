@@ -7,7 +7,6 @@ import numpy as np
 from geometry import joints as joint_search
 from geometry import overlaps
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
-from geometry.fan import mesh_by_fans
 from geometry.tet_meshes import within
 from masonry import loads, model
 from masonry.block_files import blocks_from
@@ -94,6 +93,8 @@ def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None
         if np.all(wanted == (np.diff(mesh.tet_start) > 0)):
             return mesh, surface_joints(blocks, joints, mesh)
     if scene.specimen.mesh == "fan":
+        from geometry.fan import mesh_by_fans
+
         return mesh_by_fans(blocks, wanted, joints)
     from geometry.mesher import mesh_blocks
 

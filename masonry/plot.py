@@ -27,6 +27,10 @@ def write_png(figure: Any, path: Path | str, dpi: float = 120.0) -> None:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     FigureCanvasAgg(figure)
+    figure.set_dpi(dpi)
+    if (engine := figure.get_layout_engine()) is not None:
+        engine.execute(figure)  # left to savefig, this costs one more drawing
+        figure.set_layout_engine("none")
     figure.savefig(path, format="png", dpi=dpi)
 
 

@@ -9,6 +9,7 @@ read again.
 import difflib
 import math
 import re
+from collections import Counter
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -47,6 +48,15 @@ _FACTOR = re.compile(r"([*/ ]?)\s*([A-Za-zµμ°]+(?:_[A-Za-z]+)?)(?:(?:\^|\*\*)
 _POWERS = str.maketrans({"²": "2", "³": "3", "⁴": "4", "·": "*"})
 _LONGEST = 80
 _COMMON = ("m", "mm", "cm", "in", "s", "ms", "N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "kg", "g", "J", "deg", "rad")
+_PI = Fraction("3.1415926535897932384626433832795028841971693993751")
+EXACT: dict[str, tuple[Any, int, int, int]] = {
+    **{"m": ("1", 1, 0, 0), "cm": ("0.01", 1, 0, 0), "mm": ("0.001", 1, 0, 0)},
+    **{"kg": ("1", 0, 1, 0), "s": ("1", 0, 0, 1), "ms": ("0.001", 0, 0, 1)},
+    **{"rad": ("1", 0, 0, 0), "deg": (_PI / 180, 0, 0, 0)},
+    **{"N": ("1", 1, 1, -2), "kN": ("1e3", 1, 1, -2), "J": ("1", 2, 1, -2)},
+    **{"Pa": ("1", -1, 1, -2), "kPa": ("1e3", -1, 1, -2), "MPa": ("1e6", -1, 1, -2), "GPa": ("1e9", -1, 1, -2)},
+}
+"""Units for which pint need not be asked: factor to SI, powers of length, mass and time."""
 _COMMON_UNITS = f"common units are {', '.join(_COMMON)}"
 _TRAPS = {"mPa": "MPa (mega; mPa is a thousandth of a pascal)", "gPa": "GPa"}
 _ALLOWED = re.compile(r"([\[(])(-?[\d.e+-]+|-inf), (-?[\d.e+-]+|inf)([\])])(?: (.+))?")
@@ -114,29 +124,31 @@ def _with_unit(text: str, kind: str, name: str, need: str) -> float:
 
 @lru_cache(maxsize=1)
 def _registry() -> Any:
-    """Pint's units with exact factors; made on first use, for it takes half a second."""
+    """Pint's units with exact factors; made when a scene has a unit that is not in EXACT: it takes half a second."""
     import pint
 
     return pint.UnitRegistry(non_int_type=Fraction)
 
 
 @lru_cache(maxsize=256)
-def _unit(text: str) -> tuple[Fraction, Any]:
+def _unit(text: str) -> tuple[Fraction, dict[str, int]]:
     """Factor to SI and dimension of a text that `_TEXT` let through."""
-    unit = _registry().Unit("")
+    factor, dimension = Fraction(1), Counter[str]()
     for operator, symbol, power in _FACTOR.findall(text):
         if symbol in _TRAPS:
             raise ValueError(f"{symbol} is not taken; did you mean {_TRAPS[symbol]}?")
-        one = _symbol(symbol) ** int(power or 1)
-        unit = unit / one if operator == "/" else unit * one
-    try:
-        si = _registry().Quantity(Fraction(1), unit).to_base_units()
-    except TypeError:  # decibels and other logarithms
-        raise ValueError(f"{_short(text)} has no place in a scene; {_COMMON_UNITS}") from None
-    return Fraction(si.magnitude), unit.dimensionality
+        one, powers = _symbol(symbol)
+        times = int(power or 1) * (-1 if operator == "/" else 1)
+        factor *= one**times
+        for base, n in powers.items():
+            dimension[base] += n * times
+    return factor, {base: n for base, n in dimension.items() if n}
 
 
-def _symbol(symbol: str) -> Any:
+def _symbol(symbol: str) -> tuple[Fraction, dict[str, int]]:
+    if symbol in EXACT:
+        factor, *powers = EXACT[symbol]
+        return Fraction(factor), dict(zip(("[length]", "[mass]", "[time]"), powers, strict=True))
     import pint
 
     try:
@@ -148,7 +160,11 @@ def _symbol(symbol: str) -> Any:
         raise ValueError(f"{_short(symbol)} is no known unit; {nearest}") from None
     if "[temperature]" in unit.dimensionality:
         raise ValueError(f"{_short(symbol)} has no place in a scene; {_COMMON_UNITS}")
-    return unit
+    try:
+        si = _registry().Quantity(Fraction(1), unit).to_base_units()
+    except TypeError:  # decibels and other logarithms
+        raise ValueError(f"{_short(symbol)} has no place in a scene; {_COMMON_UNITS}") from None
+    return Fraction(si.magnitude), dict(unit.dimensionality)
 
 
 @lru_cache(maxsize=256)

@@ -1,7 +1,6 @@
 """What is looked at between chunks: is the motion still to be trusted, and what does the specimen look like."""
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from masonry.bodies import KINDS
 from masonry.energy import Observation
@@ -140,6 +139,8 @@ def corner_displacements(model: Model) -> np.ndarray:
         moved[p] = affine.q[local[p], :3] + np.einsum("cij,ckj,ck->ci", h, axes[p], arm[p])
     mesh = layout.mesh
     if mesh is not None:
+        from scipy.spatial import cKDTree
+
         for b in layout.members["tets"]:
             p = np.flatnonzero(block_of_point == b)
             first, last = mesh.node_start[b], mesh.node_start[b + 1]

@@ -160,7 +160,7 @@ def tessellate(site, weight, domains, at, label, count):
         first, last = domains.cell_start[u], domains.cell_start[u + 1]
         corner = domains.corner[wall_first:wall_last]
         axis = 0 if np.ptp(corner[:, 0]) >= np.ptp(corner[:, 1]) else 1
-        order = np.argsort(site[first:last, axis]) + first
+        order = np.argsort(site[first:last, axis].copy()) + first  # a copy: one sort is compiled, not two
         place = site[order, axis]
         heaviest = weight[first:last].max()
         for rank in range(len(order)):

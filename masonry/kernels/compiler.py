@@ -1,19 +1,24 @@
 """How the step is compiled, and where what was compiled is kept.
 
-Numba serves a changed law stale from its cache when only another file changed: so the cache folder is named after a
-hash of every source file that can be compiled.
+Numba serves a changed law stale from its cache when only another file changed: so the folder of the step is named after
+a hash of every source file that can be compiled into it. What else is compiled (cells in geometry) calls nothing of
+another file, and stays where it is when a law changes.
 """
 
 import hashlib
 import os
 import shutil
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numba
 
 KEPT = 5
 """Cache folders of older sources that are kept."""
+OTHERS = "cells"
+"""The cache folder of what does not depend on laws, kernels and kinematics."""
 
 
 ALL = ("geometry", "masonry")
@@ -40,24 +45,42 @@ def cache_root() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "masonry-dem"
 
 
-def _use_cache_folder() -> None:
+def _folders() -> tuple[str, str]:
+    """Where the step of these sources is kept, and where the rest is; "" (Numba's own choice) where nothing can be."""
     root = cache_root()
-    folder = root / source_hash(COMPILED)
+    folder, rest = root / source_hash(COMPILED), root / OTHERS
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        for path in (folder, rest):
+            path.mkdir(parents=True, exist_ok=True)
         os.utime(folder)
-        older = sorted((p for p in root.iterdir() if p.is_dir()), key=lambda p: p.stat().st_mtime)
+        older = sorted((p for p in root.iterdir() if p.is_dir() and p != rest), key=lambda p: p.stat().st_mtime)
         for stale in older[:-KEPT]:
             shutil.rmtree(stale, ignore_errors=True)
     except OSError:
-        return  # no place to write: Numba then falls back to its own choice
-    numba.config.CACHE_DIR = str(folder)
+        return "", ""
+    return str(folder), str(rest)
 
 
-_use_cache_folder()
+STEP, REST = _folders()
+numba.config.CACHE_DIR = REST or numba.config.CACHE_DIR
 
 OPTIONS = {"cache": True, "error_model": "numpy", "fastmath": {"contract"}}
 """`contract` alone fuses multiply and add, and keeps NaN tests and the order of sums."""
 
-jit = numba.njit(**OPTIONS)
-jit_parallel = numba.njit(parallel=True, **OPTIONS)
+
+def _kept(**options: Any) -> Callable[[Any], Any]:
+    """A decorator that compiles, and keeps what it compiled in the folder of these sources."""
+    decorate = numba.njit(**OPTIONS, **options)
+
+    def compiled(function: Any) -> Any:
+        numba.config.CACHE_DIR = STEP or numba.config.CACHE_DIR
+        try:
+            return decorate(function)
+        finally:
+            numba.config.CACHE_DIR = REST or numba.config.CACHE_DIR
+
+    return compiled
+
+
+jit = _kept()
+jit_parallel = _kept(parallel=True)

@@ -1,0 +1,98 @@
+"""Akantu and Yade beside ours, in one run: `python -m benchmarks.peers --akantu PYTHON --yade COMMAND`.
+
+PYTHON is one that has `akantu` (pip install akantu), COMMAND starts Yade (apt-get install yade). One that is absent is
+left out, and the table says so. Rounds are taken in turn, on one thread each, and the least time of each counts.
+
+The items are alike, not the same. A tet is linear elastic everywhere. Figures of ours and of Yade are whole steps, over
+tets, contact points or bonds (of two spheres); a cohesive integration point of Akantu is a step with such elements less
+one without, on the same nodes. Nor is the damage the same: in these rounds half of Akantu's points soften and few of
+ours do, and Yade's bonds start whole and hardly move.
+"""
+
+import argparse
+import shutil
+import sys
+from collections.abc import Callable
+
+import numpy as np
+
+from benchmarks.interleaved import in_turn
+from benchmarks.peers.worker import Absent, Worker
+from masonry import scene, timeloop
+from masonry.assembly import assemble
+from masonry.pace import Chunk
+
+ROUNDS = 15
+
+
+def stepper(name: str, overrides: list[str], steps: int) -> tuple[Callable[[], None], int, int]:
+    """A call that takes some steps of a scene with a drive at a rate; its contact points and its tets."""
+    assembly = assemble(scene.load(name, overrides))
+    timeloop.compile_for(assembly.model, 1)
+    chunk = Chunk(np.zeros(steps + 1), np.full(steps + 1, 1e-3), row=False)
+    gauge = np.zeros(steps)
+    tets = 0 if assembly.mesh is None else len(assembly.mesh.tets)
+    return (
+        lambda: timeloop.advance_model(assembly.model, chunk, 1, 0, steps, gauge),
+        len(assembly.model.group),
+        tets,
+    )
+
+
+def ours() -> dict[str, tuple[Callable[[], None], float]]:
+    """Our rows: a call, and steps times items in it."""
+    contacts, count, _ = stepper("wallette-mode-1", [], 200)
+    blocks, _, tets = stepper("couplet", ["kinematics=tets", "specimen.mesh_size=8 mm"], 100)
+    return {
+        f"masonry, whole step per tet, {tets} tets": (blocks, 100.0 * tets),
+        f"masonry, whole step per contact point, {count} between rigid blocks": (contacts, 200.0 * count),
+    }
+
+
+def peers(words: argparse.Namespace) -> tuple[dict[str, Worker], list[str]]:
+    """Workers that run, and a sentence on each that does not."""
+    wanted = {f"akantu {kind}": ([words.akantu], "worker_akantu.py", kind) for kind in ("tets", "loose", "cohesive")}
+    wanted |= {
+        f"yade {kind}": ([words.yade, "-j1", "-x", "-n"], "worker_yade.py", kind) for kind in ("cohfrict", "jcfpm")
+    }
+    found, absent = {}, []
+    for name, how in wanted.items():
+        try:
+            found[name] = Worker(*how)
+        except Absent as error:
+            absent.append(f"{name}: left out, {error}")
+    return found, absent
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.peers", description="Akantu and Yade beside ours.")
+    parser.add_argument("--akantu", default=sys.executable, metavar="PYTHON", help="a Python that has akantu")
+    parser.add_argument("--yade", default=shutil.which("yade") or "yade", metavar="COMMAND", help="starts Yade")
+    found, absent = peers(parser.parse_args())
+    rows = ours()
+    steps = {name: 20 if name.startswith("akantu") else 300 for name in found}
+    try:
+        works = [work for work, _ in rows.values()]
+        works += [lambda w=w, n=steps[name]: w.seconds(n) for name, w in found.items()]
+        times = in_turn(*works, rounds=ROUNDS)
+    finally:
+        for worker in found.values():
+            worker.close()
+    for (name, (_, items)), time in zip(rows.items(), times, strict=False):
+        print(f"{1e9 * time.least / items:8.1f} ns  {name}")
+    step = {name: time.least / steps[name] for name, time in zip(found, times[len(rows) :], strict=True)}
+    for name, worker in found.items():
+        says = worker.says
+        version = f"{name} {says['version']}"
+        if name == "akantu tets":
+            print(f"{1e9 * step[name] / says['tets']:8.1f} ns  {version}, whole step per tet, {says['tets']} tets")
+        elif name == "akantu cohesive" and "akantu loose" in step:
+            extra = (step[name] - step["akantu loose"]) / says["points"]
+            print(f"{1e9 * extra:8.1f} ns  {version}, step with less step without, per point of {says['points']}")
+        elif "bonds" in says:
+            print(f"{1e9 * step[name] / says['bonds']:8.1f} ns  {version}, whole step per bond, {says['bonds']} bonds")
+    print("\n".join(absent))
+
+
+if __name__ == "__main__":
+    main()

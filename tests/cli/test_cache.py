@@ -1,0 +1,97 @@
+"""Compiled code is kept between runs: a second process compiles nothing, and no edit of a source is served stale."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SHORT = ["law=exponential", "settle.steps=100", "drive.steps=600", "solver.rows=10"]
+RUN = """
+import json, sys
+from numba.core import event
+compiled = []
+class Listener(event.Listener):
+    def on_start(self, what): compiled.append(what.data["dispatcher"].py_func.__qualname__)
+    def on_end(self, what): pass
+event.register("numba:compile", Listener())
+import masonry
+assert masonry.__file__.startswith(sys.argv[1])
+result = masonry.run(masonry.load("couplet", sys.argv[2:]))
+print(json.dumps([compiled, result.history.rows["stress"].tolist()]))
+"""
+
+
+class Ran(NamedTuple):
+    compiled: list[str]
+    stress: list[float]
+
+
+class Copy:
+    """A copy of the package with a cache of its own."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        for package in ("geometry", "masonry"):
+            shutil.copytree(ROOT / package, root / package, ignore=shutil.ignore_patterns("__pycache__"))
+
+    def run(self) -> Ran:
+        """Run a short scene in a process of its own."""
+        surroundings = os.environ | {"PYTHONPATH": str(self.root), "MASONRY_CACHE": str(self.root / "cache")}
+        done = subprocess.run(
+            [sys.executable, "-c", RUN, str(self.root), *SHORT],
+            cwd=self.root,
+            env=surroundings,
+            capture_output=True,
+            text=True,
+        )
+        assert done.returncode == 0, done.stderr
+        return Ran(*json.loads(done.stdout))
+
+    def edit(self, file: str, pattern: str, by: str) -> None:
+        """Change the first place in a file that fits a pattern."""
+        path = self.root / file
+        text, count = re.subn(pattern, by, path.read_text(encoding="utf-8"), count=1)
+        assert count == 1, f"{file} no longer holds {pattern}: name another place whose edit changes a run"
+        path.write_text(text, encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def used(tmp_path_factory) -> tuple[Copy, Ran]:
+    """A copy that ran once, and what it found."""
+    copy = Copy(tmp_path_factory.mktemp("package"))
+    first = copy.run()
+    assert "advance" in first.compiled
+    return copy, first
+
+
+def test_a_second_process_compiles_nothing_whatever_was_edited_that_is_not_compiled(used):
+    copy, first = used
+    for file in ("masonry/model.py", "masonry/laboratory.py", "geometry/joints.py"):
+        copy.edit(file, r"\Z", "# a remark\n")
+    assert copy.run() == Ran([], first.stress)
+
+
+EDITS = {
+    "law": ("masonry/laws/exponential.py", r"exp\(-interface", "exp(-0.999 * interface"),
+    "kernel": ("masonry/kernels/step.py", r"total \+= hold\[i\]", "total += 0.999 * hold[i]"),
+    "kinematics": ("masonry/kinematics/rigid.py", r"\+= dt \* v\[b, i\]", "+= 0.999 * dt * v[b, i]"),
+}
+
+
+@pytest.mark.parametrize("kind", EDITS)
+def test_an_edit_of_a_law_a_kernel_or_a_kinematics_changes_the_next_run(used, kind):
+    copy, first = used
+    file = EDITS[kind][0]
+    before = (copy.root / file).read_text(encoding="utf-8")
+    copy.edit(*EDITS[kind])
+    edited = copy.run()
+    (copy.root / file).write_text(before, encoding="utf-8")
+    assert "advance" in edited.compiled
+    assert edited.stress != first.stress
