@@ -10,16 +10,19 @@ import numpy as np
 from masonry.kernels.freedom import Guided
 from masonry.model import Model
 
-LITTLE = 0.2
+LITTLE = 0.1
 """xi of the local damping, eq. (3), that acts on all motion."""
-RATIO = 1.0
+RATIO = 0.1
 """Viscosity over the critical one at the frequency of the expected motion."""
 LEAST, MOST = 0.002, 0.3
 """Bounds of the share c dt / 2."""
 
 
 class Guide:
-    """Learns the field from increment to increment, and sets the viscosity of the model's damping."""
+    """Learns the field from increment to increment, and sets the viscosity of the model's damping.
+
+    kinetic  energy (J) of the expected motion at the last increment's end
+    """
 
     def __init__(self, model: Model) -> None:
         self.model = model
@@ -29,7 +32,7 @@ class Guide:
             if body is not None
         ]
         self.last = [place.copy() for _, _, place in self.parts]
-        self.displacement = 0.0
+        self.displacement = self.kinetic = 0.0
         model.damping = Guided(0.05, LITTLE)
 
     def settle(self) -> None:
@@ -49,6 +52,7 @@ class Guide:
             last[...] = place
             inertia += float(np.sum(m * body.guess**2))
         self.displacement = displacement
-        if inertia > 0.0:
+        self.kinetic = 0.5 * inertia * speed**2
+        if inertia > 1e-20:  # kg: something moves with the drive, not round-off
             share = RATIO * np.sqrt(abs(force / displacement) / inertia) * self.model.dt
             self.model.damping = Guided(float(np.clip(share, LEAST, MOST)), LITTLE)

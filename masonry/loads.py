@@ -132,7 +132,7 @@ class Controlled:
     @property
     def steps(self) -> int:
         """About how many there will be: what tests of masonry took."""
-        return self.settle + 4000 + round(150 / self.accuracy)
+        return self.settle + 5000 + round(100 / self.accuracy)
 
 
 def controlled(settle: int, displacement: float, accuracy: float) -> Controlled:

@@ -51,11 +51,22 @@ def summary_text(summary: dict[str, Any]) -> str:
         ("energy imbalance", [_number(summary, "energy_imbalance", 1.0, "of the external work")]),
         ("reaction mismatch", [_number(summary, "reaction_mismatch_max", 100.0, "% of the peak")]),
         ("kinetic / internal", [_number(summary, "kinetic_over_internal_max", 100.0, "%")]),
+        *([("accuracy", [accuracy_text(summary)])] if summary.get("control") else []),
         ("steps", [str(summary.get("steps", "not known"))]),
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
         ("trust", [trust(summary)]),
     ]
     return aligned(rows)
+
+
+def accuracy_text(summary: dict[str, Any]) -> str:
+    """What a drive to an accuracy was asked for, and by what it can be seen how far it came."""
+    control = summary["control"]
+    return (
+        f"{100 * control['accuracy']:g} % asked; after the first damage the drive ran ahead of the specimen by "
+        f"{100 * control['mean_lag']:.2g} % of the work done on average, by {100 * control['largest_lag']:.2g} % at "
+        f"most; damping took {100 * summary['damping_over_external']:.2g} % of the work"
+    )
 
 
 def trust(summary: dict[str, Any]) -> str:

@@ -9,6 +9,7 @@ from masonry.errors import SceneError
 from masonry.kernels.freedom import Guided, resist
 from masonry.loads import controlled
 from masonry.pace import STEPS, ControlledPace
+from masonry.printout import accuracy_text
 from masonry.scene import load
 from tests.mechanics.test_loop import bits, corner_numbers, couplet
 from tests.mechanics.test_loop import load as load_text
@@ -45,7 +46,7 @@ def test_the_shipped_couplet_keeps_the_accuracy_that_was_asked(accuracy):
     assert result.summary["peak_stress_pa"] == pytest.approx(1.375e6, rel=accuracy)
 
 
-TERMS = ("elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "kinetic")
+TERMS = ("external_work", "elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "kinetic")
 
 
 def elastic_wall(pace: str):
@@ -105,7 +106,7 @@ def test_increments_add_up_whatever_the_energies_say():
     while (chunk := pace.next()) is not None:
         moved += chunk.speed[:-1].sum() * assembly.model.dt
         assert np.all(chunk.speed <= 0.0)
-        force, *energies = (float(x) for x in rng.lognormal(0, 3, 6))
+        force, *energies = (float(x) for x in rng.lognormal(0, 3, 7))
         seen = rng.lognormal(0, 3, (len(assembly.model.group), 4))
         pace.look(force, seen, dict(zip(TERMS, energies, strict=True)))
     assert moved == pytest.approx(-3e-4, rel=1e-10)
@@ -123,3 +124,20 @@ def test_increments_add_up_whatever_the_energies_say():
 def test_what_cannot_be_asked_is_said(over, words):
     with pytest.raises(SceneError, match=words):
         load("wallette-mode-1", over)
+
+
+def test_where_all_motion_is_prescribed_an_increment_takes_few_steps():
+    summary = laboratory.run(load("couplet", {"drive.accuracy": 0.01})).summary
+    assert summary["steps"] < 4000 + 800, "4000 of them settle the confinement"
+    assert summary["peak_stress_pa"] == pytest.approx(1.375e6, rel=1e-3)
+    assert summary["control"]["largest_lag"] < 1e-9, "nothing lags where nothing is free to"
+
+
+def test_the_drive_slows_down_before_the_first_crack_and_says_how_far_it_ran_ahead():
+    result = laboratory.run(load("wallette-mode-2", {"drive.accuracy": 0.01}))
+    rows, control = result.history.rows, result.summary["control"]
+    first = int(np.argmax(rows["fracture_mode_1"] > 0.0))
+    ways = np.diff(rows["displacement"])
+    assert ways[first - 1] < 0.2 * ways[:first].max() and ways[first - 1] < 0.1 * rows["displacement"][first]
+    assert 0.0 < control["mean_lag"] <= control["largest_lag"] < 0.1
+    assert f"{100 * control['mean_lag']:.2g} % of the work" in accuracy_text(result.summary)

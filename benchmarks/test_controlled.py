@@ -1,0 +1,75 @@
+"""Steps that a drive to an accuracy takes, against the steps that a constant rate needs for the same error.
+
+The error is the larger one of those in the peak and in the dissipated energy.
+"""
+
+import numpy as np
+import pytest
+
+from benchmarks.equal_steps import CONVERGED, LADDER
+from masonry import laboratory
+from masonry.scene import load
+
+SHIPPED_DAMPING = 0.8
+
+
+def error_of(name: str, peak: float, dissipated: float) -> float:
+    """The larger of the two relative errors."""
+    return float(np.abs(np.array([peak, dissipated]) / CONVERGED[name] - 1.0).max())
+
+
+def steps_for(name: str, damping: float, error: float) -> float:
+    """Steps at constant rate from which on the error stays below; between rungs along a power law."""
+    steps, peak, dissipated = np.array(LADDER[name][damping]).T
+    errors = np.array([error_of(name, p, d) for p, d in zip(peak, dissipated, strict=True)])
+    stays = np.maximum.accumulate(errors[::-1])  # of the largest number of steps first
+    return float(np.exp(np.interp(np.log(error), np.log(stays), np.log(steps[::-1]))))
+
+
+def run(name: str, **over) -> tuple[dict, int, float]:
+    """Summary, steps of the drive, and error."""
+    scene = load(name, {key.replace("__", "."): value for key, value in over.items()})
+    summary = laboratory.run(scene).summary
+    assert not summary["stopped"]
+    energy = summary["energy_j"]
+    spent = energy["fracture_mode_1"] + energy["fracture_mode_2"] + energy["friction"]
+    settle = scene.settle.steps if scene.settle else 0
+    return summary, summary["steps"] - settle, error_of(name, summary["peak_stress_pa"], spent)
+
+
+@pytest.mark.parametrize("name", list(CONVERGED))
+@pytest.mark.parametrize("accuracy", [0.05, 0.01, 0.003])
+def test_an_accuracy_is_kept_with_a_third_of_the_steps_of_a_constant_rate(name, accuracy, figure):
+    _, steps, error = run(name, drive__accuracy=accuracy)
+    label = f"{name} at {accuracy:.1%}"
+    figure(f"{label}: error", 100 * error, "%", reach=100 * accuracy)
+    figure(f"{label}: steps", steps, "")
+    fewer = steps_for(name, SHIPPED_DAMPING, error) / steps
+    best = min(steps_for(name, damping, error) for damping in LADDER[name]) / steps
+    limits = {"reach": 3, "aim": 10} if accuracy == 0.01 else {}
+    figure(f"{label}: times fewer steps than the constant rate", fewer, "", **limits, least=True)
+    figure(f"{label}: times fewer than at the best damping", best, "")
+    assert error <= accuracy, f"{label}: the error is {error:.2%}"
+    assert accuracy != 0.01 or fewer >= 3.0, f"{label}: only {fewer:.1f} times fewer steps than at a constant rate"
+
+
+def test_seconds_of_stepping(figure):
+    seconds = [run("wallette-mode-1", drive__accuracy=0.01)[0]["seconds_run"] for _ in range(5)]
+    spread = float(np.quantile(seconds, 0.75) / min(seconds) - 1.0)
+    figure("wallette-mode-1 at 1 %: seconds of stepping", min(seconds), "s", 2.0, 0.5, spread)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("damping", "steps"), [(0.8, 20000), (0.1, 40000)])
+@pytest.mark.parametrize("name", ["wallette-mode-1", "wallette-mode-2"])
+def test_the_ladder_is_what_a_constant_rate_gives(name, damping, steps):
+    summary, _, error = run(name, drive__steps=steps, solver__damping=damping)
+    rung = next(rung for rung in LADDER[name][damping] if rung[0] == steps)
+    assert summary["peak_stress_pa"] == pytest.approx(rung[1], rel=1e-3)
+    assert error == pytest.approx(error_of(name, *rung[1:]), abs=2e-3)
+
+
+def test_the_ladder_needs_more_steps_for_a_smaller_error():
+    assert steps_for("wallette-mode-2", 0.8, 0.01) == pytest.approx(8e4, rel=0.1)
+    needed = [steps_for("wallette-mode-1", 0.8, error) for error in (0.05, 0.01, 0.003)]
+    assert needed == sorted(needed) and needed[0] < needed[-1]
