@@ -31,3 +31,8 @@ def ratio(measured: Callable[[], object], reference: Callable[[], object], round
     """Least time of `measured` over least time of `reference`."""
     ours, theirs = in_turn(measured, reference, rounds=rounds)
     return ours.least / theirs.least
+
+
+def require(value: float, limit: float, what: str) -> None:
+    """Fail with a sentence."""
+    assert value <= limit, f"{what}: {value:.2f} times the reference, the gate is {limit:.2f}"
