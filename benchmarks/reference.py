@@ -15,17 +15,18 @@ by_hand = numba.njit(**OPTIONS | {"cache": False})
 
 @cache
 def shoving(contacts):
-    """Moves side b of every contact by by[c] and sweeps over the contacts, round after round."""
+    """Moves side b of every contact by by[c] and sweeps over the contacts (or not), round after round."""
 
     @by_hand
-    def shove(rounds, by, law, ends, frame, u, force, past, slip, spent):
+    def shove(rounds, by, sweeps, law, ends, frame, u, force, past, slip, spent):
         for _ in range(rounds):
             for c in range(len(by)):
                 b = ends[c, 1]
                 u[b, 0] += by[c, 0]
                 u[b, 1] += by[c, 1]
                 u[b, 2] += by[c, 2]
-            contacts(law, ends, frame, u, force, past, slip, spent)
+            if sweeps:
+                contacts(law, ends, frame, u, force, past, slip, spent)
 
     return shove
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from benchmarks import specimens, trial
-from benchmarks.interleaved import in_turn, ratio, require
+from benchmarks.interleaved import against, in_turn, require
 from benchmarks.twin import Twin
 from masonry import scene
 from masonry.assembly import assemble
@@ -21,7 +21,9 @@ from masonry.laws.elastic import Elastic
 from masonry.laws.interface import Interface
 from masonry.scene.source import packaged
 
-STEPS, ROUNDS = 20, 400
+STEPS, ROUNDS = 10, 400
+LIMIT = 1.6
+"""Of a step to that by hand: 1.37 to 1.46 measured, 1.03 wanted."""
 BRITTLE = Brittle(), trial.JOINT
 ELASTIC = Elastic(), Interface(trial.JOINT.normal_stiffness, trial.JOINT.shear_stiffness)
 
@@ -53,17 +55,17 @@ def wall(**options):
 
 
 @pytest.mark.parametrize(
-    ("absent", "options", "by_hand", "limit"),
+    ("absent", "options", "by_hand"),
     [
-        ("dead loads, dilation, a second law, tets, ...", {}, {}, 1.5),  # [1.2]
-        ("damping", {"damping": 0.0}, {"damped": False}, 1.5),
-        ("energy ledger", {"ledger": False}, {"booked": False}, 1.5),
-        ("softening: brittle", {"law": BRITTLE}, {"law": "brittle"}, 1.5),
-        ("strength and softening: elastic", {"law": ELASTIC}, {"law": "elastic"}, 1.5),
+        ("dead loads, dilation, a second law, tets, ...", {}, {}),
+        ("damping", {"damping": 0.0}, {"damped": False}),
+        ("energy ledger", {"ledger": False}, {"booked": False}),
+        ("softening: brittle", {"law": BRITTLE}, {"law": "brittle"}),
+        ("strength and softening: elastic", {"law": ELASTIC}, {"law": "elastic"}),
     ],
     ids=["usual", "damping", "ledger", "softening", "strength"],
 )
-def test_a_step_without_it_is_as_fast_as_by_hand(benchmark, figure, absent, options, by_hand, limit):
+def test_a_step_without_it_is_as_fast_as_by_hand(benchmark, figure, absent, options, by_hand):
     model = wall(**options)
     twin = Twin(model, **by_hand)
     twin.make_unstoppable()
@@ -74,11 +76,11 @@ def test_a_step_without_it_is_as_fast_as_by_hand(benchmark, figure, absent, opti
     scale = np.abs(twin.force).max()
     assert np.allclose(trial.forces(model), twin.force[:, :3], rtol=1e-6, atol=1e-9 * scale)
     benchmark.pedantic(ours, rounds=20)
-    value = ratio(ours, theirs, ROUNDS)
+    value = against((ours, trial.stepping(model, 0)), (theirs, twin.stepping(0)), ROUNDS).ratio
     assert options.get("law") == ELASTIC or trial.evolving(model, ours) == 0.0
     benchmark.extra_info["ratio"] = value
     figure(f"without {absent}: over a step by hand that never had it", value, "", 1.03)
-    require(value, limit, f"a step without {absent}")
+    require(value, LIMIT, f"a step without {absent}")
 
 
 WITH = {

@@ -83,12 +83,12 @@ class Twin:
 
         return take
 
-    def sweeping(self, by: np.ndarray, rounds: int) -> Callable[[], None]:
-        """A call that moves side b of every contact by (C, 3) m, then sweeps over the contacts, so many times."""
+    def sweeping(self, by: np.ndarray, rounds: int, sweeps: bool = True) -> Callable[[], None]:
+        """A call that so many times moves side b of every contact by (C, 3) m, and sweeps over them (or not)."""
         shove, arrays = reference.shoving(self.contacts), (self.ends, self.frame, self.u, self.force)
 
         def take() -> None:
-            shove(rounds, by, self.law, *arrays, self.past, self.slip, self.spent)
+            shove(rounds, by, sweeps, self.law, *arrays, self.past, self.slip, self.spent)
 
         return take
 
