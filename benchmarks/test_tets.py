@@ -12,7 +12,7 @@ SIZES = {
     "100k": ((4, 4, 5), 3, 60, (37.0, 21.0), (21.0, 12.0), 1.3),
     "500k": ((7, 7, 8), 2, 16, (38.0, 25.0), (None, 14.0), 1.3),
 }
-"""Cells of a brick, steps of a call, rounds, limits of the figures on 1 and 2 threads, and of the gate [1.15, 1, 0.9]."""
+"""Cells of a brick, steps of a call, rounds; limits of the figures on 1 and 2 threads, of the gate [1.15, 1, 0.9]."""
 
 
 @pytest.mark.parametrize("size", SIZES)
