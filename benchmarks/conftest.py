@@ -9,6 +9,7 @@ from typing import NamedTuple
 import pytest
 
 FIGURES: list["Figure"] = []
+LEFT_OUT: dict[str, dict[str, float | None]] = {}
 
 
 class Figure(NamedTuple):
@@ -42,21 +43,38 @@ def figure() -> Callable[..., None]:
     return add
 
 
+@pytest.fixture
+def left_out() -> dict[str, dict[str, float | None]]:
+    """scene -> {feature: share of a step that leaving it out saves, None where the scene uses it}: a second table."""
+    return LEFT_OUT
+
+
 def pytest_benchmark_update_json(config, benchmarks, output_json) -> None:
     """The figures go into bench.json beside the timings."""
     output_json["figures"] = [entry._asdict() for entry in FIGURES]
+    output_json["left_out"] = LEFT_OUT
 
 
 def pytest_terminal_summary(terminalreporter) -> None:
-    """The table."""
-    if not FIGURES:
-        return
-    lines = [("", "measured", "spread", "reach", "aim", "")]
-    for f in FIGURES:
-        limits = ["" if x is None else f"{x:g}" for x in (f.reach, f.aim)]
-        spread = "" if f.spread is None else f"+{100 * f.spread:.0f} %"
-        lines.append((f.row, f"{f.value:.3g} {f.unit}", spread, *limits, f.verdict()))
-    widths = [max(len(line[i]) for line in lines) for i in range(6)]
-    terminalreporter.section("figures")
+    """The tables."""
+    if FIGURES:
+        lines = [("", "measured", "spread", "reach", "aim", "")]
+        for f in FIGURES:
+            limits = ["" if x is None else f"{x:g}" for x in (f.reach, f.aim)]
+            spread = "" if f.spread is None else f"+{100 * f.spread:.0f} %"
+            lines.append((f.row, f"{f.value:.3g} {f.unit}", spread, *limits, f.verdict()))
+        _write(terminalreporter, "figures", lines)
+    if LEFT_OUT:
+        features = list(next(iter(LEFT_OUT.values())))
+        lines = [("", *features)]
+        for scene, saved in LEFT_OUT.items():
+            cells = ["used" if share is None else f"{100 * share:.0f} %" for share in saved.values()]
+            lines.append((scene, *cells))
+        _write(terminalreporter, "left out of the shipped scenes, and what of a step that saves", lines)
+
+
+def _write(terminalreporter, title: str, lines: list[tuple[str, ...]]) -> None:
+    widths = [max(len(cell) for cell in column) for column in zip(*lines, strict=True)]
+    terminalreporter.section(title)
     for line in lines:
         terminalreporter.write_line("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)))

@@ -31,3 +31,27 @@ def ratio(measured: Callable[[], object], reference: Callable[[], object], round
     """Least time of `measured` over least time of `reference`."""
     ours, theirs = in_turn(measured, reference, rounds=rounds)
     return ours.least / theirs.least
+
+
+class Against(NamedTuple):
+    """Time (s) of our work and of that by hand, both less what a call costs that does none of it; spread of ours."""
+
+    ours: float
+    by_hand: float
+    spread: float
+
+    @property
+    def ratio(self) -> float:
+        return self.ours / self.by_hand
+
+
+def against(ours: tuple[Callable, Callable], by_hand: tuple[Callable, Callable], rounds: int) -> Against:
+    """Each side is (work, the same call without the work)."""
+    times = in_turn(*ours, *by_hand, rounds=rounds)
+    work, idle, work_by_hand, idle_by_hand = (t.least for t in times)
+    return Against(work - idle, work_by_hand - idle_by_hand, times[0].spread)
+
+
+def require(value: float, limit: float, what: str) -> None:
+    """Fail with a sentence."""
+    assert value <= limit, f"{what}: {value:.2f} times the reference, the gate is {limit:.2f}"

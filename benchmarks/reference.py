@@ -1,51 +1,114 @@
-"""Hand-written reference kernels: what the same work costs with nothing general about it."""
+"""Hand-written contacts: what the same work costs with nothing general about it, on flat padded rows.
 
-from math import sqrt
+Rows of u and force are padded to four; ends (C, 2) are unsigned rows of u; frame (C, 4) is the normal and the area.
+"""
 
-import numpy as np
+from functools import cache
+from math import exp, sqrt
 
-from masonry.kernels.compiler import jit
+import numba
+
+from masonry.kernels.compiler import OPTIONS
+
+by_hand = numba.njit(**OPTIONS | {"cache": False})
 
 
-@jit
-def elastic_contacts(kn, ks, sides, normal, area, u, force):
-    """Eqs (5) and (6) on flat arrays, one loop, no law, no history."""
-    for c in range(len(area)):
-        a, b = sides[c, 0], sides[c, 1]
+@cache
+def shoving(contacts):
+    """Moves side b of every contact by by[c] and sweeps over the contacts (or not), round after round."""
+
+    @by_hand
+    def shove(rounds, by, sweeps, law, ends, frame, u, force, past, slip, spent):
+        for _ in range(rounds):
+            for c in range(len(by)):
+                b = ends[c, 1]
+                u[b, 0] += by[c, 0]
+                u[b, 1] += by[c, 1]
+                u[b, 2] += by[c, 2]
+            if sweeps:
+                contacts(law, ends, frame, u, force, past, slip, spent)
+
+    return shove
+
+
+@by_hand
+def elastic(law, ends, frame, u, force, past, slip, spent):
+    """Eqs (5) and (6): no history."""
+    kn, ks = law[0], law[1]
+    for c in range(len(frame)):
+        a, b = ends[c, 0], ends[c, 1]
+        nx, ny, nz, area = frame[c, 0], frame[c, 1], frame[c, 2], frame[c, 3]
         dx, dy, dz = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
-        nx, ny, nz = normal[c, 0], normal[c, 1], normal[c, 2]
-        opening = dx * nx + dy * ny + dz * nz
-        sigma = kn * opening
-        force[c, 0] = area[c] * (sigma * nx + ks * (dx - opening * nx))
-        force[c, 1] = area[c] * (sigma * ny + ks * (dy - opening * ny))
-        force[c, 2] = area[c] * (sigma * nz + ks * (dz - opening * nz))
-
-
-@jit
-def exponential_contacts(kn, ks, fT, c0, tan0, tanr, GI, GII, sides, normal, area, u, force, opened, whole, slip):
-    """Exponential law written out by hand for one group: secant, combined coupling, no energies."""
-    for c in range(len(area)):
-        a, b = sides[c, 0], sides[c, 1]
-        dx, dy, dz = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
-        nx, ny, nz = normal[c, 0], normal[c, 1], normal[c, 2]
         e = dx * nx + dy * ny + dz * nz
-        sx, sy, sz = dx - e * nx, dy - e * ny, dz - e * nz
-        if e > opened[c]:
-            opened[c] = e
-            whole[c, 0] = np.exp(-fT / GI * (e - fT / kn))
-        sigma = kn * e if e <= 0.0 else whole[c, 0] * whole[c, 1] * fT * e / opened[c]
-        tx, ty, tz = ks * (sx - slip[c, 0]), ks * (sy - slip[c, 1]), ks * (sz - slip[c, 2])
-        peak, rest = max(c0 - sigma * tan0, 0.0), max(-sigma * tanr, 0.0)
-        tau = sqrt(tx * tx + ty * ty + tz * tz)
-        if tau > rest + whole[c, 0] * whole[c, 1] * (peak - rest):
-            beyond = sqrt(sx * sx + sy * sy + sz * sz) - peak / ks
-            if beyond > 0.0:
-                whole[c, 1] = min(whole[c, 1], np.exp(-c0 / GII * beyond))
-            share = (rest + whole[c, 0] * whole[c, 1] * (peak - rest)) / tau
-            slip[c, 0] += (1.0 - share) * tx / ks
-            slip[c, 1] += (1.0 - share) * ty / ks
-            slip[c, 2] += (1.0 - share) * tz / ks
-            tx, ty, tz = share * tx, share * ty, share * tz
-        force[c, 0] = area[c] * (sigma * nx + tx)
-        force[c, 1] = area[c] * (sigma * ny + ty)
-        force[c, 2] = area[c] * (sigma * nz + tz)
+        normal = (kn - ks) * e
+        force[c, 0] = area * (normal * nx + ks * dx)
+        force[c, 1] = area * (normal * ny + ks * dy)
+        force[c, 2] = area * (normal * nz + ks * dz)
+
+
+def softening(curved: bool):
+    """Eqs (5) to (8), secant unloading, combined loss, energies booked, history written on change.
+
+    curved        softens by eqs (16) and (17); else all is lost at once
+    past (C, 4)   largest opening, shares left in tension and in shear, and the secant stiffness that follows from them
+    """
+
+    @by_hand
+    def contacts(law, ends, frame, u, force, past, slip, spent):
+        kn, ks, ft, c0, tan0, cr, tanr, g1, g2 = law
+        un0, steep, fall, soft = ft / kn, -ft / g1, -c0 / g2, 1.0 / ks
+        for c in range(len(frame)):
+            a, b = ends[c, 0], ends[c, 1]
+            nx, ny, nz, area = frame[c, 0], frame[c, 1], frame[c, 2], frame[c, 3]
+            dx, dy, dz = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
+            e = dx * nx + dy * ny + dz * nz
+            sx, sy, sz = dx - e * nx, dy - e * ny, dz - e * nz
+            tx, ty, tz = ks * (sx - slip[c, 0]), ks * (sy - slip[c, 1]), ks * (sz - slip[c, 2])
+            squared = tx * tx + ty * ty + tz * tz
+            opened, dn, ds = past[c, 0], past[c, 1], past[c, 2]
+            sigma = e * (kn if e <= 0.0 else past[c, 3])
+            stays = cr if e <= 0.0 or dn == 1.0 else cr * (1.0 - (1.0 - dn) * min(e / opened, 1.0))
+            rest = max(stays - sigma * tanr, 0.0)
+            peak = max(c0 - sigma * tan0, rest)
+            most = rest + ds * dn * (peak - rest)
+            if squared > most * most or e > opened:
+                first = 0.0
+                if e > opened:
+                    left = min(dn, exp(steep * (e - un0))) if curved else 0.0
+                    first = ds * (g1 * (dn - left) - 0.5 * ft * (left * e - dn * opened))
+                    opened, dn = e, left
+                    sigma = ds * dn * ft
+                    rest = max(cr * dn - sigma * tanr, 0.0)
+                    peak = max(c0 - sigma * tan0, rest)
+                tau = sqrt(squared)
+                most = rest + ds * dn * (peak - rest)
+                if tau > most:
+                    beyond = sqrt(sx * sx + sy * sy + sz * sz) - peak * soft
+                    whole = ds
+                    if beyond > 0.0 and peak > rest:
+                        whole = min(ds, exp(fall * beyond)) if curved else 0.0
+                        if e > 0.0:
+                            first += 0.5 * dn * ft * e * e / opened * (ds - whole)
+                        ds = whole
+                    yielded = rest + ds * dn * (peak - rest)
+                    share = yielded / tau
+                    path = (tau - yielded) * soft
+                    spent[c, 1] += path * 0.5 * (most + yielded - 2.0 * rest)
+                    spent[c, 2] += path * rest
+                    left = (1.0 - share) * soft
+                    slip[c, 0] += left * tx
+                    slip[c, 1] += left * ty
+                    slip[c, 2] += left * tz
+                    tx, ty, tz = share * tx, share * ty, share * tz
+                spent[c, 0] += first
+                secant = dn * ds * ft / opened
+                sigma = e * (kn if e <= 0.0 else secant)
+                past[c, 0], past[c, 1], past[c, 2], past[c, 3] = opened, dn, ds, secant
+            force[c, 0] = area * (sigma * nx + tx)
+            force[c, 1] = area * (sigma * ny + ty)
+            force[c, 2] = area * (sigma * nz + tz)
+
+    return contacts
+
+
+exponential, brittle = softening(True), softening(False)

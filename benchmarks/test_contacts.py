@@ -1,0 +1,110 @@
+"""Contact points: node pairs in a bare sweep, and rigid blocks with lever arms in a whole step; 1 thread.
+
+Limits of the gates lie above what was measured (in brackets) by the spread seen on a shared machine.
+"""
+
+import numpy as np
+import pytest
+
+from benchmarks import specimens, trial
+from benchmarks.interleaved import against, require
+from benchmarks.twin import Twin
+from masonry.laws.elastic import Elastic
+from masonry.laws.interface import Interface
+
+ROUNDS, STEPS = 400, 10
+DEEP = 1e-6
+"""m: how far the faces are pressed into each other."""
+FAR, FURTHER = 1e-5, 1e-9
+"""m: slip at the start where a contact slides, and slip of each round."""
+STRETCH, STRETCHED = 5e-8, 60
+"""Strain of the wall in each step, where all of it softens, and calls of STEPS steps until it does."""
+
+
+def sliding(model, twin, share: float) -> np.ndarray:
+    """Press all contacts, let a random share slide far beyond the peak; returns how they slide further, (C, 3) m."""
+    joints = model.joints
+    slides = np.random.default_rng(1).random(len(joints.area)) < share
+    along = np.roll(joints.normal, 1, axis=1) * slides[:, None]
+    begin = FAR * along - DEEP * joints.normal
+    trial.sweeping(model, begin, 1)()
+    twin.sweeping(begin, 1)()
+    return FURTHER * along
+
+
+NODES = {
+    "untouched": (0.0, (10.0, 6.0), 1.4),
+    "40 % damaged": (0.4, (20.0, 12.0), 1.9),
+    "all sliding": (1.0, (25.0, 12.0), 1.9),
+}
+"""Share of the contacts that slide, limits of the figure, limit of the gate [1.1, 1.5, 1.3]."""
+
+
+@pytest.mark.parametrize("name", NODES)
+def test_a_pair_of_nodes_costs_what_the_exponential_law_by_hand_costs(benchmark, figure, name):
+    share, limits, limit = NODES[name]
+    model = trial.model_of(*specimens.pairs(), kind="tets")
+    twin, count = Twin(model), len(model.joints.area)
+    by = sliding(model, twin, share)
+    ours, by_hand = trial.sweeping(model, by, STEPS), twin.sweeping(by, STEPS)
+    idle = trial.sweeping(model, by, STEPS, sweeps=False), twin.sweeping(by, STEPS, sweeps=False)
+    by_hand()
+    assert trial.evolving(model, ours) == pytest.approx(share, abs=0.02)
+    agree(model, twin)
+    benchmark.pedantic(ours, rounds=20)
+    found = against((ours, idle[0]), (by_hand, idle[1]), ROUNDS)
+    report(benchmark, figure, f"contact of two nodes, {name}", found, count, limits)
+    require(found.ratio, limit, f"contacts of nodes, {name}")
+
+
+def agree(model, twin) -> None:
+    """Both find the same forces."""
+    assert np.allclose(trial.forces(model), twin.force[:, :3], rtol=1e-6, atol=1e-9 * np.abs(twin.force).max())
+
+
+def report(benchmark, figure, row, found, count, limits) -> None:
+    """A line for ours, one for the hand-written, and the ratio beside the timings."""
+    benchmark.extra_info["ratio"] = found.ratio
+    figure(row, 1e9 * found.ours / STEPS / count, "ns", *limits, found.spread)
+    figure("  by hand", 1e9 * found.by_hand / STEPS / count, "ns")
+
+
+@pytest.mark.parametrize("name", ["untouched", "all softening"])
+def test_a_contact_of_rigid_blocks_costs_what_a_whole_step_by_hand_costs(benchmark, figure, name):
+    limits, limit = ((16.0, 10.0), 1.6) if name == "untouched" else ((30.0, 18.0), 1.8)  # [1.3, 1.4]
+    model = trial.model_of(*specimens.wall(16, 16))
+    twin, count = Twin(model), len(model.joints.area)
+    velocity = np.random.default_rng(1).normal(scale=1e-6, size=(model.blocks.count, 6))
+    if name == "all softening":  # the wall gets longer: head joints open, bed joints slide
+        velocity[:] = 0.0
+        velocity[:, 0] = STRETCH * model.layout.centroid[:, 0] / model.dt
+        trial.make_unstoppable(model)
+        twin.make_unstoppable()
+    trial.set_velocity(model, velocity)
+    twin.set_velocity(velocity)
+    ours, by_hand = trial.stepping(model, STEPS), twin.stepping(STEPS)
+    for _ in range(STRETCHED if name == "all softening" else 1):
+        ours()
+        by_hand()
+    agree(model, twin)
+    benchmark.pedantic(ours, rounds=20)
+    found = against((ours, trial.stepping(model, 0)), (by_hand, twin.stepping(0)), ROUNDS)
+    assert trial.evolving(model, ours) == (name == "all softening")
+    report(benchmark, figure, f"contact of rigid blocks, {name}", found, count, limits)
+    require(found.ratio, limit, f"contacts of rigid blocks, {name}")
+
+
+def test_an_elastic_contact_costs_what_a_hand_written_one_costs(benchmark, figure):
+    law = Elastic(), Interface(trial.JOINT.normal_stiffness, trial.JOINT.shear_stiffness)
+    model = trial.model_of(*specimens.pairs(), kind="tets", law=law)
+    twin, count = Twin(model, "elastic"), len(model.joints.area)
+    by = np.random.default_rng(1).uniform(-1e-9, 1e-9, (count, 3))
+    ours, by_hand = trial.sweeping(model, by, STEPS), twin.sweeping(by, STEPS)
+    idle = trial.sweeping(model, by, STEPS, sweeps=False), twin.sweeping(by, STEPS, sweeps=False)
+    ours()
+    by_hand()
+    agree(model, twin)
+    benchmark.pedantic(ours, rounds=20)
+    found = against((ours, idle[0]), (by_hand, idle[1]), ROUNDS)
+    report(benchmark, figure, "contact of two nodes, elastic", found, count, (None, None))
+    require(found.ratio, 1.6, "elastic contacts of nodes")
