@@ -48,7 +48,8 @@ def cache_root() -> Path:
 def _folders() -> tuple[str, str]:
     """Where the step of these sources is kept, and where the rest is; "" (Numba's own choice) where nothing can be."""
     root = cache_root()
-    folder, rest = root / source_hash(COMPILED), root / OTHERS
+    mode = "-plain" if os.environ.get("MASONRY_LANES") == "0" else ""
+    folder, rest = root / f"{source_hash(COMPILED)}{mode}", root / OTHERS
     try:
         for path in (folder, rest):
             path.mkdir(parents=True, exist_ok=True)

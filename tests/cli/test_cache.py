@@ -80,8 +80,8 @@ def test_a_second_process_compiles_nothing_whatever_was_edited_that_is_not_compi
 
 EDITS = {
     "law": ("masonry/laws/exponential.py", r"exp\(-interface", "exp(-0.999 * interface"),
-    "kernel": ("masonry/kernels/step.py", r"total \+= hold\[i\]", "total += 0.999 * hold[i]"),
-    "kinematics": ("masonry/kinematics/rigid.py", r"\+= dt \* v\[b, i\]", "+= 0.999 * dt * v[b, i]"),
+    "kernel": ("masonry/kernels/step.py", r"total \+= body.hold", "total += 0.999 * body.hold"),
+    "kinematics": ("masonry/kinematics/rigid.py", r"\+ dt \* take", "+ 0.999 * dt * take"),
 }
 
 
