@@ -30,6 +30,7 @@ def _sweep(
     Arrays are read and written by `take` and `put` alone: handed to a function they would be counted at every contact.
     """
     ks, width = interface.shear_stiffness, width_of(like)
+    flexibility = 1.0 / ks
     for k in prange((last - first) // width):
         c = first + width * k
         nx, ny, nz = take(normal, (c, 0), like), take(normal, (c, 1), like), take(normal, (c, 2), like)
@@ -59,7 +60,7 @@ def _sweep(
             put(spent, (c, 1), or_zero(take(spent, (c, 1), like), like) + answer.mode_2)
             put(spent, (c, 2), or_zero(take(spent, (c, 2), like), like) + answer.friction)
             sigma, share = answer.sigma, answer.share
-            left = (1.0 - share) / ks
+            left = (1.0 - share) * flexibility
             put(slip, (c, 0), px + left * tx)
             put(slip, (c, 1), py + left * ty)
             put(slip, (c, 2), pz + left * tz)

@@ -11,7 +11,7 @@ from numba.extending import register_jitable
 
 from masonry.kernels.compiler import jit
 from masonry.kernels.freedom import advance, keep
-from masonry.kernels.lane_memory import FOUR, four, pack, part, put, take
+from masonry.kernels.lane_memory import FOUR, four, numbers, pack, part, plus, put, put_row, take, take_row
 
 
 class Affine(NamedTuple):
@@ -48,22 +48,28 @@ def place(body, dt, u):
     for b in prange(len(q)):
         for i in range(0, 12, FOUR):
             put(q, (b, i), take(q, (b, i), four()) + dt * take(v, (b, i), four()))
+        moved = pack((q[b, 0], q[b, 1], q[b, 2], 0.0))
+        by_a = pack((q[b, 3], q[b, 6], q[b, 9], 0.0))
+        by_b = pack((q[b, 4], q[b, 7], q[b, 10], 0.0))
+        by_c = pack((q[b, 5], q[b, 8], q[b, 11], 0.0))
         for k in range(start[b], start[b + 1]):
-            row = first + k
-            for i in range(3):
-                h = 3 + 3 * i
-                u[row, i] = q[b, i] + q[b, h] * arm[k, 0] + q[b, h + 1] * arm[k, 1] + q[b, h + 2] * arm[k, 2]
+            put_row(u, first + k, plus(plus(plus(moved, arm[k, 0], by_a), arm[k, 1], by_b), arm[k, 2], by_c))
 
 
 def move(body, dt, damping, clock, force, u):
     """Sum contact forces and their first moments, add the block's own stiffness, and advance."""
     arm, start, code = body.arm, body.start, body.code
     for b in prange(len(body.q)):
-        sums = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        nothing = pack((0.0, 0.0, 0.0, 0.0))
+        whole, by_a, by_b, by_c = nothing, nothing, nothing, nothing
         for k in range(start[b], start[b + 1]):
-            c = code[k] >> 1
-            side = 1.0 - 2.0 * (code[k] & 1)
-            sums = _add(sums, side * force[c, 0], side * force[c, 1], side * force[c, 2], arm, k)
+            own, side = take_row(force, code[k] >> 1), 1.0 - 2.0 * (code[k] & 1)
+            whole = plus(whole, side, own)
+            by_a = plus(by_a, side * arm[k, 0], own)
+            by_b = plus(by_b, side * arm[k, 1], own)
+            by_c = plus(by_c, side * arm[k, 2], own)
+        f, x, y, z = numbers(whole), numbers(by_a), numbers(by_b), numbers(by_c)
+        sums = (f[0], f[1], f[2], x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2])
         inner = _inner(body, b)
         done = four(), four(), four()
         done = _advance_row(body, b, 0, sums[0:4], inner[0:4], dt, damping, clock, done)
@@ -78,17 +84,6 @@ def _advance_row(body, b, first, contact, inner, dt, damping, clock, done):
     for i in range(0, 4, FOUR):
         done = advance(body, (b, first + i), part(contacts, i), part(inners, i), dt, damping, clock, done)
     return done
-
-
-@register_jitable
-def _add(s, x, y, z, arm, k):
-    a, b, c = arm[k, 0], arm[k, 1], arm[k, 2]
-    return (
-        *(s[0] + x, s[1] + y, s[2] + z),
-        *(s[3] + x * a, s[4] + x * b, s[5] + x * c),
-        *(s[6] + y * a, s[7] + y * b, s[8] + y * c),
-        *(s[9] + z * a, s[10] + z * b, s[11] + z * c),
-    )
 
 
 @register_jitable

@@ -11,7 +11,7 @@ from numba import prange
 from numba.extending import register_jitable
 
 from masonry.kernels.freedom import advance, keep
-from masonry.kernels.lane_memory import EIGHT, eight, pack, part, put, take
+from masonry.kernels.lane_memory import EIGHT, eight, numbers, pack, part, plus, put, put_row, take, take_row
 
 
 class Rigid(NamedTuple):
@@ -76,30 +76,28 @@ def place(body, dt, u):
     for b in prange(len(q)):
         for i in range(0, 6, EIGHT):
             put(q, (b, i), take(q, (b, i), eight()) + dt * take(v, (b, i), eight()))
-        x, y, z = q[b, 0], q[b, 1], q[b, 2]
         p, r, s = turn_out(axes, b, q[b, 3], q[b, 4], q[b, 5])
+        moved = pack((q[b, 0], q[b, 1], q[b, 2], 0.0))
+        by_x, by_y, by_z = pack((0.0, s, -r, 0.0)), pack((-s, 0.0, p, 0.0)), pack((r, -p, 0.0, 0.0))
         for k in range(start[b], start[b + 1]):
-            row = first + k
-            u[row, 0] = x + r * arm[k, 2] - s * arm[k, 1]
-            u[row, 1] = y + s * arm[k, 0] - p * arm[k, 2]
-            u[row, 2] = z + p * arm[k, 1] - r * arm[k, 0]
+            put_row(u, first + k, plus(plus(plus(moved, arm[k, 0], by_x), arm[k, 1], by_y), arm[k, 2], by_z))
 
 
 def move(body, dt, damping, clock, force, u):
     """Sum the contact forces of each block, damp, book the work, and kick the velocities by half a step each way."""
     arm, start, code, axes = body.arm, body.start, body.code, body.axes
     for b in prange(len(body.q)):
-        fx, fy, fz, mx, my, mz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        nothing = pack((0.0, 0.0, 0.0, 0.0))
+        sums, by_x, by_y, by_z = nothing, nothing, nothing, nothing
         for k in range(start[b], start[b + 1]):
-            c = code[k] >> 1
-            side = 1.0 - 2.0 * (code[k] & 1)
-            gx, gy, gz = side * force[c, 0], side * force[c, 1], side * force[c, 2]
-            fx += gx
-            fy += gy
-            fz += gz
-            mx += arm[k, 1] * gz - arm[k, 2] * gy
-            my += arm[k, 2] * gx - arm[k, 0] * gz
-            mz += arm[k, 0] * gy - arm[k, 1] * gx
+            own, side = take_row(force, code[k] >> 1), 1.0 - 2.0 * (code[k] & 1)
+            sums = plus(sums, side, own)
+            by_x = plus(by_x, side * arm[k, 0], own)
+            by_y = plus(by_y, side * arm[k, 1], own)
+            by_z = plus(by_z, side * arm[k, 2], own)
+        fx, fy, fz, _ = numbers(sums)
+        x, y, z = numbers(by_x), numbers(by_y), numbers(by_z)
+        mx, my, mz = y[2] - z[1], z[0] - x[2], x[1] - y[0]
         mx, my, mz = turn_in(axes, b, mx, my, mz)
         forces = pack((fx, fy, fz, mx, my, mz, 0.0, 0.0))
         done = eight(), eight(), eight()

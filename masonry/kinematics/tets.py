@@ -16,9 +16,11 @@ from masonry.kernels.lane_memory import (
     gather_corners,
     pack,
     part,
+    plus,
     put,
     scatter,
     take,
+    take_row,
     take_slopes,
 )
 from masonry.kernels.lanes import total
@@ -113,17 +115,13 @@ def _interpolate(corner, share, start, first, b, u):
 
 
 @register_jitable
-def _pulled(start, code, share, n, force, x, y, z):
-    """(x, y, z, 0) with what the contact points between nodes add to node n: N_j times their force."""
+def _pulled(start, code, share, n, force, contact):
+    """The force on node n with what the contact points between nodes add to it: N_j times their force."""
     if start is None:
-        return x, y, z, 0.0
+        return contact
     for k in range(start[n], start[n + 1]):
-        c = code[k] >> 1
-        own = share[k] * (1.0 - 2.0 * (code[k] & 1))
-        x += own * force[c, 0]
-        y += own * force[c, 1]
-        z += own * force[c, 2]
-    return x, y, z, 0.0
+        contact = plus(contact, share[k] * (1.0 - 2.0 * (code[k] & 1)), take_row(force, code[k] >> 1))
+    return contact
 
 
 def move(body, dt, damping, clock, force, u):
@@ -149,14 +147,10 @@ def move(body, dt, damping, clock, force, u):
                 scatter(inner, corner, (t, 3, j), rx, ry, rz)
         done = four(), four(), four()
         for n in range(first, last):
-            fx, fy, fz = 0.0, 0.0, 0.0
+            contact = pack((0.0, 0.0, 0.0, 0.0))
             for k in range(start[n], start[n + 1]):
-                c = code[k] >> 1
-                side = 1.0 - 2.0 * (code[k] & 1)
-                fx += side * force[c, 0]
-                fy += side * force[c, 1]
-                fz += side * force[c, 2]
-            contact = pack(_pulled(pull_start, pull_code, pull_share, n, force, fx, fy, fz))
+                contact = plus(contact, 1.0 - 2.0 * (code[k] & 1), take_row(force, code[k] >> 1))
+            contact = _pulled(pull_start, pull_code, pull_share, n, force, contact)
             for i in range(0, 3, FOUR):
                 done = advance(body, (n, i), part(contact, i), take(inner, (n, i), four()), dt, damping, clock, done)
         keep(body.work, b, done)

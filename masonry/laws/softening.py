@@ -35,7 +35,8 @@ def evolve(shape, interface, memory, opening, total, tau):
     if not some(slides):
         return Answer(sigma, filled(1.0, e), torn, mode_1, filled(0.0, e), filled(0.0, e))
 
-    beyond = slip_beyond_peak(interface.plastic_softening, torn.run, total - peak / interface.shear_stiffness)
+    flexibility = 1.0 / interface.shear_stiffness
+    beyond = slip_beyond_peak(interface.plastic_softening, torn.run, total - peak * flexibility)
     left = shear_intact(shape, interface, larger(beyond, 0.0), peak, residual, larger(-sigma, 0.0))
     whole = choose(slides & (beyond > 0.0) & (peak > residual), smaller(torn.intact_s, left), torn.intact_s)
     mode_1 += 0.5 * secant_energy(interface, torn, e) * (torn.intact_s - whole)
@@ -44,7 +45,7 @@ def evolve(shape, interface, memory, opening, total, tau):
     rise = dilation(interface.tan_dilation, interface, torn, e, excess, whole)
     peak, last = cone_after(interface.tan_dilation, interface, torn, e - rise, peak, residual)
     yielded = last + whole * shared(interface.combined, torn.intact_n) * (peak - last)
-    slipped = choose(slides, (tau - yielded) / interface.shear_stiffness, 0.0)
+    slipped = choose(slides, (tau - yielded) * flexibility, 0.0)
     lift_now, run_now = grown(torn.uplift, rise), grown(torn.run, slipped)
     slid = remember(interface, torn.opening_max, torn.intact_n, whole, lift_now, torn.gap, run_now)
     lifted = normal_stress(interface, slid, e - rise)
@@ -171,8 +172,11 @@ def residual_cohesion(interface, memory, e):
     c_res = filled(interface.residual_cohesion, e)
     if interface.residual_cohesion == 0.0:
         return c_res
+    stands_open = (e > 0.0) & (memory.intact_n < 1.0)
+    if not some(stands_open):
+        return c_res
     lost = (1.0 - shared(interface.combined, memory.intact_n)) * smaller(e / memory.opening_max, 1.0)
-    return choose((e > 0.0) & (memory.intact_n < 1.0), c_res * (1.0 - lost), c_res)
+    return choose(stands_open, c_res * (1.0 - lost), c_res)
 
 
 @register_jitable
