@@ -22,9 +22,9 @@ def _first_corners(blocks: Blocks) -> np.ndarray:
 
 
 def _sum_by_block(blocks: Blocks, block: np.ndarray, values: np.ndarray) -> np.ndarray:
-    total = np.zeros((blocks.count, *values.shape[1:]))
-    np.add.at(total, block, values)
-    return total
+    columns = values.reshape(len(values), -1).T
+    total = np.stack([np.bincount(block, column, blocks.count) for column in columns], axis=1)
+    return total.reshape(blocks.count, *values.shape[1:])
 
 
 def volumes(blocks: Blocks) -> np.ndarray:
