@@ -14,7 +14,6 @@ from geometry.point_density import Density
 from geometry.polygons import areas_normals_centroids, clip, pad, tidy, unpad
 from geometry.sweep import overlapping_boxes
 
-
 STEEP = 0.5
 """Of a unit normal: the least component along an axis with which its face is looked at along this axis. One of every
 normal is above 0.57, and those of two faces that look at each other differ by less than 0.05."""
@@ -108,9 +107,7 @@ def facing_pairs(blocks: Blocks, width: float) -> tuple[np.ndarray, np.ndarray]:
     return pairs[once, 0], pairs[once, 1]
 
 
-def _opposite(
-    owner: np.ndarray, normal: np.ndarray, low: np.ndarray, high: np.ndarray, face: np.ndarray
-) -> np.ndarray:
+def _opposite(owner: np.ndarray, normal: np.ndarray, low: np.ndarray, high: np.ndarray, face: np.ndarray) -> np.ndarray:
     """Pairs (N, 2) of some faces (n,) whose boxes low..high meet, that look at each other, of different blocks."""
     pairs = face[overlapping_boxes(low[face], high[face])]
     pairs = pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]
