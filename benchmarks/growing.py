@@ -1,13 +1,12 @@
 """Wallettes of growing size, rigid or filled with tets, and what each size costs: set-up, step, output."""
 
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from masonry import scene, timeloop
-from masonry.assembly import Assembly, assemble
+from masonry.assembly import Assembly
 from masonry.pace import Chunk
 
 STEPS = 20_000
@@ -44,28 +43,13 @@ def items(assembly: Assembly) -> int:
     return len(assembly.model.group) if assembly.mesh is None else len(assembly.mesh.tets)
 
 
-def least(work: Callable[[], object], rounds: int) -> float:
-    """Least processor time (s) of some rounds."""
-    times = []
-    for _ in range(rounds):
-        begun = time.process_time()
-        work()
-        times.append(time.process_time() - begun)
-    return min(times)
-
-
-def setup_seconds(wall: Wall, rounds: int) -> float:
-    """From the scene's words to the arrays of the model."""
-    return least(lambda: assemble(wall.scene()), rounds)
-
-
-def step_seconds(assembly: Assembly, rounds: int = 5) -> float:
-    """One step on one thread, of as many as take a few milliseconds."""
+def stepper(assembly: Assembly) -> tuple[Callable[[], object], int]:
+    """A call that takes as many steps on one thread as last a few milliseconds, and their number."""
     model = assembly.model
     timeloop.compile_for(model, 1)
     steps = max(1, 500_000 // items(assembly))
-    chunk = Chunk(np.zeros(steps + 1), np.zeros(steps + 1), row=False)
-    return least(lambda: timeloop.advance_model(model, chunk, 1, 0, steps, np.zeros(steps)), rounds) / steps
+    chunk, gauge = Chunk(np.zeros(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
+    return lambda: timeloop.advance_model(model, chunk, 1, 0, steps, gauge), steps
 
 
 def growth(numbers: Sequence[float], costs: Sequence[float]) -> float:
