@@ -44,7 +44,7 @@ def test_set_up_and_step_grow_with_the_work_and_set_up_is_a_small_part(figure, k
         share = setup / (STEPS * step)
         assert share <= SHARE, f"set-up of {number} {NAMES[kind]} takes {share:.0%} of a run; the gate is {SHARE:.0%}"
     for what, costs in (("set-up", setups), ("a step", steps)):
-        power = growth(numbers, costs)
+        power = growth(numbers[-2:], costs[-2:])  # the smallest is mostly what any wall costs
         assert power <= LINEAR, f"the time of {what} grows with power {power:.2f} of the {NAMES[kind]}; 1 is linear"
 
 
