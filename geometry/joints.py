@@ -11,6 +11,10 @@ from geometry.point_density import Density
 from geometry.polygons import areas_normals_centroids, clip, pad, tidy, unpad
 from geometry.sweep import overlapping_boxes
 
+STEEP = 0.5
+"""Of a unit normal: the least component along an axis with which its face is looked at along this axis. One of every
+normal is above 0.57, and those of two faces that look at each other differ by less than 0.05."""
+
 
 def find_joints(
     blocks: Blocks,
@@ -84,22 +88,31 @@ def _repeated(corners: np.ndarray, pair: np.ndarray, width: float) -> np.ndarray
 def facing_pairs(blocks: Blocks, width: float) -> tuple[np.ndarray, np.ndarray]:
     """Faces a and b, (N,) each, that lie in one plane within width (m), look at each other and may overlap.
 
-    Block a < block b; sorted. The pairs come from a sweep over the boxes round the faces, so there is no rounding of
-    planes to a grid that could part two neighbours.
+    Block a < block b; sorted. The pairs come from sweeps over the boxes round the faces, one for each axis that they
+    look along, so there is no rounding of planes to a grid that could part two neighbours.
     """
     corners, _ = pad(blocks.points, blocks.face_start, blocks.face_points)
-    area, normal, _ = face_areas_normals_centroids(blocks)
-    pairs = overlapping_boxes(corners.min(axis=1) - width, corners.max(axis=1) + width)
+    area, normal, _ = areas_normals_centroids(corners)
+    low, high = corners.min(axis=1) - width, corners.max(axis=1) + width
     owner = blocks.face_block()
+    found = [_opposite(owner, normal, low, high, np.flatnonzero(np.abs(normal[:, k]) > STEEP)) for k in range(3)]
+    pairs = np.concatenate(found)
     pairs = np.where((owner[pairs[:, 0]] > owner[pairs[:, 1]])[:, None], pairs[:, ::-1], pairs)
-    facing = np.einsum("ni,ni->n", normal[pairs[:, 0]], normal[pairs[:, 1]]) < -0.999
-    pairs = pairs[facing & (owner[pairs[:, 0]] != owner[pairs[:, 1]])]
     larger = np.where(area[pairs[:, 0]] >= area[pairs[:, 1]], pairs[:, 0], pairs[:, 1])
     smaller = pairs.sum(axis=1) - larger
     height = np.einsum("nki,ni->nk", corners[smaller] - corners[larger, :1], normal[larger])
     pairs = pairs[np.abs(height).max(axis=1, initial=0.0) <= width]
     pairs = pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
-    return pairs[:, 0], pairs[:, 1]
+    once = np.ones(len(pairs), dtype=bool)
+    once[1:] = np.any(pairs[1:] != pairs[:-1], axis=1)  # oblique faces were looked at along two axes or three
+    return pairs[once, 0], pairs[once, 1]
+
+
+def _opposite(owner: np.ndarray, normal: np.ndarray, low: np.ndarray, high: np.ndarray, face: np.ndarray) -> np.ndarray:
+    """Pairs (N, 2) of some faces (n,) whose boxes low..high meet, that look at each other, of different blocks."""
+    pairs = face[overlapping_boxes(low[face], high[face])]
+    pairs = pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]
+    return pairs[np.einsum("ni,ni->n", normal[pairs[:, 0]], normal[pairs[:, 1]]) < -0.999]
 
 
 def patch_faces(blocks: Blocks, joints: Joints) -> np.ndarray:

@@ -22,9 +22,9 @@ def _first_corners(blocks: Blocks) -> np.ndarray:
 
 
 def _sum_by_block(blocks: Blocks, block: np.ndarray, values: np.ndarray) -> np.ndarray:
-    total = np.zeros((blocks.count, *values.shape[1:]))
-    np.add.at(total, block, values)
-    return total
+    columns = values.reshape(len(values), -1).T
+    total = np.stack([np.bincount(block, column, blocks.count) for column in columns], axis=1)
+    return total.reshape(blocks.count, *values.shape[1:])
 
 
 def volumes(blocks: Blocks) -> np.ndarray:
@@ -35,18 +35,29 @@ def volumes(blocks: Blocks) -> np.ndarray:
 
 def centroids(blocks: Blocks) -> np.ndarray:
     """(B, 3) m."""
+    return _volumes_centroids(blocks)[1]
+
+
+def _volumes_centroids(blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
     origin = _first_corners(blocks)
-    block, arm, volume = _tets(blocks, origin)
-    moment = _sum_by_block(blocks, block, volume[:, None] * arm.sum(axis=1) / 4)
-    return origin + moment / _sum_by_block(blocks, block, volume)[:, None]
+    block, arm, part = _tets(blocks, origin)
+    moment = _sum_by_block(blocks, block, part[:, None] * arm.sum(axis=1) / 4)
+    volume = _sum_by_block(blocks, block, part)
+    return volume, origin + moment / volume[:, None]
 
 
 def second_moments(blocks: Blocks) -> np.ndarray:
     """(B, 3, 3) m5, the integral of r r^T over each block, r from its centroid."""
-    block, arm, volume = _tets(blocks, centroids(blocks))
+    return moments(blocks)[2]
+
+
+def moments(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """volumes, centroids and second_moments at the price of the last."""
+    volume, centroid = _volumes_centroids(blocks)
+    block, arm, part = _tets(blocks, centroid)
     total = arm.sum(axis=1)
     outer = np.einsum("tci,tcj->tij", arm, arm) + np.einsum("ti,tj->tij", total, total)
-    return _sum_by_block(blocks, block, volume[:, None, None] * outer / 20)
+    return volume, centroid, _sum_by_block(blocks, block, part[:, None, None] * outer / 20)
 
 
 def face_areas_normals_centroids(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

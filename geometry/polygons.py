@@ -39,9 +39,18 @@ def compact(corners: np.ndarray, keep: np.ndarray) -> tuple[np.ndarray, np.ndarr
     """The corners marked in keep (N, K), moved to the front and padded again."""
     count = keep.sum(axis=1)
     column = np.arange(max(int(count.max(initial=0)), 1))
-    order = np.argsort(~keep, axis=1, kind="stable")[:, : len(column)]
-    order = np.where(column < count[:, None], order, order[:, :1])
-    return np.take_along_axis(corners, order[:, :, None], axis=1), count
+    used = column < count[:, None]
+    moved = np.flatnonzero((keep[:, : len(column)] != used).any(axis=1))  # of the others the first ones stay
+    order = np.argsort(~keep[moved], axis=1, kind="stable")[:, : len(column)]
+    order = np.where(used[moved], order, order[:, :1])
+    placed = np.take_along_axis(corners[moved], order[:, :, None], axis=1)
+    corners = corners[:, : len(column)]
+    if not used.all():
+        corners = np.where(used[:, :, None], corners, corners[:, :1])
+    elif len(moved):
+        corners = corners.copy()
+    corners[moved] = placed
+    return corners, count
 
 
 def clip(
@@ -52,22 +61,39 @@ def clip(
     The window runs counter-clockwise about window_normal (N, 3). Corners within tolerance of its edges count as inside
     and stay as they are. A polygon that does not even touch its window keeps 0 corners.
     """
+    count = count.copy()
     for j in range(window.shape[1]):
         edge = window[:, (j + 1) % window.shape[1]] - window[:, j]
         length = np.linalg.norm(edge, axis=1)
         inward = np.cross(window_normal, edge) / np.where(length > 0, length, 1.0)[:, None]
         distance = np.einsum("nki,ni->nk", corners - window[:, j, None], inward)
         distance[np.abs(distance) <= tolerance] = 0.0
-        following = np.roll(distance, -1, axis=1)
-        used = np.arange(corners.shape[1]) < count[:, None]
-        crosses = used & (distance * following < 0)
-        share = np.divide(distance, distance - following, out=np.zeros_like(distance), where=crosses)
-        crossing = corners + share[:, :, None] * (np.roll(corners, -1, axis=1) - corners)
-        slots = 2 * corners.shape[1]
-        both = np.stack([corners, crossing], axis=2).reshape(len(corners), slots, 3)
-        keep = np.stack([used & (distance >= 0), crosses], axis=2).reshape(len(corners), slots)
-        corners, count = compact(both, keep)
-    return corners, count
+        cut = np.flatnonzero((distance < 0).any(axis=1))
+        if len(cut):
+            part, count[cut] = _cut(corners[cut], count[cut], distance[cut])
+            width = max(corners.shape[1], part.shape[1])
+            corners = widen(corners, width)
+            corners[cut] = widen(part, width)
+    return corners[:, : max(int(count.max(initial=0)), 1)], count
+
+
+def _cut(corners: np.ndarray, count: np.ndarray, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """What of each polygon lies where the distance (N, K) is not negative."""
+    following = np.roll(distance, -1, axis=1)
+    used = np.arange(corners.shape[1]) < count[:, None]
+    crosses = used & (distance * following < 0)
+    share = np.divide(distance, distance - following, out=np.zeros_like(distance), where=crosses)
+    crossing = corners + share[:, :, None] * (np.roll(corners, -1, axis=1) - corners)
+    slots = 2 * corners.shape[1]
+    both = np.stack([corners, crossing], axis=2).reshape(len(corners), slots, 3)
+    keep = np.stack([used & (distance >= 0), crosses], axis=2).reshape(len(corners), slots)
+    return compact(both, keep)
+
+
+def widen(corners: np.ndarray, width: int) -> np.ndarray:
+    """A copy of the polygons (N, K, 3) with room for `width` corners."""
+    more = np.repeat(corners[:, :1], max(width - corners.shape[1], 0), axis=1)
+    return np.concatenate([corners, more], axis=1)
 
 
 def tidy(corners: np.ndarray, count: np.ndarray, tolerance: float) -> tuple[np.ndarray, np.ndarray]:

@@ -50,18 +50,16 @@ def surface_triangles(
 def _best_corner(corner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(m,) the corner of each polygon (m, n, 3) whose fan has the best worst triangle, and the quality of that."""
     n = corner.shape[1]
-    least = np.full((len(corner), n), np.inf)
+    least = np.empty((len(corner), n))
     for apex in range(n):
-        for k in range(1, n - 1):
-            one, two = corner[:, (apex + k) % n], corner[:, (apex + k + 1) % n]
-            least[:, apex] = np.minimum(least[:, apex], _quality(corner[:, apex], one, two))
+        rest = np.roll(corner, -apex - 1, axis=1)[:, :-1]
+        least[:, apex] = _quality(corner[:, apex, None], rest[:, :-1], rest[:, 1:]).min(axis=1)
     best = np.argmax(np.round(least, 9), axis=1)  # rounded: equal corners give the same choice on every machine
     return best, least[np.arange(len(corner)), best]
 
 
 def _central_quality(corner: np.ndarray, middle: np.ndarray) -> np.ndarray:
-    after = np.roll(corner, -1, axis=1)
-    return np.min([_quality(middle, corner[:, k], after[:, k]) for k in range(corner.shape[1])], axis=0)
+    return _quality(middle[:, None], corner, np.roll(corner, -1, axis=1)).min(axis=1)
 
 
 def _quality(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:

@@ -20,18 +20,23 @@ def overlapping_boxes(low: np.ndarray, high: np.ndarray) -> np.ndarray:
     first = np.floor((low - origin) / size).astype(np.int64)
     covered = np.floor((high - origin) / size).astype(np.int64) - first + 1
     box, number = ranges(np.zeros(len(low), dtype=np.int64), covered.prod(axis=1))
-    cell = np.empty((len(box), low.shape[1]), dtype=np.int64)
+    cells = []
     key = np.zeros(len(box), dtype=np.int64)
     for axis in range(low.shape[1]):
         number, place = np.divmod(number, covered[box, axis])
-        cell[:, axis] = first[box, axis] + place
-        key = key * (cell[:, axis].max() + 1) + cell[:, axis]
+        cells.append(first[box, axis] + place)
+        key = key * (cells[axis].max() + 1) + cells[axis]
     order = np.argsort(key, kind="stable")
-    box, cell, key = box[order], cell[order], key[order]
-    end = np.searchsorted(key, key, side="right")
+    box, key = box[order], key[order]
+    end = np.flatnonzero(np.append(key[1:] != key[:-1], True)) + 1
+    end = np.repeat(end, np.diff(end, prepend=0))
     one, two = ranges(np.arange(len(key)) + 1, end - np.arange(len(key)) - 1)
+    for axis, cell in enumerate(cells):  # axis by axis: each leaves fewer pairs to look at
+        i, j = box[one], box[two]
+        begin, lowest, highest = (np.ascontiguousarray(values[:, axis]) for values in (first, low, high))
+        kept = cell[order[one]] == np.maximum(begin[i], begin[j])
+        kept &= (lowest[i] <= highest[j]) & (lowest[j] <= highest[i])
+        one, two = one[kept], two[kept]
     i, j = box[one], box[two]
-    once = np.all(cell[one] == np.maximum(first[i], first[j]), axis=1)
-    meet = np.all((low[i] <= high[j]) & (low[j] <= high[i]), axis=1)
-    pairs = np.sort(np.stack([i, j], axis=1)[once & meet], axis=1)
-    return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
+    pair = np.sort(np.minimum(i, j) * len(low) + np.maximum(i, j))
+    return np.stack(np.divmod(pair, len(low)), axis=1)

@@ -76,14 +76,14 @@ def lay_out(blocks: Blocks, kind_of_group: dict[str, str], mesh: TetMesh | None)
     local = np.zeros(blocks.count, dtype=np.int64)
     for which in members.values():
         local[which] = np.arange(len(which))
-    tensor = measures.second_moments(blocks)
+    volume, centroid, tensor = measures.moments(blocks)
     diagonal = np.einsum("bii->bi", tensor)
     off = np.abs(tensor - np.einsum("bi,ij->bij", diagonal, np.eye(3))).max(axis=(1, 2))
     moment, axes = np.linalg.eigh(tensor)
     straight = off <= 1e-9 * diagonal.max(axis=1)
     moment[straight] = diagonal[straight]
     axes[straight] = np.eye(3)
-    return Layout(kind, local, members, measures.volumes(blocks), measures.centroids(blocks), moment, axes, mesh)
+    return Layout(kind, local, members, volume, centroid, moment, axes, mesh)
 
 
 def real_masses(layout: Layout, density: np.ndarray) -> dict[str, np.ndarray]:

@@ -6,21 +6,34 @@ from geometry.blocks import Blocks
 from masonry.history import Frame
 
 
+class Corners:
+    """What the fits of all frames share: the corners of each block, their mean, and the inverse of their spread."""
+
+    def __init__(self, blocks: Blocks) -> None:
+        self.corner = blocks.face_points
+        self.owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
+        self.number = np.maximum(np.bincount(self.owner, minlength=blocks.count), 1)[:, None]
+        self.centre = self.sum(blocks.points[self.corner]) / self.number
+        self.arm = blocks.points[self.corner] - self.centre[self.owner]
+        self.inverse = np.linalg.pinv(self.sum(self.arm[:, :, None] * self.arm[:, None, :]), hermitian=True)
+
+    def sum(self, values: np.ndarray) -> np.ndarray:
+        """Sum over the corners (n, ...) of each block: (B, ...)."""
+        columns = values.reshape(len(values), -1).T
+        total = np.stack([np.bincount(self.owner, column, len(self.number)) for column in columns], axis=1)
+        return total.reshape(len(self.number), *values.shape[1:])
+
+
 class Deformation:
     """The displacement field of one frame: per block the affine map that fits its corners (exact for rigid and affine
     blocks), and the node's own displacement where a point sits on a tet node."""
 
-    def __init__(self, blocks: Blocks, frame: Frame) -> None:
-        corner = blocks.face_points
-        owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
-        number = np.maximum(np.bincount(owner, minlength=blocks.count), 1)[:, None]
-        self._centre = _sum(blocks.points[corner], owner, blocks.count) / number
-        self._shift = _sum(frame.corners[corner], owner, blocks.count) / number
-        arm = blocks.points[corner] - self._centre[owner]
-        spread = frame.corners[corner] - self._shift[owner]
-        moment = _sum(arm[:, :, None] * arm[:, None, :], owner, blocks.count)
-        product = _sum(spread[:, :, None] * arm[:, None, :], owner, blocks.count)
-        self._gradient = product @ np.linalg.pinv(moment, hermitian=True)
+    def __init__(self, corners: Corners, frame: Frame) -> None:
+        moved = frame.corners[corners.corner]
+        self._centre = corners.centre
+        self._shift = corners.sum(moved) / corners.number
+        spread = moved - self._shift[corners.owner]
+        self._gradient = corners.sum(spread[:, :, None] * corners.arm[:, None, :]) @ corners.inverse
         self._nodes = frame.nodes
 
     def at(
@@ -43,10 +56,3 @@ class Deformation:
             between = corner[:, 0] >= 0
             displacement[between] = np.einsum("nj,nji->ni", share[between], self._nodes[corner[between]])
         return displacement
-
-
-def _sum(values: np.ndarray, owner: np.ndarray, count: int) -> np.ndarray:
-    """Sum of values (n, ...) by owner (n,): (count, ...)."""
-    total = np.zeros((count, *values.shape[1:]))
-    np.add.at(total, owner, values)
-    return total

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from masonry.deformation import Deformation
+from masonry.deformation import Corners, Deformation
 from masonry.history import Frame
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ class Grid:
 
     def __init__(self, result: "Result") -> None:
         blocks, mesh, joints = result.specimen.blocks, result.mesh, result.joints
+        self.shape = Corners(blocks)
         tets_of = np.zeros(blocks.count, int) if mesh is None else np.diff(mesh.tet_start)
         nodes = np.zeros((0, 3)) if mesh is None else mesh.nodes
         tets = np.zeros((0, 4), int) if mesh is None else mesh.tets
@@ -60,7 +61,7 @@ class Grid:
     def point_data(self, result: "Result", frame: Frame) -> dict[str, np.ndarray]:
         """`displacement` (points, 3) m of one frame."""
         joints = result.joints
-        field = Deformation(result.specimen.blocks, frame)
+        field = Deformation(self.shape, frame)
         mean = 0.5 * field.at(joints.block_a, joints.point, joints.node_a, joints.corner_a, joints.share_a)
         mean += 0.5 * field.at(joints.block_b, joints.point, joints.node_b, joints.corner_b, joints.share_b)
         return {"displacement": np.concatenate([frame.corners[self.corners], frame.nodes.reshape(-1, 3), mean])}

@@ -27,7 +27,17 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None) -> Res
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)
     outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress)
-    result = Result(
+    result = result_of(assembly, outcome)
+    if outcome.stopped:
+        stop = Stopped(outcome.stopped)
+        stop.result = result
+        raise stop
+    return result
+
+
+def result_of(assembly: Assembly, outcome: timeloop.Outcome) -> Result:
+    """What is kept of a run."""
+    return Result(
         summary=summarise(assembly, outcome),
         history=outcome.history,
         specimen=assembly.specimen,
@@ -35,14 +45,9 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None) -> Res
         joint_group=assembly.model.group,
         joint_groups=assembly.model.group_names,
         mesh=assembly.mesh,
-        scene_toml=to_toml(scene),
+        scene_toml=to_toml(assembly.scene),
         log=[*(f"cells: {cells_text(c)}" for c in assembly.specimen.cells), *left_out(assembly), *outcome.log],
     )
-    if outcome.stopped:
-        stop = Stopped(outcome.stopped)
-        stop.result = result
-        raise stop
-    return result
 
 
 def check(scene: Scene) -> dict[str, Any]:

@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.blocks import Blocks
+from geometry.ragged import ranges
 from masonry.cracks import CrackLines, Outlines, View, crack_lines, front_view, outlines
-from masonry.deformation import Deformation
+from masonry.deformation import Corners, Deformation
 from masonry.history import Frame
 from masonry.plot import MEGA, MILLI, peak_row, plain
 
@@ -94,16 +95,20 @@ def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -
 
     colour = group_colours(blocks.groups)
     owner = blocks.face_block()
+    sides = np.diff(blocks.face_start)
     for layer in np.unique(shown.layer):
         chosen = np.flatnonzero(shown.layer == layer)
-        polygons, thick = [], []
-        for number in chosen:
-            face = shown.face[number]
-            corners = flat[blocks.face_points[blocks.face_start[face] : blocks.face_start[face + 1]]]
-            polygons.append(corners)
-            edges = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
-            thick.extend(edges[shown.outer[number]])
-        fills = [colour[int(blocks.group[owner[shown.face[number]]])] for number in chosen]
+        face = shown.face[chosen]
+        index = ranges(blocks.face_start[face], sides[face])[1]
+        last = np.cumsum(sides[face]) - 1
+        after = np.arange(1, len(index) + 1)
+        after[last] = last + 1 - sides[face]
+        corners = flat[blocks.face_points[index]]
+        thick = np.stack([corners, corners[after]], axis=1)[np.concatenate([shown.outer[n] for n in chosen])]
+        polygons = np.split(corners, last[:-1] + 1)
+        if np.all(sides[face] == sides[face[0]]):  # drawn faster as one array
+            polygons = corners.reshape(len(face), -1, 2)
+        fills = [colour[g] for g in blocks.group[owner[face]].tolist()]
         depth = 1.0 + 0.01 * float(layer)
         axes.add_collection(
             PolyCollection(polygons, facecolors=fills, edgecolors="#a09a90", linewidths=0.35, zorder=depth)
@@ -114,7 +119,7 @@ def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -
 def _draw_cracks(axes: Any, result: "Result", lines: CrackLines, frame: Frame, view: View, times: float) -> None:
     from matplotlib.collections import LineCollection
 
-    field = Deformation(result.specimen.blocks, frame)
+    field = Deformation(Corners(result.specimen.blocks), frame)
     pieces = view.project(lines.displaced(result.joints, field, times))
     order = np.argsort(lines.damage, kind="stable")
     colours = np.where(lines.tension_led[:, None], crack_map("Reds")(lines.damage), crack_map("Blues")(lines.damage))

@@ -193,7 +193,7 @@ class _Loop:
         self.outcome.rotation_max = self.watch.rotation
         higher = stress > self.highest_row and step > 0
         if frame_due or higher:
-            frame = frame_of(model, view, step, place)
+            frame = frame_of(model, view, step, place, self.watch.nearest)
             if frame_due:
                 self.frames.append(frame)
             if higher:

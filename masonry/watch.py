@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from geometry.blocks import Blocks
 from masonry.bodies import KINDS
 from masonry.energy import Observation
 from masonry.errors import Stopped
@@ -29,6 +30,7 @@ class Watch:
         self.work = 0.0
         self.size = float(np.cbrt(model.layout.volume.min()))
         self.affine = model.layout.members["affine"]
+        self.nearest = nearest_nodes(model)
         self.tet_turn = np.zeros((len(model.layout.members["tets"]), 3))
 
     def check(self, step: int) -> None:
@@ -97,8 +99,8 @@ class Watch:
                 )
 
 
-def frame_of(model: Model, view: Observation, step: int, displacement: float) -> Frame:
-    """The specimen now."""
+def frame_of(model: Model, view: Observation, step: int, displacement: float, nearest: np.ndarray | None) -> Frame:
+    """The specimen now; nearest: as nearest_nodes, found once for a run."""
     seen, state = view.seen, model.state
     tets = model.bodies[2]
     nodes = model.contacts[3][: len(tets.v)].copy() if tets is not None else np.zeros((0, 3))
@@ -106,7 +108,7 @@ def frame_of(model: Model, view: Observation, step: int, displacement: float) ->
         step=step,
         time=step * model.dt,
         displacement=displacement,
-        corners=corner_displacements(model),
+        corners=corner_displacements(model, nearest),
         nodes=nodes,
         opening=seen[:, 0].copy(),
         slip=seen[:, 1].copy(),
@@ -118,12 +120,10 @@ def frame_of(model: Model, view: Observation, step: int, displacement: float) ->
     )
 
 
-def corner_displacements(model: Model) -> np.ndarray:
+def corner_displacements(model: Model, nearest: np.ndarray | None) -> np.ndarray:
     """(P, 3) m at the corners of the blocks: exact for rigid and affine blocks, the nearest node for tets."""
     blocks, layout = model.blocks, model.layout
-    owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
-    block_of_point = np.zeros(len(blocks.points), dtype=np.int64)
-    block_of_point[blocks.face_points] = owner
+    block_of_point = block_of_points(blocks)
     moved = np.zeros_like(blocks.points)
     rigid, affine, _ = model.bodies
     arm = blocks.points - layout.centroid[block_of_point]
@@ -137,12 +137,30 @@ def corner_displacements(model: Model) -> np.ndarray:
         p = np.flatnonzero(kind == 1)
         h = affine.q[local[p], 3:].reshape(-1, 3, 3)
         moved[p] = affine.q[local[p], :3] + np.einsum("cij,ckj,ck->ci", h, axes[p], arm[p])
-    mesh = layout.mesh
-    if mesh is not None:
-        from scipy.spatial import cKDTree
-
-        for b in layout.members["tets"]:
-            p = np.flatnonzero(block_of_point == b)
-            first, last = mesh.node_start[b], mesh.node_start[b + 1]
-            moved[p] = model.contacts[3][first + cKDTree(mesh.nodes[first:last]).query(blocks.points[p])[1]]
+    if nearest is not None:
+        p = np.flatnonzero(kind == KINDS.index("tets"))
+        moved[p] = model.contacts[3][nearest[p]]
     return moved
+
+
+def nearest_nodes(model: Model) -> np.ndarray | None:
+    """(P,) the node of its own block nearest to each corner of a block with tets, 0 elsewhere; None without tets."""
+    blocks, mesh = model.blocks, model.layout.mesh
+    if mesh is None:
+        return None
+    from scipy.spatial import cKDTree
+
+    p = np.flatnonzero(np.isin(block_of_points(blocks), model.layout.members["tets"]))
+    far = 10.0 * float(np.ptp(mesh.nodes, axis=0).max())  # a fourth axis on which other blocks are out of reach
+    own = np.repeat(np.arange(blocks.count), np.diff(mesh.node_start))
+    tree = cKDTree(np.column_stack([mesh.nodes, far * own]))
+    result = np.zeros(len(blocks.points), dtype=np.int64)
+    result[p] = tree.query(np.column_stack([blocks.points[p], far * block_of_points(blocks)[p]]))[1]
+    return result
+
+
+def block_of_points(blocks: Blocks) -> np.ndarray:
+    """(P,) the block that each corner belongs to."""
+    block = np.zeros(len(blocks.points), dtype=np.int64)
+    block[blocks.face_points] = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
+    return block

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -8,7 +10,7 @@ from geometry.blocks import GeometryError
 from geometry.boxes import boxes
 from geometry.contact_points import contact_points
 from geometry.couplet import couplet
-from geometry.joints import connected, find_joints
+from geometry.joints import connected, facing_pairs, find_joints
 from geometry.measures import centroids
 from geometry.point_density import Density
 from geometry.polygons import areas_normals_centroids
@@ -217,3 +219,13 @@ def test_blocks_that_hang_together_share_a_label():
     )
     labels = connected(specimen.blocks, find_joints(specimen.blocks))
     assert labels[0] == labels[1] != labels[2] == labels[3]
+
+
+def test_oblique_faces_that_look_along_two_axes_or_three_are_found_once():
+    straight = couplet(0.2, 0.05, 0.06, (2, 1, 2)).blocks
+    for way in ([1.0, 1.0, 0.0], [1.0, 1.0, 1.0]):
+        turn = Rotation.align_vectors([way], [[0.0, 0.0, 1.0]])[0].as_matrix()
+        turned = replace(straight, points=straight.points @ turn.T)
+        pairs = list(zip(*(side.tolist() for side in facing_pairs(turned, 1e-9)), strict=True))
+        assert pairs == sorted(set(pairs))
+        assert set(zip(*(side.tolist() for side in facing_pairs(straight, 1e-9)), strict=True)) <= set(pairs)

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from masonry import laboratory
+from masonry import laboratory, scene
 from masonry.assembly import assemble
 from masonry.loads import program
+from masonry.watch import block_of_points, corner_displacements, nearest_nodes
 from tests.mechanics.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
 CRACKING = """law = "exponential"
@@ -179,3 +180,12 @@ def test_threads_are_as_many_as_asked(monkeypatch):
     monkeypatch.setattr(numba, "set_num_threads", lambda n: (asked.append(n), right(n)))
     laboratory.run(load(couplet("rigid", settle=40, pace="steps = 80")), threads=2)
     assert 2 in asked
+
+
+def test_a_corner_moves_with_the_nodes_of_its_own_block_where_two_blocks_have_one_there():
+    model = assemble(scene.load("couplet", ["kinematics=tets", "specimen.mesh=fan"])).model
+    mesh, displacement = model.layout.mesh, model.contacts[3]
+    for block in range(model.blocks.count):
+        displacement[mesh.node_start[block] : mesh.node_start[block + 1]] = block + 1.0
+    moved = corner_displacements(model, nearest_nodes(model))
+    np.testing.assert_array_equal(moved[:, 0], block_of_points(model.blocks) + 1.0)

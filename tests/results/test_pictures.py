@@ -7,7 +7,7 @@ import pytest
 from matplotlib import image
 
 from masonry.cracks import crack_lines, front_view, outlines
-from masonry.deformation import Deformation
+from masonry.deformation import Corners, Deformation
 from masonry.picture import frames_to_draw, magnification
 from masonry.plot import peak_point
 from tests.results.sample import HEIGHT, LENGTH, joints_of, opened, sample, wall, with_tets
@@ -122,7 +122,7 @@ def test_crack_lines_cover_each_joint_once_and_lie_midway_between_its_sides():
     length = np.bincount(joints.patch[lines.contact], np.linalg.norm(lines.end - lines.start, axis=1))
     np.testing.assert_allclose(length * 0.05, np.bincount(joints.patch, joints.area), rtol=1e-9)
     broken = lines.select(lines.tension_led & (lines.damage > 0.5))
-    ends = broken.displaced(joints, Deformation(blocks, frame), 10.0)
+    ends = broken.displaced(joints, Deformation(Corners(blocks), frame), 10.0)
     places = np.unique(np.round(ends[:, :, 0], 9))
     np.testing.assert_allclose(places, [LENGTH + 0.005, 1.5 * LENGTH + 0.005])
     assert ends[:, :, 2].max() == pytest.approx(4 * HEIGHT)

@@ -1,0 +1,53 @@
+"""The largest walls: 50,000 rigid blocks for 1,000 steps, and a million tets: `python -m benchmarks.giants`.
+
+Each in a process of its own, whose largest resident memory is read at its end; a million tets must fit in 8 GB. Too
+long for `make bench`: some minutes, and 2 to 3 GB.
+"""
+
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from benchmarks.growing import Wall, items
+from masonry import timeloop
+from masonry.assembly import assemble
+from masonry.laboratory import result_of
+
+GIANTS = {"rigid": (Wall(56, 56), 1000), "tets": (Wall(100, 52, mesh="fan"), 100)}
+"""The wall and the steps that it takes."""
+MOST = 8e9
+"""Bytes that a giant may hold in memory."""
+
+
+def run(name: str) -> None:
+    """Set up, step, and write the results of one giant; prints the seconds of each and the memory."""
+    wall, steps = GIANTS[name]
+    begun = time.perf_counter()
+    scene = wall.scene(f"drive.steps={steps}", "solver.rows=10")
+    assembly = assemble(scene)
+    setup = time.perf_counter() - begun
+    outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording)
+    begun = time.perf_counter()
+    with tempfile.TemporaryDirectory() as folder:
+        result_of(assembly, outcome).save(Path(folder))
+    output = time.perf_counter() - begun
+    memory = 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    number = items(assembly)
+    print(
+        f"{name}: {assembly.specimen.blocks.count} blocks, {number} items: set-up {setup:.1f} s, {outcome.steps} steps "
+        f"{outcome.seconds_run:.1f} s ({1e9 * outcome.seconds_run / outcome.steps / number:.1f} ns per item and step, "
+        f"rows included), output {output:.1f} s, largest memory {memory / 1e9:.2f} GB"
+    )
+    if outcome.stopped or memory > MOST:
+        sys.exit(outcome.stopped or f"{name}: {memory / 1e9:.2f} GB are more than {MOST / 1e9:g} GB")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) == 2:
+        run(sys.argv[1])
+    else:
+        codes = [subprocess.run([sys.executable, "-m", "benchmarks.giants", name]).returncode for name in GIANTS]
+        sys.exit(max(codes))

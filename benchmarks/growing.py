@@ -1,0 +1,57 @@
+"""Wallettes of growing size, rigid or filled with tets, and what each size costs: set-up, step, output."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from masonry import scene, timeloop
+from masonry.assembly import Assembly
+from masonry.pace import Chunk
+
+STEPS = 20_000
+"""Steps of the run that set-up and output are compared with."""
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A wallette of so many courses and units a course; mesh: "" for rigid blocks, "fan", or a mesh size for gmsh."""
+
+    courses: int
+    units: int
+    divisions: tuple[int, int] = (4, 4)
+    mesh: str = ""
+
+    def scene(self, *more: str) -> scene.Scene:
+        """Driven for a few steps, far below any damage."""
+        asked = [
+            f"specimen.courses={self.courses}",
+            f"specimen.units_per_course={self.units}",
+            f"specimen.divisions={list(self.divisions)}",
+            'drive={on="right plate", direction="x", displacement="1e-4 mm", steps=100}',
+        ]
+        if self.mesh:
+            asked += [
+                "kinematics=tets",
+                "specimen.mesh=fan" if self.mesh == "fan" else f"specimen.mesh_size={self.mesh}",
+            ]
+        return scene.load("wallette-mode-1", [*asked, *more])
+
+
+def items(assembly: Assembly) -> int:
+    """Contact points between rigid blocks, or tets: what the cost of a step grows with."""
+    return len(assembly.model.group) if assembly.mesh is None else len(assembly.mesh.tets)
+
+
+def stepper(assembly: Assembly) -> tuple[Callable[[], object], int]:
+    """A call that takes as many steps on one thread as last a few milliseconds, and their number."""
+    model = assembly.model
+    timeloop.compile_for(model, 1)
+    steps = max(1, 500_000 // items(assembly))
+    chunk, gauge = Chunk(np.zeros(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
+    return lambda: timeloop.advance_model(model, chunk, 1, 0, steps, gauge), steps
+
+
+def growth(numbers: Sequence[float], costs: Sequence[float]) -> float:
+    """The exponent p of cost = c number^p that fits best; 1 is linear."""
+    return float(np.polyfit(np.log(numbers), np.log(costs), 1)[0])

@@ -1,0 +1,73 @@
+"""Cost as the work grows: time and memory are linear in the blocks and tets, and set-up is a small part of a run.
+
+The largest walls (50,000 blocks, a million tets) are run by `python -m benchmarks.giants`.
+"""
+
+import tracemalloc
+
+import pytest
+
+from benchmarks.growing import STEPS, Wall, growth, items, stepper
+from benchmarks.interleaved import in_turn
+from masonry import laboratory
+from masonry.assembly import assemble
+
+LINEAR = 1.2
+"""Largest exponent that passes for linear on a shared machine; the square root of the number more would be 1.5."""
+SHARE = 0.2
+"""Largest share of a run that its set-up may take, without the compile."""
+
+WALLS = {
+    "rigid": [Wall(5, 2, (4, 2)), Wall(8, 8), Wall(25, 25)],
+    "fan": [Wall(10, 5, mesh="fan"), Wall(32, 16, mesh="fan")],
+    "gmsh": [Wall(4, 2, (4, 2), "20 mm"), Wall(4, 2, (4, 2), "6 mm")],
+}
+MIDDLING = {"rigid": [Wall(8, 8), Wall(20, 20)], "fan": [Wall(5, 3, mesh="fan"), Wall(16, 8, mesh="fan")]}
+"""For what takes longer to measure."""
+NAMES = {"rigid": "contact points", "fan": "tets, fans", "gmsh": "tets, gmsh"}
+
+
+@pytest.mark.parametrize("kind", WALLS)
+def test_set_up_and_step_grow_with_the_work_and_set_up_is_a_small_part(figure, kind):
+    walls = WALLS[kind]
+    assemblies = [assemble(wall.scene()) for wall in walls]
+    numbers = [items(assembly) for assembly in assemblies]
+    calls, counts = zip(*(stepper(assembly) for assembly in assemblies), strict=True)
+    steps = [times.least / count for times, count in zip(in_turn(*calls, rounds=20), counts, strict=True)]
+    setups = [times.least for times in in_turn(*(lambda w=wall: assemble(w.scene()) for wall in walls), rounds=2)]
+    for number, setup, step in zip(numbers, setups, steps, strict=True):
+        name = f"{number} {NAMES[kind]}"
+        figure(f"{name}: set-up", setup, "s")
+        figure(f"{name}: set-up over {STEPS} steps", 100 * setup / STEPS / step, "%", reach=100 * SHARE)
+        figure(f"{name}: step", 1e9 * step / number, "ns")
+    for number, setup, step in zip(numbers, setups, steps, strict=True):
+        share = setup / (STEPS * step)
+        assert share <= SHARE, f"set-up of {number} {NAMES[kind]} takes {share:.0%} of a run; the gate is {SHARE:.0%}"
+    for what, costs in (("set-up", setups), ("a step", steps)):
+        power = growth(numbers[-2:], costs[-2:])  # the smallest is mostly what any wall costs
+        assert power <= LINEAR, f"the time of {what} grows with power {power:.2f} of the {NAMES[kind]}; 1 is linear"
+
+
+@pytest.mark.parametrize("kind", ["rigid", "fan"])
+def test_memory_of_set_up_grows_with_the_work(figure, kind):
+    numbers, peaks = [], []
+    for wall in MIDDLING[kind]:
+        tracemalloc.start()
+        numbers.append(items(assemble(wall.scene())))
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+        figure(f"{numbers[-1]} {NAMES[kind]}: memory of set-up at most", peaks[-1] / numbers[-1], "bytes each")
+    power = growth(numbers, peaks)
+    assert power <= LINEAR, f"the memory of set-up grows with power {power:.2f} of the {NAMES[kind]}; 1 is linear"
+
+
+@pytest.mark.parametrize("kind", ["rigid", "fan"])
+def test_output_grows_with_the_work(figure, kind, tmp_path):
+    results = [laboratory.run(wall.scene("solver.rows=24")) for wall in MIDDLING[kind]]
+    numbers = [len(r.joints.area) if r.mesh is None else len(r.mesh.tets) for r in results]
+    taken = in_turn(*(lambda r=result: r.save(tmp_path) for result in results), rounds=2)
+    times = [entry.least for entry in taken]
+    for number, seconds, result in zip(numbers, times, results, strict=True):
+        figure(f"{number} {NAMES[kind]}: output of {len(result.history.frames)} frames", seconds, "s")
+    power = growth(numbers, times)
+    assert power <= LINEAR, f"the time of output grows with power {power:.2f} of the {NAMES[kind]}; 1 is linear"
