@@ -35,7 +35,7 @@ class Affine(NamedTuple):
     code: np.ndarray
     arm: np.ndarray
     stiffness: np.ndarray
-    first_point: int
+    first_point: np.uint32
     work: np.ndarray | None = None
     load: np.ndarray | None = None
     guess: np.ndarray | None = None

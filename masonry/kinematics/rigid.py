@@ -37,7 +37,7 @@ class Rigid(NamedTuple):
     start: np.ndarray
     code: np.ndarray
     arm: np.ndarray
-    first_point: int
+    first_point: np.uint32
     work: np.ndarray | None = None
     load: np.ndarray | None = None
     guess: np.ndarray | None = None

@@ -66,7 +66,7 @@ class Tets(NamedTuple):
     corner_between: np.ndarray | None = None
     share_between: np.ndarray | None = None
     start_between: np.ndarray | None = None
-    first_between: int | None = None
+    first_between: np.uint32 | None = None
     pull_start: np.ndarray | None = None
     pull_code: np.ndarray | None = None
     pull_share: np.ndarray | None = None
