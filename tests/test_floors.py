@@ -27,13 +27,13 @@ FLOORS = {
     "equations": Floor(
         "masonry.laws masonry.kernels masonry.kinematics",
         sees="equations errors",
-        packages="numpy numba",
+        packages="numpy numba llvmlite",
     ),
     "model": Floor(
         "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays"
         " masonry.holds masonry.step_cost",
         sees="model equations errors geometry",
-        packages="numpy numba",
+        packages="numpy numba llvmlite",
     ),
     "run": Floor(
         "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.energy"

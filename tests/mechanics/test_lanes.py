@@ -48,10 +48,12 @@ def both() -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
 @pytest.mark.parametrize("kind", RUNS)
 def test_a_run_in_lanes_and_a_run_in_single_numbers_agree_past_the_peak(both, kind):
     lanes, plain = (found[kind] for found in both)
-    scale = np.abs(plain).max(axis=1, keepdims=True)
-    assert plain[2, -1] > 0.0, "something softened"
-    assert np.abs(lanes - plain).max() < 1e-6 * scale.max()
-    assert np.all(np.abs(lanes - plain) < 1e-6 * np.maximum(scale, 1e-12))
+    peak = int(np.argmax(plain[0]))
+    fallen = np.flatnonzero(plain[0, peak:] < 0.8 * plain[0, peak])
+    last = peak + int(fallen[0]) if len(fallen) else plain.shape[1]  # beyond, a wall that cracks amplifies round-off
+    assert last > peak and plain[1:, last - 1].max() > 0.0, "something softened"
+    scale = np.abs(plain[:, :last]).max(axis=1, keepdims=True)
+    assert np.all(np.abs(lanes - plain)[:, :last] <= 1e-9 * scale)
 
 
 @pytest.mark.skipif(PLAIN, reason="single numbers use the exp of the C library")
