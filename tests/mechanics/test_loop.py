@@ -69,6 +69,15 @@ def test_the_same_scene_gives_the_same_bits_twice_and_on_two_threads(kinematics)
     assert once.history.rows["stress"].max() > 1e5
 
 
+@pytest.mark.parametrize("changes", [[], ["kinematics=tets", "specimen.mesh_size=60 mm"]], ids=["rigid", "tets"])
+def test_a_wall_that_cracks_gives_the_same_bits_on_one_and_on_two_threads(changes):
+    wall = scene.load("wallette-mode-1", ["specimen.divisions=[4, 2]", "drive.rate=50 mm/s", *changes])
+    one, two = (laboratory.run(wall, threads=n) for n in (1, 2))
+    assert bits(one) == bits(two)
+    rows = one.history.rows
+    assert rows["stress"][-1] < 0.7 * rows["stress"].max() and rows["fracture_mode_1"][-1] > 0.0, "it cracked"
+
+
 @pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
 @pytest.mark.parametrize("direction", ["x", "-x"])
 @pytest.mark.parametrize("pace", ["steps = 701", 'rate = "20 mm/s"\nramp = 0.4'])
