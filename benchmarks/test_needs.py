@@ -90,4 +90,4 @@ def test_a_step_compiles_in_a_small_multiple_of_the_time_by_hand(figure, tmp_pat
     by_hand, ours = json.loads(said.splitlines()[-1])
     figure("compile of a step of rigid blocks, nothing cached", ours, "s")
     figure("  by hand", by_hand, "s")
-    require(ours / by_hand, 6.0, "compile of a step")  # [3.9]
+    require(ours / by_hand, 8.0, "compile of a step")  # [6.2: the law for lanes and for the rest, one by one]
