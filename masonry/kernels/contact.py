@@ -5,10 +5,8 @@ from math import sqrt
 from numba import prange
 from numba.extending import register_jitable
 
-import masonry.kernels.lane_exponential  # noqa: F401  exp of lanes, which laws call
 from masonry.kernels.compiler import jit, jit_parallel
-from masonry.kernels.lane_memory import EIGHT, eight, gather, or_zero, put, put_rows, take, width_of
-from masonry.kernels.lanes import every
+from masonry.kernels.lanes import EIGHT, eight, every, gather, or_zero, put, put_rows, take, width_of
 from masonry.laws.mechanism import evolve, quiet, stored
 from masonry.laws.state import Memory
 

@@ -5,8 +5,7 @@ from typing import NamedTuple
 from numba import types
 from numba.extending import overload, register_jitable
 
-from masonry.kernels.lane_memory import put, take
-from masonry.kernels.lanes import choose, filled, total
+from masonry.kernels.lanes import choose, filled, put, take, total
 
 
 class Guided(NamedTuple):

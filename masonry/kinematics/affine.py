@@ -11,7 +11,7 @@ from numba.extending import register_jitable
 
 from masonry.kernels.compiler import jit
 from masonry.kernels.freedom import advance, keep
-from masonry.kernels.lane_memory import FOUR, four, numbers, pack, part, plus, put, put_row, take, take_row
+from masonry.kernels.lanes import FOUR, four, numbers, pack, part, plus, put, put_row, take, take_row
 
 
 class Affine(NamedTuple):

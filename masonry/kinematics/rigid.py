@@ -11,7 +11,7 @@ from numba import prange
 from numba.extending import register_jitable
 
 from masonry.kernels.freedom import advance, keep
-from masonry.kernels.lane_memory import EIGHT, eight, numbers, pack, part, plus, put, put_row, take, take_row
+from masonry.kernels.lanes import EIGHT, eight, numbers, pack, part, plus, put, put_row, take, take_row
 
 
 class Rigid(NamedTuple):

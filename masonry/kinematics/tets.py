@@ -8,7 +8,7 @@ from numba.extending import register_jitable
 
 from masonry.kernels.compiler import jit
 from masonry.kernels.freedom import advance, keep
-from masonry.kernels.lane_memory import (
+from masonry.kernels.lanes import (
     EIGHT,
     FOUR,
     eight,
@@ -22,8 +22,8 @@ from masonry.kernels.lane_memory import (
     take,
     take_row,
     take_slopes,
+    total,
 )
-from masonry.kernels.lanes import total
 from masonry.kinematics.affine import hooke
 
 

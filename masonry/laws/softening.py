@@ -9,8 +9,7 @@ from math import inf
 
 from numba.extending import register_jitable
 
-from masonry.kernels.lane_memory import or_zero
-from masonry.kernels.lanes import choose, filled, larger, smaller, some
+from masonry.kernels.lanes import choose, filled, larger, or_zero, smaller, some
 from masonry.laws.door import shear_intact, tension_area, tension_intact
 from masonry.laws.state import Answer, Memory, grown
 

@@ -9,10 +9,8 @@ import sys
 import numpy as np
 import pytest
 
-from masonry.kernels import lane_exponential  # noqa: F401
 from masonry.kernels.compiler import jit
-from masonry.kernels.lane_memory import eight, put, take
-from masonry.kernels.lanes import PLAIN
+from masonry.kernels.lanes import PLAIN, eight, put, take
 
 RUNS = {
     "rigid": ["wallette-mode-1", "specimen.divisions=[2, 1]", "drive.rate=20 mm/s"],

@@ -8,7 +8,8 @@ import math
 from llvmlite import ir
 from numba.extending import intrinsic, overload
 
-from masonry.kernels.lanes import Lanes, choose
+from masonry.kernels.lanes.arithmetic import Lanes
+from masonry.kernels.lanes.choices import choose
 
 PER_LOG_2 = 1.4426950408889634
 LOG_2_HIGH, LOG_2_LOW = 6.93147180369123816490e-01, 1.90821492927058770002e-10

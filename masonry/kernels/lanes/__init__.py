@@ -1,0 +1,43 @@
+"""Several numbers at once: a Numba type for the processor's vectors, so that one formula serves one number or eight.
+
+`Lanes` are 4 or 8 doubles that add, multiply and compare like one; `choose` takes the place of `if`. With
+MASONRY_LANES=0 the functions of `memory.py` and `rows.py` hand out plain numbers one by one instead, and the same
+kernels, compiled for numbers, do the same work.
+"""
+
+from masonry.kernels.lanes import exponential  # noqa: F401  math.exp learns of lanes
+from masonry.kernels.lanes.arithmetic import PLAIN
+from masonry.kernels.lanes.choices import choose, every, filled, larger, smaller, some, total
+from masonry.kernels.lanes.gathering import gather, gather_corners, put_rows, scatter, take_slopes
+from masonry.kernels.lanes.memory import EIGHT, FOUR, eight, four, or_zero, put, take, width_of
+from masonry.kernels.lanes.rows import numbers, pack, part, plus, put_row, take_row
+
+__all__ = [
+    "PLAIN",
+    "EIGHT",
+    "FOUR",
+    "eight",
+    "four",
+    "width_of",
+    "take",
+    "put",
+    "or_zero",
+    "choose",
+    "every",
+    "filled",
+    "larger",
+    "smaller",
+    "some",
+    "total",
+    "gather",
+    "gather_corners",
+    "put_rows",
+    "scatter",
+    "take_slopes",
+    "numbers",
+    "pack",
+    "part",
+    "plus",
+    "put_row",
+    "take_row",
+]
