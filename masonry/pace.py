@@ -76,7 +76,7 @@ APPROACH = 0.4
 """Share of the way to the first damage that an increment may make, unless it is as short as the accuracy anyway."""
 FASTER, SLOWER = 1.3, 0.6
 """Most and least change of the speed once something is damaged."""
-STORED, FRACTURE, LAG, SWAY, ENDS = 20.0, 5.0, 2.0, 30.0, 0.7
+STORED, FRACTURE, LAG, SWAY, ENDS = 20.0, 5.0, 2.0, 30.0, 0.4
 """What an increment may bring, in accuracies: change of the stored energy and energy spent on fracture, over the most
 that was stored; energy by which the drive runs ahead, over the work done; the root of kinetic over stored energy; and
 the difference between the forces of the two ends, over the largest force. Measured: benchmarks/test_controlled.py."""
