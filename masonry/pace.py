@@ -46,7 +46,7 @@ class FixedPace:
         part = slice(first, self.done + 1)
         return Chunk(self.program.dead_load[part], self.program.speed[part], self.done == due)
 
-    def look(self, force: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+    def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
         """A fixed program does not care."""
 
     def progress(self) -> tuple[int, int]:
@@ -76,10 +76,10 @@ APPROACH = 0.4
 """Share of the way to the first damage that an increment may make, unless it is as short as the accuracy anyway."""
 FASTER, SLOWER = 1.3, 0.6
 """Most and least change of the speed once something is damaged."""
-STORED, FRACTURE, LAG, SWAY = 20.0, 5.0, 2.0, 30.0
+STORED, FRACTURE, LAG, SWAY, ENDS = 20.0, 5.0, 2.0, 30.0, 0.4
 """What an increment may bring, in accuracies: change of the stored energy and energy spent on fracture, over the most
-that was stored; energy by which the drive runs ahead, over the work done; and the root of kinetic over stored energy.
-Measured: benchmarks/test_controlled.py."""
+that was stored; energy by which the drive runs ahead, over the work done; the root of kinetic over stored energy; and
+the difference between the forces of the two ends, over the largest force. Measured: benchmarks/test_controlled.py."""
 FINE, BLUNT = 0.01, 0.4
 """Accuracies coarser than this one are taken for (accuracy / FINE) ** BLUNT of it: sudden cracks would be overrun."""
 
@@ -100,7 +100,7 @@ class ControlledPace:
         whole = self.goal / (STEPS * model.dt)
         self.slowest, self.target, self.steps = whole / FINEST, whole * FIRST, STEPS
         self.speed = self.moved = self.made = self.used = 0.0
-        self.most_stored = self.stored = self.broken = 0.0
+        self.most_stored = self.stored = self.broken = self.most_force = 0.0
         self.increments = 0
         self.lags: list[tuple[float, float]] = []
 
@@ -125,8 +125,8 @@ class ControlledPace:
         self.increments += 1
         return Chunk(np.full(steps + 1, self.plan.dead_load[-1]), self.sign * speed, True)
 
-    def look(self, force: float, seen: np.ndarray, terms: dict[str, float]) -> None:
-        """Choose the next speed by the force of the drive (N), what contacts show, and the ledger (J, energy.py)."""
+    def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+        """Choose the next speed by the forces of drive and support (N), what contacts show, and the ledger (J)."""
         stored = terms["elastic_blocks"] + terms["elastic_contacts"]
         broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
         if self.increments == 0:
@@ -135,11 +135,12 @@ class ControlledPace:
             self.guide.settle()
             return
         self.most_stored = max(self.most_stored, stored, 1e-300)
+        self.most_force = max(self.most_force, abs(force), 1e-300)
         self.guide.learn(self.sign * self.moved, self.sign * self.speed, force)
         if broken <= INTACT * self.most_stored:
             factor = self.towards_damage(utilisation(self.model, seen))
         else:
-            factor = self.through_damage(stored, broken, terms)
+            factor = self.through_damage(stored, broken, abs(force - support), terms)
         self.stored, self.broken = stored, broken
         self.steps = FEW if abs(terms["kinetic"]) <= STILL * stored else STEPS
         fastest = self.goal / (COARSEST * self.steps * self.dt)
@@ -153,7 +154,7 @@ class ControlledPace:
         most = RISE if self.increments > LEARNING else 1.0
         return float(np.clip(way / (self.steps * self.dt * self.target), FALL, most))
 
-    def through_damage(self, stored: float, broken: float, terms: dict[str, float]) -> float:
+    def through_damage(self, stored: float, broken: float, apart: float, terms: dict[str, float]) -> float:
         """Factor of the speed by what the last increment brought.
 
         The drive runs ahead of the specimen by about v / w, where w is the frequency of the expected motion, so the
@@ -166,7 +167,9 @@ class ControlledPace:
         self.lags.append((float(lag), self.made))
         unit = max(self.unit, CURVE) if self.steps == FEW else self.unit
         brought = max(change / STORED, fracture / FRACTURE, 1e-12) / unit
-        excess = max(np.sqrt(brought), lag / (LAG * self.unit), sway / (SWAY * self.unit))
+        ends = apart / self.most_force
+        shares = (lag / LAG, sway / SWAY, ends / ENDS)
+        excess = max(np.sqrt(brought), *(share / self.unit for share in shares))
         return float(np.clip(1.0 / excess, SLOWER, FASTER))
 
     def progress(self) -> tuple[int, int]:

@@ -189,7 +189,8 @@ class _Loop:
             self.outcome.unbalanced = energy.unbalanced(model, before)
         place = abs(self.place)
         self.rows.append([step, step * model.dt, place, stress, -support, *(terms[k] for k in list(UNITS)[5:])])
-        self.pace.look(stress * area * self.recording.sign, view.seen, terms)
+        force = area * self.recording.sign
+        self.pace.look(stress * force, -support * force, view.seen, terms)
         self.outcome.rotation_max = self.watch.rotation
         higher = stress > self.highest_row and step > 0
         if frame_due or higher:

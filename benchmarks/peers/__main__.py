@@ -41,8 +41,8 @@ def stepper(name: str, overrides: list[str], steps: int) -> tuple[Callable[[], N
 
 def ours() -> dict[str, tuple[Callable[[], None], float]]:
     """Our rows: a call, and steps times items in it."""
-    contacts, count, _ = stepper("wallette-mode-1", [], 200)
-    blocks, _, tets = stepper("couplet", ["kinematics=tets", "specimen.mesh_size=8 mm"], 100)
+    contacts, count, _ = stepper("wallette-mode-1", ["drive.rate=1 mm/s"], 200)
+    blocks, _, tets = stepper("couplet", ["drive.steps=100", "kinematics=tets", "specimen.mesh_size=8 mm"], 100)
     return {
         f"masonry, whole step per tet, {tets} tets": (blocks, 100.0 * tets),
         f"masonry, whole step per contact point, {count} between rigid blocks": (contacts, 200.0 * count),

@@ -13,7 +13,7 @@ MEAN = (3 * 0.5e6 + 3 * 1.5e6) / 6
 
 @cache
 def run(name: str) -> Result:
-    return laboratory.run(scene.load(name, ["drive.steps=15000"]))
+    return laboratory.run(scene.load(name))
 
 
 def test_the_flexural_strength_lies_between_first_cracking_and_full_plasticity():

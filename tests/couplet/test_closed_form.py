@@ -12,6 +12,9 @@ LAWS = ("linear", "polynomial", "exponential")
 COMPRESSIONS = {"0.1 MPa": (0.1e6, 2.1), "0.5 MPa": (0.5e6, 2.1 + 0.8 * 4 / 9), "1.0 MPa": (1.0e6, 2.9)}
 """Confinement in Pa and the exponent beta of the polynomial law there: 2.1 at 0.1 MPa, 2.9 at 1.0 MPa."""
 
+FINE = {"drive.steps": 40000}
+"""Far finer than the shipped accuracy of 1 % asks for: the closed form is held to 0.1 %."""
+
 YOUNG, POISSON, HEIGHT, LENGTH = 16.7e9, 0.2, 0.05, 0.2
 GLUE_KN, GLUE_KS = 2e12, 1e12
 GLUED = """
@@ -53,7 +56,7 @@ def check(law, confinement, rows, summary):
 @pytest.mark.parametrize("confinement", COMPRESSIONS)
 @pytest.mark.parametrize("law", LAWS)
 def test_rigid_couplet_follows_the_closed_form(law, confinement):
-    rows, summary = curve("couplet", law=law, confinement=confinement)
+    rows, summary = curve("couplet", law=law, confinement=confinement, **FINE)
     check(law, confinement, rows, summary)
     compression, beta = COMPRESSIONS[confinement]
     wanted = closed_forms.dissipated_in_shear(law, Joint(beta=beta), rows["displacement"][-1], compression)
@@ -69,7 +72,7 @@ def test_rigid_couplet_follows_the_closed_form(law, confinement):
 )
 def test_blocks_driven_as_a_whole_do_not_shear_and_give_the_same_curve(law, confinement, kinematics):
     """Every freedom along the drive is prescribed, so that the blocks' own shear is zero."""
-    steps = {"drive.steps": 10000, "settle.steps": 2000} if kinematics == "tets" else {}
+    steps = {"drive.steps": 10000, "settle.steps": 2000} if kinematics == "tets" else FINE
     check(law, confinement, *curve("couplet", law=law, confinement=confinement, kinematics=kinematics, **steps))
 
 

@@ -108,7 +108,7 @@ def test_increments_add_up_whatever_the_energies_say():
         assert np.all(chunk.speed <= 0.0)
         force, *energies = (float(x) for x in rng.lognormal(0, 3, 7))
         seen = rng.lognormal(0, 3, (len(assembly.model.group), 4))
-        pace.look(force, seen, dict(zip(TERMS, energies, strict=True)))
+        pace.look(force, 0.9 * force, seen, dict(zip(TERMS, energies, strict=True)))
     assert moved == pytest.approx(-3e-4, rel=1e-10)
 
 

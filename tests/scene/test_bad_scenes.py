@@ -24,6 +24,7 @@ def line_of(text, start):
     return next(n for n, line in enumerate(text.splitlines(), start=1) if line.startswith(start))
 
 
+PACE = 'accuracy = "1 %"'
 NORMAL = 'normal_stiffness = "150 GPa/m"'
 BAD = {
     # case: (text to replace, its replacement, the line that is told starts with, dotted key, words of the message)
@@ -75,10 +76,10 @@ BAD = {
         "specimen.kind",
         ["couplet, prism, wallette, bending, boxes"],
     ),
-    "rate and steps": ("steps = 40000", 'steps = 4\nrate = "1 mm/s"', "steps", "drive.steps", ["exclude each other"]),
-    "accuracy and steps": ("steps = 40000", 'steps = 4\naccuracy = "1 %"', "steps", "drive.steps", ["exclude"]),
-    "an accuracy of half": ("steps = 40000", 'accuracy = "50 %"', "accuracy", "drive.accuracy", ["0.01"]),
-    "half a step": ("steps = 40000", "steps = 0.5", "steps", "drive.steps", ["whole number"]),
+    "rate and steps": (PACE, 'steps = 4\nrate = "1 mm/s"', "steps", "drive.steps", ["exclude each other"]),
+    "accuracy and steps": (PACE, 'steps = 4\naccuracy = "1 %"', "steps", "drive.steps", ["exclude"]),
+    "an accuracy of half": (PACE, 'accuracy = "50 %"', "accuracy", "drive.accuracy", ["0.01"]),
+    "half a step": (PACE, "steps = 0.5", "steps", "drive.steps", ["whole number"]),
     "a huge exponent": ('width = "50 mm"', 'width = "1e999 mm"', "width", "specimen.width", ["finite"]),
     "a tower of powers": ('width = "50 mm"', 'width = "9**9**9 mm"', "width", "specimen.width", ["not a number"]),
     "an unknown freedom": ('fix = "all"', 'fix = ["x", "rotations"]', "fix", "support.0.fix.1", ["'rotation'"]),

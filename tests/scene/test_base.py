@@ -36,8 +36,9 @@ def test_a_list_takes_the_place_of_the_whole_list_below_and_of_what_was_assumed_
 
 def test_a_key_takes_the_place_of_its_rival_below(tmp_path):
     own = scene(tmp_path, 'base = "couplet"\n[drive]\nrate = "1 mm/s"\n')
-    assert (own.drive.steps, own.drive.rate) == (None, 1e-3)
-    assert "drive.steps" not in own.assumptions
+    assert (own.drive.accuracy, own.drive.rate) == (None, 1e-3)
+    assert "drive.accuracy" in load("couplet").assumptions
+    assert "drive.accuracy" not in own.assumptions
 
 
 def test_an_assumption_about_a_changed_key_goes_unless_it_is_made_anew(tmp_path):

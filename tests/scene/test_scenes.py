@@ -89,7 +89,7 @@ def test_mode_1_has_the_values_of_table_3():
     assert joint.tan_residual_friction == pytest.approx(math.tan(math.radians(36)))
     assert joint.dilation_angle == pytest.approx(math.radians(2))
     assert scene.contact["within_units"].tensile_strength == 1.44e6
-    assert (scene.drive.axis, scene.drive.sign, scene.drive.rate, scene.drive.steps) == (0, 1.0, 1e-3, None)
+    assert (scene.drive.axis, scene.drive.sign) == (0, 1.0)
 
 
 def test_mode_2_has_the_values_of_table_4():
@@ -164,10 +164,20 @@ def test_overrides_from_python_may_be_values():
 
 def test_setting_one_spelling_replaces_the_other():
     scene = load("couplet", ["drive.rate=0.1 mm/s", "contact.unit_unit.friction_angle=45 deg"])
-    assert (scene.drive.rate, scene.drive.steps) == (1e-4, None)
+    assert (scene.drive.rate, scene.drive.steps, scene.drive.accuracy) == (1e-4, None, None)
     assert scene.contact["unit_unit"].tan_friction_angle is None
     with pytest.raises(SceneError, match="exclude each other"):
         load("couplet", ["drive.rate=0.1 mm/s", "drive.steps=10"])
+
+
+@pytest.mark.parametrize("name", packaged())
+def test_a_packaged_scene_is_driven_to_one_percent_and_the_rate_of_the_paper_takes_its_place(name):
+    shipped, paper = load(name).drive, load(name, ["drive.rate=1 mm/s"])
+    assert (shipped.accuracy, shipped.rate, shipped.steps) == (0.01, None, None)
+    assert (paper.drive.accuracy, paper.drive.rate, paper.drive.steps) == (None, 1e-3, None)
+    assert (paper.drive.ramp, paper.drive.displacement) == (shipped.ramp, shipped.displacement)
+    assert not any(key.startswith("drive.accuracy") for key in paper.assumptions)
+    assert load(name, ["drive.steps=5", "settle.steps=5"] if paper.settle else ["drive.steps=5"]).drive.steps == 5
 
 
 def test_kinematics_may_be_set_for_one_group():

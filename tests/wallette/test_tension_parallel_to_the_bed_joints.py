@@ -55,9 +55,17 @@ def test_mode_1_costs_the_energy_of_one_stepped_crack():
 
 
 def test_mode_1_hardly_feels_the_loading_rate():
-    fast, slow = run("wallette-mode-1"), run("wallette-mode-1", "drive.rate=0.5 mm/s")
+    fast, slow = run("wallette-mode-1", "drive.rate=1 mm/s"), run("wallette-mode-1", "drive.rate=0.5 mm/s")
     assert slow.summary["peak_stress_pa"] == pytest.approx(fast.summary["peak_stress_pa"], rel=0.01)
     assert dissipated(slow) == pytest.approx(dissipated(fast), rel=0.02)
+
+
+@pytest.mark.parametrize(("name", "rate"), [("wallette-mode-1", "1 mm/s"), ("wallette-mode-2", "0.5 mm/s")])
+def test_a_shipped_wallette_finds_in_fewer_steps_what_a_slow_constant_rate_finds(name, rate):
+    shipped, constant = run(name), run(name, f"drive.rate={rate}")
+    assert shipped.summary["steps"] < 0.4 * constant.summary["steps"]
+    assert shipped.summary["peak_stress_pa"] == pytest.approx(constant.summary["peak_stress_pa"], rel=0.01)
+    assert dissipated(shipped) == pytest.approx(dissipated(constant), rel=0.01)
 
 
 def test_mode_2_peaks_below_the_bound_of_all_sections_at_their_strength():

@@ -16,6 +16,7 @@ ORDER = 10
 LAWS = ("linear", "polynomial", "exponential")
 CONFINEMENTS = ("0.1 MPa", "0.5 MPa", "1.0 MPa")
 KINEMATICS = ("rigid", "affine", "tets")
+FINE = {"drive.steps": 40000}
 TOLERANCE = {"peak": 1e-3, "residual": 1e-3, "curve": 5e-3, "dissipated": 1e-3}
 WORDS = {"peak": "peak", "residual": "final stress", "curve": "whole curve", "dissipated": "dissipated energy"}
 
@@ -86,7 +87,7 @@ def chapter(
         for motion in kinematics:
             tell(f"couplet: {law}, {motion}")
             for confinement in confinements:
-                one = trial.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement})
+                one = trial.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement, **FINE})
                 cells: list[str | page.Cell] = [law, motion, confinement]
                 if not one.ok:
                     worst = dict.fromkeys(TOLERANCE, math.inf)

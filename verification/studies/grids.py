@@ -65,7 +65,7 @@ def grids() -> list[Grid]:
             True,
         ),
         Grid(
-            "Wallette, scaled masses, whole test: rate over the shipped 1 mm/s",
+            "Wallette, scaled masses, whole test: rate over the paper's 1 mm/s",
             "wallette-mode-1",
             {},
             {label: {"drive.rate": f"{f:g} mm/s"} for label, f in rates.items()},

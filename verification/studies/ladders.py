@@ -11,7 +11,7 @@ from verification.studies.trial import Trial
 
 QUANTITIES = {"peak": "peak stress", "dissipated": "dissipated energy"}
 TARGET, FLOOR = 0.01, 1e-8
-DRIVE = "loading (steps or rate)"
+DRIVE, ACCURACY = "constant rate (steps or rate)", "accuracy (as shipped: 1 %)"
 
 
 @dataclass(frozen=True)
@@ -27,9 +27,9 @@ Rungs = dict[str, dict[str, Any]]
 """Label of a rung -> the knobs it sets; the finest last."""
 
 
-def paces(factors: tuple[float, ...], key: str, shipped: float, unit: str = "") -> Rungs:
-    """Rungs of the loading: `factors` times as fast as shipped."""
-    faster = {f: shipped * f if unit else round(shipped / f) for f in factors}
+def paces(factors: tuple[float, ...], key: str, usual: float, unit: str = "") -> Rungs:
+    """Rungs of a constant rate: `factors` times as fast as `usual`."""
+    faster = {f: usual * f if unit else round(usual / f) for f in factors}
     return {f"x{f:g}": {key: f"{v:g}{unit}" if unit else v} for f, v in faster.items()}
 
 
@@ -50,17 +50,24 @@ def cells(sizes: tuple[tuple[int, ...], ...], extra: dict[str, Any]) -> Rungs:
     return {"x".join(map(str, d)): {"specimen.divisions": list(d), **extra} for d in sizes}
 
 
+def accuracies() -> Rungs:
+    """Rungs of a drive that is paced by its error."""
+    return {f"{percent:g} %": {"drive.accuracy": f"{percent:g} %"} for percent in (5, 2, 1, 0.5)}
+
+
 SHORT, ALL = (8.0, 4.0), (8.0, 4.0, 2.0, 1.0, 0.5)
 
 
 def ladders(case: str, factors: tuple[float, ...] = ALL) -> dict[str, Rungs]:
-    """Knob -> rungs of a shipped scene. The wallettes' other knobs are climbed at a quick pace, to save time."""
+    """Knob -> rungs of a shipped scene. Other knobs are climbed at a constant rate, in the wallettes at a quick one."""
     if case == "couplet":
+        steps = {"drive.steps": 40000}
         return {
             DRIVE: paces(factors, "drive.steps", 40000.0),
-            "step fraction": fractions({}),
-            "kinematics": motions("25 mm", {}),
-            "cells": cells(((1, 1, 1), (2, 1, 1), (4, 2, 2)), {}),
+            ACCURACY: accuracies(),
+            "step fraction": fractions(steps),
+            "kinematics": motions("25 mm", steps),
+            "cells": cells(((1, 1, 1), (2, 1, 1), (4, 2, 2)), steps),
         }
     rate = 1.0 if case == "wallette-mode-1" else 0.5
     quick, quicker = {"drive.rate": f"{4 * rate:g} mm/s"}, {"drive.rate": f"{16 * rate:g} mm/s"}
@@ -68,6 +75,7 @@ def ladders(case: str, factors: tuple[float, ...] = ALL) -> dict[str, Rungs]:
     moved["tets (at x16)"] = {**moved.pop("tets"), **quicker}
     return {
         DRIVE: paces(factors, "drive.rate", rate, " mm/s"),
+        ACCURACY: accuracies(),
         "step fraction": fractions(quick),
         "model: kinematics": moved,
         "model: cells": cells(((2, 1), (4, 2), (8, 4), (12, 6)), quick),

@@ -46,7 +46,7 @@ def chapter(tell: Tell, chosen: list[Grid] | None = None) -> page.Chapter:
             "no result to be used, and the program says why: STOPPED during the run, REFUSED before it, or off by more "
             "than 5 % and reported as not quasi-static. Red: off by more than 5 % without a word, or results that are "
             "not finite; there must be none. The couplet is compared with its closed form; the wallette with its run "
-            "at 0.3 of the bound, at the shipped rate, or at equal stiffness (there the change is partly real)."
+            "at 0.3 of the bound, at the paper's rate, or at equal stiffness (there the change is partly real)."
         )
     )
     counts: dict[str, int] = {}

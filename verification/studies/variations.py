@@ -52,6 +52,7 @@ RULES: dict[str, Callable[[Any], dict[str, Any]]] = {
     "divisions": _finer_and_coarser,
     "plates": _times(0.5, 2, unit=" m"),
     "joint_thickness": _times(0.8, 1.2, unit=" m"),
+    "accuracy": lambda value: {f"x{f:g}": f * value for f in (0.5, 2)},
     "steps": lambda value: {f"x{f:g}": round(f * value) for f in (0.5, 2)},
     "rate": lambda value: {f"x{f:g}": f"{1e3 * f * value:g} mm/s" for f in (0.5, 2)},
     "displacement": _times(0.8, 1.2, unit=" m"),
