@@ -35,7 +35,7 @@ FIRST_STEP = """
 import numpy as np
 from masonry import laboratory, scene, timeloop
 from masonry.pace import Chunk
-assembly = laboratory.assemble(scene.load("couplet"))
+assembly = laboratory.assemble(scene.load("couplet", ["drive.steps=1000"]))
 timeloop.compile_for(assembly.model, 1)
 chunk = Chunk(assembly.plan.dead_load[:2], assembly.plan.speed[:2], row=False)
 timeloop.advance_model(assembly.model, chunk, 1, 0, 1, np.zeros(1))

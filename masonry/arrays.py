@@ -4,6 +4,7 @@ import numpy as np
 
 from geometry.blocks import TetMesh
 from masonry.bodies import KINDS, Layout, tet_gradients, tet_volumes
+from masonry.kernels.lanes.room import aligned
 from masonry.kinematics.affine import Affine
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.tets import Tets
@@ -128,9 +129,7 @@ def in_rows(values: np.ndarray) -> np.ndarray:
     """The same numbers in rows that lie 4 or 8 apart, on boundaries of 64 bytes, so that a row is one vector."""
     rows, used = values.shape
     width = -(-used // 8) * 8 if used in (6, 8) else -(-used // 4) * 4
-    room = np.zeros(rows * width + 8)
-    first = -(room.ctypes.data // 8) % 8
-    view = room[first : first + rows * width].reshape(rows, width)[:, :used]
+    view = aligned(np.zeros(rows * width)).reshape(rows, width)[:, :used]
     view[...] = values
     return view
 

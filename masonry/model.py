@@ -10,6 +10,7 @@ from masonry.arrays import bodies_of, in_rows, memory_of, number_sides, own_memo
 from masonry.bodies import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.contact_groups import contact_groups
 from masonry.kernels.freedom import Guided
+from masonry.kernels.lanes.room import aligned
 from masonry.laws.state import ContactState
 from masonry.loads import Conditions
 from masonry.step_cost import StepCost, step_cost
@@ -116,7 +117,7 @@ def build(
         group=group,
         state=state,
         groups=(tuple(laws[n][0] for n in names), tuple(interfaces), states, bounds),
-        contacts=(side_rows, np.asfortranarray(joints.normal), joints.area, u, in_rows(np.zeros((len(group), 3)))),
+        contacts=(side_rows, aligned(joints.normal), aligned(joints.area), u, in_rows(np.zeros((len(group), 3)))),
         bodies=bodies,
         drives=tuple(_row_and_number(conditions.driven.get(kind), kind) for kind in KINDS),
         supports=tuple(_row_and_number(conditions.support.get(kind), kind) for kind in KINDS),

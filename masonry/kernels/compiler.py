@@ -69,12 +69,12 @@ OPTIONS = {"cache": True, "error_model": "numpy", "fastmath": {"contract"}}
 """`contract` alone fuses multiply and add, and keeps NaN tests and the order of sums."""
 
 
-def _kept(**options: Any) -> Callable[[Any], Any]:
-    """A decorator that compiles, and keeps what it compiled in the folder of these sources."""
-    decorate = numba.njit(**OPTIONS, **options)
+def _kept(folder: str, **options: Any) -> Callable[[Any], Any]:
+    """A decorator that compiles, and keeps what it compiled in a folder of these sources."""
+    decorate = numba.njit(**OPTIONS | options)
 
     def compiled(function: Any) -> Any:
-        numba.config.CACHE_DIR = STEP or numba.config.CACHE_DIR
+        numba.config.CACHE_DIR = folder or numba.config.CACHE_DIR
         try:
             return decorate(function)
         finally:
@@ -83,5 +83,8 @@ def _kept(**options: Any) -> Callable[[Any], Any]:
     return compiled
 
 
-jit = _kept()
-jit_parallel = _kept(parallel=True)
+jit = _kept(STEP)
+jit_parallel = _kept(f"{STEP}/threads", parallel=True) if STEP else _kept("", parallel=True, cache=False)
+"""Numba's cache does not tell the two ways to compile one function apart: in one folder, whichever came first is served
+for both.
+"""

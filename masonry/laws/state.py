@@ -6,6 +6,8 @@ import numpy as np
 from numba import types
 from numba.extending import overload
 
+from masonry.kernels.lanes.room import aligned
+
 
 class ContactState(NamedTuple):
     """History of C contact points; None where no law of the group needs it (all of it for an elastic group).
@@ -77,14 +79,15 @@ def _grown(memory, value):
 def fresh(elastic_limit: np.ndarray, normal_stiffness: np.ndarray, uplift: bool, gap: bool, run: bool) -> ContactState:
     """Memory of contacts that nothing has happened to; elastic_limit (C,) m, normal_stiffness (C,) Pa/m."""
     count = len(elastic_limit)
+    none = np.zeros(count)
     return ContactState(
-        opening_max=elastic_limit,
-        intact_n=np.ones(count),
-        intact_s=np.ones(count),
-        secant=np.where(elastic_limit > 0.0, normal_stiffness, 0.0),
-        slip=np.zeros((count, 3), order="F"),
-        spent=np.zeros((count, 3), order="F"),
-        uplift=np.zeros(count) if uplift else None,
-        gap=np.zeros(count) if gap else None,
-        run=np.zeros(count) if run else None,
+        opening_max=aligned(elastic_limit),
+        intact_n=aligned(np.ones(count)),
+        intact_s=aligned(np.ones(count)),
+        secant=aligned(np.where(elastic_limit > 0.0, normal_stiffness, 0.0)),
+        slip=aligned(np.zeros((count, 3))),
+        spent=aligned(np.zeros((count, 3))),
+        uplift=aligned(none) if uplift else None,
+        gap=aligned(none) if gap else None,
+        run=aligned(none) if run else None,
     )
