@@ -14,7 +14,8 @@ BAR_SECONDS = 0.1
 
 
 class Progress:
-    """Says how far a run is. Use as a context manager; `update`, or a call of the object itself, as often as one likes.
+    """Says how far a run is, in steps or parts of the displacement. A context manager; `update` it, or call it, as often
+    as one likes.
 
     `total_steps` may be 0 while it is not known and set later. Time left is counted from the first update, so that
     compiling does not spoil it.
@@ -80,10 +81,10 @@ class Progress:
         self.update(step, note)
 
     def line(self, step: int, note: str, now: float) -> str:
-        """One plain line: `couplet  40 %  20000/50000 steps  1.2 s left  stress 0.12 MPa`."""
+        """One plain line: `couplet  40 %  1.2 s left  step 20000, stress 0.12 MPa`."""
         words = [self.label] if self.label else []
         if self.total_steps:
-            words += [f"{100 * step / self.total_steps:.0f} %", f"{step}/{self.total_steps} steps"]
+            words.append(f"{100 * step / self.total_steps:.0f} %")
             first, then = self._first or (step, now)
             if first < step < self.total_steps:
                 words.append(f"{duration((now - then) * (self.total_steps - step) / (step - first))} left")
@@ -119,19 +120,13 @@ def duration(seconds: float) -> str:
 
 def _bar(stream: TextIO) -> Any:
     from rich.console import Console
-    from rich.progress import BarColumn, ProgressColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
     from rich.progress import Progress as RichProgress
-    from rich.text import Text
-
-    class Speed(ProgressColumn):
-        def render(self, task: Any) -> Text:
-            return Text(f"{task.speed:.3g} steps/s" if task.speed else "", style="cyan")
 
     return RichProgress(
         TextColumn("{task.description}", markup=False),
         BarColumn(),
         TaskProgressColumn(),
-        Speed(),
         TimeRemainingColumn(),
         TextColumn("{task.fields[note]}", markup=False),
         console=Console(file=stream),

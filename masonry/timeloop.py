@@ -153,7 +153,7 @@ class _Loop:
             self.take_row(done, before, frame_due)
             self.outcome.steps = done
             if progress is not None:
-                progress(now, whole, f"stress {self.rows[-1][3] / 1e6:.3f} MPa")
+                progress(now, whole, f"step {done}, stress {self.rows[-1][3] / 1e6:.3f} MPa")
 
     def take_steps(self, done: int, chunk: Chunk) -> list[np.ndarray]:
         """The steps of a chunk, and a look whether they can be trusted; returns the velocities before the last."""

@@ -34,8 +34,8 @@ def run(seconds_per_step, steps=1000, chunk=10):
 def test_a_short_run_in_a_pipe_says_a_line_every_ten_percent():
     lines = run(0.001)
     assert len(lines) == 10
-    assert lines[3] == "wallette-mode-1  40 %  400/1000 steps  0.6 s left  stress 0.12 MPa"
-    assert lines[-1] == "wallette-mode-1  100 %  1000/1000 steps  stress 0.12 MPa"
+    assert lines[3] == "wallette-mode-1  40 %  0.6 s left  stress 0.12 MPa"
+    assert lines[-1] == "wallette-mode-1  100 %  stress 0.12 MPa"
 
 
 def test_a_long_run_in_a_pipe_says_a_line_every_ten_seconds():
@@ -52,7 +52,7 @@ def test_a_run_of_unknown_length_counts_its_steps_and_may_learn_its_length():
     progress.update(50)
     progress.total_steps = 100
     progress.update(100)
-    assert stream.getvalue().splitlines() == ["x  50 steps", "x  100 %  100/100 steps"]
+    assert stream.getvalue().splitlines() == ["x  50 steps", "x  100 %"]
 
 
 def test_a_terminal_gets_a_bar_with_percent_speed_and_note():
@@ -62,7 +62,7 @@ def test_a_terminal_gets_a_bar_with_percent_speed_and_note():
             clock.now += 1
             progress.update(step, "stress [MPa]")
     said = stream.getvalue()
-    for words in ("couplet [red]", "100%", "steps/s", "stress [MPa]"):
+    for words in ("couplet [red]", "100%", "stress [MPa]"):
         assert words in said
 
 
