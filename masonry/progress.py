@@ -14,8 +14,9 @@ BAR_SECONDS = 0.1
 
 
 class Progress:
-    """Says how far a run is, in steps or parts of the displacement. A context manager; `update` it, or call it, as often
-    as one likes.
+    """Says how far a run is, in steps or in parts of the displacement.
+
+    Use as a context manager; `update`, or a call of the object itself, as often as one likes.
 
     `total_steps` may be 0 while it is not known and set later. Time left is counted from the first update, so that
     compiling does not spoil it.
