@@ -4,7 +4,7 @@ import numpy as np
 
 from geometry.blocks import TetMesh
 from masonry.bodies import KINDS, Layout, tet_gradients, tet_volumes
-from masonry.kernels.lanes.room import aligned
+from masonry.kernels.lanes.room import BEHIND, aligned
 from masonry.kinematics.affine import Affine
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.tets import Tets
@@ -41,7 +41,7 @@ def number_sides(sides: tuple, first: dict[str, int], rows: dict[str, int]) -> t
         order = np.argsort(corner[:, 0], kind="stable")
         place[between[order]] = first["between"] + np.arange(len(between))
         ordered["between"] = corner[order], share[order], code[between[order]]
-    return np.asfortranarray(place.reshape(2, count).T, dtype=np.uint32), ordered
+    return aligned(place.reshape(2, count).T.astype(np.uint32)), ordered
 
 
 def bodies_of(
@@ -129,7 +129,7 @@ def in_rows(values: np.ndarray) -> np.ndarray:
     """The same numbers in rows that lie 4 or 8 apart, on boundaries of 64 bytes, so that a row is one vector."""
     rows, used = values.shape
     width = -(-used // 8) * 8 if used in (6, 8) else -(-used // 4) * 4
-    view = aligned(np.zeros(rows * width)).reshape(rows, width)[:, :used]
+    view = aligned(np.zeros((rows + BEHIND) * width)).reshape(-1, width)[:rows, :used]
     view[...] = values
     return view
 

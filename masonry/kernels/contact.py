@@ -6,7 +6,7 @@ from numba import prange
 from numba.extending import register_jitable
 
 from masonry.kernels.compiler import jit, jit_parallel
-from masonry.kernels.lanes import EIGHT, eight, every, gather, or_zero, put, put_rows, take, width_of
+from masonry.kernels.lanes import below, eight, gather, opposite, or_zero, put_rows, put_where, some, take, width_of
 from masonry.laws.mechanism import evolve, quiet, stored
 from masonry.laws.state import Memory
 
@@ -25,12 +25,15 @@ def _sweep(
 ):  # fmt: skip
     """Contacts first..last, as many at a time as `like` has: d = u_b - u_a, split along n; force acts on side a.
 
+    The last ones may be fewer: what is beyond them is read (arrays have room behind their last number), and its history
+    left alone; its force is written, and written again by the group that it belongs to.
     Arrays are read and written by `take` and `put` alone: handed to a function they would be counted at every contact.
     """
     ks, width = interface.shear_stiffness, width_of(like)
     flexibility = 1.0 / ks
-    for k in prange((last - first) // width):
+    for k in prange((last - first + width - 1) // width):
         c = first + width * k
+        own = below(last - c, like)
         nx, ny, nz = take(normal, (c, 0), like), take(normal, (c, 1), like), take(normal, (c, 2), like)
         a, b = gather(u, sides, (c, 0), like), gather(u, sides, (c, 1), like)
         opening, sx, sy, sz = apart(a, b, (nx, ny, nz))
@@ -44,27 +47,27 @@ def _sweep(
             take(uplift, c, like), take(gap, c, like), take(run, c, like),
         )  # fmt: skip
         sigma, unchanged = quiet(shape, interface, memory, opening, tau_squared)
-        if not every(unchanged):
+        if some(own & opposite(unchanged)):
             total = sqrt(sx * sx + sy * sy + sz * sz)
             answer = evolve(shape, interface, memory, opening, total, sqrt(tau_squared))
-            put(opening_max, c, answer.memory.opening_max)
-            put(intact_n, c, answer.memory.intact_n)
-            put(intact_s, c, answer.memory.intact_s)
-            put(secant, c, answer.memory.secant)
-            put(uplift, c, answer.memory.uplift)
-            put(gap, c, answer.memory.gap)
-            put(run, c, answer.memory.run)
-            put(spent, (c, 0), or_zero(take(spent, (c, 0), like), like) + answer.mode_1)
-            put(spent, (c, 1), or_zero(take(spent, (c, 1), like), like) + answer.mode_2)
-            put(spent, (c, 2), or_zero(take(spent, (c, 2), like), like) + answer.friction)
+            put_where(own, opening_max, c, answer.memory.opening_max)
+            put_where(own, intact_n, c, answer.memory.intact_n)
+            put_where(own, intact_s, c, answer.memory.intact_s)
+            put_where(own, secant, c, answer.memory.secant)
+            put_where(own, uplift, c, answer.memory.uplift)
+            put_where(own, gap, c, answer.memory.gap)
+            put_where(own, run, c, answer.memory.run)
+            put_where(own, spent, (c, 0), or_zero(take(spent, (c, 0), like), like) + answer.mode_1)
+            put_where(own, spent, (c, 1), or_zero(take(spent, (c, 1), like), like) + answer.mode_2)
+            put_where(own, spent, (c, 2), or_zero(take(spent, (c, 2), like), like) + answer.friction)
             sigma, share = answer.sigma, answer.share
             left = (1.0 - share) * flexibility
-            put(slip, (c, 0), px + left * tx)
-            put(slip, (c, 1), py + left * ty)
-            put(slip, (c, 2), pz + left * tz)
+            put_where(own, slip, (c, 0), px + left * tx)
+            put_where(own, slip, (c, 1), py + left * ty)
+            put_where(own, slip, (c, 2), pz + left * tz)
             tx, ty, tz = share * tx, share * ty, share * tz
-        own = take(area, c, like)
-        put_rows(force, c, own * (sigma * nx + tx), own * (sigma * ny + ty), own * (sigma * nz + tz))
+        size = take(area, c, like)
+        put_rows(force, c, size * (sigma * nx + tx), size * (sigma * ny + ty), size * (sigma * nz + tz))
 
 
 _sweep_serial = jit(_sweep)
@@ -73,24 +76,18 @@ _sweep_parallel = jit_parallel(_sweep)
 
 @jit
 def sweep(parallel, shape, interface, state, first, last, sides, normal, area, u, force):
-    """One contact group: eight at a time, the rest one by one.
+    """One contact group, eight at a time; groups in their order.
 
     `parallel` is None or True, and only the version that is used gets compiled.
     """
-    whole = last - (last - first) % EIGHT
     if parallel is None:
         _sweep_serial(
-            eight(), shape, interface, first, whole, sides, normal, area, u, force, state.opening_max, state.intact_n,
+            eight(), shape, interface, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
             state.intact_s, state.secant, state.slip, state.spent, state.uplift, state.gap, state.run,
         )  # fmt: skip
     else:
         _sweep_parallel(
-            eight(), shape, interface, first, whole, sides, normal, area, u, force, state.opening_max, state.intact_n,
-            state.intact_s, state.secant, state.slip, state.spent, state.uplift, state.gap, state.run,
-        )  # fmt: skip
-    if whole < last:
-        _sweep_serial(
-            0.0, shape, interface, whole, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
+            eight(), shape, interface, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
             state.intact_s, state.secant, state.slip, state.spent, state.uplift, state.gap, state.run,
         )  # fmt: skip
 

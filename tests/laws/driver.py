@@ -1,6 +1,6 @@
 """A contact of unit area and normal z, taken along a path of relative displacements by the compiled sweep itself.
 
-There are nine of it: the sweep takes eight at once and the ninth alone, and all must answer alike.
+There are nine of it: the sweep takes eight at once, then the ninth with seven empty places, and all must answer alike.
 """
 
 from typing import NamedTuple
@@ -10,12 +10,13 @@ import numpy as np
 from masonry.arrays import in_rows
 from masonry.kernels.compiler import jit
 from masonry.kernels.contact import observe, sweep
+from masonry.kernels.lanes.room import aligned
 from masonry.laws.build import build
 from masonry.laws.state import ContactState, fresh
 
 COUNT = 9
-SIDES = np.asfortranarray(np.tile(np.array([0, 1], dtype=np.uint32), (COUNT, 1)))
-NORMAL, AREA = np.asfortranarray(np.tile([0.0, 0.0, 1.0], (COUNT, 1))), np.ones(COUNT)
+SIDES = aligned(np.tile(np.array([0, 1], dtype=np.uint32), (COUNT, 1)))
+NORMAL, AREA = aligned(np.tile([0.0, 0.0, 1.0], (COUNT, 1))), aligned(np.ones(COUNT))
 
 TABLE_1 = {
     "normal_stiffness": 150e9,
@@ -101,23 +102,9 @@ def walk(law: tuple, path: np.ndarray, state: ContactState | None = None) -> Wal
         _springs(shape, interface, state, path, u, force, view, seen)
     else:
         _march(shape, interface, state, SIDES, NORMAL, AREA, path, u, force, view, seen)
-    _answer_alike(seen, path)
+    np.testing.assert_array_equal(seen[:, 0], seen[:, 1])
     one = seen[:, 0]
     return Walk(path, one[:, :3], one[:, 3:6], one[:, 6], *one[:, 7:10].T, one[:, 10:])
-
-
-def _answer_alike(seen: np.ndarray, path: np.ndarray) -> None:
-    """The contact that is worked off alone does what the same contact does among eight, but for rounding.
-
-    What is spent is a difference of works, and rounds as they do; the parts of a stress or a slip round as the whole.
-    """
-    stress, slip = np.abs(seen[:, :, :3]).max(), np.abs(seen[:, :, 10:]).max()
-    opening, intact = np.abs(seen[:, :, 7]).max(), 1.0
-    work = stress * np.abs(path).max()
-    scale = np.array(3 * [stress] + 4 * [work] + [opening] + 2 * [intact] + 3 * [slip])
-    np.testing.assert_array_less(
-        np.abs(seen[:, 0] - seen[:, 1]), np.broadcast_to(1e-9 * scale + 1e-300, seen[:, 0].shape)
-    )
 
 
 @jit

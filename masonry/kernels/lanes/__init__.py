@@ -7,9 +7,9 @@ kernels, compiled for numbers, do the same work.
 
 from masonry.kernels.lanes import exponential  # noqa: F401  math.exp learns of lanes
 from masonry.kernels.lanes.arithmetic import PLAIN
-from masonry.kernels.lanes.choices import choose, every, filled, larger, smaller, some, total
+from masonry.kernels.lanes.choices import below, choose, filled, larger, opposite, smaller, some, total
 from masonry.kernels.lanes.gathering import gather, gather_corners, put_rows, scatter, take_slopes
-from masonry.kernels.lanes.memory import EIGHT, FOUR, eight, four, or_zero, put, take, width_of
+from masonry.kernels.lanes.memory import EIGHT, FOUR, eight, four, or_zero, put, put_where, take, width_of
 from masonry.kernels.lanes.rows import numbers, pack, part, plus, put_row, take_row
 
 __all__ = [
@@ -21,11 +21,13 @@ __all__ = [
     "width_of",
     "take",
     "put",
+    "put_where",
     "or_zero",
+    "below",
     "choose",
-    "every",
     "filled",
     "larger",
+    "opposite",
     "smaller",
     "some",
     "total",

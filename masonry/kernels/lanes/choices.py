@@ -52,12 +52,46 @@ def _choose(condition, a, b):
 
 
 @intrinsic
-def _all_lanes(context, choice):
-    def generate(context, builder, sig, args):
-        bits = builder.bitcast(args[0], ir.IntType(choice.width))
-        return builder.icmp_unsigned("==", bits, bits.type((1 << choice.width) - 1))
+def _lanes_below(context, count, like):
+    width = like.width
+    sig = Choice(width)(types.int64, like)
 
-    return types.boolean(choice), generate
+    def generate(context, builder, sig, args):
+        vector = ir.VectorType(ir.IntType(64), width)
+        one = builder.insert_element(ir.Constant(vector, ir.Undefined), args[0], WORD(0))
+        counts = builder.shuffle_vector(one, one, ir.Constant(ir.VectorType(WORD, width), [0] * width))
+        return builder.icmp_signed("<", ir.Constant(vector, list(range(width))), counts)
+
+    return sig, generate
+
+
+def below(count, like):
+    """Which lanes come before number `count`; one number is always there."""
+    return True
+
+
+@overload(below)
+def _below(count, like):
+    if isinstance(like, Lanes):
+        return lambda count, like: _lanes_below(count, like)
+    return lambda count, like: True
+
+
+@intrinsic
+def _opposite(context, choice):
+    return choice(choice), lambda context, builder, sig, args: builder.not_(args[0])
+
+
+def opposite(condition):
+    """Where a condition does not hold."""
+    return not condition
+
+
+@overload(opposite)
+def _opposite_of(condition):
+    if isinstance(condition, Choice):
+        return lambda condition: _opposite(condition)
+    return lambda condition: not condition
 
 
 @intrinsic
@@ -74,22 +108,10 @@ def some(condition):
     return condition
 
 
-def every(condition):
-    """Whether a condition holds in all lanes."""
-    return condition
-
-
 @overload(some)
 def _some(condition):
     if isinstance(condition, Choice):
         return lambda condition: _any_lane(condition)
-    return lambda condition: condition
-
-
-@overload(every)
-def _every(condition):
-    if isinstance(condition, Choice):
-        return lambda condition: _all_lanes(condition)
     return lambda condition: condition
 
 

@@ -4,7 +4,7 @@ from llvmlite import ir
 from numba.core import cgutils, types
 from numba.extending import intrinsic, overload
 
-from masonry.kernels.lanes.arithmetic import DOUBLE, PLAIN, Lanes
+from masonry.kernels.lanes.arithmetic import DOUBLE, PLAIN, WORD, Lanes
 from masonry.kernels.lanes.choices import filled
 
 EIGHT, FOUR = (1, 1) if PLAIN else (8, 4)
@@ -64,6 +64,33 @@ def put(context, array, at, value):
         return context.get_dummy_value()
 
     return types.void(array, at, value), generate
+
+
+@intrinsic
+def put_where(context, which, array, at, value):
+    """`put`, but for lanes where `which` does not hold: what the array holds there is not touched."""
+    sig = types.void(which, array, at, value)
+    if not isinstance(array, types.Array):
+        return sig, lambda context, builder, sig, args: context.get_dummy_value()
+
+    def generate(context, builder, sig, args):
+        pointer = pointer_to(context, builder, array, args[1], unpacked(builder, args[2], at))
+        if isinstance(value, Lanes):
+            _store_where(builder, args[0], args[3], pointer)
+        else:
+            with builder.if_then(args[0]):
+                builder.store(args[3], pointer)
+        return context.get_dummy_value()
+
+    return sig, generate
+
+
+def _store_where(builder, which, value, pointer):
+    vector, width = value.type, value.type.count
+    kinds = [vector, vector.as_pointer(), WORD, which.type]
+    name = f"llvm.masked.store.v{width}f64.p0"
+    masked = cgutils.get_or_insert_function(builder.module, ir.FunctionType(ir.VoidType(), kinds), name)
+    builder.call(masked, [value, builder.bitcast(pointer, vector.as_pointer()), WORD(8), which])
 
 
 def or_zero(value, like):
