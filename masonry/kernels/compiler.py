@@ -65,8 +65,8 @@ def _folders() -> tuple[str, str]:
 STEP, REST = _folders()
 numba.config.CACHE_DIR = REST or numba.config.CACHE_DIR
 
-OPTIONS = {"cache": True, "error_model": "numpy", "fastmath": {"contract"}}
-"""`contract` alone fuses multiply and add, and keeps NaN tests and the order of sums."""
+OPTIONS = {"cache": True, "error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper": True}
+"""`contract` alone fuses multiply and add, and keeps NaN tests and the order of sums. Nobody calls these from C."""
 
 
 def _kept(folder: str, **options: Any) -> Callable[[Any], Any]:

@@ -6,7 +6,7 @@ from numba import prange
 from numba.extending import register_jitable
 
 from masonry.kernels.compiler import jit, jit_parallel
-from masonry.kernels.lanes import below, eight, gather, opposite, or_zero, put_rows, put_where, some, take, width_of
+from masonry.kernels.lanes import below, eight, gather, or_zero, put_rows, put_where, some, take, unless, width_of
 from masonry.laws.mechanism import evolve, quiet, stored
 from masonry.laws.state import Memory
 
@@ -47,7 +47,7 @@ def _sweep(
             take(uplift, c, like), take(gap, c, like), take(run, c, like),
         )  # fmt: skip
         sigma, unchanged = quiet(shape, interface, memory, opening, tau_squared)
-        if some(own & opposite(unchanged)):
+        if some(unless(own, unchanged)):
             total = sqrt(sx * sx + sy * sy + sz * sz)
             answer = evolve(shape, interface, memory, opening, total, sqrt(tau_squared))
             put_where(own, opening_max, c, answer.memory.opening_max)

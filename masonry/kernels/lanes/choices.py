@@ -78,20 +78,22 @@ def _below(count, like):
 
 
 @intrinsic
-def _opposite(context, choice):
-    return choice(choice), lambda context, builder, sig, args: builder.not_(args[0])
+def _and_not(context, choice, other):
+    return choice(choice, other), lambda context, builder, sig, args: builder.and_(args[0], builder.not_(args[1]))
 
 
-def opposite(condition):
-    """Where a condition does not hold."""
-    return not condition
+def unless(condition, other):
+    """Where the one holds and the other does not; the other may be one truth for all lanes."""
+    return condition and not other
 
 
-@overload(opposite)
-def _opposite_of(condition):
+@overload(unless)
+def _unless(condition, other):
+    if isinstance(condition, Choice) and isinstance(other, Choice):
+        return lambda condition, other: _and_not(condition, other)
     if isinstance(condition, Choice):
-        return lambda condition: _opposite(condition)
-    return lambda condition: not condition
+        return lambda condition, other: False if other else some(condition)
+    return lambda condition, other: condition and not other
 
 
 @intrinsic
