@@ -115,3 +115,14 @@ def test_where_the_cone_ends_before_the_cutoff_the_shear_strength_is_zero_and_no
         assert found.sigma[-1] == pytest.approx(3 * UM * KN, rel=1e-12) or found.sigma[-1] <= JOINT.fT
         assert found.tau[-1] == 0.0
         assert np.isfinite(found.stress).all()
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_contact_with_empty_places_beside_it_answers_as_one_among_eight(name):
+    path = along([(3 * UM, 1 * UM, 4.3 * UM), (71 * UM, 13 * UM, -2.1 * UM), (-37 * UM, 5 * UM, 11.7 * UM)], 0.13 * UM)
+    among, beside = (walk(law(name), path, ninth=ninth) for ninth in (False, True))
+    work = np.abs(among.stress).max() * np.abs(path).max()
+    assert among.intact_n[-1] < 1.0 and among.intact_s[-1] < 1.0
+    np.testing.assert_allclose(beside.stress, among.stress, rtol=0, atol=1e-10 * np.abs(among.stress).max())
+    np.testing.assert_allclose(beside.spent, among.spent, rtol=0, atol=1e-10 * work)
+    np.testing.assert_allclose(beside.stored, among.stored, rtol=0, atol=1e-10 * work)
