@@ -44,14 +44,14 @@ def follow(
 
     The ledger is taken some `rows` times; what is missing in it, over the largest of its terms, is kept in `findings`.
     """
-    seen, gaps, scale, begun = [look(model)], [], 0.0, time.perf_counter()
+    seen, gaps, scale, begun = [np.copy(look(model))], [], 0.0, time.perf_counter()
     first = energy.ledger(model, energy.observe(model), energy.velocities(model))["imbalance"]
     between = max(1, steps // every // rows)
     for k in range(1, steps // every + 1):
         rig.march(model, every - 1)
         before = energy.velocities(model)
         rig.march(model, 1)
-        seen.append(look(model))
+        seen.append(np.copy(look(model)))
         if k % between == 0:
             terms = energy.ledger(model, energy.observe(model), before)
             gaps.append(terms["imbalance"] - first)

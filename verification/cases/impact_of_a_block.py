@@ -64,7 +64,7 @@ def run() -> Findings:
         found.checks += [
             Check(f"{name}, {COUNTS[-1]} steps", unit, float(errors[-1, k] + 1) * size, size, "closed form",
                   3 * expected, expected, "three times the leading term of leapfrog"),
-            Check(f"order of the {name} in dt", "1", order, 2.0, "closed form", 0.02, 2e-3,
+            Check(f"order of the {name} in dt", "1", order, 2.0, "closed form", 5e-4, 1e-4,
                   "leapfrog; the next term is (w dt)^2 = 4e-4 of the first"),
         ]  # fmt: skip
     t, force = runs[1][0]

@@ -61,11 +61,13 @@ def run() -> Findings:
             Check(f"stress beyond the strength left, {name}", "Pa", float(max(beyond, 0.0)), 0.0, "closed form", 1e-12,
                   1e-15, "the return ends on the cone: " + ROUNDING, JOINT.fT),
         ]  # fmt: skip
-        weak = walk(law(name, cohesion=0.3e6), along([(0, 0, 0), (0, 0, 3 * UM), (10 * UM, 0, 3 * UM)], 0.1 * UM))
+        at_apex, last = 3 * UM, 10 * UM
+        weak = walk(law(name, cohesion=0.3e6), along([(0, 0, 0), (0, 0, at_apex), (last, 0, at_apex)], 0.1 * UM))
+        pulled = weak.sigma[np.argmax(weak.path[:, 2])]
         found.checks += [
             Check(f"shear stress beyond the apex, {name}", "Pa", float(weak.tau[-1]), 0.0, "closed form", 1e-14, 0.0,
                   "no strength: exactly zero", JOINT.fT),
-            Check(f"tension on the way there, {name}", "Pa", float(weak.sigma[np.argmax(weak.path[:, 2])]), JOINT.kn * 3 * UM, "closed form",
+            Check(f"tension on the way there, {name}", "Pa", float(pulled), JOINT.kn * at_apex, "closed form",
                   1e-12, 1e-15, "a spring below its cut-off: rounding"),
         ]  # fmt: skip
     yields, wanted_at = 1e-6 * np.array(stress), 1e-6 * np.array(limit[: len(ANGLES)])
