@@ -84,3 +84,19 @@ def energies(findings: Findings, name: str, joint: Joint, area: Callable[[float]
             findings.checks.append(
                 Check(f"order of the dissipation in du {at}", "1", order, 2.0, kind, 3e-4, 3e-5, why)
             )
+
+
+def around_the_peak(law: str, joint: Joint, compression: float, rows: dict[str, np.ndarray]) -> tuple[float, float]:
+    """What the largest of stresses seen at every step misses of the peak at most, as a share of it; and what the
+    trapezoid of all steps misses of the work (J/m2), about. Rows of a drive along the slip: displacement (m), step.
+
+    Between two steps du apart the curve rises by ks and falls by its first softening slope q.
+    """
+    peak, place = float(joint.peak(compression)), rows["displacement"]
+    at = peak / joint.ks
+    steps = np.diff(place) / np.maximum(np.diff(rows["step"]), 1)
+    k = int(np.searchsorted(place, at))
+    du = float(steps[max(k - 2, 0) : k + 1].max())
+    fall = float(peak - shear(law, joint, at + du, compression)) / du
+    rough = joint.ks * du**2 / 8 + peak * float(steps.max()) ** 2 * joint.c0 / joint.G_II / 12
+    return du * joint.ks * fall / (joint.ks + fall) / peak, rough
