@@ -11,7 +11,7 @@ Reference: eqs (8), (17) of the paper; statics.
 
 import numpy as np
 
-from verification.case import Case, Findings
+from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Joint, dissipated_in_shear, shear
 from verification.scene_text import run as run_text
 from verification.single_shear import around_the_peak
