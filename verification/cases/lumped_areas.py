@@ -22,7 +22,7 @@ AREA = SIDES[0] * SIDES[1]
 ROUNDING = "sums of products: rounding"
 
 
-def moments(findings: Findings, words: str, point: np.ndarray, area: np.ndarray, second: float, exact: float) -> None:
+def moments(findings: Findings, words: str, point: np.ndarray, area: np.ndarray, second: float, exact: str) -> None:
     """Sum, first moments and second moment along x about the middle of the face."""
     arm = point[:, :2] - 0.5 * np.array(SIDES)
     findings.checks += [

@@ -71,7 +71,10 @@ def run() -> Findings:
                   1e-12, 1e-15, "a spring below its cut-off: rounding"),
         ]  # fmt: skip
     yields, wanted_at = 1e-6 * np.array(stress), 1e-6 * np.array(limit[: len(ANGLES)])
-    lines = (Line("first yield", *yields.T, "points"), Line("cone and cut-off", *wanted_at.T, "dashed"))
+    lines = (
+        Line("first yield", yields[:, 0], yields[:, 1], "points"),
+        Line("cone and cut-off", wanted_at[:, 0], wanted_at[:, 1], "dashed"),
+    )
     found.plots.append(Plot("First yield", "normal stress (MPa)", "shear stress (MPa)", lines))
     return found
 
