@@ -1,5 +1,6 @@
 """The critical step of a stack of three blocks: stiffness, bound, and what happens on both sides of the limit."""
 
+import time
 from collections.abc import Sequence
 
 import numpy as np
@@ -58,7 +59,7 @@ def _below(findings: Findings, kinds: Sequence[str], words: str, dt: float, mode
     model = stack(kinds, dt=dt)
     rig.put(model, {kind: body.v for kind, body in rig.present(model)}, 1e-6 * mode)
     first, most = kinetic(model), 0.0
-    begun, gap, scale = energy.velocities(model), 0.0, 0.0
+    begun, gap, scale, clock = energy.velocities(model), 0.0, 0.0, time.perf_counter()
     start = energy.ledger(model, energy.observe(model), begun)["imbalance"]
     for k in range(STEPS // EVERY):
         rig.march(model, EVERY - 1)
@@ -70,7 +71,7 @@ def _below(findings: Findings, kinds: Sequence[str], words: str, dt: float, mode
             gap = max(gap, abs(terms["imbalance"] - start))
             scale = max(scale, abs(terms["contact_work"]), abs(terms["elastic_blocks"]), first)
     findings.imbalance[f"{words}, {BELOW:g} of the limit"] = gap / scale
-    findings.seconds[f"{words}, {BELOW:g} of the limit"] = float("nan")
+    findings.seconds[f"{words}, {BELOW:g} of the limit"] = time.perf_counter() - clock
     findings.checks.append(
         Check(f"{words}: largest kinetic energy in 1e5 steps at {BELOW:g} of the limit, over the first", "1",
               most / first, 1.0 / (1.0 - BELOW**2), "closed form", 1e-4, 1e-5,
