@@ -3,8 +3,8 @@
     t(u) = f_T (A/(A - u0 + u))^alpha beyond u0 = f_T/k_n,  A = 2 G/f_T
 
 Work up to an opening U, after the peak: 2 G/(alpha - 1) [1 - (A/(A + U - u0))^(alpha - 1)]; in all G [2/(alpha-1) + r]
-with r = f_T^2/(2 k_n G). First softening slope: alpha f_T^2/(2 G). Unloading along the secant to the origin; compression
-with k_n. alpha, and beta in shear, must be above 1, or the energy is infinite: refused.
+with r = f_T^2/(2 k_n G). First softening slope: alpha f_T^2/(2 G). Unloading along the secant to the origin;
+compression with k_n. alpha, and beta in shear, must be above 1, or the energy is infinite: refused.
 
 Reference: eq. (14) of the paper; areas by hand.
 """
