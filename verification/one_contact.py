@@ -106,16 +106,18 @@ def walk(law: tuple, path: np.ndarray, state: ContactState | None = None, ninth:
     else:
         _march(shape, interface, state, SIDES, NORMAL, AREA, path, u, force, view, seen)
     one = seen[:, 1 if ninth else 0]
-    return Walk(path, one[:, :3], one[:, 3:6], one[:, 6], *one[:, 7:10].T, one[:, 10:])
+    opening_max, intact_n, intact_s = one[:, 7:10].T
+    return Walk(path, one[:, :3], one[:, 3:6], one[:, 6], opening_max, intact_n, intact_s, one[:, 10:])
 
 
 @jit
 def _march(shape, interface, state, sides, normal, area, path, u, force, view, seen):
+    first, last = np.uint32(0), np.uint32(len(area))  # as in a model, so that what it compiled serves here too
     for k in range(len(path)):
         for i in range(3):
             u[1, i] = path[k, i]
-        sweep(None, shape, interface, state, 0, len(area), sides, normal, area, u, force)
-        stored = observe(shape, interface, state, 0, len(area), sides, normal, area, u, force, view) / len(area)
+        sweep(None, shape, interface, state, first, last, sides, normal, area, u, force)
+        stored = observe(shape, interface, state, first, last, sides, normal, area, u, force, view) / len(area)
         for which, c in enumerate((0, len(area) - 1)):
             seen[k, which, 6] = stored
             for i in range(3):
