@@ -14,7 +14,7 @@ def row_of_boxes(
 ) -> tuple[Specimen, TetMesh]:
     """Boxes between the cuts (n + 1,) m along x, from 0 to width in y and to height in z; cells (n, 3) of each box.
 
-    Each box is a unit of its own, and the sets "box 0", "box 1", ... hold one each. section in m2.
+    Each box is a unit of its own, and the sets "box 0", "box 1", ... hold one each, "all" all of them. section in m2.
     """
     count = len(cells)
     low = np.array([[x, 0.0, 0.0] for x in cuts[:-1]])
@@ -28,7 +28,7 @@ def row_of_boxes(
         tets=np.concatenate([tets + first for (_, tets), first in zip(grids, node_start[:-1], strict=True)]),
         tet_start=np.concatenate([[0], np.cumsum([len(tets) for _, tets in grids])]),
     )
-    sets = {f"box {k}": np.array([k]) for k in range(count)}
+    sets = {"all": np.arange(count)} | {f"box {k}": np.array([k]) for k in range(count)}
     return Specimen(blocks, sets, section), mesh
 
 

@@ -75,6 +75,7 @@ def slid(result: Result) -> np.ndarray:
 
 
 def run() -> Findings:
+    """The angle at which it begins to slide, and the slide."""
     found = Findings()
     elastic = DENSITY * HEIGHT * G / SHEAR
 
@@ -124,7 +125,7 @@ def motion(found: Findings) -> None:
             "closed form",
             5 * lag / exact[after][0],
             lag / exact[after][0],
-            "the block is ahead by the elastic slip mu N/ks, which is 1e-4 of the way; rounding in dt/rise adds as much",
+            "the block is ahead by the elastic slip mu N/ks, 1e-5 of the way; rounding in dt/rise adds as much",
         )  # fmt: skip
     )
     dt = float(damped.summary["time_step_s"]) / float(plain.summary["time_step_s"])

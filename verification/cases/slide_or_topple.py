@@ -78,6 +78,7 @@ def falls(found: Findings, courses: int, mu: float, a: float) -> bool:
 
 
 def run() -> Findings:
+    """One block and a stack, with much friction and with little."""
     found = Findings()
     for courses, mu, what in ((1, 0.7, "topples"), (1, 0.25, "slides"), (3, 0.7, "topples"), (3, 0.25, "slides")):
         limit = min(mu, WIDTH / HEIGHT)
