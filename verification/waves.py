@@ -106,14 +106,16 @@ rotation_limit = 0.5
         sections = nodes.reshape(-1, 4)
         along = mesh.nodes[:, 0].reshape(-1, 4)[:, 0]
         weight = np.array([2.0, 1.0, 1.0, 2.0]) / 6  # thirds of the two triangles of a section
-        return Wave(along, sections @ weight, (steps - 1) * dt, result)
+        return Wave(along, sections @ weight, (steps - 1) * dt, h * h, result)
 
 
 @dataclass(frozen=True)
 class Wave:
-    """Displacement u (n,) m of the sections at x (n,) m; the joint's place is there twice; time (s) of the end."""
+    """Displacement u (n,) m of the sections at x (n,) m, where the joint's place is there twice; time (s) of the end,
+    area (m2) of the bar."""
 
     x: Floats
     u: Floats
     time: float
+    area: float
     result: Result

@@ -13,6 +13,8 @@ Joints bear no tension. Their contact points stand on the edges ("vertex"), so t
 points inside the joint would topple early, by their distance from the edge.
 """
 
+from functools import partial
+
 from verification.case import Case, Check, Findings
 from verification.scene_text import run_to_the_end_or_the_stop
 from verification.thresholds import threshold
@@ -82,9 +84,7 @@ def run() -> Findings:
     found = Findings()
     for courses, mu, what in ((1, 0.7, "topples"), (1, 0.25, "slides"), (3, 0.7, "topples"), (3, 0.25, "slides")):
         limit = min(mu, WIDTH / HEIGHT)
-        value, width = threshold(
-            lambda a, courses=courses, mu=mu: falls(found, courses, mu, a), 0.97 * limit, 1.03 * limit, HALVINGS
-        )
+        value, width = threshold(partial(falls, found, courses, mu), 0.97 * limit, 1.03 * limit, HALVINGS)
         found.checks.append(
             Check(
                 f"a/g at which a wall of {courses} course(s) {what} (mu = {mu})",
