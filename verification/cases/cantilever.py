@@ -21,8 +21,9 @@ BLOCKS, LENGTH, HEIGHT, WIDTH = 5, 0.1, 0.1, 0.02
 MODULUS, NORMAL, SHEAR, STRESS = 10e9, 150e9, 70e9, 1e4
 LADDER = (2, 4, 8, 16)
 """Tets over the height."""
-STEPS = 4000
-"""Steps for each of them: a beam with n over its height swings n times as slowly, counted in steps."""
+STEPS = 3000
+"""Steps for each of them: a beam with n over its height swings n times as slowly, counted in steps. With xi = 0.3 they
+end within 1e-5 of rest; with the usual 0.8 the finest mesh still creeps, 1 % away, after as many."""
 
 SCENE = f"""
 law = "elastic"
@@ -46,7 +47,7 @@ stress = {{ z = "{-STRESS!r} Pa" }}
 [settle]
 steps = 1000
 [solver]
-damping = 0.5
+damping = 0.3
 rows = 40
 """
 
@@ -65,7 +66,7 @@ def deflection(cells: int) -> tuple[float, Result]:
     n = round(cells * LENGTH / HEIGHT)
     cuts = list(LENGTH * np.arange(BLOCKS + 1))
     specimen, mesh = row_of_boxes(cuts, [(n, 1, cells)] * BLOCKS, WIDTH, HEIGHT, HEIGHT * WIDTH)
-    result = run_text(SCENE, {"settle.steps": STEPS * cells}, specimen, mesh)
+    result = run_text(SCENE, {"settle.steps": STEPS * max(cells, 4)}, specimen, mesh)
     tip = np.abs(mesh.nodes[:, 0] - BLOCKS * LENGTH) < 1e-9 * LENGTH
     return -float(result.history.frames[-1].nodes[tip, 2].mean()), result
 
