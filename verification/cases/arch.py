@@ -9,7 +9,7 @@
 Limit analysis (Heyman 1966; Livesley 1978) as a linear program: the arch stands iff forces at the ends of its joints,
 that do not pull and keep inside the friction cone, carry its weight. Joints here have their points on the edges and
 bear no tension, so the same forces are open to them, and springs without tension find them where there are any. The
-load is gravity; the thickness is bisected between 3 % above and 3 % below the program's. Friction of 0.7 does not slide.
+load is gravity; the thickness is bisected between 3 % above and 3 % below the program's. Nothing slides at 0.7.
 """
 
 from functools import partial
