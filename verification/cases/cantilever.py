@@ -25,7 +25,7 @@ LADDER = (2, 4, 8, 16)
 """Tets over the height."""
 STEPS = 5000
 """Steps for each of them: a beam with n over its height swings n times as slowly, counted in steps. With xi = 0.3 they
-end within 1e-5 of rest; with the usual 0.8 the finest mesh still creeps, 1 % away, after 4000 n."""
+end within 1e-5 of rest; with the usual 0.8 the finest mesh still creeps, 0.1 to 0.7 % away."""
 
 SCENE = f"""
 law = "elastic"
@@ -77,23 +77,27 @@ def deflection(cells: int) -> tuple[float, float, Result]:
 
 def run() -> Findings:
     """The ladder of meshes, its order, and what it tends to."""
-    found, exact, values = Findings(), theory(), []
+    found, exact = Findings(), theory()
+    values: list[float] = []
+    same: list[float] = []
     for cells in LADDER:
         value, still, result = deflection(cells)
         found.note(f"{cells} tets over the height", result)
         values.append(value)
-        found.checks.append(
-            Check(
-                f"deflection with {cells} tets over the height",
-                "m",
-                value,
-                still,
-                "same discretisation",
-                3e-5,
-                3e-6,
-                "the same discretisation solved at once; what is left is how far the run has come to rest",
-            )  # fmt: skip
-        )
+        same.append(value / still)
+    worst = int(np.argmax(np.abs(np.array(same) - 1)))
+    found.checks.append(
+        Check(
+            f"deflection over that of the sparse solve, the farthest: {LADDER[worst]} tets over the height",
+            "1",
+            same[worst],
+            1.0,
+            "same discretisation",
+            3e-5,
+            3e-6,
+            "the same discretisation solved at once; what is left is how far the run has come to rest",
+        )  # fmt: skip
+    )
     errors = np.abs(np.array(values) / exact - 1)
     orders = np.log2(errors[:-1] / errors[1:])
     limit = values[-1] + (values[-1] - values[-2]) / 3
