@@ -41,7 +41,7 @@ class Condensed:
         return u
 
     def row(self, weights: Array) -> tuple[Array, float, float]:
-        """weights (N,) . u as (w, by_lambda, by_dead): w . q + by_lambda * lambda + by_dead * share of dead load."""
+        """The sum weights (N,) . u as (w, by_lambda, by_dead): w . q + by_lambda * lambda + by_dead * share of dead load."""
         m, k = self.model, self.model.stiffness
         adjoint = np.zeros(len(weights))
         if self.factor is not None:
@@ -52,6 +52,8 @@ class Condensed:
 
 
 def condense(model: Model) -> Condensed:
+    """Eliminate the free freedoms that touch no joint (static condensation); every block needs something that holds it
+    once its joints are held."""
     jumps = all_jumps(model.joints)
     touched = np.zeros(len(model.held), dtype=bool)
     touched[jumps.indices] = True

@@ -51,7 +51,7 @@ def _joint(
     gap = np.abs(place - np.asarray(b.global_coordinates())).max()
     if gap > 1e-7 * np.ptp(body.mesh.p):
         raise ValueError(f"quadrature points of the two sides of a joint are {gap:.2g} m apart")
-    return Joint(
+    found = Joint(
         law,
         (_values(b, basis.N) - _values(a, basis.N)).tocsr(),
         a.dx.ravel(),
@@ -59,6 +59,16 @@ def _joint(
         place.transpose(1, 2, 0).reshape(-1, 3),
         np.repeat(blocks, a.dx.shape[1], axis=0),
     )
+    return found if rule != "vertex" else _merged(found, body.mesh.facets[:, facets_a].T.ravel())
+
+
+def _merged(joint: Joint, vertex: Array) -> Joint:
+    """One point where several facets of one plane have a corner: their jumps are one, and their areas add up."""
+    key = np.column_stack([vertex, joint.blocks, np.round(joint.normal * 1e6)]).astype(np.int64)
+    _, first, same = np.unique(key, axis=0, return_index=True, return_inverse=True)
+    rows = (3 * first[:, None] + np.arange(3)).ravel()
+    weight = np.bincount(same.ravel(), joint.weight)
+    return Joint(joint.law, joint.jump[rows], weight, joint.normal[first], joint.place[first], joint.blocks[first])
 
 
 def _values(facets: FacetBasis, count: int) -> csr_matrix:
@@ -67,7 +77,7 @@ def _values(facets: FacetBasis, count: int) -> csr_matrix:
     row = np.arange(cells * points * 3).reshape(cells, points, 3)
     rows, columns, values = [], [], []
     for j in range(facets.Nbfun):
-        value = facets.basis[j][0].value.transpose(1, 2, 0)
+        value = np.asarray(facets.basis[j][0]).transpose(1, 2, 0)
         rows.append(row.ravel())
         columns.append(np.broadcast_to(facets.element_dofs[j][:, None, None], value.shape).ravel())
         values.append(value.ravel())
@@ -78,4 +88,5 @@ def _values(facets: FacetBasis, count: int) -> csr_matrix:
 
 
 def all_jumps(found: list[Joint]) -> csr_matrix:
+    """(3 m, N) the jumps of all joints, one below the other."""
     return vstack([joint.jump for joint in found]).tocsr()

@@ -1,6 +1,6 @@
 """Elastic blocks of tets and joints between them, with what is held, driven and loaded."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -49,6 +49,10 @@ class Model:
         chosen = self.freedoms(axes, where)
         self.held |= chosen
         self.driven[chosen] = amount
+
+    def pressed(self, stress: Sequence[float], where: Callable[[Array], Array]) -> Array:
+        """(N,) N, of an even traction (3,) Pa on outer facets."""
+        return self.traction(lambda x: np.multiply.outer(np.asarray(stress), np.ones_like(x[0])), where)
 
     def traction(self, stress: Callable[[Array], Array], where: Callable[[Array], Array]) -> Array:
         """(N,) N, of a traction (3, ...) Pa, a function of the place (3, ...), on outer facets whose middle `where`

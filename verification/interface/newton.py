@@ -3,8 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import solve
+from scipy.linalg import lu_factor, lu_solve
 from scipy.sparse import csr_matrix
+from threadpoolctl import ThreadpoolController
 
 from verification.interface.condensed import condense
 from verification.interface.model import Model
@@ -43,6 +44,7 @@ class Path:
         self.earlier: tuple[float, State] | None = None
         self.reached = 0.0
         self.row = None if control is None else self.system.row(control)
+        self.blas = ThreadpoolController()
         self.largest = 0.0
         self.rounds = 0
         counts = np.cumsum([0, *(3 * len(j.weight) for j in model.joints)])
@@ -51,7 +53,8 @@ class Path:
     def go(self, target: float, dead: float | None = None) -> State:
         """The equilibrium where the control (lambda, or the sum) is `target`; in halves where one step is too long."""
         dead = self.state.dead if dead is None else dead
-        self._go(target, dead, HALVINGS)
+        with self.blas.limit(limits=1, user_api="blas"):  # small systems: threads would only wait for each other
+            self._go(target, dead, HALVINGS)
         return self.state
 
     def _go(self, target: float, dead: float, halvings: int) -> None:
@@ -123,7 +126,8 @@ class Path:
         row, column = np.ones(n + 1), np.ones(n + 1)
         row[n] = np.abs(matrix[:n, :n]).max(initial=1.0) / max(np.abs(matrix[n]).max(), 1e-300)
         column[n] = np.abs(matrix[:n, :n]).max(initial=1.0) / max(np.abs(matrix[:n, n]).max(initial=0.0), 1e-300)
-        return column * solve(row[:, None] * matrix * column, row * right, check_finite=False)
+        factors = lu_factor(row[:, None] * matrix * column, overwrite_a=True, check_finite=False)
+        return column * lu_solve(factors, row * right, check_finite=False)
 
     def _joints(self, q: Array, factor: float) -> tuple[Array, csr_matrix, tuple[History, ...]]:
         """Force (3 m,) N at the points, its derivative by the jumps (block diagonal), and the histories after it."""

@@ -30,6 +30,7 @@ class History:
 
 
 def unharmed(law: Law, count: int) -> History:
+    """The history of points to which nothing has happened."""
     return History(np.full(count, law.opening_at_peak), np.ones(count), np.ones(count), np.zeros((count, 3)))
 
 
@@ -67,7 +68,7 @@ def traction(law: Law, history: History, normal: Array, jump: Array) -> tuple[Ar
 
 
 def normal_stress(law: Law, widest: Array, wn: Array, ws: Array, e: Array) -> Array:
-    """sigma (Pa): along the secant that the damage leaves, or with all of kn where the faces are pressed."""
+    """Normal stress (Pa): along the secant that the damage leaves, or with all of kn where the faces are pressed."""
     secant = wn * (ws if law.combined else 1.0) * law.fT / widest if law.fT > 0.0 else 0.0 * e
     return e * np.where(e > 0.0, secant, law.kn)
 
@@ -80,7 +81,7 @@ def strengths(law: Law, widest: Array, wn: Array, sigma: Array, e: Array) -> tup
 
 
 def tangent(law: Law, history: History, normal: Array, jump: Array) -> Array:
-    """d traction / d jump (n, 3, 3) Pa/m from one history: exact if elastic, else by central differences."""
+    """Derivative of the traction by the jump (n, 3, 3) Pa/m from one history: exact if elastic, else by central differences."""
     if law.kind == "elastic":
         nn = normal[:, :, None] * normal[:, None, :]
         return law.kn * nn + law.ks * (np.eye(3) - nn)
