@@ -71,8 +71,6 @@ def conditions(model: Model) -> None:
     model.hold("y", lambda x, block: block == 1)
     model.drive("x", lambda x, block: block == 1)
     model.dead = model.pressed([0.0, 0.0, -0.5e6], lambda x: x[2] > HEIGHT - NEAR)
-        lambda x: np.multiply.outer(pressure, np.ones_like(x[0])), lambda x: x[2] > HEIGHT - NEAR
-    )
 
 
 def run() -> Findings:

@@ -75,8 +75,6 @@ def conditions(model: Model) -> None:
     model.hold("z", lambda x, block: x[:, 2] < NEAR)
     model.drive("x", lambda x, block: x[:, 0] > LENGTH - NEAR)
     model.dead = model.pressed([0.0, 0.0, -20e3], lambda x: x[2] > HEIGHT - NEAR)
-        lambda x: np.multiply.outer(pressure, np.ones_like(x[0])), lambda x: x[2] > HEIGHT - NEAR
-    )
 
 
 def run() -> Findings:

@@ -81,7 +81,7 @@ def strengths(law: Law, widest: Array, wn: Array, sigma: Array, e: Array) -> tup
 
 
 def tangent(law: Law, history: History, normal: Array, jump: Array) -> Array:
-    """Derivative of the traction by the jump (n, 3, 3) Pa/m from one history: exact if elastic, else by central differences."""
+    """Derivative of the traction by the jump (n, 3, 3) Pa/m: exact if elastic, else by central differences."""
     if law.kind == "elastic":
         nn = normal[:, :, None] * normal[:, None, :]
         return law.kn * nn + law.ks * (np.eye(3) - nn)
