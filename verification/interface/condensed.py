@@ -41,7 +41,7 @@ class Condensed:
         return u
 
     def row(self, weights: Array) -> tuple[Array, float, float]:
-        """Sum weights (N,) . u as (w, by_lambda, by_dead): w . q + by_lambda * lambda + by_dead * share of dead load."""
+        """Weighted sum of u as (w, by_lambda, by_dead): w . q + by_lambda * lambda + by_dead * share of dead load."""
         m, k = self.model, self.model.stiffness
         adjoint = np.zeros(len(weights))
         if self.factor is not None:
