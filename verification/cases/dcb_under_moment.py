@@ -34,7 +34,7 @@ from verification.interface.envelopes import Law
 from verification.interface.mesh import grids
 from verification.interface.model import Model, model
 from verification.interface.newton import Path
-from verification.turned_drive import turned
+from verification.other_conditions import turned
 
 Array = np.ndarray
 Curve = tuple[Array, Array]
