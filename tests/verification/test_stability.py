@@ -1,5 +1,6 @@
 """The stability map: what a cell is called, that nothing wrong passes in silence, and that pictures say it."""
 
+import json
 import math
 import re
 
@@ -7,6 +8,7 @@ import numpy as np
 import pytest
 
 from masonry import laboratory, scene
+from masonry.errors import SceneError
 from masonry.printout import trust
 from verification.report.page import Chapter
 from verification.stability import motion, suite
@@ -73,7 +75,7 @@ def test_every_cell_leaves_a_record_with_finite_numbers_and_its_reason(quick):
             assert outcome.records
             for record in outcome.records:
                 assert record["status"] == outcome.status and record["reason"] == outcome.reason
-                assert all(math.isfinite(x) for x in record.values() if isinstance(x, float))
+                json.dumps(record, allow_nan=False)
                 assert "/" not in record["case"]
 
 
@@ -152,3 +154,17 @@ def test_a_run_beyond_the_proven_bound_says_so_even_where_it_ends_well():
     summary = laboratory.run(scene.load(COUPLET, {"drive.steps": 500, "solver.step_fraction": 1.05})).summary
     assert any("proven bound" in warning for warning in summary["warnings"])
     assert "proven bound" in trust(summary)
+
+
+@pytest.mark.parametrize(("ratio", "kinematics", "warned"), [(0.35, "tets", 1), (0.3, "tets", 0), (0.49, "rigid", 0)])
+def test_tets_that_lock_are_warned_of_where_no_run_is_off_by_five_percent_without_a_word(ratio, kinematics, warned):
+    knobs = {"kinematics": kinematics, "specimen.mesh": "fan", "material.units.poisson_ratio": ratio}
+    found = laboratory.check(scene.load(COUPLET, knobs))["warnings"]
+    assert len(found) == warned and all("lock" in words for words in found)
+
+
+@pytest.mark.parametrize("value", ["1e-300", "1e300"])
+@pytest.mark.parametrize("key", ["normal_stiffness", "shear_stiffness"])
+def test_numbers_that_no_float_can_carry_through_a_run_are_refused_with_their_range(key, value):
+    with pytest.raises(SceneError, match=f"{key}.*1e"):
+        scene.load(COUPLET, {f"contact.unit_unit.{key}": f"{value} Pa/m"})

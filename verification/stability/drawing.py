@@ -78,4 +78,4 @@ def written(error: float) -> str:
     """An error in percent where a person reads it so, else as a power of ten."""
     if error == 0.0:
         return "0"
-    return f"{100 * error:.2g} %" if error >= 1e-4 else f"{error:.0e}".replace("e-0", "e-")
+    return f"{100 * error:.2g} %" if error >= 1e-5 else f"{error:.0e}".replace("e-0", "e-")

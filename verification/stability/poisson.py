@@ -10,7 +10,7 @@ YOUNG, EDGE, PUSH, STIFF = 16.7e9, 0.1, 1e-6, 1e15
 COMMON: Knobs = {
     "kinematics": "tets",
     "gravity": {"z": "-1e-9 m/s^2"},
-    "drive.steps": 12000,
+    "drive.accuracy": "1 %",
     "drive.displacement": f"{PUSH!r} m",
     "solver.rows": 100,
 }
@@ -21,14 +21,14 @@ TALL = 0.4
 
 def grids(full: bool) -> list[Grid]:
     """One map, of three loadings."""
-    ratios = (0.0, 0.2, 0.4, 0.45, 0.49, 0.499, 0.4999) if full else ()
+    ratios = (0.0, 0.2, 0.3, 0.35, 0.4, 0.45, 0.49, 0.499, 0.4999) if full else ()
     cells = {}
     for name, (knobs, compare) in LOADINGS.items():
         for ratio in ratios:
-            must = ("WARNED",) if ratio >= 0.45 else ("OK", "WARNED")
+            must = ("WARNED",) if ratio >= 0.45 else ()
             cells[name, f"{ratio:g}"] = Cell(CHAIN, {**knobs, "material.units.poisson_ratio": ratio}, compare, must)
     note = (
-        "From 0.45 on the program warns that such tets lock. In uniform strain they do not; in bending (blocks held "
+        "Above 0.3 the program warns that such tets lock. In uniform strain they do not; in bending (blocks held "
         "against turning, 25 mm mesh) the stiffness is held against that at 0 with the theory's change by the shear."
     )
     return [Grid("Poisson's ratio of tets", "loading", "Poisson's ratio", cells, "closed form; at 0 in bending", note)]
@@ -74,7 +74,7 @@ LOADINGS: dict[str, tuple[Knobs, Compare]] = {
         {
             **COMMON,
             **chain_of((EDGE, TALL, EDGE)),
-            **pascals(normal_stiffness=STIFF, shear_stiffness=STIFF, tensile_strength=1e9, cohesion=1e9),
+            **pascals(normal_stiffness=1e13, shear_stiffness=1e13, tensile_strength=1e9, cohesion=1e9),
             **{f"{JOINT}.fracture_energy_mode_{k}": "1e9 N/m" for k in (1, 2)},
             "specimen.mesh_size": "25 mm",
             "drive.direction": "x",

@@ -2,6 +2,7 @@
 
 import math
 from pathlib import Path
+from typing import Any
 
 from masonry.printout import trust
 from verification.stability.cells import GOOD, POOR, Cell, Grid, Outcome
@@ -28,9 +29,15 @@ def run_cell(grid: Grid, row: str, column: str, cell: Cell) -> Outcome:
         quantity: trial.record(one, quantity, exact.value, exact.reference, grid.against, exact.scale)
         for quantity, exact in compared.items()
     } or {"status": trial.record(one, "status", math.nan, math.nan, grid.against)}
-    said = {"case": name, "status": status, "reason": reason, "knob": grid.title, "rung": f"{row}, {column}"}
+    said: dict[str, Any] = {"case": name, "status": status, "reason": reason, "knob": grid.title}
+    said |= {"rung": f"{row}, {column}", "knobs": {key: _plain(value) for key, value in cell.knobs.items()}}
     outcome.records = [entry | said for entry in entries.values()]
     return outcome
+
+
+def _plain(value: Any) -> Any:
+    """A knob as it may stand in a record: NaN and infinity as words."""
+    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def judged(one: Trial, error: float, must: tuple[str, ...] = ()) -> tuple[str, str, str]:
