@@ -103,5 +103,8 @@ def _compare(form: str, old: list[records.Record], new: list[records.Record]) ->
 
 def _write(folder: Path, outcomes: list[Outcome], seconds: float) -> None:
     """Records and page."""
-    path = records.save([r for o in outcomes for r in records.records_of(o)], folder)
-    _tell(f"records  {path}")
+    from verification.report.__main__ import write
+    from verification.report.cases import chapters
+
+    page, numbers = write(chapters(outcomes, seconds), seconds, folder, "verify.html")
+    _tell(f"page     {page}\nrecords  {numbers}")

@@ -4,8 +4,11 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator
+
+from verification.case import Line, Plot
 
 COLOURS = ("#1f3b5c", "#d7301f", "#2f8f4e", "#e07b00", "#7b4fa3", "#5b5b5b")
 MARKS = "osD^vP"
@@ -98,3 +101,34 @@ def curves(panels: Mapping[str, Sequence[tuple[str, np.ndarray, np.ndarray, np.n
     axes[0, 0].set_ylabel("shear stress [MPa]")
     axes[0, -1].legend(title="confinement", frameon=False, fontsize=8)
     return figure
+
+
+MOST_POINTS = 600
+"""Of a line of a case: more would only make the page heavy."""
+
+
+def plots(pair: Sequence[Plot]) -> Figure:
+    """One or two pictures of a case side by side: references dashed on top, measured points as marks."""
+    figure, axes = sheet(1, len(pair), (10.0 if len(pair) > 1 else 6.4, 3.7))
+    for one, plot in zip(axes.flat, pair, strict=True):
+        one.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
+        one.title.set_fontsize(10)
+        if plot.log:
+            one.set(xscale="log", yscale="log")
+        for k, line in enumerate(plot.lines):
+            _draw(one, line, COLOURS[k % len(COLOURS)], MARKS[k % len(MARKS)])
+        if any(line.label for line in plot.lines):
+            one.legend(frameon=False, fontsize=8)
+    return figure
+
+
+def _draw(one: Axes, line: Line, colour: str, mark: str) -> None:
+    x, y = np.asarray(line.x), np.asarray(line.y)
+    thin = slice(None, None, max(1, -(-len(x) // MOST_POINTS))) if line.style != "points" else slice(None)
+    x, y = np.append(x[thin], x[-1:]), np.append(y[thin], y[-1:])
+    if line.style == "points":
+        one.plot(x, y, mark, color=colour, markersize=4, markerfacecolor="white", label=line.label, zorder=3)
+    elif line.style == "dashed":
+        one.plot(x, y, "--", color="0.15", linewidth=1.1, dashes=(4, 3), label=line.label, zorder=4)
+    else:
+        one.plot(x, y, color=colour, linewidth=1.8, label=line.label)

@@ -21,12 +21,18 @@ class Verdict:
 
 @dataclass
 class Chapter:
-    """What a study returns: its verdicts, its records (one dict each) and its page as pieces of HTML."""
+    """What a study returns: its verdicts, its records (one dict each) and its page as pieces of HTML.
+
+    group   the heading in the contents under which it stands
+    anchor  its name within the page, for links; its number where none is given
+    """
 
     title: str
     verdicts: list[Verdict] = field(default_factory=list)
     records: list[dict[str, Any]] = field(default_factory=list)
     parts: list[str] = field(default_factory=list)
+    group: str = "Studies"
+    anchor: str = ""
 
 
 @dataclass(frozen=True)
@@ -36,6 +42,14 @@ class Cell:
     text: str
     kind: str = ""
     note: str = ""
+
+
+@dataclass(frozen=True)
+class Link:
+    """A table cell that leads to an anchor of the page."""
+
+    text: str
+    anchor: str
 
 
 def escape(text: Any) -> str:
@@ -53,6 +67,11 @@ def paragraph(text: str, kind: str = "") -> str:
     return f'<p class="{kind}">{escape(text)}</p>' if kind else f"<p>{escape(text)}</p>"
 
 
+def preformatted(text: str) -> str:
+    """Text whose lines and columns stay as they are: formulas, sketches, scenes."""
+    return f"<pre>{escape(text)}</pre>" if text else ""
+
+
 def bullets(items: Iterable[str]) -> str:
     """A plain list."""
     return "<ul>" + "".join(f"<li>{escape(item)}</li>" for item in items) + "</ul>"
@@ -62,11 +81,14 @@ def table(header: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "
     """A table; cells are text, numbers or `Cell`. The first column is left-aligned."""
     top = "".join(f"<th>{escape(name)}</th>" for name in header)
     body = "".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in rows)
+    head = f"<thead><tr>{top}</tr></thead>" if header else ""
     title = f"<caption>{escape(caption)}</caption>" if caption else ""
-    return f'<div class="wide"><table>{title}<thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
+    return f'<div class="wide"><table>{title}{head}<tbody>{body}</tbody></table></div>'
 
 
 def _cell(value: Any) -> str:
+    if isinstance(value, Link):
+        return f'<td><a href="#{escape(value.anchor)}">{escape(value.text)}</a></td>'
     if not isinstance(value, Cell):
         return f"<td>{escape(value)}</td>"
     small = f"<small>{escape(value.note)}</small>" if value.note else ""
