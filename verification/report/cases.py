@@ -20,6 +20,7 @@ def chapters(outcomes: Sequence[Outcome], seconds: float) -> list[page.Chapter]:
     """An overview of all cases, then a chapter for each; none without outcomes."""
     if not outcomes:
         return []
+    outcomes = sorted(outcomes, key=lambda o: _areas(outcomes).index(o.case.area))
     made = page.Chapter("All cases at a glance", group="Cases with known answers")
     made.parts.append(page.paragraph(INTRODUCTION))
     made.parts.append(page.paragraph(printout.verdict(outcomes, seconds), "lead"))
@@ -34,7 +35,7 @@ def chapters(outcomes: Sequence[Outcome], seconds: float) -> list[page.Chapter]:
 def _row(outcome: Outcome) -> list[str | page.Cell]:
     """The cells of a case after its name, the status in its colour."""
     _, row, status, *numbers = printout.row(outcome)
-    return [row, page.Cell(status, KINDS[status]), *numbers]
+    return [row, page.Cell(status, KINDS[status]), *(page.Cell(number, "number") for number in numbers)]
 
 
 def anchor(outcome: Outcome) -> str:
@@ -45,20 +46,25 @@ def anchor(outcome: Outcome) -> str:
 def verdicts(outcomes: Sequence[Outcome]) -> list[page.Verdict]:
     """One for each area that has cases, and one on the energy ledgers of them all."""
     made = []
-    names = [*AREAS, *(o.case.area for o in outcomes if o.case.area not in AREAS)]
-    for area in dict.fromkeys(names):
+    for area in _areas(outcomes):
         here = [o for o in outcomes if o.case.area == area]
         if here:
             made.append(page.Verdict(area, _kind(here), _sentence(here)))
     ledgers = [share for o in outcomes for share in o.findings.imbalance.values()]
     if ledgers:
         fine = all(share <= IMBALANCE for share in ledgers)
+        words = "closes" if fine else "does not close: it is off by up to"
         sentence = (
-            f"The energy balance of {len(ledgers)} runs closes within {max(ledgers):.0e} of the external work at every "
-            f"row (limit {IMBALANCE:.0e})."
+            f"The energy balance of {len(ledgers)} runs {words} {'within ' if fine else ''}{max(ledgers):.0e} of the "
+            f"external work at every row (limit {IMBALANCE:.0e})."
         )
         made.append(page.Verdict("Energy of the cases", "ok" if fine else "bad", sentence))
     return made
+
+
+def _areas(outcomes: Sequence[Outcome]) -> list[str]:
+    """The areas in their order, those of the cases last that have one of their own."""
+    return list(dict.fromkeys([*AREAS, *(o.case.area for o in outcomes)]))
 
 
 def _kind(here: Sequence[Outcome]) -> str:
@@ -96,7 +102,8 @@ def chapter(outcome: Outcome) -> page.Chapter:
     made.parts.append(page.preformatted(formula(case)))
     for k in range(0, len(findings.plots), 2):
         pair = findings.plots[k : k + 2]
-        made.parts.append(page.picture(figures.plots(pair), "; ".join(p.title for p in pair) + "."))
+        caption = "; ".join(p.title for p in pair) + "."
+        made.parts.append(page.picture(figures.plots(pair), caption, "half" if len(pair) == 1 else ""))
     if findings.checks:
         made.parts.append(page.table(CHECKS, map(_check, findings.checks), "What was measured and what it should be."))
     if findings.imbalance:
@@ -116,10 +123,10 @@ def _check(check: Check) -> list[str | page.Cell]:
     kind = "bad" if not check.holds else "warn" if check.too_loose else "ok"
     return [
         check.quantity,
-        f"{check.value:.8g}{unit}",
-        f"{check.reference:.8g}{unit}",
+        page.Cell(f"{check.value:.8g}{unit}", "number"),
+        page.Cell(f"{check.reference:.8g}{unit}", "number"),
         check.kind,
-        page.Cell(f"{check.error:+.1e}", kind, note),
+        page.Cell(f"{check.error:+.1e}", f"{kind} number", note),
         f"{check.tolerance:.0e}",
         f"{check.expected:.0e}",
         page.Cell(check.reason, "text"),

@@ -116,8 +116,11 @@ def short(text: str, length: int = 150) -> str:
     return first if len(first) <= length else first[: length - 1] + "…"
 
 
-def picture(figure: Any, caption: str) -> str:
-    """A matplotlib figure as an SVG inside the page: sharp in print, and no other file is needed."""
+def picture(figure: Any, caption: str, kind: str = "") -> str:
+    """A matplotlib figure as an SVG inside the page: sharp in print, and no other file is needed.
+
+    kind  "half" for one that is not to fill the width
+    """
     import matplotlib
 
     stream = io.BytesIO()
@@ -125,7 +128,8 @@ def picture(figure: Any, caption: str) -> str:
         figure.savefig(stream, format="svg", metadata={"Date": None})
     data = base64.b64encode(stream.getvalue()).decode()
     text = escape(caption)
-    return f'<figure><img alt="{text}" src="data:image/svg+xml;base64,{data}"><figcaption>{text}</figcaption></figure>'
+    image = f'<img alt="{text}" src="data:image/svg+xml;base64,{data}">'
+    return f'<figure class="{kind}">{image}<figcaption>{text}</figcaption></figure>'
 
 
 def folded(title: str, content: str) -> str:
