@@ -6,11 +6,11 @@ import re
 
 import pytest
 
+from verification.ladder import richardson, time_to
 from verification.report.__main__ import found, write
 from verification.report.page import Chapter, Verdict, escape, table
 from verification.studies import assumptions, couplet, energy_balance, stability
 from verification.studies.grids import Grid
-from verification.studies.ladders import richardson, time_to
 
 LIMITS = Grid(
     "Limits",

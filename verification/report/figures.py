@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator
 
 from verification.case import Line, Plot
+from verification.ladder import Point
 
 COLOURS = ("#1f3b5c", "#d7301f", "#2f8f4e", "#e07b00", "#7b4fa3", "#5b5b5b")
 MARKS = "osD^vP"
@@ -32,26 +33,36 @@ def plain_ticks(axis: Any, unit: str) -> None:
 
 
 def error_against_time(
-    panels: Mapping[str, Mapping[str, Sequence[tuple[float, float, str]]]], doubts: Sequence[float], floor: float
+    panels: Mapping[str, Mapping[str, Sequence[tuple[float, float, str]]]],
+    doubts: Sequence[float],
+    floor: float,
+    fronts: Mapping[str, Sequence[Point]],
 ) -> Figure:
     """Panel title -> knob -> (seconds, error, label of the rung): log-log, one line a knob.
 
     A knob whose name starts with "model" changes what is solved, and is drawn dashed. Errors below `floor` are drawn
-    on it. `doubts`: by panel, what the reference itself may be off by; shaded.
+    on it. `doubts`: by panel, what the reference itself may be off by; shaded. `fronts`: by panel title, the settings
+    that no other one beats.
     """
-    figure, axes = sheet(1, len(panels), (10.0, 4.4), sharey=True)
+    figure, axes = sheet(1, len(panels), (10.0 if len(panels) > 1 else 6.8, 4.4), sharey=True)
     places = ((4, 5), (-3, -11), (6, -4), (-4, 8))
     for one, (title, knobs), doubt in zip(axes.flat, panels.items(), doubts, strict=True):
         one.axhspan(0.0, 100.0 * doubt, color="0.92", linewidth=0)
         one.set(xscale="log", yscale="log", title=title, xlabel="seconds of stepping, one thread [s]")
         one.axhline(1.0, color="0.35", linewidth=0.9, linestyle=":")
+        best = [(p.seconds, max(100.0 * p.error, 100.0 * floor)) for p in fronts[title]]
+        one.plot(
+            *zip(*best, strict=True), color="0.8", linewidth=5.0, zorder=0, drawstyle="steps-post"
+        ) if best else None
         for k, (knob, rungs) in enumerate(knobs.items()):
             seconds, error, labels = zip(*rungs, strict=True)
             shown = [max(100.0 * abs(e), 100.0 * floor) for e in error]
             style = "--" if knob.startswith("model") else "-"
-            one.plot(seconds, shown, style, marker=MARKS[k], color=COLOURS[k], markersize=5, linewidth=1.4, label=knob)
+            mark, colour = MARKS[k % len(MARKS)], COLOURS[k % len(COLOURS)]
+            one.plot(seconds, shown, style, marker=mark, color=colour, markersize=5, linewidth=1.4, label=knob)
             for x, y, text in zip(seconds, shown, labels, strict=True):
-                one.annotate(text, (x, y), places[k], textcoords="offset points", fontsize=7, color=COLOURS[k])
+                place = places[k % len(places)]
+                one.annotate(text, (x, y), place, textcoords="offset points", fontsize=7, color=colour)
         plain_ticks(one.yaxis, " %")
         one.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         plain_ticks(one.xaxis, "")

@@ -57,9 +57,9 @@ def escape(text: Any) -> str:
     return html.escape(str(text))
 
 
-def heading(text: str) -> str:
-    """A heading within a chapter."""
-    return f"<h3>{escape(text)}</h3>"
+def heading(text: str, anchor: str = "") -> str:
+    """A heading within a chapter; `anchor` is its name for links."""
+    return f'<h3 id="{escape(anchor)}">{escape(text)}</h3>' if anchor else f"<h3>{escape(text)}</h3>"
 
 
 def paragraph(text: str, kind: str = "") -> str:
