@@ -5,7 +5,7 @@ A module of `verification.precision`, or the module of a case, holds PROBLEMS: t
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 from verification.studies.trial import Trial
@@ -24,6 +24,10 @@ class Reference:
     value: float
     kind: str
     uncertainty: float = 0.0
+
+    def doubted(self, by: float) -> "Reference":
+        """The same, off by at least so much."""
+        return replace(self, uncertainty=max(self.uncertainty, by))
 
 
 def stress_and_energy(one: Trial) -> dict[str, float]:

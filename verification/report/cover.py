@@ -11,7 +11,10 @@ from masonry.kernels.compiler import source_hash
 from verification.records import processor
 from verification.report.page import WORDS, Chapter, Verdict, badge, escape, paragraph, table
 
-AREAS = ("Closed forms", "Loading rate", "Stability", "Energy balance", "Assumptions")
+AREAS = (
+    *("Closed forms", "Loading rate", "Shipped settings", "Stability", "Leaving out"),
+    *("Energy balance", "Assumptions"),
+)
 PACKAGES = ("numpy", "scipy", "numba", "gmsh", "matplotlib")
 
 

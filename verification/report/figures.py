@@ -47,7 +47,8 @@ def error_against_time(
     figure, axes = sheet(1, len(panels), (10.0 if len(panels) > 1 else 6.8, 4.4), sharey=True)
     places = ((4, 5), (-3, -11), (6, -4), (-4, 8))
     for one, (title, knobs), doubt in zip(axes.flat, panels.items(), doubts, strict=True):
-        one.axhspan(0.0, 100.0 * doubt, color="0.92", linewidth=0)
+        if doubt > 0.0:
+            one.axhspan(0.0, 100.0 * doubt, color="0.92", linewidth=0)
         one.set(xscale="log", yscale="log", title=title, xlabel="seconds of stepping, one thread [s]")
         one.axhline(1.0, color="0.35", linewidth=0.9, linestyle=":")
         best = [(p.seconds, max(100.0 * p.error, 100.0 * floor)) for p in fronts[title]]

@@ -170,5 +170,6 @@ INTRODUCTION = (
     "of stepping on one thread, the least of three runs where a run takes less than two seconds; compiling and writing "
     "files are apart.",
     "Where there is no closed form the reference is the same scene at the slowest constant rate, and what it may "
-    "still be off by is estimated from three rates, each half the one before.",
+    "still be off by is estimated from three rates, each half the one before, and from how far the finest drive to an "
+    "accuracy is from it.",
 )

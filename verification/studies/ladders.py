@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 
 from verification import precision
 from verification.catalogue import modules
-from verification.ladder import Point, Problem, Reference, richardson
+from verification.ladder import ACCURACY, Point, Problem, Reference, richardson
 from verification.records import Record
 from verification.studies import trial
 from verification.studies.trial import Trial
@@ -46,12 +46,19 @@ class Study:
         self.records = [record for knob in self.trials for record in self._records(knob)]
 
     def _references(self) -> dict[str, Reference]:
-        """Of the scene as it is without a knob; `reference_of` asks again where a knob changes what is right."""
+        """What the numbers should be. A converged run is doubted by as much as the finest drive to an accuracy differs
+        from it: two ways to the same limit.
+        """
         if self.problem.exact is not None:
             one = next(t for runs in self.trials.values() for t in runs.values() if t.ok)
             return {q: Reference(value, self.problem.kind) for q, value in self.problem.exact(one).items()}
         runs = [self.problem.measure(t) for t in self.trials[self.problem.converged].values() if t.ok]
-        return {q: richardson([run[q] for run in runs]) for q in self.problem.units}
+        found = {q: richardson([run[q] for run in runs]) for q in self.problem.units}
+        paced = [t for t in self.trials.get(ACCURACY, {}).values() if t.ok]
+        if paced:
+            second = self.problem.measure(paced[-1])
+            found = {q: r.doubted(abs(second[q] - r.value)) for q, r in found.items()}
+        return found
 
     def _records(self, knob: str) -> Iterator[Record]:
         for label, one in self.trials[knob].items():
