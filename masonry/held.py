@@ -59,7 +59,10 @@ def _owner(layout: Layout, kind: str) -> np.ndarray:
 def _rigid_motions(
     layout: Layout, conditions: Conditions, member: np.ndarray, size: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(n, 6) what six rigid motions (turns of 1/size) do to the held freedoms; (6,) work of the dead loads on them."""
+    """(n, 6) what six rigid motions (turns of 1/size) do to the held freedoms; (6,) work of the dead loads on them.
+
+    Held turns and strains are taken times the size: all rows are then lengths, and the answer is the same in any unit.
+    """
     held, load = [np.zeros((0, 6))], np.zeros(6)
     for kind in KINDS:
         if layout.rows(kind) == 0:
@@ -67,7 +70,9 @@ def _rigid_motions(
         owner = _owner(layout, kind)
         motion = _motion_of_rows(layout, kind, owner, size)
         motion[~member[owner]] = 0.0
-        held.append(motion[conditions.prescribed[kind] & member[owner][:, None]])
+        alike = motion.copy()
+        alike[:, 3:] *= size
+        held.append(alike[conditions.prescribed[kind] & member[owner][:, None]])
         dead = conditions.load[kind]
         if dead is not None:
             load += np.einsum("ri,rim->m", dead, motion)
@@ -81,10 +86,13 @@ def _row_start(layout: Layout) -> np.ndarray:
 
 
 def _motion_of_rows(layout: Layout, kind: str, owner: np.ndarray, size: float) -> np.ndarray:
-    """(rows, freedoms, 6): each freedom under a unit move along, and a turn of 1/size about, x, y and z."""
+    """(rows, freedoms, 6): each freedom under a unit move along, and a turn of 1/size about, x, y and z.
+
+    Turns are about the middle of the specimen, wherever that stands.
+    """
     place = layout.mesh.nodes if kind == "tets" and layout.mesh is not None else layout.centroid[owner]
-    axes, identity = layout.axes[owner], np.eye(3)
-    moves = np.concatenate([np.broadcast_to(identity, (len(owner), 3, 3)), _cross(place) / size], axis=2)
+    axes, identity, arm = layout.axes[owner], np.eye(3), place - layout.centroid.mean(axis=0)
+    moves = np.concatenate([np.broadcast_to(identity, (len(owner), 3, 3)), _cross(arm) / size], axis=2)
     if kind == "tets":
         return moves
     none = np.zeros((len(owner), 3, 3))

@@ -55,6 +55,12 @@ class Model:
     def freedoms(self) -> int:
         return sum(body.v.size for body in self.bodies if body is not None)
 
+    def contact(self, c: int) -> str:
+        """A contact in words, to blame it in a message."""
+        a, b = self.joints.block_a[c], self.joints.block_b[c]
+        where = ", ".join(f"{x:.4g}" for x in self.joints.point[c])
+        return f"contact {c} ({self.group_names[self.group[c]]}) of blocks {a} and {b} at ({where}) m"
+
 
 def sort_by_group(blocks: Blocks, joints: Joints) -> tuple[tuple[str, ...], np.ndarray, Joints]:
     """Names of the contact groups, the (C,) group of each contact, and the joints, sorted by group."""

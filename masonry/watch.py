@@ -9,6 +9,7 @@ from masonry.errors import Stopped
 from masonry.history import Frame
 from masonry.kinematics.tets import mean_turn
 from masonry.model import Model
+from masonry.snap_back import SnapBack
 
 LEAP = 1e-2
 """A freedom that moves by more than this share of the smallest block in one step is not a motion but an instability."""
@@ -32,13 +33,15 @@ class Watch:
         self.affine = model.layout.members["affine"]
         self.nearest = nearest_nodes(model)
         self.tet_turn = np.zeros((len(model.layout.members["tets"]), 3))
+        self.snap_back = SnapBack(model)
 
     def check(self, step: int) -> None:
-        """Raise Stopped if a velocity is not finite or leaps, or if a block has turned beyond the limit."""
+        """Raise Stopped if a velocity is not finite or leaps, a block has turned too far, or a law snaps back."""
         speed, kind, row, i = self._fastest()
         if speed * self.model.dt > LEAP * self.size:
             self._stop_unstable(step, kind, row, i)
         self._check_rotation(step)
+        self.snap_back.check(step)
 
     def _fastest(self) -> tuple[float, str, int, int]:
         """Speed (m/s; turns and strains times the block size), kind, row and freedom of what moves fastest."""

@@ -1,5 +1,6 @@
 """Linear softening, eqs (12) and (13): G_I and G_II are the whole triangle, the elastic part included."""
 
+from math import inf, sqrt
 from typing import NamedTuple
 
 from numba.extending import register_jitable
@@ -41,6 +42,22 @@ def refuse(shape, interface, compressions):
         return None
     why = "the curve would snap back below (peak - residual shear strength)^2 / (2 shear stiffness)"
     return "fracture_energy_mode_2", f"{most[0]:.6g} N/m", f"{why}, at a compression of {most[1]:g} Pa"
+
+
+def largest_compression(shape, interface):
+    """Compression (Pa) beyond which G_II + slope sigma <= (peak - residual)^2/(2 ks), so that eq. (13) snaps back.
+
+    The greater root of b^2 sigma^2 + 2 p sigma + q = 0 with peak - residual = a + b sigma; infinite where the peak
+    loses no friction.
+    """
+    a = interface.cohesion - interface.residual_cohesion
+    b = interface.tan_friction - interface.tan_residual_friction
+    if b == 0.0:
+        return inf
+    p = a * b - interface.shear_stiffness * (shape.G_II_slope or 0.0)
+    q = a * a - 2.0 * interface.shear_stiffness * shape.G_II
+    root = sqrt(max(p * p - b * b * q, 0.0))
+    return -q / (p + root) if p > 0.0 else (root - p) / (b * b)
 
 
 def tension_intact(shape, interface, opening):

@@ -5,8 +5,8 @@ from math import atan, tan
 import numpy as np
 import pytest
 
-from tests.laws.driver import along, contact, law, walk
 from verification.closed_forms import LAWS, Joint, dissipated_in_shear, shear
+from verification.one_contact import along, contact, law, walk
 
 UM = 1e-6
 PSI = 0.1

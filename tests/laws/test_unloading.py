@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.laws.driver import along, law, walk
 from verification.closed_forms import LAWS, Joint, dissipated_in_tension, tension, unloaded
+from verification.one_contact import along, law, walk
 
 UM = 1e-6
 CYCLE = np.array([0.0, 20.0, 0.0, -8.0, 0.0, 20.0, 40.0]) * UM

@@ -10,12 +10,13 @@ from masonry.scene import load as load_scene
 from tests.mechanics.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
 
-def column(kinematics: str, fix: str, gravity: str) -> str:
+def column(kinematics: str, fix: str, gravity: str, scale: float = 1.0, away: float = 0.0) -> str:
     """Two blocks on each other, the lower one held in some directions, under a weight."""
-    boxes = [box(f"b{k}", (0, 0, 0.06 * k), (0.2, 0.1, 0.06), "units", k) for k in range(2)]
+    size = 0.2 * scale, 0.1 * scale, 0.06 * scale
+    boxes = [box(f"b{k}", (away, 0, size[2] * k), size, "units", k) for k in range(2)]
     return (
         f'kinematics = "{kinematics}"\n'
-        + specimen(boxes, 0.02, "100 mm")
+        + specimen(boxes, size[0] * size[1], f"{0.1 * scale!r} m")
         + tables("material", {"units": MATERIAL})
         + tables("contact", {"unit_unit": ELASTIC})
         + listed("support", [f'on = "b0"\nfix = {fix}'])
@@ -107,3 +108,11 @@ def test_cells_of_the_plane_may_turn_in_it_though_their_other_principal_axes_are
     assert held.sum(axis=1).tolist() == [1] * len(units)
     axis = built.model.layout.axes[units].transpose(0, 2, 1)[held]
     assert abs(abs(axis[:, 1]) - 1.0).max() < 1e-9
+
+
+@pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
+@pytest.mark.parametrize(("scale", "away"), [(1e-5, 0.0), (1e4, 0.0), (0.05, 1e3)])
+def test_what_is_held_is_held_at_any_size_and_at_any_place(kinematics, scale, away):
+    assert laboratory.check(load(column(kinematics, '"all"', 'z = "-9.81 m/s^2"', scale, away)))["blocks"] == 2
+    with pytest.raises(SceneError, match="block 0 .*not held along z"):
+        laboratory.check(load(column(kinematics, '["x", "y"]', 'z = "-9.81 m/s^2"', scale, away)))

@@ -59,6 +59,7 @@ def wall(columns: int = 2, courses: int = 2, size: tuple[float, float, float] = 
 
 
 def faces_of(blocks: Blocks, b: int) -> list[np.ndarray]:
+    """Corners (n, 3) m of each face of block b."""
     return [blocks.face(f) for f in blocks.faces_of(b)]
 
 

@@ -103,7 +103,8 @@ def walk(law: tuple, path: np.ndarray, state: ContactState | None = None) -> Wal
         _march(shape, interface, state, SIDES, NORMAL, AREA, path, u, force, view, seen)
     _answer_alike(seen, path)
     one = seen[:, 0]
-    return Walk(path, one[:, :3], one[:, 3:6], one[:, 6], *one[:, 7:10].T, one[:, 10:])
+    opening_max, intact_n, intact_s = one[:, 7:10].T
+    return Walk(path, one[:, :3], one[:, 3:6], one[:, 6], opening_max, intact_n, intact_s, one[:, 10:])
 
 
 def _answer_alike(seen: np.ndarray, path: np.ndarray) -> None:

@@ -8,12 +8,13 @@ import numpy as np
 from masonry import loads
 from masonry.bodies import KINDS, Material, lay_out
 from masonry.holds import Hold, held_freedoms
+from masonry.kernels.freedom import Guided
 from masonry.kernels.step import advance
 from masonry.laws.elastic import Elastic
 from masonry.laws.interface import Interface
 from masonry.loads import Push
 from masonry.model import Model, Stepping, build
-from tests.mechanics.shapes import Setup
+from verification.shapes import Setup
 
 STONE = Material(density=1900.0, young_modulus=5e9, poisson_ratio=0.2)
 GLUE = (Elastic(), Interface(normal_stiffness=2e11, shear_stiffness=8e10))
@@ -80,6 +81,7 @@ def free(model: Model) -> np.ndarray:
 
 
 def gather(values: dict[str, np.ndarray]) -> np.ndarray:
+    """(n,) all values by kind in one row."""
     return np.concatenate([np.asarray(v).ravel() for v in values.values()])
 
 
@@ -120,6 +122,7 @@ def stiffness_matrix(model: Model) -> np.ndarray:
 
 
 def mass_vector(model: Model) -> np.ndarray:
+    """(n,) masses of motion in the order of `gather`: kg, and kg m2 for turns and strains; 0 where held."""
     return np.concatenate([model.masses[kind].ravel() for kind, _ in present(model)])
 
 
@@ -133,6 +136,7 @@ def frequencies(model: Model) -> np.ndarray:
 
 def true_limit(model: Model) -> float:
     """2/w_max/sqrt(1 + xi) in seconds, from the exact stiffness matrix and the masses of motion."""
+    assert not isinstance(model.damping, Guided)
     return float(2.0 / frequencies(model)[-1] / np.sqrt(1.0 + (model.damping or 0.0)))
 
 

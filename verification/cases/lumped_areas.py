@@ -1,0 +1,67 @@
+"""Areas of contact points: they add up to the face, and carry its first moments.
+
+    on nodes of a mesh                      3 ______ 2       a triangle gives a third of its area to each corner, so a
+    (blocks of tets)                         |   / |         square cut along a diagonal gives 1/3 to the two corners on
+                                             | /   |         the diagonal and 1/6 to the two others; the first moments
+                                            0|/____|1        about the middle vanish all the same
+    "vertex", n points along an edge:        trapezoid weights 1/(n - 1), half at the ends
+    "gauss", n points along an edge:         exact to the power 2 n - 1
+
+Reference: by hand; integrals of polynomials over a square.
+"""
+
+import numpy as np
+
+from geometry.fan import mesh_by_fans
+from geometry.joints import find_joints
+from verification import shapes
+from verification.case import Case, Check, Findings
+
+SIDES = (0.2, 0.1)
+AREA = SIDES[0] * SIDES[1]
+ROUNDING = "sums of products: rounding"
+
+
+def moments(findings: Findings, words: str, point: np.ndarray, area: np.ndarray, second: float, exact: str) -> None:
+    """Sum, first moments and second moment along x about the middle of the face."""
+    arm = point[:, :2] - 0.5 * np.array(SIDES)
+    findings.checks += [
+        Check(f"{words}: sum", "m2", float(area.sum()), AREA, "closed form", 1e-13, 1e-15, ROUNDING),
+        Check(f"{words}: first moments, largest", "m3", float(np.abs(area @ arm).max()), 0.0, "closed form", 1e-13,
+              1e-15, ROUNDING, AREA * SIDES[0]),
+        Check(f"{words}: second moment over that of the face", "1",
+              float(area @ arm[:, 0] ** 2 / (AREA * SIDES[0] ** 2 / 12)), second, "closed form", 1e-13, 1e-15, exact),
+    ]  # fmt: skip
+
+
+def run() -> Findings:
+    """Rules of points on a rectangle, nodes of two meshes, and a triangle."""
+    found = Findings()
+    blocks = shapes.stack([0.05, 0.05], SIDES)
+    for n in (2, 3, 4, 9):
+        joints = find_joints(blocks, rule="vertex", points_per_edge=n)
+        moments(found, f"vertex, {n} x {n} points", joints.point, joints.area, 1 + 2 / (n - 1) ** 2,
+                "1 + 2/(n - 1)^2 for n - 1 equal cells: rounding")  # fmt: skip
+        joints = find_joints(blocks, points_per_edge=n)
+        moments(found, f"gauss, {n} x {n} points", joints.point, joints.area, 1.0, "exact from two points on: rounding")
+    fan = mesh_by_fans(blocks, np.array([True, True]), find_joints(blocks))[1]
+    corner = np.array([(x, y) for x in (0.0, SIDES[0]) for y in (0.0, SIDES[1])])
+    share = np.sort([fan.area[np.abs(fan.point[:, :2] - c).max(axis=1) < 1e-12].sum() / AREA for c in corner])
+    for k, wanted in enumerate((1 / 6, 1 / 6, 1 / 3, 1 / 3)):
+        found.checks.append(
+            Check(f"two triangles: share of corner {k + 1} in order", "1", float(share[k]), wanted, "closed form",
+                  1e-13, 1e-15, ROUNDING)
+        )  # fmt: skip
+    for size in (1.0, 0.03, 0.011):
+        joints = shapes.setup(blocks, ["tets", "tets"], mesh_size=size).joints
+        arm = joints.point[:, :2] - 0.5 * np.array(SIDES)
+        words = f"mesh of {1e3 * size:g} mm, {len(joints.area)} nodes on the face"
+        found.checks += [
+            Check(f"{words}: sum", "m2", float(joints.area.sum()), AREA, "closed form", 1e-13, 1e-15, ROUNDING),
+            Check(f"{words}: first moments, largest", "m3", float(np.abs(joints.area @ arm).max()), 0.0, "closed form",
+                  1e-13, 1e-15, ROUNDING, AREA * SIDES[0]),
+        ]  # fmt: skip
+    return found
+
+
+CASE = Case("lumped-areas", "A4", "Areas of contact points", area="Elastic assemblies", run=run, quick=True)

@@ -1,0 +1,56 @@
+"""One contact that slides, turns back, and slides the other way, under constant compression.
+
+    tau        ___
+              /   \\___ 80 um        back along k_s to -tau(80 um), then on at that strength to -80 um,
+       ______/_______/____ u         from there on along the mirrored envelope
+            /       /
+      _____/_______/
+
+Strength lost one way is lost the other way: the softening variable is the slip from the start. A loop dissipates its
+area, D(80 um) + tau (160 um - 2 tau/k_s) on returning to -80 um.
+
+Reference: by hand from eqs (8), (13), (15), (17) of the paper.
+"""
+
+import numpy as np
+
+from verification.case import Case, Check, Findings, Line, Plot
+from verification.closed_forms import Joint, dissipated_in_shear, shear
+from verification.single_shear import slid
+from verification.single_tension import UM
+
+JOINT = Joint()
+COMPRESSION = 0.5e6
+LAWS = ("linear", "polynomial", "exponential")
+
+
+def run() -> Findings:
+    """Stress on the way back, and the area of the loop."""
+    found, lines = Findings(), []
+    us0 = float(JOINT.peak(COMPRESSION)) / JOINT.ks
+    for name in LAWS:
+        top = float(shear(name, JOINT, 80 * UM, COMPRESSION))
+        walked = slid(name, COMPRESSION, us0, 80 * UM, -80 * UM, -120 * UM)
+        x = walked.path[:, 0]
+        turn, again = int(np.argmax(x)), int(np.argmin(np.abs(x + 80 * UM)))
+        back = np.maximum(top - JOINT.ks * (80 * UM - x), -top)
+        wanted = np.where(x >= -80 * UM, back, -shear(name, JOINT, -x, COMPRESSION))[turn:]
+        off = float(np.abs(walked.stress[turn:, 0] - wanted).max())
+        loop = float(dissipated_in_shear(name, JOINT, 80 * UM, COMPRESSION)) + top * (160 * UM - 2 * top / JOINT.ks)
+        trapezoid = float(np.trapezoid(shear(name, JOINT, x[: turn + 1], COMPRESSION), x[: turn + 1]))
+        trapezoid += 0.5 * JOINT.ks * x[0] ** 2 - 0.5 * top**2 / JOINT.ks
+        expected = abs(trapezoid - float(dissipated_in_shear(name, JOINT, 80 * UM, COMPRESSION))) / loop
+        rough = expected > 1e-13
+        reason = "three times the error of the trapezoid on the way out; on the way back it is exact"
+        found.checks += [
+            Check(f"stress after the turn, {name}, largest deviation", "Pa", off, 0.0, "closed form", 1e-12, 1e-14,
+                  "the same straight lines and envelope: rounding", top),
+            Check(f"dissipated in the loop, {name}", "J/m2", float(walked.dissipated[again]), loop, "closed form",
+                  3 * expected if rough else 1e-12, expected if rough else 1e-14, reason),
+        ]  # fmt: skip
+        lines.append(Line(name, 1e6 * x, 1e-6 * walked.stress[:, 0]))
+    found.plots.append(Plot("Slip that turns back", "slip (um)", "shear stress (MPa)", tuple(lines)))
+    return found
+
+
+CASE = Case("slip-reversal", "2.2", "One contact that slides forth and back", area="Contact laws", run=run, quick=True)

@@ -1,0 +1,100 @@
+"""A triplet of rigid units: the middle one is pushed, and both joints resist.
+
+       s s s s s s
+      |___________|        F = 2 A tau(u),  tau as of one joint under s
+      |___________| -> F   (the upper unit may rise but not slide or turn, the lower one is held)
+      |___________|
+       ///////////
+
+Reference: eqs (8), (17) of the paper; statics.
+"""
+
+import numpy as np
+
+from verification.case import Case, Check, Findings, Line, Plot
+from verification.closed_forms import Joint, dissipated_in_shear, shear
+from verification.scene_text import run as run_text
+from verification.single_shear import around_the_peak
+
+AREA, S = 0.2 * 0.05, 0.5e6
+SCENE = """
+law = "exponential"
+kinematics = "rigid"
+confinement = "0.5 MPa"
+[specimen]
+kind = "boxes"
+section = "0.01 m^2"                # of one joint
+box = [
+  {name = "bottom", origin = ["0 m", "0 m", "0 mm"], size = ["200 mm", "50 mm", "50 mm"], unit = 0},
+  {name = "middle", origin = ["0 m", "0 m", "50 mm"], size = ["200 mm", "50 mm", "50 mm"], unit = 1},
+  {name = "top", origin = ["0 m", "0 m", "100 mm"], size = ["200 mm", "50 mm", "50 mm"], unit = 2},
+]
+[material.units]
+density = "1900 kg/m^3"
+[contact.unit_unit]
+normal_stiffness = "150 GPa/m"
+shear_stiffness = "70 GPa/m"
+tensile_strength = "0.58 MPa"
+cohesion = "0.87 MPa"
+tan_friction_angle = 1.01
+residual_cohesion = "0 Pa"
+tan_residual_friction_angle = 0.73
+fracture_energy_mode_1 = "5.8 N/m"
+fracture_energy_mode_2 = "58 N/m"
+fracture_energy_mode_2_slope = "130 N/m/MPa"
+[[support]]
+on = "bottom"
+fix = "all"
+[[support]]
+on = "middle"
+fix = ["y", "rotation"]
+[[support]]
+on = "top"
+fix = ["x", "y", "rotation"]
+[[traction]]
+on = "top.z+"
+stress = {z = "-confinement"}
+[settle]
+steps = 8000
+[drive]
+on = "middle"
+direction = "x"
+displacement = "1 mm"
+steps = 20000
+[solver]
+rows = 600
+"""
+
+
+def run() -> Findings:
+    """Force on the middle unit, and what both joints dissipate."""
+    found, joint, kind = Findings(), Joint(), "closed form"
+    result = found.note("triplet", run_text(SCENE))
+    rows = result.history.rows
+    moved = rows["displacement"] > 0.0
+    slip, force = rows["displacement"][moved], AREA * rows["stress"][moved]
+    wanted = 2 * AREA * shear("exponential", joint, slip, S)
+    peak = 2 * AREA * float(joint.peak(S))
+    energy = result.summary["energy_j"]
+    spent = energy["fracture_mode_1"] + energy["fracture_mode_2"] + energy["friction"]
+    gone = 2 * AREA * float(dissipated_in_shear("exponential", joint, slip[-1], S))
+    missed, rough = around_the_peak("exponential", joint, S, rows)
+    rough *= 2 * AREA / gone
+    found.checks += [
+        Check("peak force", "N", AREA * result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
+              "the step that misses the peak, at most du k_s q/(k_s + q)"),
+        Check("force at every slip, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0, kind, 1e-12,
+              1e-13, "what the settled confinement still swings by, and rounding", peak),
+        Check("dissipated by both joints", "J", spent, gone, kind, 3 * rough, rough,
+              "the trapezoid: of the envelope, and of the corner at the peak that no step hits"),
+    ]  # fmt: skip
+    some = slice(None, None, 20)
+    lines = (
+        Line("triplet", 1e3 * slip, 1e-3 * force),
+        Line("2 A tau", 1e3 * slip[some], 1e-3 * wanted[some], "points"),
+    )
+    found.plots.append(Plot("Triplet under 0.5 MPa", "slip (mm)", "force (kN)", lines))
+    return found
+
+
+CASE = Case("triplet", "A8", "Triplet of rigid units", area="Contact laws", run=run, quick=True, scene=SCENE)

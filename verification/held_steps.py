@@ -1,0 +1,50 @@
+"""Quasi-static runs to many digits: the drive moves in smooth increments, and waits after each until all is at rest."""
+
+import tempfile
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from geometry.block_file import save_blocks
+from geometry.blocks import Specimen, TetMesh
+from masonry import laboratory, scene, timeloop
+from masonry.assembly import Assembly, assemble
+from masonry.loads import Program, smooth
+from masonry.results import Result
+
+
+def assembled(text: str, specimen: Specimen | None = None, mesh: TetMesh | None = None) -> Assembly:
+    """The model of a scene's text; the text of a made specimen says kind = "file" and path = "made.blocks.h5"."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "case.toml"
+        path.write_text(text, encoding="utf-8")
+        if specimen is not None:
+            save_blocks(Path(folder) / "made.blocks.h5", specimen, mesh)
+        return assemble(scene.load(path))
+
+
+def run(assembly: Assembly, places: Sequence[float], move: int, wait: int, settle: int = 0) -> Result:
+    """Drive an assembly through `places` (m, growing, without sign), `move` steps to each and `wait` steps at each.
+
+    settle  waits before the drive starts, each of move + wait steps, in the first half of which dead loads rise
+    Rows of the history: one at the start, one after each wait. The scene's own drive gives direction and sign alone.
+    """
+    plan = program(assembly, places, move, wait, settle)
+    recording = replace(assembly.recording, rows=settle + len(places))
+    outcome = timeloop.run(assembly.model, plan, recording)
+    return laboratory.result_of(replace(assembly, plan=plan, recording=recording), outcome)
+
+
+def program(assembly: Assembly, places: Sequence[float], move: int, wait: int, settle: int) -> Program:
+    """Velocities whose sums are the increments exactly; each rises and falls smoothly (its integral is a quintic)."""
+    sign = assembly.scene.drive.sign if assembly.scene.drive else 1.0
+    whole, first = move + wait, settle * (move + wait)
+    shape = np.diff(smooth(np.arange(move + 1) / move))
+    speed = np.zeros(first + whole * len(places) + 1)
+    for k, step in enumerate(np.diff(places, prepend=0.0)):
+        start = first + k * whole + 1
+        speed[start : start + move] = sign * step * shape / assembly.model.dt
+    dead = smooth(np.arange(len(speed)) / max(0.5 * first, 1.0)) if settle else np.zeros(len(speed))
+    return Program(dead, speed, first, 0)

@@ -1,0 +1,37 @@
+"""Scenes from text, with blocks and tets made in Python where the text says kind = "file"."""
+
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from geometry.block_file import save_blocks
+from geometry.blocks import Specimen, TetMesh
+from masonry import laboratory, scene
+from masonry.errors import Stopped
+from masonry.results import Result
+
+
+def run(
+    text: str,
+    overrides: Mapping[str, Any] | None = None,
+    specimen: Specimen | None = None,
+    mesh: TetMesh | None = None,
+) -> Result:
+    """Run a scene of TOML text; the text of a made specimen says `path = "made.blocks.h5"`."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "case.toml"
+        path.write_text(text, encoding="utf-8")
+        if specimen is not None:
+            save_blocks(Path(folder) / "made.blocks.h5", specimen, mesh)
+        return laboratory.run(scene.load(path, dict(overrides or {})))
+
+
+def run_to_the_end_or_the_stop(
+    text: str, overrides: Mapping[str, Any] | None = None, specimen: Specimen | None = None
+) -> tuple[Result, bool]:
+    """The result, and whether the run was stopped: a mechanism turns or leaps out of what can be trusted."""
+    try:
+        return run(text, overrides, specimen), False
+    except Stopped as stop:
+        return stop.result, True
