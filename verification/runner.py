@@ -21,7 +21,7 @@ def run(cases: Sequence[Case], workers: int = WORKERS, tell: Tell | None = None,
     tell     is called with a line for each case that ends
     limit    seconds after which a case is an error; kept by worker processes only
     """
-    watch = Watch(len(cases), min(max(workers, 1), max(len(cases), 1)), tell)
+    watch = Watch(cases, tell)
     if workers <= 0:
         return [watch.seen(run_case(case)) for case in cases]
     done: dict[str, Outcome] = {}
@@ -59,8 +59,9 @@ def given_up(worker: Worker, limit: float) -> Outcome:
 class Watch:
     """Counts what is done and says how much time is left, from the time that the others took."""
 
-    def __init__(self, total: int, workers: int, tell: Tell | None) -> None:
-        self.total, self.workers, self.tell = total, workers, tell
+    def __init__(self, cases: Sequence[Case], tell: Tell | None) -> None:
+        self.total, self.tell = len(cases), tell
+        self.margin = max((len(case.name) for case in cases), default=0)
         self.seconds: list[float] = []
         self.begun = time.perf_counter()
 
@@ -73,7 +74,7 @@ class Watch:
             rest = f"about {duration(passed / count * left)} left" if left else f"{duration(passed)} in all"
             width = len(str(self.total))
             self.tell(
-                f"[{count:>{width}}/{self.total}] {outcome.case.name:<28} {outcome.status:<9} "
+                f"[{count:>{width}}/{self.total}] {outcome.case.name:<{self.margin}}  {outcome.status:<9} "
                 f"{duration(outcome.seconds):>11}   {rest}"
             )
         return outcome

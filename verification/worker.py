@@ -26,7 +26,7 @@ def run_case(case: Case) -> Outcome:
         findings = case.run()
         status, reason = judge(findings)
     except RequiredFeature as lacking:
-        status, reason = "NOT BUILT", f"the solver lacks {str(lacking) or 'a feature'}"
+        status, reason = "NOT BUILT", f"needs {str(lacking) or 'a feature'}"
     except EXPECTED as error:
         status, reason = "ERROR", f"{type(error).__name__}: {error}"
     except Exception as error:

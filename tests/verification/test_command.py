@@ -30,7 +30,7 @@ def test_the_quick_cases_hold_and_what_is_not_built_is_said(capsys):
     assert verify() == 0
     said = capsys.readouterr()
     assert "joint-in-shear" in said.out and "+4.0e-04" in said.out and "joint-in-tension" not in said.out
-    assert "Not built:\n  large-turns: the solver lacks large rotations" in said.out
+    assert "Not built:\n  large-turns: needs large rotations" in said.out
     assert "1 of 2 cases hold (1 numbers), 1 not built" in said.out
     assert "[1/2] joint-in-shear" in said.err
 

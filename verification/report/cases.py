@@ -77,7 +77,7 @@ def _sentence(here: Sequence[Outcome]) -> str:
     """How many hold, which is the nearest to its tolerance, and what does not hold."""
     built = [o for o in here if o.status != "NOT BUILT"]
     holds, checks = sum(o.status == "PASS" for o in built), [c for o in built for c in o.findings.checks]
-    said = [f"{holds} of {len(built)} cases hold, {len(checks)} numbers"]
+    said = [f"{holds} of {len(built)} cases hold, {len(checks)} numbers"] if built else []
     if holds == len(built) and checks:
         used, name = max((c.used, o.case.title) for o in built for c in o.findings.checks)
         said.append(f"the tightest takes up {100 * used:.0f} % of its tolerance ({name})")
@@ -113,7 +113,7 @@ def chapter(outcome: Outcome) -> page.Chapter:
     return made
 
 
-CHECKS = ("quantity", "value", "reference", "kind of reference", "error", "tolerance", "expected", "why this tolerance")
+CHECKS = ("quantity", "value", "reference", "error", "tolerance", "why this tolerance")
 RUNS = ("run", "steps", "seconds of stepping", "energy residual / external work", "kinetic / internal energy")
 
 
@@ -123,12 +123,10 @@ def _check(check: Check) -> list[str | page.Cell]:
     kind = "bad" if not check.holds else "warn" if check.too_loose else "ok"
     return [
         check.quantity,
-        page.Cell(f"{check.value:.8g}{unit}", "number"),
-        page.Cell(f"{check.reference:.8g}{unit}", "number"),
-        check.kind,
+        page.Cell(f"{check.value:.7g}{unit}", "number"),
+        page.Cell(f"{check.reference:.7g}{unit}", "number", check.kind),
         page.Cell(f"{check.error:+.1e}", f"{kind} number", note),
-        f"{check.tolerance:.0e}",
-        f"{check.expected:.0e}",
+        page.Cell(f"{check.tolerance:.0e}", "number", f"expected {check.expected:.0e}"),
         page.Cell(check.reason, "text"),
     ]
 

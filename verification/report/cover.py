@@ -9,7 +9,7 @@ from string import Template
 from masonry import __version__
 from masonry.kernels.compiler import source_hash
 from verification.records import processor
-from verification.report.page import WORDS, Chapter, Verdict, badge, escape, paragraph, table
+from verification.report.page import WORDS, Chapter, badge, escape, paragraph, table
 
 AREAS = (
     *("Closed forms", "Loading rate", "Shipped settings", "Stability", "Leaving out"),
@@ -43,9 +43,10 @@ def html_of(chapters: list[Chapter], seconds: float) -> str:
 def cover(chapters: list[Chapter], seconds: float) -> str:
     """Verdict per area, what they mean, and where the numbers come from."""
     said = {v.area: v for c in chapters for v in c.verdicts}
-    areas = [*(area for area in said if area not in AREAS), *AREAS]
-    verdicts = [said.get(area, Verdict(area, "none", "Not part of this report.")) for area in areas]
+    missing = [area for area in AREAS if area not in said]
+    verdicts = [*(v for area, v in said.items() if area not in AREAS), *(said[area] for area in AREAS if area in said)]
     rows = [[v.area, badge(v.kind), v.sentence] for v in verdicts]
+    rows += [["Other areas", badge("none"), f"Not part of this report: {', '.join(missing)}."]] if missing else []
     lead = (
         "How far the results of this program can be trusted: the error of solving the model, set beside the run time "
         "that it costs, and how far the answer moves with what has to be assumed."
