@@ -123,11 +123,12 @@ def _answer_alike(seen: np.ndarray, path: np.ndarray) -> None:
 
 @jit
 def _march(shape, interface, state, sides, normal, area, path, u, force, view, seen):
+    first, last = np.uint32(0), np.uint32(len(area))  # as in a model, so that what it compiled serves here too
     for k in range(len(path)):
         for i in range(3):
             u[1, i] = path[k, i]
-        sweep(None, shape, interface, state, 0, len(area), sides, normal, area, u, force)
-        stored = observe(shape, interface, state, 0, len(area), sides, normal, area, u, force, view) / len(area)
+        sweep(None, shape, interface, state, first, last, sides, normal, area, u, force)
+        stored = observe(shape, interface, state, first, last, sides, normal, area, u, force, view) / len(area)
         for which, c in enumerate((0, len(area) - 1)):
             seen[k, which, 6] = stored
             for i in range(3):

@@ -67,7 +67,7 @@ def energies(findings: Findings, name: str, joint: Joint, area: Callable[[float]
             off.append(float(found.work[-1] - found.stored[-1]) - wanted)
         slip = np.concatenate([[0.0], found.path[:, 0]])
         trapezoid = float(np.trapezoid(shear(name, joint, slip, compression), slip))
-        expected = abs(trapezoid - found.tau[-1] ** 2 / (2 * joint.ks) - total) / total
+        expected = abs(trapezoid - (left + residual) ** 2 / (2 * joint.ks) - total) / total
         friction = residual * float(found.slip[-1, 0])
         findings.checks += [
             Check(f"dissipated at 1 mm {at}", "J/m2", wanted + off[2], wanted, kind, 3 * expected, expected,

@@ -139,13 +139,13 @@ def recoverable(findings: Findings, name: str, joint: Joint) -> None:
     )  # fmt: skip
 
 
-def least_energy(key: str, most: float, **changes) -> float:
-    """Least fracture energy (N/m) that the linear law accepts, by bisection between 0 and `most`."""
+def least_accepted(name: str, key: str, most: float, **changes: float) -> float:
+    """Least value (SI) of a property that a law accepts, by bisection between 0 and `most`."""
     low, high = 0.0, most
     for _ in range(60):
         middle = 0.5 * (low + high)
         try:
-            law("linear", **changes, **{key: middle})
+            law(name, **{**changes, key: middle})
             high = middle
         except SceneError:
             low = middle

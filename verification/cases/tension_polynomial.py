@@ -3,15 +3,15 @@
     t(u) = f_T (A/(A - u0 + u))^alpha beyond u0 = f_T/k_n,  A = 2 G/f_T
 
 Work up to an opening U, after the peak: 2 G/(alpha - 1) [1 - (A/(A + U - u0))^(alpha - 1)]; in all G [2/(alpha-1) + r]
-with r = f_T^2/(2 k_n G). First softening slope: alpha f_T^2/(2 G). alpha must be above 1, or the energy is infinite.
-Unloading along the secant to the origin; compression with k_n.
+with r = f_T^2/(2 k_n G). First softening slope: alpha f_T^2/(2 G). Unloading along the secant to the origin;
+compression with k_n. alpha, and beta in shear, must be above 1, or the energy is infinite: refused.
 
 Reference: eq. (14) of the paper; areas by hand.
 """
 
-from verification.case import Case, Findings
+from verification.case import Case, Check, Findings
 from verification.closed_forms import Joint
-from verification.single_tension import UM, cycle, envelope, first_slope, recoverable, works
+from verification.single_tension import UM, cycle, envelope, first_slope, least_accepted, recoverable, works
 
 JOINT = Joint()
 
@@ -32,6 +32,11 @@ def run() -> Findings:
     )
     cycle(found, "polynomial", JOINT)
     recoverable(found, "polynomial", JOINT)
+    for key, sign in (("exponent_tension", "alpha"), ("exponent_shear", "beta")):
+        found.checks.append(
+            Check(f"least {sign} that is accepted", "1", least_accepted("polynomial", key, 10.0), 1.0, "closed form",
+                  1e-13, 1e-15, "bisection of a comparison: rounding")
+        )  # fmt: skip
     return found
 
 
