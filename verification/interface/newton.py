@@ -13,6 +13,8 @@ from verification.interface.points import History, tangent, traction, unharmed
 
 Array = np.ndarray
 ROUNDS, HALVINGS = 40, 9
+NEARLY_GONE = 0.02
+"""Share of the tensile strength below which a point no longer counts as softening."""
 TOLERANCE, ENOUGH = 1e-12, 1e-9
 """Of the largest force so far: residual that is aimed at, and that is taken where rounding lets it fall no further."""
 
@@ -56,6 +58,29 @@ class Path:
         with self.blas.limit(limits=1, user_api="blas"):  # small systems: threads would only wait for each other
             self._go(target, dead, HALVINGS)
         return self.state
+
+    def open_by(self, amount: float) -> State:
+        """The equilibrium where the points that soften now have opened by `amount` (m) more in the mean.
+
+        Where none softens yet, those nearest to it count. This passes snap-backs that go with single elements.
+        """
+        weights, area = np.zeros(len(self.model.held)), 0.0
+        u = self.system.model.driven * self.state.factor
+        u[self.system.kept] = self.state.q
+        openings = [np.einsum("ni,ni->n", (j.jump @ u).reshape(-1, 3), j.normal) for j in self.model.joints]
+        used = [e / j.law.opening_at_peak for e, j in zip(openings, self.model.joints, strict=True)]
+        most = min(1.0, max(float(e.max(initial=0.0)) for e in used))
+        for joint, e, history in zip(self.model.joints, used, self.state.histories, strict=True):
+            share = joint.weight * ((e >= 0.9 * most) & (history.tension > NEARLY_GONE))
+            weights += joint.jump.T @ (share[:, None] * joint.normal).ravel()
+            area += share.sum()
+        self.row = self.system.row(weights / max(area, 1e-300))
+        self.reached = float(
+            self.row[0] @ self.state.q + self.row[1] * self.state.factor + self.row[2] * self.state.dead
+        )
+        if self.earlier is not None:
+            self.earlier = self.reached - amount, self.earlier[1]
+        return self.go(self.reached + amount)
 
     def _go(self, target: float, dead: float, halvings: int) -> None:
         start, begun, share = self.state, self.reached, self.state.dead

@@ -85,7 +85,7 @@ def tangent(law: Law, history: History, normal: Array, jump: Array) -> Array:
     if law.kind == "elastic":
         nn = normal[:, :, None] * normal[:, None, :]
         return law.kn * nn + law.ks * (np.eye(3) - nn)
-    h = 1e-6 * max(law.opening_at_peak, law.c0 / law.ks)
+    h = 1e-6 * min(length for length in (law.opening_at_peak, law.c0 / law.ks) if length > 0.0)
     shift = h * np.concatenate([np.eye(3), -np.eye(3)])[:, None, :]
     moved = traction(law, history, normal, jump + shift)[0]
     return np.moveaxis(moved[:3] - moved[3:], 0, -1) / (2.0 * h)
