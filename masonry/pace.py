@@ -8,6 +8,7 @@ from masonry.guide import Guide
 from masonry.loads import Controlled, Program, smooth
 from masonry.model import Model
 from masonry.utilisation import utilisation
+from masonry.watch import LEAP, smallest_block
 
 LONGEST_CHUNK = 200
 """Steps between two looks at the motion: an instability then cannot grow into infinities unseen."""
@@ -100,6 +101,7 @@ class ControlledPace:
         self.sign = -1.0 if plan.displacement < 0 else 1.0
         self.unit = min(plan.accuracy, FINE * (plan.accuracy / FINE) ** BLUNT)
         whole = self.goal / (STEPS * model.dt)
+        self.leap = 0.5 * LEAP * smallest_block(model) / model.dt
         self.slowest, self.target, self.steps = whole / FINEST, whole * FIRST, STEPS
         self.speed = self.moved = self.made = self.used = 0.0
         self.most_stored = self.stored = self.broken = self.most_force = 0.0
@@ -145,7 +147,7 @@ class ControlledPace:
             factor = self.through_damage(stored, broken, abs(force - support), terms)
         self.stored, self.broken = stored, broken
         self.steps = FEW if abs(terms["kinetic"]) <= STILL * stored else STEPS
-        fastest = self.goal / (COARSEST * self.steps * self.dt)
+        fastest = min(self.goal / (COARSEST * self.steps * self.dt), self.leap)
         self.target = float(np.clip(self.target * factor, self.slowest, fastest))
 
     def towards_damage(self, used: float) -> float:

@@ -7,9 +7,10 @@ from typing import Any
 from masonry.progress import duration
 
 WIDTH = 110
-MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED = 0.02, 0.05, 1e-9, 0.01, 0.01
-"""Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, and the difference
-between the energy that the laws booked and the work that the contacts took up."""
+MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-9, 0.01, 0.01, 0.01
+"""Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference
+between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
+how far contacts close over the size of their blocks."""
 
 
 def check_text(report: dict[str, Any]) -> str:
@@ -85,6 +86,11 @@ def trust(summary: dict[str, Any]) -> str:
     if (summary.get("unbalanced_after_settling") or 0.0) > UNBALANCED:
         share = summary["unbalanced_after_settling"]
         doubts.append(f"the dead loads had not come to rest ({share:.2g} of them unbalanced): raise settle.steps")
+    if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
+        doubts.append(
+            f"contacts close by up to {overlap:.2g} of a block's size: the normal stiffness is too low for this load"
+        )
+    doubts += summary.get("warnings") or []
     slow = (
         ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),
         ("kinetic_over_internal_max", KINETIC, "kinetic energy reaches {:.2g} of the internal"),

@@ -70,6 +70,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
         "rotation_max_rad": outcome.rotation_max,
+        "overlap_max": outcome.overlap_max,
         "section_m2": assembly.specimen.section,
         "interrupted": outcome.interrupted,
         "stopped": outcome.stopped,

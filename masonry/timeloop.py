@@ -16,6 +16,7 @@ from masonry.history import UNITS, Frame, History
 from masonry.kernels.step import advance, reaction
 from masonry.loads import Controlled, Program
 from masonry.model import Model
+from masonry.overlap import Overlap
 from masonry.pace import Chunk, Pace, pace_of
 from masonry.watch import Watch, frame_of
 
@@ -25,8 +26,9 @@ FRAMES = 24
 
 @dataclass
 class Outcome:
-    """What the loop found besides the rows: the peak seen at any step, the largest rotation, the times, and the force
-    that was still unbalanced when the dead loads had settled, over the dead loads.
+    """What the loop found besides the rows: the peak seen at any step, the largest rotation, the times, the force
+    that was still unbalanced when the dead loads had settled, over the dead loads, and how far a contact closed, over
+    the extent of its thinner block.
     """
 
     history: History
@@ -36,6 +38,7 @@ class Outcome:
     seconds_compile: float = 0.0
     rotation_max: float = 0.0
     unbalanced: float = 0.0
+    overlap_max: float = 0.0
     steps: int = 0
     interrupted: bool = False
     stopped: str = ""
@@ -135,6 +138,7 @@ class _Loop:
         self.place = 0.0
         self.rows: list[list[float]] = []
         self.watch = Watch(model, recording.rotation_limit)
+        self.overlap = Overlap(model)
         self.frames: list[Frame] = []
         self.peak_frame: Frame | None = None
         self.highest_row = -np.inf
@@ -192,6 +196,8 @@ class _Loop:
         force = area * self.recording.sign
         self.pace.look(stress * force, -support * force, view.seen, terms)
         self.outcome.rotation_max = self.watch.rotation
+        self.overlap.look(view.seen[:, 0])
+        self.outcome.overlap_max = self.overlap.largest
         higher = stress > self.highest_row and step > 0
         if frame_due or higher:
             frame = frame_of(model, view, step, place, self.watch.nearest)

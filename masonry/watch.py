@@ -29,7 +29,7 @@ class Watch:
         self.rotation_limit = rotation_limit
         self.rotation = 0.0
         self.work = 0.0
-        self.size = float(np.cbrt(model.layout.volume.min()))
+        self.size = smallest_block(model)
         self.affine = model.layout.members["affine"]
         self.nearest = nearest_nodes(model)
         self.tet_turn = np.zeros((len(model.layout.members["tets"]), 3))
@@ -100,6 +100,11 @@ class Watch:
                     f"solver.rotation_limit = {self.rotation_limit:g}; displacements are linear in rotations here, "
                     "with an error of half their square"
                 )
+
+
+def smallest_block(model: Model) -> float:
+    """Edge (m) of a cube of the volume of the smallest block."""
+    return float(np.cbrt(model.layout.volume.min()))
 
 
 def frame_of(model: Model, view: Observation, step: int, displacement: float, nearest: np.ndarray | None) -> Frame:

@@ -36,8 +36,8 @@ FLOORS = {
         packages="numpy numba llvmlite",
     ),
     "run": Floor(
-        "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back masonry.energy"
-        " masonry.history masonry.progress masonry.checkpoint"
+        "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
+        " masonry.overlap masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.results masonry.archive masonry.folder masonry.fields"
         " masonry.plot masonry.picture masonry.cracks masonry.deformation",
         sees="run model equations errors geometry",

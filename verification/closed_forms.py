@@ -173,7 +173,7 @@ def shear_work(law: str, joint: Joint, slip: ArrayLike, compression: ArrayLike) 
         w = 2.0 * g2 / peak
         above = drop * w / (joint.beta - 1.0) * (1.0 - (1.0 + past / w) ** (1.0 - joint.beta))
     elif law == "exponential":
-        above = drop * past if joint.c0 == 0.0 else drop * g2 / joint.c0 * (1.0 - np.exp(-past * joint.c0 / g2))
+        above = drop * past if joint.c0 == 0.0 else -drop * g2 / joint.c0 * np.expm1(-past * joint.c0 / g2)
     else:
         raise ValueError(f"no closed form for law '{law}'")
     return elastic + above + residual * past

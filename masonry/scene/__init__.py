@@ -28,7 +28,7 @@ def load(path_or_name: str | Path, overrides: Overrides = ()) -> Scene:
     if confinement is not None:
         place = source.place(("confinement",))
         where = place if place.endswith(" confinement") else f"{place}: confinement"
-        confinement = parse(confinement, "stress", where, "[0, inf)")
+        confinement = parse(confinement, "stress", where, "[0, 1e15]")
     law = source.raw.get("law")
     context = {"confinement": confinement, "law": law if law is None or law in law_names() else "elastic"}
     try:

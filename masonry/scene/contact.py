@@ -14,6 +14,7 @@ from pydantic import (
 
 from masonry.quantity import convert
 from masonry.scene.types import (
+    SOFTEST,
     Angle,
     Density,
     Energy,
@@ -104,6 +105,8 @@ class Contact(Table):
         ):
             if getattr(self, plain) is not None and getattr(self, tangent) is not None:
                 raise KeyedError(tangent, f"{plain} and {tangent} are two spellings of one property; keep one of them")
+        if 0.0 < self.shear_stiffness < SOFTEST:
+            raise KeyedError("shear_stiffness", f"must be 0, or in [{SOFTEST:g}, 1e22]")
         if self.law == "elastic":
             return self
         if self.tan_friction is None:

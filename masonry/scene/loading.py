@@ -36,7 +36,7 @@ def _time_step(value: Any) -> str | float:
         if value in BOUNDS:
             return value
         raise ValueError(f"'{value[:40]}' is not allowed; time_step is one of {', '.join(BOUNDS)}, or a time: '1e-6 s'")
-    return convert(value, "time", "time_step", "(0, inf)")
+    return convert(value, "time", "time_step", "[1e-18, 1e9]")
 
 
 def _accuracy(value: Any) -> Any:

@@ -32,6 +32,14 @@ def test_the_drive_makes_exactly_the_asked_displacement(kinematics, direction):
     assert result.summary["energy_imbalance"] < 1e-10, "the guide's forces are booked as any other"
 
 
+def test_a_drive_of_several_block_lengths_arrives_and_is_not_taken_for_an_instability():
+    """Its increments keep below the share of a block in a step that the watch calls a leap."""
+    tough = {"contact.unit_unit.fracture_energy_mode_2": "73000 N/m", "drive.displacement": "0.7 m"}
+    result = laboratory.run(load("couplet", tough))
+    assert result.history.rows["displacement"][-1] == pytest.approx(0.7, rel=1e-10)
+    assert result.summary["peak_stress_pa"] == pytest.approx(0.87e6 + 1.01 * 0.5e6, rel=1e-3)
+
+
 def test_one_and_two_threads_give_the_same_bits():
     scene = load_text(couplet("rigid", settle=200, displacement="0.05 mm", pace='accuracy = "5 %"'))
     assert bits(laboratory.run(scene, threads=1)) == bits(laboratory.run(scene, threads=2))

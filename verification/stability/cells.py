@@ -1,0 +1,88 @@
+"""What a grid of the stability map is, and what may become of each of its cells."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from verification.studies.trial import Trial
+
+GOOD, POOR = 0.01, 0.05
+"""Errors up to which a cell is right, and beyond which one that says nothing is wrong."""
+KINDS = ("ok", "warn", "stop", "bad")
+STATUSES = ("OK", "WARNED", "REFUSED", "STOPPED", "WRONG", "NOT FINITE")
+"""WARNED: a result, and the program's own word against it. The last two must not occur."""
+
+
+class Exact(NamedTuple):
+    """A value to hold a trial against, and what the error is relative to (itself where that is 0)."""
+
+    value: float
+    reference: float
+    scale: float = 0.0
+
+    @property
+    def error(self) -> float:
+        """Unsigned."""
+        size = abs(self.scale or self.reference)
+        return abs(self.value - self.reference) / size if size else math.inf
+
+
+Compare = Callable[[Trial], dict[str, Exact]]
+Make = Callable[[], Trial]
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One run.
+
+    scene    name of a packaged scene, or path of one of this folder
+    compare  what the result is held against
+    must     statuses that the cell must end in, where not any will do
+    make     in place of the scene's run: what makes the trial
+    """
+
+    scene: str
+    knobs: dict[str, Any]
+    compare: Compare
+    must: tuple[str, ...] = ()
+    make: Make | None = None
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A map of cells: (row, column) -> cell; a place without a cell stays empty.
+
+    against  what the references are; with "." left out
+    """
+
+    title: str
+    row_title: str
+    column_title: str
+    cells: dict[tuple[str, str], Cell]
+    against: str = "closed form"
+    note: str = ""
+
+    @property
+    def rows(self) -> list[str]:
+        return list(dict.fromkeys(row for row, _ in self.cells))
+
+    @property
+    def columns(self) -> list[str]:
+        return list(dict.fromkeys(column for _, column in self.cells))
+
+
+@dataclass
+class Outcome:
+    """What became of a cell: status, reason (the program's own words), error, knobs, seconds of stepping."""
+
+    row: str
+    column: str
+    scene: str
+    knobs: dict[str, Any]
+    status: str
+    reason: str
+    error: float
+    seconds: float
+    kind: str
+    records: list[dict[str, Any]] = field(default_factory=list)

@@ -1,0 +1,53 @@
+"""What the runs of the maps are held against: closed forms of the sheared and of the torn joint."""
+
+from masonry import scene
+from verification import closed_forms
+from verification.stability.cells import Exact
+from verification.stability.scenes import joint_of
+from verification.studies.trial import Trial
+
+
+def sheared(one: Trial) -> dict[str, Exact]:
+    """Peak stress, and energy dissipated over the work done, of a joint under a constant compression."""
+    loaded = scene.load(one.case, one.knobs)
+    assert loaded.drive is not None
+    law, joint = loaded.contact["unit_unit"].law, joint_of(one.case, one.knobs)
+    area = one.summary["section_m2"]
+    sigma = pressure(one, area)
+    slip = loaded.drive.displacement
+    at_peak = min(slip, float(joint.peak(sigma)) / joint.ks)
+    peak = float(closed_forms.shear(law, joint, at_peak, sigma))
+    work = float(closed_forms.shear_work(law, joint, slip, sigma))
+    spent = float(closed_forms.dissipated_in_shear(law, joint, slip, sigma))
+    return {
+        "peak": Exact(one.value("peak"), peak),
+        "dissipated": Exact(one.value("dissipated"), area * spent, area * work),
+    }
+
+
+def pressure(one: Trial, area: float) -> float:
+    """Compression (Pa) of the joint: the dead load on the top over the joint's area."""
+    loaded = scene.load(one.case, one.knobs)
+    top = area if loaded.specimen.kind != "boxes" else float(loaded.specimen.box[1].size[0]) ** 2
+    return -float(loaded.traction[0].stress.z) * top / area
+
+
+def torn(one: Trial) -> dict[str, Exact]:
+    """Peak force and dissipated energy of blocks pulled apart at one joint; the drive carries the top's weight too.
+
+    Held for openings at which next to nothing of the strength is left, so that other joints matter no more.
+    """
+    loaded = scene.load(one.case, one.knobs)
+    assert loaded.drive is not None and loaded.specimen.kind == "boxes"
+    law, joint = loaded.contact["unit_unit"].law, joint_of(one.case, one.knobs)
+    area = one.summary["section_m2"]
+    opened = loaded.drive.displacement
+    peak = float(closed_forms.tension(law, joint, min(opened, joint.opening_at_peak)))
+    if loaded.gravity is not None:
+        peak -= loaded.material["units"].density * float(loaded.gravity.z) * float(loaded.specimen.box[-1].size[2])
+    work = float(closed_forms.tension_work(law, joint, opened))
+    spent = float(closed_forms.dissipated_in_tension(law, joint, opened))
+    return {
+        "peak": Exact(one.value("peak"), peak),
+        "dissipated": Exact(one.value("dissipated"), area * spent, area * work),
+    }

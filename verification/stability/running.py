@@ -1,0 +1,62 @@
+"""Cells are run, and each is given its status: nothing that is wrong may pass without a word."""
+
+import math
+from pathlib import Path
+from typing import Any
+
+from masonry.printout import trust
+from verification.stability.cells import GOOD, POOR, Cell, Grid, Outcome
+from verification.studies import trial
+from verification.studies.trial import Trial
+
+CARE = "with care: "
+
+
+def run(grid: Grid) -> list[Outcome]:
+    """All cells of a grid, row by row."""
+    return [run_cell(grid, row, column, cell) for (row, column), cell in grid.cells.items()]
+
+
+def run_cell(grid: Grid, row: str, column: str, cell: Cell) -> Outcome:
+    """One cell; never raises for what the program itself refuses or stops."""
+    one = cell.make() if cell.make else trial.run(cell.scene, cell.knobs)
+    compared = cell.compare(one) if one.ok else {}
+    error = max((exact.error for exact in compared.values()), default=math.nan)
+    status, reason, kind = judged(one, error, cell.must)
+    name = Path(cell.scene).stem
+    outcome = Outcome(row, column, name, cell.knobs, status, reason, error, one.seconds, kind)
+    entries = {
+        quantity: trial.record(one, quantity, exact.value, exact.reference, grid.against, exact.scale)
+        for quantity, exact in compared.items()
+    } or {"status": trial.record(one, "status", math.nan, math.nan, grid.against)}
+    said: dict[str, Any] = {"case": name, "status": status, "reason": reason, "knob": grid.title}
+    said |= {"rung": f"{row}, {column}", "knobs": {key: _plain(value) for key, value in cell.knobs.items()}}
+    outcome.records = [entry | said for entry in entries.values()]
+    return outcome
+
+
+def _plain(value: Any) -> Any:
+    """A knob as it may stand in a record: NaN and infinity as words."""
+    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def judged(one: Trial, error: float, must: tuple[str, ...] = ()) -> tuple[str, str, str]:
+    """(status, reason, kind) of a trial whose largest error is known; kind as in cells.KINDS."""
+    status, reason, kind = one.status, one.reason, "stop"
+    if status == "NOT FINITE" or (one.ok and not math.isfinite(error)):
+        status, reason, kind = "NOT FINITE", reason or "there is no number to compare", "bad"
+    elif one.ok:
+        word = trust(one.summary) if one.summary else CARE + "there is no summary"
+        if word.startswith(CARE):
+            status, reason, kind = "WARNED", word.removeprefix(CARE), "warn"
+        elif error > POOR:
+            status, reason, kind = "WRONG", f"off by {error:.2g}, and nothing says so", "bad"
+        else:
+            kind = "ok" if error <= GOOD else "warn"
+    elif not reason:
+        reason, kind = "no reason is given", "bad"
+    elif status == "STOPPED" and not ("step" in reason and ("block" in reason or "contact" in reason)):
+        reason, kind = f"names no step, or neither block nor contact: {reason}", "bad"
+    if must and status not in must:
+        reason, kind = f"should be {' or '.join(must)}; {reason or 'it is not'}", "bad"
+    return status, reason, kind
