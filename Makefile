@@ -1,7 +1,7 @@
 # make run      runs a scene:  make run SCENE=couplet ARGS='--set law=brittle'   results go to results/
 # make test     style, types, then the tests
 # make bench    speed, into bench.json
-# make report   the verification report
+# make report   the verification report: all cases and studies, results/report.html (long; ARGS="--quick --only cases" is not)
 # make lint     style and types only
 # make clean    removes what the others made, results/ excepted
 # Each sets up .venv first where that is needed, and on Debian the libraries that gmsh lacks (.ci/setup).

@@ -81,6 +81,8 @@ STORED, FRACTURE, LAG, SWAY, ENDS = 20.0, 5.0, 2.0, 30.0, 0.4
 """What an increment may bring, in accuracies: change of the stored energy and energy spent on fracture, over the most
 that was stored; energy by which the drive runs ahead, over the work done; the root of kinetic over stored energy; and
 the difference between the forces of the two ends, over the largest force. Measured: benchmarks/test_controlled.py."""
+PARTED = 1e-3
+"""Of the most that was stored: what a specimen that came apart is taken to store, as its pieces still move."""
 FINE, BLUNT = 0.01, 0.4
 """Accuracies coarser than this one are taken for (accuracy / FINE) ** BLUNT of it: sudden cracks would be overrun."""
 
@@ -165,7 +167,7 @@ class ControlledPace:
         change = abs(stored - self.stored) / self.most_stored
         fracture = (broken - self.broken) / self.most_stored
         lag = 2.0 * np.sqrt(self.guide.kinetic * abs(stored)) / max(abs(terms["external_work"]), 1e-300)
-        sway = np.sqrt(abs(terms["kinetic"]) / max(abs(stored), 1e-300))
+        sway = np.sqrt(abs(terms["kinetic"]) / max(abs(stored), PARTED * self.most_stored))
         self.lags.append((float(lag), self.made))
         unit = max(self.unit, CURVE) if self.steps == FEW else self.unit
         brought = max(change / STORED, fracture / FRACTURE, 1e-12) / unit

@@ -15,6 +15,12 @@ LOOSE = 100.0
 """A check that passes with this factor to spare has a tolerance that would let a mistake through."""
 IMBALANCE = 1e-10
 """Of the external work: the most that a ledger of a case may be off at any row."""
+MEASURES = {
+    "steps": "steps",
+    "kinetic_over_internal": "kinetic_over_internal_max",
+    "unbalanced": "unbalanced_after_settling",
+}
+"""What a record keeps of a run, and its key in the summary."""
 
 
 class RequiredFeature(Exception):
@@ -53,6 +59,13 @@ class Check:
         return abs(self.error) <= self.tolerance  # False for NaN too
 
     @property
+    def used(self) -> float:
+        """Share of the tolerance that the error takes up; infinite for NaN."""
+        if math.isnan(self.error):
+            return math.inf
+        return abs(self.error) / self.tolerance if self.tolerance else 0.0 if self.error == 0.0 else math.inf
+
+    @property
     def too_loose(self) -> bool:
         """Passes by more than LOOSE times; what rounding alone decides is not asked for more."""
         return self.holds and self.tolerance > LOOSE * max(abs(self.error), ROUNDING)
@@ -85,6 +98,7 @@ class Findings:
 
     imbalance  name of a run -> largest |energy residual| over external work of all its rows
     seconds    name of a run -> seconds of stepping
+    measures   name of a run -> its steps, kinetic over internal energy, and unbalanced force after settling
     """
 
     checks: list[Check] = field(default_factory=list)
@@ -92,11 +106,13 @@ class Findings:
     remarks: list[str] = field(default_factory=list)
     imbalance: dict[str, float] = field(default_factory=dict)
     seconds: dict[str, float] = field(default_factory=dict)
+    measures: dict[str, dict[str, float | None]] = field(default_factory=dict)
 
     def note(self, name: str, result: Result) -> Result:
         """Keep the ledger and the time of a run of the solver; every run of a case goes through here."""
         self.imbalance[name] = float(result.summary["energy_imbalance"])
         self.seconds[name] = float(result.summary["seconds_run"])
+        self.measures[name] = {words: result.summary.get(key) for words, key in MEASURES.items()}
         return result
 
 
@@ -130,6 +146,16 @@ class Outcome:
     status: str
     reason: str = ""
     seconds: float = math.nan
+
+    @property
+    def holds(self) -> bool:
+        """A case that is not built is no failure, and no proof either."""
+        return self.status in ("PASS", "NOT BUILT")
+
+    @property
+    def worst(self) -> Check | None:
+        """The check that is nearest to its tolerance, or furthest beyond it."""
+        return max(self.findings.checks, key=lambda c: c.used, default=None)
 
     @property
     def too_loose(self) -> list[Check]:

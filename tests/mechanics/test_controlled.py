@@ -15,6 +15,8 @@ from tests.mechanics.test_loop import bits, corner_numbers, couplet
 from tests.mechanics.test_loop import load as load_text
 from verification.closed_forms import Joint
 from verification.closed_forms import couplet as curve_of
+from verification.precision.joint_in_tension import SCENE as PULLED_APART
+from verification.studies import trial
 
 
 @pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
@@ -149,3 +151,11 @@ def test_the_drive_slows_down_before_the_first_crack_and_says_how_far_it_ran_ahe
     assert ways[first - 1] < 0.2 * ways[:first].max() and ways[first - 1] < 0.1 * rows["displacement"][first]
     assert 0.0 < control["mean_lag"] <= control["largest_lag"] < 0.1
     assert f"{100 * control['mean_lag']:.2g} % of the work" in accuracy_text(result.summary)
+
+
+def test_a_specimen_that_came_apart_holds_up_the_drive_no_longer() -> None:
+    """Nothing is stored any more, so that any motion is large beside it."""
+    done = trial.run(PULLED_APART, {"law": "linear"})
+    row = int(np.argmax(done.rows["fracture_mode_1"] >= (1 - 1e-9) * done.rows["fracture_mode_1"][-1]))
+    assert done.rows["displacement"][row] < 0.6 * done.rows["displacement"][-1]
+    assert done.summary["steps"] - done.rows["step"][row] < done.rows["step"][row]

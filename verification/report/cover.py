@@ -4,25 +4,38 @@ import os
 import platform
 from datetime import UTC, datetime
 from importlib import metadata, resources
-from pathlib import Path
 from string import Template
 
 from masonry import __version__
 from masonry.kernels.compiler import source_hash
-from verification.report.page import WORDS, Chapter, Verdict, badge, escape, paragraph, table
+from verification.records import processor
+from verification.report.page import WORDS, Chapter, badge, escape, paragraph, table
 
-AREAS = ("Closed forms", "Loading rate", "Stability", "Energy balance", "Assumptions")
+AREAS = (
+    *("Closed forms", "Loading rate", "Shipped settings", "Stability", "Leaving out"),
+    *("Energy balance", "Assumptions"),
+)
 PACKAGES = ("numpy", "scipy", "numba", "gmsh", "matplotlib")
 
 
 def html_of(chapters: list[Chapter], seconds: float) -> str:
     """The whole page: cover, contents, chapters. `seconds` is what the report took."""
     template = Template(resources.files("verification.report").joinpath("template.html").read_text(encoding="utf-8"))
-    titles = [escape(c.title) for c in chapters]
-    contents = "".join(f'<li><a href="#c{k}">{title}</a></li>' for k, title in enumerate(titles))
+    numbered = [(k + 1, c.anchor or f"c{k}", c) for k, c in enumerate(chapters)]
+    groups = dict.fromkeys(c.group for c in chapters)
+    contents = "".join(
+        f'<h3>{escape(group)}</h3><ol start="{next(n for n, _, c in numbered if c.group == group)}">'
+        + "".join(
+            f'<li value="{n}"><a href="#{anchor}">{escape(c.title)}</a></li>'
+            for n, anchor, c in numbered
+            if c.group == group
+        )
+        + "</ol>"
+        for group in groups
+    )
     body = "".join(
-        f'<section id="c{k}"><h2>{k + 1}. {title}</h2>{"".join(chapter.parts)}</section>'
-        for k, (title, chapter) in enumerate(zip(titles, chapters, strict=True))
+        f'<section id="{anchor}"><h2>{n}. {escape(c.title)}</h2>{"".join(c.parts)}</section>'
+        for n, anchor, c in numbered
     )
     return template.substitute(cover=cover(chapters, seconds), contents=contents, body=body)
 
@@ -30,9 +43,10 @@ def html_of(chapters: list[Chapter], seconds: float) -> str:
 def cover(chapters: list[Chapter], seconds: float) -> str:
     """Verdict per area, what they mean, and where the numbers come from."""
     said = {v.area: v for c in chapters for v in c.verdicts}
-    areas = [*AREAS, *(area for area in said if area not in AREAS)]
-    verdicts = [said.get(area, Verdict(area, "none", "Not part of this report.")) for area in areas]
+    missing = [area for area in AREAS if area not in said]
+    verdicts = [*(v for area, v in said.items() if area not in AREAS), *(said[area] for area in AREAS if area in said)]
     rows = [[v.area, badge(v.kind), v.sentence] for v in verdicts]
+    rows += [["Other areas", badge("none"), f"Not part of this report: {', '.join(missing)}."]] if missing else []
     lead = (
         "How far the results of this program can be trusted: the error of solving the model, set beside the run time "
         "that it costs, and how far the answer moves with what has to be assumed."
@@ -48,19 +62,9 @@ def origin(seconds: float) -> str:
         "program": f"masonry-dem {__version__}, sources {source_hash()}",
         "packages": f"Python {platform.python_version()}, {packages}",
         "machine": f"{processor()}, {os.cpu_count()} logical cores, {platform.system()} {platform.machine()}",
-        "this report": f"{seconds:.0f} s, one thread, compiling included",
+        "this report": f"{seconds:.0f} s, one thread a run, compiling included",
     }
     return table(["", "where these numbers come from"], facts.items())
-
-
-def processor() -> str:
-    """The model of the CPU, where the system tells."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        lines = []
-    named = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    return named[0] if named else platform.processor() or "unknown processor"
 
 
 __all__ = ["WORDS", "cover", "html_of", "origin", "processor"]

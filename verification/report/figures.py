@@ -4,8 +4,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator
+
+from verification.case import Line, Plot
+from verification.ladder import Point
 
 COLOURS = ("#1f3b5c", "#d7301f", "#2f8f4e", "#e07b00", "#7b4fa3", "#5b5b5b")
 MARKS = "osD^vP"
@@ -29,26 +33,37 @@ def plain_ticks(axis: Any, unit: str) -> None:
 
 
 def error_against_time(
-    panels: Mapping[str, Mapping[str, Sequence[tuple[float, float, str]]]], doubts: Sequence[float], floor: float
+    panels: Mapping[str, Mapping[str, Sequence[tuple[float, float, str]]]],
+    doubts: Sequence[float],
+    floor: float,
+    fronts: Mapping[str, Sequence[Point]],
 ) -> Figure:
     """Panel title -> knob -> (seconds, error, label of the rung): log-log, one line a knob.
 
     A knob whose name starts with "model" changes what is solved, and is drawn dashed. Errors below `floor` are drawn
-    on it. `doubts`: by panel, what the reference itself may be off by; shaded.
+    on it. `doubts`: by panel, what the reference itself may be off by; shaded. `fronts`: by panel title, the settings
+    that no other one beats.
     """
-    figure, axes = sheet(1, len(panels), (10.0, 4.4), sharey=True)
+    figure, axes = sheet(1, len(panels), (10.0 if len(panels) > 1 else 6.8, 4.4), sharey=True)
     places = ((4, 5), (-3, -11), (6, -4), (-4, 8))
     for one, (title, knobs), doubt in zip(axes.flat, panels.items(), doubts, strict=True):
-        one.axhspan(0.0, 100.0 * doubt, color="0.92", linewidth=0)
+        if doubt > 0.0:
+            one.axhspan(0.0, 100.0 * doubt, color="0.92", linewidth=0)
         one.set(xscale="log", yscale="log", title=title, xlabel="seconds of stepping, one thread [s]")
         one.axhline(1.0, color="0.35", linewidth=0.9, linestyle=":")
+        best = [(p.seconds, max(100.0 * p.error, 100.0 * floor)) for p in fronts[title]]
+        one.plot(
+            *zip(*best, strict=True), color="0.8", linewidth=5.0, zorder=0, drawstyle="steps-post"
+        ) if best else None
         for k, (knob, rungs) in enumerate(knobs.items()):
             seconds, error, labels = zip(*rungs, strict=True)
             shown = [max(100.0 * abs(e), 100.0 * floor) for e in error]
             style = "--" if knob.startswith("model") else "-"
-            one.plot(seconds, shown, style, marker=MARKS[k], color=COLOURS[k], markersize=5, linewidth=1.4, label=knob)
+            mark, colour = MARKS[k % len(MARKS)], COLOURS[k % len(COLOURS)]
+            one.plot(seconds, shown, style, marker=mark, color=colour, markersize=5, linewidth=1.4, label=knob)
             for x, y, text in zip(seconds, shown, labels, strict=True):
-                one.annotate(text, (x, y), places[k], textcoords="offset points", fontsize=7, color=COLOURS[k])
+                place = places[k % len(places)]
+                one.annotate(text, (x, y), place, textcoords="offset points", fontsize=7, color=colour)
         plain_ticks(one.yaxis, " %")
         one.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         plain_ticks(one.xaxis, "")
@@ -98,3 +113,34 @@ def curves(panels: Mapping[str, Sequence[tuple[str, np.ndarray, np.ndarray, np.n
     axes[0, 0].set_ylabel("shear stress [MPa]")
     axes[0, -1].legend(title="confinement", frameon=False, fontsize=8)
     return figure
+
+
+MOST_POINTS = 600
+"""Of a line of a case: more would only make the page heavy."""
+
+
+def plots(pair: Sequence[Plot]) -> Figure:
+    """One or two pictures of a case side by side: references dashed on top, measured points as marks."""
+    figure, axes = sheet(1, len(pair), (10.0 if len(pair) > 1 else 6.4, 3.7))
+    for one, plot in zip(axes.flat, pair, strict=True):
+        one.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
+        one.title.set_fontsize(10)
+        if plot.log:
+            one.set(xscale="log", yscale="log")
+        for k, line in enumerate(plot.lines):
+            _draw(one, line, COLOURS[k % len(COLOURS)], MARKS[k % len(MARKS)])
+        if any(line.label for line in plot.lines):
+            one.legend(frameon=False, fontsize=8)
+    return figure
+
+
+def _draw(one: Axes, line: Line, colour: str, mark: str) -> None:
+    x, y = np.asarray(line.x), np.asarray(line.y)
+    thin = slice(None, None, max(1, -(-len(x) // MOST_POINTS))) if line.style != "points" else slice(None)
+    x, y = np.append(x[thin], x[-1:]), np.append(y[thin], y[-1:])
+    if line.style == "points":
+        one.plot(x, y, mark, color=colour, markersize=4, markerfacecolor="white", label=line.label, zorder=3)
+    elif line.style == "dashed":
+        one.plot(x, y, "--", color="0.15", linewidth=1.1, dashes=(4, 3), label=line.label, zorder=4)
+    else:
+        one.plot(x, y, color=colour, linewidth=1.8, label=line.label)

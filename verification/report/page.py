@@ -21,12 +21,18 @@ class Verdict:
 
 @dataclass
 class Chapter:
-    """What a study returns: its verdicts, its records (one dict each) and its page as pieces of HTML."""
+    """What a study returns: its verdicts, its records (one dict each) and its page as pieces of HTML.
+
+    group   the heading in the contents under which it stands
+    anchor  its name within the page, for links; its number where none is given
+    """
 
     title: str
     verdicts: list[Verdict] = field(default_factory=list)
     records: list[dict[str, Any]] = field(default_factory=list)
     parts: list[str] = field(default_factory=list)
+    group: str = "Studies"
+    anchor: str = ""
 
 
 @dataclass(frozen=True)
@@ -38,19 +44,32 @@ class Cell:
     note: str = ""
 
 
+@dataclass(frozen=True)
+class Link:
+    """A table cell that leads to an anchor of the page."""
+
+    text: str
+    anchor: str
+
+
 def escape(text: Any) -> str:
     """Text as HTML."""
     return html.escape(str(text))
 
 
-def heading(text: str) -> str:
-    """A heading within a chapter."""
-    return f"<h3>{escape(text)}</h3>"
+def heading(text: str, anchor: str = "") -> str:
+    """A heading within a chapter; `anchor` is its name for links."""
+    return f'<h3 id="{escape(anchor)}">{escape(text)}</h3>' if anchor else f"<h3>{escape(text)}</h3>"
 
 
 def paragraph(text: str, kind: str = "") -> str:
     """A paragraph; kind "lead" is larger, "note" smaller."""
     return f'<p class="{kind}">{escape(text)}</p>' if kind else f"<p>{escape(text)}</p>"
+
+
+def preformatted(text: str) -> str:
+    """Text whose lines and columns stay as they are: formulas, sketches, scenes."""
+    return f"<pre>{escape(text)}</pre>" if text else ""
 
 
 def bullets(items: Iterable[str]) -> str:
@@ -62,11 +81,14 @@ def table(header: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "
     """A table; cells are text, numbers or `Cell`. The first column is left-aligned."""
     top = "".join(f"<th>{escape(name)}</th>" for name in header)
     body = "".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in rows)
+    head = f"<thead><tr>{top}</tr></thead>" if header else ""
     title = f"<caption>{escape(caption)}</caption>" if caption else ""
-    return f'<div class="wide"><table>{title}<thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
+    return f'<div class="wide"><table>{title}{head}<tbody>{body}</tbody></table></div>'
 
 
 def _cell(value: Any) -> str:
+    if isinstance(value, Link):
+        return f'<td><a href="#{escape(value.anchor)}">{escape(value.text)}</a></td>'
     if not isinstance(value, Cell):
         return f"<td>{escape(value)}</td>"
     small = f"<small>{escape(value.note)}</small>" if value.note else ""
@@ -94,8 +116,11 @@ def short(text: str, length: int = 150) -> str:
     return first if len(first) <= length else first[: length - 1] + "…"
 
 
-def picture(figure: Any, caption: str) -> str:
-    """A matplotlib figure as an SVG inside the page: sharp in print, and no other file is needed."""
+def picture(figure: Any, caption: str, kind: str = "") -> str:
+    """A matplotlib figure as an SVG inside the page: sharp in print, and no other file is needed.
+
+    kind  "half" for one that is not to fill the width
+    """
     import matplotlib
 
     stream = io.BytesIO()
@@ -103,7 +128,8 @@ def picture(figure: Any, caption: str) -> str:
         figure.savefig(stream, format="svg", metadata={"Date": None})
     data = base64.b64encode(stream.getvalue()).decode()
     text = escape(caption)
-    return f'<figure><img alt="{text}" src="data:image/svg+xml;base64,{data}"><figcaption>{text}</figcaption></figure>'
+    image = f'<img alt="{text}" src="data:image/svg+xml;base64,{data}">'
+    return f'<figure class="{kind}">{image}<figcaption>{text}</figcaption></figure>'
 
 
 def folded(title: str, content: str) -> str:

@@ -133,7 +133,7 @@ def swing(count: int, knobs: Knobs) -> Trial:
     rows = {"energy": energies, "place": np.array([body.q[free, 2], exact, reach])}
     summary: dict[str, Any] = {"steps": count, "energy_imbalance": float(np.ptp(energies) / energies.mean())}
     needed = {"reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
-    return Trial(CHAIN, knobs, rows=rows, summary=summary | needed, seconds=seconds)
+    return Trial(CHAIN, knobs, rows=rows, summary=summary | needed, times=[seconds])
 
 
 def _energy(one: Trial) -> dict[str, Exact]:

@@ -45,7 +45,7 @@ def face_twice() -> Trial:
     joints = find_joints(_stacked())
     summary = {"steps": 0, "energy_imbalance": 0.0, "reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
     rows = {"area": joints.area.copy(), "repeated": np.array([float(joints.repeated)])}
-    return Trial(PAIR, {}, summary=summary, rows=rows, seconds=0.0)
+    return Trial(PAIR, {}, summary=summary, rows=rows, times=[0.0])
 
 
 def _area(one: Trial) -> dict[str, Exact]:

@@ -1,137 +1,111 @@
-"""Error against run time: which setting buys how much accuracy for which time, in each shipped scene."""
+"""Runs the ladders of a problem: its references, a record for each rung and quantity, and the points to draw."""
 
+import importlib
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+import pkgutil
+from collections.abc import Callable, Iterator
 
+from verification import precision
+from verification.catalogue import modules
+from verification.ladder import ACCURACY, Point, Problem, Reference, richardson
+from verification.records import Record
 from verification.studies import trial
-from verification.studies.couplet import exact_values
 from verification.studies.trial import Trial
 
-QUANTITIES = {"peak": "peak stress", "dissipated": "dissipated energy"}
-TARGET, FLOOR = 0.01, 1e-8
-DRIVE, ACCURACY = "constant rate (steps or rate)", "accuracy (as shipped: 1 %)"
+Lines = dict[str, list[tuple[float, float, str]]]
+"""Knob -> (seconds, error, rung) of each run that came through."""
 
 
-@dataclass(frozen=True)
-class Reference:
-    """A value, what kind it is, and how far it may be off (same unit)."""
-
-    value: float
-    kind: str
-    uncertainty: float = 0.0
-
-
-Rungs = dict[str, dict[str, Any]]
-"""Label of a rung -> the knobs it sets; the finest last."""
+def problems() -> Iterator[Problem]:
+    """All of `verification.precision`, the shipped scenes first, then those that a case brings in its PROBLEMS."""
+    names = sorted((e.name for e in pkgutil.iter_modules(precision.__path__)), key=lambda name: name != FIRST)
+    for name in names:
+        yield from importlib.import_module(f"{precision.__name__}.{name}").PROBLEMS
+    for module in modules().values():
+        yield from getattr(module, "PROBLEMS", ())
 
 
-def paces(factors: tuple[float, ...], key: str, usual: float, unit: str = "") -> Rungs:
-    """Rungs of a constant rate: `factors` times as fast as `usual`."""
-    faster = {f: usual * f if unit else round(usual / f) for f in factors}
-    return {f"x{f:g}": {key: f"{v:g}{unit}" if unit else v} for f, v in faster.items()}
+FIRST = "shipped_scenes"
 
 
-def fractions(extra: dict[str, Any]) -> Rungs:
-    """Rungs of the step, as shares of the proven bound."""
-    return {f"{f:g}": {"solver.step_fraction": f, **extra} for f in (1.0, 0.9, 0.6, 0.3)}
+class Study:
+    """A problem whose rungs were run.
 
-
-def motions(mesh: str, extra: dict[str, Any]) -> Rungs:
-    """Rungs of how the units move."""
-    tets: dict[str, Any] = {"kinematics": {"units": "tets"}, "specimen.mesh_size": mesh}
-    given: Rungs = {"rigid": {"kinematics": "rigid"}, "affine": {"kinematics": {"units": "affine"}}, "tets": tets}
-    return {label: {**knobs, **extra} for label, knobs in given.items()}
-
-
-def cells(sizes: tuple[tuple[int, ...], ...], extra: dict[str, Any]) -> Rungs:
-    """Rungs of the grid of a unit."""
-    return {"x".join(map(str, d)): {"specimen.divisions": list(d), **extra} for d in sizes}
-
-
-def accuracies() -> Rungs:
-    """Rungs of a drive that is paced by its error."""
-    return {f"{percent:g} %": {"drive.accuracy": f"{percent:g} %"} for percent in (5, 2, 1, 0.5)}
-
-
-SHORT, ALL = (8.0, 4.0), (8.0, 4.0, 2.0, 1.0, 0.5)
-
-
-def ladders(case: str, factors: tuple[float, ...] = ALL) -> dict[str, Rungs]:
-    """Knob -> rungs of a shipped scene. Other knobs are climbed at a constant rate, in the wallettes at a quick one."""
-    if case == "couplet":
-        steps = {"drive.steps": 40000}
-        return {
-            DRIVE: paces(factors, "drive.steps", 40000.0),
-            ACCURACY: accuracies(),
-            "step fraction": fractions(steps),
-            "kinematics": motions("25 mm", steps),
-            "cells": cells(((1, 1, 1), (2, 1, 1), (4, 2, 2)), steps),
-        }
-    rate = 1.0 if case == "wallette-mode-1" else 0.5
-    quick, quicker = {"drive.rate": f"{4 * rate:g} mm/s"}, {"drive.rate": f"{16 * rate:g} mm/s"}
-    moved = motions("60 mm", quick)
-    moved["tets (at x16)"] = {**moved.pop("tets"), **quicker}
-    return {
-        DRIVE: paces(factors, "drive.rate", rate, " mm/s"),
-        ACCURACY: accuracies(),
-        "step fraction": fractions(quick),
-        "model: kinematics": moved,
-        "model: cells": cells(((2, 1), (4, 2), (8, 4), (12, 6)), quick),
-    }
-
-
-def richardson(values: list[float], kind: str = "finest rung") -> Reference:
-    """The finest of at least three rungs (each twice as fine), with 1.25 times its extrapolated error.
-
-    The observed order is held between 0.5 and 2, so that two values that agree by luck do not promise too much.
+    references  quantity -> Reference
+    records     one for each rung and quantity
     """
-    coarse, middle, fine = values[-3:]
-    step = abs(middle - fine)
-    order = math.log2(abs(coarse - middle) / step) if step and coarse != middle else 2.0
-    return Reference(fine, kind, 1.25 * step / (2.0 ** min(max(order, 0.5), 2.0) - 1.0))
 
+    def __init__(self, problem: Problem, tell: Callable[[str], None]) -> None:
+        self.problem = problem
+        self.trials: dict[str, dict[str, Trial]] = {}
+        for knob, rungs in problem.knobs.items():
+            tell(f"{problem.name}: {knob}, {len(rungs)} rungs")
+            runs = {label: trial.run(problem.scene, problem.base | keys, timed=True) for label, keys in rungs.items()}
+            self.trials[knob] = runs
+        self.references = self._references()
+        self.records = [record for knob in self.trials for record in self._records(knob)]
 
-def time_to(rungs: list[tuple[float, float, str]], target: float) -> tuple[float, str] | None:
-    """Least seconds, and the label, of a rung that is within the target as are all finer ones: no lucky crossing."""
-    good = []
-    for rung in reversed(rungs):
-        if not abs(rung[1]) <= target:
-            break
-        good.append(rung)
-    return min((seconds, label) for seconds, _, label in good) if good else None
+    def _references(self) -> dict[str, Reference]:
+        """What the numbers should be. A converged run is doubted by as much as the finest drive to an accuracy differs
+        from it: two ways to the same limit.
+        """
+        if self.problem.exact is not None:
+            one = next(t for runs in self.trials.values() for t in runs.values() if t.ok)
+            return {q: Reference(value, self.problem.kind) for q, value in self.problem.exact(one).items()}
+        runs = [self.problem.measure(t) for t in self.trials[self.problem.converged].values() if t.ok]
+        found = {q: richardson([run[q] for run in runs]) for q in self.problem.units}
+        paced = [t for t in self.trials.get(ACCURACY, {}).values() if t.ok]
+        if paced:
+            second = self.problem.measure(paced[-1])
+            found = {q: r.doubted(abs(second[q] - r.value)) for q, r in found.items()}
+        return found
 
+    def _records(self, knob: str) -> Iterator[Record]:
+        for label, one in self.trials[knob].items():
+            values = self.problem.measure(one) if one.ok else {}
+            exact = self.problem.exact(one) if one.ok and self.problem.exact is not None else {}
+            for quantity, reference in self.references.items():
+                value = values.get(quantity, math.nan)
+                entry = trial.record(one, quantity, value, exact.get(quantity, reference.value), reference.kind)
+                yield entry | {
+                    "case": self.problem.name,
+                    "unit": self.problem.units[quantity],
+                    "knob": knob,
+                    "rung": label,
+                    "reference_uncertainty": reference.uncertainty,
+                }
 
-def study_scene(case: str, rungs: dict[str, Rungs], tell: Callable[[str], None]) -> tuple[dict, dict, list[dict]]:
-    """Runs all rungs of a scene: (quantity -> reference), (knob -> label -> trial), records."""
-    trials: dict[str, dict[str, Trial]] = {}
-    for knob, ladder in rungs.items():
-        tell(f"{case}: {knob}, {len(ladder)} rungs")
-        trials[knob] = {label: trial.run(case, knobs, timed=True) for label, knobs in ladder.items()}
-    drive = list(trials[DRIVE].values())
-    if case == "couplet":
-        references = {q: Reference(exact_values(drive[-1])[q], "closed form") for q in QUANTITIES}
-    else:
-        references = {q: richardson([t.value(q) for t in drive]) for q in QUANTITIES}
-    records = []
-    for knob, climbed in trials.items():
-        for label, one in climbed.items():
-            for q, reference in references.items():
-                entry = trial.record(one, q, one.value(q) if one.ok else math.nan, reference.value, reference.kind)
-                entry |= {"knob": knob, "rung": label, "reference_uncertainty": reference.uncertainty}
-                records.append(entry)
-    return references, trials, records
+    @property
+    def doubts(self) -> dict[str, float]:
+        """Quantity -> what its reference may be off by, relative."""
+        return {q: r.uncertainty / abs(r.value) if r.value else 0.0 for q, r in self.references.items()}
 
+    @property
+    def doubt(self) -> float:
+        """The largest of them."""
+        return max(self.doubts.values())
 
-REFERENCE_RUNG = "x0.5"
+    def lines(self, quantity: str) -> Lines:
+        """To draw: without the run that is the reference itself, whose error is 0 by name only."""
+        found: Lines = {}
+        for r in self.records:
+            if r["quantity"] == quantity and r["error"] is not None and not self._is_reference(r):
+                found.setdefault(r["knob"], []).append((r["seconds"], r["error"], r["rung"]))
+        return found
 
+    def _is_reference(self, record: Record) -> bool:
+        if self.problem.exact is not None:
+            return False
+        last = next(reversed(self.problem.knobs[self.problem.converged]))
+        return bool(record["knob"] == self.problem.converged and record["rung"] == last)
 
-def lines_of(records: list[dict], quantity: str) -> dict[str, list[tuple[float, float, str]]]:
-    """Knob -> (seconds, error, rung) of the runs that came through, but for the one that is the reference itself."""
-    found: dict[str, list[tuple[float, float, str]]] = {}
-    for r in records:
-        is_reference = r["kind_of_reference"] == "finest rung" and r["rung"] == REFERENCE_RUNG
-        if r["quantity"] == quantity and r["error"] is not None and not is_reference:
-            found.setdefault(r["knob"], []).append((r["seconds"], r["error"], r["rung"]))
-    return found
+    def points(self) -> list[Point]:
+        """The rungs that solve the same model, each with its largest error over all quantities."""
+        found: dict[tuple[str, str], Point] = {}
+        for r in self.records:
+            key = (r["knob"], r["rung"])
+            if r["knob"].startswith("model") or r["error"] is None or self._is_reference(r):
+                continue
+            worst = max(abs(r["error"]), found[key].error if key in found else 0.0)
+            found[key] = Point(*key, r["seconds"], r["steps"], worst)
+        return list(found.values())

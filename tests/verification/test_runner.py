@@ -1,0 +1,72 @@
+"""Cases are run side by side, and each ends as PASS, FAIL, NOT BUILT or ERROR with its reason, whatever it does."""
+
+import math
+
+import pytest
+
+from masonry.errors import SceneError
+from tests.verification import samples
+from tests.verification.samples import case
+from verification import catalogue, runner
+from verification.case import Check, Findings, judge
+
+ENDS = {
+    samples.holds: ("PASS", ""),
+    samples.off: ("FAIL", "error 2.00e-02 > 1e-03"),
+    samples.lacking: ("NOT BUILT", "large rotations"),
+    samples.refused: ("ERROR", "SceneError: contact.unit_unit: no law"),
+    samples.mistaken: ("ERROR", "ZeroDivisionError"),
+    samples.empty: ("FAIL", "no check was made"),
+}
+
+
+@pytest.mark.parametrize("workers", [0, 2])
+def test_every_end_of_a_case_has_its_status_and_reason(workers):
+    lines = []
+    outcomes = runner.run([case(run) for run in ENDS], workers, lines.append)
+    assert [o.case.name for o in outcomes] == [run.__name__ for run in ENDS]
+    for outcome, (status, reason) in zip(outcomes, ENDS.values(), strict=True):
+        assert outcome.status == status and reason in outcome.reason
+        assert outcome.seconds >= 0.0
+    assert len(lines) == len(ENDS) and "left" in lines[0] and "in all" in lines[-1]
+
+
+def test_an_error_of_the_code_says_where():
+    (outcome,) = runner.run([case(samples.mistaken)], 0)
+    assert "samples.py, line" in outcome.reason
+
+
+def test_a_process_that_dies_or_hangs_costs_its_own_case_only():
+    ends = runner.run([case(samples.dying), case(samples.endless), case(samples.holds)], 2, limit=10.0)
+    assert [o.status for o in ends] == ["ERROR", "ERROR", "PASS"]
+    assert "exit code 7" in ends[0].reason and "no result after 10 s" in ends[1].reason
+
+
+def test_a_value_that_is_not_a_number_does_not_hold():
+    check = Check("x", "1", math.nan, 1.0, "closed form", 1.0, 0.1, "")
+    assert not check.holds and math.isinf(check.used)
+    assert judge(Findings([check]))[0] == "FAIL"
+    assert judge(Findings([samples.check(1.375e6)], imbalance={"run": math.nan}))[0] == "FAIL"
+
+
+def test_the_nearest_case_is_suggested():
+    known = {"sdof-damping": case(samples.holds, "sdof-damping")}
+    with pytest.raises(SceneError, match="no case 'sdof-dampng': did you mean 'sdof-damping'"):
+        catalogue.chosen(["sdof-dampng"], known)
+    assert catalogue.chosen(["SDOF_damping", "sdof-damping"], known) == [known["sdof-damping"]]
+
+
+def test_every_case_of_the_catalogue_is_named_and_placed_as_the_report_needs_it():
+    areas = (
+        *("Contact laws", "Elastic assemblies", "Fracture", "Friction and stability"),
+        *("Dynamics", "Invariance", "Quasi-static loading"),
+    )
+    for name, found in catalogue.catalogue().items():
+        assert name == name.lower() and "_" not in name and " " not in name
+        assert found.area in areas, f"{name}: area '{found.area}'"
+        assert catalogue.formula(found), f"{name}: say the formula in the docstring of its module"
+
+
+def test_rows_stand_in_the_order_of_the_catalogue():
+    rows = ["A10", "2.2", "A9", "2.1", "A9b"]
+    assert sorted(rows, key=catalogue._row) == ["2.1", "2.2", "A9", "A9b", "A10"]

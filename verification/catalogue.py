@@ -1,0 +1,60 @@
+"""The cases there are: every module of `verification.cases` that holds a CASE, found without a list."""
+
+import difflib
+import importlib
+import pkgutil
+import re
+from collections.abc import Iterable
+from functools import cache
+from types import ModuleType
+
+from masonry.errors import SceneError
+from verification import cases
+from verification.case import Case
+
+
+@cache
+def modules() -> dict[str, ModuleType]:
+    """Name of a case -> its module, in the order of the catalogue's rows. Raises ValueError where two share a name."""
+    found: dict[str, ModuleType] = {}
+    for entry in pkgutil.walk_packages(cases.__path__, f"{cases.__name__}."):
+        module = importlib.import_module(entry.name)
+        if isinstance(case := getattr(module, "CASE", None), Case):
+            if case.name in found:
+                raise ValueError(f"two cases are called '{case.name}': {found[case.name].__name__}, {entry.name}")
+            found[case.name] = module
+    return dict(sorted(found.items(), key=lambda item: (*_row(item[1].CASE.row), item[0])))
+
+
+def catalogue() -> dict[str, Case]:
+    """Name -> case."""
+    return {name: module.CASE for name, module in modules().items()}
+
+
+def formula(case: Case) -> str:
+    """The formula, sketch and source of a case: what the docstring of its module says below the first line."""
+    text = importlib.import_module(case.run.__module__).__doc__ or ""
+    return text.partition("\n")[2].strip("\n")
+
+
+def chosen(names: Iterable[str], known: dict[str, Case]) -> list[Case]:
+    """The cases of these names, each once. Raises SceneError with the nearest name where one is unknown."""
+    found = {}
+    for name in names:
+        word = name.lower().replace("_", "-")
+        if word not in known:
+            close = difflib.get_close_matches(word, known, 1, 0.4)
+            hint = f"did you mean '{close[0]}'?" if close else "`masonry verify --list` names them all"
+            raise SceneError(f"no case '{name[:80]}': {hint}")
+        found[word] = known[word]
+    return list(found.values())
+
+
+def _row(row: str) -> tuple[str, float, str]:
+    """ "2.1" before "2.2", "A9" before "A10"."""
+    parts = re.match(r"([A-Za-z]*)\s*([\d.]*)", row)
+    letters, number = parts.groups() if parts else ("", "")
+    try:
+        return letters, float(number or 0.0), row
+    except ValueError:
+        return letters, 0.0, row

@@ -1,0 +1,110 @@
+"""`masonry verify`: is what the program computes right? Runs cases with known answers and says how far off it is.
+
+Exit codes: 0 all cases hold, 1 one does not (or, compared with older records, a number moved), 2 wrong words,
+130 interrupted.
+"""
+
+import json
+import sys
+import time
+from pathlib import Path
+
+from masonry.cli import Parser
+from masonry.errors import SceneError
+from verification import catalogue, printout, records, runner
+from verification.case import Outcome
+from verification.comparison import compare, last_version
+
+HOLDS, FAILS = 0, 1
+FORMATS = {"text": printout.as_text, "md": printout.as_markdown}
+EPILOG = (
+    "Without a word: the quick cases, under three minutes even where all has to be compiled first. "
+    "`make report` runs everything and explains it on one page."
+)
+
+
+def parser() -> Parser:
+    """The words that the command knows."""
+    words = Parser(prog="masonry verify", description=__doc__.partition("\n")[0], epilog=EPILOG)
+    words.add_argument("cases", nargs="*", metavar="CASE", help="run these; without any the quick ones")
+    words.add_argument("--full", action="store_true", help="run all cases, also those that take a minute")
+    words.add_argument("--list", action="store_true", help="name all cases, and run none")
+    words.add_argument("--format", choices=("text", "md", "json"), default="text", help="of what is printed")
+    words.add_argument(
+        "--out", type=Path, metavar="DIR", help="add the numbers to DIR/records.json and write DIR/verify.html"
+    )
+    words.add_argument(
+        "--compare",
+        type=Path,
+        nargs="+",
+        metavar="RECORDS",
+        help="OLD.json: hold this run against older records; OLD.json NEW.json: two files, and run nothing",
+    )
+    words.add_argument("--workers", type=int, default=runner.WORKERS, metavar="N", help="processes (default 2)")
+    return words
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command; returns the exit code. Raises SceneError with one message where the words are wrong."""
+    words = parser().parse_args(arguments)
+    if words.compare and len(words.compare) > 2:
+        raise SceneError("--compare takes one or two files of records; name the cases before it")
+    if words.compare and len(words.compare) == 2:
+        old, new = map(records.load, words.compare)
+        return _compare(words.format, old, last_version(new))
+    if words.workers < 0:
+        raise SceneError(f"--workers {words.workers}: 0 (all in this process) or more")
+    known = catalogue.catalogue()
+    if words.list:
+        print(printout.listing(known.values()))
+        return HOLDS
+    if words.full and words.cases:
+        raise SceneError("--full runs all cases: name none beside it")
+    cases = catalogue.chosen(words.cases, known) or [c for c in known.values() if words.full or c.quick]
+    old = records.load(words.compare[0]) if words.compare else []
+    begun = time.perf_counter()
+    outcomes = runner.run(cases, words.workers, _tell)
+    code = _say(words.format, outcomes, time.perf_counter() - begun)
+    if words.out:
+        _write(words.out, outcomes, time.perf_counter() - begun)
+    if words.compare:
+        new = [r for o in outcomes for r in records.records_of(o)]
+        code = max(code, _compare(words.format, old, new))
+    return code
+
+
+def _tell(line: str) -> None:
+    print(line, file=sys.stderr, flush=True)
+
+
+def _say(form: str, outcomes: list[Outcome], seconds: float) -> int:
+    """Print what came of the cases."""
+    if form == "json":
+        print(json.dumps([r for o in outcomes for r in records.records_of(o)], indent=1, allow_nan=False))
+    else:
+        rows = list(map(printout.row, outcomes))
+        last = printout.verdict(outcomes, seconds)
+        print(FORMATS[form](rows, printout.HEADER, printout.notes(outcomes), last))
+    return HOLDS if all(o.holds for o in outcomes) else FAILS
+
+
+def _compare(form: str, old: list[records.Record], new: list[records.Record]) -> int:
+    """Print how `new` differs from the last other version in `old`."""
+    before = last_version(old, records.version_of(new[0])) if new else old
+    changes = compare(before, new)
+    if form == "json":
+        print(json.dumps([{"where": c.where, "says": c.sentence, "moved": c.bad} for c in changes], indent=1))
+    else:
+        title = " ".join(records.version_of(before[0])) if before else "nothing"
+        sentences = printout.changes_notes(changes)
+        print(FORMATS[form]([], ("compared with", title), sentences, ""))
+    return FAILS if any(c.bad for c in changes) else HOLDS
+
+
+def _write(folder: Path, outcomes: list[Outcome], seconds: float) -> None:
+    """Records and page."""
+    from verification.report.__main__ import write
+    from verification.report.cases import chapters
+
+    page, numbers = write(chapters(outcomes, seconds), seconds, folder, "verify.html")
+    _tell(f"page     {page}\nrecords  {numbers}")

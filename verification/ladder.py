@@ -1,0 +1,136 @@
+"""Ladders: one knob of a problem climbed from coarse to fine, to see which error a setting has and what it costs.
+
+A module of `verification.precision`, or the module of a case, holds PROBLEMS: tuples of `Problem`.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
+
+from verification.studies.trial import Trial
+
+Rungs = dict[str, dict[str, Any]]
+"""Label of a rung -> the keys of the scene that it sets; the finest last."""
+RATE, ACCURACY = "constant rate", "accuracy"
+SHIPPED = "1 %"
+"""The rung of ACCURACY that a user gets who asks for nothing."""
+
+
+@dataclass(frozen=True)
+class Reference:
+    """A value, what kind it is, and how far it may be off (same unit)."""
+
+    value: float
+    kind: str
+    uncertainty: float = 0.0
+
+    def doubted(self, by: float) -> "Reference":
+        """The same, off by at least so much."""
+        return replace(self, uncertainty=max(self.uncertainty, by))
+
+
+def stress_and_energy(one: Trial) -> dict[str, float]:
+    """What most problems measure: peak stress (Pa) and dissipated energy (J)."""
+    return {"peak stress": one.value("peak"), "dissipated energy": one.value("dissipated")}
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A scene, what is measured in it, what that should be, and the knobs that are climbed.
+
+    name       lower case with hyphens
+    scene      a packaged scene's name, or TOML text
+    knobs      knob -> rungs; one whose name starts with "model" changes what is solved, and need not go to zero
+    base       keys that every run sets
+    measure    what a run gives: quantity -> value
+    exact      what these should be, from a run (of which only the scene is looked at); None: the finest three rungs of
+               `converged`, extrapolated
+    converged  the knob whose rungs converge, each twice as fine as the one before
+    units      quantity -> unit
+    shipped    knob and rung that a user gets who asks for nothing
+    """
+
+    name: str
+    title: str
+    scene: str
+    knobs: dict[str, Rungs]
+    base: dict[str, Any] = field(default_factory=dict)
+    measure: Callable[[Trial], dict[str, float]] = stress_and_energy
+    exact: Callable[[Trial], dict[str, float]] | None = None
+    converged: str = RATE
+    units: Mapping[str, str] = field(default_factory=lambda: {"peak stress": "Pa", "dissipated energy": "J"})
+    shipped: tuple[str, str] = (ACCURACY, SHIPPED)
+    kind: str = "closed form"
+
+
+class Point(NamedTuple):
+    """A rung that came through: its largest error over all quantities, and what it took."""
+
+    knob: str
+    label: str
+    seconds: float
+    steps: int
+    error: float
+
+
+def accuracies(*percents: float) -> Rungs:
+    """Rungs of a drive that is paced by its error."""
+    return {f"{p:g} %": {"drive.accuracy": f"{p:g} %"} for p in percents or (5.0, 2.0, 1.0, 0.5, 0.2)}
+
+
+def steps(*counts: int) -> Rungs:
+    """Rungs of a drive in a number of steps."""
+    return {f"{n:,} steps": {"drive.steps": n} for n in counts}
+
+
+def fractions(extra: dict[str, Any], *shares: float) -> Rungs:
+    """Rungs of the time step, as shares of the proven bound."""
+    return {f"{f:g}": {"solver.step_fraction": f, **extra} for f in shares or (1.0, 0.9, 0.6, 0.3)}
+
+
+def dampings(extra: dict[str, Any], *shares: float) -> Rungs:
+    """Rungs of the local damping at a constant rate; 0.8 is the default."""
+    return {f"{xi:g}": {"solver.damping": xi, **extra} for xi in shares or (0.8, 0.5, 0.2)}
+
+
+def pace(fine: int, rungs: int = 5) -> dict[str, Rungs]:
+    """The knobs of the loading alone: accuracy, numbers of steps halved from `fine`, step fraction, damping."""
+    counts = [max(fine >> k, 2) for k in reversed(range(rungs))]
+    usual = {"drive.steps": counts[-2]}
+    return {
+        RATE: steps(*counts),
+        ACCURACY: accuracies(),
+        "step fraction": fractions(usual),
+        "damping": dampings(usual),
+    }
+
+
+def richardson(values: list[float], kind: str = "converged run") -> Reference:
+    """The finest of at least three rungs (each twice as fine), with 1.25 times its extrapolated error.
+
+    The observed order is held between 0.5 and 2, so that two values that agree by luck do not promise too much.
+    """
+    coarse, middle, fine = values[-3:]
+    step = abs(middle - fine)
+    order = math.log2(abs(coarse - middle) / step) if step and coarse != middle else 2.0
+    return Reference(fine, kind, 1.25 * step / (2.0 ** min(max(order, 0.5), 2.0) - 1.0))
+
+
+def time_to(rungs: list[tuple[float, float, str]], target: float) -> tuple[float, str] | None:
+    """Least seconds, and the label, of a rung that is within the target as are all finer ones: no lucky crossing."""
+    good = []
+    for rung in reversed(rungs):
+        if not abs(rung[1]) <= target:
+            break
+        good.append(rung)
+    return min((seconds, label) for seconds, _, label in good) if good else None
+
+
+def front(points: list[Point]) -> list[Point]:
+    """The settings that no other one beats in both time and error, the quickest first."""
+    kept: list[Point] = []
+    for point in sorted(points, key=lambda p: (p.seconds, p.error)):
+        if not kept or point.error < kept[-1].error:
+            kept.append(point)
+    return kept

@@ -1,0 +1,58 @@
+"""The three scenes of the paper as they are shipped: couplet, and the wallettes of both failure modes."""
+
+from typing import Any
+
+from verification.ladder import ACCURACY, RATE, Problem, Rungs, accuracies, fractions, steps
+from verification.precision.joint_in_shear import exact, measured
+
+FACTORS = (8.0, 4.0, 2.0, 1.0, 0.5)
+
+
+def rates(usual: float) -> Rungs:
+    """Constant rates (mm/s): `FACTORS` times as fast as usual."""
+    return {f"x{f:g}": {"drive.rate": f"{f * usual:g} mm/s"} for f in FACTORS}
+
+
+def cells(extra: dict[str, Any], *sizes: tuple[int, ...]) -> Rungs:
+    """The grid of a unit."""
+    return {"x".join(map(str, d)): {"specimen.divisions": list(d), **extra} for d in sizes}
+
+
+def motions(mesh: str, extra: dict[str, Any]) -> Rungs:
+    """How the units move."""
+    tets: dict[str, Any] = {"kinematics": {"units": "tets"}, "specimen.mesh_size": mesh}
+    given: Rungs = {"rigid": {"kinematics": "rigid"}, "affine": {"kinematics": {"units": "affine"}}, "tets": tets}
+    return {label: {**knobs, **extra} for label, knobs in given.items()}
+
+
+def couplet() -> Problem:
+    """Exponential law at 0.5 MPa."""
+    usual = {"drive.steps": 40000}
+    knobs = {
+        RATE: steps(*(round(40000 / f) for f in FACTORS)),
+        ACCURACY: accuracies(5, 2, 1, 0.5),
+        "step fraction": fractions(usual),
+        "kinematics": motions("25 mm", usual),
+        "cells": cells(usual, (1, 1, 1), (2, 1, 1), (4, 2, 2)),
+    }
+    return Problem("couplet", "Couplet as shipped", "couplet", knobs, measure=measured, exact=exact)
+
+
+def wallette(mode: int) -> Problem:
+    """x1 is 1 mm/s in mode 1, the rate of the paper, and half of that in mode 2."""
+    usual = 1.0 / mode
+    quick, quicker = {"drive.rate": f"{4 * usual:g} mm/s"}, {"drive.rate": f"{16 * usual:g} mm/s"}
+    moved = motions("60 mm", quick)
+    moved["tets (at x16)"] = {**moved.pop("tets"), **quicker}
+    knobs = {
+        RATE: rates(usual),
+        ACCURACY: accuracies(5, 2, 1, 0.5),
+        "step fraction": fractions(quick),
+        "model: kinematics": moved,
+        "model: cells": cells(quick, (2, 1), (4, 2), (8, 4), (12, 6)),
+    }
+    name = f"wallette-mode-{mode}"
+    return Problem(name, f"Wallette, failure mode {mode}, as shipped", name, knobs)
+
+
+PROBLEMS = (couplet(), wallette(1), wallette(2))

@@ -1,0 +1,73 @@
+"""The shear triplet: the middle unit is pushed out between two others under pressure, linear law.
+
+p  | upper |          two joints carry the push: per joint  tau(s) of closed_forms.shear, the same slip s in both
+   +-------+  -> s    peak      c0 + p tan(phi0)
+middle unit           energy    2 A (work of a joint up to s less tau^2/(2 ks))
+   +-------+
+   | lower | held     section 2 A, so that the reported stress is tau
+"""
+
+from verification.closed_forms import Joint, dissipated_in_shear
+from verification.ladder import Problem, pace
+from verification.studies.trial import Trial
+
+JOINT = Joint(kn=80e9, ks=35e9, fT=0.2e6, c0=0.3e6, tan0=0.84, tan_res=0.7, G_I=10.0, G_II=50.0, G_II_slope=0.0)
+LENGTH, WIDTH, PRESSURE, PUSH = 0.25, 0.1, 0.2e6, 0.6e-3
+
+
+def _box(name: str, level: int) -> str:
+    return f"""
+[[specimen.box]]
+name = "{name}"
+origin = ["0 m", "0 m", "{60 * level} mm"]
+size = ["{LENGTH} m", "{WIDTH} m", "60 mm"]
+unit = {level}"""
+
+
+SCENE = f"""
+law = "linear"
+kinematics = "rigid"
+confinement = "{PRESSURE} Pa"
+[specimen]
+kind = "boxes"
+section = "{2 * LENGTH * WIDTH} m^2"
+{_box("lower", 0)}{_box("middle", 1)}{_box("upper", 2)}
+[material]
+units = {{density = "1900 kg/m^3"}}
+[contact.unit_unit]
+normal_stiffness = "{JOINT.kn} Pa/m"
+shear_stiffness = "{JOINT.ks} Pa/m"
+tensile_strength = "{JOINT.fT} Pa"
+cohesion = "{JOINT.c0} Pa"
+tan_friction_angle = {JOINT.tan0}
+tan_residual_friction_angle = {JOINT.tan_res}
+fracture_energy_mode_1 = "{JOINT.G_I} N/m"
+fracture_energy_mode_2 = "{JOINT.G_II} N/m"
+[[support]]
+on = "lower"
+fix = "all"
+[[support]]
+on = "upper"
+fix = ["x", "y", "rotation"]
+[[support]]
+on = "middle"
+fix = ["y", "rotation"]
+[[traction]]
+on = "upper.z+"
+stress = {{z = "-confinement"}}
+[settle]
+steps = 2000
+[drive]
+on = "middle"
+direction = "x"
+displacement = "{PUSH} m"
+"""
+
+
+def exact(one: Trial) -> dict[str, float]:
+    """Peak (Pa) and dissipated energy (J)."""
+    spent = float(dissipated_in_shear("linear", JOINT, PUSH, PRESSURE))
+    return {"peak stress": float(JOINT.peak(PRESSURE)), "dissipated energy": 2 * LENGTH * WIDTH * spent}
+
+
+PROBLEMS = (Problem("triplet", "Shear triplet, linear law", SCENE, pace(32000), exact=exact),)

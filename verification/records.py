@@ -1,0 +1,135 @@
+"""records.json: one record per case and quantity, kept by version; what a new run finds replaces only its own."""
+
+import json
+import math
+import os
+import platform
+from collections.abc import Iterable
+from functools import cache
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+from masonry import __version__
+from masonry.errors import SceneError
+from masonry.folder import WholeFiles
+from masonry.kernels.compiler import source_hash
+from verification.case import Outcome
+
+NAME = "records.json"
+PACKAGES = ("numpy", "scipy", "numba", "gmsh", "scikit-fem")
+CASES = "Cases"
+"""The chapter of a record that comes from a case."""
+Record = dict[str, Any]
+
+
+@cache
+def origin() -> Record:
+    """What a number depends on besides its case: sources, packages, processor. The same in every record of a run."""
+    return {
+        "version": __version__,
+        "source_hash": source_hash(),
+        "reference_hash": source_hash(("verification",)),
+        "packages": {"python": platform.python_version(), **{name: metadata.version(name) for name in PACKAGES}},
+        "processor": processor(),
+        "cores": os.cpu_count(),
+    }
+
+
+def processor() -> str:
+    """The model of the CPU, where the system tells."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        lines = []
+    named = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return named[0] if named else platform.processor() or "unknown processor"
+
+
+def records_of(outcome: Outcome) -> list[Record]:
+    """A record for each check of a case; one without a quantity where there is none (not built, error)."""
+    case, findings = outcome.case, outcome.findings
+    measures = {key: _largest(run.get(key) for run in findings.measures.values()) for key in _KEYS}
+    common: Record = {
+        "chapter": CASES,
+        "case": case.name,
+        "row": case.row,
+        "area": case.area,
+        "status": outcome.status,
+        "reason": outcome.reason,
+        "knobs": {},
+        "seconds": finite(outcome.seconds),
+        "seconds_stepping": finite(sum(findings.seconds.values())),
+        **measures,
+        "energy_imbalance": _largest(findings.imbalance.values()),
+    }
+    numbers = [
+        {
+            "quantity": check.quantity,
+            "unit": check.unit,
+            "value": finite(check.value),
+            "reference": finite(check.reference),
+            "kind_of_reference": check.kind,
+            "error": finite(check.error),
+            "tolerance": check.tolerance,
+            "expected": check.expected,
+            "scale": finite(abs(check.reference) if check.scale is None else check.scale),
+            "holds": bool(check.holds),
+            "too_loose": bool(check.too_loose),
+        }
+        for check in findings.checks
+    ]
+    return [common | number | origin() for number in numbers or [{"quantity": None}]]
+
+
+_KEYS = ("steps", "kinetic_over_internal", "unbalanced")
+
+
+def _largest(values: Iterable[float | None]) -> float | None:
+    """The largest of those that are known."""
+    known = [float(v) for v in values if v is not None and math.isfinite(v)]
+    return max(known, default=None)
+
+
+def finite(value: float) -> float | None:
+    """A number as strict JSON knows it."""
+    return float(value) if math.isfinite(value) else None
+
+
+def version_of(record: Record) -> tuple[str, str]:
+    """What makes two records belong to one version of the program."""
+    return str(record.get("version")), str(record.get("source_hash"))
+
+
+def load(path: Path) -> list[Record]:
+    """The records of a file, oldest version first. Raises SceneError where it is no such file."""
+    try:
+        records = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise SceneError(f"cannot read records from '{path}': {error.strerror or error}") from None
+    except ValueError as error:
+        raise SceneError(f"'{path}' holds no records: not JSON ({error})") from None
+    fine = isinstance(records, list) and all(isinstance(r, dict) and "case" in r and "version" in r for r in records)
+    if not fine:
+        raise SceneError(f"'{path}' holds no records: give a records.json that `masonry verify --out` wrote")
+    return records
+
+
+def merged(old: list[Record], new: list[Record]) -> list[Record]:
+    """Old and new: of the same version, chapter and case only the new ones stay; all else is kept, and stays first."""
+    replaced = {(*version_of(r), r.get("chapter"), r["case"]) for r in new}
+    kept = [r for r in old if (*version_of(r), r.get("chapter"), r["case"]) not in replaced]
+    return kept + new
+
+
+def save(new: list[Record], folder: Path) -> Path:
+    """Put records beside those that are in the folder already: whole or not at all. Returns the path."""
+    path = folder / NAME
+    try:
+        together = merged(load(path) if path.exists() else [], new)
+        lines = ",\n".join(json.dumps(record, allow_nan=False) for record in together)
+        with WholeFiles(folder) as files:
+            files.text(NAME, f"[\n{lines}\n]\n")
+    except OSError as error:
+        raise SceneError(f"cannot write records to '{folder}': {error.strerror or error}") from None
+    return path
