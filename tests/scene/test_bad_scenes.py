@@ -226,12 +226,14 @@ def test_an_unknown_name_is_told_the_nearest_packaged_scene_and_all_of_them(name
         assert known in str(error.value)
 
 
-def test_a_file_with_a_hundred_thousand_unknown_keys_is_refused_quickly(tmp_path):
-    text = "".join(f"k{n} = {n}\n" for n in range(100_000)) + COUPLET
-    started = time.perf_counter()
-    message = refusal(tmp_path, text)
-    assert time.perf_counter() - started < 10.0
-    assert message.endswith("... and 99995 more")
+def test_a_file_of_unknown_keys_is_refused_in_a_time_in_proportion_to_their_number(tmp_path):
+    seconds = []
+    for count in (10_000, 100_000):
+        text = "".join(f"k{n} = {n}\n" for n in range(count)) + COUPLET
+        started = time.process_time()
+        assert refusal(tmp_path, text).endswith(f"... and {count - 5} more")
+        seconds.append(time.process_time() - started)
+    assert seconds[1] < 30 * seconds[0]
 
 
 def test_the_line_is_found_inside_arrays_of_tables_and_after_long_texts(tmp_path):
@@ -246,9 +248,11 @@ def test_the_line_is_found_inside_arrays_of_tables_and_after_long_texts(tmp_path
     "text", [f"{'.'.join(['a'] * 20000)} = 1", f"[{'.'.join(['a'] * 3000)}]", f"a = {'[' * 90}{']' * 90}"]
 )
 def test_tables_within_tables_without_end_are_refused_at_once(text, tmp_path):
-    start = time.perf_counter()
+    begun = time.process_time()
+    refusal(tmp_path, 'base = "couplet"\ndrvie = 1\n')
+    usual, begun = time.process_time() - begun, time.process_time()
     assert refusal(tmp_path, f'base = "couplet"\n{text}\n').endswith("tables nested too deeply")
-    assert time.perf_counter() - start < 2.0
+    assert time.process_time() - begun < 10 * usual
 
 
 def test_a_list_is_not_called_empty_because_of_a_wrong_item(tmp_path):
