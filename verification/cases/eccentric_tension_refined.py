@@ -5,8 +5,8 @@ discretisation of the joint and the blocks, to more digits than matter here; wha
 discretisation: linear tets too stiff in bending, and joints lumped at vertices. Both fall as h^2, at the peak as in the
 elastic range. The clamped base and the driven side have corners where stress is singular, far from the joint.
 
-Tier 2 stands for the truth with n = 4; with n = 2 its first stiffness is 1.1 % higher. As that falls by the second power
-nearly, what it is still off itself is a fifth of the error of the finer run, at most.
+Tier 2 stands for the truth with n = 4; with n = 2 its first stiffness is 1.1 % higher. As that falls nearly by the
+second power, what it is still off itself is a fifth of the error of the finer run, at most.
 """
 
 import numpy as np
