@@ -12,7 +12,7 @@ the square of their number. Constant-strain tets are too stiff in bending as wel
 
 from typing import Any
 
-from verification.ladder import ACCURACY, Problem, Rungs, accuracies, dampings, fractions, steps
+from verification.ladder import ACCURACY, FEW_ROWS, Problem, Rungs, accuracies, dampings, fractions, steps
 from verification.studies.trial import Trial
 
 BLOCKS, SIDE, LENGTH, PLATE = 5, 0.1, 0.1, 0.02
@@ -79,7 +79,7 @@ def exact(one: Trial) -> dict[str, float]:
 
 def loading(fine: int, extra: dict[str, Any]) -> dict[str, Rungs]:
     """The knobs of an elastic test: nothing is spent, so that only the motion at the end counts."""
-    usual = {"drive.steps": fine // 2}
+    usual = {"drive.steps": fine // 2, **FEW_ROWS}
     rates = steps(*(fine >> k for k in (4, 3, 2, 1, 0)))
     found = {"constant rate": rates, ACCURACY: accuracies()}
     found |= {"step fraction": fractions(usual), "damping": dampings(usual)}
@@ -88,11 +88,11 @@ def loading(fine: int, extra: dict[str, Any]) -> dict[str, Rungs]:
 
 def points(kind: str) -> Rungs:
     """Contact points along each edge."""
-    keys = {"specimen.contact_points": kind, "drive.steps": 16000}
+    keys = {"specimen.contact_points": kind, "drive.steps": 16000, **FEW_ROWS}
     return {f"{n} x {n}": {**keys, "specimen.points_per_edge": n} for n in (2, 3, 4, 8)}
 
 
-MESH = {f"{s} mm": {"specimen.mesh_size": f"{s} mm", "drive.steps": 8000} for s in (100, 50, 33, 25)}
+MESH = {f"{s} mm": {"specimen.mesh_size": f"{s} mm", "drive.steps": 8000, **FEW_ROWS} for s in (100, 50, 33, 25)}
 RIGID = loading(32000, {}) | {"Gauss points": points("gauss"), "vertex points": points("vertex")}
 PROBLEMS = (
     Problem(

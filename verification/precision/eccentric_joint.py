@@ -18,7 +18,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from verification.closed_forms import Joint, dissipated_in_tension, tension
-from verification.ladder import Problem, pace
+from verification.ladder import FEW_ROWS, Problem, pace
 from verification.studies.trial import Trial
 
 JOINT = Joint(G_I=20.0)
@@ -96,7 +96,7 @@ def exact(one: Trial) -> dict[str, float]:
     return {"peak stress": peak, "dissipated energy": dissipated}
 
 
-POINTS = {str(n): {"specimen.points_per_edge": {"x": n}, "drive.steps": 16000} for n in (2, 4, 8, 16, 32)}
+POINTS = {str(n): {"specimen.points_per_edge": {"x": n}, "drive.steps": 16000, **FEW_ROWS} for n in (2, 4, 8, 16, 32)}
 FINE = {"specimen.points_per_edge": {"x": 32}}
 KNOBS = {knob: {label: FINE | keys for label, keys in rungs.items()} for knob, rungs in pace(32000).items()}
 PROBLEMS = (

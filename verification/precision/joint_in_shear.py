@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from verification.ladder import Problem, pace
+from verification.ladder import FEW_ROWS, Problem, pace
 from verification.studies.couplet import exact_values
 from verification.studies.trial import Trial
 
@@ -22,7 +22,7 @@ def exact(one: Trial) -> dict[str, float]:
 
 def motions() -> dict[str, dict[str, Any]]:
     """How the units move: all have the same closed form, since what is driven and held has no shear of its own."""
-    usual = {"drive.steps": STEPS // 4}
+    usual = {"drive.steps": STEPS // 4, **FEW_ROWS}
     return {motion: {"kinematics": motion, **usual} for motion in ("rigid", "affine", "tets")}
 
 
