@@ -21,7 +21,7 @@ from verification.thresholds import threshold
 
 HEIGHT, WIDTH, G = 1.2, 0.4, 9.81
 NORMAL, DENSITY = 2e10, 2000.0
-HALVINGS = 7
+HALVINGS = 6
 
 SCENE = f"""
 law = "exponential"
@@ -92,7 +92,7 @@ def run() -> Findings:
                 value,
                 limit,
                 "closed form",
-                2e-3,
+                3e-3,
                 width / limit + 4e-4,
                 "edge contacts make the limit exact; what is left is that a fall just above it has to get somewhere in "
                 "the time that the run has",
