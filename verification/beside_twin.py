@@ -14,8 +14,6 @@ from verification.twin import twin
 
 Array = np.ndarray
 DEAD_STEPS = 4
-PARTS = 1
-"""Implicit steps in which each increment of the run is made: what a doubling changes is below the tolerances."""
 
 
 @dataclass(frozen=True)
@@ -36,24 +34,28 @@ def compare(
     allowed: Allowed,
     move: int,
     wait: int,
+    parts: int = 1,
 ) -> None:
-    """Run a scene through `places` (m) and its twin under `conditions`; add checks and a plot of both curves."""
+    """Run a scene through `places` (m) and its twin under `conditions`; add checks and a plot of both curves.
+
+    move, wait  steps of the run to each place, and at rest there      parts  implicit steps to each place
+    """
     assembly = make()
     model = twin(assembly)
     conditions(model)
     settle = DEAD_STEPS if model.dead.any() else 0
-    force, harm, path = follow(model, places)
+    force, harm, path = follow(model, places, parts)
     stress, peak = force / assembly.specimen.section, float(np.abs(force).max()) / assembly.specimen.section
     result = findings.note(name, held_steps.run(assembly, places, move, wait, settle))
     ran = result.history.rows["stress"][1 + settle :]
     sound = harm == 0.0
     why = "both models are one discretisation; "
-    parts = [
+    ranges = [
         ("elastic range", sound, allowed.elastic, why + "what is left is how far each wait of the run comes to rest"),
         ("softening", ~sound, allowed.softening, why + "a run passes each increment with a swing that dies out, so "
          "contacts unload and reload by a little, and its square is lost"),
     ]  # fmt: skip
-    for what, which, (expected, tolerance), reason in parts:
+    for what, which, (expected, tolerance), reason in ranges:
         k = np.flatnonzero(which)[int(np.argmax(np.abs(ran - stress)[which]))]
         findings.checks.append(
             Check(f"{name}: stress where the curves differ most, {what}", "Pa", float(ran[k]), float(stress[k]),
@@ -69,7 +71,7 @@ def compare(
     findings.plots.append(Plot(name, "displacement of the drive (um)", "stress (MPa)", lines))
 
 
-def follow(model: Model, places: Sequence[float], parts: int = PARTS) -> tuple[Array, Array, Path]:
+def follow(model: Model, places: Sequence[float], parts: int = 1) -> tuple[Array, Array, Path]:
     """Force of the drive (N) at each place under displacement control, the most strength lost there, and the path."""
     path, force, harm = Path(model), [], []
     if model.dead.any():

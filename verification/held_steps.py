@@ -26,7 +26,7 @@ def assembled(text: str, specimen: Specimen | None = None, mesh: TetMesh | None 
 
 
 def run(assembly: Assembly, places: Sequence[float], move: int, wait: int, settle: int = 0) -> Result:
-    """Drive an assembly through `places` (m, growing, without sign), `move` steps to each and `wait` steps at each.
+    """Drive an assembly through `places` (m along the drive, which may turn back): `move` steps, and `wait` at each.
 
     settle  waits before the drive starts, each of move + wait steps, in the first half of which dead loads rise
     Rows of the history: one at the start, one after each wait. The scene's own drive gives direction and sign alone.

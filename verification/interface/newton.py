@@ -62,7 +62,8 @@ class Path:
     def open_by(self, amount: float) -> State:
         """The equilibrium where the points that soften now have opened by `amount` (m) more in the mean.
 
-        Where none softens yet, those nearest to it count. This passes snap-backs that go with single elements.
+        Where none softens yet, those nearest to it count. This passes snap-backs that go with single elements; a load
+        or displacement other than zero must be there already. What is controlled here stays the control of `go`.
         """
         weights, area = np.zeros(len(self.model.held)), 0.0
         u = self.system.model.driven * self.state.factor
