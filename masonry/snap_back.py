@@ -1,58 +1,58 @@
-"""Where a law's curve may snap back under the compression that a run brings: looked at between chunks."""
+"""Where a law's curve snaps back under the compression that a run brings: looked at between chunks."""
 
 import numpy as np
 
 from masonry.errors import Stopped
-from masonry.laws.door import beside
+from masonry.laws.snap_back import given_mode_2_energy, least_mode_2_energy
 from masonry.model import Model
 
 
 class SnapBack:
     """Stops a run in which a contact softens in shear under more compression than its law's energy is enough for.
 
-    Beyond that compression the strength would drop at once and take more energy than the fracture energy given. A
-    compression is looked at before and after the steps of a chunk, in which contacts soften.
+    Beyond that compression the strength would drop at once and take more energy than the fracture energy given. The
+    compression is looked at before and after the steps of a chunk in which a contact softens.
     """
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        self.limits = [
-            find(shape, interface) if (find := beside(type(shape), "largest_compression")) else np.inf
-            for shape, interface in zip(*model.groups[:2], strict=True)
+        shapes, interfaces, _, bounds = model.groups
+        spans = [slice(int(a), int(b)) for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
+        self.spans = [
+            (g, span) for g, span in enumerate(spans) if least_mode_2_energy(shapes[g], interfaces[g], 0.0) is not None
         ]
-        bounds = model.groups[3].astype(np.int64)
-        self.spans = [slice(a, b) for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
-        self.before = [(self._compression(span), self._intact(span)) for span in self.spans]
+        self.before = {g: (self._compression(span), self._intact(span)) for g, span in self.spans}
 
     def check(self, step: int) -> None:
-        """Raise Stopped, naming the contact, if one has softened beyond its limit since the last look."""
-        for g, (limit, span) in enumerate(zip(self.limits, self.spans, strict=True)):
-            if not np.isfinite(limit):
-                continue
+        """Raise Stopped, naming the contact, if one has softened with too little energy since the last look."""
+        shapes, interfaces = self.model.groups[:2]
+        for g, span in self.spans:
             compression, intact = self._compression(span), self._intact(span)
-            most = np.where(intact < self.before[g][1], np.maximum(compression, self.before[g][0]), 0.0)
+            softened = intact < self.before[g][1]
+            most = np.maximum(compression, self.before[g][0])
             self.before[g] = compression, intact
-            if len(most) and most.max() > limit:
-                self._stop(step, g, span.start + int(np.argmax(most)), float(most.max()))
+            if not softened.any():
+                continue
+            lacking = least_mode_2_energy(shapes[g], interfaces[g], most) - given_mode_2_energy(shapes[g], most)
+            lacking[~softened] = -np.inf
+            worst = int(np.argmax(lacking))
+            if lacking[worst] > 0.0:
+                self._stop(step, g, span.start + worst, float(most[worst]), float(lacking[worst]))
 
     def _compression(self, span: slice) -> np.ndarray:
-        """(c,) Pa of a group's contacts, from the force that acts."""
+        """(c,) Pa of a group's contacts, from the force that acts; 0 in tension."""
         _, normal, area, _, force = self.model.contacts
-        return -np.einsum("ci,ci->c", force[span], normal[span]) / area[span]
+        return np.maximum(-np.einsum("ci,ci->c", force[span], normal[span]) / area[span], 0.0)
 
     def _intact(self, span: slice) -> np.ndarray:
-        """(c,) share of the shear strength above the residual that is left; none for elastic groups."""
-        left = self.model.state.intact_s
-        return np.zeros(0) if left is None else left[span].copy()
+        """(c,) share of the shear strength above the residual that is left."""
+        return self.model.state.intact_s[span].copy()
 
-    def _stop(self, step: int, g: int, contact: int, compression: float) -> None:
-        name, shape, interface = self.model.group_names[g], self.model.groups[0][g], self.model.groups[1][g]
-        loss = interface.cohesion - interface.residual_cohesion
-        loss += compression * (interface.tan_friction - interface.tan_residual_friction)
-        least = loss**2 / (2.0 * interface.shear_stiffness) - compression * (shape.G_II_slope or 0.0)
+    def _stop(self, step: int, g: int, contact: int, compression: float, lacking: float) -> None:
+        shape = self.model.groups[0][g]
         raise Stopped(
-            f"step {step}: {self.model.contact(contact)} softens under a compression of {compression:.4g} Pa; beyond "
-            f"{self.limits[g]:.4g} Pa the curve of law '{type(shape).__name__.lower()}' snaps back and takes more "
-            f"energy than contact.{name}.fracture_energy_mode_2. Raise that above {least:.4g} N/m, or choose law "
-            "exponential or polynomial, which cannot snap back"
+            f"step {step}: {self.model.contact(contact)} softens under a compression of {compression:.4g} Pa, where "
+            f"the curve of law '{type(shape).__name__.lower()}' snaps back and takes more energy than given: raise "
+            f"contact.{self.model.group_names[g]}.fracture_energy_mode_2 above {shape.G_II + lacking:.4g} N/m, or "
+            'choose law exponential with softening_variable = "displacement", which cannot snap back'
         )

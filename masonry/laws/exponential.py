@@ -4,6 +4,7 @@ from math import exp
 from typing import NamedTuple
 
 from masonry.laws.linear import mode_2_energy
+from masonry.laws.snap_back import lost_in_shear, refuse_in_shear
 
 
 class Exponential(NamedTuple):
@@ -19,6 +20,22 @@ PARAMETERS = {
     "G_II": "fracture_energy_mode_2",
     "G_II_slope": "fracture_energy_mode_2_slope",
 }
+
+WHY_IN_SHEAR = (
+    "over plastic slip the curve would snap back below cohesion * (peak - residual shear strength) / shear stiffness"
+)
+
+
+def refuse(shape, interface, compressions):
+    """Snap-back over plastic slip: (scene key, its least value with unit, why) or None."""
+    return refuse_in_shear(shape, interface, compressions)
+
+
+def least_mode_2_energy(shape, interface, compression):
+    """Over plastic slip the first slope, (peak - residual) c0/G_II, must stay below ks."""
+    if interface.plastic_softening is None:
+        return None
+    return interface.cohesion * lost_in_shear(interface, compression) / interface.shear_stiffness
 
 
 def tension_intact(shape, interface, opening):

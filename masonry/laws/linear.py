@@ -1,11 +1,11 @@
 """Linear softening, eqs (12) and (13): G_I and G_II are the whole triangle, the elastic part included."""
 
-from math import inf, sqrt
 from typing import NamedTuple
 
 from numba.extending import register_jitable
 
 from masonry.kernels.lanes import choose, filled, larger
+from masonry.laws.snap_back import lost_in_shear, refuse_in_shear
 
 
 class Linear(NamedTuple):
@@ -22,6 +22,8 @@ PARAMETERS = {
     "G_II_slope": "fracture_energy_mode_2_slope",
 }
 
+WHY_IN_SHEAR = "the curve would snap back below (peak - residual shear strength)^2 / (2 shear stiffness)"
+
 
 def refuse(shape, interface, compressions):
     """Snap-back, G_I <= fT^2/(2 kn) or ul <= us0: (scene key, its least value with unit, why) or None."""
@@ -29,35 +31,12 @@ def refuse(shape, interface, compressions):
     if interface.tensile_strength > 0.0 and least >= shape.G_I:
         why = "the curve would snap back below tensile strength^2 / (2 normal stiffness)"
         return "fracture_energy_mode_1", f"{least:.6g} N/m", why
-    most = None
-    for compression in compressions:
-        loss = interface.cohesion - interface.residual_cohesion
-        loss += compression * (interface.tan_friction - interface.tan_residual_friction)
-        least = loss**2 / (2.0 * interface.shear_stiffness)
-        given = mode_2_energy(shape.G_II, shape.G_II_slope, compression)
-        if loss > 0.0 and given <= least:
-            wanted = least - (given - shape.G_II), compression
-            most = wanted if most is None else max(most, wanted)
-    if most is None:
-        return None
-    why = "the curve would snap back below (peak - residual shear strength)^2 / (2 shear stiffness)"
-    return "fracture_energy_mode_2", f"{most[0]:.6g} N/m", f"{why}, at a compression of {most[1]:g} Pa"
+    return refuse_in_shear(shape, interface, compressions)
 
 
-def largest_compression(shape, interface):
-    """Compression (Pa) beyond which G_II + slope sigma <= (peak - residual)^2/(2 ks), so that eq. (13) snaps back.
-
-    The greater root of b^2 sigma^2 + 2 p sigma + q = 0 with peak - residual = a + b sigma; infinite where the peak
-    loses no friction.
-    """
-    a = interface.cohesion - interface.residual_cohesion
-    b = interface.tan_friction - interface.tan_residual_friction
-    if b == 0.0:
-        return inf
-    p = a * b - interface.shear_stiffness * (shape.G_II_slope or 0.0)
-    q = a * a - 2.0 * interface.shear_stiffness * shape.G_II
-    root = sqrt(max(p * p - b * b * q, 0.0))
-    return -q / (p + root) if p > 0.0 else (root - p) / (b * b)
+def least_mode_2_energy(shape, interface, compression):
+    """That ul > us0 takes more than the elastic triangle, (peak - residual)^2/(2 ks), by either softening variable."""
+    return lost_in_shear(interface, compression) ** 2 / (2.0 * interface.shear_stiffness)
 
 
 def tension_intact(shape, interface, opening):

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from masonry.laws.linear import mode_2_energy
+from masonry.laws.snap_back import lost_in_shear, refuse_in_shear
 
 
 class Polynomial(NamedTuple):
@@ -23,13 +24,26 @@ PARAMETERS = {
     "G_II_slope": "fracture_energy_mode_2_slope",
 }
 
+WHY_IN_SHEAR = (
+    "over plastic slip the curve would snap back below exponent_shear * peak * (peak - residual shear strength) / "
+    "(2 shear stiffness)"
+)
+
 
 def refuse(shape, interface, compressions):
-    """Exponents <= 1 leave an infinite energy under the curve: (scene key, its least value, why) or None."""
+    """Exponents <= 1 leave an infinite energy; snap-back over plastic slip: (key, its least value, why) or None."""
     for key, value in (("exponent_tension", shape.alpha), ("exponent_shear", shape.beta)):
         if value <= 1.0:
             return key, "1", "at 1 and below the area under the curve is infinite"
-    return None
+    return refuse_in_shear(shape, interface, compressions)
+
+
+def least_mode_2_energy(shape, interface, compression):
+    """Over plastic slip the first slope, (peak - residual) beta/w with w = 2 G_II/peak, must stay below ks."""
+    if interface.plastic_softening is None:
+        return None
+    peak = interface.cohesion + compression * interface.tan_friction
+    return shape.beta * peak * lost_in_shear(interface, compression) / (2.0 * interface.shear_stiffness)
 
 
 def tension_intact(shape, interface, opening):

@@ -2,14 +2,18 @@
 
 import math
 import re
+import sys
 
 import numpy as np
 import pytest
 
 from masonry import laboratory, scene
 from masonry.errors import SceneError, Stopped
+from masonry.laws.exponential import Exponential
 from masonry.laws.interface import Interface
-from masonry.laws.linear import Linear, largest_compression
+from masonry.laws.linear import Linear
+from masonry.laws.polynomial import Polynomial
+from masonry.laws.snap_back import least_mode_2_energy
 
 ENERGY = 6.5
 BARELY = {
@@ -29,18 +33,42 @@ def pressed(sigma: float) -> scene.Scene:
     return scene.load("couplet", {**BARELY, "traction.0.stress": {"z": f"{-sigma!r} Pa"}})
 
 
-@pytest.mark.parametrize("slope", [0.0, 1e-6, 130e-6])
-@pytest.mark.parametrize("energy", [5.5, 58.0])
-def test_at_the_largest_compression_the_energy_is_just_the_elastic_triangle(slope, energy):
+LAWS = {
+    "linear": Linear(5.8, 58.0, 1e-6),
+    "exponential": Exponential(5.8, 58.0, 1e-6),
+    "polynomial": Polynomial(5.8, 58.0, 3.0, 2.5, 1e-6),
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("compression", [0.0, 2e6, 3e7])
+def test_with_the_least_energy_the_first_slope_over_plastic_slip_is_the_shear_stiffness(law, compression):
+    """Stress over total slip then falls straight down: 1/ks of elastic way back for each slip that is made."""
+    shape, joint = LAWS[law], Interface(150e9, 70e9, 0.58e6, 0.87e6, 1.01, 0.1e6, 0.73, plastic_softening=1.0)
+    least = least_mode_2_energy(shape, joint, compression)
+    just = shape._replace(G_II=least, G_II_slope=0.0)
+    peak, residual = 0.87e6 + 1.01 * compression, 0.1e6 + 0.73 * compression
+    slip = 1e-6 * (peak - residual) / 70e9
+    left = sys.modules[type(shape).__module__].shear_intact(just, joint, slip, peak, residual, compression)
+    assert (1.0 - left) * (peak - residual) / slip == pytest.approx(70e9, rel=1e-5)
+
+
+def test_over_the_total_slip_only_the_linear_law_snaps_back():
     joint = Interface(150e9, 70e9, 0.58e6, 0.87e6, 1.01, 0.0, 0.73)
-    at = largest_compression(Linear(5.8, energy, slope), joint)
-    loss = 0.87e6 + at * (1.01 - 0.73)
-    assert at > 0.0
-    assert energy + slope * at == pytest.approx(loss**2 / (2 * 70e9), rel=1e-12)
+    limits = {law: least_mode_2_energy(shape, joint, 1e6) for law, shape in LAWS.items()}
+    assert limits == {"linear": pytest.approx((0.87e6 + 0.28e6) ** 2 / 140e9), "exponential": None, "polynomial": None}
 
 
-def test_without_a_loss_of_friction_no_compression_is_too_much():
-    assert largest_compression(Linear(5.8, 58.0), Interface(150e9, 70e9, 0.58e6, 0.87e6, 0.7, 0.0, 0.7)) == math.inf
+def test_over_plastic_slip_the_exponential_law_is_refused_where_it_would_take_more_energy_than_it_has():
+    least = 0.87e6 * (0.87e6 + 0.28 * 0.5e6) / 70e9
+    knobs = {
+        "contact.unit_unit.softening_variable": "plastic",
+        "contact.unit_unit.fracture_energy_mode_2_slope": "0 N/m/MPa",
+    }
+    few, enough = ({**knobs, "contact.unit_unit.fracture_energy_mode_2": f"{f * least!r} N/m"} for f in (0.99, 1.01))
+    with pytest.raises(SceneError, match="fracture_energy_mode_2 .*plastic slip.*snap back"):
+        laboratory.check(scene.load("couplet", few))
+    assert laboratory.check(scene.load("couplet", enough))["blocks"] == 2
 
 
 def test_a_contact_that_softens_beyond_the_limit_stops_the_run_and_is_named():

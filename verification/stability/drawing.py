@@ -15,7 +15,7 @@ MEANINGS = {
     "stop": "refused or stopped, with a reason",
     "bad": "wrong without a word",
 }
-HATCHES = {"ok": "", "warn": "....", "stop": "////", "bad": "xxxx"}
+HATCHES = {"ok": "", "warn": "----", "stop": "////", "bad": "xxxx"}
 """So that the colours can be told apart on a black and white print."""
 LEAST, MOST = 1e-16, 1.0
 """Errors at which the bar of a cell is empty and full; its length goes with the logarithm."""

@@ -1,7 +1,8 @@
 """Joints at their limits: stiffness, confinement, fracture energies down to and below the snap-back limit."""
 
+from verification.closed_forms import Joint
 from verification.stability.cells import Cell, Grid
-from verification.stability.references import sheared, torn
+from verification.stability.references import sheared, sheared_over_plastic_slip, torn
 from verification.stability.scenes import COUPLET, JOINT, PAIR, Knobs, joint_of, pascals, slid
 
 LAWS = ("linear", "polynomial", "exponential", "brittle")
@@ -71,7 +72,23 @@ def energies_in_shear(full: bool) -> Grid:
             cells[law, f"{ratio:g}"] = Cell(COUPLET, slid(COUPLET, knobs), sheared, must)
             if law == "exponential":
                 cells[f"{law}, paced to 1 %", f"{ratio:g}"] = Cell(COUPLET, paced(slid(COUPLET, knobs)), sheared)
-    return Grid("Fracture energy in shear", "law", "G_II over the snap-back limit", cells)
+    over_plastic_slip(cells, full, joint_of(COUPLET, {}), limit)
+    note = (
+        "Over the plastic slip the exponential law snaps back below c0 (peak - residual)/ks, 1.7 times the limit of "
+        "the linear law here."
+    )
+    return Grid("Fracture energy in shear", "law", "G_II over the snap-back limit", cells, note=note)
+
+
+def over_plastic_slip(cells: dict[tuple[str, str], Cell], full: bool, joint: Joint, limit: float) -> None:
+    """Add the row of the exponential law with the other softening variable."""
+    least = joint.c0 * float(joint.peak(0.5e6) - joint.residual(0.5e6)) / joint.ks
+    for ratio in RATIOS if full else ():
+        knobs = {**STEPS, **NO_SLOPE, **pascals(fracture_energy_mode_2=ratio * limit)}
+        knobs[f"{JOINT}.softening_variable"] = "plastic"
+        must = ("REFUSED",) if ratio * limit <= least else ("OK",)
+        place = "exponential, over plastic slip", f"{ratio:g}"
+        cells[place] = Cell(COUPLET, slid(COUPLET, knobs), sheared_over_plastic_slip, must)
 
 
 PULL: Knobs = {**STEPS, "confinement": "0 Pa", "drive.direction": "z"}

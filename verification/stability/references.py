@@ -1,5 +1,7 @@
 """What the runs of the maps are held against: closed forms of the sheared and of the torn joint."""
 
+import math
+
 from masonry import scene
 from verification import closed_forms
 from verification.stability.cells import Exact
@@ -21,6 +23,32 @@ def sheared(one: Trial) -> dict[str, Exact]:
     spent = float(closed_forms.dissipated_in_shear(law, joint, slip, sigma))
     return {
         "peak": Exact(one.value("peak"), peak),
+        "dissipated": Exact(one.value("dissipated"), area * spent, area * work),
+    }
+
+
+def sheared_over_plastic_slip(one: Trial) -> dict[str, Exact]:
+    """As `sheared`, for the exponential law over the plastic slip p: tau = residual + (peak - residual) e^(-c0 p/G).
+
+    The slip of the drive is tau/ks + p; the energy is the integral of tau dp.
+    """
+    from scipy.optimize import brentq
+
+    loaded = scene.load(one.case, one.knobs)
+    assert loaded.drive is not None and loaded.contact["unit_unit"].law == "exponential"
+    joint, area = joint_of(one.case, one.knobs), one.summary["section_m2"]
+    sigma, slip = pressure(one, area), loaded.drive.displacement
+    energy, residual = float(joint.mode_2_energy(sigma)), float(joint.residual(sigma))
+    drop = float(joint.peak(sigma)) - residual
+
+    def stress(plastic: float) -> float:
+        return residual + drop * math.exp(-joint.c0 * plastic / energy)
+
+    plastic = float(brentq(lambda p: stress(p) / joint.ks + p - slip, 0.0, slip))
+    spent = residual * plastic - drop * energy / joint.c0 * math.expm1(-joint.c0 * plastic / energy)
+    work = spent + 0.5 * stress(plastic) ** 2 / joint.ks
+    return {
+        "peak": Exact(one.value("peak"), residual + drop),
         "dissipated": Exact(one.value("dissipated"), area * spent, area * work),
     }
 

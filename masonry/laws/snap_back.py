@@ -1,0 +1,38 @@
+"""Fracture energies in shear below which a law's curve snaps back: refused at input, and looked for during a run.
+
+A law file that has such a limit brings `least_mode_2_energy(shape, interface, compression)`: N/m, at a compression in
+Pa, or None where its curve never snaps back.
+"""
+
+from masonry.laws.door import beside
+
+
+def least_mode_2_energy(shape, interface, compression):
+    """The least energy (N/m) of a law at a compression (Pa, number or array), or None where any is enough."""
+    own = beside(type(shape), "least_mode_2_energy")
+    return None if own is None else own(shape, interface, compression)
+
+
+def given_mode_2_energy(shape, compression):
+    """The energy (N/m) that a law has at a compression (Pa, number or array)."""
+    return shape.G_II + (shape.G_II_slope or 0.0) * compression
+
+
+def lost_in_shear(interface, compression):
+    """Peak less residual shear strength (Pa) at a compression (Pa, number or array)."""
+    loss = interface.tan_friction - interface.tan_residual_friction
+    return interface.cohesion - interface.residual_cohesion + compression * loss
+
+
+def refuse_in_shear(shape, interface, compressions):
+    """(scene key, its least value with unit, why) where the energy is too small at one of the compressions, or None."""
+    most = None
+    for compression in compressions:
+        least = least_mode_2_energy(shape, interface, compression)
+        if least and given_mode_2_energy(shape, compression) <= least:
+            wanted = least - (shape.G_II_slope or 0.0) * compression, compression
+            most = wanted if most is None else max(most, wanted)
+    if most is None:
+        return None
+    why = beside(type(shape), "WHY_IN_SHEAR")
+    return "fracture_energy_mode_2", f"{most[0]:.6g} N/m", f"{why}, at a compression of {most[1]:g} Pa"
