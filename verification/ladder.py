@@ -80,11 +80,12 @@ def accuracies(*percents: float) -> Rungs:
 
 
 def steps(*counts: int) -> Rungs:
-    """Rungs of a drive in a number of steps, with few rows: in a small problem they would cost more than the steps."""
-    return {f"{n:,} steps": {"drive.steps": n, **FEW_ROWS} for n in counts}
+    """Rungs of a drive in a number of steps."""
+    return {f"{n:,} steps": {"drive.steps": n} for n in counts}
 
 
 FEW_ROWS = {"solver.rows": 100}
+"""For small problems, whose thousand rows would cost more than their steps."""
 
 
 def fractions(extra: dict[str, Any], *shares: float) -> Rungs:
@@ -100,7 +101,7 @@ def dampings(extra: dict[str, Any], *shares: float) -> Rungs:
 def pace(fine: int, rungs: int = 5) -> dict[str, Rungs]:
     """The knobs of the loading alone: accuracy, numbers of steps halved from `fine`, step fraction, damping."""
     counts = [max(fine >> k, 2) for k in reversed(range(rungs))]
-    usual = {"drive.steps": counts[-2], **FEW_ROWS}
+    usual = {"drive.steps": counts[-2]}
     return {
         RATE: steps(*counts),
         ACCURACY: accuracies(),

@@ -22,7 +22,7 @@ def exact(one: Trial) -> dict[str, float]:
 
 def motions() -> dict[str, dict[str, Any]]:
     """How the units move: all have the same closed form, since what is driven and held has no shear of its own."""
-    usual = {"drive.steps": STEPS // 4, **FEW_ROWS}
+    usual = {"drive.steps": STEPS // 4}
     return {motion: {"kinematics": motion, **usual} for motion in ("rigid", "affine", "tets")}
 
 
@@ -33,7 +33,7 @@ def problem(law: str, confinement: str) -> Problem:
         title=f"Joint in shear, {law} law, {confinement}",
         scene="couplet",
         knobs=pace(STEPS) | {"kinematics": motions()},
-        base={"law": law, "confinement": confinement},
+        base={"law": law, "confinement": confinement, **FEW_ROWS},
         measure=measured,
         exact=exact,
     )

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from verification.ladder import ACCURACY, FEW_ROWS, RATE, Problem, Rungs, accuracies, fractions, steps
+from verification.ladder import ACCURACY, RATE, Problem, Rungs, accuracies, fractions, steps
 from verification.precision.joint_in_shear import exact, measured
 
 FACTORS = (8.0, 4.0, 2.0, 1.0, 0.5)
@@ -27,7 +27,7 @@ def motions(mesh: str, extra: dict[str, Any]) -> Rungs:
 
 def couplet() -> Problem:
     """Exponential law at 0.5 MPa."""
-    usual = {"drive.steps": 40000, **FEW_ROWS}
+    usual = {"drive.steps": 40000}
     knobs = {
         RATE: steps(*(round(40000 / f) for f in FACTORS)),
         ACCURACY: accuracies(5, 2, 1, 0.5),
