@@ -62,6 +62,8 @@ def main(arguments: list[str] | None = None) -> int:
         raise SceneError("--full runs all cases: name none beside it")
     cases = catalogue.chosen(words.cases, known) or [c for c in known.values() if words.full or c.quick]
     old = records.load(words.compare[0]) if words.compare else []
+    if words.out:
+        records.save([], words.out)  # a folder that cannot be written to is found out now
     begun = time.perf_counter()
     outcomes = runner.run(cases, words.workers, _tell)
     code = _say(words.format, outcomes, time.perf_counter() - begun)

@@ -84,6 +84,10 @@ def steps(*counts: int) -> Rungs:
     return {f"{n:,} steps": {"drive.steps": n} for n in counts}
 
 
+FEW_ROWS = {"solver.rows": 100}
+"""For small problems, whose thousand rows would cost more than their steps."""
+
+
 def fractions(extra: dict[str, Any], *shares: float) -> Rungs:
     """Rungs of the time step, as shares of the proven bound."""
     return {f"{f:g}": {"solver.step_fraction": f, **extra} for f in shares or (1.0, 0.9, 0.6, 0.3)}

@@ -52,6 +52,7 @@ def test_a_failure_says_where_what_it_found_and_what_it_should_be(capsys):
         (["--compare", "nowhere.json"], "cannot read records from 'nowhere.json'"),
         (["--compare", "a", "b", "c"], "one or two files"),
         (["--format", "xml"], "invalid choice"),
+        (["--out", "/proc/nowhere"], "cannot write records to '/proc/nowhere'"),
         (["--workers", "-1"], "0 (all in this process) or more"),
     ],
 )

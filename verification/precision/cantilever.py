@@ -12,7 +12,7 @@ the square of their number. Constant-strain tets are too stiff in bending as wel
 
 from typing import Any
 
-from verification.ladder import ACCURACY, Problem, Rungs, accuracies, dampings, fractions, steps
+from verification.ladder import ACCURACY, FEW_ROWS, Problem, Rungs, accuracies, dampings, fractions, steps
 from verification.studies.trial import Trial
 
 BLOCKS, SIDE, LENGTH, PLATE = 5, 0.1, 0.1, 0.02
@@ -97,15 +97,17 @@ RIGID = loading(32000, {}) | {"Gauss points": points("gauss"), "vertex points": 
 PROBLEMS = (
     Problem(
         *("cantilever-rigid", "Cantilever of rigid blocks", SCENE, RIGID),
+        base=FEW_ROWS,
         measure=measured,
         exact=exact,
         units={STIFFNESS: "N/m"},
     ),
     Problem(
         *("cantilever-tets", "Cantilever of tets", SCENE, loading(16000, {}) | {"mesh": MESH}),
-        base=TETS,
+        base=TETS | FEW_ROWS,
         measure=measured,
         exact=exact,
         units={STIFFNESS: "N/m"},
+        shipped=("", ""),  # the error is that of the mesh, and no mesh is the default
     ),
 )

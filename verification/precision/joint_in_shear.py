@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from verification.ladder import Problem, pace
+from verification.ladder import FEW_ROWS, Problem, pace
 from verification.studies.couplet import exact_values
 from verification.studies.trial import Trial
 
@@ -33,7 +33,7 @@ def problem(law: str, confinement: str) -> Problem:
         title=f"Joint in shear, {law} law, {confinement}",
         scene="couplet",
         knobs=pace(STEPS) | {"kinematics": motions()},
-        base={"law": law, "confinement": confinement},
+        base={"law": law, "confinement": confinement, **FEW_ROWS},
         measure=measured,
         exact=exact,
     )

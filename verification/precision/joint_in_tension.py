@@ -12,7 +12,7 @@ Peak fT. Dissipated: A (work of the joint up to u less sigma u/2, which secant u
 import numpy as np
 
 from verification.closed_forms import Joint, dissipated_in_tension, tension
-from verification.ladder import Problem, pace
+from verification.ladder import FEW_ROWS, Problem, pace
 from verification.studies.trial import Trial
 
 JOINT = Joint()
@@ -74,7 +74,7 @@ def exact(one: Trial) -> dict[str, float]:
 def problem(law: str) -> Problem:
     """One law of the joint."""
     title = f"Joint and glue in tension, {law} law"
-    return Problem(f"tension-{law}", title, SCENE, pace(64000), {"law": law}, exact=exact)
+    return Problem(f"tension-{law}", title, SCENE, pace(64000), {"law": law, **FEW_ROWS}, exact=exact)
 
 
 PROBLEMS = tuple(map(problem, ("linear", "polynomial", "exponential")))

@@ -1,5 +1,6 @@
 """The pictures of the report: matplotlib's object interface, no display, units on every axis."""
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -55,6 +56,7 @@ def error_against_time(
         one.plot(
             *zip(*best, strict=True), color="0.8", linewidth=5.0, zorder=0, drawstyle="steps-post"
         ) if best else None
+        named: list[tuple[float, float]] = []
         for k, (knob, rungs) in enumerate(knobs.items()):
             seconds, error, labels = zip(*rungs, strict=True)
             shown = [max(100.0 * abs(e), 100.0 * floor) for e in error]
@@ -62,6 +64,8 @@ def error_against_time(
             mark, colour = MARKS[k % len(MARKS)], COLOURS[k % len(COLOURS)]
             one.plot(seconds, shown, style, marker=mark, color=colour, markersize=5, linewidth=1.4, label=knob)
             for x, y, text in zip(seconds, shown, labels, strict=True):
+                if crowded(x, y, named):
+                    continue
                 place = places[k % len(places)]
                 one.annotate(text, (x, y), place, textcoords="offset points", fontsize=7, color=colour)
         plain_ticks(one.yaxis, " %")
@@ -73,6 +77,15 @@ def error_against_time(
     axes[0, 0].set_ylabel("error against the reference [%]")
     axes[0, -1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False, fontsize=8)
     return figure
+
+
+def crowded(x: float, y: float, named: list[tuple[float, float]]) -> bool:
+    """Whether a label at this point would cover one that is there (places in decades); if not, it is there now."""
+    here = math.log10(x), math.log10(y)
+    if any(abs(here[0] - u) < 0.08 and abs(here[1] - v) < 0.12 for u, v in named):
+        return True
+    named.append(here)
+    return False
 
 
 def tornado(rows: Sequence[tuple[str, Sequence[Sequence[float]]]], titles: Sequence[str]) -> Figure:

@@ -22,8 +22,8 @@ def chapter(tell: Callable[[str], None]) -> page.Chapter:
         )
     )
     rows, worst = [], {"energy_imbalance": 0.0, "dissipation_mismatch": 0.0}
-    for case in sorted({t.case for t in trial.DONE.values()}):
-        runs = [t for t in trial.DONE.values() if t.case == case and t.ok and within_bound(t) and slow(t)]
+    for case in sorted({t.name for t in trial.DONE.values()}):
+        runs = [t for t in trial.DONE.values() if t.name == case and t.ok and within_bound(t) and slow(t)]
         if not runs:
             continue
         tell(f"energy balance: {case}, {len(runs)} runs")

@@ -4,6 +4,7 @@ import importlib
 import math
 import pkgutil
 from collections.abc import Callable, Iterator
+from typing import Any
 
 from verification import precision
 from verification.catalogue import modules
@@ -40,10 +41,14 @@ class Study:
         self.trials: dict[str, dict[str, Trial]] = {}
         for knob, rungs in problem.knobs.items():
             tell(f"{problem.name}: {knob}, {len(rungs)} rungs")
-            runs = {label: trial.run(problem.scene, problem.base | keys, timed=True) for label, keys in rungs.items()}
-            self.trials[knob] = runs
+            self.trials[knob] = {label: self._run(keys) for label, keys in rungs.items()}
         self.references = self._references()
         self.records = [record for knob in self.trials for record in self._records(knob)]
+
+    def _run(self, keys: dict[str, Any]) -> Trial:
+        problem = self.problem
+        title = problem.name if "\n" in problem.scene else ""
+        return trial.run(problem.scene, problem.base | keys, timed=True, title=title)
 
     def _references(self) -> dict[str, Reference]:
         """What the numbers should be. A converged run is doubted by as much as the finest drive to an accuracy differs

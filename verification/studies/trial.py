@@ -28,6 +28,7 @@ class Trial:
     """What came of a scene: status OK, STOPPED, REFUSED or NOT FINITE; the reason; summary and rows (SI) of the run.
 
     times    seconds of stepping of each repeat; the compile is apart
+    title    what to call it where `case` is TOML text
     """
 
     case: str
@@ -37,6 +38,12 @@ class Trial:
     summary: dict[str, Any] = field(default_factory=dict)
     rows: dict[str, np.ndarray] = field(default_factory=dict)
     times: list[float] = field(default_factory=list)
+    title: str = ""
+
+    @property
+    def name(self) -> str:
+        """Of the scene, short."""
+        return self.title or Path(self.case).stem
 
     @property
     def seconds(self) -> float:
@@ -68,7 +75,7 @@ DONE: dict[str, Trial] = {}
 """Every trial so far: the same one asked twice runs once."""
 
 
-def run(case: str, knobs: Knobs | None = None, timed: bool = False) -> Trial:
+def run(case: str, knobs: Knobs | None = None, timed: bool = False, title: str = "") -> Trial:
     """Run a scene (a packaged one's name, or TOML text) with overrides by dotted key.
 
     Timed: runs of less than REPEATED seconds are made three times, for a steadier time.
@@ -77,6 +84,7 @@ def run(case: str, knobs: Knobs | None = None, timed: bool = False) -> Trial:
     key = json.dumps([case, knobs], sort_keys=True)
     if key not in DONE:
         DONE[key] = _once(case, knobs)
+        DONE[key].title = title
     trial = DONE[key]
     while timed and trial.ok and len(trial.times) < REPEATS and trial.seconds < REPEATED:
         trial.times += _once(case, knobs).times
@@ -124,7 +132,7 @@ def record(trial: Trial, quantity: str, value: float, reference: float, kind: st
     error = (value - reference) / size if size else math.nan
     steps = trial.summary.get("steps")
     return {
-        "case": trial.case,
+        "case": trial.name,
         "quantity": quantity,
         "unit": QUANTITIES.get(quantity.split()[0], "1"),
         "value": _or_none(value),
