@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from verification.closed_forms import LAWS, Joint, dissipated_in_shear, shear
-from verification.one_contact import along, contact, law, walk
+from verification.rigs.one_contact import along, contact, law, walk
 
 UM = 1e-6
 PSI = 0.1

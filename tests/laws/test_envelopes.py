@@ -5,7 +5,7 @@ import pytest
 
 from verification import closed_forms
 from verification.closed_forms import LAWS, Joint
-from verification.one_contact import along, law, walk
+from verification.rigs.one_contact import along, law, walk
 
 COMPRESSIONS = (0.0, 0.1e6, 0.5e6, 1.0e6)
 OPTIONS = [{}, {"coupling": "independent"}, {"unloading": "elastic"}]

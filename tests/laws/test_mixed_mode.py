@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from verification.closed_forms import LAWS, Joint, shear, tension
-from verification.one_contact import along, law, walk
+from verification.rigs.one_contact import along, law, walk
 
 UM = 1e-6
 KN, KS = 150e9, 70e9

@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from verification.closed_forms import LAWS
-from verification.one_contact import Walk, contact, law, walk
+from verification.rigs.one_contact import Walk, contact, law, walk
 
 KN, KS = 150e9, 70e9
 NAMES = ("unloading", "softening_variable", "coupling", "dilation_angle")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from verification.closed_forms import LAWS, Joint, dissipated_in_shear, shear
-from verification.one_contact import along, law, walk
+from verification.rigs.one_contact import along, law, walk
 
 UM = 1e-6
 PERFECT = {"residual_cohesion": 0.87e6, "tan_residual_friction": 1.01}

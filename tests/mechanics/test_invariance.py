@@ -8,8 +8,8 @@ from geometry.joints import find_joints
 from masonry.laws import build as law_build
 from masonry.loads import Push
 from masonry.model import Stepping, sort_by_group
-from verification import rig, shapes
-from verification.conservation import contact_forces, momentum
+from verification.rigs import rig, shapes
+from verification.rigs.conservation import contact_forces, momentum
 
 MIXTURES = {
     "rigid": ["rigid"] * 5,

@@ -9,7 +9,7 @@ from masonry.bodies import Material
 from masonry.holds import Hold
 from masonry.loads import Push
 from masonry.model import Stepping
-from verification import rig, shapes
+from verification.rigs import rig, shapes
 
 KN, KS = rig.GLUE[1].normal_stiffness, rig.GLUE[1].shear_stiffness
 KINDS = ("rigid", "affine", "tets")

@@ -7,7 +7,7 @@ import pytest
 
 from masonry.holds import Hold
 from masonry.model import Stepping
-from verification import rig, shapes
+from verification.rigs import rig, shapes
 
 KINDS = {
     "rigid": ["rigid"] * 4,

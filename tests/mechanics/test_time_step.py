@@ -9,7 +9,7 @@ from masonry.bodies import Material
 from masonry.laws.elastic import Elastic
 from masonry.laws.interface import Interface
 from masonry.model import Stepping
-from verification import rig, shapes
+from verification.rigs import rig, shapes
 
 LEAST_RATIO = {"scaled": 0.4, "real": 0.04}
 """Slivers with real masses cost most: turns and strains of a block share one length. Usual blocks reach 0.4 to 1."""

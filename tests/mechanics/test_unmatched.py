@@ -12,7 +12,7 @@ from geometry.tet_meshes import gathered
 from masonry import energy
 from masonry.bodies import KINDS, Material
 from masonry.model import Stepping, sort_by_group
-from verification import conservation, rig, shapes
+from verification.rigs import conservation, rig, shapes
 
 KN, KS = 2e11, 8e10
 SOFT = Material(density=1900.0, young_modulus=5e9, poisson_ratio=0.0)

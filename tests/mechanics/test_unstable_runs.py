@@ -8,7 +8,7 @@ from masonry.assembly import assemble
 from masonry.errors import Stopped
 from masonry.scene import load as load_shipped
 from tests.mechanics.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
-from verification import rig
+from verification.rigs import rig
 
 
 def tower(kinematics: str, solver: str, steps: int = 20000) -> str:

@@ -8,13 +8,13 @@ import pytest
 
 from verification import closed_forms
 from verification.cases import wallette_of_two_courses
-from verification.held_steps import assembled
 from verification.interface import newton
 from verification.interface.envelopes import Law
 from verification.interface.mesh import grids
 from verification.interface.model import Model, model
 from verification.interface.points import History, tangent, traction, unharmed
-from verification.twin import twin
+from verification.rigs.held_steps import assembled
+from verification.rigs.twin import twin
 
 ROOT = Path(__file__).resolve().parents[2]
 LAWS = ("linear", "polynomial", "exponential")

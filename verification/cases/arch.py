@@ -14,10 +14,10 @@ load is gravity; the thickness is bisected between 3 % above and 3 % below the p
 
 from functools import partial
 
-from verification.arches import Arch, least_thickness
 from verification.case import Case, Check, Findings
-from verification.scene_text import run_to_the_end_or_the_stop
-from verification.thresholds import threshold
+from verification.rigs.arches import Arch, least_thickness
+from verification.rigs.scene_text import run_to_the_end_or_the_stop
+from verification.rigs.thresholds import threshold
 
 FRICTION, DENSITY, NORMAL, G = 0.7, 2000.0, 1e11, 9.81
 MILANKOVITCH = 0.1075

@@ -19,13 +19,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from verification import held_steps
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Joint, tension
 from verification.interface.envelopes import Law
 from verification.interface.mesh import grids
 from verification.interface.model import model
 from verification.interface.newton import Path
+from verification.rigs import held_steps
 
 Array = np.ndarray
 JOINT, YOUNG, SIDE, NEAR = Joint(), 16.7e9, 0.05, 1e-9

@@ -15,9 +15,9 @@ import numpy as np
 
 from masonry.results import Result
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.scene_text import run as run_text
-from verification.static_row import displacements
-from verification.structured import row_of_boxes
+from verification.rigs.scene_text import run as run_text
+from verification.rigs.static_row import displacements
+from verification.rigs.structured import row_of_boxes
 
 BLOCKS, LENGTH, HEIGHT, WIDTH = 5, 0.1, 0.1, 0.02
 MODULUS, NORMAL, SHEAR, STRESS = 10e9, 150e9, 70e9, 1e4

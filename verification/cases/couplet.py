@@ -19,7 +19,7 @@ import numpy as np
 from masonry import laboratory, scene
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Joint, dissipated_in_shear, shear
-from verification.single_shear import around_the_peak
+from verification.rigs.single_shear import around_the_peak
 
 LAWS = ("linear", "polynomial", "exponential")
 BETA = {0.1: 2.1, 0.5: 2.1 + 0.8 * 4 / 9, 1.0: 2.9}

@@ -15,10 +15,10 @@ first order there. Halving the steps of the interface model changes its curve by
 
 import numpy as np
 
-from verification.beside_twin import Allowed, compare
 from verification.case import Case, Findings
-from verification.held_steps import assembled
 from verification.interface.model import Model
+from verification.rigs.beside_twin import Allowed, compare
+from verification.rigs.held_steps import assembled
 
 SCENE = """title = "Couplet of tets under shear"
 law = "exponential"

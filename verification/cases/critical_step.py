@@ -16,8 +16,8 @@ import numpy as np
 from masonry import laboratory, scene
 from masonry.assembly import assemble
 from masonry.errors import Stopped
-from verification import assembled, critical, rig
 from verification.case import Case, Check, Findings
+from verification.rigs import assembled, critical, rig
 
 GIVEN = {"law": "exponential", "drive.steps": 8000, "settle.steps": 20000, "solver.masses": "real"}
 

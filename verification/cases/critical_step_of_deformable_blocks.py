@@ -9,8 +9,8 @@ contact points, one strain in each affine block and in each tet.
 Reference: leapfrog, by hand; ARPACK.
 """
 
-from verification import critical
 from verification.case import Case, Findings
+from verification.rigs import critical
 
 
 def run() -> Findings:

@@ -15,10 +15,10 @@ from functools import partial
 
 import numpy as np
 
-from verification.beside_twin import Allowed, compare
 from verification.case import Case, Findings
 from verification.cases import couplet_of_tets, eccentric_tension, wallette_of_two_courses
-from verification.held_steps import assembled
+from verification.rigs.beside_twin import Allowed, compare
+from verification.rigs.held_steps import assembled
 
 UM = 1e-6
 

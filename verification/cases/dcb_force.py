@@ -18,7 +18,7 @@ from geometry.blocks import Specimen
 from geometry.shapes import from_boxes
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Floats
-from verification.scene_text import run as run_text
+from verification.rigs.scene_text import run as run_text
 
 MODULUS, HEIGHT, WIDTH, CRACK, LENGTH, CELL = 10e9, 0.1, 0.05, 0.5, 1.0, 0.01
 STIFFNESS, ENERGY = 300e9, 50.0

@@ -29,12 +29,12 @@ from geometry.shapes import from_boxes
 from masonry import laboratory, timeloop
 from masonry.loads import program
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.held_steps import assembled
 from verification.interface.envelopes import Law
 from verification.interface.mesh import grids
 from verification.interface.model import Model, model
 from verification.interface.newton import Path
-from verification.other_conditions import turned
+from verification.rigs.held_steps import assembled
+from verification.rigs.other_conditions import turned
 
 Array = np.ndarray
 Curve = tuple[Array, Array]

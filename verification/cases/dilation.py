@@ -16,8 +16,8 @@ import numpy as np
 from masonry.errors import SceneError
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Joint
-from verification.one_contact import along, contact, law, walk
-from verification.single_tension import ROUNDING, UM
+from verification.rigs.one_contact import along, contact, law, walk
+from verification.rigs.single_tension import ROUNDING, UM
 
 JOINT = Joint(c_res=0.87e6, tan_res=1.01)
 PSI = 0.1

@@ -19,10 +19,10 @@ size of implicit steps where openings only grow.
 
 import numpy as np
 
-from verification.beside_twin import Allowed, compare
 from verification.case import Case, Findings
-from verification.held_steps import assembled
 from verification.interface.model import Model
+from verification.rigs.beside_twin import Allowed, compare
+from verification.rigs.held_steps import assembled
 
 SCENE = """title = "A joint pulled open from one side"
 law = "exponential"

@@ -13,13 +13,13 @@ import numpy as np
 
 from geometry.blocks import Specimen, TetMesh
 from geometry.shapes import from_boxes
-from verification import held_steps
-from verification.beside_twin import follow
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.cases.eccentric_tension import HIGH, LENGTH, SCENE, conditions
 from verification.interface.mesh import grids
 from verification.interface.model import model
-from verification.twin import law_of
+from verification.rigs import held_steps
+from verification.rigs.beside_twin import follow
+from verification.rigs.twin import law_of
 
 Array = np.ndarray
 WIDTH = 0.05

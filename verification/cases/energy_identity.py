@@ -15,8 +15,8 @@ Reference: by hand, the sum of v(n+1/2) - v(n-1/2) = F dt/m times v.
 """
 
 from verification.case import Case, Findings
-from verification.ledgers import identity, scene_of, two_sums
-from verification.scene_text import run as run_text
+from verification.rigs.ledgers import identity, scene_of, two_sums
+from verification.rigs.scene_text import run as run_text
 
 SOLVERS = {
     "scaled masses, damped": 'masses = "scaled"\ndamping = 0.8',

@@ -15,8 +15,8 @@ import numpy as np
 
 from masonry.results import Result
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.scene_text import run as run_text
-from verification.structured import row_of_boxes
+from verification.rigs.scene_text import run as run_text
+from verification.rigs.structured import row_of_boxes
 
 MODULUS, POISSON, NORMAL, SHEAR, STRESS = 10e9, 0.2, 150e9, 70e9, 1e5
 CUTS, HEIGHT, DEPTH = [0.0, 0.1, 0.22, 0.3], 0.1, 0.08

@@ -15,9 +15,9 @@ Reference: the half sine, by hand.
 import numpy as np
 
 from masonry.model import Stepping
-from verification import rig, shapes
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.free_motion import follow, loose
+from verification.rigs import rig, shapes
+from verification.rigs.free_motion import follow, loose
 
 SPEED, KN, SIZE = 1e-3, 1e9, (0.2, 0.1)
 HEIGHT = 0.1

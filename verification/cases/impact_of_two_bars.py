@@ -21,9 +21,9 @@ from scipy.optimize import brentq
 from scipy.special import itj0y0
 
 from masonry.model import Model, Stepping
-from verification import rig, shapes
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.free_motion import follow, glued
+from verification.rigs import rig, shapes
+from verification.rigs.free_motion import follow, glued
 
 SPEED, KN, SIDE, PITCH = 1e-3, 1e10, 0.1, 0.1
 AREA, MASS = SIDE**2, rig.STONE.density * SIDE**2 * PITCH

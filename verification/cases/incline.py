@@ -17,8 +17,8 @@ import numpy as np
 
 from masonry.results import Result
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.scene_text import run as run_text
-from verification.thresholds import threshold
+from verification.rigs.scene_text import run as run_text
+from verification.rigs.thresholds import threshold
 
 MU, G = 0.6, 9.81
 LENGTH, HEIGHT = 0.4, 0.05

@@ -11,8 +11,8 @@ contact points are turned with the blocks, so that both scenes have the same dis
 Reference: Galilei's and Newton's; small rotations, whose turns are linear.
 """
 
-from verification import invariance
 from verification.case import Case, Findings
+from verification.rigs import invariance
 
 
 def run() -> Findings:

@@ -13,8 +13,8 @@ and have no moment, and free blocks keep their momentum.
 Reference: Galilei's and Newton's; small rotations, whose turns are linear.
 """
 
-from verification import invariance
 from verification.case import Case, Findings
+from verification.rigs import invariance
 
 
 def run() -> Findings:

@@ -17,10 +17,10 @@ import numpy as np
 
 from masonry import laboratory, timeloop
 from verification.case import Case, Check, Findings
-from verification.held_steps import assembled
 from verification.interface.envelopes import Law
 from verification.interface.mesh import grids
 from verification.interface.model import model
+from verification.rigs.held_steps import assembled
 
 KN, LENGTH, WIDTH, HEIGHT, SHEAR = 2e11, 0.2, 0.1, 0.08, 1e5
 COUPLE = SHEAR * HEIGHT * WIDTH * LENGTH

@@ -15,9 +15,9 @@ Reference: by hand, eq. (3) of the paper.
 import numpy as np
 
 from masonry.model import Model, Stepping
-from verification import rig, shapes
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.free_motion import follow, glued, loose
+from verification.rigs import rig, shapes
+from verification.rigs.free_motion import follow, glued, loose
 
 XI, START, KN, SIZE, HEIGHT, GRAVITY = 0.8, 1e-5, 1e9, (0.2, 0.1), 0.1, 9.81
 MASS = rig.STONE.density * SIZE[0] * SIZE[1] * HEIGHT

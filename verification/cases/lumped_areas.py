@@ -14,8 +14,8 @@ import numpy as np
 
 from geometry.fan import mesh_by_fans
 from geometry.joints import find_joints
-from verification import shapes
 from verification.case import Case, Check, Findings
+from verification.rigs import shapes
 
 SIDES = (0.2, 0.1)
 AREA = SIDES[0] * SIDES[1]

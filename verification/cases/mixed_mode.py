@@ -16,8 +16,8 @@ import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Joint
-from verification.one_contact import along, law, walk
-from verification.single_tension import ROUNDING, UM
+from verification.rigs.one_contact import along, law, walk
+from verification.rigs.single_tension import ROUNDING, UM
 
 JOINT = Joint()
 ANGLES = (0, 15, 30, 45, 60, 75, 90)

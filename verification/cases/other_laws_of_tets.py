@@ -10,10 +10,10 @@ an error of first order (1.6e-4 of the peak for one step to each place, 1e-4 for
 
 from functools import partial
 
-from verification.beside_twin import Allowed, compare
 from verification.case import Case, Findings
 from verification.cases.wallette_of_two_courses import PLACES, SCENE, conditions
-from verification.held_steps import assembled
+from verification.rigs.beside_twin import Allowed, compare
+from verification.rigs.held_steps import assembled
 
 TABLE = "[contact.unit_unit]"
 VARIANTS = {

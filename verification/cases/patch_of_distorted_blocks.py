@@ -25,12 +25,12 @@ from masonry import laboratory, timeloop
 from masonry.bodies import Layout
 from masonry.loads import Conditions
 from verification.case import Case, Check, Findings
-from verification.held_steps import assembled
 from verification.interface.envelopes import Law
 from verification.interface.mesh import solid
 from verification.interface.model import model
 from verification.interface.newton import Path
-from verification.other_conditions import rebuilt
+from verification.rigs.held_steps import assembled
+from verification.rigs.other_conditions import rebuilt
 
 Array = np.ndarray
 YOUNG, POISSON, KN, KS = 5e9, 0.2, 2e11, 8e10

@@ -10,7 +10,7 @@ that opens takes G for each unit of its area (linear law: the whole area under i
 import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.scene_text import run as run_text
+from verification.rigs.scene_text import run as run_text
 
 LENGTH, HEIGHT, WIDTH, MODULUS, STRESS = 1.0, 0.2, 0.1, 10e9, 1e4
 SHEAR = 5 / 6 * MODULUS / 2

@@ -17,7 +17,7 @@ from scipy.optimize import brentq
 
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Floats, Joint, tension
-from verification.scene_text import run as run_text
+from verification.rigs.scene_text import run as run_text
 
 BREADTH, DEPTH, ECCENTRICITY, PULL = 0.1, 0.05, 0.02, 60e-6
 JOINT = Joint(kn=150e9, ks=70e9, fT=0.5e6, c0=0.75e6, G_I=8.0)

@@ -13,7 +13,7 @@ Reference: eqs (7), (8) of the paper.
 
 from verification.case import Case, Check, Findings
 from verification.closed_forms import Joint
-from verification.single_shear import COMPRESSIONS, STEP, envelope, slid
+from verification.rigs.single_shear import COMPRESSIONS, STEP, envelope, slid
 
 JOINT = Joint()
 LAST = 0.1e-3

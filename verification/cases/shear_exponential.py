@@ -18,7 +18,7 @@ from math import exp
 
 from verification.case import Case, Findings
 from verification.closed_forms import Joint
-from verification.single_shear import LAST, energies, envelope
+from verification.rigs.single_shear import LAST, energies, envelope
 
 JOINT = Joint()
 

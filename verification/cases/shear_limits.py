@@ -13,7 +13,7 @@ import numpy as np
 
 from verification.case import Case, Check, Findings
 from verification.closed_forms import Joint, shear
-from verification.single_shear import slid
+from verification.rigs.single_shear import slid
 
 S = 0.5e6
 LAST = 0.6e-3

@@ -15,8 +15,8 @@ Reference: eq. (13) of the paper; areas by hand.
 
 from verification.case import Case, Check, Findings
 from verification.closed_forms import Joint
-from verification.single_shear import energies, envelope, slid
-from verification.single_tension import least_accepted
+from verification.rigs.single_shear import energies, envelope, slid
+from verification.rigs.single_tension import least_accepted
 
 JOINT = Joint()
 

@@ -11,7 +11,7 @@ Reference: eq. (15) of the paper; areas by hand.
 
 from verification.case import Case, Findings
 from verification.closed_forms import Joint
-from verification.single_shear import LAST, energies, envelope
+from verification.rigs.single_shear import LAST, energies, envelope
 
 JOINT = Joint()
 

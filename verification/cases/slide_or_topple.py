@@ -16,8 +16,8 @@ points inside the joint would topple early, by their distance from the edge.
 from functools import partial
 
 from verification.case import Case, Check, Findings
-from verification.scene_text import run_to_the_end_or_the_stop
-from verification.thresholds import threshold
+from verification.rigs.scene_text import run_to_the_end_or_the_stop
+from verification.rigs.thresholds import threshold
 
 HEIGHT, WIDTH, G = 1.2, 0.4, 9.81
 NORMAL, DENSITY = 2e10, 2000.0

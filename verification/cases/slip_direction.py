@@ -14,8 +14,8 @@ import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Joint
-from verification.one_contact import Walk, along, law, walk
-from verification.single_tension import UM
+from verification.rigs.one_contact import Walk, along, law, walk
+from verification.rigs.single_tension import UM
 
 JOINT = Joint(c_res=0.87e6, tan_res=1.01)
 COMPRESSION = 0.5e6

@@ -16,8 +16,8 @@ import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Joint, dissipated_in_shear, shear
-from verification.single_shear import slid
-from verification.single_tension import UM
+from verification.rigs.single_shear import slid
+from verification.rigs.single_tension import UM
 
 JOINT = Joint()
 COMPRESSION = 0.5e6

@@ -15,8 +15,8 @@ import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Joint
-from verification.one_contact import Walk, along, law, walk
-from verification.single_tension import UM
+from verification.rigs.one_contact import Walk, along, law, walk
+from verification.rigs.single_tension import UM
 
 JOINT = Joint(G_II_slope=0.0)
 CORNERS = [(0, 0, -1 * UM), (60 * UM, 0, -1 * UM), (140 * UM, 0, -9 * UM), (300 * UM, 0, -0.5 * UM)]

@@ -18,7 +18,7 @@ from math import asin, cos, pi, sin
 import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.waves import WAVELENGTH, Bar, Floats, Wave
+from verification.rigs.waves import WAVELENGTH, Bar, Floats, Wave
 
 AMPLITUDE, CYCLES, CELLS = 1e-6, 3, 80
 PERIOD = WAVELENGTH / Bar(shear=True, joint="").speed

@@ -10,7 +10,7 @@ Reference: eq. (7) of the paper.
 
 from verification.case import Case, Check, Findings
 from verification.closed_forms import Joint
-from verification.single_tension import UM, cycle, envelope, opened
+from verification.rigs.single_tension import UM, cycle, envelope, opened
 
 JOINT = Joint()
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from verification.case import Case, Check, Findings
 from verification.closed_forms import LAWS, Joint, tension
-from verification.single_tension import WIDEST, cycle
+from verification.rigs.single_tension import WIDEST, cycle
 
 JOINT = Joint()
 

@@ -12,7 +12,7 @@ from math import exp
 
 from verification.case import Case, Findings
 from verification.closed_forms import Joint
-from verification.single_tension import UM, cycle, envelope, first_slope, recoverable, works
+from verification.rigs.single_tension import UM, cycle, envelope, first_slope, recoverable, works
 
 JOINT = Joint()
 

@@ -11,7 +11,7 @@ Reference: eq. (14) of the paper; areas by hand.
 
 from verification.case import Case, Check, Findings
 from verification.closed_forms import Joint
-from verification.single_tension import UM, cycle, envelope, first_slope, least_accepted, recoverable, works
+from verification.rigs.single_tension import UM, cycle, envelope, first_slope, least_accepted, recoverable, works
 
 JOINT = Joint()
 

@@ -13,8 +13,8 @@ import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Joint, dissipated_in_shear, shear
-from verification.scene_text import run as run_text
-from verification.single_shear import around_the_peak
+from verification.rigs.scene_text import run as run_text
+from verification.rigs.single_shear import around_the_peak
 
 AREA, S = 0.2 * 0.05, 0.5e6
 SCENE = """

@@ -16,10 +16,10 @@ two like head joints in a course would be a bifurcation, where two right models 
 
 import numpy as np
 
-from verification.beside_twin import Allowed, compare
 from verification.case import Case, Findings
-from verification.held_steps import assembled
 from verification.interface.model import Model
+from verification.rigs.beside_twin import Allowed, compare
+from verification.rigs.held_steps import assembled
 
 SCENE = """title = "Two courses in tension along the bed joint"
 law = "exponential"

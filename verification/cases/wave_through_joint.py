@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.waves import WAVELENGTH, Bar, Floats, Wave
+from verification.rigs.waves import WAVELENGTH, Bar, Floats, Wave
 
 PULSE = 1e-6
 SHAPE = (Polynomial([0.0, 4.0, -4.0]) ** 4).integ()

@@ -8,9 +8,9 @@ import numpy as np
 from masonry import energy
 from masonry.laws.build import build
 from masonry.model import Model
-from verification import rig
 from verification.case import Findings
-from verification.one_contact import TABLE_1
+from verification.rigs import rig
+from verification.rigs.one_contact import TABLE_1
 
 STRONG = build(
     "unit_unit", {**TABLE_1, "law": "exponential", "tensile_strength": 1e12, "cohesion": 1e12, "tan_friction": 1.0}

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from masonry.assembly import Assembly
-from verification import held_steps
 from verification.case import Check, Findings, Line, Plot
 from verification.interface.model import Model
 from verification.interface.newton import Path
-from verification.twin import twin
+from verification.rigs import held_steps
+from verification.rigs.twin import twin
 
 Array = np.ndarray
 DEAD_STEPS = 4

@@ -10,8 +10,8 @@ import numpy as np
 
 from verification.case import Check, Findings, Line, Plot
 from verification.closed_forms import Joint, dissipated_in_shear, shear
-from verification.one_contact import Walk, along, law, walk
-from verification.single_tension import ROUNDING, UM
+from verification.rigs.one_contact import Walk, along, law, walk
+from verification.rigs.single_tension import ROUNDING, UM
 
 COMPRESSIONS = (0.1e6, 0.5e6, 1.0e6)
 LAST = 1e-3

@@ -8,7 +8,7 @@ import numpy as np
 from masonry.errors import SceneError
 from verification.case import Check, Findings, Line, Plot
 from verification.closed_forms import Joint, dissipated_in_tension, tension, tension_work, unloaded
-from verification.one_contact import Walk, along, law, walk
+from verification.rigs.one_contact import Walk, along, law, walk
 
 UM = 1e-6
 CYCLE = np.array([0.0, 20.0, 0.0, -8.0, 0.0, 20.0, 40.0]) * UM

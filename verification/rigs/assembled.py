@@ -10,7 +10,7 @@ from scipy.sparse.linalg import eigsh
 
 from masonry.bodies import FREEDOMS, KINDS, Material
 from masonry.model import Model
-from verification import rig
+from verification.rigs import rig
 
 
 def elasticity(material: Material) -> np.ndarray:

@@ -8,11 +8,11 @@ from scipy.spatial.transform import Rotation
 from masonry.laws.build import build
 from masonry.loads import Push
 from masonry.model import Model, Stepping
-from verification import assembled, rig, shapes
 from verification.case import Check, Findings
-from verification.conservation import contact_forces, momentum
-from verification.free_motion import STRONG, follow
-from verification.one_contact import TABLE_1
+from verification.rigs import assembled, rig, shapes
+from verification.rigs.conservation import contact_forces, momentum
+from verification.rigs.free_motion import STRONG, follow
+from verification.rigs.one_contact import TABLE_1
 
 TURNS = {
     "turned by 45 degrees about (1, 2, 3)": Rotation.from_rotvec(np.pi / 4 * np.array([1, 2, 3]) / 14**0.5).as_matrix(),

@@ -7,9 +7,9 @@ import numpy as np
 
 from masonry import energy
 from masonry.model import Model, Stepping
-from verification import assembled, rig, shapes
 from verification.case import Check, Findings
-from verification.free_motion import glued
+from verification.rigs import assembled, rig, shapes
+from verification.rigs.free_motion import glued
 
 BELOW, ABOVE = 0.99, 1.05
 SKEW = np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0.0, 0.15, 0.9]])

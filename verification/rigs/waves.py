@@ -12,7 +12,7 @@ from masonry import laboratory, scene, timeloop
 from masonry.assembly import assemble
 from masonry.loads import Program
 from masonry.results import Result
-from verification.structured import row_of_boxes
+from verification.rigs.structured import row_of_boxes
 
 MODULUS, DENSITY = 10e9, 2500.0
 """Poisson's ratio is 0. A wave along x moves all points along x, or (a shear wave) all along z."""

@@ -3,7 +3,7 @@
 import numpy as np
 
 from masonry.model import Model
-from verification.rig import present
+from verification.rigs.rig import present
 
 LEVI_CIVITA = np.zeros((3, 3, 3))
 for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):

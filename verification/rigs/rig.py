@@ -14,7 +14,7 @@ from masonry.laws.elastic import Elastic
 from masonry.laws.interface import Interface
 from masonry.loads import Push
 from masonry.model import Model, Stepping, build
-from verification.shapes import Setup
+from verification.rigs.shapes import Setup
 
 STONE = Material(density=1900.0, young_modulus=5e9, poisson_ratio=0.2)
 GLUE = (Elastic(), Interface(normal_stiffness=2e11, shear_stiffness=8e10))
