@@ -13,7 +13,7 @@ from verification.interface.envelopes import Law
 from verification.interface.mesh import grids
 from verification.interface.model import Model, model
 from verification.interface.points import History, tangent, traction, unharmed
-from verification.rigs.held_steps import assembled
+from verification.rigs.scene_text import assembled
 from verification.rigs.twin import twin
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -26,6 +26,7 @@ from verification.interface.mesh import grids
 from verification.interface.model import model
 from verification.interface.newton import Path
 from verification.rigs import held_steps
+from verification.rigs.scene_text import assembled
 
 Array = np.ndarray
 JOINT, YOUNG, SIDE, NEAR = Joint(), 16.7e9, 0.05, 1e-9
@@ -115,7 +116,7 @@ def implicit(found: Findings, law: str, length: float) -> None:
 
 def drawn(found: Findings, length: float, places: Array) -> tuple[Array, Array]:
     """Stress (Pa) and work per area (J/m2) of a run at each place of the drive (m)."""
-    assembly = held_steps.assembled(SCENE.replace("HALF", repr(0.5 * length)))
+    assembly = assembled(SCENE.replace("HALF", repr(0.5 * length)))
     result = held_steps.run(assembly, places.tolist(), move=2000, wait=1000)
     rows = found.note(f"L = {length:g} m", result).history.rows
     plot = next(plot for plot in found.plots if f"of {length:g} m" in plot.title)

@@ -18,7 +18,7 @@ import numpy as np
 from verification.case import Case, Findings
 from verification.interface.model import Model
 from verification.rigs.beside_twin import Allowed, compare
-from verification.rigs.held_steps import assembled
+from verification.rigs.scene_text import assembled
 
 SCENE = """title = "Couplet of tets under shear"
 law = "exponential"

@@ -18,7 +18,7 @@ import numpy as np
 from verification.case import Case, Findings
 from verification.cases import couplet_of_tets, eccentric_tension, wallette_of_two_courses
 from verification.rigs.beside_twin import Allowed, compare
-from verification.rigs.held_steps import assembled
+from verification.rigs.scene_text import assembled
 
 UM = 1e-6
 

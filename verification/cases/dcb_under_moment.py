@@ -33,8 +33,8 @@ from verification.interface.envelopes import Law
 from verification.interface.mesh import grids
 from verification.interface.model import Model, model
 from verification.interface.newton import Path
-from verification.rigs.held_steps import assembled
 from verification.rigs.other_conditions import turned
+from verification.rigs.scene_text import assembled
 
 Array = np.ndarray
 Curve = tuple[Array, Array]

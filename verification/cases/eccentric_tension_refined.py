@@ -19,6 +19,7 @@ from verification.interface.mesh import grids
 from verification.interface.model import model
 from verification.rigs import held_steps
 from verification.rigs.beside_twin import follow
+from verification.rigs.scene_text import assembled
 from verification.rigs.twin import law_of
 
 Array = np.ndarray
@@ -61,7 +62,7 @@ def text() -> str:
 def run() -> Findings:
     """First stiffness and peak of runs on two grids."""
     found = Findings()
-    specimen = {cells: held_steps.assembled(text(), *made(cells)) for cells in BRICKS}
+    specimen = {cells: assembled(text(), *made(cells)) for cells in BRICKS}
     material, contact = (getattr(specimen[BRICKS[0]].scene, key) for key in ("material", "contact"))
     law = law_of(contact["unit_unit"])
     units = material["units"]

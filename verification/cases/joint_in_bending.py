@@ -20,7 +20,7 @@ from verification.case import Case, Check, Findings
 from verification.interface.envelopes import Law
 from verification.interface.mesh import grids
 from verification.interface.model import model
-from verification.rigs.held_steps import assembled
+from verification.rigs.scene_text import assembled
 
 KN, LENGTH, WIDTH, HEIGHT, SHEAR = 2e11, 0.2, 0.1, 0.08, 1e5
 COUPLE = SHEAR * HEIGHT * WIDTH * LENGTH

@@ -13,7 +13,7 @@ from functools import partial
 from verification.case import Case, Findings
 from verification.cases.wallette_of_two_courses import PLACES, SCENE, conditions
 from verification.rigs.beside_twin import Allowed, compare
-from verification.rigs.held_steps import assembled
+from verification.rigs.scene_text import assembled
 
 TABLE = "[contact.unit_unit]"
 VARIANTS = {

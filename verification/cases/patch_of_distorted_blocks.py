@@ -29,8 +29,8 @@ from verification.interface.envelopes import Law
 from verification.interface.mesh import solid
 from verification.interface.model import model
 from verification.interface.newton import Path
-from verification.rigs.held_steps import assembled
 from verification.rigs.other_conditions import rebuilt
+from verification.rigs.scene_text import assembled
 
 Array = np.ndarray
 YOUNG, POISSON, KN, KS = 5e9, 0.2, 2e11, 8e10

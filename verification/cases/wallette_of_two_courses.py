@@ -19,7 +19,7 @@ import numpy as np
 from verification.case import Case, Findings
 from verification.interface.model import Model
 from verification.rigs.beside_twin import Allowed, compare
-from verification.rigs.held_steps import assembled
+from verification.rigs.scene_text import assembled
 
 SCENE = """title = "Two courses in tension along the bed joint"
 law = "exponential"

@@ -55,4 +55,21 @@ def wallette(mode: int) -> Problem:
     return Problem(name, f"Wallette, failure mode {mode}, as shipped", name, knobs)
 
 
-PROBLEMS = (couplet(), wallette(1), wallette(2))
+def deformable(mode: int, motion: str) -> Problem:
+    """The wallette with units that deform: another model, which converges to another answer."""
+    keys: dict[str, Any] = {"kinematics": {"units": motion}}
+    if motion == "tets":
+        keys["specimen.mesh_size"] = "60 mm"
+    return Problem(
+        f"wallette-mode-{mode}-{motion}",
+        f"Wallette, failure mode {mode}, units of {motion}"
+        if motion == "tets"
+        else f"Wallette, failure mode {mode}, affine units",
+        f"wallette-mode-{mode}",
+        {ACCURACY: accuracies(4, 2, 1, 0.5, 0.25)},
+        base=keys,
+        converged=ACCURACY,
+    )
+
+
+PROBLEMS = (couplet(), wallette(1), wallette(2), *(deformable(k, m) for k in (1, 2) for m in ("affine", "tets")))

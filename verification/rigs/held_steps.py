@@ -1,28 +1,14 @@
 """Quasi-static runs to many digits: the drive moves in smooth increments, and waits after each until all is at rest."""
 
-import tempfile
 from collections.abc import Sequence
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 
-from geometry.block_file import save_blocks
-from geometry.blocks import Specimen, TetMesh
-from masonry import laboratory, scene, timeloop
-from masonry.assembly import Assembly, assemble
+from masonry import laboratory, timeloop
+from masonry.assembly import Assembly
 from masonry.loads import Program, smooth
 from masonry.results import Result
-
-
-def assembled(text: str, specimen: Specimen | None = None, mesh: TetMesh | None = None) -> Assembly:
-    """The model of a scene's text; the text of a made specimen says kind = "file" and path = "made.blocks.h5"."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "case.toml"
-        path.write_text(text, encoding="utf-8")
-        if specimen is not None:
-            save_blocks(Path(folder) / "made.blocks.h5", specimen, mesh)
-        return assemble(scene.load(path))
 
 
 def run(assembly: Assembly, places: Sequence[float], move: int, wait: int, settle: int = 0) -> Result:

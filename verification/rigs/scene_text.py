@@ -1,15 +1,40 @@
 """Scenes from text, with blocks and tets made in Python where the text says kind = "file"."""
 
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from geometry.block_file import save_blocks
 from geometry.blocks import Specimen, TetMesh
 from masonry import laboratory, scene
+from masonry.assembly import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.results import Result
+from masonry.scene import Scene
+
+
+@contextmanager
+def loaded(
+    text: str,
+    overrides: Mapping[str, Any] | None = None,
+    specimen: Specimen | None = None,
+    mesh: TetMesh | None = None,
+) -> Iterator[Scene]:
+    """A scene of TOML text; the text of a made specimen says kind = "file" and path = "made.blocks.h5"."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "case.toml"
+        path.write_text(text, encoding="utf-8")
+        if specimen is not None:
+            save_blocks(Path(folder) / "made.blocks.h5", specimen, mesh)
+        yield scene.load(path, dict(overrides or {}))
+
+
+def assembled(text: str, specimen: Specimen | None = None, mesh: TetMesh | None = None) -> Assembly:
+    """The model of a scene's text."""
+    with loaded(text, None, specimen, mesh) as found:
+        return assemble(found)
 
 
 def run(
@@ -18,13 +43,9 @@ def run(
     specimen: Specimen | None = None,
     mesh: TetMesh | None = None,
 ) -> Result:
-    """Run a scene of TOML text; the text of a made specimen says `path = "made.blocks.h5"`."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "case.toml"
-        path.write_text(text, encoding="utf-8")
-        if specimen is not None:
-            save_blocks(Path(folder) / "made.blocks.h5", specimen, mesh)
-        return laboratory.run(scene.load(path, dict(overrides or {})))
+    """Run a scene of TOML text."""
+    with loaded(text, overrides, specimen, mesh) as found:
+        return laboratory.run(found)
 
 
 def run_to_the_end_or_the_stop(
