@@ -86,6 +86,10 @@ PARTED = 1e-3
 FINE, BLUNT = 0.01, 0.4
 """Accuracies coarser than this one are taken for (accuracy / FINE) ** BLUNT of it: sudden cracks would be overrun."""
 
+DEFORMABLE = 0.5
+"""Of the accuracy: what is aimed at where units deform. In failure mode 1 the same bounds left 2.4 (affine) and 4.8 %
+(tets) of error in the dissipated energy at an accuracy of 1 %, against 0.7 % with rigid units."""
+
 
 class ControlledPace:
     """Smooth increments of the drive, as large as the accuracy allows.
@@ -100,6 +104,8 @@ class ControlledPace:
         self.goal = abs(plan.displacement)
         self.sign = -1.0 if plan.displacement < 0 else 1.0
         self.unit = min(plan.accuracy, FINE * (plan.accuracy / FINE) ** BLUNT)
+        if len(model.layout.members["affine"]) or len(model.layout.members["tets"]):
+            self.unit *= DEFORMABLE
         whole = self.goal / (STEPS * model.dt)
         self.leap = 0.5 * LEAP * smallest_block(model) / model.dt
         self.slowest, self.target, self.steps = whole / FINEST, whole * FIRST, STEPS
