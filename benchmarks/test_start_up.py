@@ -14,7 +14,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-ROUNDS = 4
+ROUNDS = 3
 WORST = "wallette-mode-2-218"
 """The shipped scene that compiles longest: cells, two laws, dead loads."""
 BARE = "import sys; sys.path.insert(0, sys.argv[1]); import bare"
