@@ -39,20 +39,23 @@ def couplet() -> Problem:
 
 
 def wallette(mode: int) -> Problem:
-    """x1 is 1 mm/s in mode 1, the rate of the paper, and half of that in mode 2."""
+    """x1 is 1 mm/s in mode 1, the rate of the paper, and half of that in mode 2.
+
+    The reference is the finest accuracy: the peak at x0.5 is still 0.3 % off what smaller rates come to.
+    """
     usual = 1.0 / mode
     quick, quicker = {"drive.rate": f"{4 * usual:g} mm/s"}, {"drive.rate": f"{16 * usual:g} mm/s"}
     moved = motions("60 mm", quick)
     moved["tets (at x16)"] = {**moved.pop("tets"), **quicker}
     knobs = {
         RATE: rates(usual),
-        ACCURACY: accuracies(5, 2, 1, 0.5),
+        ACCURACY: accuracies(4, 2, 1, 0.5, 0.25),
         "step fraction": fractions(quick),
         "model: kinematics": moved,
         "model: cells": cells(quick, (2, 1), (4, 2), (8, 4), (12, 6)),
     }
     name = f"wallette-mode-{mode}"
-    return Problem(name, f"Wallette, failure mode {mode}, as shipped", name, knobs)
+    return Problem(name, f"Wallette, failure mode {mode}, as shipped", name, knobs, converged=ACCURACY)
 
 
 def deformable(mode: int, motion: str) -> Problem:
