@@ -46,8 +46,10 @@ def run(name: str) -> None:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) == 2:
+    if len(sys.argv) == 2 and sys.argv[1] in GIANTS:
         run(sys.argv[1])
+    elif len(sys.argv) > 1:
+        sys.exit(f"usage: python -m benchmarks.giants [{' | '.join(GIANTS)}]")
     else:
         codes = [subprocess.run([sys.executable, "-m", "benchmarks.giants", name]).returncode for name in GIANTS]
         sys.exit(max(codes))
