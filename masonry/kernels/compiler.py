@@ -5,9 +5,12 @@ a hash of every source file that can be compiled into it. What else is compiled 
 another file, and stays where it is when a law changes.
 """
 
+import contextlib
+import fcntl
+import hashlib
 import os
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -75,3 +78,17 @@ jit_parallel = _kept(f"{STEP}/threads", parallel=True) if STEP else _kept("", pa
 """Numba's cache does not tell the two ways to compile one function apart: in one folder, whichever came first is served
 for both.
 """
+
+
+@contextlib.contextmanager
+def once(arguments: tuple[Any, ...]) -> Iterator[None]:
+    """Compile within: of all processes that need the step for arguments of these types one compiles, the others wait
+    for it and then find it in the cache. A process that dies lets the next one in.
+    """
+    if not STEP:
+        yield
+        return
+    kind = hashlib.sha256(str([numba.typeof(argument) for argument in arguments]).encode()).hexdigest()[:16]
+    with open(Path(STEP) / f"{kind}.lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
