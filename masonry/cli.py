@@ -3,9 +3,9 @@
 Exit codes: 0 done, 2 something wrong with the scene or the words, 3 stopped because the numbers could no longer be
 trusted, 130 interrupted. Nothing that computes is imported before it is needed.
 
-`masonry verify` stands on a floor above this one. Its module is known here by name alone, and looked up when the
-command is called: an entry point would do the same, but be found only after reinstalling, and cost each other command a
-search through all that is installed.
+`masonry verify` stands on a floor above this one, `masonry sweep` in a room of its own. Their modules are known here by
+name alone, and looked up when the command is called: an entry point would do the same, but be found only after
+reinstalling, and cost each other command a search through all that is installed.
 """
 
 import argparse
@@ -23,8 +23,11 @@ from masonry.errors import SceneError, Stopped
 OK, USAGE, STOPPED, INTERRUPTED = 0, 2, 3, 130
 LONGEST_WORD = 1000
 """Letters of a word that a message repeats."""
-ABOVE = {"verify": ("verification.command", "run cases with known answers: are the numbers right?")}
-"""Commands of floors above: module with a `main` that takes the words after the command, and help."""
+APART = {
+    "sweep": ("masonry.sweep.command", "run a scene many times over: grid, list or Latin hypercube"),
+    "verify": ("verification.command", "run cases with known answers: are the numbers right?"),
+}
+"""Commands of other rooms and floors: module with a `main` that takes the words after the command, and help."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -67,7 +70,7 @@ def parser() -> Parser:
     plot = commands.add_parser("plot", help="draw the pictures of a folder of results again")
     plot.add_argument("folder", type=Path, metavar="DIR")
     plot.set_defaults(action=plot_results)
-    for name, (_, words) in ABOVE.items():
+    for name, (_, words) in APART.items():
         commands.add_parser(name, help=words, add_help=False)
     commands.add_parser("doctor", help="look whether this machine has what a run needs").set_defaults(action=doctor)
     return main
@@ -113,17 +116,17 @@ def main(arguments: list[str] | None = None) -> int:
 def _act(arguments: list[str] | None) -> int:
     given = sys.argv[1:] if arguments is None else arguments
     try:
-        if given and given[0] in ABOVE:
-            return int(_above(given[0]).main(given[1:]))
+        if given and given[0] in APART:
+            return int(_apart(given[0]).main(given[1:]))
         words = parser().parse_args(given)
         return int(words.action(words))
     except SystemExit as leaving:
         return leaving.code if isinstance(leaving.code, int) else USAGE
 
 
-def _above(command: str) -> Any:
-    """The module of a command that stands on a floor above."""
-    module = ABOVE[command][0]
+def _apart(command: str) -> Any:
+    """The module of a command that is not made here."""
+    module = APART[command][0]
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:

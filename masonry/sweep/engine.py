@@ -8,7 +8,7 @@ from typing import Any
 
 from masonry.crew import Lost, work
 from masonry.errors import SceneError
-from masonry.sweep.job import Job
+from masonry.sweep.job import Job, names
 from masonry.sweep.store import Row, Store, sole
 from masonry.sweep.work import ERROR, Ended, compute
 from masonry.tally import Tally, Tell
@@ -45,13 +45,14 @@ def run_alone(
     missing = [job for key, job in wanted.items() if key not in rows or rows[key]["status"] == ERROR]
     if rows and tell is not None:
         tell(f"{len(wanted) - len(missing)} of {len(wanted)} runs are done already")
-    tally = Tally(map(str, missing), tell)
+    called = dict(zip(wanted, names(list(wanted.values())), strict=True))
+    tally = Tally((called[job.key()] for job in missing), tell)
     try:
         with closing(_ends([job.resolved for job in missing], workers, scheduler)) as ends:
             for number, ended in ends:
                 job = missing[number]
                 row = rows[job.key()] = store.keep(job.key(), ended)
-                tally.ended(str(job), row["status"], row["seconds"])
+                tally.ended(called[job.key()], row["status"], row["seconds"])
     finally:
         store.sweep_up()
     return [dict(rows[job.key()]) for job in jobs]

@@ -1,7 +1,8 @@
 """One run of many: a scene and what is set in it, and the key by which its result is found again."""
 
 import hashlib
-from collections.abc import Mapping
+import tomllib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -49,14 +50,37 @@ class Job:
         """
         return self._key
 
-    def __str__(self) -> str:
-        return " ".join(f"{key.rsplit('.', 1)[-1]}={value}" for key, value in self.settings.items()) or str(self.scene)
+
+def names(jobs: Sequence[Job]) -> list[str]:
+    """What to call each of many jobs: the settings in which they differ, or the scene."""
+    keys = dict.fromkeys(key for job in jobs for key in job.settings)
+    varied = [key for key in keys if len({repr(job.settings.get(key)) for job in jobs}) > 1]
+    scenes = len({str(job.scene) for job in jobs}) > 1 or not varied
+    return [" ".join([str(job.scene)] * scenes + _settings(job, varied)) for job in jobs]
+
+
+def _settings(job: Job, keys: Sequence[str]) -> list[str]:
+    return [f"{key.rsplit('.', 1)[-1]}={_short(job.settings[key])}" for key in keys if key in job.settings]
+
+
+def _short(value: Any) -> str:
+    """A value with four digits: a name is no place for more."""
+    if isinstance(value, float):
+        return f"{value:.4g}"
+    number, space, unit = value.partition(" ") if isinstance(value, str) else (value, "", "")
+    return f"{float(number):.4g} {unit}" if space and _is_number(number) else f"{value}"
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _file_of_blocks(toml: str) -> bytes:
     """What stands in the file that a scene takes its blocks from; nothing where it has none, or it cannot be read."""
-    import tomllib
-
     path = tomllib.loads(toml)["specimen"].get("path")
     try:
         return Path(path).read_bytes() if path else b""

@@ -1,0 +1,95 @@
+"""`masonry sweep`: runs a scene many times over, and makes one table of it.
+
+Exit codes: 0 all runs ended, the failed ones as rows with their reason; 2 something wrong with the words, the sweep
+file or a scene, and nothing was run; 130 interrupted, 143 terminated: what is done stays, and the same command goes on.
+"""
+
+import contextlib
+import signal
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from masonry.cli import INTERRUPTED, OK, Parser, processors
+from masonry.errors import SceneError
+from masonry.sweep.folder import COPY, folder_for
+from masonry.sweep.read import Sweep, read
+
+TERMINATED = 143
+EPILOG = "What a sweep file holds, with three to copy: docs/sweep.md; the keys of a scene: docs/scene.md."
+
+
+def parser() -> Parser:
+    """The words that the command knows."""
+    words = Parser(prog="masonry sweep", description="Run a scene many times over: one row a run.", epilog=EPILOG)
+    words.add_argument("sweep", type=Path, metavar="SWEEP.toml", help="what to vary: a grid, a list, a Latin hypercube")
+    words.add_argument("--out", type=Path, metavar="DIR", help="folder for the results (default results/SWEEP-N)")
+    words.add_argument("--overwrite", action="store_true", help="replace the table of another sweep in DIR")
+    words.add_argument("--workers", type=int, default=processors(), metavar="N", help="processes (default: processors)")
+    words.add_argument("--scheduler", metavar="ADDRESS", help="run on the Dask cluster of this scheduler instead")
+    words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
+    return words
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
+    from masonry.sweep.plan import plan
+
+    words = parser().parse_args(arguments)
+    if words.workers < 1:
+        raise SceneError(f"--workers {words.workers}: 1 or more")
+    sweep = read(words.sweep)
+    planned = plan(sweep)
+    folder = folder_for(words.sweep, sweep, words.out, words.overwrite)
+    tell = None if words.quiet else _tell
+    if tell:
+        tell(f"{len(planned)} runs, results in '{folder}'")
+    with _terminated():
+        try:
+            return _run(sweep, planned, folder, words, tell)
+        except KeyboardInterrupt:
+            _tell(f"masonry: interrupted; what is done stays in '{folder}', and the same command goes on from there")
+            return INTERRUPTED
+
+
+def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any, tell: Any) -> int:
+    from masonry.folder import WholeFiles
+    from masonry.sweep.engine import run_alone
+    from masonry.sweep.picture import PICTURE, draw
+    from masonry.sweep.store import sole
+    from masonry.sweep.table import TABLE, table_of, write_table
+
+    with sole(folder):
+        try:
+            with WholeFiles(folder) as files:
+                files.text(COPY, words.sweep.read_text(encoding="utf-8-sig"))
+            rows = run_alone([run.job for run in planned], folder, words.workers, tell, words.scheduler)
+            draw(folder, words.sweep.stem, planned, rows)
+            write_table(folder, table_of(planned, rows))
+        except OSError as error:
+            raise SceneError(f"cannot write results to '{folder}': {error.strerror or error}") from None
+    if tell:
+        counts = Counter(row["status"] for row in rows)
+        print(", ".join(f"{count} {status}" for status, count in counts.items()))
+        print("\n".join(f"{folder / name}" for name in (TABLE, "sweep.csv", PICTURE)))
+    return OK
+
+
+@contextlib.contextmanager
+def _terminated() -> Iterator[None]:
+    """SIGTERM leaves by the same doors as Ctrl-C, with its own exit code."""
+
+    def leave(number: int, frame: Any) -> None:
+        raise SystemExit(TERMINATED)
+
+    usual = signal.signal(signal.SIGTERM, leave)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, usual)
+
+
+def _tell(line: str) -> None:
+    print(line, file=sys.stderr, flush=True)

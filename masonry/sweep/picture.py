@@ -1,0 +1,86 @@
+"""sweep.png: the curves of all runs in one picture, coloured by what was varied where that is one thing."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from masonry.folder import WholeFiles
+from masonry.plot import MEGA, MILLI, plain, write_png
+from masonry.sweep.plan import Planned
+from masonry.sweep.store import Row
+from masonry.sweep.table import swept
+from masonry.sweep.work import OK
+
+PICTURE = "sweep.png"
+ONE_COLOUR, FEW = "#1f3b5c", 10
+
+
+def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> None:
+    """Write sweep.png: stress against displacement of every run that came to its end. Raises OSError."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(10, 6), layout="constrained")
+    axes = figure.subplots()
+    shown = [n for n, row in enumerate(rows) if row["status"] == OK]
+    label, values = coloured_by(planned)
+    colours, bar = _colours([values[n] for n in shown]) if shown and label else ([ONE_COLOUR] * len(shown), None)
+    names: set[str] = set()
+    for n, colour in zip(shown, colours, strict=True):
+        displacement, stress = _curve(folder / "runs" / rows[n]["key"] / "curve.csv")
+        name = f"{values[n]}" if label and bar is None else ""
+        axes.plot(displacement * MILLI, stress * MEGA, color=colour, linewidth=1.2, label="" if name in names else name)
+        names.add(name)
+    if bar is not None:
+        figure.colorbar(bar, ax=axes, label=plain(label))
+    elif label and shown:
+        axes.legend(title=plain(label), loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9)
+    axes.set_xlabel("displacement [mm]")
+    axes.set_ylabel("stress [MPa]")
+    axes.grid(color="0.9", linewidth=0.8)
+    axes.spines[["top", "right"]].set_visible(False)
+    left_out = f", {len(rows) - len(shown)} without a curve" if len(shown) < len(rows) else ""
+    axes.set_title(plain(f"{title}: {len(shown)} runs{left_out}"))
+    with WholeFiles(folder) as files:
+        write_png(figure, files.new(PICTURE))
+
+
+def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:
+    """Name and values of the one column that was varied, in SI if it has a unit; of keys that change together (a row of
+    a list, a multiple of another) the first. No name where several were varied.
+    """
+    columns: dict[str, list[Any]] = {}
+    for key in dict.fromkeys(key for run in planned for key in run.values):
+        mine = [{name: value for name, value in row.items() if name.split(" ")[0] == key} for row in swept(planned)]
+        best = max({name: None for row in mine for name in row}, key=lambda name: ("[" in name, name))
+        columns[best] = [row.get(best) for row in mine]
+    varied = {name: values for name, values in columns.items() if len(set(map(str, values))) > 1}
+    if not varied:
+        return "", []
+    first = max(varied, key=lambda name: len(set(map(str, varied[name]))))
+    together = {tuple(map(str, pairs)) for pairs in zip(*varied.values(), strict=True)}
+    return (first, varied[first]) if len(together) == len(set(map(str, varied[first]))) else ("", [])
+
+
+def _colours(values: list[Any]) -> tuple[list[Any], Any]:
+    """A colour for each value; with numbers, what a colour bar is drawn from as well."""
+    import matplotlib
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import LogNorm, Normalize
+
+    if all(isinstance(value, int | float) and not isinstance(value, bool) for value in values):
+        low, high = min(values), max(values)
+        wide = low > 0 and high > 20 * low
+        bar = ScalarMappable(LogNorm(low, high) if wide else Normalize(low, high), "viridis")
+        return [bar.to_rgba(value) for value in values], bar
+    known = list(dict.fromkeys(map(str, values)))
+    palette = matplotlib.colormaps["tab10" if len(known) <= FEW else "viridis"]
+    shades = palette(range(len(known))) if len(known) <= FEW else palette(np.linspace(0.0, 1.0, len(known)))
+    return [shades[known.index(str(value))] for value in values], None
+
+
+def _curve(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Displacement (m) and stress (Pa) of all rows of a curve.csv."""
+    table = np.loadtxt(path, delimiter=",", skiprows=1, usecols=(0, 1), ndmin=2)
+    return table[:, 0], table[:, 1]

@@ -1,0 +1,105 @@
+"""The runs of a sweep: each point's values worked out against its scene, and the scene loaded, before anything runs."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from masonry.errors import SceneError, nearest
+from masonry.sweep.job import Job
+from masonry.sweep.points import points, si
+from masonry.sweep.read import Sweep, Times
+
+
+@dataclass(frozen=True)
+class Planned:
+    """One run of a sweep: its job, and what the sweep sets in it.
+
+    values  dotted key -> value as the scene takes it
+    times   dotted key -> factor, of the keys that were told relative to another value
+    """
+
+    job: Job
+    values: dict[str, Any]
+    times: dict[str, float]
+
+
+def plan(sweep: Sweep) -> list[Planned]:
+    """Every run of a sweep, in order. Raises SceneError for the first that its scene does not take: the message says
+    the run, the key, what is wrong and what is allowed.
+    """
+    asked = points(sweep)
+    base = _Base(sweep)
+    for point in asked[:1] + [row for row in asked if set(row) != set(asked[0])]:
+        base.check_groups(point)
+    found = []
+    for number, point in enumerate(asked):
+        try:
+            found.append(base.planned(point))
+        except SceneError as error:
+            said = str(error).removeprefix("--set ")
+            run = f", run {number + 1} of {len(asked)}" if len(asked) > 1 else ""
+            raise SceneError(f"{sweep.name}{run}: {said}") from None
+    return found
+
+
+class _Base:
+    """The scene that all runs begin with."""
+
+    def __init__(self, sweep: Sweep) -> None:
+        self.sweep = sweep
+        self.fixed = {key: value for key, value in sweep.settings.items() if not isinstance(value, Times)}
+        self.relative = {key: value for key, value in sweep.settings.items() if isinstance(value, Times)}
+        self.raw = tomllib.loads(Job(sweep.scene).resolved)
+        self.scene: dict[str, Any] | None = None
+
+    def check_groups(self, point: Mapping[str, Any]) -> None:
+        """A misspelt group would be a new one, without any effect."""
+        for key in (*self.sweep.settings, *point):
+            table, _, rest = key.partition(".")
+            known = list(self.raw.get("material" if table == "kinematics" else table, {}))
+            group = rest.partition(".")[0].strip("\"'")
+            if table in ("contact", "material", "kinematics") and rest and group not in (*known, "default"):
+                raise SceneError(f"{self.sweep.name}: {key}: no group '{group}' in this scene; {nearest(group, known)}")
+
+    def planned(self, point: Mapping[str, Any]) -> Planned:
+        given = self.relative | dict(point)
+        plain = {key: value for key, value in given.items() if not isinstance(value, Times)}
+        of_itself = {k: v for k, v in given.items() if isinstance(v, Times) and v.of is None}
+        of_another = {k: v for k, v in given.items() if isinstance(v, Times) and v.of is not None}
+        if of_itself:
+            if self.scene is None:
+                self.scene = tomllib.loads(Job(self.sweep.scene, self.fixed).resolved)
+            plain |= {key: _scaled(self.scene, key, key, value.factor) for key, value in of_itself.items()}
+        if of_another:
+            here = tomllib.loads(Job(self.sweep.scene, self.fixed | plain).resolved)
+            for key, value in of_another.items():
+                assert value.of is not None
+                if value.of in of_another:
+                    raise SceneError(f"{key}: of {value.of}, which is itself told by another key; name that one")
+                plain[key] = _scaled(here, key, value.of, value.factor)
+        values = {key: plain[key] for key in given}
+        job = Job(self.sweep.scene, self.fixed | values)
+        job.key()
+        return Planned(job, values, {k: v.factor for k, v in given.items() if isinstance(v, Times)})
+
+
+def _scaled(scene: dict[str, Any], key: str, of: str, factor: float) -> Any:
+    """`factor` times the value that the scene has at the dotted key `of`, with its unit."""
+    value, unit = si(_at(scene, key, of), f"{key}: times {factor:g}: {of}")
+    return f"{factor * value!r} {unit}" if unit else factor * value
+
+
+def _at(scene: dict[str, Any], key: str, of: str) -> Any:
+    from masonry.scene.lines import split_key
+
+    at: Any = scene
+    for part in split_key(of):
+        if isinstance(at, list) and part.isdecimal() and int(part) < len(at):
+            at = at[int(part)]
+        elif isinstance(at, dict) and part in at:
+            at = at[part]
+        else:
+            known = at if isinstance(at, dict) else ()
+            raise SceneError(f"{key}: {of} is not in the scene, nothing to multiply; {nearest(part, known)}")
+    return at

@@ -1,0 +1,113 @@
+"""The points of a sweep: each row of its list with each combination of its grid with each of its samples."""
+
+import itertools
+import math
+from typing import Any
+
+from masonry.errors import SceneError, nearest
+from masonry.quantity import KINDS, convert
+from masonry.sweep.read import Sweep, value_of
+
+MOST = 100_000
+"""Runs of one sweep."""
+Point = dict[str, Any]
+RANGE = "write {from = '0.1 MPa', to = '0.4 MPa'}, with scale = 'log' if you like, {values = [...]}, or {times = ...}"
+
+
+def points(sweep: Sweep) -> list[Point]:
+    """Dotted key -> value (or Times) for each run, settings left out; what comes last in the file's order varies first.
+
+    Raises SceneError for a table that cannot be read, or for more than MOST runs.
+    """
+    axes: list[list[Point]] = [sweep.parts["list"]] if "list" in sweep.parts else []
+    for key, given in sweep.parts.get("grid", {}).items():
+        axes.append([{key: value} for value in _grid_values(given, f"{sweep.name}: grid: {key}")])
+    if "latin_hypercube" in sweep.parts:
+        axes.append(_samples(sweep.parts["latin_hypercube"], f"{sweep.name}: latin_hypercube"))
+    count = math.prod(map(len, axes))
+    if count > MOST:
+        raise SceneError(f"{sweep.name}: {count} runs; a sweep may have {MOST}")
+    return [{key: value for part in parts for key, value in part.items()} for parts in itertools.product(*axes)]
+
+
+def _grid_values(given: Any, where: str) -> list[Any]:
+    """`[a, b]` or `{times = [0.5, 2]}`, with `of` if need be."""
+    if isinstance(given, list) and given:
+        return [value_of(value, where) for value in given]
+    if isinstance(given, dict) and isinstance(given.get("times"), list) and given["times"]:
+        return [value_of(given | {"times": factor}, where) for factor in given["times"]]
+    raise SceneError(
+        f"{where}: must be a list of values, or {{times = [0.5, 1, 2]}}; dotted keys stand in quotes, "
+        "'contact.unit_unit.cohesion' = [...]"
+    )
+
+
+def _samples(table: dict[str, Any], where: str) -> list[Point]:
+    """The points of a Latin hypercube: each axis is cut into as many equal parts as there are samples, each part is
+    met once; scipy's `qmc.LatinHypercube`, whose points depend on the seed, their number and the number of axes.
+    """
+    from scipy.stats import qmc
+
+    count = _whole(table.get("samples"), f"{where}: samples", 1, MOST)
+    seed = _whole(table.get("seed", 1), f"{where}: seed", 0, 2**63)
+    axes = {key: _axis(given, f"{where}: {key}") for key, given in table.items() if key not in ("samples", "seed")}
+    if not axes:
+        raise SceneError(f"{where}: no dotted key; {RANGE}")
+    places = qmc.LatinHypercube(len(axes), rng=seed).random(count)
+    return [{key: axes[key](place) for key, place in zip(axes, row, strict=True)} for row in places.tolist()]
+
+
+def _axis(given: Any, where: str) -> Any:
+    """A function from a place in [0, 1) to a value of this axis."""
+    if not isinstance(given, dict):
+        raise SceneError(f"{where}: {RANGE}")
+    if isinstance(given.get("times"), dict):
+        factor = _axis(given["times"], f"{where}: times")
+        return lambda place: value_of(given | {"times": factor(place)}, where)
+    if isinstance(given.get("values"), list) and given["values"] and len(given) == 1:
+        values = given["values"]
+        return lambda place: value_of(values[int(place * len(values))], where)
+    for word in given:
+        if word not in ("from", "to", "scale"):
+            raise SceneError(
+                f"{where}: {word}: unknown key; {nearest(word, ('from', 'to', 'scale', 'values', 'times'))}"
+            )
+    if not {"from", "to"} <= set(given) or given.get("scale", "linear") not in ("linear", "log"):
+        raise SceneError(f"{where}: {RANGE}")
+    return _between(given["from"], given["to"], given.get("scale") == "log", where)
+
+
+def _between(low: Any, high: Any, log: bool, where: str) -> Any:
+    """Places between two numbers or two quantities; between two whole numbers whole ones, both ends included."""
+    (a, unit), (b, other) = si(low, where), si(high, where)
+    if unit != other:
+        raise SceneError(f"{where}: from {low!r} to {high!r}: not of one kind; write both with a unit of the same kind")
+    if not a < b or (log and a <= 0.0):
+        need = " and more than 0" if log else ""
+        raise SceneError(f"{where}: from {low!r} to {high!r}: from must be less than to{need}")
+    if isinstance(low, int) and isinstance(high, int) and not log:
+        return lambda place: low + int(place * (high - low + 1))
+
+    def value(place: float) -> Any:
+        found = a * (b / a) ** place if log else a + place * (b - a)
+        return f"{found!r} {unit}" if unit else found
+
+    return value
+
+
+def si(value: Any, where: str) -> tuple[float, str]:
+    """A number, or a quantity such as "0.5 MPa", as an SI value and its unit ("" for a number). Raises SceneError."""
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return float(value), ""
+    for kind, (_, unit, _) in KINDS.items():
+        try:
+            return convert(value, kind, "this"), unit
+        except ValueError:
+            continue
+    raise SceneError(f"{where}: {value!r:.60} is no number and no quantity such as '0.5 MPa'")
+
+
+def _whole(value: Any, where: str, least: int, most: int) -> int:
+    if not isinstance(value, int) or isinstance(value, bool) or not least <= value <= most:
+        raise SceneError(f"{where}: must be a whole number from {least} to {most}, not {value!r:.60}")
+    return value

@@ -1,0 +1,130 @@
+"""A sweep file -> what it asks for, with every word of it checked that needs no scene."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from masonry.errors import SceneError, nearest
+
+PARTS = ("list", "grid", "latin_hypercube")
+WORDS = ("scene", "settings", *PARTS)
+LARGEST = 10_000_000
+"""Bytes of a sweep file."""
+
+
+@dataclass(frozen=True)
+class Times:
+    """A value told relative to another: `factor` times what the scene has there, or times the value of the key `of`."""
+
+    factor: float
+    of: str | None = None
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """What a sweep file says.
+
+    name      of the file, for messages
+    scene     a packaged scene's name, or the path of a file beside the sweep's
+    settings  dotted key -> value, the same in all runs
+    parts     list, grid and latin_hypercube as they stand in the file; each key once
+    raw       the whole file, to tell whether two are the same
+    """
+
+    name: str
+    scene: str | Path
+    settings: dict[str, Any]
+    parts: dict[str, Any]
+    raw: dict[str, Any]
+
+    @property
+    def runs_of_keys(self) -> dict[str, list[str]]:
+        """The dotted keys that each part sets."""
+        rows = self.parts.get("list", [])
+        return {
+            "[settings]": list(self.settings),
+            "[[list]]": list(dict.fromkeys(key for row in rows for key in row)),
+            "[grid]": list(self.parts.get("grid", {})),
+            "[latin_hypercube]": [k for k in self.parts.get("latin_hypercube", {}) if k not in ("samples", "seed")],
+        }
+
+
+def read(path: Path) -> Sweep:
+    """The sweep of a file. Raises SceneError: one message with what is wrong, where, and what is allowed."""
+    from masonry.scene import packaged
+
+    raw = read_toml(path)
+    name = str(path)
+    for word in raw:
+        if word not in WORDS:
+            raise SceneError(f"{name}: {word}: unknown key; {nearest(word, WORDS)}")
+    scene = raw.get("scene")
+    if not isinstance(scene, str) or not scene:
+        raise SceneError(f"{name}: scene: missing; the name of a packaged scene, or a file beside this one")
+    parts = {part: raw[part] for part in PARTS if part in raw}
+    if not parts:
+        raise SceneError(f"{name}: nothing to vary; give a table [grid] or [latin_hypercube], or rows [[list]]")
+    settings = values(raw.get("settings", {}), f"{name}: settings")
+    if "list" in parts:
+        if not isinstance(parts["list"], list) or not parts["list"]:
+            raise SceneError(f"{name}: list: rows stand in double brackets, [[list]], each with keys and values")
+        parts["list"] = [values(row, f"{name}: list, row {n + 1}") for n, row in enumerate(parts["list"])]
+    for part in ("grid", "latin_hypercube"):
+        if part in parts and not isinstance(parts[part], dict):
+            raise SceneError(f"{name}: {part}: must be a table [{part}] of dotted keys")
+    sweep = Sweep(name, scene if scene in packaged() else path.absolute().parent / scene, settings, parts, raw)
+    _each_key_once(sweep)
+    return sweep
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """The raw tables of a TOML file. Raises SceneError."""
+    try:
+        if not path.is_file():
+            raise SceneError(f"no sweep '{path}': no such file; give a sweep file (.toml), see docs/sweep.md")
+        if path.stat().st_size > LARGEST:
+            raise SceneError(f"'{path}' is larger than {LARGEST // 1_000_000} MB; a sweep file holds a few kB of text")
+        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    except OSError as error:
+        raise SceneError(f"'{path}' cannot be read: {error.strerror or error}") from None
+    except UnicodeDecodeError:
+        raise SceneError(f"{path}: not UTF-8 text; save the file as UTF-8") from None
+    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
+        if isinstance(error, SceneError):
+            raise
+        raise SceneError(f"{path}: not valid TOML: {error}") from None
+
+
+def values(table: Any, where: str) -> dict[str, Any]:
+    """Dotted keys and one value each, `{times = 2}` among them."""
+    if not isinstance(table, dict):
+        raise SceneError(f"{where}: must be a table of dotted keys and values")
+    return {key: value_of(value, f"{where}: {key}") for key, value in table.items()}
+
+
+def value_of(value: Any, where: str) -> Any:
+    """One value: as it stands, or Times where it is `{times = 2}` or `{times = 2, of = "key"}`."""
+    if isinstance(value, Mapping) and "times" in value:
+        if set(value) - {"times", "of"} or not _is_number(value["times"]) or not isinstance(value.get("of", ""), str):
+            raise SceneError(f"{where}: write {{times = 2}}, or {{times = 1.5, of = 'a.dotted.key'}}")
+        return Times(float(value["times"]), value.get("of"))
+    if isinstance(value, Mapping):
+        raise SceneError(f"{where}: is a table; write dotted keys in quotes: 'contact.unit_unit.cohesion' = '0.6 MPa'")
+    return value
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _each_key_once(sweep: Sweep) -> None:
+    owner: dict[str, str] = {}
+    for part, keys in sweep.runs_of_keys.items():
+        for key in keys:
+            if key in owner:
+                raise SceneError(f"{sweep.name}: {key} is given in {owner[key]} and in {part}; once is enough")
+            owner[key] = part
+    if len(owner) == len(sweep.settings):
+        raise SceneError(f"{sweep.name}: nothing to vary; name dotted keys in [grid], [latin_hypercube] or [[list]]")

@@ -1,0 +1,93 @@
+"""The table of a sweep: one row a run, in sweep.parquet for programs and in sweep.csv for people."""
+
+import csv
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from masonry.errors import SceneError
+from masonry.folder import WholeFiles
+from masonry.sweep.plan import Planned
+from masonry.sweep.points import si
+from masonry.sweep.store import Row
+
+TABLE = "sweep.parquet"
+HOW = ("status", "reason", "seconds")
+FIRST = ("peak_stress_pa", "displacement_at_peak_m", "final_stress_pa", "energy_imbalance", "reaction_mismatch_max")
+"""The numbers that one looks at first; the others follow by name."""
+
+
+def swept(planned: Sequence[Planned]) -> list[dict[str, Any]]:
+    """What the sweep set in each run: `KEY` as given, `KEY [unit]` in SI where it has a unit, `KEY times` where it was
+    told as a factor.
+    """
+    keys = list(dict.fromkeys(key for run in planned for key in run.values))
+    rows = []
+    for run in planned:
+        row: dict[str, Any] = {}
+        for key in keys:
+            value = row[key] = run.values.get(key)
+            if key in run.times:
+                row[f"{key} times"] = run.times[key]
+            if isinstance(value, str):
+                number, unit = _in_si(value)
+                if unit:
+                    row[f"{key} [{unit}]"] = number
+        rows.append(row)
+    return rows
+
+
+def _in_si(text: str) -> tuple[float, str]:
+    try:
+        return si(text, "")
+    except SceneError:
+        return 0.0, ""
+
+
+def table_of(planned: Sequence[Planned], rows: Sequence[Row]) -> dict[str, list[Any]]:
+    """Columns by name, in the order of the runs: index, key, what was set, status, reason, seconds, then all numbers.
+
+    A column holds None where a run has no such value. Only columns whose name begins with `seconds` depend on when
+    and where it was run.
+    """
+    heads = [
+        {"index": number, "key": row["key"], **values, **{name: row[name] for name in HOW}}
+        for number, (values, row) in enumerate(zip(swept(planned), rows, strict=True))
+    ]
+    numbers = {name for row in rows for name in row} - {"key", *HOW}
+    names = dict.fromkeys(name for head in heads for name in head if name not in HOW)
+    order = (*names, *HOW, *(name for name in FIRST if name in numbers), *sorted(numbers - set(FIRST)))
+    return {name: [(head | row).get(name) for head, row in zip(heads, rows, strict=True)] for name in order}
+
+
+def write_table(folder: Path, columns: dict[str, list[Any]]) -> None:
+    """Write sweep.parquet and sweep.csv, both or none. Raises OSError."""
+    import pyarrow
+    from pyarrow import parquet
+
+    columns = {name: _of_one_type(values) for name, values in columns.items()}
+    with WholeFiles(folder) as files:
+        parquet.write_table(pyarrow.table(columns), files.new(TABLE))
+        files.text("sweep.csv", csv_text(columns))
+
+
+def csv_text(columns: dict[str, list[Any]]) -> str:
+    """The same table as CSV, floats to full precision, nothing where there is no value."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows(zip(*columns.values(), strict=True))
+    return text.getvalue()
+
+
+def _of_one_type(values: list[Any]) -> list[Any]:
+    """Numbers, or truth values, or else texts: a column has one type."""
+    present = [value for value in values if value is not None]
+    if all(isinstance(value, bool) for value in present):
+        return values
+    if all(isinstance(value, int) and not isinstance(value, bool) for value in present):
+        return values
+    if all(isinstance(value, int | float) and not isinstance(value, bool) for value in present):
+        return [None if value is None else float(value) for value in values]
+    return [None if value is None else str(value) for value in values]
