@@ -12,12 +12,24 @@ from geometry.couplet import couplet
 from geometry.prism import prism
 from geometry.wallette import wallette
 from masonry.block_files import blocks_from
+from masonry.kernels.sources import source_hash
 from masonry.scene import Scene
 
 
 def specimen_of(scene: Scene) -> Specimen:
     """The blocks of a scene, with named sets; raises GeometryError for what cannot be built."""
     spec = scene.specimen
+    parts = (spec, getattr(spec, "mortar", None))
+    forms = {cells.form for part in parts if (cells := getattr(part, "cells", None))}
+    if not forms:
+        return _built(spec)
+    from masonry.kernels.compiler import REST, once
+
+    with once(f"{'-'.join(sorted(forms))}-{source_hash(('geometry/cells',))}", REST):
+        return _built(spec)
+
+
+def _built(spec: Any) -> Specimen:
     if spec.kind == "couplet" or spec.kind == "prism":
         mortar = (spec.mortar.thickness, _filling(spec.mortar)) if spec.mortar else None
         size = (spec.length, spec.width, spec.height)

@@ -81,14 +81,24 @@ for both.
 
 
 @contextlib.contextmanager
-def once(arguments: tuple[Any, ...]) -> Iterator[None]:
-    """Compile within: of all processes that need the step for arguments of these types one compiles, the others wait
-    for it and then find it in the cache. A process that dies lets the next one in.
+def once(name: str, folder: str = STEP) -> Iterator[None]:
+    """Compile within: of all processes that need what has this name, one goes in alone, and the others wait and then
+    find it in the cache; when one came through, there is no more waiting. A process that dies lets the next one in.
+
+    folder  STEP or REST, whichever keeps what is compiled; "" where nothing is kept, and each compiles for itself
     """
-    if not STEP:
+    done = Path(folder) / f"{name}.compiled"
+    if not folder or done.exists():
         yield
         return
-    kind = hashlib.sha256(str([numba.typeof(argument) for argument in arguments]).encode()).hexdigest()[:16]
-    with open(Path(STEP) / f"{kind}.lock", "w", encoding="utf-8") as lock:
+    with open(done.with_suffix(".lock"), "w", encoding="utf-8") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
+        if done.exists():
+            fcntl.flock(lock, fcntl.LOCK_UN)
         yield
+        done.touch()
+
+
+def kind_of(arguments: tuple[Any, ...]) -> str:
+    """A name for the types of some arguments: what is compiled for one kind serves all of it."""
+    return hashlib.sha256(str([numba.typeof(argument) for argument in arguments]).encode()).hexdigest()[:16]

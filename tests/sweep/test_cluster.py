@@ -1,0 +1,62 @@
+"""On a Dask cluster with two workers the rows are those of this machine's own processes."""
+
+import os
+import sys
+from types import SimpleNamespace
+
+import pytest
+
+from masonry.errors import SceneError
+from masonry.sweep import engine
+from masonry.sweep.cluster import work_on
+from tests.sweep.samples import dying, jobs, marks, untimed
+
+FOUR = ("0.1 MPa", "0.2 MPa", "0.3 MPa", "0.4 MPa")
+
+
+@pytest.fixture(scope="module")
+def cluster():
+    """A real scheduler on this machine, and two workers: processes of their own."""
+    from dask.distributed import LocalCluster
+
+    with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as running:
+        yield running
+
+
+def test_a_cluster_gives_the_rows_that_this_machine_gives(cluster, tmp_path):
+    lines = []
+    there = engine.run(jobs(*FOUR), tmp_path / "there", tell=lines.append, scheduler=cluster.scheduler_address)
+    here = engine.run(jobs(*FOUR), tmp_path / "here", 1)
+    assert untimed(there) == untimed(here) and [row["status"] for row in there] == ["OK"] * 4
+    assert len(marks(tmp_path / "there")) == 4 and "left" in lines[0]
+
+
+def test_both_workers_of_the_cluster_compute(cluster):
+    ends = dict(work_on(cluster.scheduler_address, slowly, range(8)))
+    assert len(set(ends.values())) == 2 and os.getpid() not in ends.values()
+
+
+def slowly(task):
+    import time
+
+    time.sleep(0.2)
+    return os.getpid()
+
+
+def test_a_run_that_kills_its_workers_is_a_row_with_its_reason(cluster, tmp_path, monkeypatch):
+    monkeypatch.setattr(engine, "compute", dying)
+    rows = engine.run(jobs(*FOUR[:2]), tmp_path, scheduler=cluster.scheduler_address)
+    assert [row["status"] for row in rows] == ["OK", "ERROR"]
+    assert "died" in rows[1]["reason"] or "worker" in rows[1]["reason"]
+
+
+def test_a_scheduler_that_does_not_answer_is_said_in_words(tmp_path, monkeypatch):
+    monkeypatch.setattr("masonry.sweep.cluster.PATIENCE", 0.5)
+    with pytest.raises(SceneError, match="no Dask scheduler answers at 'tcp://127.0.0.1:9'"):
+        engine.run(jobs("0.1 MPa"), tmp_path, scheduler="tcp://127.0.0.1:9")
+
+
+def test_without_dask_the_extra_is_named(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "dask.distributed", SimpleNamespace())
+    with pytest.raises(SceneError, match=r"pip install 'masonry-dem\[cluster\]'"):
+        engine.run(jobs("0.1 MPa"), tmp_path, scheduler="tcp://127.0.0.1:9")
