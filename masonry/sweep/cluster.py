@@ -35,7 +35,7 @@ def work_on(scheduler: str, act: Callable[[Any], Any], tasks: Sequence[Any]) -> 
             raise SceneError(f"the Dask scheduler at '{scheduler}' has no workers; start some: dask worker {scheduler}")
         begun = time.perf_counter()
         futures = {client.submit(one_at_a_time, act, task, pure=False): n for n, task in enumerate(tasks)}
-        for future in as_completed(futures):
+        for future in as_completed(futures, loop=client.loop):
             if future.status == "cancelled":
                 raise SceneError(f"the Dask scheduler at '{scheduler}' is gone; what is done stays, start again")
             if future.status == "error":

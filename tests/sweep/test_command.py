@@ -15,7 +15,7 @@ from pyarrow import parquet
 from masonry.cli import main
 from tests.sweep.samples import marks, text, untimed
 
-DOCS = Path(__file__).parents[2] / "docs" / "sweep.md"
+ROOT = Path(__file__).resolve().parents[2]
 GRID = '[grid]\nconfinement = ["0.1 MPa", "0.2 MPa", "0.3 MPa", "0.4 MPa"]\nlaw = ["exponential", "linear"]\n'
 LONG = 400_000
 """Steps that take a run about a second."""
@@ -38,7 +38,11 @@ def table(folder):
 
 def started(*words):
     return subprocess.Popen(
-        [sys.executable, "-m", "masonry", "sweep", *words], stderr=subprocess.PIPE, text=True, start_new_session=True
+        [sys.executable, "-m", "masonry", "sweep", *words],
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
     )
 
 
@@ -158,10 +162,10 @@ def test_a_sweep_that_is_not_there_is_said(capsys):
     assert "no sweep 'nowhere.toml': no such file" in capsys.readouterr().err
 
 
-EXAMPLES = re.findall(r"```toml\n(.*?)```", DOCS.read_text(encoding="utf-8"), re.DOTALL)
+EXAMPLES = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/sweep.md").read_text(encoding="utf-8"), re.DOTALL)
 
 
-@pytest.mark.parametrize(("number", "runs"), enumerate((6, 10, 6)))
+@pytest.mark.parametrize(("number", "runs"), list(enumerate((6, 10, 6))))
 def test_the_sweeps_of_the_documentation_run_as_they_stand(tmp_path, number, runs):
     path = tmp_path / "sweep.toml"
     path.write_text(EXAMPLES[number], encoding="utf-8")
