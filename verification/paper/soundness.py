@@ -1,4 +1,4 @@
-"""How sound the runs are: the energy balance, the forces at both ends, and how far half the loading error moves a peak."""
+"""How sound runs are: the energy balance, the forces at both ends, and how far half the loading error moves a peak."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
