@@ -1,6 +1,7 @@
 """How far each assumption is varied: rules by the last word of its key, so that a new scene needs no list here."""
 
 from collections.abc import Callable, Iterator
+from functools import cache
 from typing import Any, NamedTuple
 
 from pydantic import BaseModel
@@ -75,7 +76,7 @@ def _turn(value: Any) -> list[str]:
 def assumed(name: str) -> tuple[list[Variation], dict[str, str]]:
     """(the variations of a scene's [assumptions], the entries that are not varied -> why)."""
     loaded = scene.load(name)
-    present = laboratory.check(loaded)["contacts"]
+    present = contacts(name)
     found: list[Variation] = []
     without: dict[str, str] = {}
     for key in loaded.assumptions:
@@ -92,7 +93,13 @@ def assumed(name: str) -> tuple[list[Variation], dict[str, str]]:
             else:
                 base = NEEDS.get(last, {})
                 found += [Variation(entry, label, {entry: v}, base) for label, v in RULES[last](value).items()]
-    return found, without
+    return list({(v.entry, v.label): v for v in found}.values()), without
+
+
+@cache
+def contacts(name: str) -> frozenset[str]:
+    """The contact groups that occur in a scene."""
+    return frozenset(laboratory.check(scene.load(name))["contacts"])
 
 
 def _look_up(table: Any, keys: list[str]) -> Any:
@@ -118,7 +125,7 @@ def _leaves(key: str, value: Any) -> Iterator[tuple[str, Any]]:
 def options(name: str) -> list[Variation]:
     """The program's own choices that the paper leaves open, on all contacts that can crack."""
     loaded = scene.load(name)
-    present = laboratory.check(loaded)["contacts"]
+    present = contacts(name)
     groups = [g for g, contact in loaded.contact.items() if g in present and contact.law != "elastic"]
 
     def everywhere(key: str, value: Any) -> dict[str, Any]:
