@@ -77,7 +77,9 @@ def varied(tmp_path_factory) -> Section:
     """The couplet with its residual cohesion and its path varied."""
 
     def few(case, quick):
-        return [v for v in sensitivity.assumed("couplet")[0] if v.entry.endswith(("residual_cohesion", "placement"))], {}
+        return [
+            v for v in sensitivity.assumed("couplet")[0] if v.entry.endswith(("residual_cohesion", "placement"))
+        ], {}
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sensitivity, "variations", few)

@@ -5,9 +5,7 @@ from pathlib import Path
 
 from masonry.sweep import engine
 from masonry.sweep.job import Job
-
 from verification.paper.experiment import (
-    ACCURACY,
     PERCENT,
     QUICK_PERCENT,
     Claim,

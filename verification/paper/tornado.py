@@ -13,7 +13,7 @@ MATTERS, FELT = 0.10, 0.05
 
 @dataclass(frozen=True)
 class Measure:
-    """A panel: its title, keys of a row that it adds up, their unit, and whether its change is given of the base's peak."""
+    """A panel: its title, keys of a row that it adds up, their unit, whether changes are given of the base's peak."""
 
     title: str
     keys: tuple[str, ...]

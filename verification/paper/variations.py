@@ -1,6 +1,6 @@
 """How far each assumption is varied: rules by the last word of its key, so that a new scene needs no list here."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -122,16 +122,20 @@ def _leaves(key: str, value: Any) -> Iterator[tuple[str, Any]]:
         yield key, value
 
 
+JOINTS = ("unit_unit", "unit_mortar", "within_mortar")
+"""Contact groups that may dilate."""
+
+
 def options(name: str) -> list[Variation]:
     """The program's own choices that the paper leaves open, on all contacts that can crack."""
     loaded = scene.load(name)
     present = contacts(name)
     groups = [g for g, contact in loaded.contact.items() if g in present and contact.law != "elastic"]
 
-    def everywhere(key: str, value: Any) -> dict[str, Any]:
-        return {f"contact.{g}.{key}": value for g in groups}
+    def everywhere(key: str, value: Any, among: Collection[str] = groups) -> dict[str, Any]:
+        return {f"contact.{g}.{key}": value for g in groups if g in among}
 
-    dilates = {"contact.unit_unit.dilation_angle": "2 deg"}
+    dilates = everywhere("dilation_angle", "2 deg", JOINTS)
     cutoffs = ("10 um", "100 um", "1 mm")
     return [
         Variation("softening_variable", "plastic", everywhere("softening_variable", "plastic"), {}),
@@ -139,7 +143,7 @@ def options(name: str) -> list[Variation]:
         Variation("unloading", "elastic", everywhere("unloading", "elastic"), {}),
         Variation("contact_points", "vertex", {"specimen.contact_points": "vertex"}, {}),
         Variation("points_per_edge", "4", {"specimen.points_per_edge": 4}, {}),
-        *(Variation("dilation_cutoff", c, {"contact.unit_unit.dilation_cutoff": c}, dilates) for c in cutoffs),
+        *(Variation("dilation_cutoff", c, everywhere("dilation_cutoff", c, JOINTS), dilates) for c in cutoffs),
         Variation("dilation_angle (not assumed)", "2 deg", dilates, {}),
         *(Variation("solver.damping", f"{d:g}", {"solver.damping": d}, {}) for d in (0.5, 0.9)),
     ]

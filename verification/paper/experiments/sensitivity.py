@@ -16,7 +16,7 @@ PACE: dict[str, dict[str, Any]] = {
     "wallette-mode-2": {"drive.rate": "4 mm/s", "solver.rows": 200},
     "bending-0": {ACCURACY: "4 %"},
 }
-"""The pace of the base runs: fast, and the same for all, so that the error of the loading nearly cancels in a change."""
+"""Pace of the base runs: fast, and the same for all, so that the error of the loading nearly cancels in a change."""
 SHIPPED = {ACCURACY: f"{PERCENT:g} %"}
 DEAR = ("couplet-meso-coarse", "bending-0")
 """Scenes whose blocks stay rigid: what matters to deformable blocks alone is not varied in them."""
@@ -90,7 +90,9 @@ def change(case: str, v: Variation, done: Done) -> tuple[list[float], list[dict[
         scale = PANELS["peak"].of(done.rows[base]) if measure.of_the_peak and fine else 0.0
         kind = "same scene, assumption as shipped"
         record = done.record(varied, quantity, after, measure.unit, before, kind, scale)
-        records.append(record | {"knob": v.entry, "rung": v.label, "reason": record["reason"] or done.rows[base]["reason"]})
+        records.append(
+            record | {"knob": v.entry, "rung": v.label, "reason": record["reason"] or done.rows[base]["reason"]}
+        )
     return [r["error"] for r in records if r["error"] is not None], records
 
 
