@@ -112,6 +112,7 @@ def _serve(pipe: Connection, act: Act) -> None:
     from threadpoolctl import threadpool_limits
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes of a terminal; the first one decides
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"  # for what is loaded later; the limits below are for what is there
     threading.Thread(target=_end_with_parent, daemon=True).start()
     with contextlib.suppress(EOFError, BrokenPipeError), threadpool_limits(1):
         while True:

@@ -27,6 +27,7 @@ def examine() -> tuple[bool, str]:
         "numba": lambda: _module("numba"),
         "threading layer": _threading_layer,
         "h5py": lambda: _module("h5py"),
+        "pyarrow": lambda: _module("pyarrow"),
         "matplotlib": lambda: _module("matplotlib"),
         "gmsh": _gmsh,
         "compiled code": _cache,

@@ -8,7 +8,8 @@ from typing import Any
 
 from masonry.crew import Lost, work
 from masonry.errors import SceneError
-from masonry.sweep.job import Job, names
+from masonry.sweep.job import Job
+from masonry.sweep.names import names
 from masonry.sweep.store import Row, Store, sole
 from masonry.sweep.work import ERROR, Ended, compute
 from masonry.tally import Tally, Tell

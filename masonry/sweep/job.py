@@ -2,7 +2,7 @@
 
 import hashlib
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -25,10 +25,12 @@ class Job:
 
     scene     a packaged scene's name or a path
     settings  dotted key -> value, as `masonry.load(scene, settings)` takes them
+    label     what progress calls it; where none is given, what is set in it and not in all others
     """
 
     scene: str | Path
     settings: Mapping[str, Any] = field(default_factory=dict)
+    label: str = ""
 
     @cached_property
     def resolved(self) -> str:
@@ -49,34 +51,6 @@ class Job:
         the same key means the same result. Raises SceneError.
         """
         return self._key
-
-
-def names(jobs: Sequence[Job]) -> list[str]:
-    """What to call each of many jobs: the settings in which they differ, or the scene."""
-    keys = dict.fromkeys(key for job in jobs for key in job.settings)
-    varied = [key for key in keys if len({repr(job.settings.get(key)) for job in jobs}) > 1]
-    scenes = len({str(job.scene) for job in jobs}) > 1 or not varied
-    return [" ".join([str(job.scene)] * scenes + _settings(job, varied)) for job in jobs]
-
-
-def _settings(job: Job, keys: Sequence[str]) -> list[str]:
-    return [f"{key.rsplit('.', 1)[-1]}={_short(job.settings[key])}" for key in keys if key in job.settings]
-
-
-def _short(value: Any) -> str:
-    """A value with four digits: a name is no place for more."""
-    if isinstance(value, float):
-        return f"{value:.4g}"
-    number, space, unit = value.partition(" ") if isinstance(value, str) else (value, "", "")
-    return f"{float(number):.4g} {unit}" if space and _is_number(number) else f"{value}"
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
 
 
 def _file_of_blocks(toml: str) -> bytes:

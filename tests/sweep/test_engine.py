@@ -7,7 +7,8 @@ import pytest
 from masonry.errors import SceneError
 from masonry.results import load_history
 from masonry.sweep import engine
-from masonry.sweep.job import SHOWING, Job, names
+from masonry.sweep.job import SHOWING, Job
+from masonry.sweep.names import names
 from masonry.sweep.store import sole
 from tests.sweep.samples import SHORT, dying, jobs, marks, mistaken, untimed
 
