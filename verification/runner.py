@@ -5,7 +5,8 @@ from collections.abc import Callable, Sequence
 from multiprocessing.connection import wait
 
 from masonry.progress import duration
-from verification.case import Case, Findings, Outcome
+from verification.case import Case, Findings
+from verification.outcome import Outcome
 from verification.worker import Worker, run_case
 
 WORKERS = 2

@@ -4,8 +4,9 @@ from collections.abc import Sequence
 
 from masonry.progress import duration
 from verification import printout
-from verification.case import IMBALANCE, LOOSE, Check, Outcome
+from verification.case import LOOSE, Check
 from verification.catalogue import formula
+from verification.outcome import IMBALANCE, Outcome
 from verification.records import records_of
 from verification.report import figures, page
 
@@ -119,6 +120,15 @@ RUNS = ("run", "steps", "seconds of stepping", "energy residual / external work"
 
 def _check(check: Check) -> list[str | page.Cell]:
     unit = f" {check.unit}" if check.unit not in ("", "1") else ""
+    if check.is_bound:
+        return [
+            check.quantity,
+            page.Cell(f"{check.value:.7g}{unit}", "number"),
+            page.Cell(f"at most {check.reference:.7g}{unit}", "number", check.kind),
+            page.Cell("holds" if check.holds else "fails", "ok" if check.holds else "bad"),
+            "-",
+            page.Cell(check.reason, "text"),
+        ]
     note = f"too loose: passes by more than {LOOSE:.0f} times" if check.too_loose else ""
     kind = "bad" if not check.holds else "warn" if check.too_loose else "ok"
     return [

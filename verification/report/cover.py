@@ -9,10 +9,10 @@ from string import Template
 from masonry import __version__
 from masonry.kernels.compiler import source_hash
 from verification.records import processor
-from verification.report.page import WORDS, Chapter, badge, escape, paragraph, table
+from verification.report.page import WORDS, Chapter, badge, escape, paragraph, table, without_dead_links
 
 AREAS = (
-    *("Closed forms", "Loading rate", "Shipped settings", "Stability", "Leaving out"),
+    *("Closed forms", "Loading rate", "Shipped settings", "Threads", "Stability", "Leaving out"),
     *("Energy balance", "Assumptions"),
 )
 PACKAGES = ("numpy", "scipy", "numba", "gmsh", "matplotlib")
@@ -37,7 +37,7 @@ def html_of(chapters: list[Chapter], seconds: float) -> str:
         f'<section id="{anchor}"><h2>{n}. {escape(c.title)}</h2>{"".join(c.parts)}</section>'
         for n, anchor, c in numbered
     )
-    return template.substitute(cover=cover(chapters, seconds), contents=contents, body=body)
+    return template.substitute(cover=cover(chapters, seconds), contents=contents, body=without_dead_links(body))
 
 
 def cover(chapters: list[Chapter], seconds: float) -> str:
