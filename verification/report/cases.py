@@ -163,5 +163,6 @@ INTRODUCTION = (
     "from an independent finite element model, or because turning, mirroring or renumbering a problem must not change "
     "its answer. The error of each number is signed and relative. Its tolerance follows from the error that the method "
     "should have (“expected”), and is a few times as large; a case that passes by more than a hundred times is marked "
-    "as too loose, since it would let a mistake through. “Worst error” is the one that comes nearest to its tolerance."
+    "as too loose, since it would let a mistake through. A bound, such as what a scene must have cracked to be worth "
+    "anything, holds or does not. “Worst error” is the one that comes nearest to its tolerance."
 )

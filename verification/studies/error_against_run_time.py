@@ -171,9 +171,9 @@ INTRODUCTION = (
     "leaves the others as they are; knobs other than the loading are climbed at a constant rate, which sets a floor "
     "under their errors. The dotted line is 1 %. Full lines are errors in solving the model. Dashed lines change the "
     "model itself: they show how far another model is from the shipped one, and need not go to zero. Seconds are those "
-    "of stepping on one thread, the least of three runs where a run takes less than two seconds; compiling and writing "
-    "files are apart.",
-    "Where there is no closed form the reference is the same scene at the slowest constant rate, and what it may "
-    "still be off by is estimated from three rates, each half the one before, and from how far the finest drive to an "
-    "accuracy is from it.",
+    "of stepping, on one thread but where threads are the knob, the least of three runs where a run takes less than "
+    "two seconds; compiling and writing files are apart.",
+    "Where there is no closed form the reference is the same scene at its slowest loading, a constant rate or an "
+    "accuracy, and what it may still be off by is estimated from three settings, each twice as fine as the one before, "
+    "and from how far the finest drive to an accuracy is from it.",
 )
