@@ -14,7 +14,7 @@ import numpy as np
 from geometry.blocks import GeometryError, Specimen
 from masonry import __version__, laboratory, scene
 from masonry.errors import SceneError, Stopped
-from masonry.kernels.compiler import source_hash
+from masonry.kernels.sources import source_hash
 from verification.rigs.scene_text import loaded
 
 Knobs = Mapping[str, Any]
