@@ -74,6 +74,11 @@ def changes_model(knob: str) -> bool:
     return knob.startswith(MODEL)
 
 
+def is_setting(knob: str) -> bool:
+    """Whether its rungs are ways to solve the same model at the same cost of machine: more threads are more machine."""
+    return not changes_model(knob) and knob != THREADS
+
+
 class Point(NamedTuple):
     """A rung that came through: its largest error over all quantities, and what it took."""
 

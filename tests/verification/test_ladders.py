@@ -92,7 +92,7 @@ def test_a_case_without_ladder_and_reason_or_with_a_wrong_name_is_told():
 def test_another_model_is_held_against_theory_and_the_loading_against_the_converged_run():
     (problem,) = oscillator.PROBLEMS
     rungs = dict(list(oscillator.rungs().items())[:4])
-    knobs = {"time step": rungs, "model: time step": rungs}
+    knobs = {"time step": rungs, "model: time step": rungs, "threads": dict(list(rungs.items())[:1])}
     study = Study(replace(problem, knobs=knobs, exact=None, theory=oscillator.exact, converged="time step"), quiet)
     errors = {knob: [e for _, e, _ in lines] for knob, lines in study.lines(oscillator.SPRING).items()}
     finest = study.references[oscillator.SPRING].value
@@ -101,7 +101,9 @@ def test_another_model_is_held_against_theory_and_the_loading_against_the_conver
     assert errors["model: time step"][-1] == pytest.approx(finest / exact - 1.0) != 0.0
     assert {p.knob for p in study.points()} == {"time step"}
     kinds = {(r["knob"], r["kind_of_reference"]) for r in study.records}
-    assert kinds == {("time step", "converged run"), ("model: time step", "closed form")}
+    assert kinds == {(knob, "converged run") for knob in ("time step", "threads")} | {
+        ("model: time step", "closed form")
+    }
 
 
 def test_two_threads_give_the_bits_of_one():

@@ -50,7 +50,7 @@ def error_against_time(
     for one, (title, knobs), doubt in zip(axes.flat, panels.items(), doubts, strict=True):
         if doubt > 0.0:
             one.axhspan(0.0, 100.0 * doubt, color="0.92", linewidth=0)
-        one.set(xscale="log", yscale="log", title=title, xlabel="seconds of stepping, one thread [s]")
+        one.set(xscale="log", yscale="log", title=title, xlabel="seconds of stepping [s]")
         one.axhline(1.0, color="0.35", linewidth=0.9, linestyle=":")
         best = [(p.seconds, max(100.0 * p.error, 100.0 * floor)) for p in fronts[title]]
         one.plot(

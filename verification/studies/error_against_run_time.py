@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 
 from masonry.progress import duration
-from verification.ladder import Point, Problem, Reference, changes_model, front, time_to
+from verification.ladder import Point, Problem, Reference, front, is_setting, time_to
 from verification.report import figures, page
 from verification.studies import ladders_of_cases, threads
 from verification.studies.ladders import Study, problems
@@ -97,7 +97,7 @@ def section(study: Study, words: str) -> list[str]:
     """What to choose, the pictures, the reference, the table of times."""
     problem = study.problem
     panels = {q: study.lines(q) for q in problem.units}
-    fronts = {q: front([Point(k, t, s, 0, abs(e)) for k, rungs in lines.items() if not changes_model(k)
+    fronts = {q: front([Point(k, t, s, 0, abs(e)) for k, rungs in lines.items() if is_setting(k)
                         for s, e, t in rungs]) for q, lines in panels.items()}  # fmt: skip
     caption = (
         f"{problem.title}: error against seconds of stepping. Labels name the rung; the grey line joins the settings "

@@ -8,7 +8,7 @@ from typing import Any
 
 from verification import precision
 from verification.catalogue import modules
-from verification.ladder import ACCURACY, Point, Problem, Reference, changes_model, richardson
+from verification.ladder import ACCURACY, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
 from verification.studies import trial
 from verification.studies.trial import Trial
@@ -111,7 +111,7 @@ class Study:
         found: dict[tuple[str, str], Point] = {}
         for r in self.records:
             key = (r["knob"], r["rung"])
-            if changes_model(r["knob"]) or r["error"] is None or self._is_reference(r):
+            if not is_setting(r["knob"]) or r["error"] is None or self._is_reference(r):
                 continue
             worst = max(abs(r["error"]), found[key].error if key in found else 0.0)
             found[key] = Point(*key, r["seconds"], r["steps"], worst)
