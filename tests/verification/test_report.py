@@ -94,7 +94,7 @@ def test_the_first_page_gives_a_verdict_on_each_area_and_says_where_one_is_missi
     for area in ("Closed forms", "Loading rate", "Stability", "Energy balance"):
         assert area in cover
     assert cover.count("not\u00a0looked\u00a0at") == 1
-    assert "Not part of this report: Loading rate, Shipped settings, Leaving out, Assumptions" in cover
+    assert "Not part of this report: Loading rate, Shipped settings, Threads, Leaving out, Assumptions" in cover
 
 
 def test_a_link_to_a_chapter_that_is_not_there_is_text():
