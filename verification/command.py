@@ -12,8 +12,8 @@ from pathlib import Path
 from masonry.cli import Parser
 from masonry.errors import SceneError
 from verification import catalogue, printout, records, runner
-from verification.case import Outcome
 from verification.comparison import compare, last_version
+from verification.outcome import Outcome
 
 HOLDS, FAILS = 0, 1
 FORMATS = {"text": printout.as_text, "md": printout.as_markdown}

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Any
 
+from verification.case import BOUND
 from verification.records import Record, version_of
 
 SLOWER = 1.5
@@ -53,13 +54,13 @@ def _where(record: Record) -> str:
 
 
 def _number(old: Record, new: Record) -> list[Change]:
-    """At most one change: the status, or the value."""
+    """At most one change: the status, or the value; a bound holds or not, and no move within it counts."""
     if old.get("status") != new.get("status"):
         worse = new.get("status") not in ("PASS", "OK")
         reason = f" ({new['reason']})" if new.get("reason") else ""
         return [Change(_where(new), f"was {old.get('status')}, is {new.get('status')}{reason}", worse)]
     value, was = new.get("value"), old.get("value")
-    if value is None or was is None:
+    if value is None or was is None or new.get("kind_of_reference") == BOUND:
         return []
     tolerance = new.get("tolerance")
     limit = UNTOLD if tolerance is None else tolerance

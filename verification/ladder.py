@@ -8,11 +8,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
-from verification.studies.trial import Trial
+from geometry.blocks import Specimen
+from verification.studies.trial import THREADS, Trial
 
 Rungs = dict[str, dict[str, Any]]
 """Label of a rung -> the keys of the scene that it sets; the finest last."""
-RATE, ACCURACY = "constant rate", "accuracy"
+RATE, ACCURACY, MODEL = "constant rate", "accuracy", "model"
 SHIPPED = "1 %"
 """The rung of ACCURACY that a user gets who asks for nothing."""
 
@@ -41,11 +42,13 @@ class Problem:
 
     name       lower case with hyphens
     scene      a packaged scene's name, or TOML text
+    specimen   makes the blocks of a text that says kind = "file", path = "made.blocks.h5"
     knobs      knob -> rungs; one whose name starts with "model" changes what is solved, and need not go to zero
     base       keys that every run sets
     measure    what a run gives: quantity -> value
     exact      what these should be, from a run (of which only the scene is looked at); None: the finest three rungs of
                `converged`, extrapolated
+    theory     what rungs of knobs that start with "model" are held against where `exact` is None; None: as all others
     converged  the knob whose rungs converge, each twice as fine as the one before
     units      quantity -> unit
     shipped    knob and rung that a user gets who asks for nothing
@@ -58,10 +61,22 @@ class Problem:
     base: dict[str, Any] = field(default_factory=dict)
     measure: Callable[[Trial], dict[str, float]] = stress_and_energy
     exact: Callable[[Trial], dict[str, float]] | None = None
+    theory: Callable[[Trial], dict[str, float]] | None = None
     converged: str = RATE
     units: Mapping[str, str] = field(default_factory=lambda: {"peak stress": "Pa", "dissipated energy": "J"})
     shipped: tuple[str, str] = (ACCURACY, SHIPPED)
     kind: str = "closed form"
+    specimen: Callable[[], Specimen] | None = None
+
+
+def changes_model(knob: str) -> bool:
+    """Whether the rungs of a knob are other models, not other ways to solve the same one."""
+    return knob.startswith(MODEL)
+
+
+def is_setting(knob: str) -> bool:
+    """Whether its rungs are ways to solve the same model at the same cost of machine: more threads are more machine."""
+    return not changes_model(knob) and knob != THREADS
 
 
 class Point(NamedTuple):
@@ -96,6 +111,16 @@ def fractions(extra: dict[str, Any], *shares: float) -> Rungs:
 def dampings(extra: dict[str, Any], *shares: float) -> Rungs:
     """Rungs of the local damping at a constant rate; 0.8 is the default."""
     return {f"{xi:g}": {"solver.damping": xi, **extra} for xi in shares or (0.8, 0.5, 0.2)}
+
+
+def laws(extra: dict[str, Any], *names: str) -> Rungs:
+    """Another law is another model: rungs of a knob whose name starts with "model"."""
+    return {name: {"law": name, **extra} for name in names or ("exponential", "linear", "brittle")}
+
+
+def threads(extra: dict[str, Any], *counts: int) -> Rungs:
+    """Rungs of the number of threads, which must change seconds and nothing else."""
+    return {f"{n} thread" + "s" * (n > 1): {THREADS: n, **extra} for n in counts or (1, 2)}
 
 
 def pace(fine: int, rungs: int = 5) -> dict[str, Rungs]:

@@ -4,8 +4,9 @@ import textwrap
 from collections.abc import Iterable, Sequence
 
 from masonry.progress import duration
-from verification.case import IMBALANCE, LOOSE, Case, Check, Outcome
+from verification.case import LOOSE, Case, Check
 from verification.comparison import Change
+from verification.outcome import IMBALANCE, Outcome
 
 HEADER = ("case", "row", "status", "worst error", "tolerance", "checks", "energy", "seconds")
 NUMBERS = ("worst error", "tolerance", "checks", "energy", "seconds")
@@ -46,9 +47,12 @@ def failures(outcome: Outcome) -> list[str]:
 def off(check: Check) -> str:
     """A check that does not hold, in a sentence."""
     unit = f" {check.unit}" if check.unit not in ("", "1") else ""
+    why = check.reason.rstrip(".")
+    if check.is_bound:
+        return f"{check.quantity} is {check.value:.8g}{unit}, but may be at most {check.reference:.8g}{unit} ({why})"
     return (
         f"{check.quantity} is {check.value:.8g}{unit}, but the {check.kind} gives {check.reference:.8g}{unit}: "
-        f"error {check.error:+.2e}, tolerance {check.tolerance:.0e} ({check.reason.rstrip('.')})"
+        f"error {check.error:+.2e}, tolerance {check.tolerance:.0e} ({why})"
     )
 
 

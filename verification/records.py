@@ -14,7 +14,7 @@ from masonry import __version__
 from masonry.errors import SceneError
 from masonry.folder import WholeFiles
 from masonry.kernels.sources import source_hash
-from verification.case import Outcome
+from verification.outcome import Outcome
 
 NAME = "records.json"
 PACKAGES = ("numpy", "scipy", "numba", "gmsh", "scikit-fem")

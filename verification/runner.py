@@ -6,7 +6,8 @@ from typing import Any
 
 from masonry.crew import Lost, work
 from masonry.tally import Tally, Tell
-from verification.case import Case, Findings, Outcome
+from verification.case import Case, Findings
+from verification.outcome import Outcome
 from verification.worker import answer, run_case
 
 WORKERS = 2

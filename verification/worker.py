@@ -5,7 +5,8 @@ import traceback
 
 from geometry.blocks import GeometryError
 from masonry.errors import SceneError, Stopped
-from verification.case import Case, Findings, Outcome, RequiredFeature, judge
+from verification.case import Case, Findings, RequiredFeature
+from verification.outcome import Outcome, judge
 
 EXPECTED = (SceneError, GeometryError, Stopped, MemoryError)
 """Errors that say themselves what is wrong; of any other one the place in the code is told as well."""

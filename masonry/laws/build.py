@@ -36,7 +36,6 @@ def build(group: str, properties: Mapping[str, Any], compressions: Sequence[floa
     if name == "elastic":
         return _shape_class(name)(), Interface(**stiffness)
     _require(where, name, properties, STRENGTHS)
-    interface = _interface(where, properties, stiffness)
     shape_class: Any = _shape_class(name)
     optional = shape_class._field_defaults
     _require(where, name, properties, [key for field, key in file.PARAMETERS.items() if field not in optional])
@@ -45,6 +44,7 @@ def build(group: str, properties: Mapping[str, Any], compressions: Sequence[floa
     for field, key in file.PARAMETERS.items():
         if field not in optional and getattr(shape, field) <= 0.0:
             raise SceneError(f"{where}.{key} = {getattr(shape, field):g}: law '{name}' needs a value above 0")
+    interface = _interface(where, properties, stiffness)
     refused = file.refuse(shape, interface, compressions) if hasattr(file, "refuse") else None
     if refused is not None:
         key, least, why = refused

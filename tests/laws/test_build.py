@@ -45,13 +45,15 @@ def test_a_missing_strength_is_named(name, missing):
 
 @pytest.mark.parametrize(("name", "missing"), [(n, key) for n, keys in ENERGIES.items() for key in keys])
 def test_a_missing_energy_or_exponent_is_named(name, missing):
-    assert f"needs {missing}" in refusal(name, **{missing: None})
+    for dilates in ({}, {"dilation_angle": 0.1}):
+        assert f"needs {missing}" in refusal(name, **{missing: None}, **dilates)
 
 
 @pytest.mark.parametrize(("name", "key"), [(n, key) for n, keys in ENERGIES.items() for key in keys])
 @pytest.mark.parametrize("value", [0.0, -1.0])
 def test_an_energy_or_exponent_that_is_not_positive_is_refused(name, key, value):
-    assert f"contact.unit_unit.{key}" in refusal(name, **{key: value})
+    for dilates in ({}, {"dilation_angle": 0.1}):
+        assert f"contact.unit_unit.{key}" in refusal(name, **{key: value}, **dilates)
 
 
 def test_brittle_and_elastic_need_no_energy():

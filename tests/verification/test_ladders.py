@@ -1,12 +1,18 @@
 """Error against run time: the references, the front, and what is said about the shipped setting."""
 
+from dataclasses import replace
+from types import SimpleNamespace
+
 import pytest
 
+from verification.cases import eccentric_tension
+from verification.catalogue import modules
 from verification.ladder import Point, Reference, front, richardson, time_to
 from verification.precision import oscillator
 from verification.studies import error_against_run_time as chapter
-from verification.studies import left_out
+from verification.studies import left_out, threads, trial
 from verification.studies.ladders import Study, problems
+from verification.studies.ladders_of_cases import gaps, table
 from verification.studies.parts import PARTS
 
 SHIPPED = Point("accuracy", "1 %", 2.0, 900, 0.004)
@@ -61,6 +67,52 @@ def test_the_oscillator_is_of_second_order_and_its_chapter_can_be_drawn():
     made = chapter.chapter(quiet, [problem])
     assert oscillator.SPRING in "".join(made.parts) and "None of these" not in "".join(made.parts)
     assert {r["case"] for r in made.records} == {"oscillator"}
+
+
+def test_each_case_has_ladders_that_exist_or_says_why_there_is_nothing_to_choose():
+    assert gaps(modules()) == []
+    shown = table()
+    assert all(f"#case-{name}" in shown for name in modules())
+    assert "#ladder-wallette-mode-1" in shown and "exact at any setting" in shown
+
+
+def test_a_case_without_ladder_and_reason_or_with_a_wrong_name_is_told():
+    def case(ladders: tuple[str, ...] = (), no_ladders: str = "", **more) -> SimpleNamespace:
+        return SimpleNamespace(CASE=SimpleNamespace(ladders=ladders, no_ladders=no_ladders), **more)
+
+    wrong = {"bare": case(), "torn": case(("couplet",), "exact"), "lost": case(("cuplet",))}
+    fine = {"own": case(PROBLEMS=oscillator.PROBLEMS), "exact": case(no_ladders="exact")}
+    assert gaps(wrong | fine) == [
+        "bare: neither ladders nor a reason",
+        "torn: ladders, and a reason for none",
+        "lost: no ladder 'cuplet'",
+    ]
+
+
+def test_another_model_is_held_against_theory_and_the_loading_against_the_converged_run():
+    (problem,) = oscillator.PROBLEMS
+    rungs = dict(list(oscillator.rungs().items())[:4])
+    knobs = {"time step": rungs, "model: time step": rungs, "threads": dict(list(rungs.items())[:1])}
+    study = Study(replace(problem, knobs=knobs, exact=None, theory=oscillator.exact, converged="time step"), quiet)
+    errors = {knob: [e for _, e, _ in lines] for knob, lines in study.lines(oscillator.SPRING).items()}
+    finest = study.references[oscillator.SPRING].value
+    exact = problem.exact(next(iter(study.trials["time step"].values())))[oscillator.SPRING]
+    assert len(errors["time step"]) == 3 and len(errors["model: time step"]) == 4
+    assert errors["model: time step"][-1] == pytest.approx(finest / exact - 1.0) != 0.0
+    assert {p.knob for p in study.points()} == {"time step"}
+    kinds = {(r["knob"], r["kind_of_reference"]) for r in study.records}
+    assert kinds == {(knob, "converged run") for knob in ("time step", "threads")} | {
+        ("model: time step", "closed form")
+    }
+
+
+def test_two_threads_give_the_bits_of_one():
+    few = {"drive.steps": 400, "solver.rows": 20}
+    one, two = (trial.run(eccentric_tension.SCENE, few | {"threads": n}) for n in (1, 2))
+    assert two.ok and two.knobs["threads"] == 2
+    assert threads.apart({"1 thread": one, "2 threads": two}) == {"2 threads": 0.0}
+    other = trial.run(eccentric_tension.SCENE, few | {"solver.damping": 0.7})
+    assert threads.apart({"1 thread": one, "other": other})["other"] > 0.0
 
 
 @pytest.mark.parametrize("name", ["damping", "turned principal axes"])

@@ -8,6 +8,7 @@ from masonry.errors import SceneError
 from tests.verification import samples
 from tests.verification.samples import case
 from verification import records, runner
+from verification.case import BOUND
 from verification.comparison import compare, last_version
 
 
@@ -61,6 +62,13 @@ def test_a_number_that_moved_by_more_than_its_tolerance_is_told_and_others_are_n
     was[2] = was[2] | {"value": was[2]["value"] * 1.005}
     (change,) = compare(was, new)
     assert change.bad and change.where == "holds, peak" and "-5.0e-03" in change.sentence
+
+
+def test_a_value_that_moved_below_its_bound_is_not_told(new):
+    bound = new[0] | {"kind_of_reference": BOUND, "reference": 3e6, "tolerance": 0.0}
+    assert not compare(older([bound]), [bound | {"value": 0.5 * bound["value"]}])
+    (change,) = compare(older([bound]), [bound | {"status": "FAIL"}])
+    assert change.bad
 
 
 def test_a_time_that_changed_by_half_is_told_on_the_same_processor_only(new):

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from verification.report.__main__ import found, write
-from verification.report.page import Chapter, Verdict, escape, table
+from verification.report.page import Chapter, Link, Verdict, escape, table, without_dead_links
 from verification.stability.cells import Cell, Grid
 from verification.stability.references import sheared
 from verification.studies import couplet, energy_balance, stability
@@ -94,7 +94,13 @@ def test_the_first_page_gives_a_verdict_on_each_area_and_says_where_one_is_missi
     for area in ("Closed forms", "Loading rate", "Stability", "Energy balance"):
         assert area in cover
     assert cover.count("not\u00a0looked\u00a0at") == 1
-    assert "Not part of this report: Loading rate, Shipped settings, Leaving out, Assumptions" in cover
+    assert "Not part of this report: Loading rate, Shipped settings, Threads, Leaving out, Assumptions" in cover
+
+
+def test_a_link_to_a_chapter_that_is_not_there_is_text():
+    row = [[Link("here", "a"), [Link("here too", "a"), Link("elsewhere", "b")]]]
+    shown = without_dead_links('<h3 id="a">A</h3>' + table([], row))
+    assert shown.count('<a href="#a">') == 2 and "#b" not in shown and "elsewhere" in shown
 
 
 def test_text_in_the_page_is_escaped():

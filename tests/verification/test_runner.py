@@ -7,8 +7,9 @@ import pytest
 from masonry.errors import SceneError
 from tests.verification import samples
 from tests.verification.samples import case
-from verification import catalogue, runner
-from verification.case import Check, Findings, judge
+from verification import catalogue, printout, runner
+from verification.case import Check, Findings, at_most
+from verification.outcome import judge
 
 ENDS = {
     samples.holds: ("PASS", ""),
@@ -47,6 +48,16 @@ def test_a_value_that_is_not_a_number_does_not_hold():
     assert not check.holds and math.isinf(check.used)
     assert judge(Findings([check]))[0] == "FAIL"
     assert judge(Findings([samples.check(1.375e6)], imbalance={"run": math.nan}))[0] == "FAIL"
+
+
+def test_a_bound_holds_or_not_and_is_never_near_or_loose():
+    kept, broken = (at_most("strength left", "1", value, 0.9, "it must crack") for value in (0.1, 0.95))
+    assert kept.holds and kept.used == 0.0 and not kept.too_loose
+    assert not broken.holds and math.isinf(broken.used) and not broken.too_loose
+    assert not at_most("strength left", "1", math.nan, 0.9, "it must crack").holds
+    assert judge(Findings([kept]))[0] == "PASS"
+    assert judge(Findings([broken])) == ("FAIL", "strength left: 0.95 1, at most 0.9")
+    assert printout.off(broken) == "strength left is 0.95, but may be at most 0.9 (it must crack)"
 
 
 def test_the_nearest_case_is_suggested():

@@ -101,4 +101,5 @@ CASE = Case(
     title="A semicircular arch stands or falls",
     area="Friction and stability",
     run=run,
+    no_ladders="a yes or no, bisected: the width that is left is the error, and each half of it costs a run",
 )

@@ -26,7 +26,7 @@ from verification.interface.mesh import grids
 from verification.interface.model import model
 from verification.interface.newton import Path
 from verification.rigs import held_steps
-from verification.rigs.scene_text import assembled
+from verification.rigs.scene_text import assembled, joint_table
 
 Array = np.ndarray
 JOINT, YOUNG, SIDE, NEAR = Joint(), 16.7e9, 0.05, 1e-9
@@ -39,7 +39,8 @@ SHORT, LONG = 0.1, 0.6
 OPENINGS = np.concatenate(
     [np.linspace(0.0, JOINT.opening_at_peak, 4)[1:], JOINT.opening_at_peak + np.geomspace(1e-7, 4e-5, 40)]
 )
-SCENE = """title = "A bar with a joint across"
+SCENE = (
+    """title = "A bar with a joint across"
 law = "exponential"
 kinematics = "tets"
 [specimen]
@@ -54,16 +55,9 @@ box = [
 density = "1900 kg/m^3"
 young_modulus = "16.7 GPa"
 poisson_ratio = 0.0
-[contact.unit_unit]
-normal_stiffness = "150 GPa/m"
-shear_stiffness = "70 GPa/m"
-tensile_strength = "0.58 MPa"
-cohesion = "0.87 MPa"
-tan_friction_angle = 1.01
-tan_residual_friction_angle = 0.73
-fracture_energy_mode_1 = "5.8 N/m"
-fracture_energy_mode_2 = "58 N/m"
-[[support]]
+"""
+    + joint_table(JOINT)
+    + """[[support]]
 on = "z = 0 mm"
 fix = "all"
 [[support]]
@@ -75,6 +69,7 @@ direction = "z"
 displacement = "1 mm"
 steps = 1000
 """
+)
 
 
 def implicit(found: Findings, law: str, length: float) -> None:
@@ -177,4 +172,12 @@ def run() -> Findings:
     return found
 
 
-CASE = Case("bar-and-joint", "A6", "A bar with a joint: snap-back above a length", area="Fracture", run=run, quick=True)
+CASE = Case(
+    "bar-and-joint",
+    "A6",
+    "A bar with a joint: snap-back above a length",
+    area="Fracture",
+    run=run,
+    quick=True,
+    ladders=("tension-linear", "tension-polynomial", "tension-exponential"),
+)

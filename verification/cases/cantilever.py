@@ -158,4 +158,5 @@ CASE = Case(
     title="A cantilever of five blocks",
     area="Elastic assemblies",
     run=run,
+    ladders=("cantilever-rigid", "cantilever-tets"),
 )

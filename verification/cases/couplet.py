@@ -68,6 +68,18 @@ def run() -> Findings:
 
 
 CASE = Case(
-    "couplet", "A8", "Couplet of the paper, rigid units", area="Contact laws", run=run, quick=True,
+    "couplet",
+    "A8",
+    "Couplet of the paper, rigid units",
+    area="Contact laws",
+    run=run,
+    quick=True,
     scene=scene.packaged()["couplet"].read_text(encoding="utf-8"),
-)  # fmt: skip
+    ladders=(
+        "couplet",
+        "couplet-exponential-01",
+        "couplet-exponential-10",
+        "couplet-linear-05",
+        "couplet-polynomial-05",
+    ),
+)

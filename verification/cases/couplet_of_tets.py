@@ -16,11 +16,13 @@ first order there. Halving the steps of the interface model changes its curve by
 import numpy as np
 
 from verification.case import Case, Findings
+from verification.closed_forms import Joint
 from verification.interface.model import Model
 from verification.rigs.beside_twin import Allowed, compare
-from verification.rigs.scene_text import assembled
+from verification.rigs.scene_text import assembled, joint_table
 
-SCENE = """title = "Couplet of tets under shear"
+SCENE = (
+    """title = "Couplet of tets under shear"
 law = "exponential"
 kinematics = "tets"
 [specimen]
@@ -33,18 +35,9 @@ mesh_size = "50 mm"
 density = "1900 kg/m^3"
 young_modulus = "16.7 GPa"
 poisson_ratio = 0.2
-[contact.unit_unit]
-normal_stiffness = "150 GPa/m"
-shear_stiffness = "70 GPa/m"
-tensile_strength = "0.58 MPa"
-cohesion = "0.87 MPa"
-tan_friction_angle = 1.01
-residual_cohesion = "0 Pa"
-tan_residual_friction_angle = 0.73
-fracture_energy_mode_1 = "5.8 N/m"
-fracture_energy_mode_2 = "58 N/m"
-fracture_energy_mode_2_slope = "130 N/m/MPa"
-[[support]]
+"""
+    + joint_table(Joint())
+    + """[[support]]
 on = "bottom.z-"
 fix = "all"
 [[support]]
@@ -61,6 +54,7 @@ stress = {z = "-0.5 MPa"}
 [settle]
 steps = 1000
 """
+)
 PLACES = [*np.linspace(0, 20e-6, 6)[1:], *np.linspace(20e-6, 40e-6, 11)[1:], *np.linspace(40e-6, 200e-6, 17)[1:]]
 HEIGHT, NEAR = 0.1, 1e-9
 
@@ -89,4 +83,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
+    ladders=("couplet-of-tets",),
 )

@@ -138,4 +138,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
+    ladders=("dcb-force",),
 )

@@ -193,4 +193,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
+    ladders=("dcb-force",),
 )

@@ -20,11 +20,13 @@ size of implicit steps where openings only grow.
 import numpy as np
 
 from verification.case import Case, Findings
+from verification.closed_forms import Joint
 from verification.interface.model import Model
 from verification.rigs.beside_twin import Allowed, compare
-from verification.rigs.scene_text import assembled
+from verification.rigs.scene_text import assembled, joint_table
 
-SCENE = """title = "A joint pulled open from one side"
+SCENE = (
+    """title = "A joint pulled open from one side"
 law = "exponential"
 kinematics = "tets"
 [specimen]
@@ -39,17 +41,9 @@ box = [
 density = "1900 kg/m^3"
 young_modulus = "16.7 GPa"
 poisson_ratio = 0.2
-[contact.unit_unit]
-normal_stiffness = "150 GPa/m"
-shear_stiffness = "70 GPa/m"
-tensile_strength = "0.58 MPa"
-cohesion = "0.87 MPa"
-tan_friction_angle = 1.01
-residual_cohesion = "0 Pa"
-tan_residual_friction_angle = 0.73
-fracture_energy_mode_1 = "5.8 N/m"
-fracture_energy_mode_2 = "58 N/m"
-[[support]]
+"""
+    + joint_table(Joint(G_II_slope=0.0))
+    + """[[support]]
 on = "lower.z-"
 fix = "all"
 [drive]
@@ -58,6 +52,7 @@ direction = "z"
 displacement = "60 um"
 steps = 1000
 """
+)
 PLACES = [*np.linspace(0, 8e-6, 9)[1:], *np.linspace(8e-6, 60e-6, 27)[1:]]
 LENGTH, HIGH, NEAR = 0.1, 0.05, 1e-9
 
@@ -84,4 +79,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
+    ladders=("eccentric-tension",),
 )

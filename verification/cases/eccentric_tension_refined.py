@@ -103,4 +103,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
+    ladders=("eccentric-tension",),
 )

@@ -153,4 +153,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
+    ladders=("enf",),
 )

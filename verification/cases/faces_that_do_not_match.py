@@ -131,4 +131,5 @@ CASE = Case(
     title="Faces that do not match",
     area="Elastic assemblies",
     run=run,
+    ladders=("cantilever-tets",),
 )

@@ -77,4 +77,12 @@ def run() -> Findings:
     return found
 
 
-CASE = Case("impact-of-a-block", "A16", "A rigid block hits a joint", area="Dynamics", run=run, quick=True)
+CASE = Case(
+    "impact-of-a-block",
+    "A16",
+    "A rigid block hits a joint",
+    area="Dynamics",
+    run=run,
+    quick=True,
+    ladders=("oscillator",),
+)

@@ -126,4 +126,12 @@ def run() -> Findings:
     return found
 
 
-CASE = Case("impact-of-two-bars", "A16", "Two bars meet", area="Dynamics", run=run, quick=True)
+CASE = Case(
+    "impact-of-two-bars",
+    "A16",
+    "Two bars meet",
+    area="Dynamics",
+    run=run,
+    quick=True,
+    ladders=("oscillator",),
+)

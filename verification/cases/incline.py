@@ -160,4 +160,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
+    ladders=("oscillator",),
 )

@@ -105,4 +105,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
+    ladders=("cantilever-rigid",),
 )

@@ -80,4 +80,12 @@ def run() -> Findings:
     return found
 
 
-CASE = Case("local-damping", "A19", "A block on a spring with local damping", area="Dynamics", run=run, quick=True)
+CASE = Case(
+    "local-damping",
+    "A19",
+    "A block on a spring with local damping",
+    area="Dynamics",
+    run=run,
+    quick=True,
+    ladders=("oscillator",),
+)

@@ -46,4 +46,5 @@ CASE = Case(
     "Linear, polynomial and uncoupled softening, against the interface model on the same tets",
     area="Fracture",
     run=run,
+    ladders=("two-courses-of-tets",),
 )

@@ -12,7 +12,7 @@ from typing import Any
 
 import masonry
 from masonry.results import Result
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Check, Findings, Line, Plot, at_most
 
 BASE = {
     "specimen.courses": 2,
@@ -66,23 +66,19 @@ def run() -> Findings:
                 "0.05 %, and where a crack turns depends on the last digits",
             )  # fmt: skip
         )
-    for what, key, expected in (
-        ("kinetic over internal energy", "kinetic_over_internal_max", 1e-3),
-        ("difference of the forces of the two ends, over the peak", "reaction_mismatch_max", 5e-3),
+    for what, key in (
+        ("kinetic over internal energy", "kinetic_over_internal_max"),
+        ("difference of the forces of the two ends, over the peak", "reaction_mismatch_max"),
     ):
         worst = max(runs, key=lambda name: runs[name].summary[key])
         found.checks.append(
-            Check(
+            at_most(
                 f"{what}, the largest: {worst}",
                 "1",
                 float(runs[worst].summary[key]),
-                0.0,
-                "converged run",
                 1e-2,
-                expected,
                 "the catalogue's 1 %: more is a test that inertia has a say in",
-                1.0,
-            )  # fmt: skip
+            )
         )
     curves = {name: runs[name].history.rows for name in ("base", "half the rate", "four times the density")}
     found.plots.append(
@@ -102,4 +98,5 @@ CASE = Case(
     title="A quasi-static test does not feel rate, mass, damping and step",
     area="Quasi-static loading",
     run=run,
+    ladders=("small-wallette", "wallette-mode-1", "wallette-mode-2"),
 )

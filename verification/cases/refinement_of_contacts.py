@@ -17,6 +17,7 @@ from scipy.optimize import brentq
 
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Floats, Joint, tension
+from verification.rigs.scene_text import joint_table
 from verification.rigs.scene_text import run as run_text
 
 BREADTH, DEPTH, ECCENTRICITY, PULL = 0.1, 0.05, 0.02, 60e-6
@@ -43,15 +44,7 @@ size = ["{BREADTH + 2 * ECCENTRICITY!r} m", "{DEPTH} m", "0.05 m"]
 unit = 1
 [material.units]
 density = "2000 kg/m^3"
-[contact.unit_unit]
-normal_stiffness = "{JOINT.kn!r} Pa/m"
-shear_stiffness = "{JOINT.ks!r} Pa/m"
-tensile_strength = "{JOINT.fT!r} Pa"
-cohesion = "{JOINT.c0!r} Pa"
-tan_friction_angle = {JOINT.tan0}
-tan_residual_friction_angle = {JOINT.tan_res}
-fracture_energy_mode_1 = "{JOINT.G_I!r} N/m"
-fracture_energy_mode_2 = "{JOINT.G_II!r} N/m"
+{joint_table(JOINT)}
 [[support]]
 on = "lower"
 fix = "all"
@@ -140,4 +133,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
+    ladders=("eccentric-joint",),
 )

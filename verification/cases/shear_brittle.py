@@ -36,4 +36,11 @@ def run() -> Findings:
     return found
 
 
-CASE = Case("shear-brittle", "2.2", "One contact in shear, brittle", area="Contact laws", run=run)
+CASE = Case(
+    "shear-brittle",
+    "2.2",
+    "One contact in shear, brittle",
+    area="Contact laws",
+    run=run,
+    ladders=("couplet",),
+)

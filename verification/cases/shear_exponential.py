@@ -40,5 +40,11 @@ def run() -> Findings:
 
 
 CASE = Case(
-    "shear-exponential", "2.2", "One contact in shear, exponential law", area="Contact laws", run=run, quick=True
+    "shear-exponential",
+    "2.2",
+    "One contact in shear, exponential law",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    ladders=("couplet", "couplet-exponential-01", "couplet-exponential-10"),
 )

@@ -44,4 +44,12 @@ def run() -> Findings:
     return found
 
 
-CASE = Case("shear-linear", "2.2", "One contact in shear, linear law", area="Contact laws", run=run, quick=True)
+CASE = Case(
+    "shear-linear",
+    "2.2",
+    "One contact in shear, linear law",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    ladders=("couplet-linear-05", "triplet"),
+)

@@ -32,4 +32,12 @@ def run() -> Findings:
     return found
 
 
-CASE = Case("shear-polynomial", "2.2", "One contact in shear, polynomial law", area="Contact laws", run=run, quick=True)
+CASE = Case(
+    "shear-polynomial",
+    "2.2",
+    "One contact in shear, polynomial law",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    ladders=("couplet-polynomial-05",),
+)

@@ -63,5 +63,11 @@ def run() -> Findings:
 
 
 CASE = Case(
-    "slip-direction", "2.2", "One contact whose slip turns by 90 degrees", area="Contact laws", run=run, quick=True
+    "slip-direction",
+    "2.2",
+    "One contact whose slip turns by 90 degrees",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    no_ladders="one contact point, driven by displacement: the order in its step is in the case",
 )

@@ -53,4 +53,12 @@ def run() -> Findings:
     return found
 
 
-CASE = Case("slip-reversal", "2.2", "One contact that slides forth and back", area="Contact laws", run=run, quick=True)
+CASE = Case(
+    "slip-reversal",
+    "2.2",
+    "One contact that slides forth and back",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    no_ladders="one contact point, driven by displacement: exact at any setting",
+)

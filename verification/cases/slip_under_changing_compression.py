@@ -58,6 +58,11 @@ def run() -> Findings:
 
 
 CASE = Case(
-    "slip-under-changing-compression", "2.2", "One contact whose compression changes while it slides",
-    area="Contact laws", run=run, quick=True,
-)  # fmt: skip
+    "slip-under-changing-compression",
+    "2.2",
+    "One contact whose compression changes while it slides",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    no_ladders="one contact point, driven by displacement: exact at any setting",
+)

@@ -31,5 +31,11 @@ def run() -> Findings:
 
 
 CASE = Case(
-    "tension-exponential", "2.1", "One contact in tension, exponential law", area="Contact laws", run=run, quick=True
+    "tension-exponential",
+    "2.1",
+    "One contact in tension, exponential law",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    ladders=("tension-exponential",),
 )

@@ -38,4 +38,12 @@ def run() -> Findings:
     return found
 
 
-CASE = Case("tension-linear", "2.1", "One contact in tension, linear law", area="Contact laws", run=run, quick=True)
+CASE = Case(
+    "tension-linear",
+    "2.1",
+    "One contact in tension, linear law",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    ladders=("tension-linear",),
+)

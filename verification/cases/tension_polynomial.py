@@ -41,5 +41,11 @@ def run() -> Findings:
 
 
 CASE = Case(
-    "tension-polynomial", "2.1", "One contact in tension, polynomial law", area="Contact laws", run=run, quick=True
+    "tension-polynomial",
+    "2.1",
+    "One contact in tension, polynomial law",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    ladders=("tension-polynomial",),
 )

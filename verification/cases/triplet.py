@@ -13,11 +13,13 @@ import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.closed_forms import Joint, dissipated_in_shear, shear
+from verification.rigs.scene_text import joint_table
 from verification.rigs.scene_text import run as run_text
 from verification.rigs.single_shear import around_the_peak
 
 AREA, S = 0.2 * 0.05, 0.5e6
-SCENE = """
+SCENE = (
+    """
 law = "exponential"
 kinematics = "rigid"
 confinement = "0.5 MPa"
@@ -31,18 +33,9 @@ box = [
 ]
 [material.units]
 density = "1900 kg/m^3"
-[contact.unit_unit]
-normal_stiffness = "150 GPa/m"
-shear_stiffness = "70 GPa/m"
-tensile_strength = "0.58 MPa"
-cohesion = "0.87 MPa"
-tan_friction_angle = 1.01
-residual_cohesion = "0 Pa"
-tan_residual_friction_angle = 0.73
-fracture_energy_mode_1 = "5.8 N/m"
-fracture_energy_mode_2 = "58 N/m"
-fracture_energy_mode_2_slope = "130 N/m/MPa"
-[[support]]
+"""
+    + joint_table(Joint())
+    + """[[support]]
 on = "bottom"
 fix = "all"
 [[support]]
@@ -64,6 +57,7 @@ steps = 20000
 [solver]
 rows = 600
 """
+)
 
 
 def run() -> Findings:
@@ -97,4 +91,13 @@ def run() -> Findings:
     return found
 
 
-CASE = Case("triplet", "A8", "Triplet of rigid units", area="Contact laws", run=run, quick=True, scene=SCENE)
+CASE = Case(
+    "triplet",
+    "A8",
+    "Triplet of rigid units",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    scene=SCENE,
+    ladders=("triplet",),
+)

@@ -93,4 +93,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
+    ladders=("two-courses-of-tets",),
 )

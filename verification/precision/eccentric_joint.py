@@ -19,6 +19,7 @@ from scipy.optimize import brentq
 
 from verification.closed_forms import Joint, dissipated_in_tension, tension
 from verification.ladder import FEW_ROWS, Problem, pace
+from verification.rigs.scene_text import joint_table
 from verification.studies.trial import Trial
 
 JOINT = Joint(G_I=20.0)
@@ -43,15 +44,7 @@ size = ["{WIDE} m", "{WIDTH} m", "50 mm"]
 unit = 1
 [material]
 units = {{density = "1900 kg/m^3"}}
-[contact.unit_unit]
-normal_stiffness = "{JOINT.kn} Pa/m"
-shear_stiffness = "{JOINT.ks} Pa/m"
-tensile_strength = "{JOINT.fT} Pa"
-cohesion = "{JOINT.c0} Pa"
-tan_friction_angle = {JOINT.tan0}
-tan_residual_friction_angle = {JOINT.tan_res}
-fracture_energy_mode_1 = "{JOINT.G_I} N/m"
-fracture_energy_mode_2 = "{JOINT.G_II} N/m"
+{joint_table(JOINT)}
 [[support]]
 on = "foot"
 fix = "all"

@@ -13,6 +13,7 @@ import numpy as np
 
 from verification.closed_forms import Joint, dissipated_in_tension, tension
 from verification.ladder import FEW_ROWS, Problem, pace
+from verification.rigs.scene_text import joint_table
 from verification.studies.trial import Trial
 
 JOINT = Joint()
@@ -31,17 +32,7 @@ plates = "20 mm"
 [material]
 units = {{density = "1900 kg/m^3"}}
 plates = {{density = "7850 kg/m^3"}}
-[contact.unit_unit]
-normal_stiffness = "{JOINT.kn} Pa/m"
-shear_stiffness = "{JOINT.ks} Pa/m"
-tensile_strength = "{JOINT.fT} Pa"
-cohesion = "{JOINT.c0} Pa"
-tan_friction_angle = {JOINT.tan0}
-tan_residual_friction_angle = {JOINT.tan_res}
-fracture_energy_mode_1 = "{JOINT.G_I} N/m"
-fracture_energy_mode_2 = "{JOINT.G_II} N/m"
-exponent_tension = {JOINT.alpha}
-exponent_shear = {JOINT.beta}
+{joint_table(JOINT)}
 [contact.plate]
 law = "elastic"
 normal_stiffness = "{GLUE} Pa/m"

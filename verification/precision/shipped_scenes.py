@@ -1,9 +1,22 @@
-"""The three scenes of the paper as they are shipped: couplet, and the wallettes of both failure modes."""
+"""The scenes of the paper as they are shipped: couplet, the wallettes of both failure modes, the wall in bending."""
 
 from typing import Any
 
-from verification.ladder import ACCURACY, RATE, Problem, Rungs, accuracies, fractions, steps
+from verification.closed_forms import LAWS
+from verification.ladder import (
+    ACCURACY,
+    RATE,
+    Problem,
+    Rungs,
+    accuracies,
+    dampings,
+    fractions,
+    laws,
+    steps,
+    threads,
+)
 from verification.precision.joint_in_shear import exact
+from verification.studies.trial import THREADS
 
 FACTORS = (8.0, 4.0, 2.0, 1.0, 0.5)
 
@@ -32,8 +45,11 @@ def couplet() -> Problem:
         RATE: steps(*(round(40000 / f) for f in FACTORS)),
         ACCURACY: accuracies(5, 2, 1, 0.5),
         "step fraction": fractions(usual),
+        "damping": dampings(usual),
         "kinematics": motions("25 mm", usual),
         "cells": cells(usual, (1, 1, 1), (2, 1, 1), (4, 2, 2)),
+        "model: law, each against its own closed form": laws(usual, *LAWS),
+        THREADS: threads(usual),
     }
     return Problem("couplet", "Couplet as shipped", "couplet", knobs, exact=exact)
 
@@ -51,28 +67,52 @@ def wallette(mode: int) -> Problem:
         RATE: rates(usual),
         ACCURACY: accuracies(4, 2, 1, 0.5, 0.25),
         "step fraction": fractions(quick),
+        "damping": dampings(quick),
+        THREADS: threads(quick),
         "model: kinematics": moved,
         "model: cells": cells(quick, (2, 1), (4, 2), (8, 4), (12, 6)),
+        "model: law": laws(quick),
     }
     name = f"wallette-mode-{mode}"
     return Problem(name, f"Wallette, failure mode {mode}, as shipped", name, knobs, converged=ACCURACY)
 
 
+def bending() -> Problem:
+    """The wall in horizontal bending, of rigid cells."""
+    usual = {"drive.steps": 15000}
+    knobs = {
+        RATE: steps(7500, 15000, 30000, 60000),
+        ACCURACY: accuracies(4, 2, 1, 0.5, 0.25),
+        "step fraction": fractions(usual),
+        "damping": dampings(usual),
+        "model: law": laws(usual),
+    }
+    return Problem("bending-0", "Wallette in horizontal bending, as shipped", "bending-0", knobs, converged=ACCURACY)
+
+
 def deformable(mode: int, motion: str) -> Problem:
     """The wallette with units that deform: another model, which converges to another answer."""
     keys: dict[str, Any] = {"kinematics": {"units": motion}}
+    knobs = {ACCURACY: accuracies(4, 2, 1, 0.5, 0.25)}
     if motion == "tets":
         keys["specimen.mesh_size"] = "60 mm"
+        knobs[THREADS] = threads({"drive.accuracy": "4 %"})
     return Problem(
         f"wallette-mode-{mode}-{motion}",
         f"Wallette, failure mode {mode}, units of {motion}"
         if motion == "tets"
         else f"Wallette, failure mode {mode}, affine units",
         f"wallette-mode-{mode}",
-        {ACCURACY: accuracies(4, 2, 1, 0.5, 0.25)},
+        knobs,
         base=keys,
         converged=ACCURACY,
     )
 
 
-PROBLEMS = (couplet(), wallette(1), wallette(2), *(deformable(k, m) for k in (1, 2) for m in ("affine", "tets")))
+PROBLEMS = (
+    couplet(),
+    wallette(1),
+    wallette(2),
+    bending(),
+    *(deformable(k, m) for k in (1, 2) for m in ("affine", "tets")),
+)

@@ -4,7 +4,7 @@ No closed form: the reference is the same wall at the slowest constant rate, wit
 (Richardson's extrapolation over three rates, and the difference from the finest drive to an accuracy).
 """
 
-from verification.ladder import ACCURACY, RATE, Problem, Rungs, accuracies, dampings, fractions
+from verification.ladder import ACCURACY, RATE, Problem, Rungs, accuracies, dampings, fractions, laws
 
 BASE = {"specimen.courses": 2, "specimen.divisions": [4, 2], "drive.displacement": "0.2 mm"}
 RATES = ("4", "2", "1", "0.5", "0.25", "0.125", "0.0625")
@@ -26,6 +26,7 @@ PROBLEMS = (
             ACCURACY: accuracies(),
             "step fraction": fractions(QUICK),
             "damping": dampings(QUICK),
+            "model: law": laws(QUICK),
         },
         base=BASE,
     ),

@@ -9,6 +9,7 @@ middle unit           energy    2 A (work of a joint up to s less tau^2/(2 ks))
 
 from verification.closed_forms import Joint, dissipated_in_shear
 from verification.ladder import FEW_ROWS, Problem, pace
+from verification.rigs.scene_text import joint_table
 from verification.studies.trial import Trial
 
 JOINT = Joint(kn=80e9, ks=35e9, fT=0.2e6, c0=0.3e6, tan0=0.84, tan_res=0.7, G_I=10.0, G_II=50.0, G_II_slope=0.0)
@@ -34,15 +35,7 @@ section = "{2 * LENGTH * WIDTH} m^2"
 {_box("lower", 0)}{_box("middle", 1)}{_box("upper", 2)}
 [material]
 units = {{density = "1900 kg/m^3"}}
-[contact.unit_unit]
-normal_stiffness = "{JOINT.kn} Pa/m"
-shear_stiffness = "{JOINT.ks} Pa/m"
-tensile_strength = "{JOINT.fT} Pa"
-cohesion = "{JOINT.c0} Pa"
-tan_friction_angle = {JOINT.tan0}
-tan_residual_friction_angle = {JOINT.tan_res}
-fracture_energy_mode_1 = "{JOINT.G_I} N/m"
-fracture_energy_mode_2 = "{JOINT.G_II} N/m"
+{joint_table(JOINT)}
 [[support]]
 on = "lower"
 fix = "all"

@@ -9,10 +9,10 @@ from string import Template
 from masonry import __version__
 from masonry.kernels.sources import source_hash
 from verification.records import processor
-from verification.report.page import WORDS, Chapter, badge, escape, paragraph, table
+from verification.report.page import WORDS, Chapter, badge, escape, paragraph, table, without_dead_links
 
 AREAS = (
-    *("Closed forms", "Loading rate", "Shipped settings", "Stability", "Leaving out"),
+    *("Closed forms", "Loading rate", "Shipped settings", "Threads", "Stability", "Leaving out"),
     *("Energy balance", "Assumptions"),
 )
 PACKAGES = ("numpy", "scipy", "numba", "gmsh", "matplotlib")
@@ -45,7 +45,7 @@ def bound(title: str, cover: str, chapters: list[Chapter]) -> str:
         f'<section id="{anchor}"><h2>{n}. {escape(c.title)}</h2>{"".join(c.parts)}</section>'
         for n, anchor, c in numbered
     )
-    return template.substitute(title=escape(title), cover=cover, contents=contents, body=body)
+    return without_dead_links(template.substitute(title=escape(title), cover=cover, contents=contents, body=body))
 
 
 def cover(chapters: list[Chapter], seconds: float) -> str:

@@ -10,10 +10,10 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator
 
 from verification.case import Line, Plot
-from verification.ladder import Point
+from verification.ladder import Point, changes_model
 
-COLOURS = ("#1f3b5c", "#d7301f", "#2f8f4e", "#e07b00", "#7b4fa3", "#5b5b5b")
-MARKS = "osD^vP"
+COLOURS = ("#1f3b5c", "#d7301f", "#2f8f4e", "#e07b00", "#7b4fa3", "#5b5b5b", "#00a0b0", "#c2185b", "#8d6e3a")
+MARKS = "osD^vPX<>"
 
 
 def sheet(rows: int, columns: int, size: tuple[float, float], **options: Any) -> tuple[Figure, np.ndarray]:
@@ -50,7 +50,7 @@ def error_against_time(
     for one, (title, knobs), doubt in zip(axes.flat, panels.items(), doubts, strict=True):
         if doubt > 0.0:
             one.axhspan(0.0, 100.0 * doubt, color="0.92", linewidth=0)
-        one.set(xscale="log", yscale="log", title=title, xlabel="seconds of stepping, one thread [s]")
+        one.set(xscale="log", yscale="log", title=title, xlabel="seconds of stepping [s]")
         one.axhline(1.0, color="0.35", linewidth=0.9, linestyle=":")
         best = [(p.seconds, max(100.0 * p.error, 100.0 * floor)) for p in fronts[title]]
         one.plot(
@@ -60,7 +60,7 @@ def error_against_time(
         for k, (knob, rungs) in enumerate(knobs.items()):
             seconds, error, labels = zip(*rungs, strict=True)
             shown = [max(100.0 * abs(e), 100.0 * floor) for e in error]
-            style = "--" if knob.startswith("model") else "-"
+            style = "--" if changes_model(knob) else "-"
             mark, colour = MARKS[k % len(MARKS)], COLOURS[k % len(COLOURS)]
             one.plot(seconds, shown, style, marker=mark, color=colour, markersize=5, linewidth=1.4, label=knob)
             for x, y, text in zip(seconds, shown, labels, strict=True):

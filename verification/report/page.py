@@ -3,6 +3,7 @@
 import base64
 import html
 import io
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -78,7 +79,7 @@ def bullets(items: Iterable[str]) -> str:
 
 
 def table(header: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "") -> str:
-    """A table; cells are text, numbers or `Cell`. The first column is left-aligned."""
+    """A table; cells are text, numbers, `Cell`, `Link` or a list of links. The first column is left-aligned."""
     top = "".join(f"<th>{escape(name)}</th>" for name in header)
     body = "".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in rows)
     head = f"<thead><tr>{top}</tr></thead>" if header else ""
@@ -88,11 +89,25 @@ def table(header: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "
 
 def _cell(value: Any) -> str:
     if isinstance(value, Link):
-        return f'<td><a href="#{escape(value.anchor)}">{escape(value.text)}</a></td>'
+        return f"<td>{_link(value)}</td>"
+    if isinstance(value, list):
+        return f'<td class="text">{"; ".join(map(_link, value))}</td>'
     if not isinstance(value, Cell):
         return f"<td>{escape(value)}</td>"
     small = f"<small>{escape(value.note)}</small>" if value.note else ""
     return f'<td class="{value.kind}">{escape(value.text)}{small}</td>'
+
+
+def _link(link: Link) -> str:
+    return f'<a href="#{escape(link.anchor)}">{escape(link.text)}</a>'
+
+
+def without_dead_links(content: str) -> str:
+    """HTML in which a link to an anchor that is not there is text: a report of some chapters leads to no others."""
+    anchors = set(re.findall(r' id="([^"]*)"', content))
+    return re.sub(
+        r'<a href="#([^"]*)">(.*?)</a>', lambda m: m.group(0) if m.group(1) in anchors else m.group(2), content
+    )
 
 
 def badge(kind: str) -> Cell:

@@ -13,6 +13,25 @@ from masonry.assembly import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.results import Result
 from masonry.scene import Scene
+from verification.closed_forms import Joint
+
+
+def joint_table(joint: Joint, pair: str = "unit_unit") -> str:
+    """The table [contact.PAIR] of a joint, whatever its law."""
+    return f"""[contact.{pair}]
+normal_stiffness = "{joint.kn / 1e9!r} GPa/m"
+shear_stiffness = "{joint.ks / 1e9!r} GPa/m"
+tensile_strength = "{joint.fT / 1e6!r} MPa"
+cohesion = "{joint.c0 / 1e6!r} MPa"
+tan_friction_angle = {joint.tan0!r}
+residual_cohesion = "{joint.c_res!r} Pa"
+tan_residual_friction_angle = {joint.tan_res!r}
+fracture_energy_mode_1 = "{joint.G_I!r} N/m"
+fracture_energy_mode_2 = "{joint.G_II!r} N/m"
+fracture_energy_mode_2_slope = "{joint.G_II_slope * 1e6!r} N/m/MPa"
+exponent_tension = {joint.alpha!r}
+exponent_shear = {joint.beta!r}
+"""
 
 
 @contextmanager

@@ -6,7 +6,9 @@ from verification.report import page
 from verification.studies import trial
 
 ORDER = 90
-CLOSES, AGREES, ROUGH, FAST = 1e-9, 1e-3, 1e-2, 0.05
+CLOSES, AGREES, TOLERABLE, FAST = 1e-9, 1e-3, 1e-2, 0.05
+QUIET, SUDDEN, ROUGH, BEYOND = "quasi-static", "brittle", "too fast", "beyond the bound"
+"""Sorts of runs: by their own word, by their contacts, by their kinetic energy, by their time step."""
 
 
 def chapter(tell: Callable[[str], None]) -> page.Chapter:
@@ -23,12 +25,12 @@ def chapter(tell: Callable[[str], None]) -> page.Chapter:
         )
     )
     rows, worst = [], {"energy_imbalance": 0.0, "dissipation_mismatch": 0.0}
-    for case in sorted({t.name for t in trial.DONE.values()}):
-        runs = [
-            t for t in trial.DONE.values() if t.name == case and t.ok and within_bound(t) and slow(t) and not brittle(t)
-        ]
-        if not runs:
-            continue
+    sorts: dict[str, list[trial.Trial]] = {sort: [] for sort in (QUIET, SUDDEN, ROUGH, BEYOND)}
+    for one in trial.DONE.values():
+        if one.ok:
+            sorts[sort_of(one)].append(one)
+    for case in sorted({t.name for t in sorts[QUIET]}):
+        runs = [t for t in sorts[QUIET] if t.name == case]
         tell(f"energy balance: {case}, {len(runs)} runs")
         cells: list[str | int | page.Cell] = [case, len(runs)]
         for key, limit in (("energy_imbalance", CLOSES), ("dissipation_mismatch", AGREES)):
@@ -52,22 +54,20 @@ def chapter(tell: Callable[[str], None]) -> page.Chapter:
             sentence,
         )
     )
-    beyond = [t for t in trial.DONE.values() if t.ok and not within_bound(t)]
-    caught = [t for t in beyond if t.summary["dissipation_mismatch"] > AGREES]
-    rough = [t for t in trial.DONE.values() if t.ok and within_bound(t) and not slow(t)]
-    part = max((float(t.summary["dissipation_mismatch"]) for t in rough), default=0.0)
-    sudden = [t for t in trial.DONE.values() if t.ok and within_bound(t) and slow(t) and brittle(t)]
-    step = max((float(t.summary["dissipation_mismatch"]) for t in sudden), default=0.0)
+    part, step = (
+        max((float(t.summary["dissipation_mismatch"]) for t in sorts[sort]), default=0.0) for sort in (ROUGH, SUDDEN)
+    )
+    caught = [t for t in sorts[BEYOND] if t.summary["dissipation_mismatch"] > AGREES]
     made.parts.append(
         page.paragraph(
-            f"Besides, {len(rough)} runs were driven too fast to be quasi-static, and say so; there the two sums part "
-            f"by up to {page.percent(part)}. In {len(sudden)} runs of brittle contacts they part by up to "
-            f"{page.percent(step)}."
+            f"Besides, {len(sorts[ROUGH])} runs were driven too fast to be quasi-static, and say so; there the two "
+            f"sums part by up to {page.percent(part)}. In {len(sorts[SUDDEN])} runs of brittle contacts they part by "
+            f"up to {page.percent(step)}."
         )
     )
     made.parts.append(
         page.paragraph(
-            f"And {len(beyond)} runs took a time step beyond the proven bound and were not stopped; in "
+            f"And {len(sorts[BEYOND])} runs took a time step beyond the proven bound and were not stopped; in "
             f"{len(caught)} of them the two sums part by more than {page.percent(AGREES)}, which gives the "
             "unstable step away."
         )
@@ -76,20 +76,15 @@ def chapter(tell: Callable[[str], None]) -> page.Chapter:
 
 
 def kind_of(value: float, limit: float) -> str:
-    """Within the limit; or beyond it in a rough run, by less than ROUGH, which only the second figure may be."""
-    return "ok" if value <= limit else "warn" if limit == AGREES and value <= ROUGH else "bad"
+    """Within the limit; or beyond it in a rough run, by less than TOLERABLE, which only the second figure may be."""
+    return "ok" if value <= limit else "warn" if limit == AGREES and value <= TOLERABLE else "bad"
 
 
-def within_bound(one: trial.Trial) -> bool:
-    """Whether the time step was one that the program vouches for."""
-    return float(one.summary["step_fraction"]) <= 1.0
-
-
-def slow(one: trial.Trial) -> bool:
-    """Whether a run is quasi-static by its own word."""
-    return float(one.summary["kinetic_over_internal_max"]) <= FAST
-
-
-def brittle(one: trial.Trial) -> bool:
-    """Whether any contacts of a run drop at once."""
-    return "brittle" in one.summary["law_by_group"].values()
+def sort_of(one: trial.Trial) -> str:
+    """Of a run that came through: what its two sums can be asked to agree to."""
+    summary = one.summary
+    if float(summary["step_fraction"]) > 1.0:
+        return BEYOND
+    if float(summary["kinetic_over_internal_max"]) > FAST:
+        return ROUGH
+    return SUDDEN if "brittle" in summary["law_by_group"].values() else QUIET

@@ -3,8 +3,9 @@
 from collections.abc import Callable, Sequence
 
 from masonry.progress import duration
-from verification.ladder import Point, Problem, Reference, front, time_to
+from verification.ladder import Point, Problem, Reference, front, is_setting, time_to
 from verification.report import figures, page
+from verification.studies import ladders_of_cases, threads
 from verification.studies.ladders import Study, problems
 
 ORDER = 20
@@ -20,10 +21,12 @@ def chapter(tell: Callable[[str], None], chosen: Sequence[Problem] | None = None
     made.parts += [page.paragraph(text) for text in INTRODUCTION]
     summary: list[list[str | page.Cell | page.Link]] = []
     pages: list[str] = []
+    studies: list[Study] = []
     worst, slow = 0.0, []
     for problem in problems() if chosen is None else chosen:
         study = Study(problem, tell)
-        made.records += study.records
+        studies.append(study)
+        made.records += [*study.records, *threads.records(study)]
         points = study.points()
         shipped = next((p for p in points if (p.knob, p.label) == problem.shipped), None)
         if shipped is not None:
@@ -33,7 +36,7 @@ def chapter(tell: Callable[[str], None], chosen: Sequence[Problem] | None = None
         pages += section(study, choice(points, shipped, study.doubt))
     header = ["problem", "as shipped", "quickest of that error", "time to 1 %", "time to 0.1 %", "settings"]
     caption = "The largest error over all quantities of a problem, and seconds of stepping on one thread"
-    made.parts += [page.table(header, summary, caption), *pages]
+    made.parts += [page.table(header, summary, caption), ladders_of_cases.table(), *pages]
     kind = "ok" if worst <= 0.01 else "warn" if worst <= 0.03 else "bad"
     sentence = (
         f"At the shipped loading all quantities of {len(summary)} problems are within {page.percent(worst)} of their "
@@ -45,6 +48,7 @@ def chapter(tell: Callable[[str], None], chosen: Sequence[Problem] | None = None
     )
     fine = f"In all problems it takes at most {NEAR:g} times as long as the quickest setting of the same error."
     made.verdicts.append(page.Verdict("Shipped settings", "warn" if slow else "ok", words if slow else fine))
+    made.verdicts += threads.verdict(studies)
     return made
 
 
@@ -93,7 +97,7 @@ def section(study: Study, words: str) -> list[str]:
     """What to choose, the pictures, the reference, the table of times."""
     problem = study.problem
     panels = {q: study.lines(q) for q in problem.units}
-    fronts = {q: front([Point(k, t, s, 0, abs(e)) for k, rungs in lines.items() if not k.startswith("model")
+    fronts = {q: front([Point(k, t, s, 0, abs(e)) for k, rungs in lines.items() if is_setting(k)
                         for s, e, t in rungs]) for q, lines in panels.items()}  # fmt: skip
     caption = (
         f"{problem.title}: error against seconds of stepping. Labels name the rung; the grey line joins the settings "
@@ -167,9 +171,9 @@ INTRODUCTION = (
     "leaves the others as they are; knobs other than the loading are climbed at a constant rate, which sets a floor "
     "under their errors. The dotted line is 1 %. Full lines are errors in solving the model. Dashed lines change the "
     "model itself: they show how far another model is from the shipped one, and need not go to zero. Seconds are those "
-    "of stepping on one thread, the least of three runs where a run takes less than two seconds; compiling and writing "
-    "files are apart.",
-    "Where there is no closed form the reference is the same scene at the slowest constant rate, and what it may "
-    "still be off by is estimated from three rates, each half the one before, and from how far the finest drive to an "
-    "accuracy is from it.",
+    "of stepping, on one thread but where threads are the knob, the least of three runs where a run takes less than "
+    "two seconds; compiling and writing files are apart.",
+    "Where there is no closed form the reference is the same scene at its slowest loading, a constant rate or an "
+    "accuracy, and what it may still be off by is estimated from three settings, each twice as fine as the one before, "
+    "and from how far the finest drive to an accuracy is from it.",
 )

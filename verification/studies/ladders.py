@@ -8,7 +8,7 @@ from typing import Any
 
 from verification import precision
 from verification.catalogue import modules
-from verification.ladder import ACCURACY, Point, Problem, Reference, richardson
+from verification.ladder import ACCURACY, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
 from verification.studies import trial
 from verification.studies.trial import Trial
@@ -48,7 +48,7 @@ class Study:
     def _run(self, keys: dict[str, Any]) -> Trial:
         problem = self.problem
         title = problem.name if "\n" in problem.scene else ""
-        return trial.run(problem.scene, problem.base | keys, timed=True, title=title)
+        return trial.run(problem.scene, problem.base | keys, timed=True, title=title, specimen=problem.specimen)
 
     def _references(self) -> dict[str, Reference]:
         """What the numbers should be. A converged run is doubted by as much as the finest drive to an accuracy differs
@@ -66,12 +66,14 @@ class Study:
         return found
 
     def _records(self, knob: str) -> Iterator[Record]:
+        given = self.problem.exact or (self.problem.theory if changes_model(knob) else None)
         for label, one in self.trials[knob].items():
             values = self.problem.measure(one) if one.ok else {}
-            exact = self.problem.exact(one) if one.ok and self.problem.exact is not None else {}
+            exact = given(one) if one.ok and given is not None else {}
             for quantity, reference in self.references.items():
                 value = values.get(quantity, math.nan)
-                entry = trial.record(one, quantity, value, exact.get(quantity, reference.value), reference.kind)
+                kind = self.problem.kind if quantity in exact else reference.kind
+                entry = trial.record(one, quantity, value, exact.get(quantity, reference.value), kind)
                 yield entry | {
                     "case": self.problem.name,
                     "unit": self.problem.units[quantity],
@@ -109,7 +111,7 @@ class Study:
         found: dict[tuple[str, str], Point] = {}
         for r in self.records:
             key = (r["knob"], r["rung"])
-            if r["knob"].startswith("model") or r["error"] is None or self._is_reference(r):
+            if not is_setting(r["knob"]) or r["error"] is None or self._is_reference(r):
                 continue
             worst = max(abs(r["error"]), found[key].error if key in found else 0.0)
             found[key] = Point(*key, r["seconds"], r["steps"], worst)

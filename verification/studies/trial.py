@@ -3,18 +3,19 @@
 import json
 import math
 import statistics
-import tempfile
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from geometry.blocks import GeometryError
+from geometry.blocks import GeometryError, Specimen
 from masonry import __version__, laboratory, scene
 from masonry.errors import SceneError, Stopped
 from masonry.kernels.sources import source_hash
+from verification.rigs.scene_text import loaded
 
 Knobs = Mapping[str, Any]
 SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
@@ -75,39 +76,55 @@ DONE: dict[str, Trial] = {}
 """Every trial so far: the same one asked twice runs once."""
 
 
-def run(case: str, knobs: Knobs | None = None, timed: bool = False, title: str = "") -> Trial:
-    """Run a scene (a packaged one's name, or TOML text) with overrides by dotted key.
+def run(
+    case: str,
+    knobs: Knobs | None = None,
+    timed: bool = False,
+    title: str = "",
+    specimen: Callable[[], Specimen] | None = None,
+) -> Trial:
+    """Run a scene (a packaged one's name, or TOML text) with overrides by dotted key; THREADS is a knob beside them.
 
-    Timed: runs of less than REPEATED seconds are made three times, for a steadier time.
+    Timed: runs of less than REPEATED seconds are made three times, for a steadier time. `specimen` makes the blocks of
+    a text that says kind = "file", path = "made.blocks.h5".
     """
     knobs = dict(knobs or {})
     key = json.dumps([case, knobs], sort_keys=True)
     if key not in DONE:
-        DONE[key] = _once(case, knobs)
+        DONE[key] = _once(case, knobs, specimen)
         DONE[key].title = title
     trial = DONE[key]
     while timed and trial.ok and len(trial.times) < REPEATS and trial.seconds < REPEATED:
-        trial.times += _once(case, knobs).times
+        trial.times += _once(case, knobs, specimen).times
     return trial
 
 
 REPEATS, REPEATED = 3, 2.0
+THREADS = "threads"
 
 
 def load(case: str, knobs: Knobs) -> scene.Scene:
     """The scene of a packaged name, or of TOML text. Raises SceneError."""
+    with _opened(case, knobs, None) as found:
+        return found
+
+
+@contextmanager
+def _opened(case: str, knobs: Knobs, specimen: Callable[[], Specimen] | None) -> Iterator[scene.Scene]:
+    """The scene, as long as the file of its specimen is there."""
     if "\n" not in case:
-        return scene.load(case, knobs)
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "problem.toml"
-        path.write_text(case, encoding="utf-8")
-        return scene.load(path, knobs)
+        yield scene.load(case, knobs)
+        return
+    with loaded(case, knobs, specimen() if specimen else None) as found:
+        yield found
 
 
-def _once(case: str, knobs: dict[str, Any]) -> Trial:
+def _once(case: str, knobs: dict[str, Any], specimen: Callable[[], Specimen] | None) -> Trial:
     trial = Trial(case, knobs)
     try:
-        result = laboratory.run(load(case, knobs))
+        keys = {key: value for key, value in knobs.items() if key != THREADS}
+        with _opened(case, keys, specimen) as found:
+            result = laboratory.run(found, threads=knobs.get(THREADS, 1))
     except (SceneError, GeometryError) as refused:
         trial.status, trial.reason = "REFUSED", str(refused)
         return trial

@@ -1,0 +1,53 @@
+"""The knob of threads: seconds may change with their number, and no bit of the results."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from verification.records import Record
+from verification.report import page
+from verification.studies import trial
+from verification.studies.ladders import Study
+from verification.studies.trial import THREADS, Trial
+
+
+def apart(runs: Mapping[str, Trial]) -> dict[str, float]:
+    """Rung -> largest difference of any row from the first rung's, over the largest value of its kind; 0.0 if none."""
+    first, *others = runs.items()
+    return {label: _difference(first[1], one) for label, one in others}
+
+
+def _difference(one: Trial, other: Trial) -> float:
+    if not (one.ok and other.ok) or any(len(one.rows[key]) != len(other.rows[key]) for key in one.rows):
+        return float("inf")
+    worst = 0.0
+    for key, values in one.rows.items():
+        gap = float(np.abs(other.rows[key] - values).max(initial=0.0))
+        size = float(np.abs(values).max(initial=0.0))
+        worst = max(worst, gap / size if size else gap)
+    return worst
+
+
+def records(study: Study) -> list[Record]:
+    """One for each number of threads beyond the first."""
+    runs = study.trials.get(THREADS, {})
+    return [
+        trial.record(runs[label], "rows against those of one thread", value, 0.0, "invariance", 1.0)
+        | {"case": study.problem.name, "knob": THREADS, "rung": label}
+        for label, value in (apart(runs) if runs else {}).items()
+    ]
+
+
+def verdict(studies: Sequence[Study]) -> list[page.Verdict]:
+    """Whether all problems with this knob give the same bits, and what more threads gain; nothing where none has it."""
+    told, worst = [], 0.0
+    for study in studies:
+        runs = list(study.trials.get(THREADS, {}).values())
+        if runs:
+            worst = max(worst, *apart(study.trials[THREADS]).values())
+            told.append(f"{study.problem.title} {runs[0].seconds / runs[-1].seconds:.2g}")
+    if not told:
+        return []
+    same = "gives the same bits in every row" if worst == 0.0 else f"changes rows by up to {worst:.0e} of the largest"
+    sentence = f"Another number of threads {same}. Two are quicker than one by a factor of: {'; '.join(told)}."
+    return [page.Verdict("Threads", "ok" if worst == 0.0 else "bad", sentence)]
