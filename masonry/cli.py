@@ -3,9 +3,9 @@
 Exit codes: 0 done, 2 something wrong with the scene or the words, 3 stopped because the numbers could no longer be
 trusted, 130 interrupted. Nothing that computes is imported before it is needed.
 
-`masonry verify` stands on a floor above this one. Its module is known here by name alone, and looked up when the
-command is called: an entry point would do the same, but be found only after reinstalling, and cost each other command a
-search through all that is installed.
+`masonry verify` and `masonry paper` stand on a floor above this one. Their modules are known here by name alone, and
+looked up when the command is called: an entry point would do the same, but be found only after reinstalling, and cost
+each other command a search through all that is installed.
 """
 
 import argparse
@@ -23,7 +23,10 @@ from masonry.errors import SceneError, Stopped
 OK, USAGE, STOPPED, INTERRUPTED = 0, 2, 3, 130
 LONGEST_WORD = 1000
 """Letters of a word that a message repeats."""
-ABOVE = {"verify": ("verification.command", "run cases with known answers: are the numbers right?")}
+ABOVE = {
+    "verify": ("verification.command", "run cases with known answers: are the numbers right?"),
+    "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),
+}
 """Commands of floors above: module with a `main` that takes the words after the command, and help."""
 
 

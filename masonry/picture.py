@@ -1,5 +1,6 @@
 """cracks.png: the deformed specimen from the front, at the peak and at the end, with its damaged contacts."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -47,28 +48,41 @@ def magnification(frame: Frame, size: float) -> float:
 
 def cracks_figure(result: "Result") -> Any:
     """A figure of one panel a frame, side by side, or one above the other for long specimens."""
+    panels = frames_to_draw(result)
+    view = front_view(result.specimen.blocks.points)
+    beside = _ratio(result, view) > 0.3
+    figure = gallery([(name, result, frame) for name, frame in panels], 2 if beside else 1)
+    figure.suptitle(plain(result.title), fontsize=13, wrap=True)
+    return figure
+
+
+def gallery(panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2) -> Any:
+    """A figure of panels in rows: (name, result, one of its frames) each, with one key to them all."""
     from matplotlib.figure import Figure
 
-    blocks = result.specimen.blocks
-    view = front_view(blocks.points)
-    panels = frames_to_draw(result)
-    extent = np.ptp(view.project(blocks.points), axis=0)
-    ratio = float(extent[1] / extent[0]) if extent[0] > 0 else 1.0
-    beside = ratio > 0.3
-    columns, rows = (max(len(panels), 1), 1) if beside else (1, max(len(panels), 1))
-    width = 14.0 if columns * rows > 1 else 9.0
+    columns = max(min(columns, len(panels)), 1)
+    rows = max(-(-len(panels) // columns), 1)
+    views = [front_view(result.specimen.blocks.points) for _, result, _ in panels]
+    ratio = max((_ratio(result, view) for (_, result, _), view in zip(panels, views, strict=True)), default=1.0)
+    width = 14.0 if len(panels) > 1 else 9.0
     height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
     figure = Figure(figsize=(width, height), layout="constrained")
-    figure.suptitle(plain(result.title), fontsize=13, wrap=True)
-    axes = np.atleast_1d(figure.subplots(rows, columns)).ravel()
+    axes = list(np.atleast_1d(figure.subplots(rows, columns)).ravel())
+    for spare in axes[len(panels) :]:
+        spare.set_axis_off()
     if not panels:
         axes[0].text(0.5, 0.5, "no frames were recorded", transform=axes[0].transAxes, ha="center")
         return figure
-    shown = outlines(blocks, view)
-    for panel, (name, frame) in zip(axes, panels, strict=True):
-        _draw_panel(panel, result, name, frame, view, shown)
-    _draw_keys(figure, list(axes), blocks)
+    for one, (name, result, frame), view in zip(axes, panels, views, strict=False):
+        _draw_panel(one, result, name, frame, view, outlines(result.specimen.blocks, view))
+    _draw_keys(figure, axes, [result.specimen.blocks for _, result, _ in panels])
     return figure
+
+
+def _ratio(result: "Result", view: View) -> float:
+    """Height over width of a specimen in a view."""
+    extent = np.ptp(view.project(result.specimen.blocks.points), axis=0)
+    return float(extent[1] / extent[0]) if extent[0] > 0 else 1.0
 
 
 def _draw_panel(axes: Any, result: "Result", name: str, frame: Frame, view: View, shown: Outlines) -> None:
@@ -157,7 +171,7 @@ def group_colours(groups: tuple[str, ...]) -> list[str]:
     return colours
 
 
-def _draw_keys(figure: Any, axes: list[Any], blocks: Blocks) -> None:
+def _draw_keys(figure: Any, axes: list[Any], drawn: list[Blocks]) -> None:
     """Colour bars of damage, and a legend of crack kinds and block groups."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
@@ -167,12 +181,11 @@ def _draw_keys(figure: Any, axes: list[Any], blocks: Blocks) -> None:
     for name, word in (("Blues", "damage, shear leads"), ("Reds", "damage, tension leads")):
         scale = ScalarMappable(Normalize(0.0, 1.0), crack_map(name))
         figure.colorbar(scale, ax=axes, label=word, fraction=0.025, pad=0.01, aspect=30)
-    used = np.unique(blocks.group)
-    keys: list[Any] = [
-        Patch(facecolor=colour, edgecolor="#4a4640", label=name)
-        for number, (name, colour) in enumerate(zip(blocks.groups, group_colours(blocks.groups), strict=True))
-        if number in used
-    ]
+    colours: dict[str, str] = {}
+    for blocks in drawn:
+        shown = zip(blocks.groups, group_colours(blocks.groups), strict=True)
+        colours |= {name: colour for g, (name, colour) in enumerate(shown) if g in blocks.group}
+    keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
     keys.append(Line2D([], [], color=crack_map("Reds")(0.9), linewidth=3.5, label="crack, tension leads"))
     keys.append(Line2D([], [], color=crack_map("Blues")(0.9), linewidth=3.5, label="crack, shear leads"))
     figure.legend(handles=keys, loc="outside lower center", ncols=len(keys), frameon=False, fontsize=10)

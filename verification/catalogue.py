@@ -7,10 +7,13 @@ import re
 from collections.abc import Iterable
 from functools import cache
 from types import ModuleType
+from typing import TypeVar
 
 from masonry.errors import SceneError
 from verification import cases
 from verification.case import Case
+
+T = TypeVar("T")
 
 
 @cache
@@ -39,13 +42,18 @@ def formula(case: Case) -> str:
 
 def chosen(names: Iterable[str], known: dict[str, Case]) -> list[Case]:
     """The cases of these names, each once. Raises SceneError with the nearest name where one is unknown."""
+    return named(names, known, "case", "`masonry verify --list`")
+
+
+def named(names: Iterable[str], known: dict[str, T], kind: str, listing: str) -> list[T]:
+    """What has these names, each once; `kind` and the command of the `listing` are for the message."""
     found = {}
     for name in names:
         word = name.lower().replace("_", "-")
         if word not in known:
             close = difflib.get_close_matches(word, known, 1, 0.4)
-            hint = f"did you mean '{close[0]}'?" if close else "`masonry verify --list` names them all"
-            raise SceneError(f"no case '{name[:80]}': {hint}")
+            hint = f"did you mean '{close[0]}'?" if close else f"{listing} names them all"
+            raise SceneError(f"no {kind} '{name[:80]}': {hint}")
         found[word] = known[word]
     return list(found.values())
 

@@ -7,7 +7,7 @@ from importlib import metadata, resources
 from string import Template
 
 from masonry import __version__
-from masonry.kernels.compiler import source_hash
+from masonry.kernels.sources import source_hash
 from verification.records import processor
 from verification.report.page import WORDS, Chapter, badge, escape, paragraph, table
 
@@ -18,8 +18,16 @@ AREAS = (
 PACKAGES = ("numpy", "scipy", "numba", "gmsh", "matplotlib")
 
 
+TITLE = "Verification report"
+
+
 def html_of(chapters: list[Chapter], seconds: float) -> str:
-    """The whole page: cover, contents, chapters. `seconds` is what the report took."""
+    """The whole report: cover, contents, chapters. `seconds` is what it took."""
+    return bound(TITLE, cover(chapters, seconds), chapters)
+
+
+def bound(title: str, cover: str, chapters: list[Chapter]) -> str:
+    """One HTML file: the title, the cover as HTML, the contents by group, the chapters."""
     template = Template(resources.files("verification.report").joinpath("template.html").read_text(encoding="utf-8"))
     numbered = [(k + 1, c.anchor or f"c{k}", c) for k, c in enumerate(chapters)]
     groups = dict.fromkeys(c.group for c in chapters)
@@ -37,7 +45,7 @@ def html_of(chapters: list[Chapter], seconds: float) -> str:
         f'<section id="{anchor}"><h2>{n}. {escape(c.title)}</h2>{"".join(c.parts)}</section>'
         for n, anchor, c in numbered
     )
-    return template.substitute(cover=cover(chapters, seconds), contents=contents, body=body)
+    return template.substitute(title=escape(title), cover=cover, contents=contents, body=body)
 
 
 def cover(chapters: list[Chapter], seconds: float) -> str:

@@ -1,0 +1,65 @@
+"""`masonry paper`: every experiment of the reference paper, run again; one page with its figures and claims.
+
+Exit codes: 0 the page was written, whatever the claims came to; 1 a run is not sound; 2 wrong words; 130 interrupted.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+from masonry.cli import Parser
+from masonry.errors import SceneError
+from masonry.folder import RESULTS, WholeFiles
+from verification.paper import catalogue, gathering, page
+from verification.paper.experiment import Shown
+
+OUT = RESULTS / "paper"
+NAME = "paper.html"
+WORKERS = 2
+EPILOG = "What was run before, into the same folder and with the same program, is not run again."
+
+
+def parser() -> Parser:
+    """The words that the command knows."""
+    words = Parser(prog="masonry paper", description=__doc__.partition("\n")[0], epilog=EPILOG)
+    words.add_argument("experiments", nargs="*", metavar="EXPERIMENT", help="only these; without any all of them")
+    words.add_argument("--quick", action="store_true", help="fewer runs, loaded less carefully: under three minutes")
+    words.add_argument("--list", action="store_true", help="name the experiments, and run none")
+    words.add_argument("--out", type=Path, default=OUT, metavar="DIR", help=f"folder (default {OUT})")
+    words.add_argument("--workers", type=int, default=WORKERS, metavar="N", help=f"processes (default {WORKERS})")
+    return words
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command; returns the exit code. Raises SceneError with one message where the words are wrong."""
+    words = parser().parse_args(arguments)
+    wanted = catalogue.chosen(words.experiments)
+    if words.list:
+        margin = max(len(e.name) for e in wanted) + 2
+        print("\n".join(f"{e.name:<{margin}}{e.title}" for e in wanted))
+        return 0
+    if words.workers < 1:
+        raise SceneError(f"--workers {words.workers}: 1 or more")
+    begun = time.perf_counter()
+    try:
+        shown = gathering.gather(wanted, words.out, words.quick, words.workers, _tell)
+        with WholeFiles(words.out) as files:
+            files.text(NAME, page.html_of(shown, time.perf_counter() - begun, words.quick))
+    except OSError as error:
+        raise SceneError(f"cannot write to '{words.out}': {error.strerror or error}") from None
+    print(summary(shown))
+    print(f"page     {words.out / NAME}")
+    return 0 if all(c.holds for s in shown for c in s.soundness) else 1
+
+
+def summary(shown: list[Shown]) -> str:
+    """A line for each claim that does not hold or cannot be told, and the count."""
+    lines = []
+    for one in shown:
+        for claim in (c for c in [*one.section.claims, *one.soundness] if not c.holds):
+            lines.append(f"{one.experiment.name}: {claim.says}: {page.WORDS[claim.holds][0]}: {claim.measured}")
+    return "\n".join([*lines, page.verdict(shown).sentence])
+
+
+def _tell(line: str) -> None:
+    print(line, file=sys.stderr, flush=True)

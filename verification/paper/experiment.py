@@ -1,0 +1,174 @@
+"""What an experiment of the paper consists of: runs of scenes, and what they show: pictures and checked claims."""
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from masonry import __version__
+from masonry.kernels.compiler import source_hash
+from masonry.results import Result, load_history
+from verification.report.page import Chapter, Verdict
+
+ACCURACY = "drive.accuracy"
+PERCENT, QUICK_PERCENT = 1.0, 4.0
+"""What drives aim at: as the scenes are shipped, and for a quick look."""
+PACES = (ACCURACY, "drive.steps", "drive.rate")
+"""The keys of a scene that say how fast it is driven: one of them takes the place of the others."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """A packaged scene with some of its keys set.
+
+    halve  run it once more with half the accuracy, to see how far its peak moves
+    """
+
+    scene: str
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    halve: bool = False
+
+    @property
+    def paced(self) -> bool:
+        """Whether it says itself how fast it is driven."""
+        return any(key in self.settings for key in PACES)
+
+    def at(self, percent: float) -> "Run":
+        """The same, aiming at an accuracy."""
+        return Run(self.scene, {**self.settings, ACCURACY: f"{percent:g} %"})
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A sentence of the paper, held against what we measure.
+
+    says      what the paper says, in its words or nearly so
+    source    where: "5.1, Fig. 10"
+    check     what is measured, and within which bounds it has to be
+    measured  what came out, with units
+    holds     None where it cannot be told
+    why       the reason, wherever it does not hold or cannot be told
+    """
+
+    says: str
+    source: str
+    check: str
+    measured: str
+    holds: bool | None
+    why: str = ""
+
+    def __post_init__(self) -> None:
+        if self.holds is not True and not self.why:
+            raise ValueError(f"the claim '{self.says}' does not hold or cannot be told: say why")
+
+
+@dataclass
+class Section:
+    """What an experiment shows: pieces of HTML, claims, numbers to keep, and verdicts beside that on the claims."""
+
+    parts: list[str] = field(default_factory=list)
+    claims: list[Claim] = field(default_factory=list)
+    records: list[dict[str, Any]] = field(default_factory=list)
+    verdicts: list[Verdict] = field(default_factory=list)
+
+
+class Missing(Exception):
+    """A run that an experiment needs did not come through."""
+
+
+@dataclass(frozen=True)
+class Done:
+    """The results of an experiment's runs by their labels.
+
+    rows    label -> row of the sweep engine: key, status, reason, seconds and the flat numbers of the summary
+    folder  where the engine keeps its runs
+    """
+
+    runs: Mapping[str, Run]
+    rows: Mapping[str, Mapping[str, Any]]
+    folder: Path
+    quick: bool = False
+    loaded: dict[str, Result] = field(default_factory=dict)
+
+    def __getitem__(self, label: str) -> Result:
+        """The result of a run. Raises Missing, with the reason, where it has none."""
+        if not self.has(label):
+            row = self.rows[label]
+            raise Missing(f"'{label}' ended as {row['status']}: {row['reason']}")
+        if label not in self.loaded:
+            self.loaded[label] = load_history(self.folder / "runs" / self.rows[label]["key"])
+        return self.loaded[label]
+
+    def has(self, label: str) -> bool:
+        """Whether a run was asked for and came to its end."""
+        return label in self.rows and self.rows[label]["status"] == "OK"
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.runs)
+
+    def record(
+        self, label: str, quantity: str, value: float, unit: str, reference: float, kind: str, scale: float = 0.0
+    ) -> dict[str, Any]:
+        """A line for records.json; the signed error is relative to `scale`, or to the reference where none is given."""
+        row, size = self.rows[label], abs(scale or reference)
+        error = (value - reference) / size if size else math.nan
+        numbers = {"value": value, "reference": reference, "error": error}
+        return {
+            "case": self.runs[label].scene,
+            "quantity": quantity,
+            "unit": unit,
+            **{key: float(number) if math.isfinite(number) else None for key, number in numbers.items()},
+            "kind_of_reference": kind,
+            "seconds": row["seconds"],
+            "steps": row.get("steps"),
+            "knobs": dict(self.runs[label].settings),
+            "status": row["status"],
+            "reason": row["reason"],
+            "energy_imbalance": row.get("energy_imbalance"),
+            "source_hash": source_hash(),
+            "version": __version__,
+        }
+
+    def peak(self, label: str) -> float:
+        """Peak stress in Pa."""
+        return float(self[label].summary["peak_stress_pa"])
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """An experiment of the paper.
+
+    name, title   lower case with hyphens; as a heading
+    order         its place on the page
+    runs          whether it is to be quick -> label -> Run
+    show          the results -> what they show. May raise Missing
+    """
+
+    name: str
+    title: str
+    order: int
+    runs: Callable[[bool], dict[str, Run]]
+    show: Callable[[Done], Section]
+
+
+@dataclass(frozen=True)
+class Shown:
+    """An experiment that was run: its section, with the soundness of its runs, and the seconds they took."""
+
+    experiment: Experiment
+    section: Section
+    soundness: list[Claim]
+    seconds: float
+    count: int
+
+    def as_chapter(self) -> Chapter:
+        """Its page in a report."""
+        return Chapter(
+            self.experiment.title,
+            list(self.section.verdicts),
+            list(self.section.records),
+            list(self.section.parts),
+            "The paper",
+            self.experiment.name,
+        )

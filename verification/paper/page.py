@@ -1,0 +1,70 @@
+"""The page "The paper": what holds and what does not, then every experiment with its pictures."""
+
+from collections.abc import Sequence
+
+from masonry.progress import duration
+from verification.paper.experiment import Claim, Shown
+from verification.report import cover
+from verification.report.page import Cell, Chapter, Link, Verdict, heading, paragraph, table
+
+TITLE = "The paper, whole"
+GROUP = "The paper"
+WORDS = {True: ("holds", "ok"), False: ("does not hold", "bad"), None: ("cannot be told", "none")}
+LEAD = (
+    "Every experiment of the reference paper, run again: its figures as ours, and each of its claims held against what "
+    "comes out. The figures of the paper are lost, so that no curve of it can be drawn beside ours. Where a claim does "
+    "not hold, the row says why, and what was done to make sure that it is not an error of solving."
+)
+HEADER = ("claim", "where", "check", "measured", "")
+
+
+def chapters(shown: Sequence[Shown]) -> list[Chapter]:
+    """A chapter with all claims, then one for each experiment."""
+    first = Chapter("Claims", group=GROUP, anchor="paper-claims", verdicts=[verdict(shown)])
+    first.parts += [paragraph(LEAD, "lead"), *tables(shown)]
+    return [first, *map(chapter, shown)]
+
+
+def tables(shown: Sequence[Shown]) -> list[str]:
+    """The claims of the paper by experiment, and below them those on our runs."""
+    claims = [table(HEADER, [row(c) for c in s.section.claims], s.experiment.title) for s in shown if s.section.claims]
+    sound = [[Link(s.experiment.title, s.experiment.name), c.says, *row(c)[2:]] for s in shown for c in s.soundness]
+    return [
+        *claims,
+        heading("How sound the runs are"),
+        table(("experiment", "what must hold", "check", "measured", ""), sound),
+    ]
+
+
+def row(claim: Claim) -> list[str | Cell]:
+    """The cells of a claim, coloured by whether it holds."""
+    word, kind = WORDS[claim.holds]
+    return [claim.says, claim.source, claim.check, claim.measured, Cell(word, kind, claim.why)]
+
+
+def chapter(one: Shown) -> Chapter:
+    """The page of an experiment: its pictures, then its claims."""
+    made = one.as_chapter()
+    made.parts += [heading("Claims"), table(HEADER, [row(c) for c in one.section.claims])] if one.section.claims else []
+    made.parts.append(paragraph(f"{one.count} runs, {duration(one.seconds)} of computing.", "note"))
+    return made
+
+
+def verdict(shown: Sequence[Shown]) -> Verdict:
+    """How many claims hold."""
+    claims = [c for s in shown for c in s.section.claims]
+    held, broken, open_ = (sum(c.holds is answer for c in claims) for answer in (True, False, None))
+    unsound = [c for s in shown for c in s.soundness if not c.holds]
+    kind = "bad" if unsound else "warn" if broken or open_ else "ok"
+    sound = f"; {len(unsound)} demands on the runs are not met" if unsound else "; all runs are sound"
+    sentence = f"Of {len(claims)} claims {held} hold, {broken} do not, {open_} cannot be told{sound}."
+    return Verdict("The paper", kind, sentence)
+
+
+def html_of(shown: Sequence[Shown], seconds: float, quick: bool) -> str:
+    """The page by itself, as one HTML file."""
+    made = chapters(shown)
+    note = "A quick look: fewer runs, and loading errors four times as large. " if quick else ""
+    lead = paragraph(f"{note}{verdict(shown).sentence}", "lead")
+    contents = "".join([lead, cover.origin(seconds)])
+    return cover.bound(TITLE, contents, made)
