@@ -1,4 +1,4 @@
-"""Contacts of one group with strengths of their own: each follows its own closed form, side by side in the same lanes."""
+"""Contacts of one group with strengths of their own: each follows its own closed form, side by side in lanes."""
 
 import numpy as np
 import pytest

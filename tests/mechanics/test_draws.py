@@ -1,4 +1,4 @@
-"""Draws of lognormal properties have the mean, the variation and the correlation asked for, and depend on names alone."""
+"""Draws of lognormal properties: mean, variation and correlation are those asked for, and names alone matter."""
 
 import numpy as np
 import pytest

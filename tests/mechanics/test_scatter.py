@@ -82,7 +82,9 @@ def test_snap_back_in_a_run_is_looked_for_with_the_energy_drawn_and_the_message_
     g = model.group_names.index("unit_unit")
     shape, interface = model.groups[0][g], model.groups[1][g]
     first, count = int(model.groups[3][g]), len(shape.G_II)
-    limit = (np.sqrt(2.0 * interface.shear_stiffness * shape.G_II) - interface.cohesion) / (interface.tan_friction - 0.5)
+    limit = (np.sqrt(2.0 * interface.shear_stiffness * shape.G_II) - interface.cohesion) / (
+        interface.tan_friction - 0.5
+    )
     worst = int(np.argmin(limit))
     for share, c in ((0.99, worst), (1.01, worst)):
         watch = SnapBack(model)

@@ -65,7 +65,9 @@ def test_the_reference_names_every_key_of_the_schema(key):
 
 
 def test_the_walk_through_the_schema_reaches_every_corner():
-    assert {"specimen", "mortar", "origin", "exponent_shear", "correlation", "fix", "z", "time_step"} <= set(schema_keys(Scene))
+    assert {"specimen", "mortar", "origin", "exponent_shear", "correlation", "fix", "z", "time_step"} <= set(
+        schema_keys(Scene)
+    )
 
 
 def test_the_tables_of_the_reference_name_no_key_that_there_is_not():
