@@ -151,12 +151,15 @@ def _between(layout: Layout, mesh: TetMesh, sides: tuple, first: int) -> dict:
 
 
 def memory_of(group: np.ndarray, interfaces: list[Interface]) -> ContactState:
-    """Fresh memory: intact, nothing opened beyond the elastic limit."""
-    limit = np.array([(i.tensile_strength or 0.0) / i.normal_stiffness for i in interfaces])
-    stiffness = np.array([i.normal_stiffness for i in interfaces])
+    """Fresh memory: intact, nothing opened beyond the elastic limit. A strength may differ from contact to contact."""
+    limit, stiffness = np.zeros(len(group)), np.zeros(len(group))
+    for g, interface in enumerate(interfaces):
+        strength = 0.0 if interface.tensile_strength is None else interface.tensile_strength
+        limit[group == g] = strength / interface.normal_stiffness
+        stiffness[group == g] = interface.normal_stiffness
     return fresh(
-        limit[group] if len(group) else np.zeros(0),
-        stiffness[group] if len(group) else np.zeros(0),
+        limit,
+        stiffness,
         uplift=any(i.tan_dilation is not None for i in interfaces),
         gap=any(i.elastic_unloading is not None for i in interfaces),
         run=any(i.tan_dilation is not None or i.plastic_softening is not None for i in interfaces),

@@ -17,6 +17,7 @@ from masonry.errors import SceneError, nearest
 from masonry.guide import LITTLE
 from masonry.held import require_held
 from masonry.laws import build as law_build
+from masonry.scatter import Drawn, draw, laws_of
 from masonry.scene import Scene
 from masonry.size_guard import require_sane_size
 from masonry.specimens import specimen_of
@@ -34,6 +35,7 @@ class Assembly:
     model: model.Model
     plan: loads.Program | loads.Controlled
     recording: Recording
+    drawn: list[Drawn]
 
 
 def assemble(scene: Scene) -> Assembly:
@@ -44,7 +46,7 @@ def assemble(scene: Scene) -> Assembly:
     _require_contact_groups(scene, specimen, joints)
     mesh, joints = meshed(scene, blocks, joints)
     kinds = {g: scene.kinematics_of(g) for g in blocks.groups}
-    names, _, joints = model.sort_by_group(blocks, joints)
+    names, group, joints = model.sort_by_group(blocks, joints)
     materials = {
         g: Material(m.density, m.young_modulus, m.poisson_ratio)
         for g, m in scene.material.items()
@@ -55,6 +57,8 @@ def assemble(scene: Scene) -> Assembly:
     require_held(specimen, joints, layout, conditions, loaded=bool(scene.traction) or scene.gravity is not None)
     compressions = sorted({0.0, scene.confinement or 0.0})
     laws = {name: law_build.build(name, _properties(scene.contact[name]), compressions) for name in names}
+    drawn = _draws(scene, blocks, joints, names, group)
+    laws |= {d.group: laws_of(d, _properties(scene.contact[d.group]), compressions) for d in drawn}
     s = scene.solver
     stepping = model.Stepping(
         s.masses, s.time_step, s.step_fraction, LITTLE if scene.is_controlled else s.damping, scene.is_controlled
@@ -67,7 +71,7 @@ def assemble(scene: Scene) -> Assembly:
     plan = _plan(scene, built.dt)
     sign = scene.drive.sign if scene.drive else 1.0
     recording = Recording(specimen.section, sign, s.rows, s.rotation_limit)
-    return Assembly(scene, specimen, joints, mesh, built, plan, recording)
+    return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn)
 
 
 def joined(scene: Scene) -> tuple[Specimen, Joints]:
@@ -105,6 +109,18 @@ def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None
             "mesh_size = '25 mm', or mesh = 'fan'"
         )
     return mesh_blocks(blocks, wanted, scene.specimen.mesh_size, joints)
+
+
+def _draws(scene: Scene, blocks: Blocks, joints: Joints, names: tuple[str, ...], group: np.ndarray) -> list[Drawn]:
+    """What the scene's scatter comes to, group by group; joints sorted by group (C,)."""
+    if scene.scatter is None:
+        return []
+    bounds = np.searchsorted(group, np.arange(len(names) + 1))
+    return [
+        draw(scene.scatter, scene.contact, name, blocks, joints, slice(bounds[g], bounds[g + 1]))
+        for g, name in enumerate(names)
+        if name in scene.scatter.groups
+    ]
 
 
 def _properties(contact) -> dict:

@@ -46,7 +46,12 @@ def result_of(assembly: Assembly, outcome: timeloop.Outcome) -> Result:
         joint_groups=assembly.model.group_names,
         mesh=assembly.mesh,
         scene_toml=to_toml(assembly.scene),
-        log=[*(f"cells: {cells_text(c)}" for c in assembly.specimen.cells), *left_out(assembly), *outcome.log],
+        log=[
+            *(f"cells: {cells_text(c)}" for c in assembly.specimen.cells),
+            *(f"scatter: {line}" for line in scatter_lines(assembly)),
+            *left_out(assembly),
+            *outcome.log,
+        ],
     )
 
 
@@ -58,6 +63,7 @@ def check(scene: Scene) -> dict[str, Any]:
     return {
         "blocks": assembly.specimen.blocks.count,
         "cells": [cells_text(report) for report in assembly.specimen.cells],
+        "scatter": scatter_lines(assembly),
         "contacts": {name: int(n) for name, n in zip(model.group_names, counts, strict=True)},
         "contact_points": len(model.group),
         "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
@@ -71,6 +77,11 @@ def check(scene: Scene) -> dict[str, Any]:
         "compiled": compiled(assembly),
         "warnings": warnings(assembly),
     }
+
+
+def scatter_lines(assembly: Assembly) -> list[str]:
+    """What was drawn, a line for each property that scatters."""
+    return [line for drawn in assembly.drawn for line in drawn.lines()]
 
 
 NANOSECONDS = {"contact": 13.0, "side": 4.0, "block": 60.0, "tet": 20.0, "node": 30.0, "step": 200.0, "row": 5e5}
@@ -112,6 +123,8 @@ def left_out(assembly: Assembly) -> list[str]:
             lacks += ["shared loss of tension and cohesion"] if interface.combined is None else []
         if lacks:
             out.append(f"contacts {name}: no {', no '.join(lacks)}")
+    if not assembly.drawn:
+        out.append("scatter: all contacts of a group have the same properties")
     if all(body is None or getattr(body, "axes", None) is None for body in m.bodies):
         out.append("turned principal axes")
     return out

@@ -21,6 +21,7 @@ def check_text(report: dict[str, Any]) -> str:
         ("blocks", [f"{report['blocks']}"]),
         *([("cells", report["cells"])] if report.get("cells") else []),
         ("contacts", [f"{name:<{longest}}  {number}" for name, number in contacts.items()] or ["none"]),
+        *([("scatter", report["scatter"])] if report.get("scatter") else []),
         ("contact points", [f"{report['contact_points']}"]),
         ("tets", [f"{report['tets']}"]),
         ("freedoms", [f"{report['freedoms']}"]),

@@ -49,10 +49,15 @@ class SnapBack:
         return self.model.state.intact_s[span].copy()
 
     def _stop(self, step: int, g: int, contact: int, compression: float, lacking: float) -> None:
-        shape = self.model.groups[0][g]
+        shape, bounds = self.model.groups[0][g], self.model.groups[3]
+        if np.ndim(shape.G_II) == 0:
+            wanted = f"above {shape.G_II + lacking:.4g} N/m"
+        else:
+            drawn = shape.G_II[contact - bounds[g]]
+            wanted = f"by more than {1.0 + lacking / drawn:.4g} times (drawn here: {drawn:.4g} N/m)"
         raise Stopped(
             f"step {step}: {self.model.contact(contact)} softens under a compression of {compression:.4g} Pa, where "
             f"the curve of law '{type(shape).__name__.lower()}' snaps back and takes more energy than given: raise "
-            f"contact.{self.model.group_names[g]}.fracture_energy_mode_2 above {shape.G_II + lacking:.4g} N/m, or "
+            f"contact.{self.model.group_names[g]}.fracture_energy_mode_2 {wanted}, or "
             'choose law exponential with softening_variable = "displacement", which cannot snap back'
         )

@@ -48,6 +48,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "kinematics_by_group": kinematics,
         "blocks": assembly.specimen.blocks.count,
         "cells": [asdict(report) for report in assembly.specimen.cells],
+        "scatter": {drawn.group: drawn.summary() for drawn in assembly.drawn},
         "contacts": len(model.group),
         "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
         "freedoms": model.freedoms,

@@ -18,7 +18,7 @@ def utilisation(model: Model, seen: np.ndarray) -> float:
         sigma, tau = seen[bounds[g] : bounds[g + 1], 2:4].T
         strength = interface.cohesion - sigma * interface.tan_friction
         shares = [np.divide(tau, strength, out=np.zeros_like(tau), where=strength > 0.0)]
-        if interface.tensile_strength > 0.0:
+        if np.all(interface.tensile_strength > 0.0):
             shares.append(sigma / interface.tensile_strength)
         most = max(most, *(float(share.max(initial=0.0)) for share in shares))
     return most

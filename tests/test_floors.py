@@ -31,7 +31,7 @@ FLOORS = {
     ),
     "model": Floor(
         "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays"
-        " masonry.holds masonry.step_cost",
+        " masonry.holds masonry.step_cost masonry.draws",
         sees="model equations errors geometry",
         packages="numpy numba llvmlite",
     ),
@@ -44,7 +44,7 @@ FLOORS = {
     ),
     "scene": Floor(
         "masonry masonry.__main__ masonry.cli masonry.doctor masonry.printout masonry.quantity masonry.scene*"
-        " masonry.assembly masonry.specimens masonry.conditions masonry.held"
+        " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held"
         " masonry.size_guard masonry.block_files masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.solid_view masonry.condition_marks masonry.mark_drawing"

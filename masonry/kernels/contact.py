@@ -6,7 +6,19 @@ from numba import prange
 from numba.extending import register_jitable
 
 from masonry.kernels.compiler import jit, jit_parallel
-from masonry.kernels.lanes import below, eight, gather, or_zero, put_rows, put_where, some, take, unless, width_of
+from masonry.kernels.lanes import (
+    below,
+    eight,
+    gather,
+    local,
+    or_zero,
+    put_rows,
+    put_where,
+    some,
+    take,
+    unless,
+    width_of,
+)
 from masonry.laws.mechanism import evolve, quiet, stored
 from masonry.laws.state import Memory
 
@@ -28,6 +40,7 @@ def _sweep(
     The last ones may be fewer: what is beyond them is read (arrays have room behind their last number), and its history
     left alone; its force is written, and written again by the group that it belongs to.
     Arrays are read and written by `take` and `put` alone: handed to a function they would be counted at every contact.
+    Parameters of shape and interface that are arrays hold one number for each contact of the group, from 0 on.
     """
     ks, width = interface.shear_stiffness, width_of(like)
     flexibility = 1.0 / ks
@@ -46,10 +59,11 @@ def _sweep(
             take(opening_max, c, like), take(intact_n, c, like), take(intact_s, c, like), take(secant, c, like),
             take(uplift, c, like), take(gap, c, like), take(run, c, like),
         )  # fmt: skip
-        sigma, unchanged = quiet(shape, interface, memory, opening, tau_squared)
+        form, joint = local(shape, c - first, like), local(interface, c - first, like)
+        sigma, unchanged = quiet(form, joint, memory, opening, tau_squared)
         if some(unless(own, unchanged)):
             total = sqrt(sx * sx + sy * sy + sz * sz)
-            answer = evolve(shape, interface, memory, opening, total, sqrt(tau_squared))
+            answer = evolve(form, joint, memory, opening, total, sqrt(tau_squared))
             put_where(own, opening_max, c, answer.memory.opening_max)
             put_where(own, intact_n, c, answer.memory.intact_n)
             put_where(own, intact_s, c, answer.memory.intact_s)
@@ -111,7 +125,8 @@ def observe(shape, interface, state, first, last, sides, normal, area, u, force,
             take(state.opening_max, c, 0.0), take(state.intact_n, c, 0.0), take(state.intact_s, c, 0.0),
             take(state.secant, c, 0.0), take(state.uplift, c, 0.0), take(state.gap, c, 0.0), take(state.run, c, 0.0),
         )  # fmt: skip
-        energy += area[c] * stored(shape, interface, memory, opening, tau_squared)
+        form, joint = local(shape, c - first, 0.0), local(interface, c - first, 0.0)
+        energy += area[c] * stored(form, joint, memory, opening, tau_squared)
         sigma = (force[c, 0] * nx + force[c, 1] * ny + force[c, 2] * nz) / area[c]
         fx, fy, fz = force[c, 0] / area[c], force[c, 1] / area[c], force[c, 2] / area[c]
         seen[c, 0] = opening

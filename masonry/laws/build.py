@@ -7,7 +7,9 @@ from typing import Any
 
 from masonry.errors import SceneError
 from masonry.laws import law_names
+from masonry.laws.door import beside
 from masonry.laws.interface import Interface
+from masonry.laws.snap_back import Refusal
 
 STRENGTHS = ("tensile_strength", "cohesion", "tan_friction")
 
@@ -30,6 +32,29 @@ def build(group: str, properties: Mapping[str, Any], compressions: Sequence[floa
     properties    SI values under the scene's names; None or absent where not given
     compressions  Pa, the confining stresses at which snap-back in shear is looked for
     """
+    shape, interface = made(group, properties)
+    refused = refusal(shape, interface, compressions)
+    if refused is not None:
+        raise SceneError(
+            f"contact.{group}.{refused.key} = {properties[refused.key]:g} (SI) does not work with law "
+            f"'{properties['law']}': it must be above {refused.wanted}; {refused.why}"
+        )
+    return shape, interface
+
+
+def refusal(shape: Any, interface: Interface, compressions: Sequence[float]) -> Refusal | None:
+    """What a law refuses of its parameters at some compressions (Pa), or None."""
+    refuse = beside(type(shape), "refuse")
+    return None if refuse is None else refuse(shape, interface, compressions)
+
+
+def properties_of(law: str) -> tuple[str, ...]:
+    """The strengths and the parameters of its own that a law reads, under the scene's names."""
+    return () if law == "elastic" else (*STRENGTHS, *_file(law).PARAMETERS.values())
+
+
+def made(group: str, properties: Mapping[str, Any]) -> tuple[Any, Interface]:
+    """`build` without a look whether the curves would snap back."""
     name = properties["law"]
     file, where = _file(name), f"contact.{group}"
     stiffness = {key: properties[key] for key in ("normal_stiffness", "shear_stiffness")}
@@ -44,14 +69,7 @@ def build(group: str, properties: Mapping[str, Any], compressions: Sequence[floa
     for field, key in file.PARAMETERS.items():
         if field not in optional and getattr(shape, field) <= 0.0:
             raise SceneError(f"{where}.{key} = {getattr(shape, field):g}: law '{name}' needs a value above 0")
-    interface = _interface(where, properties, stiffness)
-    refused = file.refuse(shape, interface, compressions) if hasattr(file, "refuse") else None
-    if refused is not None:
-        key, least, why = refused
-        raise SceneError(
-            f"{where}.{key} = {properties[key]:g} (SI) does not work with law '{name}': it must be above {least}; {why}"
-        )
-    return shape, interface
+    return shape, _interface(where, properties, stiffness)
 
 
 def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence[str]) -> None:

@@ -27,7 +27,7 @@ WHY_IN_SHEAR = (
 
 
 def refuse(shape, interface, compressions):
-    """Snap-back over plastic slip: (scene key, its least value with unit, why) or None."""
+    """Snap-back over plastic slip: a Refusal or None."""
     return refuse_in_shear(shape, interface, compressions)
 
 

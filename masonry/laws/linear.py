@@ -5,7 +5,7 @@ from typing import NamedTuple
 from numba.extending import register_jitable
 
 from masonry.kernels.lanes import choose, filled, larger
-from masonry.laws.snap_back import lost_in_shear, refuse_in_shear
+from masonry.laws.snap_back import Refusal, lost_in_shear, refuse_in_shear
 
 
 class Linear(NamedTuple):
@@ -26,11 +26,11 @@ WHY_IN_SHEAR = "the curve would snap back below (peak - residual shear strength)
 
 
 def refuse(shape, interface, compressions):
-    """Snap-back, G_I <= fT^2/(2 kn) or ul <= us0: (scene key, its least value with unit, why) or None."""
+    """Snap-back, G_I <= fT^2/(2 kn) or ul <= us0: a Refusal or None."""
     least = interface.tensile_strength**2 / (2.0 * interface.normal_stiffness)
     if interface.tensile_strength > 0.0 and least >= shape.G_I:
         why = "the curve would snap back below tensile strength^2 / (2 normal stiffness)"
-        return "fracture_energy_mode_1", f"{least:.6g} N/m", why
+        return Refusal("fracture_energy_mode_1", least, "N/m", why)
     return refuse_in_shear(shape, interface, compressions)
 
 

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from masonry.laws.linear import mode_2_energy
-from masonry.laws.snap_back import lost_in_shear, refuse_in_shear
+from masonry.laws.snap_back import Refusal, lost_in_shear, refuse_in_shear
 
 
 class Polynomial(NamedTuple):
@@ -31,10 +31,10 @@ WHY_IN_SHEAR = (
 
 
 def refuse(shape, interface, compressions):
-    """Exponents <= 1 leave an infinite energy; snap-back over plastic slip: (key, its least value, why) or None."""
+    """Exponents <= 1 leave an infinite energy; snap-back over plastic slip: a Refusal or None."""
     for key, value in (("exponent_tension", shape.alpha), ("exponent_shear", shape.beta)):
         if value <= 1.0:
-            return key, "1", "at 1 and below the area under the curve is infinite"
+            return Refusal(key, 1.0, "", "at 1 and below the area under the curve is infinite")
     return refuse_in_shear(shape, interface, compressions)
 
 

@@ -4,7 +4,23 @@ A law file that has such a limit brings `least_mode_2_energy(shape, interface, c
 Pa, or None where its curve never snaps back.
 """
 
+from typing import NamedTuple
+
 from masonry.laws.door import beside
+
+
+class Refusal(NamedTuple):
+    """What does not work with a law: the scene's key, the value (SI) that it must be above, its unit, and why."""
+
+    key: str
+    least: float
+    unit: str
+    why: str
+
+    @property
+    def wanted(self) -> str:
+        """The least value with its unit."""
+        return f"{self.least:.6g} {self.unit}".rstrip()
 
 
 def least_mode_2_energy(shape, interface, compression):
@@ -25,7 +41,7 @@ def lost_in_shear(interface, compression):
 
 
 def refuse_in_shear(shape, interface, compressions):
-    """(scene key, its least value with unit, why) where the energy is too small at one of the compressions, or None."""
+    """The refusal where the energy is too small at one of the compressions, or None."""
     most = None
     for compression in compressions:
         least = least_mode_2_energy(shape, interface, compression)
@@ -35,4 +51,4 @@ def refuse_in_shear(shape, interface, compressions):
     if most is None:
         return None
     why = beside(type(shape), "WHY_IN_SHEAR")
-    return "fracture_energy_mode_2", f"{most[0]:.6g} N/m", f"{why}, at a compression of {most[1]:g} Pa"
+    return Refusal("fracture_energy_mode_2", most[0], "N/m", f"{why}, at a compression of {most[1]:g} Pa")

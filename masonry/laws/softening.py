@@ -71,11 +71,11 @@ def tear(shape, interface, memory, e):
     if not some(opens):
         return stay_open(memory.gap, interface, memory, e, held)
     widest, left = choose(opens, e, memory.opening_max), choose(opens, 0.0, memory.intact_n)
-    if interface.tensile_strength > 0.0:
+    if some(interface.tensile_strength > 0.0):
         left = smaller(memory.intact_n, choose(opens, tension_intact(shape, interface, widest), memory.intact_n))
     torn = remember(interface, widest, left, memory.intact_s, memory.uplift, memory.gap, memory.run)
     torn, energy = stay_open(memory.gap, interface, torn, e, held)
-    if interface.tensile_strength > 0.0:
+    if some(interface.tensile_strength > 0.0):
         energy += choose(opens, envelope_energy(memory.gap, shape, interface, memory, widest, left), 0.0)
     return torn, energy
 

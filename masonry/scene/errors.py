@@ -133,7 +133,7 @@ def _fields(loc: Keys) -> dict[str, Any]:
             choices = _tables(_keys(model)[part].annotation)
             model = choices[0] if choices else model
         else:
-            model = next((m for m in choices if part in _kinds(m)), model)
+            model = next((m for m in choices if part in _kinds(m)), getattr(model, "ANY", model))
     return {key: field for key, field in _keys(model).items() if key not in HIDDEN}
 
 

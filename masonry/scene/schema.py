@@ -8,6 +8,7 @@ from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
 from masonry.scene.contact import Contact, Material
 from masonry.scene.loading import Drive, Settle, Solver, Support, Traction
+from masonry.scene.scatter import Scatter, require_contacts
 from masonry.scene.specimen import Specimen
 from masonry.scene.types import AccelerationVector, KeyedError, Law, Motion, Strength, Table
 
@@ -28,6 +29,7 @@ class Scene(Table):
     specimen: Specimen
     material: Annotated[dict[str, Material], Field(min_length=1)]
     contact: Annotated[dict[str, Contact], Field(min_length=1)]
+    scatter: Scatter | None = None
     support: tuple[Support, ...] = ()
     drive: Drive | None = None
     traction: tuple[Traction, ...] = ()
@@ -67,6 +69,8 @@ class Scene(Table):
                 "solver.masses", "real masses move in real time; give drive.rate, or leave masses = 'scaled'"
             )
         self._kinematics_have_what_they_need()
+        if self.scatter is not None:
+            require_contacts(self.scatter, self.contact)
         keys = set(dotted_keys(self))
         for key in self.assumptions:
             if key not in keys:
@@ -98,7 +102,7 @@ def dotted_keys(value: Any, path: str = "") -> Iterator[str]:
         yield path
     items: Any = ()
     if isinstance(value, BaseModel):
-        items = ((name, getattr(value, name)) for name in type(value).model_fields if name != "assumptions")
+        items = ((name, below) for name, below in value if name != "assumptions")
     elif hasattr(value, "_asdict"):
         items = value._asdict().items()
     elif isinstance(value, dict):

@@ -92,6 +92,7 @@ Number = Annotated[int, Given("integer", "[0, 1e9]")]
 CellCount = Annotated[int, Given("integer", "[1, 2e5]")]
 RelativeSize = Annotated[float, Given("number", "(0, 1e6]")]
 Spread = Annotated[float, Given("number", "[0, 2]")]
+Variation = Annotated[float, Given("number", "[0, 2]")]
 
 
 class Stresses(NamedTuple):

@@ -15,6 +15,14 @@ from masonry.kernels.lanes import PLAIN, eight, put, take
 RUNS = {
     "rigid": ["wallette-mode-1", "specimen.divisions=[2, 1]", "drive.rate=20 mm/s"],
     "affine": ["couplet", "kinematics=affine", "law=exponential", "drive.steps=2000", "settle.steps=500"],
+    "scattered": [
+        "wallette-mode-1",
+        "specimen.divisions=[2, 1]",
+        "drive.rate=20 mm/s",
+        "scatter.seed=1",
+        "scatter.unit_unit.tensile_strength=0.3",
+        "scatter.unit_unit.fracture_energy_mode_2=0.3",
+    ],
     "tets": ["couplet", "kinematics=tets", "specimen.mesh_size=40 mm", "drive.steps=2000", "settle.steps=500"],
 }
 TAKE = """

@@ -26,6 +26,7 @@ def schema_keys(kind: Any) -> Iterator[str]:
         for name, field in kind.model_fields.items():
             yield name
             yield from schema_keys(field.annotation)
+        yield from schema_keys(getattr(kind, "ANY", None))
     elif hasattr(kind, "_fields"):
         yield from kind._fields
     for part in get_args(kind):
@@ -64,7 +65,9 @@ def test_the_reference_names_every_key_of_the_schema(key):
 
 
 def test_the_walk_through_the_schema_reaches_every_corner():
-    assert {"specimen", "mortar", "origin", "exponent_shear", "fix", "z", "time_step"} <= set(schema_keys(Scene))
+    assert {"specimen", "mortar", "origin", "exponent_shear", "correlation", "fix", "z", "time_step"} <= set(
+        schema_keys(Scene)
+    )
 
 
 def test_the_tables_of_the_reference_name_no_key_that_there_is_not():

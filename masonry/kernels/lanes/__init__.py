@@ -9,6 +9,7 @@ from masonry.kernels.lanes import exponential  # noqa: F401  math.exp learns of 
 from masonry.kernels.lanes.arithmetic import PLAIN
 from masonry.kernels.lanes.choices import below, choose, filled, larger, smaller, some, total, unless
 from masonry.kernels.lanes.gathering import gather, gather_corners, put_rows, scatter, take_slopes
+from masonry.kernels.lanes.local import local
 from masonry.kernels.lanes.memory import EIGHT, FOUR, eight, four, or_zero, put, put_where, take, width_of
 from masonry.kernels.lanes.rows import numbers, pack, part, plus, put_row, take_row
 
@@ -27,6 +28,7 @@ __all__ = [
     "choose",
     "filled",
     "larger",
+    "local",
     "smaller",
     "some",
     "total",

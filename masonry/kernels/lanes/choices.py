@@ -28,13 +28,13 @@ def _fill(context, number, like):
 
 
 def filled(number, like):
-    """A number, as many times as `like` has."""
+    """A number, as many times as `like` has; lanes are so already."""
     return number
 
 
 @overload(filled)
 def _filled(number, like):
-    if isinstance(like, Lanes):
+    if isinstance(like, Lanes) and not isinstance(number, Lanes):
         return lambda number, like: _fill(number, like)
     return lambda number, like: number
 

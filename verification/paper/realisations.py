@@ -1,0 +1,121 @@
+"""Many walls of one scene whose properties scatter: their peaks, their curves, and how often each joint cracks."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from masonry.cracks import CrackLines, crack_lines, front_view
+from masonry.results import Result
+from masonry.summary import BROKEN
+from verification.paper.experiment import Done
+
+POINTS = 300
+"""Places along a curve at which walls are compared."""
+
+
+@dataclass(frozen=True)
+class Wall:
+    """What is kept of a run.
+
+    peak         Pa
+    stress       (POINTS,) Pa, at equal distances of the drive
+    broken       (n,) which of its crack lines are broken at the end
+    places       joints (pairs of units) broken over half their area at least, and units (twice the same) broken at all
+    in_units     share of the broken area that lies within units
+    by_opening   share of the fracture energy that mode I took
+    """
+
+    peak: float
+    stress: np.ndarray
+    broken: np.ndarray
+    places: frozenset[tuple[int, int]]
+    in_units: float
+    by_opening: float
+
+
+@dataclass(frozen=True)
+class Ensemble:
+    """Walls of one scene (or one alone), and what they have in common.
+
+    drive   (POINTS,) m
+    lines   where the joints and the faces within units are seen edge-on
+    joint   (n,) whether a line lies between two units
+    """
+
+    walls: list[Wall]
+    drive: np.ndarray
+    lines: CrackLines
+    joint: np.ndarray
+
+    @property
+    def peaks(self) -> np.ndarray:
+        """(walls,) Pa."""
+        return np.array([wall.peak for wall in self.walls])
+
+    @property
+    def variation(self) -> float:
+        """Coefficient of variation of the peak."""
+        return float(self.peaks.std(ddof=1) / self.peaks.mean())
+
+    @property
+    def frequency(self) -> np.ndarray:
+        """(n,) share of the walls in which a line is broken at the end."""
+        return np.mean([wall.broken for wall in self.walls], axis=0)
+
+    @property
+    def patterns(self) -> int:
+        """How many different sets of places are broken."""
+        return len({wall.places for wall in self.walls})
+
+    @property
+    def ways(self) -> tuple[int, int, int]:
+        """Walls that crack through joints alone, through joints and units, and through units alone."""
+        shares = [wall.in_units for wall in self.walls]
+        alone = sum(s == 0.0 for s in shares), sum(s == 1.0 for s in shares)
+        return alone[0], len(shares) - sum(alone), alone[1]
+
+    def band(self, low: float = 0.05, high: float = 0.95) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """(POINTS,) Pa each: the two quantiles of the stress at each place of the drive, and the median."""
+        stress = np.array([wall.stress for wall in self.walls])
+        below, above, middle = np.quantile(stress, [low, high, 0.5], axis=0)
+        return below, above, middle
+
+
+def ensemble(done: Done, labels: Sequence[str]) -> Ensemble:
+    """The runs of these labels, which have one specimen; each is let go once it is read. Raises Missing."""
+    first = done[labels[0]]
+    view = front_view(first.specimen.blocks.points)
+    lines = crack_lines(first.joints, first.history.frames[-1], view)
+    unit = first.specimen.blocks.unit
+    joint = unit[first.joints.block_a[lines.contact]] != unit[first.joints.block_b[lines.contact]]
+    drive = np.linspace(0.0, float(first.history.rows["displacement"][-1]), POINTS)
+    walls = []
+    for label in labels:
+        walls.append(wall(done[label], drive))
+        done.loaded.pop(label)
+    return Ensemble(walls, drive, lines, joint)
+
+
+def wall(result: Result, drive: np.ndarray) -> Wall:
+    """What is kept of a result; stress at places of the drive (m)."""
+    rows, frame, joints = result.history.rows, result.history.frames[-1], result.joints
+    lines = crack_lines(joints, frame, front_view(result.specimen.blocks.points))
+    unit = result.specimen.blocks.unit
+    pairs = np.sort(np.column_stack([unit[joints.block_a], unit[joints.block_b]]), axis=1)
+    broken = joints.area * (frame.damage >= BROKEN)
+    names, index = np.unique(pairs, axis=0, return_inverse=True)
+    share = np.bincount(index.ravel(), broken) / np.bincount(index.ravel(), joints.area)
+    within = names[:, 0] == names[:, 1]
+    gone = np.where(within, share > 0.0, share >= 0.5)
+    energy = result.summary["energy_j"]
+    fracture = energy["fracture_mode_1"] + energy["fracture_mode_2"]
+    inside = float(broken[pairs[:, 0] == pairs[:, 1]].sum())
+    return Wall(
+        peak=float(result.summary["peak_stress_pa"]),
+        stress=np.interp(drive, rows["displacement"], rows["stress"]),
+        broken=lines.damage >= BROKEN,
+        places=frozenset((int(a), int(b)) for a, b in names[gone]),
+        in_units=inside / max(float(broken.sum()), 1e-300),
+        by_opening=float(energy["fracture_mode_1"] / fracture),
+    )
