@@ -13,6 +13,7 @@ import numpy as np
 from masonry import energy
 from masonry.errors import Stopped
 from masonry.history import UNITS, Frame, History
+from masonry.kernels.compiler import once
 from masonry.kernels.step import advance, reaction
 from masonry.loads import Controlled, Program
 from masonry.model import Model
@@ -88,7 +89,9 @@ def run(
 
 def compile_for(model: Model, threads: int) -> None:
     """Compile (or load from the cache) the step for exactly this model, without taking one."""
-    with interrupt_afterwards():
+    parallel = True if threads > 1 else None
+    kind = parallel, model.damping, model.groups, model.contacts, model.bodies, model.drives
+    with once(kind), interrupt_afterwards():
         advance_model(model, Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
         energy.observe(model)
 
