@@ -1,4 +1,4 @@
-"""Table 2 is lost: what was assumed in its place, varied, and how far the couplet with a bed of mortar moves with it."""
+"""Table 2 is lost: what was assumed in its place, varied, and how far the couplet with its bed moves with it."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -2,13 +2,15 @@
 
 from masonry import laboratory, scene
 from masonry.errors import SceneError
-from verification.closed_forms import Joint, shear_area, tension_energy
+from verification.closed_forms import Joint, dissipated_in_tension, shear_area
 from verification.paper.couplets.checked import checked
 from verification.paper.couplets.laws import LAWS, joint, name, runs_of, words
 from verification.paper.experiment import Claim, Done
 
 GIVEN, CLOSED = 0.05, 0.01
 """Tolerances of an energy: against the one given, and against the closed form."""
+OPENED = 0.2e-3
+"""How far (m) a joint in tension is opened."""
 
 
 def claims(done: Done) -> list[Claim]:
@@ -57,18 +59,18 @@ def tensions(done: Done) -> list[Claim]:
         if f"{law}, tension" in done.runs:
             summary = done[f"{law}, tension"].summary
             spent = summary["energy_j"]["fracture_mode_1"] / summary["section_m2"]
-            ratios[law] = spent / tension_energy(law, Joint()), spent
+            ratios[law] = spent / float(dissipated_in_tension(law, Joint(), OPENED)), spent
     if not ratios:
         return []
     return [
         checked(
             "The laws take into account the mode I fracture energy",
             "3, eqs (12), (14), (16)",
-            f"energy to 0.2 mm of opening within {CLOSED:.0%} of the law's closed form: G_I with the elastic triangle "
-            "in it (linear) or on top of it",
+            f"energy to 0.2 mm of opening within {CLOSED:.0%} of the closed form; to the end G_I = 5.8 N/m with the "
+            "elastic triangle of 1.12 N/m in it (linear) or on top of it",
             "; ".join(f"{law} {spent:.2f} N/m ({r:.3f} of it)" for law, (r, spent) in ratios.items()),
             all(abs(r - 1.0) <= CLOSED for r, _ in ratios.values()),
-            "the tail is cut off",
+            "the run does not take what the equation does",
         )
     ]
 

@@ -6,6 +6,7 @@ from verification.closed_forms import Joint
 from verification.paper.couplets.checked import checked, unknown
 from verification.paper.couplets.laws import CONFINEMENTS, words
 from verification.paper.couplets.measures import initial_stiffness, plateau, spread, strength_line, work_to
+from verification.paper.couplets.setups import OTHERS
 from verification.paper.experiment import Claim, Done, Run
 
 SIZES = {"coarse": "couplet-meso-coarse", "medium": "couplet-meso-medium"}
@@ -91,9 +92,8 @@ def line(done: Done) -> Claim:
             f"{s} {c / 1e6:.3f} MPa ({off[s][0]:+.0%}), {t:.3f} ({off[s][1]:+.0%})" for s, (c, t) in found.items()
         ),
         all(abs(v) <= CAPACITY for pair in off.values() for v in pair),
-        "what a test measures is not what its joint has: finite elements find the cohesion 13 to 32 % too low, and "
-        "friction within 10 % (Zhang, Richart, Beyer 2018, doi 10.1617/s11527-018-1236-6). Here more is lost under "
-        "high confinement, where the bed cracks as a row of struts",
+        f"what a test measures is not what its joint has. {OTHERS}. Here more is lost under high confinement, where "
+        "the bed cracks as a row of struts",
     )
 
 

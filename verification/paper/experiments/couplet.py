@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from masonry.results import Result
 from verification.closed_forms import Joint, shear, tension
 from verification.paper import pictures
 from verification.paper.couplets import energies, laws, printed, setups
@@ -16,10 +17,11 @@ QUICK_LAWS = ("linear", "exponential")
 PULLED = {
     "confinement": "0 MPa",
     "drive.direction": "z",
-    "drive.displacement": "0.2 mm",
+    "drive.displacement": f"{energies.OPENED * MILLI:g} mm",
     "support.1.fix": ["x", "y", "rotation"],
 }
-BLACK, DASHED = "0.15", (0, (4, 3))
+LAST, OPENED, POINTS_OF_CURVE = 1e-3, energies.OPENED, 500
+BLACK = "0.1"
 
 
 def runs(quick: bool) -> dict[str, Run]:
@@ -47,31 +49,36 @@ def show(done: Done) -> Section:
 def figure_6(done: Done) -> Figure:
     """Confinements side by side, a line for each law."""
     panels = {}
-    for c, sigma in CONFINEMENTS.items():
-        lines = []
-        for law in (law for law, at in laws.sheared(done) if at == c):
-            lines.append(pictures.stress_line(law, done[name(law, c)], colour=COLOURS[LAWS.index(law)]))
-            u = lines[-1].x / MILLI
-            lines.append(Line("", lines[-1].x, shear(law, joint(c), u, sigma) * MEGA, "--", BLACK))
-        panels[c] = lines
+    for c in CONFINEMENTS:
+        ran = [law for law, at in laws.sheared(done) if at == c]
+        panels[c] = [line for law in ran for line in slid(done, law, c)]
     return _plain(pictures.curves(panels, "slip [mm]", "shear stress [MPa]"))
+
+
+def slid(done: Done, law: str, confinement: str) -> list[Line]:
+    """A law in shear, and its closed form."""
+    u = np.linspace(0.0, LAST, POINTS_OF_CURVE)
+    exact = shear(law, joint(confinement), u, CONFINEMENTS[confinement])
+    return [_line(law, done[name(law, confinement)]), Line("", u * MILLI, exact * MEGA, "--", BLACK)]
+
+
+def pulled(done: Done, law: str) -> list[Line]:
+    """A law in tension, and its closed form."""
+    u = np.linspace(0.0, OPENED, POINTS_OF_CURVE)
+    return [_line(law, done[f"{law}, tension"]), Line("", u * MILLI, tension(law, Joint(), u) * MEGA, "--", BLACK)]
 
 
 def portraits(done: Done) -> Figure:
     """The laws in tension and in shear, from runs of one joint."""
-    tensions, shears = [], []
-    for law in (law for law in LAWS if f"{law}, tension" in done.runs):
-        colour = COLOURS[LAWS.index(law)]
-        pulled = _until(pictures.stress_line(law, done[f"{law}, tension"], colour=colour), 0.05)
-        slid = _until(pictures.stress_line(law, done[name(law, "0.5 MPa")], colour=colour), 0.4)
-        exact = (
-            tension(law, Joint(), pulled.x / MILLI) * MEGA,
-            shear(law, joint("0.5 MPa"), slid.x / MILLI, 0.5e6) * MEGA,
-        )
-        tensions += [pulled, Line("", pulled.x, exact[0], "--", BLACK)]
-        shears += [slid, Line("", slid.x, exact[1], "--", BLACK)]
-    panels = {"tension": tensions, "shear under 0.5 MPa": shears}
-    return _plain(pictures.curves(panels, "opening or slip [mm]", "stress [MPa]"))
+    ran = [law for law in LAWS if f"{law}, tension" in done.runs]
+    panels = {
+        "tension": [line for law in ran for line in pulled(done, law)],
+        "shear under 0.5 MPa": [line for law in ran for line in slid(done, law, "0.5 MPa")],
+    }
+    figure = _plain(pictures.curves(panels, "opening or slip [mm]", "stress [MPa]"))
+    for axes, last in zip(figure.axes, (0.05, 0.4), strict=True):
+        axes.set_xlim(-0.02 * last, last)
+    return figure
 
 
 def misprint() -> Figure:
@@ -92,7 +99,9 @@ def other_setups(done: Done) -> Figure:
         pictures.stress_line("affine units between plates", done[setups.PLATED.format(high)]),
         pictures.stress_line("units of tets, held by their faces", done[setups.HELD.format(high)]),
     ]
-    return pictures.curves({f"exponential law, {high}": [_until(line, 0.5) for line in lines]}, "displacement [mm]")
+    figure = pictures.curves({f"exponential law, {high}": lines}, "displacement [mm]")
+    figure.axes[0].set_xlim(-0.01, 0.5)
+    return figure
 
 
 def by_points(done: Done) -> Figure:
@@ -109,15 +118,13 @@ def by_points(done: Done) -> Figure:
     figure = pictures.curves(
         {f"unit free to turn, {setups.HIGH}": lines}, "contact points along the joint", "peak [MPa]"
     )
-    figure.axes[0].set_ylim(0.0, 2.0)
+    figure.axes[0].set(ylim=(0.0, 2.0), xticks=setups.POINTS)
     figure.axes[0].legend(loc="lower right", frameon=False, fontsize=8)
     return figure
 
 
-def _until(line: Line, last: float) -> Line:
-    """A line as far as an abscissa."""
-    near = line.x <= last
-    return Line(line.label, line.x[near], line.y[near], line.style, line.colour)
+def _line(law: str, result: Result) -> Line:
+    return pictures.stress_line(law, result, colour=COLOURS[LAWS.index(law)])
 
 
 def _plain(figure: Figure) -> Figure:
@@ -125,7 +132,7 @@ def _plain(figure: Figure) -> Figure:
     for axes in figure.axes:
         dashed = [line for line in axes.lines if line.get_linestyle() == "--"]
         for line in dashed:
-            line.set(linewidth=0.9, zorder=4)
+            line.set(linewidth=1.0, dashes=(2.0, 7.0), zorder=4)
         handles, labels = axes.get_legend_handles_labels()
         axes.legend([*handles, *dashed[:1]], [*labels, "closed form"][: len(handles) + 1], frameon=False, fontsize=8)
     return figure

@@ -79,7 +79,7 @@ def strengths(done: Done) -> Figure:
 
 LEAD = (
     "The joint is now a bed of mortar, 15 mm of about 100 or 300 random cells, each contact with the strengths of "
-    "Table 1: Table 2 is lost. Stiffness by eq. (18). The peaks and plateaus of the tests are those that Table 1 sums up."
+    "Table 1: Table 2 is lost. Stiffness by eq. (18). The peaks and plateaus of the tests are those of Table 1."
 )
 FIGURE_7 = "Fig. 7 as ours, a panel for each confinement. The curves of the tests are lost."
 FIGURE_8 = "Fig. 8 as ours, at the end of the runs."
