@@ -1,0 +1,47 @@
+"""How a couplet with a bed of mortar fails: where it cracks, and in which mode."""
+
+from verification.paper.couplets.checked import checked
+from verification.paper.couplets.laws import words
+from verification.paper.couplets.measures import Cracks, cracks
+from verification.paper.couplets.mortar import known, name
+from verification.paper.experiment import Claim, Done
+
+LEAST, LED = 0.05, 0.5
+"""Shares: of the section that is broken, to be a crack; of a crack at which tension leads, to be one of tension."""
+
+
+def found(done: Done) -> dict[str, Cracks]:
+    """Label -> cracks of every run of a size at a confinement."""
+    labels = [name(size, c) for size in ("coarse", "medium") for c in known(done, size)]
+    return {label: cracks(done[label]) for label in labels}
+
+
+def claims(done: Done) -> list[Claim]:
+    """Section 4 on Fig. 8."""
+    all_of_them = found(done)
+    return [combined(all_of_them), tensile(all_of_them)]
+
+
+def combined(all_of_them: dict[str, Cracks]) -> Claim:
+    """Cracks along both interfaces, joined through the bed."""
+    return checked(
+        "The failure may occur at the interface, the mortar joint, or a combination of both; patterns are realistic",
+        "4, Fig. 8",
+        f"broken share of the section > {LEAST:.0%} at the interfaces and within the bed, in every run",
+        "lower interface / upper / bed: "
+        + "; ".join(f"{label} {words((c.lower, c.upper, c.bed), '.2f')}" for label, c in all_of_them.items()),
+        all(c.lower + c.upper > LEAST and c.bed > LEAST for c in all_of_them.values()),
+        "one of the two stays whole",
+    )
+
+
+def tensile(all_of_them: dict[str, Cracks]) -> Claim:
+    """Tension leads within the bed."""
+    return checked(
+        "The meso-model captures tensile cracks in the mortar joint",
+        "4",
+        f"tension leads at more than {LED:.0%} of the broken area within the bed",
+        "; ".join(f"{label} {c.bed_tension:.0%}" for label, c in all_of_them.items()),
+        all(c.bed_tension > LED for c in all_of_them.values()),
+        "shear leads",
+    )

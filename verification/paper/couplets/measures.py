@@ -1,0 +1,86 @@
+"""What is read off the curves of couplets: strength line, work, plateau, stiffness; and off a bed of mortar: cracks."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from masonry.results import Result
+from masonry.summary import BROKEN
+
+Rows = Mapping[str, np.ndarray]
+
+
+def strength_line(confinements: Sequence[float], peaks: Sequence[float]) -> tuple[float, float]:
+    """(cohesion in Pa, tangent of the friction angle) of the straight line through peaks (Pa) by least squares."""
+    tangent, cohesion = np.polyfit(confinements, peaks, 1)
+    return float(cohesion), float(tangent)
+
+
+def driven(rows: Rows) -> tuple[np.ndarray, np.ndarray]:
+    """(displacement in m, stress in Pa) while the drive moves."""
+    moving = rows["displacement"] > 0.0
+    return rows["displacement"][moving], rows["stress"][moving]
+
+
+def work_to(rows: Rows, displacement: float) -> float:
+    """Work per area (J/m2) of the stress up to a displacement (m): the area under the curve, from the origin."""
+    u, tau = driven(rows)
+    inside = u < displacement
+    u_all = np.concatenate([[0.0], u[inside], [displacement]])
+    tau_all = np.concatenate([[0.0], tau[inside], [np.interp(displacement, u, tau)]])
+    return float(np.trapezoid(tau_all, u_all))
+
+
+def plateau(rows: Rows, share: float = 0.2) -> float:
+    """Mean stress (Pa) over the last share of the way."""
+    u, tau = driven(rows)
+    last = u >= (1.0 - share) * u[-1]
+    return float(np.trapezoid(tau[last], u[last]) / np.ptp(u[last]))
+
+
+def initial_stiffness(rows: Rows, share: float = 0.3) -> float:
+    """Slope (Pa/m) of the curve up to a share of its peak, by least squares through the origin."""
+    u, tau = driven(rows)
+    rising = slice(0, int(np.argmax(tau >= share * tau.max())))
+    return float(u[rising] @ tau[rising] / (u[rising] @ u[rising]))
+
+
+def spread(values: Sequence[float]) -> float:
+    """Largest less smallest, over the mean."""
+    return float(np.ptp(values) / np.mean(values))
+
+
+@dataclass(frozen=True)
+class Cracks:
+    """Broken areas of a couplet with a bed of mortar, as shares of its section.
+
+    lower, upper  of the two interfaces       bed      within the mortar
+    bed_tension   share of the broken area within the mortar at which tension leads
+    """
+
+    lower: float
+    upper: float
+    bed: float
+    bed_tension: float
+
+
+def cracks(result: Result) -> Cracks:
+    """Where a couplet with a bed of mortar is broken at the end: contacts with as much damage as the summary counts."""
+    joints, frame = result.joints, result.history.frames[-1]
+    broken = frame.damage >= BROKEN
+    at_interface = result.joint_group == result.joint_groups.index("unit_mortar")
+    height = joints.point[:, 2]
+    upper = height > 0.5 * (height[at_interface].min() + height[at_interface].max())
+    led = frame.damage_tension >= frame.damage_shear
+
+    def area(chosen: np.ndarray) -> float:
+        return float(joints.area[broken & chosen].sum())
+
+    section, bed = result.summary["section_m2"], area(~at_interface)
+    return Cracks(
+        area(at_interface & ~upper) / section,
+        area(at_interface & upper) / section,
+        bed / section,
+        area(~at_interface & led) / bed if bed > 0.0 else 0.0,
+    )

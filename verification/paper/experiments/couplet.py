@@ -1,0 +1,152 @@
+"""Section 4, first half: two units and one joint under confinement and shear; Table 1, Figs. 3, 4 and 6."""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from masonry.results import Result
+from verification.closed_forms import Joint, shear, tension
+from verification.paper import pictures
+from verification.paper.couplets import energies, laws, printed, setups
+from verification.paper.couplets.laws import CONFINEMENTS, LAWS, joint, name
+from verification.paper.experiment import Done, Experiment, Run, Section
+from verification.paper.pictures import MEGA, MILLI, Line
+from verification.report.figures import COLOURS
+from verification.report.page import paragraph, picture
+
+QUICK_LAWS = ("linear", "exponential")
+PULLED = {
+    "confinement": "0 MPa",
+    "drive.direction": "z",
+    "drive.displacement": f"{energies.OPENED * MILLI:g} mm",
+    "support.1.fix": ["x", "y", "rotation"],
+}
+LAST, OPENED, POINTS_OF_CURVE = 1e-3, energies.OPENED, 500
+BLACK = "0.1"
+
+
+def runs(quick: bool) -> dict[str, Run]:
+    """Laws by confinements, each law in tension, and in full the other set-ups."""
+    chosen = QUICK_LAWS if quick else LAWS
+    made = {name(law, c): Run("couplet", {"law": law, "confinement": c}) for law in chosen for c in CONFINEMENTS}
+    made |= {f"{law}, tension": Run("couplet", {"law": law, **PULLED}) for law in chosen}
+    return made if quick else made | dict(setups.runs())
+
+
+def show(done: Done) -> Section:
+    """Figures and claims."""
+    parts = [
+        paragraph(LEAD),
+        picture(figure_6(done), "Fig. 6 as ours: two rigid units, a panel for each confinement. Dashed: closed forms."),
+        picture(portraits(done), PORTRAITS),
+        picture(misprint(), "Eq. (15) under 0.1 MPa, beta = 2.1: as printed, and as mended."),
+    ]
+    if setups.SLOW in done.runs:
+        parts += [picture(other_setups(done), SETUPS, "half"), picture(by_points(done), POINTS, "half")]
+    claims = [*laws.claims(done), *energies.claims(done), *printed.claims(), *setups.claims(done)]
+    return Section(parts, claims)
+
+
+def figure_6(done: Done) -> Figure:
+    """Confinements side by side, a line for each law."""
+    panels = {}
+    for c in CONFINEMENTS:
+        ran = [law for law, at in laws.sheared(done) if at == c]
+        panels[c] = [line for law in ran for line in slid(done, law, c)]
+    return _plain(pictures.curves(panels, "slip [mm]", "shear stress [MPa]"))
+
+
+def slid(done: Done, law: str, confinement: str) -> list[Line]:
+    """A law in shear, and its closed form."""
+    u = np.linspace(0.0, LAST, POINTS_OF_CURVE)
+    exact = shear(law, joint(confinement), u, CONFINEMENTS[confinement])
+    return [_line(law, done[name(law, confinement)]), Line("", u * MILLI, exact * MEGA, "--", BLACK)]
+
+
+def pulled(done: Done, law: str) -> list[Line]:
+    """A law in tension, and its closed form."""
+    u = np.linspace(0.0, OPENED, POINTS_OF_CURVE)
+    return [_line(law, done[f"{law}, tension"]), Line("", u * MILLI, tension(law, Joint(), u) * MEGA, "--", BLACK)]
+
+
+def portraits(done: Done) -> Figure:
+    """The laws in tension and in shear, from runs of one joint."""
+    ran = [law for law in LAWS if f"{law}, tension" in done.runs]
+    panels = {
+        "tension": [line for law in ran for line in pulled(done, law)],
+        "shear under 0.5 MPa": [line for law in ran for line in slid(done, law, "0.5 MPa")],
+    }
+    figure = _plain(pictures.curves(panels, "opening or slip [mm]", "stress [MPa]"))
+    for axes, last in zip(figure.axes, (0.05, 0.4), strict=True):
+        axes.set_xlim(-0.02 * last, last)
+    return figure
+
+
+def misprint() -> Figure:
+    """Cohesion left and friction by eq. (15), as printed and as mended."""
+    one, s, slip = joint("0.1 MPa"), 0.1e6, np.linspace(float(joint("0.1 MPa").peak(0.1e6)) / joint("0.1 MPa").ks, 1e-3)
+    shown, right = printed.share(one, slip, s), printed.mended_share(one, slip, s)
+    mended = one.tan_res + right * (one.tan0 - one.tan_res)
+    cohesion = [Line("as printed", slip * MILLI, shown), Line("as mended", slip * MILLI, right)]
+    friction = [Line("as printed", slip * MILLI, printed.friction(one, shown)), Line("as mended", slip * MILLI, mended)]
+    return pictures.curves({"share of the cohesion left": cohesion, "tan(phi)": friction}, "slip [mm]", "[1]")
+
+
+def other_setups(done: Done) -> Figure:
+    """One joint, loaded in three ways."""
+    high = setups.HIGH
+    lines = [
+        pictures.stress_line("rigid units", done[name("exponential", high)]),
+        pictures.stress_line("affine units between plates", done[setups.PLATED.format(high)]),
+        pictures.stress_line("units of tets, held by their faces", done[setups.HELD.format(high)]),
+    ]
+    figure = pictures.curves({f"exponential law, {high}": lines}, "displacement [mm]")
+    figure.axes[0].set_xlim(-0.01, 0.5)
+    return figure
+
+
+def by_points(done: Done) -> Figure:
+    """Peaks against the number of contact points."""
+    lines = [
+        Line(
+            law,
+            np.array(setups.POINTS),
+            np.array([done.peak(setups.TURNING.format(law, n)) for n in setups.POINTS]) * MEGA,
+            "o-",
+        )
+        for law in ("brittle", "exponential")
+    ]
+    figure = pictures.curves(
+        {f"unit free to turn, {setups.HIGH}": lines}, "contact points along the joint", "peak [MPa]"
+    )
+    figure.axes[0].set(ylim=(0.0, 2.0), xticks=setups.POINTS)
+    figure.axes[0].legend(loc="lower right", frameon=False, fontsize=8)
+    return figure
+
+
+def _line(law: str, result: Result) -> Line:
+    return pictures.stress_line(law, result, colour=COLOURS[LAWS.index(law)])
+
+
+def _plain(figure: Figure) -> Figure:
+    """Closed forms thin, and once in the key."""
+    for axes in figure.axes:
+        dashed = [line for line in axes.lines if line.get_linestyle() == "--"]
+        for line in dashed:
+            line.set(linewidth=1.0, dashes=(2.0, 7.0), zorder=4)
+        handles, labels = axes.get_legend_handles_labels()
+        axes.legend([*handles, *dashed[:1]], [*labels, "closed form"][: len(handles) + 1], frameon=False, fontsize=8)
+    return figure
+
+
+LEAD = (
+    "Two units with one joint are confined, then the upper one slides. Table 1 gives the joint; its c_res is taken as "
+    "0, and beta of the polynomial law at 0.5 MPa is interpolated between the two values given."
+)
+PORTRAITS = (
+    "Figs. 3 and 4 as ours, with the exponential law beside them: one joint pulled apart and sheared. Dashed: closed "
+    "forms of eqs (12) to (17), as mended."
+)
+SETUPS = "One joint in three set-ups: what the units add, and what a moment along the joint takes."
+POINTS = "The peak by the number of contact points, stress not being uniform."
+
+EXPERIMENT = Experiment("couplet", "Couplet under confinement and shear", 10, runs, show)

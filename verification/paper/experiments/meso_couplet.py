@@ -1,0 +1,88 @@
+"""Section 4, second half: two units and a bed of random cells under confinement and shear; Table 2, Figs. 7 and 8."""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from verification.closed_forms import Joint
+from verification.paper import pictures
+from verification.paper.couplets import assumed, failure, mortar
+from verification.paper.couplets.laws import CONFINEMENTS
+from verification.paper.couplets.measures import strength_line
+from verification.paper.couplets.mortar import HIGH, LOW, SEMI_RIGID, SIZES, known, name
+from verification.paper.experiment import Done, Experiment, Run, Section
+from verification.paper.pictures import MEGA, Line
+from verification.report.figures import COLOURS
+from verification.report.page import paragraph, picture
+
+PATTERNS = (("coarse", LOW), ("medium", HIGH))
+
+
+def runs(quick: bool) -> dict[str, Run]:
+    """Sizes by confinements; in full other seeds, blocks that deform, and other assumptions."""
+    return mortar.runs(quick) if quick else mortar.runs(quick) | assumed.runs()
+
+
+def show(done: Done) -> Section:
+    """Figures and claims."""
+    shown = {name(size, c): done[name(size, c)] for size, c in PATTERNS if name(size, c) in done.runs}
+    parts = [
+        paragraph(LEAD),
+        picture(figure_7(done), FIGURE_7),
+        picture(strengths(done), STRENGTHS, "half"),
+        picture(pictures.cracks(shown, 1), FIGURE_8),
+        *assumed.parts(done),
+    ]
+    return Section(parts, [*mortar.claims(done), *failure.claims(done), *assumed.claims(done)])
+
+
+def figure_7(done: Done) -> Figure:
+    """Confinements side by side, a line for each size; the strength and the plateau of the tests as dashes."""
+    panels = {}
+    for c, sigma in CONFINEMENTS.items():
+        labels = {size: name(size, c) for size in SIZES if c in known(done, size)}
+        labels |= {"coarse, semi-rigid": SEMI_RIGID.format(c)} if SEMI_RIGID.format(c) in done.runs else {}
+        lines = [pictures.stress_line(word, done[label]) for word, label in labels.items()]
+        ends = np.array([0.0, float(lines[0].x[-1])])
+        levels = Joint().peak(sigma), Joint().residual(sigma)
+        tests = [Line("", ends, np.full(2, float(level)) * MEGA, "--", "0.4") for level in levels]
+        tests[0] = Line("strength and plateau of the tests", tests[0].x, tests[0].y, "--", "0.4")
+        panels[c] = [*lines, *tests]
+    figure = pictures.curves(panels, "displacement [mm]", "shear stress [MPa]")
+    for axes, sigma in zip(figure.axes, CONFINEMENTS.values(), strict=True):
+        axes.set_ylim(0.0, 1.45 * float(Joint().peak(sigma)) * MEGA)
+    return figure
+
+
+def strengths(done: Done) -> Figure:
+    """Peaks against confinement, every seed, and the lines through those of the first."""
+    reach = np.array([0.0, 1.1])
+    lines = [Line("given to the contacts", reach, np.asarray(Joint().peak(reach / MEGA)) * MEGA, "--", "0.4")]
+    for colour, size in zip(COLOURS, SIZES, strict=False):
+        at = known(done, size)
+        if len(at) > 1:
+            peaks = [done.peak(name(size, c)) for c in at]
+            cohesion, tangent = strength_line([CONFINEMENTS[c] for c in at], peaks)
+            lines.append(Line(size, reach, cohesion * MEGA + reach * tangent, "-", colour))
+        places = [
+            (CONFINEMENTS[c] * MEGA, done.peak(name(size, c, seed)) * MEGA)
+            for c in CONFINEMENTS
+            for seed in mortar.SEEDS
+            if name(size, c, seed) in done.runs
+        ]
+        sigma, peak = np.array(places).T
+        lines.append(Line("", sigma, peak, "o", colour))
+    figure = pictures.curves({"peaks of every seed": lines}, "confinement [MPa]", "peak [MPa]")
+    figure.axes[0].set_ylim(0.0, 2.2)
+    figure.axes[0].legend(loc="lower right", frameon=False, fontsize=8)
+    return figure
+
+
+LEAD = (
+    "The joint is now a bed of mortar, 15 mm of about 100 or 300 random cells, each contact with the strengths of "
+    "Table 1: Table 2 is lost. Stiffness by eq. (18). The peaks and plateaus of the tests are those of Table 1."
+)
+FIGURE_7 = "Fig. 7 as ours, a panel for each confinement. The curves of the tests are lost."
+FIGURE_8 = "Fig. 8 as ours, at the end of the runs."
+STRENGTHS = "What a test of this couplet would measure, beside what its contacts have."
+
+EXPERIMENT = Experiment("meso-couplet", "Couplet with a bed of mortar", 20, runs, show)
