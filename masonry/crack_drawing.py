@@ -19,12 +19,12 @@ MILLI = 1e3
 
 
 def scale_of(openings: np.ndarray) -> float:
-    """The opening (m) that is drawn at full width: the largest of them, rounded up to 1, 2 or 5; 0 without any."""
+    """The opening (m) that is drawn at full width: the largest of them, rounded up to one digit; 0 without any."""
     largest = float(openings.max(initial=0.0))
     if largest <= 0.0:
         return 0.0
     power = 10.0 ** np.floor(np.log10(largest))
-    return float(next(step * power for step in (1.0, 2.0, 5.0, 10.0) if step * power >= largest * (1.0 - 1e-9)))
+    return float(power * np.ceil(largest / power * (1.0 - 1e-9)))
 
 
 def widths(openings: np.ndarray, scale: float) -> np.ndarray:

@@ -35,7 +35,7 @@ def spread_of(groups: Mapping[str, Sequence[float]]) -> Spread:
     values = {name: np.asarray(v, dtype=float) for name, v in groups.items()}
     sizes = np.array([len(v) for v in values.values()])
     total, count = int(sizes.sum()), len(values)
-    if count < 2 or sizes.min(initial=0) < 1 or total <= count:
+    if count < 2 or sizes.min() < 1 or total <= count:
         raise ValueError("two groups or more, and in one of them two values or more, are needed")
     means = {name: float(v.mean()) for name, v in values.items()}
     whole = float(np.concatenate(list(values.values())).mean())
