@@ -74,7 +74,8 @@ def gallery(panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2) -> 
     cracks = [_damaged(result, frame, view) for (_, result, frame), view in zip(panels, views, strict=True)]
     scale = scale_of(np.concatenate([lines.opening for lines in cracks]))
     for one, (name, result, frame), view, lines in zip(axes, panels, views, cracks, strict=False):
-        _draw_panel(one, result, name, frame, view, lines, scale)
+        _draw_panel(one, result, frame, view, lines, scale)
+        one.set_title(_panel_title(result, name, frame, view, narrow=columns > 2), fontsize=10 if columns > 2 else 11)
     _draw_keys(figure, axes, [result.specimen.blocks for _, result, _ in panels], scale)
     return figure
 
@@ -91,9 +92,7 @@ def _damaged(result: "Result", frame: Frame, view: View) -> CrackLines:
     return lines.select(lines.damage > LEAST_DAMAGE)
 
 
-def _draw_panel(
-    axes: Any, result: "Result", name: str, frame: Frame, view: View, lines: CrackLines, scale: float
-) -> None:
+def _draw_panel(axes: Any, result: "Result", frame: Frame, view: View, lines: CrackLines, scale: float) -> None:
     times = magnification(frame, view.size)
     blocks = result.specimen.blocks
     _draw_blocks(axes, blocks, outlines(blocks, view), view.project(blocks.points + times * frame.corners))
@@ -102,12 +101,17 @@ def _draw_panel(
     axes.autoscale_view()
     axes.margins(0.03)
     axes.set_axis_off()
-    words = f"{name}: displacement {frame.displacement * MILLI:.4g} mm"
+
+
+def _panel_title(result: "Result", name: str, frame: Frame, view: View, narrow: bool) -> str:
+    """Name, displacement, stress, and by how much displacements are drawn larger; narrow panels take one more line."""
+    between = "\n" if narrow else " "
+    words = f"{name}:{between}displacement {frame.displacement * MILLI:.4g} mm"
     rows = result.history.rows
     if len(rows.get("stress", ())):
         stress = np.interp(frame.step, rows["step"], rows["stress"])
         words += f", stress {stress * MEGA:.3g} MPa"
-    axes.set_title(f"{words}\ndisplacements drawn {times:g} times", fontsize=11)
+    return f"{words}\ndisplacements drawn {magnification(frame, view.size):g} times"
 
 
 def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -> None:

@@ -41,5 +41,10 @@ def test_curves_are_apart_by_their_mean_difference_over_the_peak():
 
 def test_energies_are_given_for_each_square_metre_of_the_section():
     made = sample()
-    made.summary |= {"energy_j": {"fracture_mode_1": 0.02, "fracture_mode_2": 0.01, "friction": 0.03}, "section_m2": 0.002}
-    assert energy_per_section(made) == pytest.approx({"mode I": 10.0, "mode II": 5.0, "friction": 15.0, "fracture": 15.0})
+    made.summary |= {
+        "energy_j": {"fracture_mode_1": 0.02, "fracture_mode_2": 0.01, "friction": 0.03},
+        "section_m2": 0.002,
+    }
+    assert energy_per_section(made) == pytest.approx(
+        {"mode I": 10.0, "mode II": 5.0, "friction": 15.0, "fracture": 15.0}
+    )
