@@ -1,6 +1,6 @@
 """What a picture of cracks shows, as plain arrays: the view, the outlines of blocks, the contacts seen edge-on."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -89,6 +89,7 @@ class CrackLines:
     contact       (n,) a contact point on it
     damage        (n,) area-weighted mean damage, 0 .. 1
     tension_led   (n,) damage by tension at least as large as by shear
+    opening       (n,) m, area-weighted mean of how far the two faces moved apart or along each other
     """
 
     start: np.ndarray
@@ -96,11 +97,10 @@ class CrackLines:
     contact: np.ndarray
     damage: np.ndarray
     tension_led: np.ndarray
+    opening: np.ndarray
 
     def select(self, mask: np.ndarray) -> "CrackLines":
-        return CrackLines(
-            self.start[mask], self.end[mask], self.contact[mask], self.damage[mask], self.tension_led[mask]
-        )
+        return CrackLines(**{entry.name: getattr(self, entry.name)[mask] for entry in fields(self)})
 
     def displaced(self, joints: Joints, field: Deformation, magnification: float) -> np.ndarray:
         """(n, 2, 3) m, both ends of each piece midway between the two displaced sides."""
@@ -150,6 +150,7 @@ def crack_lines(joints: Joints, frame: Frame, view: View) -> CrackLines:
         contact=seen[fresh],
         damage=mean(frame.damage[seen]),
         tension_led=mean(frame.damage_tension[seen]) >= mean(frame.damage_shear[seen]),
+        opening=mean(np.hypot(np.maximum(frame.opening[seen], 0.0), frame.slip[seen])),
     )
 
 

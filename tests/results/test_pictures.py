@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from matplotlib import image
 
+from masonry.crack_drawing import THICK, THIN, crack_keys, scale_of, widths
 from masonry.cracks import crack_lines, front_view, outlines
 from masonry.deformation import Corners, Deformation
 from masonry.picture import frames_to_draw, magnification
@@ -137,3 +138,32 @@ def test_a_joint_that_is_open_at_one_end_only_is_drawn_so():
     lines = crack_lines(joints, frame, front_view(blocks.points))
     broken = lines.tension_led & (lines.damage > 0.5)
     np.testing.assert_allclose(np.linalg.norm((lines.end - lines.start)[broken], axis=1), HEIGHT / 2)
+
+
+def test_a_crack_is_drawn_as_wide_as_it_is_open_and_the_key_says_what_width_is_what_opening():
+    blocks = wall()
+    joints = joints_of(blocks)
+    lines = crack_lines(joints, opened(blocks, joints, 3.4e-4, 1), front_view(blocks.points))
+    parted = lines.damage > 0.5
+    np.testing.assert_allclose(lines.opening[parted], 3.4e-4)
+    assert not lines.opening[~parted].any()
+    scale = scale_of(lines.opening)
+    assert scale == pytest.approx(4e-4)
+    keys = {key.get_label(): key.get_linewidth() for key in crack_keys(scale)}
+    np.testing.assert_allclose(widths(lines.opening[parted], scale), THIN + 0.85 * (THICK - THIN))
+    assert (keys["not opened"], keys["opened or slid 0.4 mm"]) == pytest.approx((THIN, THICK))
+    assert keys["opened or slid 0.2 mm"] == pytest.approx(0.5 * (THIN + THICK))
+
+
+def test_sliding_widens_a_crack_as_much_as_opening_and_pressing_together_does_not():
+    blocks = wall()
+    joints = joints_of(blocks)
+    frame = opened(blocks, joints, 1e-4, 1)
+    slid = dataclasses.replace(frame, slip=np.full(len(joints.area), 2e-4), opening=np.full(len(joints.area), -1e-3))
+    np.testing.assert_allclose(crack_lines(joints, slid, front_view(blocks.points)).opening, 2e-4)
+
+
+def test_where_nothing_opened_no_width_stands_for_an_opening():
+    assert scale_of(np.zeros(3)) == scale_of(np.zeros(0)) == 0.0
+    np.testing.assert_allclose(widths(np.zeros(3), 0.0), THIN)
+    assert len(crack_keys(0.0)) == 2

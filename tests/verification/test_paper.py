@@ -6,6 +6,7 @@ import pytest
 
 from masonry import scene
 from masonry.errors import SceneError
+from tests.results.sample import sample
 from verification.paper import catalogue, command, gathering, page
 from verification.paper.experiment import ACCURACY, Claim, Done, Experiment, Missing, Run, Section, Shown
 from verification.paper.experiments import sensitivity
@@ -46,6 +47,21 @@ def test_a_run_whose_ends_disagree_or_whose_energy_is_lost_is_named(tmp_path):
     assert not energy.holds and "wild" in energy.why and "fine" not in energy.why
     assert not ends.holds and "5 %" in ends.measured
     assert all(c.holds for c in soundness(Done({"fine": Run("couplet")}, {"fine": SOUND}, tmp_path)))
+
+
+def test_ends_of_a_sudden_break_are_compared_up_to_its_peak_and_those_of_any_other_run_to_its_end(tmp_path):
+    result = sample()
+    rows, peak = result.history.rows, int(result.history.rows["stress"].argmax())
+    rows["support_stress"] = rows["stress"] * 1.01
+    rows["support_stress"][peak + 1 :] = 0.0
+    for sudden, holds in ((True, True), (False, False)):
+        runs = {"a": Run("couplet", sudden=sudden)}
+        found = {"a": SOUND | {"reaction_mismatch_max": 0.9}}
+        ends = soundness(Done(runs, found, tmp_path, loaded={"a": result}))[2]
+        assert ends.holds is holds
+    rows["support_stress"][peak] = 0.9 * rows["stress"][peak]
+    runs = {"a": Run("couplet", sudden=True)}
+    assert not soundness(Done(runs, found, tmp_path, loaded={"a": result}))[2].holds
 
 
 def test_a_claim_that_does_not_hold_needs_a_reason():

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -22,12 +22,14 @@ PACES = (ACCURACY, "drive.steps", "drive.rate")
 class Run:
     """A packaged scene with some of its keys set.
 
-    halve  run it once more with half the accuracy, to see how far its peak moves
+    halve   run it once more with half the accuracy, to see how far its peak moves
+    sudden  it breaks at once, and no loading is slow enough after that: its ends are compared up to its peak
     """
 
     scene: str
     settings: Mapping[str, Any] = field(default_factory=dict)
     halve: bool = False
+    sudden: bool = False
 
     @property
     def paced(self) -> bool:
@@ -36,7 +38,7 @@ class Run:
 
     def at(self, percent: float) -> "Run":
         """The same, aiming at an accuracy."""
-        return Run(self.scene, {**self.settings, ACCURACY: f"{percent:g} %"})
+        return replace(self, settings={**self.settings, ACCURACY: f"{percent:g} %"}, halve=False)
 
 
 @dataclass(frozen=True)

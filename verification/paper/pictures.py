@@ -50,9 +50,15 @@ def curves(
     return figure
 
 
-def cracks(results: Mapping[str, Result], columns: int = 2) -> Figure:
-    """Name -> result: each specimen at the end of its run, with its cracks, displacements drawn by a stated factor."""
-    from masonry.picture import gallery
+def cracks(results: Mapping[str, Result], columns: int = 2, at_peak: bool = False) -> Figure:
+    """Name -> result: each specimen at the end of its run, with its cracks, displacements drawn by a stated factor.
 
-    panels: list[tuple[str, Result, Any]] = [(name, r, r.history.frames[-1]) for name, r in results.items()]
+    at_peak  draw each at the peak of its curve as well
+    """
+    from masonry.picture import frames_to_draw, gallery
+
+    panels: list[tuple[str, Result, Any]] = []
+    for name, result in results.items():
+        frames = frames_to_draw(result) if at_peak else [("", result.history.frames[-1])]
+        panels += [(", ".join(filter(None, (name, when))), result, frame) for when, frame in frames]
     return gallery(panels, columns)

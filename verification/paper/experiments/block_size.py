@@ -1,0 +1,76 @@
+"""Section 6: does the size of the blocks matter? 218, 335 and 540 cells, five seeds each (Figs. 15 and 16)."""
+
+from collections.abc import Iterator
+
+from verification.paper import pictures, size_claims
+from verification.paper.experiment import Done, Experiment, Run, Section
+from verification.paper.size_claims import BRITTLE, FIRST, HELD, SECOND, SIZES, Cells, Family
+from verification.paper.size_pictures import mean_curves, peaks_figure, spread_table
+from verification.paper.wallettes import CLAMPED, MODE_1, MODE_2
+from verification.report import page
+
+SEEDS = 5
+SEED = "specimen.cells.seed"
+INTRODUCTION = (
+    "The paper shows one division into cells for each size. Ours are random too, so that a difference between two "
+    "sizes "
+    "can be chance: each size was divided five times, and the peaks are taken apart into what seeds do within a size "
+    "and what sizes do beyond that (analysis of variance). Joint stiffness is 167, 200 and 250 GPa/m, as in the paper."
+)
+
+
+def seeds(quick: bool) -> range:
+    """Of the divisions into cells."""
+    return range(1, 2 if quick else SEEDS + 1)
+
+
+def families(quick: bool) -> Iterator[Family]:
+    """What is looked at for every size and seed; plates that do not turn and the brittle law only in full."""
+    yield Family(FIRST, MODE_1, {}, halve=True)
+    yield Family(SECOND, MODE_2, {}, halve=True)
+    if not quick:
+        yield Family(HELD, MODE_2, CLAMPED)
+        yield Family(BRITTLE, MODE_2, {"law": "brittle", "drive.displacement": "0.03 mm"}, sudden=True)
+
+
+def runs(quick: bool) -> dict[str, Run]:
+    """Every family with every size and seed."""
+    return {
+        cells.label(family): Run(
+            f"{family.scene}-{cells.size}", {**family.settings, SEED: cells.seed}, family.halve, family.sudden
+        )
+        for family in families(quick)
+        for cells in divisions(quick)
+    }
+
+
+def divisions(quick: bool) -> list[Cells]:
+    """Every size with every seed."""
+    return [Cells(size, seed) for size in SIZES for seed in seeds(quick)]
+
+
+def show(done: Done) -> Section:
+    """Curves of one seed and of the mean, peaks by size and seed, crack patterns."""
+    wanted = list(families(done.quick))
+    found = {family.name: size_claims.gathered(done, family, divisions(done.quick)) for family in wanted}
+    panels = {
+        f"Fig. 15{part}: {name}": mean_curves(found[name]) for part, name in zip("ab", (FIRST, SECOND), strict=True)
+    }
+    seen = {c.label(f): done[c.label(f)] for f in wanted[:2] for c in (Cells(SIZES[0], 1), Cells(SIZES[-1], 1))}
+    parts = [
+        page.paragraph(INTRODUCTION),
+        page.picture(pictures.curves(panels), "Fig. 15, ours: means of all seeds."),
+        page.picture(pictures.cracks(seen), "Fig. 16, ours: coarse and fine cells, seed 1, at the end.", pixels=True),
+    ]
+    if not done.quick:
+        many = {f"seed {c.seed}": done[c.label(wanted[1])] for c in divisions(False) if c.size == SIZES[0]}
+        caption = "Peaks by size and seed, and where cracks run in failure mode 2. Bars: means of the seeds."
+        parts += [
+            page.picture(peaks_figure(found), caption),
+            page.picture(pictures.cracks(many, columns=3), "Failure mode 2, 218 cells: five divisions.", pixels=True),
+            *spread_table(found),
+        ]
+    return Section(parts, size_claims.claims(found, done.quick))
+
+
+EXPERIMENT = Experiment("block-size", "Size of the blocks (Figs. 15 and 16)", 40, runs, show)

@@ -1,0 +1,84 @@
+"""Pictures and a table of what sizes and seeds do: mean curves, peaks and places of cracks as dots."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from verification.paper.crack_path import crack_path
+from verification.paper.pictures import Line
+from verification.paper.size_claims import SECTIONS, Found, displacements, mean_curve, peaks
+from verification.paper.spread import spread_of
+from verification.paper.wallettes import MEGA, MILLI
+from verification.report import page
+from verification.report.figures import COLOURS, sheet
+
+
+def mean_curves(found: Found) -> list[Line]:
+    """The mean curve of each size."""
+    u = displacements(found)
+    return [
+        Line(f"{size} cells", u * MILLI, mean_curve(results, u) * MEGA, "-", COLOURS[k])
+        for k, (size, results) in enumerate(found.items())
+    ]
+
+
+def peaks_figure(found: Mapping[str, Found]) -> Figure:
+    """A panel of peaks for each family, one of where cracks are; a dot is a seed, a bar the mean of a size."""
+    figure, axes = sheet(1, len(found) + 1, (12.0, 3.6))
+    for one, (name, family) in zip(axes.flat, found.items(), strict=False):
+        _dots(one, peaks(family))
+        one.set_title(name.replace(", ", ",\n"), fontsize=9)
+        one.set_ylim(0.95 * min(v for p in peaks(family).values() for v in p), None)
+    axes[0, 0].set_ylabel("peak [MPa]")
+    last = axes.flat[-1]
+    second = list(found.values())[1]
+    places = {str(size): [_place(r) for r in results] for size, results in second.items()}
+    _dots(last, places, bars=False)
+    for section in SECTIONS:
+        last.axhline(section * MILLI, color="0.5", linewidth=0.9, linestyle=":")
+    last.set_title("failure mode 2,\nmiddle of the crack [mm]", fontsize=9)
+    last.set_ylim(0.0, 500.0)
+    return figure
+
+
+def _place(result) -> float:
+    try:
+        return crack_path(result).place()[0] * MILLI
+    except ValueError:
+        return np.nan
+
+
+def _dots(axes, groups: Mapping[str, list[float]], bars: bool = True) -> None:
+    """The values of each group beside each other, and their mean."""
+    for k, values in enumerate(groups.values()):
+        shift = np.linspace(-0.15, 0.15, len(values)) if len(values) > 1 else [0.0]
+        axes.plot(k + np.asarray(shift), values, "o", color=COLOURS[k], markersize=5, markerfacecolor="white")
+        if bars:
+            axes.plot([k - 0.3, k + 0.3], [np.mean(values)] * 2, color=COLOURS[k], linewidth=2.0)
+    axes.set_xticks(range(len(groups)), list(groups))
+    axes.set_xlabel("cells")
+
+
+def spread_table(found: Mapping[str, Found]) -> list[str]:
+    """The peaks of each family taken apart into size and seed."""
+    rows = []
+    for name, family in found.items():
+        spread = spread_of(peaks(family))
+        rows.append(
+            [
+                name,
+                *(f"{mean:.4f}" for mean in spread.means.values()),
+                page.percent(spread.reach),
+                page.percent(spread.within / spread.mean),
+                page.percent(spread.between / spread.mean),
+                f"{spread.chance:.2g}",
+            ]
+        )
+    header = ["peak [MPa], mean of the seeds", "218", "335", "540", "sizes apart", "by seed", "by size", "p"]
+    note = (
+        "By seed: standard deviation of a peak round the mean of its size. By size: what the means differ by beyond "
+        "what "
+        "that leaves to chance. p: how often chance alone would put the means this far apart."
+    )
+    return [page.table(header, rows, "Peaks by size and by seed"), page.paragraph(note, "note")]

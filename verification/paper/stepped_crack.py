@@ -1,0 +1,96 @@
+"""The claims on a stepped crack: what it goes through, what it carries at the end, and the energy that it takes."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from masonry.results import Result
+from verification.paper.crack_path import crack_path
+from verification.paper.curve_shape import energy_per_section
+from verification.paper.experiment import Claim
+from verification.paper.wallettes import MEGA, MILLI
+from verification.report.page import percent
+
+HEADS_GONE, ALL_AT_PEAK = 0.114, 0.214
+"""MPa. Least peak: head joints gone, bed joints at full cohesion; greatest: all joints at their peaks at once."""
+BY_HAND = 16.4
+"""N/m of section: fracture energy of one stepped crack, by hand."""
+BEDS = 3 * 125.0 / 492.0
+"""Area of the bed joints in one stepped crack over the section: half a unit between each two courses."""
+
+
+def peak_claim(peaks: Mapping[str, float]) -> Claim:
+    """Peaks in MPa by run, between what the joints must carry and what they can."""
+    inside = all(HEADS_GONE < p < ALL_AT_PEAK for p in peaks.values())
+    low, high = min(peaks.values()), max(peaks.values())
+    return Claim(
+        "The capacity is that of the joints",
+        "limit analysis",
+        f"every peak between {HEADS_GONE} MPa (head joints gone) and {ALL_AT_PEAK} MPa (all joints at their peaks)",
+        f"{low:.4f} to {high:.4f} MPa in {len(peaks)} runs",
+        inside,
+        "" if inside else "a peak beyond what the joints can carry, or below what they must",
+    )
+
+
+def pattern_claim(result: Result) -> Claim:
+    """Head joints in tension and bed joints in shear, one stepped crack."""
+    crack = crack_path(result)
+    shares, frame = crack.shares(), crack.frame
+    led = frame.damage_tension >= frame.damage_shear
+    head, bed = crack.broken & crack.head, crack.broken & crack.bed
+    opened, slid = (float(np.average(m, weights=crack.area[c])) for m, c in ((led[head], head), (~led[bed], bed)))
+    fine = abs(shares["head joints"] - 1) < 0.05 and abs(shares["bed joints"] - BEDS) < 0.05 and min(opened, slid) > 0.9
+    return Claim(
+        "Tensile cracks at the head joints together with shear failure at the bed joints",
+        "5.1, Fig. 11",
+        f"broken: one head joint a course (1.00 of the section) by tension, {BEDS:.2f} of bed joints by shear, each "
+        "> 90 %",
+        f"{shares['head joints']:.2f}, {percent(opened)} led by tension; {shares['bed joints']:.2f}, {percent(slid)} "
+        "by shear",
+        fine,
+        "" if fine else "another pattern",
+    )
+
+
+def units_claim(result: Result) -> Claim:
+    """Units stay whole."""
+    most = max(float(f.damage[crack_path(result, f).unit].max()) for f in result.history.frames)
+    return Claim(
+        "No damage is recorded in the bricks before or after the peak",
+        "5.1",
+        "largest damage within units in any frame is 0",
+        f"{most:.2g}",
+        most == 0.0,
+        "" if most == 0.0 else "units are damaged",
+    )
+
+
+def residual_claims(shipped: Result, held: Result) -> list[Claim]:
+    """What is carried at the end, and the energy that it took."""
+    ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (shipped, held)]
+    sheared = [(c := crack_path(r)).stress_carried(c.bed) * MEGA for r in (shipped, held)]
+    alike = all(abs(a / b - 1.0) < 0.05 for a, b in zip(ends, sheared, strict=True)) and min(ends) > 0.0
+    spent = [energy_per_section(r)["fracture"] for r in (shipped, held)]
+    near = all(abs(s / BY_HAND - 1.0) < 0.1 for s in spent)
+    return [
+        Claim(
+            "The mechanism yields a residual stress, from shear of the bed joints",
+            "5.1, Fig. 10",
+            "stress at the end > 0, and within 5 % of the shear in the broken bed joints over the section",
+            f"{ends[0]:.4f} MPa, bed joints {sheared[0]:.4f} MPa; plates that do not turn: {ends[1]:.4f}, "
+            f"{sheared[1]:.4f}",
+            alike,
+            "" if alike else "something else carries load",
+        ),
+        Claim(
+            "Energy to full separation, from Table 3",
+            "Table 3, by hand",
+            f"fracture energy of one stepped crack within 10 % of {BY_HAND} N/m of section; friction comes on top",
+            f"{spent[0]:.1f} N/m and {energy_per_section(shipped)['friction']:.1f} N/m of friction at "
+            f"{float(shipped.history.rows['displacement'][-1]) * MILLI:.2g} mm; plates that do not turn: "
+            f"{spent[1]:.1f} N/m",
+            near,
+            "" if near else "more or less than one stepped crack",
+        ),
+    ]

@@ -1,0 +1,103 @@
+"""What the experiments on wallettes share: how their plates are held, a table of what runs came to, their pictures."""
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+from masonry.results import Result
+from verification.paper.crack_path import crack_path
+from verification.paper.curve_shape import apart, energy_per_section, left_after, peak_place
+from verification.paper.experiment import Claim, Done
+from verification.report import page
+
+MODE_1, MODE_2 = "wallette-mode-1", "wallette-mode-2"
+CLAMPED: dict[str, Any] = {"support.1.fix": ["y", "rotation"]}
+"""The right plate moves along x and does not turn; as shipped it hangs on a hinge."""
+AFFINE: dict[str, Any] = {"kinematics": {"units": "affine"}}
+PAPERS_RATE: dict[str, Any] = {"drive.rate": "1 mm/s"}
+SHIPPED, HELD, RATE = "as shipped", "plates do not turn", "1 mm/s"
+"""Labels of the runs that both failure modes have."""
+MILLI, MEGA = 1e3, 1e-6
+HEADER = (
+    *("run", "peak [MPa]", "at [mm]", "left at twice that", "at the end [MPa]"),
+    *("mode I [N/m]", "mode II [N/m]", "friction [N/m]", "broken: head joints", "units", "bed joints", "where [mm]"),
+)
+NOTE = (
+    "Energies are for each square metre of the wall's section. Broken areas are over the section too, head joints and "
+    "units as seen along the wall, bed joints as seen from below. Where: middle and spread along the wall of what "
+    "is broken and open; 250 mm is its mid-length."
+)
+
+
+def table_of_runs(done: Done, labels: Iterable[str]) -> list[str]:
+    """Peak, energies and cracks of runs, one a row, and what the columns mean."""
+    rows = [row_of(label, done[label]) for label in labels if done.has(label)]
+    return [page.table(HEADER, rows), page.paragraph(NOTE, "note")]
+
+
+def row_of(label: str, result: Result) -> list[str]:
+    """The numbers of a run."""
+    energy, crack = energy_per_section(result), crack_path(result)
+    shares = crack.shares()
+    return [
+        label,
+        f"{mpa(result):.4f}",
+        f"{peak_place(result) * MILLI:.4f}",
+        page.percent(left_after(result, 2.0)),
+        f"{result.summary['final_stress_pa'] * MEGA:.4f}",
+        *(f"{energy[name]:.1f}" for name in ("mode I", "mode II", "friction")),
+        *(f"{shares[name]:.2f}" for name in ("head joints", "units", "bed joints")),
+        where(result),
+    ]
+
+
+def mpa(result: Result) -> float:
+    """Peak in MPa."""
+    return float(result.summary["peak_stress_pa"]) * MEGA
+
+
+def where(result: Result) -> str:
+    """Middle and spread of the crack in words, in mm."""
+    try:
+        middle, spread = crack_path(result).place()
+    except ValueError:
+        return "no open crack"
+    return f"{middle * MILLI:.0f} ± {spread * MILLI:.0f}"
+
+
+def crack_spread(result: Result) -> float:
+    """Spread (m) along the wall of the crack; nan where nothing is open."""
+    try:
+        return crack_path(result).place()[1]
+    except ValueError:
+        return math.nan
+
+
+def rate_claim(shipped: Result, constant: Result, source: str) -> Claim:
+    """How far the paper's constant rate is from a quasi-static curve."""
+    moved, off = mpa(constant) / mpa(shipped) - 1.0, apart(constant, shipped)
+    fine = abs(moved) < 0.01 and off < 0.02
+    return Claim(
+        "A rate of 1 mm/s is slow enough",
+        f"5, {source}",
+        "peak within 1 %, curve within 2 % of the peak on average, of those of the accuracy shipped",
+        f"peak {100 * moved:+.2g} %, curve {page.percent(off)}",
+        fine,
+        "" if fine else "the plate runs ahead of cracks that open fast, and its force is too high meanwhile",
+    )
+
+
+def plates_claim(shipped: Result, held: Result, why: str) -> Claim:
+    """What it matters whether the plates turn, which the paper does not say."""
+    spent = [energy_per_section(r)["fracture"] for r in (shipped, held)]
+    ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (shipped, held)]
+    return Claim(
+        "A displacement rate is set on one side of the wallette",
+        "5",
+        "peak, end and energy with a right plate that hangs on a hinge, and with one that does not turn",
+        f"peak {mpa(shipped):.4f} and {mpa(held):.4f} MPa, at the end {ends[0]:.4f} and {ends[1]:.4f} MPa, curves "
+        f"{page.percent(apart(held, shipped))} of the peak apart on average; energy {spent[0]:.1f} and "
+        f"{spent[1]:.1f} N/m",
+        None,
+        why,
+    )
