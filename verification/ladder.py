@@ -119,7 +119,9 @@ def laws(extra: dict[str, Any], *names: str) -> Rungs:
 
 
 def threads(extra: dict[str, Any], *counts: int) -> Rungs:
-    """Rungs of the number of threads, which must change seconds and nothing else."""
+    """Rungs of the number of threads, which must change seconds and nothing else: of few steps, for on cores that are
+    busy with other things threads wait for one another at each.
+    """
     return {f"{n} thread" + "s" * (n > 1): {THREADS: n, **extra} for n in counts or (1, 2)}
 
 

@@ -109,7 +109,7 @@ def test_another_model_is_held_against_theory_and_the_loading_against_the_conver
 def test_two_threads_give_the_bits_of_one():
     few = {"drive.steps": 400, "solver.rows": 20}
     one, two = (trial.run(eccentric_tension.SCENE, few | {"threads": n}) for n in (1, 2))
-    assert two.ok and two.knobs["threads"] == 2
+    assert two.ok and (one.threads, two.threads) == (1, 2) and one.knobs == two.knobs
     assert threads.apart({"1 thread": one, "2 threads": two}) == {"2 threads": 0.0}
     other = trial.run(eccentric_tension.SCENE, few | {"solver.damping": 0.7})
     assert threads.apart({"1 thread": one, "other": other})["other"] > 0.0

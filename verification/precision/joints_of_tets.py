@@ -43,6 +43,6 @@ PROBLEMS = (
     problem("couplet-of-tets", "Couplet of tets in shear", couplet_of_tets.SCENE, 50, 25, 16),
     problem(
         *("two-courses-of-tets", "Two courses of tets in tension", wallette_of_two_courses.SCENE, 90, 45, 30),
-        more={"model: law": laws(USUAL), THREADS: threads(USUAL)},
+        more={"model: law": laws(USUAL), THREADS: threads({"drive.steps": COUNTS[0]})},
     ),
 )

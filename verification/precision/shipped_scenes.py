@@ -49,7 +49,7 @@ def couplet() -> Problem:
         "kinematics": motions("25 mm", usual),
         "cells": cells(usual, (1, 1, 1), (2, 1, 1), (4, 2, 2)),
         "model: law, each against its own closed form": laws(usual, *LAWS),
-        THREADS: threads(usual),
+        THREADS: threads({"drive.steps": 5000}),
     }
     return Problem("couplet", "Couplet as shipped", "couplet", knobs, exact=exact)
 
@@ -68,7 +68,7 @@ def wallette(mode: int) -> Problem:
         ACCURACY: accuracies(4, 2, 1, 0.5, 0.25),
         "step fraction": fractions(quick),
         "damping": dampings(quick),
-        THREADS: threads(quick),
+        THREADS: threads(quicker),
         "model: kinematics": moved,
         "model: cells": cells(quick, (2, 1), (4, 2), (8, 4), (12, 6)),
         "model: law": laws(quick),
@@ -96,7 +96,7 @@ def deformable(mode: int, motion: str) -> Problem:
     knobs = {ACCURACY: accuracies(4, 2, 1, 0.5, 0.25)}
     if motion == "tets":
         keys["specimen.mesh_size"] = "60 mm"
-        knobs[THREADS] = threads({"drive.accuracy": "4 %"})
+        knobs[THREADS] = threads({"drive.rate": f"{16 / mode:g} mm/s"})
     return Problem(
         f"wallette-mode-{mode}-{motion}",
         f"Wallette, failure mode {mode}, units of {motion}"

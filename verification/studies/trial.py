@@ -30,6 +30,7 @@ class Trial:
 
     times    seconds of stepping of each repeat; the compile is apart
     title    what to call it where `case` is TOML text
+    threads  that it ran on
     """
 
     case: str
@@ -40,6 +41,7 @@ class Trial:
     rows: dict[str, np.ndarray] = field(default_factory=dict)
     times: list[float] = field(default_factory=list)
     title: str = ""
+    threads: int = 1
 
     @property
     def name(self) -> str:
@@ -120,11 +122,11 @@ def _opened(case: str, knobs: Knobs, specimen: Callable[[], Specimen] | None) ->
 
 
 def _once(case: str, knobs: dict[str, Any], specimen: Callable[[], Specimen] | None) -> Trial:
-    trial = Trial(case, knobs)
+    keys = {key: value for key, value in knobs.items() if key != THREADS}
+    trial = Trial(case, keys, threads=knobs.get(THREADS, 1))
     try:
-        keys = {key: value for key, value in knobs.items() if key != THREADS}
         with _opened(case, keys, specimen) as found:
-            result = laboratory.run(found, threads=knobs.get(THREADS, 1))
+            result = laboratory.run(found, trial.threads)
     except (SceneError, GeometryError) as refused:
         trial.status, trial.reason = "REFUSED", str(refused)
         return trial
@@ -161,6 +163,7 @@ def record(trial: Trial, quantity: str, value: float, reference: float, kind: st
         "seconds_max": max(trial.times, default=None),
         "steps": steps,
         "knobs": trial.knobs,
+        "threads": trial.threads,
         "status": trial.status,
         "reason": trial.reason,
         "energy_imbalance": trial.summary.get("energy_imbalance"),
