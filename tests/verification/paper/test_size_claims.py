@@ -9,16 +9,12 @@ from masonry.results import Result
 from tests.results.sample import LENGTH, sample
 from tests.verification.paper.test_crack_paths import parted
 from verification.paper.size_claims import (
-    SECOND,
-    SIZES,
-    Found,
     capacity_claim,
-    curves_apart,
     curves_claim,
     pattern_claim,
     place_claim,
-    straight,
 )
+from verification.paper.size_families import SECOND, SIZES, Found, curves_apart, straight
 
 PEAK = 0.2e6
 

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from verification.paper import pictures, size_claims
+from verification.paper import pictures, size_claims, size_families
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
-from verification.paper.size_claims import BRITTLE, FIRST, HELD, SECOND, SIZES, Cells, Family
+from verification.paper.size_families import BRITTLE, FIRST, HELD, SECOND, SIZES, Cells, Family
 from verification.paper.size_pictures import mean_curves, peaks_figure, spread_table
 from verification.paper.wallettes import CLAMPED, MODE_1, MODE_2
 from verification.report import page
@@ -62,7 +62,7 @@ def divisions(quick: bool) -> list[Cells]:
 def show(done: Done) -> Section:
     """Curves of one seed and of the mean, peaks by size and seed, crack patterns."""
     wanted = list(families(done.quick))
-    found = {family.name: size_claims.gathered(done, family, divisions(done.quick)) for family in wanted}
+    found = {family.name: size_families.gathered(done, family, divisions(done.quick)) for family in wanted}
     panels = {
         f"Fig. 15{part}: {name}": mean_curves(found[name]) for part, name in zip("ab", (FIRST, SECOND), strict=True)
     }

@@ -14,8 +14,8 @@ JOINTS, UNITS = "contact.unit_unit", "contact.within_units"
 IN_JOINTS = {"GI": 5.0, "GII": 15.0}
 IN_UNITS = {"GI": 8.0, "GII": 20.0}
 """N/m: Table 3 for the joints in mode 1, section 5.2 for the units in mode 2."""
-FIRST_FACTORS = {"GI": (0.5, 1, 2, 4), "GII": (0.5, 1, 2, 4)}
-SECOND_FACTORS = {"GI": (0.5, 1, 2, 2.5, 4), "GII": (1, 2, 4)}
+FIRST_FACTORS: dict[str, tuple[float, ...]] = {"GI": (0.5, 1, 2, 4), "GII": (0.5, 1, 2, 4)}
+SECOND_FACTORS: dict[str, tuple[float, ...]] = {"GI": (0.5, 1, 2, 2.5, 4), "GII": (1, 2, 4)}
 """2 times GI is "2 (GI) of the interface" of Fig. 19, 2.5 times its 20 N/m: the paper has both in one caption."""
 HINGED, HELD = "hinge", "plates do not turn"
 GRID, CELLS, CELLS_HELD = "grid", "218 cells", "218 cells, plates do not turn"
