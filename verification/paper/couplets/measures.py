@@ -51,6 +51,14 @@ def spread(values: Sequence[float]) -> float:
     return float(np.ptp(values) / np.mean(values))
 
 
+def apart(one: Result, other: Result) -> float:
+    """The largest distance between two curves, in shares of the peak."""
+    u, tau = (one.history.rows[key] for key in ("displacement", "stress"))
+    v, sigma = (other.history.rows[key] for key in ("displacement", "stress"))
+    at = np.union1d(u, v)
+    return float(np.abs(np.interp(at, u, tau) - np.interp(at, v, sigma)).max() / tau.max())
+
+
 @dataclass(frozen=True)
 class Cracks:
     """Broken areas of a couplet with a bed of mortar, as shares of its section.

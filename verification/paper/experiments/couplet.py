@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from masonry.results import Result
 from verification.closed_forms import Joint, shear, tension
 from verification.paper import pictures
-from verification.paper.couplets import energies, laws, printed, setups
+from verification.paper.couplets import contact_points, energies, laws, printed, setups
 from verification.paper.couplets.laws import CONFINEMENTS, LAWS, joint, name
 from verification.paper.experiment import Done, Experiment, Run, Section
 from verification.paper.pictures import MEGA, MILLI, Line
@@ -29,7 +29,7 @@ def runs(quick: bool) -> dict[str, Run]:
     chosen = QUICK_LAWS if quick else LAWS
     made = {name(law, c): Run("couplet", {"law": law, "confinement": c}) for law in chosen for c in CONFINEMENTS}
     made |= {f"{law}, tension": Run("couplet", {"law": law, **PULLED}) for law in chosen}
-    return made if quick else made | dict(setups.runs())
+    return made if quick else made | dict(setups.runs()) | dict(contact_points.runs())
 
 
 def show(done: Done) -> Section:
@@ -42,7 +42,13 @@ def show(done: Done) -> Section:
     ]
     if setups.SLOW in done.runs:
         parts += [picture(other_setups(done), SETUPS, "half"), picture(by_points(done), POINTS, "half")]
-    claims = [*laws.claims(done), *energies.claims(done), *printed.claims(), *setups.claims(done)]
+    claims = [
+        *laws.claims(done),
+        *energies.claims(done),
+        *printed.claims(),
+        *setups.claims(done),
+        *contact_points.claims(done),
+    ]
     return Section(parts, claims)
 
 
@@ -109,16 +115,16 @@ def by_points(done: Done) -> Figure:
     lines = [
         Line(
             law,
-            np.array(setups.POINTS),
-            np.array([done.peak(setups.TURNING.format(law, n)) for n in setups.POINTS]) * MEGA,
+            np.array(contact_points.POINTS),
+            np.array([done.peak(contact_points.TURNING.format(law, n)) for n in contact_points.POINTS]) * MEGA,
             "o-",
         )
         for law in ("brittle", "exponential")
     ]
     figure = pictures.curves(
-        {f"unit free to turn, {setups.HIGH}": lines}, "contact points along the joint", "peak [MPa]"
+        {f"unit free to turn, {contact_points.HIGH}": lines}, "contact points along the joint", "peak [MPa]"
     )
-    figure.axes[0].set(ylim=(0.0, 2.0), xticks=setups.POINTS)
+    figure.axes[0].set(ylim=(0.0, 2.0), xticks=contact_points.POINTS)
     figure.axes[0].legend(loc="lower right", frameon=False, fontsize=8)
     return figure
 
