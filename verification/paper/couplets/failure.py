@@ -43,7 +43,7 @@ def uneven(even: dict[str, tuple[Interfaces, float]]) -> Claim:
 def combined(all_of_them: dict[str, Cracks]) -> Claim:
     """Cracks along both interfaces, joined through the bed."""
     return checked(
-        "The failure may occur at the interface, the mortar joint, or a combination of both; patterns are realistic",
+        "The failure may occur at the interface, the mortar joint, or a combination of both",
         "4, Fig. 8",
         f"broken share of the section > {LEAST:.0%} at the interfaces and within the bed, in every run",
         "lower interface / upper / bed: "
