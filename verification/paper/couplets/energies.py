@@ -34,7 +34,7 @@ def energy(done: Done, law: str, equation: int) -> Claim:
     return checked(
         f"The {law} law takes into account the mode II fracture energy",
         f"3, eq. ({equation})",
-        f"energy of mode II to 1 mm within {GIVEN:.0%} of G_II",
+        f"energy of mode II to 1 mm within {GIVEN:.0%} of G_II, at 0.1 / 0.5 / 1.0 MPa",
         f"{words(ratios, '.2f')} of it; by the equation, to the end, {words(whole, '.2f')}",
         all(abs(r - 1.0) <= GIVEN for r in ratios),
         WHY_ENERGY[law],

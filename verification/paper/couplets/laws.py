@@ -97,7 +97,7 @@ def ways(done: Done) -> Claim:
     works = {c: {law: work_to(done[name(law, c)].history.rows, EARLY) for law in LAWS} for c in CONFINEMENTS}
     spreads = [spread(list(by.values())) for by in works.values()]
     return checked(
-        "... with comparatively different stress-displacement behaviours",
+        "The three models have comparatively different stress-displacement behaviours",
         "4, Fig. 6",
         f"work to 0.3 mm differs by more than {DIFFERENT:.0%} between the laws at each confinement",
         f"by {words((100 * s for s in spreads), '.0f')} %; J/m2: " + by_law(lambda law, c: works[c][law], ".0f"),

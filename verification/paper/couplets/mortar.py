@@ -66,7 +66,7 @@ def capacity(done: Done) -> Claim:
     """Peaks against those of the tests, which Table 1 sums up."""
     ratios = {s: [done.peak(name(s, c)) / float(Joint().peak(CONFINEMENTS[c])) for c in known(done, s)] for s in SIZES}
     return checked(
-        "Good agreement of the discrete meso-models with the tests in terms of capacity",
+        "Good agreement of the meso-models with the tests in capacity",
         "4, Figs. 7 and 8",
         f"peak within {CAPACITY:.0%} of the tests' line, Table 1: 0.971 / 1.375 / 1.880 MPa",
         "; ".join(f"{s} {words(r)} of it" for s, r in ratios.items()),
@@ -104,7 +104,7 @@ def residual(done: Done) -> Claim:
     wanted = {s: [float(Joint().residual(CONFINEMENTS[c])) for c in known(done, s)] for s in SIZES}
     ratios = {s: [m / w for m, w in zip(means[s], wanted[s], strict=True)] for s in SIZES}
     return checked(
-        "... and of the residual plateau",
+        "Good agreement of the meso-models with the tests in the residual plateau",
         "4, Fig. 7",
         f"mean stress from 0.4 to 0.5 mm within {RESIDUAL:.0%} of sigma tan(phi_res): 0.073 / 0.365 / 0.730 MPa",
         "; ".join(f"{s} {words(m / 1e6 for m in means[s])} MPa ({words(ratios[s], '.2f')} of it)" for s in SIZES)
@@ -129,7 +129,7 @@ def other_plateaus(done: Done) -> str:
 def behaviour() -> Claim:
     """What no one can check any more."""
     return unknown(
-        "... and in the post-peak behaviour",
+        "Good agreement of the meso-models with the tests in the post-peak behaviour",
         "4, Figs. 7 and 8",
         "distance from the curves of the tests",
         "-",

@@ -94,7 +94,7 @@ def plated(done: Done) -> Claim:
         found.append(1e3 * done[PLATED.format(c)].summary["displacement_at_peak_m"])
     peaks = [done.peak(PLATED.format(c)) / float(Joint().peak(CONFINEMENTS[c])) - 1.0 for c in (LOW, HIGH)]
     return checked(
-        "... where it matters once the bricks are loaded through their ends",
+        "The macro stiffness of the brick, where the bricks are loaded through their ends",
         "4, Fig. 5",
         f"units glued to plates: displacement at the peak within {STIFF:.0%} of tau/ks + tau (2 h/G + glue), "
         f"{words(soft, '.4f')} mm, the peak as before",

@@ -36,7 +36,7 @@ def show(done: Done) -> Section:
     """Figures and claims."""
     parts = [
         paragraph(LEAD),
-        picture(figure_6(done), "Fig. 6 as ours: two rigid units, a panel for each confinement. Dashed: closed forms."),
+        picture(figure_6(done), "Fig. 6 as ours: two rigid units, a panel for each confinement. Dotted: closed forms."),
         picture(misprint(), "Eq. (15) under 0.1 MPa, beta = 2.1: as printed, and as mended."),
     ]
     if not done.quick:
@@ -145,7 +145,7 @@ LEAD = (
     "0, and beta of the polynomial law at 0.5 MPa is interpolated between the two values given."
 )
 PORTRAITS = (
-    "Figs. 3 and 4 as ours, with the exponential law beside them: one joint pulled apart and sheared. Dashed: closed "
+    "Figs. 3 and 4 as ours, with the exponential law beside them: one joint pulled apart and sheared. Dotted: closed "
     "forms of eqs (12) to (17), as mended."
 )
 SETUPS = "One joint in three set-ups: what the units add, and what a moment along the joint takes."
