@@ -1,12 +1,13 @@
 """The three laws on one joint: capacity, residual plateau, and the way between."""
 
 from collections.abc import Callable, Iterable
+from typing import Any
 
 import numpy as np
 
 from verification.closed_forms import Floats, Joint, shear
 from verification.paper.couplets.checked import checked, unknown
-from verification.paper.couplets.measures import spread, work_to
+from verification.paper.couplets.measures import driven, spread, work_to
 from verification.paper.experiment import Claim, Done
 
 CONFINEMENTS = {"0.1 MPa": 0.1e6, "0.5 MPa": 0.5e6, "1.0 MPa": 1.0e6}
@@ -41,6 +42,18 @@ def by_law(value: Callable[[str, str], float], form: str = ".3f") -> str:
 def claims(done: Done) -> list[Claim]:
     """Section 4 on Fig. 6."""
     return [capacity(done), *plateaus(done), ways(done), *orders(), envelope()]
+
+
+def records(done: Done) -> list[dict[str, Any]]:
+    """Peaks and final stresses against the closed form."""
+    made = []
+    for law in LAWS:
+        for c, s in CONFINEMENTS.items():
+            u, tau = driven(done[name(law, c)].history.rows)
+            peak, last = float(joint(c).peak(s)), float(shear(law, joint(c), u[-1], s))
+            found = (("peak", done.peak(name(law, c)), peak), ("final", float(tau[-1]), last))
+            made += [done.record(name(law, c), q, value, "Pa", exact, "closed form") for q, value, exact in found]
+    return made
 
 
 def capacity(done: Done) -> Claim:

@@ -11,7 +11,7 @@ from verification.paper.experiment import ACCURACY, Claim, Done, Run
 
 SIZES = {"coarse": "couplet-meso-coarse", "medium": "couplet-meso-medium"}
 SEEDS = (1, 2, 3)
-LOW, MIDDLE, HIGH = CONFINEMENTS
+LOW, _, HIGH = CONFINEMENTS
 MACRO: dict[str, Any] = {
     "kinematics": "affine",
     "material.units.young_modulus": "16.7 GPa",
@@ -55,6 +55,17 @@ def runs(quick: bool) -> dict[str, Run]:
 def claims(done: Done) -> list[Claim]:
     """Section 4 on Fig. 7."""
     return [capacity(done), line(done), residual(done), behaviour()]
+
+
+def records(done: Done) -> list[dict[str, Any]]:
+    """Peaks and plateaus against those of the tests."""
+    made = []
+    for label, c in ((name(s, c), c) for s in SIZES for c in known(done, s)):
+        sigma = CONFINEMENTS[c]
+        rest = plateau(done[label].history.rows)
+        found = (("peak", done.peak(label), Joint().peak(sigma)), ("plateau", rest, Joint().residual(sigma)))
+        made += [done.record(label, q, value, "Pa", float(test), "tests, Table 1") for q, value, test in found]
+    return made
 
 
 def known(done: Done, size: str) -> list[str]:

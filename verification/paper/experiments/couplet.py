@@ -49,7 +49,7 @@ def show(done: Done) -> Section:
         *setups.claims(done),
         *contact_points.claims(done),
     ]
-    return Section(parts, claims)
+    return Section(parts, claims, laws.records(done))
 
 
 def figure_6(done: Done) -> Figure:

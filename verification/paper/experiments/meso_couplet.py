@@ -32,7 +32,8 @@ def show(done: Done) -> Section:
         picture(pictures.cracks(shown, 1), FIGURE_8),
         *assumed.parts(done),
     ]
-    return Section(parts, [*mortar.claims(done), *cells.claims(done), *failure.claims(done), *assumed.claims(done)])
+    claims = [*mortar.claims(done), *cells.claims(done), *failure.claims(done), *assumed.claims(done)]
+    return Section(parts, claims, mortar.records(done))
 
 
 def figure_7(done: Done) -> Figure:
