@@ -34,6 +34,7 @@ def test_runs_that_ask_for_it_are_made_again_at_half_the_accuracy_and_a_quick_lo
     runs = {"a": Run("couplet", halve=True), "b": Run("couplet", {"drive.rate": "1 mm/s"})}
     full = gathering.with_halved(runs, quick=False)
     assert full[HALVED.format("a")].settings == {ACCURACY: "0.5 %"} and len(full) == 3
+    assert Run("couplet", {ACCURACY: "0.6 %"}).halved().settings == {ACCURACY: "0.3 %"}
     quick = gathering.with_halved(runs, quick=True)
     assert quick["a"].settings == {ACCURACY: "4 %"} and quick["b"] == runs["b"]
 

@@ -162,6 +162,24 @@ def test_cracks_are_told_apart_by_place_and_by_mode():
     assert failure.combined({"one": measures.Cracks(0.5, 0.5, 0.0, 0.0)}).holds is False
 
 
+def test_the_stress_on_interfaces_is_weighed_by_area_in_the_frame_nearest_to_the_peak():
+    far = SimpleNamespace(displacement=1.0, normal_stress=np.zeros(3), damage_shear=np.zeros(3))
+    near = SimpleNamespace(
+        displacement=0.2, normal_stress=np.array([1.0, -1.0, 9.0]), damage_shear=np.array([0.0, 0.1, 0.0])
+    )
+    one = SimpleNamespace(
+        joints=SimpleNamespace(area=np.array([1.0, 3.0, 5.0])),
+        joint_group=np.array([0, 0, 1]),
+        joint_groups=("unit_mortar", "within_mortar"),
+        history=SimpleNamespace(frames=[far, near]),
+        summary={"displacement_at_peak_m": 0.3},
+    )
+    found = measures.interfaces(one)
+    assert (found.scatter, found.tension, found.softened) == pytest.approx((np.sqrt(0.75), 0.25, 0.75))
+    assert failure.uneven({"one": (found, 1.0)}).holds
+    assert failure.uneven({"one": (found, 10.0)}).holds is False
+
+
 @pytest.mark.parametrize("experiment", ["couplet", "meso-couplet"])
 def test_a_quick_look_runs_a_part_of_the_whole(experiment):
     one = catalogue()[experiment]

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from geometry.blocks import Blocks
 from masonry.history import Frame
 from masonry.results import Result
 
@@ -100,7 +101,7 @@ def crack_path(result: Result, frame: Frame | None = None) -> CrackPath:
     )
 
 
-def corner_units(blocks) -> np.ndarray:
+def corner_units(blocks: Blocks) -> np.ndarray:
     """The unit that each entry of face_points belongs to."""
     return np.repeat(blocks.unit[blocks.face_block()], np.diff(blocks.face_start))
 

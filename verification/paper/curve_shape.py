@@ -58,3 +58,9 @@ def energy_per_section(result: Result) -> dict[str, float]:
         "friction": energy["friction"] / section,
     }
     return spent | {"fracture": spent["mode I"] + spent["mode II"]}
+
+
+def tail(result: Result) -> float:
+    """Mean stress (Pa) over the last third of the way."""
+    end = float(result.history.rows["displacement"][-1])
+    return float(stress_at(result, np.linspace(2.0 * end / 3.0, end, POINTS)).mean())

@@ -40,6 +40,11 @@ class Run:
         """The same, aiming at an accuracy."""
         return replace(self, settings={**self.settings, ACCURACY: f"{percent:g} %"}, halve=False)
 
+    def halved(self) -> "Run":
+        """The same at half the accuracy that it aims at, its own or the shipped one."""
+        own = str(self.settings.get(ACCURACY, PERCENT)).removesuffix("%")
+        return self.at(0.5 * float(own))
+
 
 @dataclass(frozen=True)
 class Claim:

@@ -3,11 +3,13 @@
 from collections.abc import Mapping
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from masonry.results import Result
 from verification.paper.crack_path import crack_path
 from verification.paper.pictures import Line
-from verification.paper.size_claims import SECTIONS, Found, displacements, mean_curve, peaks
+from verification.paper.size_families import SECTIONS, Found, displacements, mean_curve, peaks
 from verification.paper.spread import spread_of
 from verification.paper.wallettes import MEGA, MILLI
 from verification.report import page
@@ -42,14 +44,14 @@ def peaks_figure(found: Mapping[str, Found]) -> Figure:
     return figure
 
 
-def _place(result) -> float:
+def _place(result: Result) -> float:
     try:
         return crack_path(result).place()[0] * MILLI
     except ValueError:
         return np.nan
 
 
-def _dots(axes, groups: Mapping[str, list[float]], bars: bool = True) -> None:
+def _dots(axes: Axes, groups: Mapping[str, list[float]], bars: bool = True) -> None:
     """The values of each group beside each other, and their mean."""
     for k, values in enumerate(groups.values()):
         shift = np.linspace(-0.15, 0.15, len(values)) if len(values) > 1 else [0.0]

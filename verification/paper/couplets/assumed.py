@@ -5,7 +5,7 @@ from typing import Any
 
 from verification.paper.couplets.checked import unknown
 from verification.paper.couplets.measures import plateau
-from verification.paper.couplets.mortar import HIGH, LOW, SIZES, name
+from verification.paper.couplets.mortar import CAREFUL, HIGH, LOW, SIZES, name
 from verification.paper.experiment import Claim, Done, Run
 from verification.report import page
 
@@ -42,7 +42,7 @@ def label(size: str, assumed: str, varied: str, confinement: str) -> str:
 def runs() -> dict[str, Run]:
     """Each variation at the lowest and the highest confinement."""
     return {
-        label(*key, c): Run(SIZES[key[0]], {"confinement": c, **knobs})
+        label(*key, c): Run(SIZES[key[0]], {"confinement": c, **knobs, **CAREFUL})
         for key, knobs in VARIED.items()
         for c in (LOW, HIGH)
     }

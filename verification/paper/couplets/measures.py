@@ -51,6 +51,14 @@ def spread(values: Sequence[float]) -> float:
     return float(np.ptp(values) / np.mean(values))
 
 
+def apart(one: Result, other: Result) -> float:
+    """The largest distance between two curves, in shares of the peak."""
+    u, tau = (one.history.rows[key] for key in ("displacement", "stress"))
+    v, sigma = (other.history.rows[key] for key in ("displacement", "stress"))
+    at = np.union1d(u, v)
+    return float(np.abs(np.interp(at, u, tau) - np.interp(at, v, sigma)).max() / tau.max())
+
+
 @dataclass(frozen=True)
 class Cracks:
     """Broken areas of a couplet with a bed of mortar, as shares of its section.
@@ -84,3 +92,28 @@ def cracks(result: Result) -> Cracks:
         bed / section,
         area(~at_interface & led) / bed if bed > 0.0 else 0.0,
     )
+
+
+@dataclass(frozen=True)
+class Interfaces:
+    """Both interfaces of a couplet with a bed of mortar at its peak.
+
+    scatter    Pa, standard deviation of the normal stress, by area
+    tension    share of their area in tension    softened  share that has softened in shear
+    """
+
+    scatter: float
+    tension: float
+    softened: float
+
+
+def interfaces(result: Result) -> Interfaces:
+    """How evenly the interfaces work at the peak, in the frame nearest to it."""
+    at = result.summary["displacement_at_peak_m"]
+    frame = min(result.history.frames, key=lambda one: abs(one.displacement - at))
+    chosen = result.joint_group == result.joint_groups.index("unit_mortar")
+    weight = result.joints.area[chosen] / result.joints.area[chosen].sum()
+    normal = frame.normal_stress[chosen]
+    scatter = float(np.sqrt(weight @ (normal - weight @ normal) ** 2))
+    softened = frame.damage_shear[chosen] > 0.0
+    return Interfaces(scatter, float(weight @ (normal > 0.0)), float(weight @ softened))

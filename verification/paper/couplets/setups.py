@@ -1,15 +1,12 @@
-"""The same joint otherwise: units that deform, held by their faces or free to turn; the rate of the test."""
+"""The same joint otherwise: units that deform, held by plates or by their faces; the rate of the test."""
 
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
-from masonry.results import Result
 from verification.closed_forms import Joint, affine_couplet_compliance
 from verification.paper.couplets.checked import checked
 from verification.paper.couplets.laws import CONFINEMENTS, words
-from verification.paper.couplets.measures import spread, strength_line, work_to
+from verification.paper.couplets.measures import apart, strength_line
 from verification.paper.experiment import Claim, Done, Run
 
 UNIT, SHEAR_MODULUS, GLUE = (0.2, 0.05), 16.7e9 / 2.4, (2e12, 1e12)
@@ -34,13 +31,11 @@ FACES: dict[str, Any] = {
     "drive.displacement": "0.5 mm",
 }
 LOW, MIDDLE, HIGH = CONFINEMENTS
-POINTS = (2, 3, 5, 10, 20)
-TURNING = "{} law, unit free to turn, {} points along the joint"
-PLATED, HELD, WHOLE, DENSE = "affine units, plates, {}", "tets, faces held, {}", "{} units, {}", "5 x 5 points, {}"
+PLATED, HELD, WHOLE = "affine units, plates, {}", "tets, faces held, {}", "{} units, {}"
 PACED, FAST, SLOW = PLATED.format(HIGH), "plates, 10 mm/s", "plates, 0.1 mm/s"
 FINER = "tets of 12.5 mm, faces held, 1.0 MPa"
-SAME, STIFF, FALSE, STEADY, FEW = 1e-3, 0.02, 0.05, 0.01, 0.02
-"""Tolerances: curves that are the same; a displacement at the peak; a wrong cohesion; two paces; enough points."""
+SAME, STIFF, FALSE, STEADY = 1e-3, 0.02, 0.05, 0.01
+"""Tolerances: curves that are the same; a displacement at the peak; a wrong cohesion; two paces."""
 
 
 OTHERS = (
@@ -58,7 +53,6 @@ def runs() -> Iterator[tuple[str, Run]]:
             WHOLE.format(kinematics, MIDDLE),
             Run("couplet", {**base, "confinement": MIDDLE, "kinematics": kinematics}),
         )
-    yield DENSE.format(MIDDLE), Run("couplet", {**base, "confinement": MIDDLE, "specimen.points_per_edge": 5})
     for c in (LOW, HIGH):
         yield PLATED.format(c), Run("couplet", {**base, "confinement": c, **PLATES})
     for label, rate in ((SLOW, "0.1 mm/s"), (FAST, "10 mm/s")):
@@ -67,26 +61,11 @@ def runs() -> Iterator[tuple[str, Run]]:
     for c in (MIDDLE, HIGH):
         yield HELD.format(c), Run("couplet", {**base, "confinement": c, **FACES}, halve=True)
     yield FINER, Run("couplet", {**base, "confinement": HIGH, **FACES, "specimen.mesh_size": "12.5 mm"})
-    for law in ("brittle", "exponential"):
-        for n in POINTS:
-            free = {"support.1.fix": ["y"], "specimen.points_per_edge": {"x": n, "y": 2, "z": 2}}
-            given = {"law": law, "confinement": HIGH, "drive.displacement": "0.5 mm", **free}
-            yield TURNING.format(law, n), Run("couplet", given, halve=n == POINTS[-1])
 
 
 def claims(done: Done) -> list[Claim]:
-    """Section 4 on blocks, rate and uniform stress, and section 8 on the number of contact points."""
-    if SLOW not in done.runs:
-        return []
-    return [whole(done), plated(done), moments(done), rates(done), uniform(done), points(done)]
-
-
-def apart(one: Result, other: Result) -> float:
-    """The largest distance between two curves, in shares of the peak."""
-    u, tau = (one.history.rows[key] for key in ("displacement", "stress"))
-    v, sigma = (other.history.rows[key] for key in ("displacement", "stress"))
-    at = np.union1d(u, v)
-    return float(np.abs(np.interp(at, u, tau) - np.interp(at, v, sigma)).max() / tau.max())
+    """Section 4 on blocks, their rate, and stress that is not uniform."""
+    return [whole(done), plated(done), moments(done), rates(done)] if SLOW in done.runs else []
 
 
 def whole(done: Done) -> Claim:
@@ -115,7 +94,7 @@ def plated(done: Done) -> Claim:
         found.append(1e3 * done[PLATED.format(c)].summary["displacement_at_peak_m"])
     peaks = [done.peak(PLATED.format(c)) / float(Joint().peak(CONFINEMENTS[c])) - 1.0 for c in (LOW, HIGH)]
     return checked(
-        "... where it matters once the bricks are loaded through their ends",
+        "The macro stiffness of the brick, where the bricks are loaded through their ends",
         "4, Fig. 5",
         f"units glued to plates: displacement at the peak within {STIFF:.0%} of tau/ks + tau (2 h/G + glue), "
         f"{words(soft, '.4f')} mm, the peak as before",
@@ -165,33 +144,4 @@ def rates(done: Done) -> Claim:
         f"{mismatch[FAST]:.1e}",
         abs(off[SLOW]) <= STEADY and kinetic[SLOW] < 0.01,
         "the rate is felt",
-    )
-
-
-def uniform(done: Done) -> Claim:
-    """More points where stress is uniform."""
-    rigid, dense = done[f"exponential, {MIDDLE}"], done[DENSE.format(MIDDLE)]
-    work = work_to(dense.history.rows, 1e-3) / work_to(rigid.history.rows, 1e-3) - 1.0
-    return checked(
-        "Two blocks that interact along one surface show the behaviour of the contact itself",
-        "4, Fig. 5",
-        f"25 contact points in place of 4: curve within {SAME:.1%} of the peak",
-        f"{apart(rigid, dense):.1e}; work {work:+.1e}",
-        apart(rigid, dense) <= SAME,
-        "stress is not uniform",
-    )
-
-
-def points(done: Done) -> Claim:
-    """A unit that may turn: peaks by the number of contact points, brittle and softening."""
-    peaks = {law: [done.peak(TURNING.format(law, n)) for n in POINTS] for law in ("brittle", "exponential")}
-    spreads = {law: spread(values) for law, values in peaks.items()}
-    return checked(
-        "Dependency on the number of contact points, as of brittle models, is considerably minimised",
-        "8, second conclusion",
-        f"upper unit free to turn, 1.0 MPa, {words(POINTS, 'd')} points along the joint: peaks spread by less than "
-        f"{FEW:.0%} with softening, and by more than twice that when brittle",
-        "; ".join(f"{law} {words(v / 1e6 for v in peaks[law])} MPa ({spreads[law]:.1%})" for law in peaks),
-        spreads["exponential"] < FEW and spreads["brittle"] > 2.0 * FEW,
-        "the spreads are not that far apart",
     )

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from verification.paper import pictures, size_claims
-from verification.paper.experiment import Done, Experiment, Run, Section
-from verification.paper.size_claims import BRITTLE, FIRST, HELD, SECOND, SIZES, Cells, Family
+from verification.paper import pictures, size_claims, size_families
+from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
+from verification.paper.size_families import BRITTLE, FIRST, HELD, SECOND, SIZES, Cells, Family
 from verification.paper.size_pictures import mean_curves, peaks_figure, spread_table
 from verification.paper.wallettes import CLAMPED, MODE_1, MODE_2
 from verification.report import page
@@ -18,6 +18,13 @@ INTRODUCTION = (
     "and what sizes do beyond that (analysis of variance). Joint stiffness is 167, 200 and 250 GPa/m, as in the paper."
 )
 
+SUDDEN = (
+    "Two families break at once somewhere, and no loading is slow enough for that. With the brittle law the whole "
+    "crack "
+    "runs. With plates that do not turn, two half cracks become one: the ends of one such wall differ by 3.7, 2.6 and "
+    "1.8 % of the peak for that moment at accuracies of 1, 0.5 and 0.25 %. Their ends are compared up to the peak."
+)
+
 
 def seeds(quick: bool) -> range:
     """Of the divisions into cells."""
@@ -25,11 +32,14 @@ def seeds(quick: bool) -> range:
 
 
 def families(quick: bool) -> Iterator[Family]:
-    """What is looked at for every size and seed; plates that do not turn and the brittle law only in full."""
-    yield Family(FIRST, MODE_1, {}, halve=True)
+    """What is looked at for every size and seed; plates that do not turn and the brittle law only in full.
+
+    Mode 1 aims at 0.6 %: at 1 % beds that stick and slip late in the run leave one of 15 with 2.2 % between its ends.
+    """
+    yield Family(FIRST, MODE_1, {} if quick else {ACCURACY: "0.6 %"}, halve=True)
     yield Family(SECOND, MODE_2, {}, halve=True)
     if not quick:
-        yield Family(HELD, MODE_2, CLAMPED)
+        yield Family(HELD, MODE_2, CLAMPED, sudden=True)
         yield Family(BRITTLE, MODE_2, {"law": "brittle", "drive.displacement": "0.03 mm"}, sudden=True)
 
 
@@ -52,7 +62,7 @@ def divisions(quick: bool) -> list[Cells]:
 def show(done: Done) -> Section:
     """Curves of one seed and of the mean, peaks by size and seed, crack patterns."""
     wanted = list(families(done.quick))
-    found = {family.name: size_claims.gathered(done, family, divisions(done.quick)) for family in wanted}
+    found = {family.name: size_families.gathered(done, family, divisions(done.quick)) for family in wanted}
     panels = {
         f"Fig. 15{part}: {name}": mean_curves(found[name]) for part, name in zip("ab", (FIRST, SECOND), strict=True)
     }
@@ -69,6 +79,7 @@ def show(done: Done) -> Section:
             page.picture(peaks_figure(found), caption),
             page.picture(pictures.cracks(many, columns=3), "Failure mode 2, 218 cells: five divisions.", pixels=True),
             *spread_table(found),
+            page.paragraph(SUDDEN, "note"),
         ]
     return Section(parts, size_claims.claims(found, done.quick))
 

@@ -6,14 +6,13 @@ from matplotlib.figure import Figure
 from masonry.results import Result
 from verification.closed_forms import Joint, shear, tension
 from verification.paper import pictures
-from verification.paper.couplets import energies, laws, printed, setups
+from verification.paper.couplets import contact_points, energies, laws, printed, setups
 from verification.paper.couplets.laws import CONFINEMENTS, LAWS, joint, name
 from verification.paper.experiment import Done, Experiment, Run, Section
 from verification.paper.pictures import MEGA, MILLI, Line
 from verification.report.figures import COLOURS
 from verification.report.page import paragraph, picture
 
-QUICK_LAWS = ("linear", "exponential")
 PULLED = {
     "confinement": "0 MPa",
     "drive.direction": "z",
@@ -25,33 +24,37 @@ BLACK = "0.1"
 
 
 def runs(quick: bool) -> dict[str, Run]:
-    """Laws by confinements, each law in tension, and in full the other set-ups."""
-    chosen = QUICK_LAWS if quick else LAWS
-    made = {name(law, c): Run("couplet", {"law": law, "confinement": c}) for law in chosen for c in CONFINEMENTS}
-    made |= {f"{law}, tension": Run("couplet", {"law": law, **PULLED}) for law in chosen}
-    return made if quick else made | dict(setups.runs())
+    """Laws by confinements; in full each law in tension too, and the other set-ups."""
+    made = {name(law, c): Run("couplet", {"law": law, "confinement": c}) for law in LAWS for c in CONFINEMENTS}
+    if quick:
+        return made
+    made |= {f"{law}, tension": Run("couplet", {"law": law, **PULLED}) for law in LAWS}
+    return made | dict(setups.runs()) | dict(contact_points.runs())
 
 
 def show(done: Done) -> Section:
     """Figures and claims."""
     parts = [
         paragraph(LEAD),
-        picture(figure_6(done), "Fig. 6 as ours: two rigid units, a panel for each confinement. Dashed: closed forms."),
-        picture(portraits(done), PORTRAITS),
+        picture(figure_6(done), "Fig. 6 as ours: two rigid units, a panel for each confinement. Dotted: closed forms."),
         picture(misprint(), "Eq. (15) under 0.1 MPa, beta = 2.1: as printed, and as mended."),
     ]
-    if setups.SLOW in done.runs:
+    if not done.quick:
+        parts.insert(2, picture(portraits(done), PORTRAITS))
         parts += [picture(other_setups(done), SETUPS, "half"), picture(by_points(done), POINTS, "half")]
-    claims = [*laws.claims(done), *energies.claims(done), *printed.claims(), *setups.claims(done)]
-    return Section(parts, claims)
+    claims = [
+        *laws.claims(done),
+        *energies.claims(done),
+        *printed.claims(),
+        *setups.claims(done),
+        *contact_points.claims(done),
+    ]
+    return Section(parts, claims, laws.records(done))
 
 
 def figure_6(done: Done) -> Figure:
     """Confinements side by side, a line for each law."""
-    panels = {}
-    for c in CONFINEMENTS:
-        ran = [law for law, at in laws.sheared(done) if at == c]
-        panels[c] = [line for law in ran for line in slid(done, law, c)]
+    panels = {c: [line for law in LAWS for line in slid(done, law, c)] for c in CONFINEMENTS}
     return _plain(pictures.curves(panels, "slip [mm]", "shear stress [MPa]"))
 
 
@@ -70,10 +73,9 @@ def pulled(done: Done, law: str) -> list[Line]:
 
 def portraits(done: Done) -> Figure:
     """The laws in tension and in shear, from runs of one joint."""
-    ran = [law for law in LAWS if f"{law}, tension" in done.runs]
     panels = {
-        "tension": [line for law in ran for line in pulled(done, law)],
-        "shear under 0.5 MPa": [line for law in ran for line in slid(done, law, "0.5 MPa")],
+        "tension": [line for law in LAWS for line in pulled(done, law)],
+        "shear under 0.5 MPa": [line for law in LAWS for line in slid(done, law, "0.5 MPa")],
     }
     figure = _plain(pictures.curves(panels, "opening or slip [mm]", "stress [MPa]"))
     for axes, last in zip(figure.axes, (0.05, 0.4), strict=True):
@@ -109,16 +111,16 @@ def by_points(done: Done) -> Figure:
     lines = [
         Line(
             law,
-            np.array(setups.POINTS),
-            np.array([done.peak(setups.TURNING.format(law, n)) for n in setups.POINTS]) * MEGA,
+            np.array(contact_points.POINTS),
+            np.array([done.peak(contact_points.TURNING.format(law, n)) for n in contact_points.POINTS]) * MEGA,
             "o-",
         )
         for law in ("brittle", "exponential")
     ]
     figure = pictures.curves(
-        {f"unit free to turn, {setups.HIGH}": lines}, "contact points along the joint", "peak [MPa]"
+        {f"unit free to turn, {contact_points.HIGH}": lines}, "contact points along the joint", "peak [MPa]"
     )
-    figure.axes[0].set(ylim=(0.0, 2.0), xticks=setups.POINTS)
+    figure.axes[0].set(ylim=(0.0, 2.0), xticks=contact_points.POINTS)
     figure.axes[0].legend(loc="lower right", frameon=False, fontsize=8)
     return figure
 
@@ -143,7 +145,7 @@ LEAD = (
     "0, and beta of the polynomial law at 0.5 MPa is interpolated between the two values given."
 )
 PORTRAITS = (
-    "Figs. 3 and 4 as ours, with the exponential law beside them: one joint pulled apart and sheared. Dashed: closed "
+    "Figs. 3 and 4 as ours, with the exponential law beside them: one joint pulled apart and sheared. Dotted: closed "
     "forms of eqs (12) to (17), as mended."
 )
 SETUPS = "One joint in three set-ups: what the units add, and what a moment along the joint takes."

@@ -5,7 +5,7 @@ from matplotlib.figure import Figure
 
 from verification.closed_forms import Joint
 from verification.paper import pictures
-from verification.paper.couplets import assumed, failure, mortar
+from verification.paper.couplets import assumed, cells, failure, mortar
 from verification.paper.couplets.laws import CONFINEMENTS
 from verification.paper.couplets.measures import strength_line
 from verification.paper.couplets.mortar import HIGH, LOW, SEMI_RIGID, SIZES, known, name
@@ -32,7 +32,8 @@ def show(done: Done) -> Section:
         picture(pictures.cracks(shown, 1), FIGURE_8),
         *assumed.parts(done),
     ]
-    return Section(parts, [*mortar.claims(done), *failure.claims(done), *assumed.claims(done)])
+    claims = [*mortar.claims(done), *cells.claims(done), *failure.claims(done), *assumed.claims(done)]
+    return Section(parts, claims, mortar.records(done))
 
 
 def figure_7(done: Done) -> Figure:
