@@ -1,5 +1,7 @@
 """From a scene's words to the places that its gauges look at: selectors, points and lines through the specimen."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from geometry.blocks import Joints, Specimen, TetMesh
@@ -75,16 +77,19 @@ def _on_line(specimen: Specimen, layout: Layout, where: Coordinates, key: str) -
     found = pieces(planes[:, :, :3], planes[:, :, 3], place, width)
     solid = layout.kind[found.body] != KINDS.index("tets")
     if len(found.body) == 0:
-        said = ", ".join(f"{axis} = {value * 1e3:.6g} mm" for axis, value in zip("xyz", place, strict=True) if value)
-        reach = ", ".join(
-            f"{a} {lo * 1e3:.6g} to {hi * 1e3:.6g} mm" for a, lo, hi in zip("xyz", low, high, strict=True)
-        )
-        raise SceneError(f"{key}: no block lies at {said or 'the origin'}; the specimen reaches over {reach}")
+        raise SceneError(f"{key}: no block lies at {_said(place)}; the specimen reaches over {_said(low, high)}")
     node, node_share = np.zeros(0, dtype=np.int64), np.zeros(0)
     if mesh is not None and not solid.all():
         node, node_share = _between_nodes(mesh, place, width)
         node_share = node_share * found.share[~solid].sum()
     return Place(found.body[solid], found.middle[solid], found.share[solid], node, node_share)
+
+
+def _said(*places: Sequence[float | None]) -> str:
+    """Coordinates in words: "x = 1 mm", or "x 1 to 2 mm" from the first place to the second."""
+    word = " " if len(places) > 1 else " = "
+    numbers = [[f"{c * 1e3:.6g}" for c in ends if c is not None] for ends in zip(*places, strict=True)]
+    return ", ".join(f"{axis}{word}{' to '.join(text)} mm" for axis, text in zip("xyz", numbers, strict=True) if text)
 
 
 def _between_nodes(mesh: TetMesh, place: list[float | None], width: float) -> tuple[np.ndarray, np.ndarray]:

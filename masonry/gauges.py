@@ -32,17 +32,11 @@ class Gauge:
 
     def read(self, model: Model) -> float:
         """m, now."""
-        rigid, affine, tets = model.bodies
-        moved = {
-            "rigid": None if rigid is None else rigid.q,
-            "affine": None if affine is None else affine.q,
-            "tets": None if tets is None else model.contacts[3],
-        }
-        return sum(
-            float(weight @ moved[kind][row, column])
-            for kind, (row, column, weight) in self.terms.items()
-            if moved[kind] is not None
-        )
+        reading = 0.0
+        for kind, (row, column, weight) in self.terms.items():
+            moved = model.contacts[3] if kind == "tets" else model.bodies[KINDS.index(kind)].q
+            reading += float(weight @ moved[row, column])
+        return reading
 
 
 def gauge(name: str, layout: Layout, at: Place, relative_to: Place | None, axis: int, sign: float) -> Gauge:
