@@ -7,16 +7,14 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from geometry.ragged import ranges
-from masonry.cracks import CrackLines, Outlines, View, crack_lines, front_view, outlines
-from masonry.deformation import Corners, Deformation
+from masonry.crack_drawing import LEAST_DAMAGE, crack_keys, draw_cracks, draw_scales, scale_of
+from masonry.cracks import CrackLines, Outlines, View, back_view, crack_lines, front_view, outlines
 from masonry.history import Frame
 from masonry.plot import MEGA, MILLI, peak_row, plain
 
 if TYPE_CHECKING:
     from masonry.results import Result
 
-LEAST_DAMAGE = 0.05
-"""Contacts with less damage are not drawn."""
 VISIBLE = 0.04
 """The largest displacement is drawn as about this share of the specimen's size."""
 
@@ -56,13 +54,17 @@ def cracks_figure(result: "Result") -> Any:
     return figure
 
 
-def gallery(panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2) -> Any:
-    """A figure of panels in rows: (name, result, one of its frames) each, with one key to them all."""
+def gallery(panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2, back: bool = False) -> Any:
+    """A figure of panels in rows: (name, result, one of its frames) each, with one key and one scale to them all.
+
+    back  seen from behind, as the tension face of a wall in bending
+    """
     from matplotlib.figure import Figure
 
     columns = max(min(columns, len(panels)), 1)
     rows = max(-(-len(panels) // columns), 1)
-    views = [front_view(result.specimen.blocks.points) for _, result, _ in panels]
+    view_of = back_view if back else front_view
+    views = [view_of(result.specimen.blocks.points) for _, result, _ in panels]
     ratio = max((_ratio(result, view) for (_, result, _), view in zip(panels, views, strict=True)), default=1.0)
     width = 14.0 if len(panels) > 1 else 9.0
     height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
@@ -73,9 +75,11 @@ def gallery(panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2) -> 
     if not panels:
         axes[0].text(0.5, 0.5, "no frames were recorded", transform=axes[0].transAxes, ha="center")
         return figure
-    for one, (name, result, frame), view in zip(axes, panels, views, strict=False):
-        _draw_panel(one, result, name, frame, view, outlines(result.specimen.blocks, view))
-    _draw_keys(figure, axes, [result.specimen.blocks for _, result, _ in panels])
+    cracks = [_damaged(result, frame, view) for (_, result, frame), view in zip(panels, views, strict=True)]
+    scale = scale_of(np.concatenate([lines.opening for lines in cracks]))
+    for one, (name, result, frame), view, lines in zip(axes, panels, views, cracks, strict=False):
+        _draw_panel(one, result, name, frame, view, lines, scale)
+    _draw_keys(figure, axes, [result.specimen.blocks for _, result, _ in panels], scale)
     return figure
 
 
@@ -85,12 +89,19 @@ def _ratio(result: "Result", view: View) -> float:
     return float(extent[1] / extent[0]) if extent[0] > 0 else 1.0
 
 
-def _draw_panel(axes: Any, result: "Result", name: str, frame: Frame, view: View, shown: Outlines) -> None:
+def _damaged(result: "Result", frame: Frame, view: View) -> CrackLines:
+    """The contacts to draw."""
+    lines = crack_lines(result.joints, frame, view)
+    return lines.select(lines.damage > LEAST_DAMAGE)
+
+
+def _draw_panel(
+    axes: Any, result: "Result", name: str, frame: Frame, view: View, lines: CrackLines, scale: float
+) -> None:
     times = magnification(frame, view.size)
     blocks = result.specimen.blocks
-    _draw_blocks(axes, blocks, shown, view.project(blocks.points + times * frame.corners))
-    lines = crack_lines(result.joints, frame, view)
-    _draw_cracks(axes, result, lines.select(lines.damage > LEAST_DAMAGE), frame, view, times)
+    _draw_blocks(axes, blocks, outlines(blocks, view), view.project(blocks.points + times * frame.corners))
+    draw_cracks(axes, result, lines, frame, view, times, scale)
     axes.set_aspect("equal")
     axes.autoscale_view()
     axes.margins(0.03)
@@ -130,32 +141,6 @@ def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -
         axes.add_collection(LineCollection(thick, colors="#4a4640", linewidths=1.0, zorder=depth + 0.005))
 
 
-def _draw_cracks(axes: Any, result: "Result", lines: CrackLines, frame: Frame, view: View, times: float) -> None:
-    from matplotlib.collections import LineCollection
-
-    field = Deformation(Corners(result.specimen.blocks), frame)
-    pieces = view.project(lines.displaced(result.joints, field, times))
-    order = np.argsort(lines.damage, kind="stable")
-    colours = np.where(lines.tension_led[:, None], crack_map("Reds")(lines.damage), crack_map("Blues")(lines.damage))
-    axes.add_collection(
-        LineCollection(
-            list(pieces[order]),
-            colors=colours[order],
-            linewidths=0.8 + 3.2 * lines.damage[order],
-            capstyle="round",
-            zorder=3.0,
-        )
-    )
-
-
-def crack_map(name: str) -> Any:
-    """A sequential colour map without its palest third, which would not show on the blocks."""
-    from matplotlib import colormaps
-    from matplotlib.colors import ListedColormap
-
-    return ListedColormap(colormaps[name](np.linspace(0.3, 0.95, 256)))
-
-
 def group_colours(groups: tuple[str, ...]) -> list[str]:
     """A pale colour for each group, grey for plates."""
     colours = []
@@ -171,21 +156,15 @@ def group_colours(groups: tuple[str, ...]) -> list[str]:
     return colours
 
 
-def _draw_keys(figure: Any, axes: list[Any], drawn: list[Blocks]) -> None:
-    """Colour bars of damage, and a legend of crack kinds and block groups."""
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-    from matplotlib.lines import Line2D
+def _draw_keys(figure: Any, axes: list[Any], drawn: list[Blocks], scale: float) -> None:
+    """Colour bars of damage, and a legend of crack kinds, crack openings and block groups."""
     from matplotlib.patches import Patch
 
-    for name, word in (("Blues", "damage, shear leads"), ("Reds", "damage, tension leads")):
-        scale = ScalarMappable(Normalize(0.0, 1.0), crack_map(name))
-        figure.colorbar(scale, ax=axes, label=word, fraction=0.025, pad=0.01, aspect=30)
+    draw_scales(figure, axes)
     colours: dict[str, str] = {}
     for blocks in drawn:
         shown = zip(blocks.groups, group_colours(blocks.groups), strict=True)
         colours |= {name: colour for g, (name, colour) in enumerate(shown) if g in blocks.group}
     keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
-    keys.append(Line2D([], [], color=crack_map("Reds")(0.9), linewidth=3.5, label="crack, tension leads"))
-    keys.append(Line2D([], [], color=crack_map("Blues")(0.9), linewidth=3.5, label="crack, shear leads"))
+    keys += crack_keys(scale)
     figure.legend(handles=keys, loc="outside lower center", ncols=len(keys), frameon=False, fontsize=10)

@@ -15,6 +15,9 @@ from masonry.errors import SceneError
 from masonry.folder import WholeFiles
 from masonry.history import UNITS, Frame, History, unit_of
 
+NUMBERS = ("summary.json", "curve.csv", "history.h5", "scene.toml", "run.log")
+"""Files of a run without its pictures and fields."""
+
 
 @dataclass
 class Result:
@@ -56,17 +59,26 @@ class Result:
 
         folder = Path(out)
         result = self.finite()
-        with WholeFiles(folder) as numbers:
-            archive.write(numbers.new("history.h5"), result)
-            numbers.text("curve.csv", csv_text(result.history.rows))
-            numbers.text("scene.toml", result.scene_toml)
-            numbers.text("run.log", "".join(line + "\n" for line in result.log))
-            numbers.text("summary.json", json.dumps(result.summary, indent=2, allow_nan=False, default=_plain) + "\n")
+        result.save_numbers(folder)
         with WholeFiles(folder) as fields_file:
             vtk_fields.write(fields_file.new("fields.vtkhdf"), result)
         result.save_pictures(folder)
         names = "summary.json curve.csv curve.png cracks.png fields.vtkhdf history.h5 scene.toml run.log"
         return {name: folder / name for name in names.split()}
+
+    def save_numbers(self, folder: Path) -> dict[str, Path]:
+        """Write the files of numbers and words only, all or none; returns file name -> path. `load_history` reads them.
+
+        Values that are not finite are not written; the log says so. Raises OSError if the folder cannot be written to.
+        """
+        result = self.finite()
+        with WholeFiles(folder) as files:
+            archive.write(files.new("history.h5"), result)
+            files.text("curve.csv", csv_text(result.history.rows))
+            files.text("scene.toml", result.scene_toml)
+            files.text("run.log", "".join(line + "\n" for line in result.log))
+            files.text("summary.json", json.dumps(result.summary, indent=2, allow_nan=False, default=_plain) + "\n")
+        return {name: folder / name for name in NUMBERS}
 
     def save_pictures(self, folder: Path) -> dict[str, Path]:
         """Write curve.png and cracks.png only; returns file name -> path."""

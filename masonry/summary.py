@@ -8,7 +8,7 @@ import numpy as np
 from geometry.cells.asked import CellReport
 from masonry import __version__
 from masonry.assembly import Assembly
-from masonry.kernels.compiler import source_hash
+from masonry.kernels.sources import source_hash
 from masonry.loads import Controlled
 from masonry.timeloop import Outcome
 

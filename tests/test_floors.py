@@ -38,8 +38,8 @@ FLOORS = {
     "run": Floor(
         "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
         " masonry.overlap masonry.energy masonry.history masonry.progress masonry.checkpoint"
-        " masonry.results masonry.archive masonry.folder masonry.fields"
-        " masonry.plot masonry.curve_axes masonry.picture masonry.cracks masonry.deformation",
+        " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
+        " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation",
         sees="run model equations errors geometry",
     ),
     "scene": Floor(

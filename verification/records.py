@@ -13,7 +13,7 @@ from typing import Any
 from masonry import __version__
 from masonry.errors import SceneError
 from masonry.folder import WholeFiles
-from masonry.kernels.compiler import source_hash
+from masonry.kernels.sources import source_hash
 from verification.case import Outcome
 
 NAME = "records.json"

@@ -5,36 +5,20 @@ a hash of every source file that can be compiled into it. What else is compiled 
 another file, and stays where it is when a law changes.
 """
 
-import hashlib
 import os
 import shutil
 from collections.abc import Callable
-from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numba
 
+from masonry.kernels.sources import COMPILED, source_hash
+
 KEPT = 5
 """Cache folders of older sources that are kept."""
 OTHERS = "cells"
 """The cache folder of what does not depend on laws, kernels and kinematics."""
-
-
-ALL = ("geometry", "masonry")
-COMPILED = ("masonry/laws", "masonry/kernels", "masonry/kinematics")
-
-
-@cache
-def source_hash(folders: tuple[str, ...] = ALL) -> str:
-    """Hash (hex) of the sources in some folders; by default all that can change a number in a result."""
-    root = Path(__file__).resolve().parents[2]
-    digest = hashlib.sha256()
-    for folder in folders:
-        for path in sorted((root / folder).rglob("*.py")):
-            digest.update(path.relative_to(root).as_posix().encode())
-            digest.update(path.read_bytes())
-    return digest.hexdigest()[:16]
 
 
 def cache_root() -> Path:

@@ -1,16 +1,21 @@
 """What an experiment of the paper consists of: runs of scenes, and what they show: pictures and checked claims."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from masonry import __version__
+from masonry.kernels.compiler import source_hash
 from masonry.results import Result, load_history
-from verification.report.page import Chapter
+from verification.report.page import Chapter, Verdict
 
 ACCURACY = "drive.accuracy"
 PERCENT, QUICK_PERCENT = 1.0, 4.0
 """What drives aim at: as the scenes are shipped, and for a quick look."""
+PACES = (ACCURACY, "drive.steps", "drive.rate")
+"""The keys of a scene that say how fast it is driven: one of them takes the place of the others."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +28,11 @@ class Run:
     scene: str
     settings: Mapping[str, Any] = field(default_factory=dict)
     halve: bool = False
+
+    @property
+    def paced(self) -> bool:
+        """Whether it says itself how fast it is driven."""
+        return any(key in self.settings for key in PACES)
 
     def at(self, percent: float) -> "Run":
         """The same, aiming at an accuracy."""
@@ -55,11 +65,12 @@ class Claim:
 
 @dataclass
 class Section:
-    """What an experiment shows: pieces of HTML, claims, and numbers to keep."""
+    """What an experiment shows: pieces of HTML, claims, numbers to keep, and verdicts beside that on the claims."""
 
     parts: list[str] = field(default_factory=list)
     claims: list[Claim] = field(default_factory=list)
     records: list[dict[str, Any]] = field(default_factory=list)
+    verdicts: list[Verdict] = field(default_factory=list)
 
 
 class Missing(Exception):
@@ -96,6 +107,29 @@ class Done:
     def __iter__(self) -> Iterator[str]:
         return iter(self.runs)
 
+    def record(
+        self, label: str, quantity: str, value: float, unit: str, reference: float, kind: str, scale: float = 0.0
+    ) -> dict[str, Any]:
+        """A line for records.json; the signed error is relative to `scale`, or to the reference where none is given."""
+        row, size = self.rows[label], abs(scale or reference)
+        error = (value - reference) / size if size else math.nan
+        numbers = {"value": value, "reference": reference, "error": error}
+        return {
+            "case": self.runs[label].scene,
+            "quantity": quantity,
+            "unit": unit,
+            **{key: float(number) if math.isfinite(number) else None for key, number in numbers.items()},
+            "kind_of_reference": kind,
+            "seconds": row["seconds"],
+            "steps": row.get("steps"),
+            "knobs": dict(self.runs[label].settings),
+            "status": row["status"],
+            "reason": row["reason"],
+            "energy_imbalance": row.get("energy_imbalance"),
+            "source_hash": source_hash(),
+            "version": __version__,
+        }
+
     def peak(self, label: str) -> float:
         """Peak stress in Pa."""
         return float(self[label].summary["peak_stress_pa"])
@@ -130,4 +164,11 @@ class Shown:
 
     def as_chapter(self) -> Chapter:
         """Its page in a report."""
-        return Chapter(self.experiment.title, parts=self.section.parts, group="The paper", anchor=self.experiment.name)
+        return Chapter(
+            self.experiment.title,
+            list(self.section.verdicts),
+            list(self.section.records),
+            list(self.section.parts),
+            "The paper",
+            self.experiment.name,
+        )

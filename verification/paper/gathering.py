@@ -5,9 +5,7 @@ from pathlib import Path
 
 from masonry.sweep import engine
 from masonry.sweep.job import Job
-
 from verification.paper.experiment import (
-    ACCURACY,
     PERCENT,
     QUICK_PERCENT,
     Claim,
@@ -44,7 +42,7 @@ def gather(
 def with_halved(runs: dict[str, Run], quick: bool) -> dict[str, Run]:
     """The runs, and those again that ask for it at half the accuracy; a quick look is content with less."""
     if quick:
-        return {label: run if ACCURACY in run.settings else run.at(QUICK_PERCENT) for label, run in runs.items()}
+        return {label: run if run.paced else run.at(QUICK_PERCENT) for label, run in runs.items()}
     again = {HALVED.format(label): run.at(0.5 * PERCENT) for label, run in runs.items() if run.halve}
     return runs | again
 

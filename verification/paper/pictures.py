@@ -50,9 +50,12 @@ def curves(
     return figure
 
 
-def cracks(results: Mapping[str, Result], columns: int = 2) -> Figure:
-    """Name -> result: each specimen at the end of its run, with its cracks, displacements drawn by a stated factor."""
+def cracks(results: Mapping[str, Result], columns: int = 2, back: bool = False) -> Figure:
+    """Name -> result: each specimen at the end of its run, with its cracks, displacements drawn by a stated factor.
+
+    back  seen from behind
+    """
     from masonry.picture import gallery
 
     panels: list[tuple[str, Result, Any]] = [(name, r, r.history.frames[-1]) for name, r in results.items()]
-    return gallery(panels, columns)
+    return gallery(panels, columns, back)

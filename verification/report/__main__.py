@@ -9,12 +9,14 @@ from pathlib import Path
 
 from masonry.folder import WholeFiles
 from verification import catalogue, records, runner, studies
+from verification.paper import gathering, page
+from verification.paper.catalogue import catalogue as paper
 from verification.report import cases, cover
 from verification.report.page import Chapter
 
 Tell = Callable[[str], None]
 OUT = Path("results")
-CASES = "cases"
+CASES, PAPER = "cases", "paper"
 
 
 def found() -> dict[str, Callable[[Tell], Chapter]]:
@@ -38,9 +40,9 @@ def main(arguments: list[str] | None = None) -> int:
     """The command line; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m verification.report", description=__doc__)
     parser.add_argument("--out", type=Path, default=OUT, help="folder to write to (default: results)")
-    parts = [CASES, *found()]
+    parts = [CASES, *found(), PAPER]
     parser.add_argument("--only", nargs="+", choices=parts, metavar="PART", help=f"of {', '.join(parts)}")
-    parser.add_argument("--quick", action="store_true", help="of the cases only the quick ones")
+    parser.add_argument("--quick", action="store_true", help="only the quick cases, and a quick look at the paper")
     words = parser.parse_args(arguments)
     begun = time.perf_counter()
 
@@ -54,11 +56,13 @@ def main(arguments: list[str] | None = None) -> int:
         outcomes = runner.run(wanted, tell=tell)
         chapters += cases.chapters(outcomes, time.perf_counter() - begun)
     chapters += [chapter(tell) for name, chapter in found().items() if not words.only or name in words.only]
-    page, numbers = write(chapters, time.perf_counter() - begun, words.out)
+    if not words.only or PAPER in words.only:
+        chapters += page.chapters(gathering.gather(list(paper().values()), words.out / PAPER, words.quick, tell=tell))
+    path, numbers = write(chapters, time.perf_counter() - begun, words.out)
     tell(f"{sum(len(c.records) for c in chapters)} records")
     for verdict in (v for c in chapters for v in c.verdicts):
         print(f"{verdict.area:22} {cover.WORDS[verdict.kind]:14} {verdict.sentence}")
-    print(f"report   {page}\nrecords  {numbers}")
+    print(f"report   {path}\nrecords  {numbers}")
     return 0
 
 

@@ -7,7 +7,7 @@ from importlib import metadata, resources
 from string import Template
 
 from masonry import __version__
-from masonry.kernels.compiler import source_hash
+from masonry.kernels.sources import source_hash
 from verification.records import processor
 from verification.report.page import WORDS, Chapter, badge, escape, paragraph, table
 

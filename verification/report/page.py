@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 WORDS = {"ok": "holds", "warn": "with\u00a0care", "bad": "fails", "none": "not\u00a0looked\u00a0at"}
+PIXELS_AN_INCH = 110
+"""Of pictures in pixels."""
 
 
 @dataclass(frozen=True)
@@ -116,19 +118,23 @@ def short(text: str, length: int = 150) -> str:
     return first if len(first) <= length else first[: length - 1] + "…"
 
 
-def picture(figure: Any, caption: str, kind: str = "") -> str:
-    """A matplotlib figure as an SVG inside the page: sharp in print, and no other file is needed.
+def picture(figure: Any, caption: str, kind: str = "", pixels: bool = False) -> str:
+    """A matplotlib figure inside the page, so that no other file is needed.
 
-    kind  "half" for one that is not to fill the width
+    kind    "half" for one that is not to fill the width
+    pixels  a PNG in place of an SVG, which is sharp in print but large where thousands of lines are drawn
     """
     import matplotlib
 
     stream = io.BytesIO()
-    with matplotlib.rc_context({"svg.fonttype": "path", "svg.hashsalt": "masonry"}):
-        figure.savefig(stream, format="svg", metadata={"Date": None})
+    if pixels:
+        figure.savefig(stream, format="png", dpi=PIXELS_AN_INCH)
+    else:
+        with matplotlib.rc_context({"svg.fonttype": "path", "svg.hashsalt": "masonry"}):
+            figure.savefig(stream, format="svg", metadata={"Date": None})
     data = base64.b64encode(stream.getvalue()).decode()
     text = escape(caption)
-    image = f'<img alt="{text}" src="data:image/svg+xml;base64,{data}">'
+    image = f'<img alt="{text}" src="data:image/{"png" if pixels else "svg+xml"};base64,{data}">'
     return f'<figure class="{kind}">{image}<figcaption>{text}</figcaption></figure>'
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from geometry.blocks import GeometryError
 from masonry import __version__, laboratory, scene
 from masonry.errors import SceneError, Stopped
-from masonry.kernels.compiler import source_hash
+from masonry.kernels.sources import source_hash
 
 Knobs = Mapping[str, Any]
 SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")

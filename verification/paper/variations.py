@@ -1,6 +1,7 @@
 """How far each assumption is varied: rules by the last word of its key, so that a new scene needs no list here."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
+from functools import cache
 from typing import Any, NamedTuple
 
 from pydantic import BaseModel
@@ -75,7 +76,7 @@ def _turn(value: Any) -> list[str]:
 def assumed(name: str) -> tuple[list[Variation], dict[str, str]]:
     """(the variations of a scene's [assumptions], the entries that are not varied -> why)."""
     loaded = scene.load(name)
-    present = laboratory.check(loaded)["contacts"]
+    present = contacts(name)
     found: list[Variation] = []
     without: dict[str, str] = {}
     for key in loaded.assumptions:
@@ -92,7 +93,13 @@ def assumed(name: str) -> tuple[list[Variation], dict[str, str]]:
             else:
                 base = NEEDS.get(last, {})
                 found += [Variation(entry, label, {entry: v}, base) for label, v in RULES[last](value).items()]
-    return found, without
+    return list({(v.entry, v.label): v for v in found}.values()), without
+
+
+@cache
+def contacts(name: str) -> frozenset[str]:
+    """The contact groups that occur in a scene."""
+    return frozenset(laboratory.check(scene.load(name))["contacts"])
 
 
 def _look_up(table: Any, keys: list[str]) -> Any:
@@ -115,16 +122,20 @@ def _leaves(key: str, value: Any) -> Iterator[tuple[str, Any]]:
         yield key, value
 
 
+JOINTS = ("unit_unit", "unit_mortar", "within_mortar")
+"""Contact groups that may dilate."""
+
+
 def options(name: str) -> list[Variation]:
     """The program's own choices that the paper leaves open, on all contacts that can crack."""
     loaded = scene.load(name)
-    present = laboratory.check(loaded)["contacts"]
+    present = contacts(name)
     groups = [g for g, contact in loaded.contact.items() if g in present and contact.law != "elastic"]
 
-    def everywhere(key: str, value: Any) -> dict[str, Any]:
-        return {f"contact.{g}.{key}": value for g in groups}
+    def everywhere(key: str, value: Any, among: Collection[str] = groups) -> dict[str, Any]:
+        return {f"contact.{g}.{key}": value for g in groups if g in among}
 
-    dilates = {"contact.unit_unit.dilation_angle": "2 deg"}
+    dilates = everywhere("dilation_angle", "2 deg", JOINTS)
     cutoffs = ("10 um", "100 um", "1 mm")
     return [
         Variation("softening_variable", "plastic", everywhere("softening_variable", "plastic"), {}),
@@ -132,7 +143,7 @@ def options(name: str) -> list[Variation]:
         Variation("unloading", "elastic", everywhere("unloading", "elastic"), {}),
         Variation("contact_points", "vertex", {"specimen.contact_points": "vertex"}, {}),
         Variation("points_per_edge", "4", {"specimen.points_per_edge": 4}, {}),
-        *(Variation("dilation_cutoff", c, {"contact.unit_unit.dilation_cutoff": c}, dilates) for c in cutoffs),
+        *(Variation("dilation_cutoff", c, everywhere("dilation_cutoff", c, JOINTS), dilates) for c in cutoffs),
         Variation("dilation_angle (not assumed)", "2 deg", dilates, {}),
         *(Variation("solver.damping", f"{d:g}", {"solver.damping": d}, {}) for d in (0.5, 0.9)),
     ]

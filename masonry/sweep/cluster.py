@@ -1,0 +1,53 @@
+"""Tasks done by the workers of a Dask cluster that somebody started: `dask scheduler`, and `dask worker ADDRESS`."""
+
+import threading
+import time
+from collections.abc import Callable, Generator, Sequence
+from typing import Any
+
+from masonry.crew import Lost
+from masonry.errors import SceneError
+
+PATIENCE = 5.0
+"""Seconds for a scheduler to answer."""
+ALONE = threading.Lock()
+
+
+def work_on(scheduler: str, act: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[tuple[int, Any]]:
+    """As `masonry.crew.work`, on a cluster. A worker that dies has its task done by another, three times at most.
+
+    Raises SceneError where Dask is not installed, no scheduler answers, or it goes away.
+    """
+    try:
+        from dask.distributed import Client, as_completed
+    except ImportError:
+        raise SceneError("--scheduler needs Dask: pip install 'masonry-dem[cluster]'") from None
+    try:
+        client = Client(scheduler, timeout=PATIENCE, set_as_default=False)
+    except (OSError, ValueError, TimeoutError) as error:
+        why = str(error).partition("\n")[0] or type(error).__name__
+        raise SceneError(
+            f"no Dask scheduler answers at '{scheduler}' ({why}); start one with `dask scheduler`, workers with"
+            " `dask worker ADDRESS`, and give the address that it says, such as tcp://127.0.0.1:8786"
+        ) from None
+    try:
+        if not client.scheduler_info()["workers"]:
+            raise SceneError(f"the Dask scheduler at '{scheduler}' has no workers; start some: dask worker {scheduler}")
+        begun = time.perf_counter()
+        futures = {client.submit(one_at_a_time, act, task, pure=False): n for n, task in enumerate(tasks)}
+        for future in as_completed(futures):
+            if future.status == "cancelled":
+                raise SceneError(f"the Dask scheduler at '{scheduler}' is gone; what is done stays, start again")
+            if future.status == "error":
+                yield futures[future], Lost(f"{future.exception()}".partition("\n")[0], time.perf_counter() - begun)
+            else:
+                yield futures[future], future.result()
+            future.release()
+    finally:
+        client.close()
+
+
+def one_at_a_time(act: Callable[[Any], Any], task: Any) -> Any:
+    """Do a task in a worker that may have several threads: gmsh and the compiler take one at a time."""
+    with ALONE:
+        return act(task)

@@ -1,0 +1,64 @@
+"""One run of many: a scene and what is set in it, and the key by which its result is found again."""
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from masonry.kernels.sources import ALL, source_hash
+
+SHOWING = (
+    *("masonry/__main__.py", "masonry/cli.py", "masonry/doctor.py", "masonry/printout.py", "masonry/import*.py"),
+    *("masonry/plot.py", "masonry/picture.py", "masonry/picture_frame.py", "masonry/geometry_picture.py"),
+    *("masonry/solid_view.py", "masonry/condition_marks.py", "masonry/mark_drawing.py", "masonry/fields.py"),
+    *("masonry/progress.py", "masonry/tally.py", "masonry/crew.py", "masonry/sweep/*"),
+)
+"""Sources that a result does not depend on: an edit of these runs nothing again."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """One run.
+
+    scene     a packaged scene's name or a path
+    settings  dotted key -> value, as `masonry.load(scene, settings)` takes them
+    """
+
+    scene: str | Path
+    settings: Mapping[str, Any] = field(default_factory=dict)
+
+    @cached_property
+    def resolved(self) -> str:
+        """The resolved scene as TOML: all that its run needs. Raises SceneError."""
+        from masonry.scene import load, to_toml
+
+        return to_toml(load(self.scene, self.settings))
+
+    @cached_property
+    def _key(self) -> str:
+        digest = hashlib.sha256(self.resolved.encode())
+        digest.update(source_hash(ALL, SHOWING).encode())
+        digest.update(_file_of_blocks(self.resolved))
+        return digest.hexdigest()[:20]
+
+    def key(self) -> str:
+        """Hash (hex) of the resolved scene, of a file that its blocks come from and of the sources that compute:
+        the same key means the same result. Raises SceneError.
+        """
+        return self._key
+
+    def __str__(self) -> str:
+        return " ".join(f"{key.rsplit('.', 1)[-1]}={value}" for key, value in self.settings.items()) or str(self.scene)
+
+
+def _file_of_blocks(toml: str) -> bytes:
+    """What stands in the file that a scene takes its blocks from; nothing where it has none, or it cannot be read."""
+    import tomllib
+
+    path = tomllib.loads(toml)["specimen"].get("path")
+    try:
+        return Path(path).read_bytes() if path else b""
+    except OSError:
+        return b""

@@ -1,0 +1,105 @@
+"""The paper's experiments: their runs can be read, what is unsound is named, and what is varied acts as it should."""
+
+from pathlib import Path
+
+import pytest
+
+from masonry import scene
+from masonry.errors import SceneError
+from verification.paper import catalogue, command, gathering, page
+from verification.paper.experiment import ACCURACY, Claim, Done, Experiment, Missing, Run, Section, Shown
+from verification.paper.experiments import sensitivity
+from verification.paper.soundness import HALVED, soundness
+
+EXPERIMENTS = catalogue.catalogue()
+SOUND = {"status": "OK", "reason": "", "seconds": 1.0, "energy_imbalance": 1e-14, "reaction_mismatch_max": 0.001}
+
+
+@pytest.mark.parametrize("quick", [False, True], ids=["full", "quick"])
+@pytest.mark.parametrize("name", EXPERIMENTS)
+def test_every_run_of_the_paper_is_a_scene_that_can_be_read(name, quick):
+    runs = gathering.with_halved(EXPERIMENTS[name].runs(quick), quick)
+    assert runs
+    for run in runs.values():
+        assert scene.load(run.scene, run.settings).name == run.scene
+
+
+def test_a_quick_look_asks_for_fewer_runs_than_the_whole():
+    for experiment in EXPERIMENTS.values():
+        assert len(experiment.runs(True)) <= len(experiment.runs(False))
+
+
+def test_runs_that_ask_for_it_are_made_again_at_half_the_accuracy_and_a_quick_look_spares_that():
+    runs = {"a": Run("couplet", halve=True), "b": Run("couplet", {"drive.rate": "1 mm/s"})}
+    full = gathering.with_halved(runs, quick=False)
+    assert full[HALVED.format("a")].settings == {ACCURACY: "0.5 %"} and len(full) == 3
+    quick = gathering.with_halved(runs, quick=True)
+    assert quick["a"].settings == {ACCURACY: "4 %"} and quick["b"] == runs["b"]
+
+
+def test_a_run_whose_ends_disagree_or_whose_energy_is_lost_is_named(tmp_path):
+    runs = {"fine": Run("couplet"), "wild": Run("couplet"), "gone": Run("couplet")}
+    rows = {"fine": SOUND, "wild": SOUND | {"reaction_mismatch_max": 0.05, "energy_imbalance": 1e-3}}
+    rows["gone"] = {"status": "STOPPED", "reason": "block 3 turned"}
+    came, energy, ends = soundness(Done(runs, rows, tmp_path))
+    assert not came.holds and "gone (block 3 turned)" in came.why
+    assert not energy.holds and "wild" in energy.why and "fine" not in energy.why
+    assert not ends.holds and "5 %" in ends.measured
+    assert all(c.holds for c in soundness(Done({"fine": Run("couplet")}, {"fine": SOUND}, tmp_path)))
+
+
+def test_a_claim_that_does_not_hold_needs_a_reason():
+    with pytest.raises(ValueError, match="say why"):
+        Claim("it holds", "1", "nothing", "0", False)
+
+
+def test_an_experiment_without_its_runs_says_so_and_does_not_hold():
+    def show(done: Done) -> Section:
+        raise Missing("'a' ended as REFUSED: no such block")
+
+    experiment = Experiment("x", "X", 1, lambda quick: {"a": Run("couplet")}, show)
+    rows = {"a": {"status": "REFUSED", "reason": "no such block", "seconds": None}}
+    made = gathering.shown(experiment, Done(experiment.runs(False), rows, Path()))
+    assert not made.section.claims[0].holds and "no such block" in made.section.claims[0].why
+    assert page.verdict([made]).kind == "bad"
+
+
+def test_the_verdict_counts_what_holds_and_the_page_gives_the_reason_of_what_does_not():
+    claims = [Claim("a", "1", "x < 1", "0", True), Claim("b", "2", "x < 1", "2 <MPa>", False, "because of & c")]
+    made = Shown(Experiment("x", "X", 1, lambda quick: {}, lambda done: Section()), Section([], claims), [], 1.0, 0)
+    assert "Of 2 claims 1 hold, 1 do not" in page.verdict([made]).sentence and page.verdict([made]).kind == "warn"
+    text = page.html_of([made], 1.0, quick=False)
+    assert "because of &amp; c" in text and "2 &lt;MPa&gt;" in text and "http" not in text.partition("<body>")[2]
+
+
+@pytest.fixture(scope="module")
+def varied(tmp_path_factory) -> Section:
+    """The couplet with its residual cohesion and its path varied."""
+
+    def few(case, quick):
+        return [
+            v for v in sensitivity.assumed("couplet")[0] if v.entry.endswith(("residual_cohesion", "placement"))
+        ], {}
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sensitivity, "variations", few)
+        patch.setattr(sensitivity, "PACE", {"couplet": sensitivity.PACE["couplet"]})
+        made = gathering.gather([sensitivity.EXPERIMENT], tmp_path_factory.mktemp("paper"), workers=1)
+    assert all(claim.holds for claim in made[0].soundness)
+    return made[0].section
+
+
+def test_residual_cohesion_lifts_the_final_stress_by_itself_and_leaves_the_peak(varied):
+    found = {(r["quantity"], r["knob"].split(".")[-1], r["rung"]): r for r in varied.records}
+    final = found["final", "residual_cohesion", "50 kPa"]
+    assert final["value"] - final["reference"] == pytest.approx(50e3, rel=0.02)
+    assert abs(found["peak", "residual_cohesion", "50 kPa"]["error"]) < 1e-3
+    assert found["dissipated", "displacement", "x1.2"]["error"] > 0.02  # friction goes on
+    assert varied.verdicts[0].kind == "warn" and "residual_cohesion in couplet" in varied.verdicts[0].sentence
+
+
+def test_the_command_names_the_nearest_experiment_and_lists_them(capsys):
+    with pytest.raises(SceneError, match="did you mean 'sensitivity'"):
+        command.main(["sensitivty"])
+    assert command.main(["--list"]) == 0
+    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == list(EXPERIMENTS)

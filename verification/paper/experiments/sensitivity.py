@@ -1,0 +1,99 @@
+"""How far the answers move with what the paper does not give: each assumption and option varied, one by one."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from verification.paper.experiment import ACCURACY, PERCENT, Done, Experiment, Run, Section
+from verification.paper.tornado import PANELS, pictures, verdict
+from verification.paper.variations import Variation, assumed, options
+from verification.report import page
+
+PACE: dict[str, dict[str, Any]] = {
+    "couplet": {"drive.steps": 5000, "solver.rows": 200},
+    "couplet-meso-coarse": {ACCURACY: "4 %"},
+    "wallette-mode-1": {"drive.rate": "8 mm/s", "solver.rows": 200},
+    "wallette-mode-2": {"drive.rate": "4 mm/s", "solver.rows": 200},
+    "bending-0": {ACCURACY: "4 %"},
+}
+"""Pace of the base runs: fast, and the same for all, so that the error of the loading nearly cancels in a change."""
+SHIPPED = {ACCURACY: f"{PERCENT:g} %"}
+DEAR = ("couplet-meso-coarse", "bending-0")
+"""Scenes whose blocks stay rigid: what matters to deformable blocks alone is not varied in them."""
+QUICK = ("couplet", "wallette-mode-1")
+INTRODUCTION = (
+    "What the paper does not give is assumed, and each assumption is varied by itself here, both ways where that makes "
+    "sense. A bar spans all the variations of one entry: orange up, blue down. The final stress is given in percent of "
+    "the base's peak, as it is close to nothing where a crack opens in full. Base and varied run are loaded in the "
+    "same, fast way; the accuracy of the drive is varied from the shipped one."
+)
+
+
+def variations(case: str, quick: bool) -> tuple[list[Variation], dict[str, str]]:
+    """What is varied in a scene, and what is not -> why. A quick look takes what needs no other step compiled."""
+    given, without = assumed(case)
+    wanted = given if quick else [*given, *options(case)]
+    if case in DEAR or quick:
+        without |= {v.entry: "matters to deformable blocks or another law alone" for v in wanted if v.base}
+        wanted = [v for v in wanted if not v.base]
+    return wanted, without
+
+
+def pair(case: str, v: Variation) -> tuple[Run, Run]:
+    """Base and varied run; the accuracy is varied from the shipped one."""
+    if ACCURACY in v.knobs:
+        return Run(case, SHIPPED), Run(case, v.knobs)
+    return Run(case, {**PACE[case], **v.base}), Run(case, {**PACE[case], **v.base, **v.knobs})
+
+
+def label(run: Run) -> str:
+    """The name of a run: its scene, and what is set in it."""
+    return f"{run.scene}: " + ", ".join(f"{key} = {value}" for key, value in run.settings.items())
+
+
+def runs(quick: bool) -> dict[str, Run]:
+    """Every base and every variation."""
+    pairs = (pair(case, v) for case in cases(quick) for v in variations(case, quick)[0])
+    return {label(run): run for both in pairs for run in both}
+
+
+def cases(quick: bool) -> Iterator[str]:
+    """The scenes that are varied."""
+    return (case for case in PACE if not quick or case in QUICK)
+
+
+def show(done: Done) -> Section:
+    """A tornado for each scene, and how many assumptions matter."""
+    made = Section([page.paragraph(INTRODUCTION)])
+    largest: list[tuple[float, str]] = []
+    for case in cases(done.quick):
+        wanted, without = variations(case, done.quick)
+        found = [(v, *change(case, v, done)) for v in wanted]
+        changed = [(v, changes) for v, changes, _ in found if changes]
+        made.records += [record for _, _, records in found for record in records]
+        largest += [(max(map(abs, c[::2])), f"{v.entry} in {case}") for v, c in changed if ACCURACY not in v.knobs]
+        made.parts += [page.heading(case), *pictures(case, changed)]
+        refused = [f"{v.entry} = {v.label}: {records[0]['reason']}" for v, changes, records in found if not changes]
+        if aside := [*refused, *(f"{key}: {why}" for key, why in without.items())]:
+            made.parts.append(page.folded(f"Not varied: {len(aside)}", page.bullets(aside)))
+    made.verdicts.append(verdict(largest))
+    return made
+
+
+def change(case: str, v: Variation, done: Done) -> tuple[list[float], list[dict[str, Any]]]:
+    """(changes of PANELS as shares, a record each); no changes where one of the two runs did not come through."""
+    base, varied = (label(run) for run in pair(case, v))
+    fine = done.has(base) and done.has(varied)
+    records = []
+    for quantity, measure in PANELS.items():
+        before, after = (measure.of(done.rows[name]) if fine else math.nan for name in (base, varied))
+        scale = PANELS["peak"].of(done.rows[base]) if measure.of_the_peak and fine else 0.0
+        kind = "same scene, assumption as shipped"
+        record = done.record(varied, quantity, after, measure.unit, before, kind, scale)
+        records.append(
+            record | {"knob": v.entry, "rung": v.label, "reason": record["reason"] or done.rows[base]["reason"]}
+        )
+    return [r["error"] for r in records if r["error"] is not None], records
+
+
+EXPERIMENT = Experiment("sensitivity", "What is not given: how far the answers move with it", 80, runs, show)
