@@ -46,3 +46,11 @@ def test_bed_joints_carry_the_pressure_from_the_top_to_the_plate():
     plate = result.joint_group == result.joint_groups.index("plate")
     force = np.sum(frame.normal_stress * joints.area, where=plate)
     assert abs(force / (-0.25e6 * 0.72 * 0.114) - 1) < 1e-3
+
+
+def test_while_it_is_elastic_mid_span_moves_nearly_23_20_as_far_as_the_loads():
+    """As a beam does that bends alone; joints that shear and rollers that are pressed take a little off."""
+    rows = run("bending-0").history.rows
+    early = (rows["displacement"] > 0) & (rows["fracture_mode_1"] + rows["fracture_mode_2"] == 0)
+    ratio = rows["mid-span deflection"][early] / rows["displacement"][early]
+    assert np.all((ratio > 1.1) & (ratio < 1.15))

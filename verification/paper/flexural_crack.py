@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from masonry.results import Result
-from masonry.scene import Scene
+from masonry.scene.specimen import BendingSpec
 from verification.paper.crack_path import CrackPath, crack_path
 
 CRACKED = 0.5
@@ -51,9 +51,8 @@ class FlexuralCrack:
         )
 
 
-def flexural_crack(result: Result, scene: Scene) -> FlexuralCrack:
-    """The crack of a run of a bending scene."""
-    spec = scene.specimen
+def flexural_crack(result: Result, spec: BendingSpec) -> FlexuralCrack:
+    """The crack of a run of a bending scene with this specimen."""
     course = spec.unit_height + spec.joint_thickness
     path: CrackPath = replace(crack_path(result), section=spec.courses * course * spec.thickness)
     number = np.clip((path.point[:, 2] / course).astype(int), 0, spec.courses - 1)

@@ -7,7 +7,7 @@ from masonry import scene
 from verification.paper.experiment import Done
 from verification.paper.flexural_crack import FlexuralCrack, flexural_crack
 from verification.paper.flexural_runs import ASSUMED, SCENES, STRENGTHS, label
-from verification.paper.flexure import Wall, wall_of
+from verification.paper.flexure import Wall, bending_spec, wall_of
 from verification.report import page
 from verification.report.figures import COLOURS, sheet
 
@@ -20,7 +20,7 @@ CAPTION = (
 
 def crack_of(done: Done, name: str) -> FlexuralCrack:
     """The crack at the end of a run."""
-    return flexural_crack(done[name], _scene(done, name))
+    return flexural_crack(done[name], bending_spec(_scene(done, name)))
 
 
 def wall_by_hand(done: Done, name: str) -> Wall:

@@ -9,7 +9,8 @@ ASSUMED = (0.5, 1.5)
 """Tensile strength of interfaces and of units, MPa."""
 PATTERNED = (0.25, 2.25)
 """The pair within 50 % of it with which both patterns of the paper come out."""
-STRENGTHS = tuple(product(*((0.5 * f, f, 1.5 * f) for f in ASSUMED)))
+SHARES = (0.5, 1.0, 1.5)
+STRENGTHS = tuple((a * ASSUMED[0], b * ASSUMED[1]) for a, b in product(SHARES, SHARES))
 SEEDS = (2, 3)
 POINTS = (6, 14)
 """Contact points through the thickness, beside the ten of the paper."""

@@ -17,7 +17,9 @@ from itertools import product
 
 import numpy as np
 
+from masonry.errors import SceneError
 from masonry.scene import Scene
+from masonry.scene.specimen import BendingSpec
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,7 @@ class Wall:
 
 def wall_of(scene: Scene) -> Wall:
     """The wall of a bending scene."""
-    spec, joint, unit = scene.specimen, scene.contact["unit_unit"], scene.contact["within_units"]
+    spec, joint, unit = bending_spec(scene), scene.contact["unit_unit"], scene.contact["within_units"]
     strengths = (joint.tensile_strength, unit.tensile_strength, joint.cohesion, joint.tan_friction)
     interface, units, cohesion, friction = (float(value or 0.0) for value in strengths)
     return Wall(
@@ -78,6 +80,13 @@ def wall_of(scene: Scene) -> Wall:
         spec.courses * (spec.unit_height + spec.joint_thickness),
         spec.courses,
     )
+
+
+def bending_spec(scene: Scene) -> BendingSpec:
+    """The specimen of a bending scene; SceneError for another kind."""
+    if not isinstance(scene.specimen, BendingSpec):
+        raise SceneError(f"{scene.name}: specimen.kind is '{scene.specimen.kind}'; only 'bending' is known by hand")
+    return scene.specimen
 
 
 def edge_moment(a: float, t: float) -> float:

@@ -67,9 +67,7 @@ def test_the_strengths_of_the_map_are_the_assumed_ones_and_half_of_them_to_eithe
 
 
 def wall_of_the_sample() -> Any:
-    return SimpleNamespace(
-        specimen=SimpleNamespace(unit_height=0.9 * HEIGHT, joint_thickness=0.1 * HEIGHT, courses=4, thickness=DEPTH)
-    )
+    return SimpleNamespace(unit_height=0.9 * HEIGHT, joint_thickness=0.1 * HEIGHT, courses=4, thickness=DEPTH)
 
 
 def test_a_crack_round_all_units_is_stepped():
