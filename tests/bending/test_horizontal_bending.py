@@ -49,8 +49,7 @@ def test_bed_joints_carry_the_pressure_from_the_top_to_the_plate():
 
 
 def test_while_it_is_elastic_mid_span_moves_nearly_23_20_as_far_as_the_loads():
-    """As a beam does that bends alone; joints that shear and rollers that are pressed take a little off."""
+    """At the last row without damage, as a beam that bends alone; shear and pressed rollers take a little off."""
     rows = run("bending-0").history.rows
-    early = (rows["displacement"] > 0) & (rows["fracture_mode_1"] + rows["fracture_mode_2"] == 0)
-    ratio = rows["mid-span deflection"][early] / rows["displacement"][early]
-    assert np.all((ratio > 1.1) & (ratio < 1.15))
+    last = int(np.argmax(rows["fracture_mode_1"] + rows["fracture_mode_2"] > 0)) - 1
+    assert 1.12 < rows["mid-span deflection"][last] / rows["displacement"][last] < 1.15
