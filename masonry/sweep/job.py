@@ -24,10 +24,12 @@ class Job:
 
     scene     a packaged scene's name or a path
     settings  dotted key -> value, as `masonry.load(scene, settings)` takes them
+    label     what progress calls it; what is set in it where none is given
     """
 
     scene: str | Path
     settings: Mapping[str, Any] = field(default_factory=dict)
+    label: str = ""
 
     @cached_property
     def resolved(self) -> str:
@@ -50,6 +52,8 @@ class Job:
         return self._key
 
     def __str__(self) -> str:
+        if self.label:
+            return self.label
         return " ".join(f"{key.rsplit('.', 1)[-1]}={value}" for key, value in self.settings.items()) or str(self.scene)
 
 

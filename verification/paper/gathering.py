@@ -28,8 +28,8 @@ def gather(
 ) -> list[Shown]:
     """Run what is not there yet under `folder`, then let each experiment show its results."""
     wanted = {e.name: with_halved(e.runs(quick), quick) for e in experiments}
-    flat = [run for runs in wanted.values() for run in runs.values()]
-    rows = iter(engine.run([Job(run.scene, run.settings) for run in flat], folder, workers, tell))
+    jobs = [Job(run.scene, run.settings, label) for runs in wanted.values() for label, run in runs.items()]
+    rows = iter(engine.run(jobs, folder, workers, tell))
     made = []
     for experiment in experiments:
         runs = wanted[experiment.name]

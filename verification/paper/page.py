@@ -28,7 +28,11 @@ def chapters(shown: Sequence[Shown]) -> list[Chapter]:
 def tables(shown: Sequence[Shown]) -> list[str]:
     """The claims of the paper by experiment, and below them those on our runs."""
     claims = [table(HEADER, [row(c) for c in s.section.claims], s.experiment.title) for s in shown if s.section.claims]
-    sound = [[Link(s.experiment.title, s.experiment.name), c.says, *row(c)[2:]] for s in shown for c in s.soundness]
+    sound = [
+        [Link(s.experiment.title, s.experiment.name), Cell(c.says, "claim"), *row(c)[2:]]
+        for s in shown
+        for c in s.soundness
+    ]
     return [
         *claims,
         heading("How sound the runs are"),
@@ -39,7 +43,8 @@ def tables(shown: Sequence[Shown]) -> list[str]:
 def row(claim: Claim) -> list[str | Cell]:
     """The cells of a claim, coloured by whether it holds."""
     word, kind = WORDS[claim.holds]
-    return [claim.says, claim.source, claim.check, claim.measured, Cell(word, kind, claim.why)]
+    words = (Cell(claim.says, "claim"), claim.source, Cell(claim.check, "claim"), Cell(claim.measured, "claim"))
+    return [*words, Cell(word, kind, claim.why)]
 
 
 def chapter(one: Shown) -> Chapter:

@@ -9,6 +9,8 @@ from masonry.results import Result
 from verification.paper.experiment import Claim, Done
 
 IMBALANCE, MISMATCH, MOVED = 1e-6, 0.02, 0.01
+NAMED = 4
+"""Of the runs beyond a limit, the worst."""
 HALVED = "{}, at half the accuracy"
 """The label of a run made again with half the error of loading."""
 
@@ -64,13 +66,14 @@ def _within(rows: Mapping[str, Mapping[str, Any]], key: str, limit: float, says:
 def _largest(values: Mapping[str, float], limit: float, says: str, what: str) -> Claim:
     """The largest of the values against a limit; says whose it is."""
     show: Callable[[float], str] = lambda v: f"{v:.1e}" if limit < 1e-3 else f"{100.0 * v:.2g} %"  # noqa: E731
-    worst = max(values, key=lambda label: values[label])
-    beyond = [label for label, value in values.items() if value >= limit]
+    order = sorted(values, key=lambda label: -values[label])
+    beyond = [f"{label} ({show(values[label])})" for label in order if values[label] >= limit]
+    more = f" and {len(beyond) - NAMED} more" if len(beyond) > NAMED else ""
     return Claim(
         says,
         "this program",
         f"{what} < {show(limit)} in each of {len(values)} runs",
-        f"at most {show(values[worst])} ({worst})",
+        f"at most {show(values[order[0]])} ({order[0]})",
         not beyond,
-        f"beyond it: {', '.join(f'{label} ({show(values[label])})' for label in beyond)}" if beyond else "",
+        f"beyond it: {', '.join(beyond[:NAMED])}{more}" if beyond else "",
     )

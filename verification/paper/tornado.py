@@ -7,7 +7,7 @@ from typing import Any
 from verification.paper.variations import Variation
 from verification.report import figures, page
 
-MATTERS, FELT = 0.10, 0.05
+MATTERS, FELT = 0.10, 0.5
 """A share above which an assumption matters; percent below which nothing is felt of it."""
 
 
