@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
-from masonry.history import UNITS, Frame, History
+from masonry.history import Frame, History, unit_of
 
 if TYPE_CHECKING:
     from masonry.results import Result
@@ -41,7 +41,7 @@ def write(path: Path, result: "Result") -> None:
         file.create_dataset("log", data=np.array(result.log, dtype=object), dtype=h5py.string_dtype())
         rows = file.create_group("rows")
         for name, values in result.history.rows.items():
-            rows.create_dataset(name, data=values).attrs["unit"] = UNITS[name]
+            rows.create_dataset(name, data=values).attrs["unit"] = unit_of(name)
         _write_frames(file.create_group("frames"), result.history.frames)
         specimen = file.create_group("specimen")
         specimen.attrs["section"] = result.specimen.section

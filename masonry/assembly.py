@@ -14,6 +14,7 @@ from masonry.bodies import Material, lay_out
 from masonry.conditions import conditions_of
 from masonry.contact_groups import contact_group_name
 from masonry.errors import SceneError, nearest
+from masonry.gauge_places import gauges_of
 from masonry.guide import LITTLE
 from masonry.held import require_held
 from masonry.laws import build as law_build
@@ -70,7 +71,8 @@ def assemble(scene: Scene) -> Assembly:
     built = model.build(blocks, joints, materials, laws, stepping, conditions, layout)
     plan = _plan(scene, built.dt)
     sign = scene.drive.sign if scene.drive else 1.0
-    recording = Recording(specimen.section, sign, s.rows, s.rotation_limit)
+    gauges = gauges_of(scene, specimen, joints, layout)
+    recording = Recording(specimen.section, sign, s.rows, s.rotation_limit, gauges)
     return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn)
 
 

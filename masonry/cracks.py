@@ -1,6 +1,6 @@
 """What a picture of cracks shows, as plain arrays: the view, the outlines of blocks, the contacts seen edge-on."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -15,16 +15,20 @@ EDGE_ON = 0.5
 
 @dataclass(frozen=True)
 class View:
-    """A view along one axis: axis numbers to the right and up, the unit vector toward the viewer, the size in m."""
+    """A view along one axis: axis numbers to the right and up, the unit vector toward the viewer, the size in m.
+
+    way  1.0, or -1.0 where coordinates grow to the left: seen from behind
+    """
 
     right: int
     up: int
     toward: np.ndarray
     size: float
+    way: float = 1.0
 
     def project(self, points: np.ndarray) -> np.ndarray:
         """(..., 2) of (..., 3)."""
-        return points[..., [self.right, self.up]]
+        return points[..., [self.right, self.up]] * (self.way, 1.0)
 
 
 def front_view(points: np.ndarray) -> View:
@@ -34,6 +38,12 @@ def front_view(points: np.ndarray) -> View:
     right, up = sorted(np.argsort(-(extent + preference))[:2])
     toward = np.cross(np.eye(3)[right], np.eye(3)[up])
     return View(int(right), int(up), toward, float(extent.max()))
+
+
+def back_view(points: np.ndarray) -> View:
+    """The same plane from behind."""
+    front = front_view(points)
+    return replace(front, toward=-front.toward, way=-1.0)
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ UNITS = {
     "displacement": "m",
     "stress": "Pa",
     "support_stress": "Pa",
+    "force": "N",
     "external_work": "J",
     "elastic_blocks": "J",
     "elastic_contacts": "J",
@@ -21,8 +22,14 @@ UNITS = {
     "contact_work": "J",
     "imbalance": "J",
 }
-"""The columns of a history, with the unit of each. `stress` is taken at the drive, `support_stress` at the support;
+"""The columns of a history, with the unit of each; the columns of gauges, in m, come besides. `stress` is taken at the
+drive, `support_stress` at the support, `force` is that of the drive;
 `contact_work` is the trapezoid work that the contacts took up, `imbalance` what is left of the energy balance."""
+
+
+def unit_of(column: str) -> str:
+    """Of a column of a history; all that are not in UNITS are gauges."""
+    return UNITS.get(column, "m")
 
 
 @dataclass(frozen=True)
@@ -60,7 +67,7 @@ class Frame:
 
 @dataclass
 class History:
-    """Rows (one array per key of UNITS) and frames of a run, oldest first."""
+    """Rows (one array per key of UNITS and per gauge) and frames of a run, oldest first."""
 
     rows: dict[str, np.ndarray] = field(default_factory=dict)
     frames: list[Frame] = field(default_factory=list)

@@ -8,7 +8,7 @@ import numpy as np
 from geometry.blocks import Blocks
 from geometry.ragged import ranges
 from masonry.crack_drawing import LEAST_DAMAGE, crack_keys, draw_cracks, draw_scales, scale_of
-from masonry.cracks import CrackLines, Outlines, View, crack_lines, front_view, outlines
+from masonry.cracks import CrackLines, Outlines, View, back_view, crack_lines, front_view, outlines
 from masonry.history import Frame
 from masonry.plot import MEGA, MILLI, peak_row, plain
 
@@ -54,13 +54,17 @@ def cracks_figure(result: "Result") -> Any:
     return figure
 
 
-def gallery(panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2) -> Any:
-    """A figure of panels in rows: (name, result, one of its frames) each, with one key and one scale to them all."""
+def gallery(panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2, back: bool = False) -> Any:
+    """A figure of panels in rows: (name, result, one of its frames) each, with one key and one scale to them all.
+
+    back  seen from behind, as the tension face of a wall in bending
+    """
     from matplotlib.figure import Figure
 
     columns = max(min(columns, len(panels)), 1)
     rows = max(-(-len(panels) // columns), 1)
-    views = [front_view(result.specimen.blocks.points) for _, result, _ in panels]
+    view_of = back_view if back else front_view
+    views = [view_of(result.specimen.blocks.points) for _, result, _ in panels]
     ratio = max((_ratio(result, view) for (_, result, _), view in zip(panels, views, strict=True)), default=1.0)
     width = 14.0 if len(panels) > 1 else 9.0
     height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9

@@ -1,9 +1,11 @@
-"""curve.png: stress against displacement, and the energy ledger below it."""
+"""curve.png: stress (or force) against displacement (or a gauge), and the energy ledger below it."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from masonry.curve_axes import CurveAxes, curve_axes
 
 if TYPE_CHECKING:
     from masonry.results import Result
@@ -61,7 +63,6 @@ def curve_figure(result: "Result") -> Any:
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     words = [result.title, *(_words(result.summary.get(key)) for key in ("law", "kinematics"))]
     figure.suptitle(plain(", ".join(filter(None, words))), fontsize=13, wrap=True)
-    curve.set_ylabel("stress [MPa]")
     ledger.set_ylabel("energy [J]")
     for axes in (curve, ledger):
         axes.grid(color="0.9", linewidth=0.8)
@@ -71,10 +72,11 @@ def curve_figure(result: "Result") -> Any:
     if not len(rows.get("displacement", ())):
         curve.text(0.5, 0.5, "no rows were recorded", transform=curve.transAxes, ha="center")
         return figure
-    across, label = abscissa(rows)
-    ledger.set_xlabel(label)
-    _draw_curve(curve, rows, across, *peak_point(result))
-    _draw_ledger(ledger, rows, across)
+    drawn = curve_axes(result)
+    curve.set_ylabel(f"{drawn.name} [{drawn.unit}]")
+    ledger.set_xlabel(drawn.label)
+    _draw_curve(curve, rows, drawn, *peak_point(result))
+    _draw_ledger(ledger, rows, drawn.across)
     for axes in (curve, ledger):
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
     return figure
@@ -85,23 +87,17 @@ def _words(value: Any) -> str:
     return " + ".join(sorted(set(value.values()))) if isinstance(value, dict) else str(value or "")
 
 
-def abscissa(rows: dict[str, np.ndarray]) -> tuple[np.ndarray, str]:
-    """What the curve is drawn against: displacement of the drive, or time in a scene without one."""
-    if rows["displacement"].any():
-        return rows["displacement"] * MILLI, "displacement [mm]"
-    return rows["time"], "time [s]"
-
-
-def _draw_curve(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray, peak_at: float, peak: float) -> None:
-    peak_at, peak = peak_at * MILLI, peak * MEGA
-    stress = rows["stress"] * MEGA
+def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_at: float, peak: float) -> None:
+    displacement, unit = drawn.across, drawn.unit
+    peak_at, peak = drawn.place(rows, peak_at), peak * drawn.factor
+    stress, support = rows["stress"] * drawn.factor, rows["support_stress"] * drawn.factor
     axes.plot(displacement, stress, color="#1f3b5c", linewidth=2.0, label="at the drive")
-    axes.plot(displacement, rows["support_stress"] * MEGA, "--", color="#e07b00", linewidth=1.0, label="at the support")
+    axes.plot(displacement, support, "--", color="#e07b00", linewidth=1.0, label="at the support")
     if not rows["displacement"].any():
         return
     axes.plot(peak_at, peak, "o", color="#b2182b", markersize=7, label="peak")
     axes.annotate(
-        f"peak {peak:.4g} MPa at {peak_at:.4g} mm",
+        f"peak {peak:.4g} {unit} at {peak_at:.4g} mm",
         (peak_at, peak),
         xytext=(12, 4 if peak >= 0 else -14),
         textcoords="offset points",
@@ -112,7 +108,7 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray
     if peak_row(rows) < len(stress) - 1:
         right = displacement[-1] >= displacement.mean()
         axes.annotate(
-            f"residual {stress[-1]:.3g} MPa",
+            f"residual {stress[-1]:.3g} {unit}",
             (displacement[-1], stress[-1]),
             xytext=(-4 if right else 4, 30 if stress[-1] >= 0 else -38),
             textcoords="offset points",

@@ -50,6 +50,7 @@ def summary_text(summary: dict[str, Any]) -> str:
         ("peak stress", [_number(summary, "peak_stress_pa", 1e-6, "MPa")]),
         ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
         ("final stress", [_number(summary, "final_stress_pa", 1e-6, "MPa")]),
+        *((name, [gauge_text(readings)]) for name, readings in (summary.get("gauges") or {}).items()),
         ("energy imbalance", [_number(summary, "energy_imbalance", 1.0, "of the external work")]),
         ("reaction mismatch", [_number(summary, "reaction_mismatch_max", 100.0, "% of the peak")]),
         ("kinetic / internal", [_number(summary, "kinetic_over_internal_max", 100.0, "%")]),
@@ -59,6 +60,12 @@ def summary_text(summary: dict[str, Any]) -> str:
         ("trust", [trust(summary)]),
     ]
     return aligned(rows)
+
+
+def gauge_text(readings: dict[str, float]) -> str:
+    """What a gauge showed."""
+    at_peak, final = (_number(readings, key, 1e3, "mm") for key in ("at_peak_m", "final_m"))
+    return f"{at_peak} at the peak, {final} at the end"
 
 
 def accuracy_text(summary: dict[str, Any]) -> str:

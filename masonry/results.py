@@ -13,7 +13,7 @@ from geometry.blocks import Joints, Specimen, TetMesh
 from masonry import archive
 from masonry.errors import SceneError
 from masonry.folder import WholeFiles
-from masonry.history import UNITS, Frame, History
+from masonry.history import UNITS, Frame, History, unit_of
 
 NUMBERS = ("summary.json", "curve.csv", "history.h5", "scene.toml", "run.log")
 """Files of a run without its pictures and fields."""
@@ -131,10 +131,10 @@ def load_history(folder: Path | str) -> Result:
 
 
 def csv_text(rows: dict[str, np.ndarray]) -> str:
-    """The rows as CSV in SI units, displacement and stress first, floats to full precision."""
-    names = ["displacement", "stress", *(name for name in UNITS if name not in ("displacement", "stress"))]
-    names = [name for name in names if name in rows]
-    lines = [",".join(f"{name} [{UNITS[name]}]" for name in names)]
+    """The rows as CSV in SI units, displacement, stress and gauges first, floats to full precision."""
+    first = ("displacement", "stress", *(name for name in rows if name not in UNITS))
+    names = [name for name in (*first, *(name for name in UNITS if name not in first)) if name in rows]
+    lines = [",".join(f"{name} [{unit_of(name)}]" for name in names)]
     columns = [np.asarray(rows[name]).tolist() for name in names]
     lines += [",".join(map(repr, values)) for values in zip(*columns, strict=True)]
     return "\n".join(lines) + "\n"

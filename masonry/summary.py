@@ -61,6 +61,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "peak_stress_pa": peak,
         "displacement_at_peak_m": outcome.displacement_at_peak,
         "final_stress_pa": float(rows["stress"][-1]),
+        "peak_force_n": outcome.peak_force,
+        "gauges": _readings(assembly, outcome),
         "reaction_mismatch_max": float(mismatch.max() / peak) if peak > 0 and after.any() else 0.0,
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
@@ -77,6 +79,18 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "stopped": outcome.stopped,
         "version": __version__,
         "source_hash": source_hash(),
+    }
+
+
+def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, dict[str, float]]:
+    """By gauge: m at the peak (between the rows before and after it) and at the end."""
+    rows, peak = outcome.history.rows, outcome.displacement_at_peak
+    return {
+        gauge.name: {
+            "at_peak_m": float(np.interp(peak, rows["displacement"], rows[gauge.name])),
+            "final_m": float(rows[gauge.name][-1]),
+        }
+        for gauge in assembly.recording.gauges
     }
 
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from masonry import energy
 from masonry.errors import Stopped
+from masonry.gauges import Gauge
 from masonry.history import UNITS, Frame, History
 from masonry.kernels.compiler import kind_of, once
 from masonry.kernels.step import advance, reaction
@@ -49,12 +50,13 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Recording:
-    """How forces become stresses (section, m2; sign of the drive) and how often to look."""
+    """How forces become stresses (section, m2; sign of the drive), how often to look, and which gauges to read then."""
 
     section: float
     sign: float = 1.0
     rows: int = 1000
     rotation_limit: float = 0.02
+    gauges: tuple[Gauge, ...] = ()
 
 
 def run(
@@ -195,8 +197,10 @@ class _Loop:
         if step <= self.settle:
             self.outcome.unbalanced = energy.unbalanced(model, before)
         place = abs(self.place)
-        self.rows.append([step, step * model.dt, place, stress, -support, *(terms[k] for k in list(UNITS)[5:])])
         force = area * self.recording.sign
+        gauges = [gauge.read(model) for gauge in self.recording.gauges]
+        motion = [step, step * model.dt, place, stress, -support, area * stress]
+        self.rows.append([*motion, *(terms[k] for k in list(UNITS)[len(motion) :]), *gauges])
         self.pace.look(stress * force, -support * force, view.seen, terms)
         self.outcome.rotation_max = self.watch.rotation
         self.overlap.look(view.seen[:, 0])
@@ -211,8 +215,9 @@ class _Loop:
 
     def finish(self) -> None:
         """Columns from rows; the frame at the peak among the others, oldest first."""
-        table = np.array(self.rows).reshape(-1, len(UNITS))
-        self.outcome.history.rows = {key: table[:, i].copy() for i, key in enumerate(UNITS)}
+        columns = [*UNITS, *(gauge.name for gauge in self.recording.gauges)]
+        table = np.array(self.rows).reshape(-1, len(columns))
+        self.outcome.history.rows = {key: table[:, i].copy() for i, key in enumerate(columns)}
         frames = {frame.step: frame for frame in self.frames}
         if self.peak_frame is not None:
             frames[self.peak_frame.step] = self.peak_frame

@@ -31,7 +31,7 @@ FLOORS = {
     ),
     "model": Floor(
         "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays"
-        " masonry.holds masonry.step_cost masonry.draws",
+        " masonry.holds masonry.step_cost masonry.draws masonry.gauges",
         sees="model equations errors geometry",
         packages="numpy numba llvmlite",
     ),
@@ -39,12 +39,12 @@ FLOORS = {
         "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
         " masonry.overlap masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
-        " masonry.plot masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation",
+        " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation",
         sees="run model equations errors geometry",
     ),
     "scene": Floor(
         "masonry masonry.__main__ masonry.cli masonry.doctor masonry.printout masonry.quantity masonry.scene*"
-        " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held"
+        " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
         " masonry.size_guard masonry.block_files masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.solid_view masonry.condition_marks masonry.mark_drawing"

@@ -6,7 +6,9 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
+from masonry.history import UNITS
 from masonry.scene.contact import Contact, Material
+from masonry.scene.gauge import Curve, Gauge
 from masonry.scene.loading import Drive, Settle, Solver, Support, Traction
 from masonry.scene.scatter import Scatter, require_contacts
 from masonry.scene.specimen import Specimen
@@ -36,6 +38,8 @@ class Scene(Table):
     gravity: AccelerationVector | None = None
     settle: Settle | None = None
     solver: Solver = Solver()
+    gauge: tuple[Gauge, ...] = ()
+    curve: Curve | None = None
     assumptions: dict[str, str] = {}
 
     def kinematics_of(self, group: str) -> str:
@@ -71,11 +75,22 @@ class Scene(Table):
         self._kinematics_have_what_they_need()
         if self.scatter is not None:
             require_contacts(self.scatter, self.contact)
+        self._gauges_have_names_of_their_own()
         keys = set(dotted_keys(self))
         for key in self.assumptions:
             if key not in keys:
                 raise KeyedError("assumptions", _no_such(key, sorted(keys)))
         return self
+
+    def _gauges_have_names_of_their_own(self) -> None:
+        names = list(UNITS)
+        for k, gauge in enumerate(self.gauge):
+            if gauge.name in names:
+                raise KeyedError(f"gauge.{k}.name", f"'{gauge.name}' is a column of the results already; take another")
+            names.append(gauge.name)
+        across = ["displacement", *names[len(UNITS) :]]
+        if self.curve is not None and self.curve.x not in across:
+            raise KeyedError("curve.x", f"'{self.curve.x[:60]}' is no gauge; allowed: {', '.join(across)}")
 
     def _kinematics_have_what_they_need(self) -> None:
         for group, material in self.material.items():

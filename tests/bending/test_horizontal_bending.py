@@ -46,3 +46,10 @@ def test_bed_joints_carry_the_pressure_from_the_top_to_the_plate():
     plate = result.joint_group == result.joint_groups.index("plate")
     force = np.sum(frame.normal_stress * joints.area, where=plate)
     assert abs(force / (-0.25e6 * 0.72 * 0.114) - 1) < 1e-3
+
+
+def test_while_it_is_elastic_mid_span_moves_nearly_23_20_as_far_as_the_loads():
+    """At the last row without damage, as a beam that bends alone; shear and pressed rollers take a little off."""
+    rows = run("bending-0").history.rows
+    last = int(np.argmax(rows["fracture_mode_1"] + rows["fracture_mode_2"] > 0)) - 1
+    assert 1.12 < rows["mid-span deflection"][last] / rows["displacement"][last] < 1.15

@@ -23,13 +23,13 @@ class Run:
     """A packaged scene with some of its keys set.
 
     halve   run it once more with half the accuracy, to see how far its peak moves
-    sudden  it breaks at once, and no loading is slow enough after that: its ends are compared up to its peak
+    sudden  why the specimen gives way at once past its peak, so that its two ends are compared up to there only
     """
 
     scene: str
     settings: Mapping[str, Any] = field(default_factory=dict)
     halve: bool = False
-    sudden: bool = False
+    sudden: str = ""
 
     @property
     def paced(self) -> bool:
@@ -68,6 +68,11 @@ class Claim:
     def __post_init__(self) -> None:
         if self.holds is not True and not self.why:
             raise ValueError(f"the claim '{self.says}' does not hold or cannot be told: say why")
+
+
+def answer(holds: bool, why: str) -> tuple[bool, str]:
+    """The last two entries of a claim: whether it holds, and the reason only where it does not."""
+    return holds, "" if holds else why
 
 
 @dataclass

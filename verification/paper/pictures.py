@@ -50,10 +50,11 @@ def curves(
     return figure
 
 
-def cracks(results: Mapping[str, Result], columns: int = 2, at_peak: bool = False) -> Figure:
+def cracks(results: Mapping[str, Result], columns: int = 2, at_peak: bool = False, back: bool = False) -> Figure:
     """Name -> result: each specimen at the end of its run, with its cracks, displacements drawn by a stated factor.
 
     at_peak  draw each at the peak of its curve as well
+    back     seen from behind
     """
     from masonry.picture import frames_to_draw, gallery
 
@@ -61,4 +62,4 @@ def cracks(results: Mapping[str, Result], columns: int = 2, at_peak: bool = Fals
     for name, result in results.items():
         frames = frames_to_draw(result) if at_peak else [("", result.history.frames[-1])]
         panels += [(", ".join(filter(None, (name, when))), result, frame) for when, frame in frames]
-    return gallery(panels, columns)
+    return gallery(panels, columns, back)

@@ -41,7 +41,7 @@ class Family:
     scene: str
     settings: Mapping[str, Any] = field(default_factory=dict)
     halve: bool = False
-    sudden: bool = False
+    sudden: str = ""
 
 
 Found = dict[int, list[Result]]

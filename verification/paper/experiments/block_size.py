@@ -39,8 +39,10 @@ def families(quick: bool) -> Iterator[Family]:
     yield Family(FIRST, MODE_1, {} if quick else {ACCURACY: "0.6 %"}, halve=True)
     yield Family(SECOND, MODE_2, {}, halve=True)
     if not quick:
-        yield Family(HELD, MODE_2, CLAMPED, sudden=True)
-        yield Family(BRITTLE, MODE_2, {"law": "brittle", "drive.displacement": "0.03 mm"}, sudden=True)
+        yield Family(HELD, MODE_2, CLAMPED, sudden="two half cracks become one at once")
+        yield Family(
+            BRITTLE, MODE_2, {"law": "brittle", "drive.displacement": "0.03 mm"}, sudden="a brittle crack runs at once"
+        )
 
 
 def runs(quick: bool) -> dict[str, Run]:
