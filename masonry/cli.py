@@ -3,9 +3,9 @@
 Exit codes: 0 done, 2 something wrong with the scene or the words, 3 stopped because the numbers could no longer be
 trusted, 130 interrupted. Nothing that computes is imported before it is needed.
 
-`masonry verify` and `masonry paper` stand on a floor above this one, `masonry sweep` in a room of its own. Their modules
-are known here by name alone, and looked up when the command is called: an entry point would do the same, but be found
-only after reinstalling, and cost each other command a search through all that is installed.
+`masonry verify` and `masonry paper` stand on a floor above this one, `masonry sweep` in a room of its own. Their
+modules are known here by name alone, and looked up when the command is called: an entry point would do the same, but be
+found only after reinstalling, and cost each other command a search through all that is installed.
 """
 
 import argparse
