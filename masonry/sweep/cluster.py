@@ -1,5 +1,6 @@
 """Tasks done by the workers of a Dask cluster that somebody started: `dask scheduler`, and `dask worker ADDRESS`."""
 
+import logging
 import threading
 import time
 from collections.abc import Callable, Generator, Sequence
@@ -23,6 +24,7 @@ def work_on(scheduler: str, act: Callable[[Any], Any], tasks: Sequence[Any]) -> 
         from distributed.comm import get_address_host_port
     except ImportError:
         raise SceneError("--scheduler needs Dask: pip install 'masonry-dem[cluster]'") from None
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # it logs a traceback for what is said below
     try:
         get_address_host_port(scheduler)  # a client that was never one says so when it is forgotten
         client = Client(scheduler, timeout=PATIENCE, set_as_default=False)
