@@ -1,5 +1,6 @@
 """Tasks done by the workers of a Dask cluster that somebody started: `dask scheduler`, and `dask worker ADDRESS`."""
 
+import logging
 import threading
 import time
 from collections.abc import Callable, Generator, Sequence
@@ -20,9 +21,12 @@ def work_on(scheduler: str, act: Callable[[Any], Any], tasks: Sequence[Any]) -> 
     """
     try:
         from dask.distributed import Client, as_completed
+        from distributed.comm import get_address_host_port
     except ImportError:
         raise SceneError("--scheduler needs Dask: pip install 'masonry-dem[cluster]'") from None
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # it logs a traceback for what is said below
     try:
+        get_address_host_port(scheduler)  # a client that was never one says so when it is forgotten
         client = Client(scheduler, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         why = str(error).partition("\n")[0] or type(error).__name__

@@ -50,11 +50,11 @@ def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:
     """Name and values of the one column that was varied, in SI if it has a unit; of keys that change together (a row of
     a list, a multiple of another) the first. No name where several were varied.
     """
-    columns: dict[str, list[Any]] = {}
+    rows, columns = swept(planned), {}
+    names = list(dict.fromkeys(name for row in rows for name in row))
     for key in dict.fromkeys(key for run in planned for key in run.values):
-        mine = [{name: value for name, value in row.items() if name.split(" ")[0] == key} for row in swept(planned)]
-        best = max({name: None for row in mine for name in row}, key=lambda name: ("[" in name, name))
-        columns[best] = [row.get(best) for row in mine]
+        in_si = next((name for name in names if name.startswith(f"{key} [")), key)
+        columns[in_si] = [row.get(in_si) for row in rows]
     varied = {name: values for name, values in columns.items() if len(set(map(str, values))) > 1}
     if not varied:
         return "", []

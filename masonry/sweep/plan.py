@@ -72,11 +72,12 @@ class _Base:
                 self.scene = tomllib.loads(Job(self.sweep.scene, self.fixed).resolved)
             plain |= {key: _scaled(self.scene, key, key, value.factor) for key, value in of_itself.items()}
         if of_another:
-            here = tomllib.loads(Job(self.sweep.scene, self.fixed | plain).resolved)
+            known = self.fixed | plain
             for key, value in of_another.items():
                 assert value.of is not None
                 if value.of in of_another:
                     raise SceneError(f"{key}: of {value.of}, which is itself told by another key; name that one")
+                here = known if value.of in known else tomllib.loads(Job(self.sweep.scene, known).resolved)
                 plain[key] = _scaled(here, key, value.of, value.factor)
         values = {key: plain[key] for key in given}
         job = Job(self.sweep.scene, self.fixed | values)
@@ -91,8 +92,11 @@ def _scaled(scene: dict[str, Any], key: str, of: str, factor: float) -> Any:
 
 
 def _at(scene: dict[str, Any], key: str, of: str) -> Any:
+    """The value at a dotted key of a scene, or of settings, which have it as it is written."""
     from masonry.scene.lines import split_key
 
+    if of in scene:
+        return scene[of]
     at: Any = scene
     for part in split_key(of):
         if isinstance(at, list) and part.isdecimal() and int(part) < len(at):

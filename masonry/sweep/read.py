@@ -40,7 +40,7 @@ class Sweep:
     raw: dict[str, Any]
 
     @property
-    def runs_of_keys(self) -> dict[str, list[str]]:
+    def keys_by_part(self) -> dict[str, list[str]]:
         """The dotted keys that each part sets."""
         rows = self.parts.get("list", [])
         return {
@@ -121,7 +121,7 @@ def _is_number(value: Any) -> bool:
 
 def _each_key_once(sweep: Sweep) -> None:
     owner: dict[str, str] = {}
-    for part, keys in sweep.runs_of_keys.items():
+    for part, keys in sweep.keys_by_part.items():
         for key in keys:
             if key in owner:
                 raise SceneError(f"{sweep.name}: {key} is given in {owner[key]} and in {part}; once is enough")

@@ -50,10 +50,11 @@ def test_a_run_that_kills_its_workers_is_a_row_with_its_reason(cluster, tmp_path
     assert "died" in rows[1]["reason"] or "worker" in rows[1]["reason"]
 
 
-def test_a_scheduler_that_does_not_answer_is_said_in_words(tmp_path, monkeypatch):
+@pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "nonsense", "http://127.0.0.1:9", "tcp://x:y"])
+def test_a_scheduler_that_does_not_answer_is_said_in_words(tmp_path, monkeypatch, address):
     monkeypatch.setattr("masonry.sweep.cluster.PATIENCE", 0.5)
-    with pytest.raises(SceneError, match="no Dask scheduler answers at 'tcp://127.0.0.1:9'"):
-        engine.run(jobs("0.1 MPa"), tmp_path, scheduler="tcp://127.0.0.1:9")
+    with pytest.raises(SceneError, match=f"no Dask scheduler answers at '{address}'"):
+        engine.run(jobs("0.1 MPa"), tmp_path, scheduler=address)
 
 
 def test_without_dask_the_extra_is_named(tmp_path, monkeypatch):

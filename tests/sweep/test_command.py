@@ -17,8 +17,8 @@ from tests.sweep.samples import marks, text, untimed
 
 ROOT = Path(__file__).resolve().parents[2]
 GRID = '[grid]\nconfinement = ["0.1 MPa", "0.2 MPa", "0.3 MPa"]\n"solver.damping" = [0.7, 0.8]\n'
-LONG = 200_000
-"""Steps that take a run about half a second."""
+LONG = 100_000
+"""Steps that take a run a quarter of a second."""
 
 
 @pytest.fixture
@@ -72,7 +72,7 @@ def test_a_sweep_killed_half_way_runs_only_what_is_missing_and_gives_the_same_ta
     process.communicate()
     before = marks(Path("killed"))
     assert 2 <= len(before) < 6 and not Path("killed/sweep.parquet").exists()
-    assert main(["sweep", path, "--out", "killed", "--quiet"]) == 0
+    assert main(["sweep", path, "--out", "killed", "--workers", "1", "--quiet"]) == 0
     assert before.items() <= marks(Path("killed")).items()
     assert main(["sweep", path, "--out", "whole", "--quiet"]) == 0
     assert table("killed") == table("whole") and len(table("whole")) == 6
@@ -102,7 +102,7 @@ def test_a_sweep_that_is_told_to_end_ends_and_the_same_command_goes_on(sweep, ca
 
 
 def test_workers_end_with_the_process_that_started_them(sweep):
-    process = started(sweep(GRID, steps=100 * LONG), "--out", "here", "--workers", "2")
+    process = started(sweep(GRID, steps=200 * LONG), "--out", "here", "--workers", "2")
     workers = []
     while not workers:
         assert process.poll() is None
@@ -167,7 +167,7 @@ EXAMPLES = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/sweep.md").read_text(e
 def test_the_sweeps_of_the_documentation_run_as_they_stand(tmp_path, number, runs):
     path = tmp_path / "sweep.toml"
     path.write_text(EXAMPLES[number], encoding="utf-8")
-    assert main(["sweep", str(path), "--out", str(tmp_path / "out"), "--quiet"]) == 0
+    assert main(["sweep", str(path), "--out", str(tmp_path / "out"), "--workers", "1", "--quiet"]) == 0
     rows = table(tmp_path / "out")
     assert len(rows) == runs == len({row["key"] for row in rows})
     assert [row["status"] for row in rows] == ["OK"] * runs

@@ -117,6 +117,18 @@ def test_a_mistake_is_one_message_with_the_key_and_what_is_allowed(sweep, body):
     assert "\n" not in str(error.value) and "sweep.toml" in str(error.value)
 
 
+def test_a_key_cannot_follow_one_that_follows_another_itself(sweep):
+    chain = f'"{COHESION}" = {{times = 1.5, of = "{STRENGTH}"}}\n"{STRENGTH}" = {{times = 2, of = "{COHESION}"}}\n'
+    with pytest.raises(SceneError, match="is itself told by another key"):
+        plan(sweep(f'{chain}[grid]\nconfinement = ["0.1 MPa"]'))
+
+
+def test_a_key_can_follow_one_that_only_the_scene_gives(sweep):
+    friction = "contact.unit_unit.tan_residual_friction_angle"
+    (run,) = plan(sweep(f'[[list]]\n"{friction}" = {{times = 0.5, of = "{FRICTION}"}}'))
+    assert run.values[friction] == pytest.approx(0.505)
+
+
 @pytest.mark.parametrize("content", ["scene = couplet", "scene = 3", "", 'scene = "couplet"\n[list]\nlaw = "linear"'])
 def test_a_file_that_is_no_sweep_is_refused_in_words(tmp_path, content):
     path = tmp_path / "sweep.toml"
