@@ -22,12 +22,15 @@ PACES = (ACCURACY, "drive.steps", "drive.rate")
 class Run:
     """A packaged scene with some of its keys set.
 
-    halve  run it once more with half the accuracy, to see how far its peak moves
+    halve   run it once more with half the accuracy, to see how far its peak moves
+    sudden  why, where a crack runs by itself however slowly the specimen is driven: the forces at its ends may then
+            differ for a moment
     """
 
     scene: str
     settings: Mapping[str, Any] = field(default_factory=dict)
     halve: bool = False
+    sudden: str = ""
 
     @property
     def paced(self) -> bool:
@@ -36,7 +39,7 @@ class Run:
 
     def at(self, percent: float) -> "Run":
         """The same, aiming at an accuracy."""
-        return Run(self.scene, {**self.settings, ACCURACY: f"{percent:g} %"})
+        return Run(self.scene, {**self.settings, ACCURACY: f"{percent:g} %"}, sudden=self.sudden)
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,11 @@ def each(modes: Modes) -> list[tuple[str, Ensemble, Ensemble]]:
     return [(f"{mode}, {kind}", alone, w) for mode, (alone, kinds) in modes.items() for kind, w in kinds.items()]
 
 
+def ways_text(walls: Ensemble) -> str:
+    """ "28 straight, 2 mixed"."""
+    return ", ".join(f"{count} {way}" for way, count in walls.ways.items() if count)
+
+
 def envelope_claim(modes: Modes) -> Claim:
     """Peaks differ by more than a tenth, and so do the places that break."""
     widths = {name: float(np.ptp(np.quantile(w.peaks, [0.05, 0.95])) / w.peaks.mean()) for name, _, w in each(modes)}
@@ -36,32 +41,32 @@ def envelope_claim(modes: Modes) -> Claim:
 
 
 def qualitative_claim(modes: Modes) -> Claim:
-    """The wall without scatter is a usual one among those with it."""
-    above = {name: float(np.mean(w.peaks < alone.peaks[0])) for name, alone, w in each(modes)}
-    holds = all(0.05 <= share <= 0.95 for share in above.values())
+    """Most walls with scatter crack in the way of the one without."""
+    alike = {name: w.ways[alone.walls[0].way] / len(w.walls) for name, alone, w in each(modes)}
+    holds = min(alike.values()) > 0.8
     return Claim(
-        "Without variation of the properties the results are satisfying qualitatively",
+        "Variation is not considered; the crack patterns found without it are satisfying qualitatively",
         "6",
-        "the peak without scatter is among the middle 90 % of the peaks with it",
-        "; ".join(f"{name}: above {percent(share)} of the walls" for name, share in above.items()),
+        "over 80 % of the walls with scatter crack in the same way (stepped, straight, mixed) as the one without",
+        "; ".join(
+            f"{name}: {100.0 * alike[name]:.0f} % {alone.walls[0].way} as without" for name, alone, _ in each(modes)
+        ),
         holds,
-        "" if holds else "one strength for all joints is more than walls with weak and strong ones reach",
+        "" if holds else "which way a crack goes hangs on which joints and units are weak",
     )
 
 
 def mixed_claim(mode: tuple[Ensemble, Mapping[str, Ensemble]]) -> Claim:
-    """Cracks take joints alone, units alone or both, by what was drawn."""
+    """Cracks are stepped, straight or both, by what was drawn."""
     ways = {kind: w.ways for kind, w in mode[1].items()}
-    seen = np.sum(list(ways.values()), axis=0)
-    shown = "; ".join(f"{kind}: {a} / {b} / {c}" for kind, (a, b, c) in ways.items())
-    holds = bool(np.count_nonzero(seen) > 1)
+    found = {way for counts in ways.values() for way, count in counts.items() if count}
     return Claim(
-        "Stepped and straight cracks occur at once or by themselves, due among other things to varying properties",
+        "Stepped and straight cracks occur at once or by themselves, among other things because properties vary",
         "6",
-        "among walls of one scene (failure mode 2) that differ by what is drawn alone, more than one kind is found",
-        f"through joints alone / both / units alone: {shown} walls",
-        holds,
-        "" if holds else "all cracks are of one kind here",
+        "walls of failure mode 2 that differ by what is drawn alone crack in more than one way",
+        "; ".join(f"{kind}: {ways_text(w)}" for kind, w in mode[1].items()),
+        len(found) > 1,
+        "" if len(found) > 1 else "joints and units differ too little here: a crack keeps to its way",
     )
 
 
