@@ -11,6 +11,11 @@ from verification.report.page import percent
 MEGA = 1e-6
 WIDE = 0.1
 """Of the mean peak: a band that one test, or one run, cannot stand for."""
+ONE_WAY = (
+    "the sentence is about walls in bending; in these two scenes one way is far weaker than the other, by hand (bed "
+    "joints by their cohesion, heads and units by their tensile strength) 0.25 MPa stepped against 0.77 straight in "
+    "mode 1, 0.5 against 0.225 in mode 2, and scatter of 20 to 30 % does not make up for it"
+)
 Modes = Mapping[str, tuple[Ensemble, Mapping[str, Ensemble]]]
 
 
@@ -56,17 +61,17 @@ def qualitative_claim(modes: Modes) -> Claim:
     )
 
 
-def mixed_claim(mode: tuple[Ensemble, Mapping[str, Ensemble]]) -> Claim:
-    """Cracks are stepped, straight or both, by what was drawn."""
-    ways = {kind: w.ways for kind, w in mode[1].items()}
-    found = {way for counts in ways.values() for way, count in counts.items() if count}
+def mixed_claim(modes: Modes) -> Claim:
+    """Within a scene cracks are stepped, straight or both, by what was drawn."""
+    ways = {mode: {way for w in kinds.values() for way in w.ways if w.ways[way]} for mode, (_, kinds) in modes.items()}
+    holds = any(len(found) > 1 for found in ways.values())
     return Claim(
         "Stepped and straight cracks occur at once or by themselves, among other things because properties vary",
         "6",
-        "walls of failure mode 2 that differ by what is drawn alone crack in more than one way",
-        "; ".join(f"{kind}: {ways_text(w)}" for kind, w in mode[1].items()),
-        len(found) > 1,
-        "" if len(found) > 1 else "joints and units differ too little here: a crack keeps to its way",
+        "walls of one scene that differ by what is drawn alone crack in more than one way",
+        "; ".join(f"{name}: {ways_text(w)}" for name, _, w in each(modes)),
+        holds,
+        "" if holds else ONE_WAY,
     )
 
 

@@ -93,7 +93,7 @@ def show(done: Done) -> Section:
     made.claims += [
         envelope_claim(modes),
         qualitative_claim(modes),
-        mixed_claim(modes["failure mode 2"]),
+        mixed_claim(modes),
         weakest_claim(modes),
         averaging_claim(modes),
     ]
