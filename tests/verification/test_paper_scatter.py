@@ -22,7 +22,8 @@ def ensemble(*peaks: float, **changes) -> Ensemble:
 
 
 def modes(*peaks: float, **changes) -> dict:
-    return {"mode": (ensemble(0.1e6), {"correlated": ensemble(*peaks, **changes)})}
+    """A scene with walls of these peaks, each four times."""
+    return {"mode": (ensemble(0.1e6), {"correlated": ensemble(*4 * peaks, **changes)})}
 
 
 @pytest.mark.parametrize("quick", [True, False])
@@ -32,7 +33,7 @@ def test_the_walls_of_a_scene_differ_by_seed_and_correlation_alone(quick):
         labels = [label for label in made if label.startswith(f"{mode}, ")]
         seen = [(made[k].settings["scatter.seed"], made[k].settings["scatter.unit_unit.correlation"]) for k in labels]
         assert len(set(seen)) == len(labels) == sum((scatter.QUICK_COUNTS if quick else scatter.COUNTS).values())
-        plain, drawn = scene.load(name), scene.load(name, made[labels[0]].settings)
+        plain, drawn = (scene.load(name, made[label].settings) for label in (mode, labels[0]))
         assert drawn.model_copy(update={"scatter": None}) == plain
         assert {g: set(s.variations.values()) for g, s in drawn.scatter.groups.items()} == {
             "unit_unit": {0.3},
@@ -66,9 +67,14 @@ def test_no_claim_of_scatter_holds_of_walls_that_are_all_alike():
         assert claim(same).holds is False
 
 
+def test_of_few_walls_nothing_is_told():
+    few = {"mode": (ensemble(0.1e6), {"correlated": ensemble(0.05e6, 0.1e6)})}
+    assert scatter_claims.envelope_claim(few).holds is None and "2 walls" in scatter_claims.envelope_claim(few).why
+
+
 def test_the_claims_see_weaker_walls_that_crack_in_another_way():
     other = modes(0.08e6, 0.07e6, 0.09e6, way="straight")
     assert scatter_claims.weakest_claim(other).holds
     assert scatter_claims.qualitative_claim(other).holds is False
     assert scatter_claims.averaging_claim(other).holds
-    assert scatter_claims.averaging_claim(modes(0.02e6, 0.18e6)).holds is False
+    assert scatter_claims.averaging_claim(modes(0.02e6, 0.1e6, 0.18e6)).holds is False

@@ -11,6 +11,8 @@ from verification.report.page import percent
 MEGA = 1e-6
 WIDE = 0.1
 """Of the mean peak: a band that one test, or one run, cannot stand for."""
+FEW = 10
+"""Walls of which nothing can be told."""
 ONE_WAY = (
     "the sentence is about walls in bending; in these two scenes one way is far weaker than the other, by hand (bed "
     "joints by their cohesion, heads and units by their tensile strength) 0.25 MPa stepped against 0.77 straight in "
@@ -24,6 +26,14 @@ def each(modes: Modes) -> list[tuple[str, Ensemble, Ensemble]]:
     return [(f"{mode}, {kind}", alone, w) for mode, (alone, kinds) in modes.items() for kind, w in kinds.items()]
 
 
+def told(modes: Modes, says: str, source: str, check: str, measured: str, holds: bool, why: str) -> Claim:
+    """A claim, or where there are few walls (a quick look) one that cannot be told."""
+    least = min(len(w.walls) for _, _, w in each(modes))
+    if least < FEW:
+        return Claim(says, source, check, measured, None, f"{least} walls are too few to tell")
+    return Claim(says, source, check, measured, holds, "" if holds else why)
+
+
 def ways_text(walls: Ensemble) -> str:
     """ "28 straight, 2 mixed"."""
     return ", ".join(f"{count} {way}" for way, count in walls.ways.items() if count)
@@ -35,13 +45,14 @@ def envelope_claim(modes: Modes) -> Claim:
     patterns = {name: w.patterns for name, _, w in each(modes)}
     shown = "; ".join(f"{name}: {percent(widths[name])}, {patterns[name]} patterns" for name in widths)
     holds = min(widths.values()) > WIDE and min(patterns.values()) > 1
-    return Claim(
+    return told(
+        modes,
         "Properties vary so much that an envelope of test results and fracture patterns should be obtained",
         "7",
         f"5 to 95 % of the peaks span over {percent(WIDE)} of their mean, and more than one set of places breaks",
         shown,
         holds,
-        "" if holds else "the peak hardly feels which joints are weak",
+        "the peak hardly feels which joints are weak",
     )
 
 
@@ -49,7 +60,8 @@ def qualitative_claim(modes: Modes) -> Claim:
     """Most walls with scatter crack in the way of the one without."""
     alike = {name: w.ways[alone.walls[0].way] / len(w.walls) for name, alone, w in each(modes)}
     holds = min(alike.values()) > 0.8
-    return Claim(
+    return told(
+        modes,
         "Variation is not considered; the crack patterns found without it are satisfying qualitatively",
         "6",
         "over 80 % of the walls with scatter crack in the same way (stepped, straight, mixed) as the one without",
@@ -57,7 +69,7 @@ def qualitative_claim(modes: Modes) -> Claim:
             f"{name}: {100.0 * alike[name]:.0f} % {alone.walls[0].way} as without" for name, alone, _ in each(modes)
         ),
         holds,
-        "" if holds else "which way a crack goes hangs on which joints and units are weak",
+        "which way a crack goes hangs on which joints and units are weak",
     )
 
 
@@ -65,13 +77,14 @@ def mixed_claim(modes: Modes) -> Claim:
     """Within a scene cracks are stepped, straight or both, by what was drawn."""
     ways = {mode: {way for w in kinds.values() for way in w.ways if w.ways[way]} for mode, (_, kinds) in modes.items()}
     holds = any(len(found) > 1 for found in ways.values())
-    return Claim(
+    return told(
+        modes,
         "Stepped and straight cracks occur at once or by themselves, among other things because properties vary",
         "6",
         "walls of one scene that differ by what is drawn alone crack in more than one way",
         "; ".join(f"{name}: {ways_text(w)}" for name, _, w in each(modes)),
         holds,
-        "" if holds else ONE_WAY,
+        ONE_WAY,
     )
 
 
@@ -82,13 +95,14 @@ def weakest_claim(modes: Modes) -> Claim:
         falls[name] = 1.0 - float(w.peaks.mean() / alone.peaks[0])
         sure[name] = 2.0 * w.variation / np.sqrt(len(w.walls))
     holds = all(falls[name] > sure[name] for name in falls)
-    return Claim(
+    return told(
+        modes,
         "Scatter costs strength: weak joints break first and hand on their load",
         "beyond the paper",
         "the mean peak is below that without scatter by more than twice its standard error",
         "; ".join(f"{name}: lower by {percent(falls[name])} (± {percent(sure[name])})" for name in falls),
         holds,
-        "" if holds else f"too few walls to tell, or no loss, in {', '.join(n for n in falls if falls[n] <= sure[n])}",
+        f"too few walls to tell, or no loss, in {', '.join(n for n in falls if falls[n] <= sure[n])}",
     )
 
 
@@ -96,11 +110,12 @@ def averaging_claim(modes: Modes) -> Claim:
     """Several joints carry together: peaks vary less than joints do."""
     variations = {name: w.variation for name, _, w in each(modes)}
     holds = max(variations.values()) < 0.3
-    return Claim(
+    return told(
+        modes,
         "A wall varies less than its joints, which share the load",
         "beyond the paper",
         "variation of the peak below the 30 % of the joints",
         "; ".join(f"{name}: {percent(value)}" for name, value in variations.items()),
         holds,
-        "" if holds else "the peak hangs on single joints",
+        "the peak hangs on single joints",
     )
