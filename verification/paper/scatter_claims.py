@@ -8,7 +8,6 @@ from verification.paper.experiment import Claim
 from verification.paper.realisations import Ensemble
 from verification.report.page import percent
 
-MEGA = 1e-6
 WIDE = 0.1
 """Of the mean peak: a band that one test, or one run, cannot stand for."""
 FEW = 10
