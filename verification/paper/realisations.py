@@ -12,6 +12,7 @@ from verification.paper.experiment import Done
 
 POINTS = 300
 """Places along a curve at which walls are compared."""
+WAYS = ("stepped", "mixed", "straight")
 
 
 @dataclass(frozen=True)
@@ -22,7 +23,8 @@ class Wall:
     stress       (POINTS,) Pa, at equal distances of the drive
     broken       (n,) which of its crack lines are broken at the end
     places       joints (pairs of units) broken over half their area at least, and units (twice the same) broken at all
-    in_units     share of the broken area that lies within units
+    way          how its crack goes: "stepped" through joints alone, "straight" through units and head joints but no bed
+                 joint, or "mixed" through units and bed joints
     by_opening   share of the fracture energy that mode I took
     """
 
@@ -30,7 +32,7 @@ class Wall:
     stress: np.ndarray
     broken: np.ndarray
     places: frozenset[tuple[int, int]]
-    in_units: float
+    way: str
     by_opening: float
 
 
@@ -69,11 +71,9 @@ class Ensemble:
         return len({wall.places for wall in self.walls})
 
     @property
-    def ways(self) -> tuple[int, int, int]:
-        """Walls that crack through joints alone, through joints and units, and through units alone."""
-        shares = [wall.in_units for wall in self.walls]
-        alone = sum(s == 0.0 for s in shares), sum(s == 1.0 for s in shares)
-        return alone[0], len(shares) - sum(alone), alone[1]
+    def ways(self) -> dict[str, int]:
+        """How many walls crack in each of the WAYS."""
+        return {way: sum(wall.way == way for wall in self.walls) for way in WAYS}
 
     def band(self, low: float = 0.05, high: float = 0.95) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(POINTS,) Pa each: the two quantiles of the stress at each place of the drive, and the median."""
@@ -110,12 +110,13 @@ def wall(result: Result, drive: np.ndarray) -> Wall:
     gone = np.where(within, share > 0.0, share >= 0.5)
     energy = result.summary["energy_j"]
     fracture = energy["fracture_mode_1"] + energy["fracture_mode_2"]
-    inside = float(broken[pairs[:, 0] == pairs[:, 1]].sum())
+    inside = pairs[:, 0] == pairs[:, 1]
+    units, beds = broken[inside].any(), broken[~inside & (np.abs(joints.normal[:, 2]) > 0.5)].any()
     return Wall(
         peak=float(result.summary["peak_stress_pa"]),
         stress=np.interp(drive, rows["displacement"], rows["stress"]),
         broken=lines.damage >= BROKEN,
         places=frozenset((int(a), int(b)) for a, b in names[gone]),
-        in_units=inside / max(float(broken.sum()), 1e-300),
+        way="stepped" if not units else "mixed" if beds else "straight",
         by_opening=float(energy["fracture_mode_1"] / fracture),
     )

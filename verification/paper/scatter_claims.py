@@ -8,9 +8,15 @@ from verification.paper.experiment import Claim
 from verification.paper.realisations import Ensemble
 from verification.report.page import percent
 
-MEGA = 1e-6
 WIDE = 0.1
 """Of the mean peak: a band that one test, or one run, cannot stand for."""
+FEW = 10
+"""Walls of which nothing can be told."""
+ONE_WAY = (
+    "the sentence is about walls in bending; in these two scenes one way is far weaker than the other, by hand (bed "
+    "joints by their cohesion, heads and units by their tensile strength) 0.25 MPa stepped against 0.77 straight in "
+    "mode 1, 0.5 against 0.225 in mode 2, and scatter of 20 to 30 % does not make up for it"
+)
 Modes = Mapping[str, tuple[Ensemble, Mapping[str, Ensemble]]]
 
 
@@ -19,49 +25,65 @@ def each(modes: Modes) -> list[tuple[str, Ensemble, Ensemble]]:
     return [(f"{mode}, {kind}", alone, w) for mode, (alone, kinds) in modes.items() for kind, w in kinds.items()]
 
 
+def told(modes: Modes, says: str, source: str, check: str, measured: str, holds: bool, why: str) -> Claim:
+    """A claim, or where there are few walls (a quick look) one that cannot be told."""
+    least = min(len(w.walls) for _, _, w in each(modes))
+    if least < FEW:
+        return Claim(says, source, check, measured, None, f"{least} walls are too few to tell")
+    return Claim(says, source, check, measured, holds, "" if holds else why)
+
+
+def ways_text(walls: Ensemble) -> str:
+    """ "28 straight, 2 mixed"."""
+    return ", ".join(f"{count} {way}" for way, count in walls.ways.items() if count)
+
+
 def envelope_claim(modes: Modes) -> Claim:
     """Peaks differ by more than a tenth, and so do the places that break."""
     widths = {name: float(np.ptp(np.quantile(w.peaks, [0.05, 0.95])) / w.peaks.mean()) for name, _, w in each(modes)}
     patterns = {name: w.patterns for name, _, w in each(modes)}
     shown = "; ".join(f"{name}: {percent(widths[name])}, {patterns[name]} patterns" for name in widths)
     holds = min(widths.values()) > WIDE and min(patterns.values()) > 1
-    return Claim(
+    return told(
+        modes,
         "Properties vary so much that an envelope of test results and fracture patterns should be obtained",
         "7",
         f"5 to 95 % of the peaks span over {percent(WIDE)} of their mean, and more than one set of places breaks",
         shown,
         holds,
-        "" if holds else "the peak hardly feels which joints are weak",
+        "the peak hardly feels which joints are weak",
     )
 
 
 def qualitative_claim(modes: Modes) -> Claim:
-    """The wall without scatter is a usual one among those with it."""
-    above = {name: float(np.mean(w.peaks < alone.peaks[0])) for name, alone, w in each(modes)}
-    holds = all(0.05 <= share <= 0.95 for share in above.values())
-    return Claim(
-        "Without variation of the properties the results are satisfying qualitatively",
+    """Most walls with scatter crack in the way of the one without."""
+    alike = {name: w.ways[alone.walls[0].way] / len(w.walls) for name, alone, w in each(modes)}
+    holds = min(alike.values()) > 0.8
+    return told(
+        modes,
+        "Variation is not considered; the crack patterns found without it are satisfying qualitatively",
         "6",
-        "the peak without scatter is among the middle 90 % of the peaks with it",
-        "; ".join(f"{name}: above {percent(share)} of the walls" for name, share in above.items()),
+        "over 80 % of the walls with scatter crack in the same way (stepped, straight, mixed) as the one without",
+        "; ".join(
+            f"{name}: {100.0 * alike[name]:.0f} % {alone.walls[0].way} as without" for name, alone, _ in each(modes)
+        ),
         holds,
-        "" if holds else "one strength for all joints is more than walls with weak and strong ones reach",
+        "which way a crack goes hangs on which joints and units are weak",
     )
 
 
-def mixed_claim(mode: tuple[Ensemble, Mapping[str, Ensemble]]) -> Claim:
-    """Cracks take joints alone, units alone or both, by what was drawn."""
-    ways = {kind: w.ways for kind, w in mode[1].items()}
-    seen = np.sum(list(ways.values()), axis=0)
-    shown = "; ".join(f"{kind}: {a} / {b} / {c}" for kind, (a, b, c) in ways.items())
-    holds = bool(np.count_nonzero(seen) > 1)
-    return Claim(
-        "Stepped and straight cracks occur at once or by themselves, due among other things to varying properties",
+def mixed_claim(modes: Modes) -> Claim:
+    """Within a scene cracks are stepped, straight or both, by what was drawn."""
+    ways = {mode: {way for w in kinds.values() for way in w.ways if w.ways[way]} for mode, (_, kinds) in modes.items()}
+    holds = any(len(found) > 1 for found in ways.values())
+    return told(
+        modes,
+        "Stepped and straight cracks occur at once or by themselves, among other things because properties vary",
         "6",
-        "among walls of one scene (failure mode 2) that differ by what is drawn alone, more than one kind is found",
-        f"through joints alone / both / units alone: {shown} walls",
+        "walls of one scene that differ by what is drawn alone crack in more than one way",
+        "; ".join(f"{name}: {ways_text(w)}" for name, _, w in each(modes)),
         holds,
-        "" if holds else "all cracks are of one kind here",
+        ONE_WAY,
     )
 
 
@@ -72,13 +94,14 @@ def weakest_claim(modes: Modes) -> Claim:
         falls[name] = 1.0 - float(w.peaks.mean() / alone.peaks[0])
         sure[name] = 2.0 * w.variation / np.sqrt(len(w.walls))
     holds = all(falls[name] > sure[name] for name in falls)
-    return Claim(
+    return told(
+        modes,
         "Scatter costs strength: weak joints break first and hand on their load",
         "beyond the paper",
         "the mean peak is below that without scatter by more than twice its standard error",
         "; ".join(f"{name}: lower by {percent(falls[name])} (± {percent(sure[name])})" for name in falls),
         holds,
-        "" if holds else f"too few walls to tell, or no loss, in {', '.join(n for n in falls if falls[n] <= sure[n])}",
+        f"too few walls to tell, or no loss, in {', '.join(n for n in falls if falls[n] <= sure[n])}",
     )
 
 
@@ -86,11 +109,12 @@ def averaging_claim(modes: Modes) -> Claim:
     """Several joints carry together: peaks vary less than joints do."""
     variations = {name: w.variation for name, _, w in each(modes)}
     holds = max(variations.values()) < 0.3
-    return Claim(
+    return told(
+        modes,
         "A wall varies less than its joints, which share the load",
         "beyond the paper",
         "variation of the peak below the 30 % of the joints",
         "; ".join(f"{name}: {percent(value)}" for name, value in variations.items()),
         holds,
-        "" if holds else "the peak hangs on single joints",
+        "the peak hangs on single joints",
     )
