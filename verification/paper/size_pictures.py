@@ -26,22 +26,29 @@ def mean_curves(found: Found) -> list[Line]:
 
 
 def peaks_figure(found: Mapping[str, Found]) -> Figure:
-    """A panel of peaks for each family, one of where cracks are; a dot is a seed, a bar the mean of a size."""
+    """Peaks over the mean of their family, all on one scale, and where cracks are; a dot is a seed, a bar a size."""
     figure, axes = sheet(1, len(found) + 1, (12.0, 3.6))
+    share = {name: _over_mean(peaks(family)) for name, family in found.items()}
+    most = 1.1 * max(abs(v - 100.0) for groups in share.values() for values in groups.values() for v in values)
     for one, (name, family) in zip(axes.flat, found.items(), strict=False):
-        _dots(one, peaks(family))
-        one.set_title(name.replace(", ", ",\n"), fontsize=9)
-        one.set_ylim(0.95 * min(v for p in peaks(family).values() for v in p), None)
-    axes[0, 0].set_ylabel("peak [MPa]")
+        _dots(one, share[name])
+        mean = float(np.mean([v for values in peaks(family).values() for v in values]))
+        one.set_title(name.replace(", ", ",\n") + f"\nmean {mean:.4f} MPa", fontsize=9)
+        one.set_ylim(100.0 - most, 100.0 + most)
+    axes[0, 0].set_ylabel("peak over mean peak [%]")
     last = axes.flat[-1]
     second = list(found.values())[1]
-    places = {str(size): [_place(r) for r in results] for size, results in second.items()}
-    _dots(last, places, bars=False)
+    _dots(last, {str(size): [_place(r) for r in results] for size, results in second.items()}, bars=False)
     for section in SECTIONS:
         last.axhline(section * MILLI, color="0.5", linewidth=0.9, linestyle=":")
     last.set_title("failure mode 2,\nmiddle of the crack [mm]", fontsize=9)
     last.set_ylim(0.0, 500.0)
     return figure
+
+
+def _over_mean(groups: Mapping[str, list[float]]) -> dict[str, list[float]]:
+    mean = float(np.mean([v for values in groups.values() for v in values]))
+    return {name: [100.0 * v / mean for v in values] for name, values in groups.items()}
 
 
 def _place(result: Result) -> float:

@@ -1,0 +1,45 @@
+"""What is said of fracture energies, on curves and cracks that are made up."""
+
+import numpy as np
+import pytest
+
+from tests.verification.paper.test_curve_shapes import PEAK, curve
+from tests.verification.paper.test_size_claims import LENGTH, cracked
+from verification.paper.curve_shape import tail
+from verification.paper.energy_claims import drastic_claim, pattern_claim, residual_claim, smooth_claim
+
+SOFT = np.exp(-np.linspace(0.0, 4.0, 400))
+
+
+def test_a_curve_that_rests_and_falls_once_more_is_not_smooth_and_one_that_only_decays_is():
+    late = np.concatenate([0.5 + 0.5 * SOFT, 0.2 * np.ones(100)])
+    smooth = {kind: {f: curve(SOFT) for f in (1, 2, 4)} for kind in ("GI", "GII")}
+    assert smooth_claim("upright", smooth).holds
+    dropped = smooth_claim("hinge", smooth | {"GII": {1: curve(SOFT), 2: curve(late), 4: curve(SOFT)}})
+    assert not dropped.holds and "GII x 2: 31 %" in dropped.measured
+    assert smooth_claim("hinge", smooth | {"GII": {1: curve(late), 2: curve(SOFT), 4: curve(SOFT)}}).holds
+
+
+def test_the_tail_is_the_mean_of_the_last_third_and_a_residual_is_higher_only_by_more_than_its_limit():
+    def level(share: float):
+        return curve(np.concatenate([SOFT[:200], share * np.ones(800)]))
+
+    assert tail(level(0.1)) == pytest.approx(0.1 * PEAK)
+    assert residual_claim({"cells": {"GII": {1: level(0.1), 2: level(0.103), 4: level(0.106)}}}).holds
+    assert not residual_claim({"cells": {"GII": {1: level(0.1), 2: level(0.101), 4: level(0.106)}}}).holds
+
+
+def test_twice_the_displacement_to_half_the_peak_is_drastic_and_a_tenth_more_is_not():
+    def slower(times: float):
+        return curve(np.exp(-np.linspace(0.0, 4.0 / times, 400)))
+
+    found = {f: slower(f) for f in (1, 2, 4)}
+    assert drastic_claim({"grid": {"GI": found}}).holds
+    assert not drastic_claim({"grid": {"GI": found | {2: slower(1.1)}}}).holds
+
+
+def test_a_crack_that_moves_by_half_a_unit_is_another_pattern_and_the_same_one_is_not():
+    here, there = cracked(LENGTH), cracked(1.5 * LENGTH)
+    assert pattern_claim({"cells": {"GI": {1: here, 2.5: there}}}).holds
+    same = pattern_claim({"cells": {"GI": {1: here, 2.5: cracked(LENGTH)}}})
+    assert not same.holds and same.why
