@@ -63,6 +63,8 @@ def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any, tell: Any) 
 
     with sole(folder):
         try:
+            for stale in (TABLE, "sweep.csv", PICTURE) if words.overwrite else ():
+                (folder / stale).unlink(missing_ok=True)
             with WholeFiles(folder) as files:
                 files.text(COPY, words.sweep.read_text(encoding="utf-8-sig"))
             rows = run_alone([run.job for run in planned], folder, words.workers, tell, words.scheduler)
