@@ -55,13 +55,13 @@ def test_ends_of_a_sudden_break_are_compared_up_to_its_peak_and_those_of_any_oth
     rows, peak = result.history.rows, int(result.history.rows["stress"].argmax())
     rows["support_stress"] = rows["stress"] * 1.01
     rows["support_stress"][peak + 1 :] = 0.0
-    for sudden, holds in ((True, True), (False, False)):
+    for sudden, holds in (("it breaks", True), ("", False)):
         runs = {"a": Run("couplet", sudden=sudden)}
         found = {"a": SOUND | {"reaction_mismatch_max": 0.9}}
         ends = soundness(Done(runs, found, tmp_path, loaded={"a": result}))[2]
         assert ends.holds is holds
     rows["support_stress"][peak] = 0.9 * rows["stress"][peak]
-    runs = {"a": Run("couplet", sudden=True)}
+    runs = {"a": Run("couplet", sudden="it breaks")}
     assert not soundness(Done(runs, found, tmp_path, loaded={"a": result}))[2].holds
 
 

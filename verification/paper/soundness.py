@@ -1,6 +1,7 @@
 """How sound runs are: the energy balance, the forces at both ends, and how far half the loading error moves a peak."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -40,7 +41,8 @@ def soundness(done: Done) -> list[Claim]:
     sudden = {label: mismatch_to_peak(done[label]) for label in rows if done.runs[label].sudden}
     if sudden:
         reasons = "; ".join(sorted({done.runs[label].sudden for label in sudden}))
-        made.append(_largest(sudden, MISMATCH, f"So do they up to the peak where {reasons}", ends))
+        claim = _largest(sudden, MISMATCH, "So do they up to the peak where a specimen gives way at once", ends)
+        made.append(replace(claim, why="; ".join(filter(None, (claim.why, f"at once: {reasons}")))))
     moved = {
         label: abs(done.peak(label) / done.peak(HALVED.format(label)) - 1.0)
         for label in fine
