@@ -12,12 +12,12 @@ from masonry.cracks import back_view, front_view
 from tests.results.sample import DEPTH, HEIGHT, sample
 from tests.verification.paper.test_crack_paths import parted
 from verification.paper import soundness
+from verification.paper.bending.by_hand import Wall, edge_moment, wall_of
+from verification.paper.bending.crack import CRACKED, flexural_crack
+from verification.paper.bending.runs import ASSUMED, PATTERNED, SCENES, STRENGTHS, strengths
+from verification.paper.bending.strength_map import even
 from verification.paper.experiment import Run
 from verification.paper.experiments import bending
-from verification.paper.flexural_crack import CRACKED, flexural_crack
-from verification.paper.flexural_map import even
-from verification.paper.flexural_runs import ASSUMED, PATTERNED, SCENES, STRENGTHS, strengths
-from verification.paper.flexure import Wall, edge_moment, wall_of
 
 WALL = Wall(0.5e6, 1.5e6, 0.75e6, 0.12, 0.114, 0.45, 6)
 

@@ -6,9 +6,8 @@ from typing import Any
 from masonry import scene
 from masonry.assembly import joined
 from masonry.geometry_picture import geometry_figure
-from verification.paper import flexural_claims, flexural_map, flexural_patterns
-from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
-from verification.paper.flexural_runs import (
+from verification.paper.bending import claims, patterns, strength_map
+from verification.paper.bending.runs import (
     ASSUMED,
     GAUGE,
     PATTERNED,
@@ -19,6 +18,7 @@ from verification.paper.flexural_runs import (
     label,
     strengths,
 )
+from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
 from verification.paper.pictures import Line, cracks, curves
 from verification.report import page
 
@@ -63,10 +63,10 @@ def _varied() -> Iterator[tuple[str, Run]]:
 def show(done: Done) -> Section:
     """Figs. 20, 21 and 22, the map of strengths, and the claims."""
     words = INTRODUCTION if done.quick else INTRODUCTION + MAPPED
-    made = Section([page.paragraph(words), *setting_up(), *curves_of(done), *patterns(done)])
+    made = Section([page.paragraph(words), *setting_up(), *curves_of(done), *seen_from_behind(done)])
     if not done.quick:
-        made.parts += flexural_map.parts(done)
-    made.claims = [*flexural_claims.claims(done), *flexural_patterns.claims(done)]
+        made.parts += strength_map.parts(done)
+    made.claims = [*claims.claims(done), *patterns.claims(done)]
     for pair in (ASSUMED, PATTERNED):
         low, high = (label(pair, sigma) for sigma in SCENES)
         made.records += [done.record(high, "peak_stress", done.peak(high), "Pa", done.peak(low), "without pressure")]
@@ -97,13 +97,13 @@ def _line(done: Done, pair: tuple[float, float], sigma: str) -> Line:
     return Line(f"pre-compression {sigma}", rows[GAUGE] * 1e3, rows["force"] * 1e-3)
 
 
-def patterns(done: Done) -> list[str]:
+def seen_from_behind(done: Done) -> list[str]:
     """Fig. 22: the cracks at the end, seen from the tension face."""
     shown = {}
     for pair in (ASSUMED, PATTERNED):
         for sigma in SCENES:
             name = label(pair, sigma)
-            shown[f"{flexural_map.crack_of(done, name).word}, {name}"] = done[name]
+            shown[f"{strength_map.crack_of(done, name).word}, {name}"] = done[name]
     caption = "Our Fig. 22: cracks at the end of the test, seen from the tension face (support rollers in front)."
     return [page.picture(cracks(shown, 2, back=True), caption, pixels=True)]
 

@@ -4,10 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from verification.paper.bands import MEGA, bands, frequencies
-from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
-from verification.paper.realisations import Ensemble, ensemble
-from verification.paper.scatter_claims import (
+from verification.paper.ensembles.bands import MEGA, bands, frequencies
+from verification.paper.ensembles.claims import (
     averaging_claim,
     envelope_claim,
     mixed_claim,
@@ -15,6 +13,8 @@ from verification.paper.scatter_claims import (
     ways_text,
     weakest_claim,
 )
+from verification.paper.ensembles.realisations import Ensemble, ensemble
+from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
 from verification.report import page
 from verification.report.page import percent
 

@@ -3,9 +3,9 @@
 import numpy as np
 
 from masonry.results import Result
+from verification.paper.bending.runs import ASSUMED, PATTERNED, SCENES, SEEDS, STRENGTHS, label, name_of
+from verification.paper.bending.strength_map import crack_of
 from verification.paper.experiment import Claim, Done, answer
-from verification.paper.flexural_map import crack_of
-from verification.paper.flexural_runs import ASSUMED, PATTERNED, SCENES, SEEDS, STRENGTHS, label, name_of
 
 FREE, PRESSED = SCENES
 LOST = (

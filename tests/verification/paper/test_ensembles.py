@@ -7,9 +7,9 @@ import pytest
 
 from masonry import laboratory, scene
 from masonry.cracks import CrackLines
-from verification.paper import scatter_claims
+from verification.paper.ensembles import claims
+from verification.paper.ensembles.realisations import POINTS, Ensemble, Wall, wall
 from verification.paper.experiments import scatter
-from verification.paper.realisations import POINTS, Ensemble, Wall, wall
 
 LINES = CrackLines(np.zeros((2, 3)), np.ones((2, 3)), np.arange(2), np.zeros(2), np.ones(2, dtype=bool))
 WALL = Wall(0.1e6, np.linspace(0.0, 0.1e6, POINTS), np.array([True, False]), frozenset({(0, 1)}), "stepped", 0.4)
@@ -63,18 +63,18 @@ def test_a_band_holds_nine_walls_in_ten_and_the_frequency_is_that_of_the_walls()
 
 def test_no_claim_of_scatter_holds_of_walls_that_are_all_alike():
     same = modes(0.1e6, 0.1e6, 0.1e6)
-    for claim in (scatter_claims.envelope_claim, scatter_claims.mixed_claim, scatter_claims.weakest_claim):
+    for claim in (claims.envelope_claim, claims.mixed_claim, claims.weakest_claim):
         assert claim(same).holds is False
 
 
 def test_of_few_walls_nothing_is_told():
     few = {"mode": (ensemble(0.1e6), {"correlated": ensemble(0.05e6, 0.1e6)})}
-    assert scatter_claims.envelope_claim(few).holds is None and "2 walls" in scatter_claims.envelope_claim(few).why
+    assert claims.envelope_claim(few).holds is None and "2 walls" in claims.envelope_claim(few).why
 
 
 def test_the_claims_see_weaker_walls_that_crack_in_another_way():
     other = modes(0.08e6, 0.07e6, 0.09e6, way="straight")
-    assert scatter_claims.weakest_claim(other).holds
-    assert scatter_claims.qualitative_claim(other).holds is False
-    assert scatter_claims.averaging_claim(other).holds
-    assert scatter_claims.averaging_claim(modes(0.02e6, 0.1e6, 0.18e6)).holds is False
+    assert claims.weakest_claim(other).holds
+    assert claims.qualitative_claim(other).holds is False
+    assert claims.averaging_claim(other).holds
+    assert claims.averaging_claim(modes(0.02e6, 0.1e6, 0.18e6)).holds is False

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from verification.paper.ensembles.realisations import Ensemble
 from verification.paper.experiment import Claim
-from verification.paper.realisations import Ensemble
 from verification.report.page import percent
 
 WIDE = 0.1

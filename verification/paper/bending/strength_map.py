@@ -4,10 +4,10 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from masonry import scene
+from verification.paper.bending.by_hand import Wall, bending_spec, wall_of
+from verification.paper.bending.crack import FlexuralCrack, flexural_crack
+from verification.paper.bending.runs import ASSUMED, SCENES, STRENGTHS, label
 from verification.paper.experiment import Done
-from verification.paper.flexural_crack import FlexuralCrack, flexural_crack
-from verification.paper.flexural_runs import ASSUMED, SCENES, STRENGTHS, label
-from verification.paper.flexure import Wall, bending_spec, wall_of
 from verification.report import page
 from verification.report.figures import COLOURS, sheet
 

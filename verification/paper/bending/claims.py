@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from verification.paper.bending.runs import ASSUMED, GAUGE, PATTERNED, POINTS, SCENES, STRENGTHS, label, name_of
+from verification.paper.bending.strength_map import wall_by_hand
 from verification.paper.experiment import Claim, Done, answer
-from verification.paper.flexural_map import wall_by_hand
-from verification.paper.flexural_runs import ASSUMED, GAUGE, PATTERNED, POINTS, SCENES, STRENGTHS, label, name_of
 
 FREE, PRESSED = SCENES
 HIGHER, ALIKE, FALLEN = 0.01, 0.01, 0.6

@@ -1,0 +1,1 @@
+"""Walls whose properties scatter: many drawn alike, their curves, cracks and claims."""
