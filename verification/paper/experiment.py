@@ -23,7 +23,7 @@ class Run:
     """A packaged scene with some of its keys set.
 
     halve   run it once more with half the accuracy, to see how far its peak moves
-    sudden  it breaks at once, and no loading is slow enough after that: its ends are compared up to its peak
+    sudden  it breaks at once, and no loading is slow enough after that: its ends are compared before its peak
     """
 
     scene: str

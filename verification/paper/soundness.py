@@ -41,11 +41,11 @@ def soundness(done: Done) -> list[Claim]:
 
 
 def end_mismatch(done: Done, label: str) -> float:
-    """Largest difference between the forces of both ends over the peak; of sudden runs up to their peak."""
+    """Largest difference between the forces of both ends over the peak; of sudden runs before their peak."""
     if not done.runs[label].sudden:
         return float(done.rows[label]["reaction_mismatch_max"])
     rows = done[label].history.rows
-    until = slice(0, int(rows["stress"].argmax()) + 1)
+    until = slice(0, max(int(rows["stress"].argmax()), 1))
     return float(abs(rows["stress"] - rows["support_stress"])[until].max() / done.peak(label))
 
 
