@@ -1,11 +1,17 @@
 """The report on a small subset: its records are finite and right, and its page stands alone."""
 
+import base64
+import io
 import json
 import math
 import re
 
+import numpy as np
 import pytest
+from matplotlib import image
+from matplotlib.figure import Figure
 
+from verification.report import page
 from verification.report.__main__ import found, write
 from verification.report.page import Chapter, Link, Verdict, escape, table, without_dead_links
 from verification.stability.cells import Cell, Grid
@@ -111,3 +117,18 @@ def test_text_in_the_page_is_escaped():
 def test_all_studies_are_found_without_a_list_and_in_their_order():
     names = list(found())
     assert names[0] == "couplet" and names[-1] == "energy_balance" and len(names) >= 6
+
+
+def test_a_picture_in_pixels_keeps_its_colours_and_is_lighter_than_lines_where_they_are_thousands():
+    figure = Figure(figsize=(4, 3))
+    axes = figure.subplots()
+    places = np.linspace(0.0, 1.0, 3000)
+    for k, colour in enumerate(("#8b0a1a", "#0a3a8b", "#f2e2c9")):
+        axes.plot(np.sin(1000.0 * places) + 3 * k, places, color=colour)
+    whole, light = page.picture(figure, "many"), page.picture(figure, "many", pixels=True)
+    assert "image/png" in light and "image/svg" in whole
+    data = base64.b64decode(light.partition("base64,")[2].partition('"')[0])
+    drawn = image.imread(io.BytesIO(data))
+    for colour in ((0x8B, 0x0A, 0x1A), (0x0A, 0x3A, 0x8B), (0xF2, 0xE2, 0xC9)):
+        assert np.abs(255.0 * drawn[..., :3] - colour).max(axis=2).min() < 6.0
+    assert len(light) < 0.5 * len(whole)

@@ -18,7 +18,7 @@ Both = Mapping[str, Series]
 WINDOW, SMOOTH = 5e-6, 0.10
 """m, and the largest share of the peak by which a smooth curve falls within it. The tension law of the shipped joints
 falls by 10 % within 5 um, and half of what they carry at the peak is shear, which falls by 5 %."""
-DRASTIC = 1.5
+ROLE, DRASTIC = 0.1, 1.5
 RESIDUAL = 0.02
 """A higher residual is one by more than this share, well above what half the loading error moves it by."""
 
@@ -30,22 +30,17 @@ def first_mode_claims(found: Mapping[str, Both]) -> list[Claim]:
 
 def role_claim(found: Mapping[str, Both]) -> Claim:
     """Both energies change the curve."""
-    least, shown = np.inf, []
-    for hold, both in found.items():
-        moved = {kind: [apart(series[f], series[1]) for f in (0.5, 4)] for kind, series in both.items()}
-        least = min(least, *(min(values) for values in moved.values()))
-        tops = {kind: f"{mpa(series[0.5]):.3f} to {mpa(series[4]):.3f} MPa" for kind, series in both.items()}
-        shown.append(
-            f"{hold}: "
-            + ", ".join(f"{k} {percent(v[0])} and {percent(v[1])} (peak {tops[k]})" for k, v in moved.items())
-        )
+    every = [(f"{hold}, {kind}", series) for hold, both in found.items() for kind, series in both.items()]
+    moved = {name: apart(series[4], series[0.5]) for name, series in every}
+    tops = [f"{mpa(series[0.5]):.3f} to {mpa(series[4]):.3f} MPa" for _, series in every]
+    fine = min(moved.values()) > ROLE
     return Claim(
         "Tensile and shear fracture energies of the interface have an important role on the macro behaviour",
         "6, Fig. 17",
-        "mode 1: half and four times GI, and GII, each move the curve by > 5 % of the peak on average",
-        "; ".join(shown),
-        bool(least > 0.05),
-        "" if least > 0.05 else "one of them hardly matters",
+        f"mode 1: the curves of half and of four times GI, and GII, are > {percent(ROLE)} of the peak apart on average",
+        f"{'; '.join(f'{name}: {percent(value)}' for name, value in moved.items())}; peaks: {', '.join(tops)}",
+        fine,
+        "" if fine else "one of them hardly matters",
     )
 
 
@@ -70,7 +65,8 @@ def smooth_claim(hold: str, both: Both) -> Claim:
 def second_mode_claims(found: Mapping[str, Both]) -> list[Claim]:
     """Failure mode 2, for each division of the units: the units' energies."""
     cells = {name: both for name, both in found.items() if name != "grid"}
-    return [drastic_claim(found), residual_claim(found), pattern_claim(cells), tension_claim(cells)]
+    patterns = [pattern_claim(name, both["GI"]) for name, both in cells.items()]
+    return [drastic_claim(found), residual_claim(found), *patterns, tension_claim(cells)]
 
 
 def drastic_claim(found: Mapping[str, Both]) -> Claim:
@@ -117,30 +113,23 @@ def residual_claim(found: Mapping[str, Both]) -> Claim:
     )
 
 
-def pattern_claim(found: Mapping[str, Both]) -> Claim:
+def pattern_claim(name: str, series: Series) -> Claim:
     """Where the crack runs with 20 N/m."""
-    moved, shown = [], []
-    for name, both in found.items():
-        base, tough = both["GI"][1], both["GI"][2.5]
-        moved.append(_moved(base, tough))
-        shown.append(f"{name}: crack at {where(base)} and {where(tough)} mm")
-    fine = max(moved) > STRAIGHT
+    base, tough = crack_path(series[1]), crack_path(series[2.5])
+    moved = float(np.abs(np.subtract(tough.place(), base.place())).max())
+    fine = moved > STRAIGHT
     return Claim(
-        "Higher tensile energies of the units change crack propagation and fracture surface",
+        f"Higher tensile energies of the units change crack propagation and fracture surface: {name}",
         "6, Fig. 19",
         f"mode 2, GI of the units 20 N/m: the crack moves or widens by > {STRAIGHT * MILLI:.0f} mm along the wall",
-        "; ".join(shown),
+        f"at {where(series[1])} mm, units {base.shares()['units']:.2f} of the section; "
+        f"with 20 N/m at {where(series[2.5])} mm, units {tough.shares()['units']:.2f}",
         fine,
         ""
         if fine
-        else "strength decides where a crack begins, and that is the same; with half the loading error it runs there "
-        "too",
+        else "strength decides where a crack begins, and that is the same. Of the units less is broken through at the "
+        "end, because tearing takes longer; half the loading error moves the peak by < 1 %",
     )
-
-
-def _moved(base: Result, tough: Result) -> float:
-    """Change of the middle or of the spread (m) of a crack, whichever is larger."""
-    return float(np.abs(np.subtract(crack_path(tough).place(), crack_path(base).place())).max())
 
 
 def tension_claim(found: Mapping[str, Both]) -> Claim:

@@ -23,7 +23,7 @@ class Run:
     """A packaged scene with some of its keys set.
 
     halve   run it once more with half the accuracy, to see how far its peak moves
-    sudden  why the specimen gives way at once past its peak, so that its two ends are compared up to there only
+    sudden  why the specimen gives way at once past its peak, so that its two ends are compared before it only
     """
 
     scene: str

@@ -38,10 +38,10 @@ def soundness(done: Done) -> list[Claim]:
     ends = "difference over the peak"
     if steady:
         made.append(_within(steady, "reaction_mismatch_max", MISMATCH, "Both ends carry the same force", ends))
-    sudden = {label: mismatch_to_peak(done[label]) for label in rows if done.runs[label].sudden}
+    sudden = {label: mismatch_before_peak(done[label]) for label in rows if done.runs[label].sudden}
     if sudden:
         reasons = "; ".join(sorted({done.runs[label].sudden for label in sudden}))
-        claim = _largest(sudden, MISMATCH, "So do they up to the peak where a specimen gives way at once", ends)
+        claim = _largest(sudden, MISMATCH, "So do they before the peak where a specimen gives way at once", ends)
         made.append(replace(claim, why="; ".join(filter(None, (claim.why, f"at once: {reasons}")))))
     moved = {
         label: abs(done.peak(label) / done.peak(HALVED.format(label)) - 1.0)
@@ -53,10 +53,10 @@ def soundness(done: Done) -> list[Claim]:
     return made
 
 
-def mismatch_to_peak(result: Result) -> float:
-    """Largest difference of the stresses at drive and support up to the row of the peak, over the peak."""
+def mismatch_before_peak(result: Result) -> float:
+    """Largest difference of the stresses at drive and support before the row of the peak, over the peak."""
     rows = result.history.rows
-    until = int(np.argmax(rows["stress"])) + 1
+    until = max(int(np.argmax(rows["stress"])), 1)
     apart = np.abs(rows["stress"] - rows["support_stress"])[:until]
     return float(apart.max() / rows["stress"].max())
 

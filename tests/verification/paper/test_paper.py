@@ -50,17 +50,17 @@ def test_a_run_whose_ends_disagree_or_whose_energy_is_lost_is_named(tmp_path):
     assert all(c.holds for c in soundness(Done({"fine": Run("couplet")}, {"fine": SOUND}, tmp_path)))
 
 
-def test_ends_of_a_sudden_break_are_compared_up_to_its_peak_and_those_of_any_other_run_to_its_end(tmp_path):
+def test_ends_of_a_sudden_break_are_compared_before_its_peak_and_those_of_any_other_run_to_its_end(tmp_path):
     result = sample()
     rows, peak = result.history.rows, int(result.history.rows["stress"].argmax())
     rows["support_stress"] = rows["stress"] * 1.01
-    rows["support_stress"][peak + 1 :] = 0.0
+    rows["support_stress"][peak:] = 0.0
     for sudden, holds in (("it breaks", True), ("", False)):
         runs = {"a": Run("couplet", sudden=sudden)}
         found = {"a": SOUND | {"reaction_mismatch_max": 0.9}}
         ends = soundness(Done(runs, found, tmp_path, loaded={"a": result}))[2]
         assert ends.holds is holds
-    rows["support_stress"][peak] = 0.9 * rows["stress"][peak]
+    rows["support_stress"][peak - 1] = 0.9 * rows["stress"][peak - 1]
     runs = {"a": Run("couplet", sudden="it breaks")}
     assert not soundness(Done(runs, found, tmp_path, loaded={"a": result}))[2].holds
 

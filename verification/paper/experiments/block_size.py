@@ -6,7 +6,7 @@ from verification.paper import pictures, size_claims, size_families
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
 from verification.paper.size_families import BRITTLE, FIRST, HELD, SECOND, SIZES, Cells, Family
 from verification.paper.size_pictures import mean_curves, peaks_figure, spread_table
-from verification.paper.wallettes import CLAMPED, MODE_1, MODE_2
+from verification.paper.wallettes import CLAMPED, MODE_1, MODE_2, quick_enough
 from verification.report import page
 
 SEEDS = 5
@@ -22,7 +22,7 @@ SUDDEN = (
     "Two families break at once somewhere, and no loading is slow enough for that. With the brittle law the whole "
     "crack "
     "runs. With plates that do not turn, two half cracks become one: the ends of one such wall differ by 3.7, 2.6 and "
-    "1.8 % of the peak for that moment at accuracies of 1, 0.5 and 0.25 %. Their ends are compared up to the peak."
+    "1.8 % of the peak for that moment at accuracies of 1, 0.5 and 0.25 %. Their ends are compared before the peak."
 )
 
 
@@ -35,9 +35,10 @@ def families(quick: bool) -> Iterator[Family]:
     """What is looked at for every size and seed; plates that do not turn and the brittle law only in full.
 
     Mode 1 aims at 0.6 %: at 1 % beds that stick and slip late in the run leave one of 15 with 2.2 % between its ends.
+    Mode 2 aims at 0.7 %: from 1 % to 0.5 % the peaks of two of 15 moved by 1.0 %.
     """
     yield Family(FIRST, MODE_1, {} if quick else {ACCURACY: "0.6 %"}, halve=True)
-    yield Family(SECOND, MODE_2, {}, halve=True)
+    yield Family(SECOND, MODE_2, {} if quick else {ACCURACY: "0.7 %"}, halve=True)
     if not quick:
         yield Family(HELD, MODE_2, CLAMPED, sudden="two half cracks become one at once")
         yield Family(
@@ -47,13 +48,14 @@ def families(quick: bool) -> Iterator[Family]:
 
 def runs(quick: bool) -> dict[str, Run]:
     """Every family with every size and seed."""
-    return {
+    made = {
         cells.label(family): Run(
             f"{family.scene}-{cells.size}", {**family.settings, SEED: cells.seed}, family.halve, family.sudden
         )
         for family in families(quick)
         for cells in divisions(quick)
     }
+    return quick_enough(made, quick)
 
 
 def divisions(quick: bool) -> list[Cells]:

@@ -27,6 +27,7 @@ from verification.paper.wallettes import (
     SHIPPED,
     mpa,
     plates_claim,
+    quick_enough,
     rate_claim,
     table_of_runs,
 )
@@ -61,7 +62,7 @@ def runs(quick: bool) -> dict[str, Run]:
             "affine units, plates do not turn": Run(MODE_1, {**AFFINE, **CLAMPED}),
             RATE: Run(MODE_1, PAPERS_RATE),
         }
-    return made
+    return quick_enough(made, quick)
 
 
 def dilated(angle: int, held: bool = False) -> str:
