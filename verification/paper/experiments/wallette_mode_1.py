@@ -37,8 +37,8 @@ from verification.report.page import percent
 DILATION = "contact.unit_unit.dilation_angle"
 ANGLES = (0, 2, 4)
 WIDER = (
-    "it rises on the hinge. Plates that do not turn press on beds that dilate: at 4 degrees the crack takes a wider way,"
-    " with a head joint on each side of the middle, and slides less far on each bed"
+    "it rises on the hinge. Plates that do not turn press on beds that dilate: at 4 degrees the crack takes a wider "
+    "way, with a head joint on each side of the middle, and slides less far on each bed"
 )
 PLATES = (
     "the paper does not say whether its plates turn. Rates set at all gridpoints of a side would hold it upright, "
