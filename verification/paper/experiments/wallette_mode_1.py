@@ -36,6 +36,10 @@ from verification.report.page import percent
 
 DILATION = "contact.unit_unit.dilation_angle"
 ANGLES = (0, 2, 4)
+WIDER = (
+    "it rises on the hinge. Plates that do not turn press on beds that dilate: at 4 degrees the crack takes a wider "
+    "way, with a head joint on each side of the middle, and slides less far on each bed"
+)
 PLATES = (
     "the paper does not say whether its plates turn. Rates set at all gridpoints of a side would hold it upright, "
     "and then "
@@ -52,10 +56,9 @@ def runs(quick: bool) -> dict[str, Run]:
     made: dict[str, Run] = {}
     for angle in ANGLES:
         given = {DILATION: f"{angle} deg"} if angle != 2 else {}
-        made |= {
-            dilated(angle): Run(MODE_1, given, True),
-            dilated(angle, True): Run(MODE_1, {**CLAMPED, **given}, True),
-        }
+        made[dilated(angle)] = Run(MODE_1, given, True)
+        if angle == 2 or not quick:
+            made[dilated(angle, True)] = Run(MODE_1, {**CLAMPED, **given}, True)
     if not quick:
         made |= {
             "affine units": Run(MODE_1, AFFINE),
@@ -72,6 +75,11 @@ def dilated(angle: int, held: bool = False) -> str:
     return f"dilation {angle} degrees" + (f", {HELD}" if held else "")
 
 
+def ways(quick: bool) -> dict[bool, str]:
+    """Whether plates are held upright where dilation is varied -> the words for it."""
+    return {False: SHIPPED} if quick else {False: SHIPPED, True: HELD}
+
+
 def show(done: Done) -> Section:
     """Geometry, curves, cracks, dilation."""
     specimen, joints = joined(given := scene.load(MODE_1))
@@ -79,8 +87,8 @@ def show(done: Done) -> Section:
     beside = [label for label in done if label in (SHIPPED, HELD, RATE) or label.startswith("affine")]
     lines = [pictures.stress_line(label, done[label]) for label in beside]
     angles = {
-        f"Fig. 12: dilation, {name}": [pictures.stress_line(f"{a} degrees", done[dilated(a, held)]) for a in ANGLES]
-        for held, name in ((False, SHIPPED), (True, HELD))
+        f"Fig. 12: {name}": [pictures.stress_line(f"dilation {a} degrees", done[dilated(a, held)]) for a in ANGLES]
+        for held, name in ways(done.quick).items()
     }
     drawn = pictures.curves({"Fig. 10": lines, **angles})
     for bound in (HEADS_GONE, ALL_AT_PEAK):
@@ -109,7 +117,7 @@ def claims(done: Done) -> list[Claim]:
 def dilation_claims(done: Done) -> list[Claim]:
     """What the angle of dilation does before and after the peak, however the plates are held."""
     before, after = [], []
-    for held in (False, True):
+    for held in ways(done.quick):
         by_angle = [done[dilated(angle, held)] for angle in ANGLES]
         peak_at, end = peak_place(by_angle[1]), float(by_angle[1].history.rows["displacement"][-1])
         before += [apart(r, by_angle[1], 0.0, peak_at) for r in by_angle]
@@ -129,9 +137,9 @@ def dilation_claims(done: Done) -> list[Claim]:
             "Its effect beyond that is pronounced: the more dilation, the more stress",
             "5.1, Fig. 12",
             "mean stress from twice the displacement of the peak to the end rises by > 5 % with each 2 degrees",
-            f"{shown[0]} MPa at 0 / 2 / 4 degrees; {HELD}: {shown[1]}",
+            f"; {HELD}: ".join(shown) + " MPa at 0 / 2 / 4 degrees",
             rising,
-            "" if rising else "not in this order",
+            "" if rising else WIDER,
         ),
     ]
 
