@@ -7,7 +7,7 @@ import pytest
 
 from masonry.results import Result
 from tests.results.sample import DEPTH, HEIGHT, LENGTH, sample
-from verification.paper.crack_path import crack_path
+from verification.paper.walls.crack_path import crack_path
 
 SECTION = 4 * HEIGHT * DEPTH
 

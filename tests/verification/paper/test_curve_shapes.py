@@ -5,7 +5,14 @@ import pytest
 
 from masonry.results import Result
 from tests.results.sample import sample
-from verification.paper.curve_shape import apart, energy_per_section, fall_to, left_after, steepest_fall, stress_at
+from verification.paper.walls.curve_shape import (
+    apart,
+    energy_per_section,
+    fall_to,
+    left_after,
+    steepest_fall,
+    stress_at,
+)
 
 PEAK_AT, PEAK, END = 4e-5, 0.2e6, 4e-4
 

@@ -5,8 +5,8 @@ import pytest
 
 from tests.verification.paper.test_curve_shapes import PEAK, curve
 from tests.verification.paper.test_size_claims import LENGTH, cracked
-from verification.paper.curve_shape import tail
-from verification.paper.energy_claims import drastic_claim, pattern_claim, residual_claim, smooth_claim
+from verification.paper.walls.curve_shape import tail
+from verification.paper.walls.energy_claims import drastic_claim, pattern_claim, residual_claim, smooth_claim
 
 SOFT = np.exp(-np.linspace(0.0, 4.0, 400))
 

@@ -8,13 +8,13 @@ import pytest
 from masonry.results import Result
 from tests.results.sample import LENGTH, sample
 from tests.verification.paper.test_crack_paths import parted
-from verification.paper.size_claims import (
+from verification.paper.sizes.claims import (
     capacity_claim,
     curves_claim,
     pattern_claim,
     place_claim,
 )
-from verification.paper.size_families import SECOND, SIZES, Found, curves_apart, straight
+from verification.paper.sizes.families import SECOND, SIZES, Found, curves_apart, straight
 
 PEAK = 0.2e6
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from verification.paper.spread import spread_of
+from verification.paper.sizes.spread import spread_of
 
 
 def test_seeds_that_scatter_alike_at_every_size_show_no_effect_of_size():

@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry.results import Result
 from masonry.scene.specimen import BendingSpec
-from verification.paper.crack_path import CrackPath, crack_path
+from verification.paper.walls.crack_path import CrackPath, crack_path
 
 CRACKED = 0.5
 """A course counts as cracked where this share of its section is broken within units."""

@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator
 
-from verification.paper import pictures, size_claims, size_families
+from verification.paper import pictures
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
-from verification.paper.size_families import BRITTLE, FIRST, HELD, SECOND, SIZES, Cells, Family
-from verification.paper.size_pictures import mean_curves, peaks_figure, spread_table
-from verification.paper.wallettes import CLAMPED, MODE_1, MODE_2, quick_enough
+from verification.paper.sizes.claims import claims
+from verification.paper.sizes.families import BRITTLE, FIRST, HELD, SECOND, SIZES, Cells, Family, gathered
+from verification.paper.sizes.pictures import mean_curves, peaks_figure, spread_table
+from verification.paper.walls.common import CLAMPED, MODE_1, MODE_2, quick_enough
 from verification.report import page
 
 SEEDS = 5
@@ -66,7 +67,7 @@ def divisions(quick: bool) -> list[Cells]:
 def show(done: Done) -> Section:
     """Curves of one seed and of the mean, peaks by size and seed, crack patterns."""
     wanted = list(families(done.quick))
-    found = {family.name: size_families.gathered(done, family, divisions(done.quick)) for family in wanted}
+    found = {family.name: gathered(done, family, divisions(done.quick)) for family in wanted}
     panels = {
         f"Fig. 15{part}: {name}": mean_curves(found[name]) for part, name in zip("ab", (FIRST, SECOND), strict=True)
     }
@@ -85,7 +86,7 @@ def show(done: Done) -> Section:
             *spread_table(found),
             page.paragraph(SUDDEN, "note"),
         ]
-    return Section(parts, size_claims.claims(found, done.quick))
+    return Section(parts, claims(found, done.quick))
 
 
 EXPERIMENT = Experiment("block-size", "Size of the blocks (Figs. 15 and 16)", 40, runs, show)

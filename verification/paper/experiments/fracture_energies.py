@@ -4,9 +4,9 @@ from typing import Any
 
 from masonry.results import Result
 from verification.paper import pictures
-from verification.paper.energy_claims import first_mode_claims, second_mode_claims
 from verification.paper.experiment import Done, Experiment, Run, Section
-from verification.paper.wallettes import CLAMPED, MODE_1, MODE_2, quick_enough, table_of_runs
+from verification.paper.walls.common import CLAMPED, MODE_1, MODE_2, quick_enough, table_of_runs
+from verification.paper.walls.energy_claims import first_mode_claims, second_mode_claims
 from verification.report import page
 
 KEYS = {"GI": "fracture_energy_mode_1", "GII": "fracture_energy_mode_2"}

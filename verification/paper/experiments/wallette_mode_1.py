@@ -6,17 +6,8 @@ from masonry import scene
 from masonry.assembly import joined
 from masonry.geometry_picture import geometry_figure
 from verification.paper import pictures
-from verification.paper.curve_shape import apart, peak_place, stress_at
 from verification.paper.experiment import Claim, Done, Experiment, Run, Section
-from verification.paper.stepped_crack import (
-    ALL_AT_PEAK,
-    HEADS_GONE,
-    pattern_claim,
-    peak_claim,
-    residual_claims,
-    units_claim,
-)
-from verification.paper.wallettes import (
+from verification.paper.walls.common import (
     AFFINE,
     CLAMPED,
     HELD,
@@ -30,6 +21,15 @@ from verification.paper.wallettes import (
     quick_enough,
     rate_claim,
     table_of_runs,
+)
+from verification.paper.walls.curve_shape import apart, peak_place, stress_at
+from verification.paper.walls.stepped_crack import (
+    ALL_AT_PEAK,
+    HEADS_GONE,
+    pattern_claim,
+    peak_claim,
+    residual_claims,
+    units_claim,
 )
 from verification.report import page
 from verification.report.page import percent

@@ -4,11 +4,8 @@ from collections.abc import Mapping
 
 from masonry.results import Result
 from verification.paper import pictures
-from verification.paper.crack_path import crack_path
-from verification.paper.curve_shape import energy_per_section, fall_to, left_after
 from verification.paper.experiment import Claim, Done, Experiment, Run, Section
-from verification.paper.straight_crack import ALL_AT_PEAK, path_claims, peak_claim, sliding_claim
-from verification.paper.wallettes import (
+from verification.paper.walls.common import (
     AFFINE,
     CLAMPED,
     HELD,
@@ -24,6 +21,9 @@ from verification.paper.wallettes import (
     rate_claim,
     table_of_runs,
 )
+from verification.paper.walls.crack_path import crack_path
+from verification.paper.walls.curve_shape import energy_per_section, fall_to, left_after
+from verification.paper.walls.straight_crack import ALL_AT_PEAK, path_claims, peak_claim, sliding_claim
 from verification.report import page
 from verification.report.page import percent
 

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 
 from masonry.results import Result
-from verification.paper.crack_path import crack_path
-from verification.paper.curve_shape import stress_at
 from verification.paper.experiment import Done
-from verification.paper.straight_crack import STRAIGHT
-from verification.paper.wallettes import MEGA, crack_spread, mpa
+from verification.paper.walls.common import MEGA, crack_spread, mpa
+from verification.paper.walls.crack_path import crack_path
+from verification.paper.walls.curve_shape import stress_at
+from verification.paper.walls.straight_crack import STRAIGHT
 
 SIZES = (218, 335, 540)
 FIRST, SECOND = "failure mode 1", "failure mode 2"

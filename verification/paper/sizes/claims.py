@@ -4,9 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from verification.paper.curve_shape import energy_per_section
 from verification.paper.experiment import Claim
-from verification.paper.size_families import (
+from verification.paper.sizes.families import (
     BRITTLE,
     FIRST,
     HELD,
@@ -18,9 +17,10 @@ from verification.paper.size_families import (
     peaks,
     straight,
 )
-from verification.paper.spread import spread_of
-from verification.paper.straight_crack import STRAIGHT
-from verification.paper.wallettes import MILLI, mpa
+from verification.paper.sizes.spread import spread_of
+from verification.paper.walls.common import MILLI, mpa
+from verification.paper.walls.curve_shape import energy_per_section
+from verification.paper.walls.straight_crack import STRAIGHT
 from verification.report.page import percent
 
 

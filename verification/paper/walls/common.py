@@ -5,9 +5,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from masonry.results import Result
-from verification.paper.crack_path import crack_path
-from verification.paper.curve_shape import apart, energy_per_section, left_after, peak_place
 from verification.paper.experiment import PERCENT, Claim, Done, Run
+from verification.paper.walls.crack_path import crack_path
+from verification.paper.walls.curve_shape import apart, energy_per_section, left_after, peak_place
 from verification.report import page
 
 MODE_1, MODE_2 = "wallette-mode-1", "wallette-mode-2"

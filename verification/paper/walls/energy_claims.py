@@ -5,11 +5,11 @@ from collections.abc import Mapping
 import numpy as np
 
 from masonry.results import Result
-from verification.paper.crack_path import crack_path
-from verification.paper.curve_shape import apart, energy_per_section, fall_to, steepest_fall, tail
 from verification.paper.experiment import Claim
-from verification.paper.straight_crack import STRAIGHT
-from verification.paper.wallettes import MEGA, MILLI, mpa, where
+from verification.paper.walls.common import MEGA, MILLI, mpa, where
+from verification.paper.walls.crack_path import crack_path
+from verification.paper.walls.curve_shape import apart, energy_per_section, fall_to, steepest_fall, tail
+from verification.paper.walls.straight_crack import STRAIGHT
 from verification.report.page import percent
 
 Series = Mapping[float, Result]

@@ -7,11 +7,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from masonry.results import Result
-from verification.paper.crack_path import crack_path
 from verification.paper.pictures import Line
-from verification.paper.size_families import SECTIONS, Found, displacements, mean_curve, peaks
-from verification.paper.spread import spread_of
-from verification.paper.wallettes import MEGA, MILLI
+from verification.paper.sizes.families import SECTIONS, Found, displacements, mean_curve, peaks
+from verification.paper.sizes.spread import spread_of
+from verification.paper.walls.common import MEGA, MILLI
+from verification.paper.walls.crack_path import crack_path
 from verification.report import page
 from verification.report.figures import COLOURS, sheet
 

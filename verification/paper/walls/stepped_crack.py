@@ -5,10 +5,10 @@ from collections.abc import Mapping
 import numpy as np
 
 from masonry.results import Result
-from verification.paper.crack_path import crack_path
-from verification.paper.curve_shape import energy_per_section
 from verification.paper.experiment import Claim
-from verification.paper.wallettes import MEGA, MILLI
+from verification.paper.walls.common import MEGA, MILLI
+from verification.paper.walls.crack_path import crack_path
+from verification.paper.walls.curve_shape import energy_per_section
 from verification.report.page import percent
 
 HEADS_GONE, ALL_AT_PEAK = 0.114, 0.214

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from masonry.results import Result
-from verification.paper.crack_path import crack_path
 from verification.paper.experiment import Claim
-from verification.paper.wallettes import MILLI, crack_spread, where
+from verification.paper.walls.common import MILLI, crack_spread, where
+from verification.paper.walls.crack_path import crack_path
 
 ALL_AT_PEAK = 0.225
 """MPa: head joints and units of one section at their tensile strengths at once."""
