@@ -43,7 +43,8 @@ FLOORS = {
         sees="run model equations errors geometry",
     ),
     "scene": Floor(
-        "masonry masonry.__main__ masonry.cli masonry.doctor masonry.printout masonry.quantity masonry.scene*"
+        "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.printout"
+        " masonry.quantity masonry.scene*"
         " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
         " masonry.size_guard masonry.block_files masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"

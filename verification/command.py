@@ -9,8 +9,8 @@ import sys
 import time
 from pathlib import Path
 
-from masonry.cli import Parser
 from masonry.errors import SceneError
+from masonry.shell import Parser
 from verification import catalogue, printout, records, runner
 from verification.comparison import compare, last_version
 from verification.outcome import Outcome

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from masonry.cli import INTERRUPTED, OK, Parser, processors
 from masonry.errors import SceneError
+from masonry.shell import INTERRUPTED, OK, Parser, processors
 from masonry.sweep.folder import COPY, folder_for
 from masonry.sweep.read import Sweep, read
 

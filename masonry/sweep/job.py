@@ -10,11 +10,14 @@ from typing import Any
 
 from masonry.kernels.sources import ALL, source_hash
 
-SHOWING = (
-    *("masonry/__main__.py", "masonry/cli.py", "masonry/doctor.py", "masonry/printout.py", "masonry/import*.py"),
-    *("masonry/plot.py", "masonry/picture.py", "masonry/picture_frame.py", "masonry/geometry_picture.py"),
-    *("masonry/solid_view.py", "masonry/condition_marks.py", "masonry/mark_drawing.py", "masonry/fields.py"),
-    *("masonry/progress.py", "masonry/tally.py", "masonry/crew.py", "masonry/sweep/*"),
+SHOWING = tuple(
+    f"masonry/{name}"
+    for name in (
+        *("__main__.py", "cli.py", "commands.py", "shell.py", "doctor.py", "printout.py", "import*.py"),
+        *("plot.py", "curve_axes.py", "picture.py", "crack_drawing.py", "picture_frame.py", "geometry_picture.py"),
+        *("solid_view.py", "condition_marks.py", "mark_drawing.py", "fields.py"),
+        *("progress.py", "tally.py", "crew.py", "sweep/*"),
+    )
 )
 """Sources that a result does not depend on: an edit of these runs nothing again."""
 

@@ -10,8 +10,9 @@ import pytest
 
 import masonry
 from geometry.blocks import GeometryError
-from masonry.cli import main, processors
+from masonry.cli import main
 from masonry.errors import SceneError, Stopped
+from masonry.shell import processors
 from tests.results.sample import sample
 
 REPORT = {

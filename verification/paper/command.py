@@ -7,9 +7,9 @@ import sys
 import time
 from pathlib import Path
 
-from masonry.cli import Parser
 from masonry.errors import SceneError
 from masonry.folder import RESULTS, WholeFiles
+from masonry.shell import Parser
 from verification.paper import catalogue, gathering, page
 from verification.paper.experiment import Shown
 

@@ -11,20 +11,21 @@ from verification.report import page
 
 PACE: dict[str, dict[str, Any]] = {
     "couplet": {},
-    "couplet-meso-coarse": {ACCURACY: "2 %"},
+    "couplet-meso-coarse": {ACCURACY: "3 %"},
     "wallette-mode-1": {},
     "wallette-mode-2": {},
-    "bending-0": {ACCURACY: "2 %"},
+    "bending-0": {ACCURACY: "3 %", "specimen.points_per_edge": {"x": 2, "y": 6, "z": 2}},
 }
-"""The scenes, and where they are driven otherwise than shipped: the dear ones less carefully."""
+"""The scenes, and where they run otherwise than shipped: the dear ones less carefully."""
 DEAR = ("couplet-meso-coarse", "bending-0")
-"""Scenes whose blocks stay rigid: what matters to deformable blocks alone is not varied in them."""
+SPARED = ("density", "displacement", "accuracy")
+"""In the dear scenes blocks stay rigid, and what was seen to matter little in the others is not varied."""
 QUICK = ("couplet", "wallette-mode-1")
 INTRODUCTION = (
     "What the paper does not give is assumed, and each assumption is varied by itself here, both ways where that makes "
     "sense. A bar spans all the variations of one entry: orange up, blue down. The final stress is given in percent of "
-    "the base's peak, as it is close to nothing where a crack opens in full. The runs aim at a loading error of 1 % "
-    "(two where noted), so that changes of less than that may be the loading's."
+    "the base's peak, as it is close to nothing where a crack opens in full. The runs aim at a loading error of 1 %, "
+    "those of the mortar bed and of bending at 3 %: changes of less than that may be the loading's."
 )
 
 
@@ -35,6 +36,10 @@ def variations(case: str, quick: bool) -> tuple[list[Variation], dict[str, str]]
     if case in DEAR or quick:
         without |= {v.entry: "matters to deformable blocks or another law alone" for v in wanted if v.base}
         wanted = [v for v in wanted if not v.base]
+    if case in DEAR:
+        spared = [v for v in wanted if v.entry.endswith(SPARED)]
+        without |= {v.entry: "hardly matters in the other scenes" for v in spared}
+        wanted = [v for v in wanted if v not in spared]
     return wanted, without
 
 

@@ -1,0 +1,152 @@
+"""What each command of `masonry` does, from its words to calls of the laboratory; returns the exit code."""
+
+import argparse
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from masonry.errors import SceneError, Stopped
+from masonry.shell import INTERRUPTED, OK, STOPPED, complain
+
+
+def run_scene(words: argparse.Namespace) -> int:
+    """`masonry run`: everything that the run got to is written, whatever ended it."""
+    from masonry import laboratory, scene
+    from masonry.folder import claim, scene_name
+    from masonry.progress import Progress
+
+    loaded = scene.load(words.scene, words.overrides)
+    existed = words.out is not None and words.out.exists()
+    out = claim(words.scene, words.out, overwrite=words.overwrite)
+    try:
+        if words.quiet:
+            result = laboratory.run(loaded, threads=words.threads, progress=None)
+        else:
+            with Progress(label=scene_name(words.scene)) as progress:
+                result = laboratory.run(loaded, threads=words.threads, progress=progress)
+    except BaseException as error:
+        part = error.result if isinstance(error, Stopped) else None
+        if part is None:
+            if not existed and not any(out.iterdir()):
+                out.rmdir()
+            raise
+        _save(part, out)
+        return complain(f"{error}\nmasonry: the results up to there are in '{out}'", STOPPED)
+    paths = _save(result, out)
+    if not words.quiet:
+        from masonry.printout import paths_text, summary_text
+
+        print(f"{paths_text(paths)}\n\n{summary_text(result.summary)}")
+    if result.summary.get("interrupted"):
+        return complain(f"interrupted; the results up to there are in '{out}'", INTERRUPTED)
+    return OK
+
+
+def check_scene(words: argparse.Namespace) -> int:
+    """`masonry check`."""
+    from masonry import laboratory, scene
+    from masonry.printout import check_text
+
+    print(check_text(laboratory.check(scene.load(words.scene, words.overrides))))
+    return OK
+
+
+def export_scene(words: argparse.Namespace) -> int:
+    """`masonry export`: with tets where the scene has them."""
+    from geometry.export import export, require_suffix
+    from masonry import scene
+    from masonry.assembly import joined, meshed
+
+    require_suffix(words.to)
+    loaded = scene.load(words.scene, words.overrides)
+    specimen, joints = joined(loaded)
+    export(words.to, specimen, meshed(loaded, specimen.blocks, joints)[0])
+    print(f"{words.to}: {specimen.blocks.count} blocks")
+    return OK
+
+
+def import_blocks(words: argparse.Namespace) -> int:
+    """`masonry import`: a scene and a file of blocks, and a table of what was found."""
+    from masonry import importing
+    from masonry.import_report import report_text
+    from masonry.printout import aligned
+    from masonry.quantity import parse
+
+    wishes = importing.Wishes(
+        unit=None if words.unit is None else parse(_one(words.unit), "length", "--unit", "[1e-9, 1e5]"),
+        tolerance=parse(words.tolerance, "length", "--tolerance", "[1e-9, 1]"),
+        thickness=None if words.thickness is None else parse(words.thickness, "length", "--thickness", "[1e-9, 1e5]"),
+        facet=None if words.facet is None else parse(words.facet, "length", "--facet", "[1e-9, 1e5]"),
+        groups=[_group(text) for text in words.group],
+        section=None if words.section is None else parse(words.section, "area", "--section", "[1e-12, 1e8]"),
+        open_gaps=words.open_gaps,
+    )
+    report = importing.import_file(words.file, words.out, wishes, words.overwrite)
+    print(aligned(report_text(report)))
+    return OK
+
+
+def picture_scene(words: argparse.Namespace) -> int:
+    """`masonry picture --geometry`: what stands there, how it is held and what moves."""
+    from masonry import scene
+    from masonry.folder import scene_name
+    from masonry.geometry_picture import draw_geometry
+
+    loaded = scene.load(words.scene, words.overrides)
+    out = words.out or Path(f"{scene_name(words.scene)}-geometry.png")
+    print(draw_geometry(loaded, out, words.view))
+    return OK
+
+
+def list_scenes(words: argparse.Namespace) -> int:
+    """`masonry list`: name and title of every packaged scene."""
+    from masonry.scene.source import packaged
+
+    titles = {name: tomllib.loads(file.read_text(encoding="utf-8")) for name, file in packaged().items()}
+    margin = max(map(len, titles), default=0) + 2
+    for name, content in titles.items():
+        print(f"{name:<{margin}}{content.get('title', '')}".rstrip())
+    return OK
+
+
+def plot_results(words: argparse.Namespace) -> int:
+    """`masonry plot`: curve.png and cracks.png again, from summary.json and history.h5."""
+    from masonry.printout import paths_text
+    from masonry.results import load_history
+
+    result = load_history(words.folder)
+    try:
+        paths = result.save_pictures(words.folder)
+    except OSError as error:
+        raise SceneError(f"cannot write pictures to '{words.folder}': {error.strerror or error}") from None
+    print(paths_text(paths))
+    return OK
+
+
+def doctor(words: argparse.Namespace) -> int:
+    """`masonry doctor`: 0 if all is fine, 1 if something is missing."""
+    from masonry.doctor import examine
+
+    fine, text = examine()
+    print(text)
+    return OK if fine else 1
+
+
+def _one(unit: str) -> str:
+    """A unit by itself means one of it."""
+    return unit if unit[:1].isdigit() else f"1 {unit}"
+
+
+def _group(text: str) -> tuple[str, str]:
+    pattern, equals, group = text.rpartition("=")
+    if not equals or not pattern or not group or "." in group or not group.isprintable():
+        raise SceneError(f"--group '{text}': write PATTERN=GROUP, for example 'brick*=units'; no dot in a group")
+    return pattern, group
+
+
+def _save(result: Any, out: Path) -> dict[str, Path]:
+    try:
+        paths: dict[str, Path] = result.save(out)
+        return paths
+    except OSError as error:
+        raise SceneError(f"cannot write results to '{out}': {error.strerror or error}") from None
