@@ -9,14 +9,27 @@ from verification.paper.tornado import PANELS, pictures, verdict
 from verification.paper.variations import Variation, assumed, options
 from verification.report import page
 
+CAREFUL = {ACCURACY: "0.7 %"}
 PACE: dict[str, dict[str, Any]] = {
     "couplet": {},
-    "couplet-meso-coarse": {ACCURACY: "3 %"},
-    "wallette-mode-1": {},
-    "wallette-mode-2": {},
-    "bending-0": {ACCURACY: "3 %", "specimen.points_per_edge": {"x": 2, "y": 6, "z": 2}},
+    "couplet-meso-coarse": {ACCURACY: "0.5 %"},
+    "wallette-mode-1": CAREFUL,
+    "wallette-mode-2": CAREFUL,
+    "bending-0": {"specimen.points_per_edge": {"x": 2, "y": 6, "z": 2}},
 }
-"""The scenes, and where they run otherwise than shipped: the dear ones less carefully."""
+"""The scenes, and how they run otherwise than shipped.
+
+At 1 % some variations leave the ends of a specimen with forces that differ by more than 2 % for a moment. Six points
+through the thickness of the wall in bending change its peak by 0.3 %.
+"""
+SUDDEN = {
+    "couplet-meso-coarse: points_per_edge 4": "cells of the bed let go in one row of the curve",
+    "bending-0: points_per_edge 4": "a course lets go in one row of the curve",
+    "bending-0: contact.within_units.tensile_strength x1.5": "strong units give way at once",
+    "bending-0: contact.within_units.cohesion x1.5": "strong units give way at once",
+    "bending-0: contact.within_units.normal_stiffness x0.5": "soft units give way at once",
+}
+"""Varied runs whose ends differ by 2.7 to 5.1 % of the peak in one or two rows past it, where the force drops."""
 DEAR = ("couplet-meso-coarse", "bending-0")
 SPARED = ("density", "displacement", "accuracy")
 """In the dear scenes blocks stay rigid, and what was seen to matter little in the others is not varied."""
@@ -24,8 +37,8 @@ QUICK = ("couplet", "wallette-mode-1")
 INTRODUCTION = (
     "What the paper does not give is assumed, and each assumption is varied by itself here, both ways where that makes "
     "sense. A bar spans all the variations of one entry: orange up, blue down. The final stress is given in percent of "
-    "the base's peak, as it is close to nothing where a crack opens in full. The runs aim at a loading error of 1 %, "
-    "those of the mortar bed and of bending at 3 %: changes of less than that may be the loading's."
+    "the base's peak, as it is close to nothing where a crack opens in full. The runs aim at a loading error of 1 % "
+    "or less, so that changes of less than that may be the loading's."
 )
 
 
@@ -46,10 +59,11 @@ def variations(case: str, quick: bool) -> tuple[list[Variation], dict[str, str]]
 def pair(case: str, v: Variation) -> dict[str, Run]:
     """The base run and the varied one, by their labels."""
     base = {**PACE[case], **v.base}
+    varied = f"{case}: {v.entry} {v.label}"
     named = ", ".join(f"{key} = {value}" for key, value in v.base.items())
     return {
         f"{case}: {named or 'base'}": Run(case, base),
-        f"{case}: {v.entry} {v.label}": Run(case, {**base, **v.knobs}),
+        varied: Run(case, {**base, **v.knobs}, sudden=SUDDEN.get(varied, "")),
     }
 
 
