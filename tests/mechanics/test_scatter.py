@@ -34,7 +34,7 @@ def test_no_variation_at_all_is_the_run_without_bit_by_bit():
 
 
 def test_the_energy_balance_closes_and_the_laws_book_what_the_contacts_took():
-    summary = run("wallette-mode-1", **SMALL, **scatter(0.4, "unit_unit", "within_units")).summary
+    summary = run("wallette-mode-2", **SMALL, **scatter(0.2, "unit_unit", "within_units")).summary
     assert summary["energy_imbalance"] < 1e-10
     assert summary["dissipation_mismatch"] < 0.01
     assert set(summary["scatter"]) == {"unit_unit", "within_units"}
@@ -42,8 +42,8 @@ def test_the_energy_balance_closes_and_the_laws_book_what_the_contacts_took():
 
 
 def test_on_two_threads_a_run_gives_the_bits_of_one():
-    changes = {**SMALL, "drive.steps": 2000, **scatter(0.4, "unit_unit")}
-    one, two = (run("wallette-mode-1", threads, **changes) for threads in (1, 2))
+    changes = {**SMALL, "drive.steps": 2000, **scatter(0.2, "unit_unit", "within_units")}
+    one, two = (run("wallette-mode-2", threads, **changes) for threads in (1, 2))
     assert all(np.array_equal(one.history.rows[key], two.history.rows[key]) for key in one.history.rows)
 
 
