@@ -42,6 +42,10 @@ def main(arguments: list[str] | None = None) -> int:
         raise SceneError(f"--workers {words.workers}: 1 or more")
     sweep = read(words.sweep)
     planned = plan(sweep)
+    if words.scheduler is not None:
+        from masonry.sweep.cluster import require
+
+        require(words.scheduler)
     folder = folder_for(words.sweep, sweep, words.out, words.overwrite)
     tell = None if words.quiet else _tell
     if tell:
