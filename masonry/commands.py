@@ -1,7 +1,6 @@
 """What each command of `masonry` does, from its words to calls of the laboratory; returns the exit code."""
 
 import argparse
-import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -100,12 +99,12 @@ def picture_scene(words: argparse.Namespace) -> int:
 
 def list_scenes(words: argparse.Namespace) -> int:
     """`masonry list`: name and title of every packaged scene."""
-    from masonry.scene.source import packaged
+    from masonry.scene.source import titles
 
-    titles = {name: tomllib.loads(file.read_text(encoding="utf-8")) for name, file in packaged().items()}
-    margin = max(map(len, titles), default=0) + 2
-    for name, content in titles.items():
-        print(f"{name:<{margin}}{content.get('title', '')}".rstrip())
+    found = titles()
+    margin = max(map(len, found), default=0) + 2
+    for name, title in found.items():
+        print(f"{name:<{margin}}{title}".rstrip())
     return OK
 
 

@@ -9,6 +9,7 @@ from masonry import timeloop
 from masonry.assembly import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kernels.freedom import Guided
+from masonry.printout import Report
 from masonry.quality_lines import quality_lines
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
@@ -55,12 +56,12 @@ def result_of(assembly: Assembly, outcome: timeloop.Outcome) -> Result:
     )
 
 
-def check(scene: Scene) -> dict[str, Any]:
+def check(scene: Scene) -> Report:
     """What a scene would run: sizes, time step and what limits it, expected steps and time, what it leaves out."""
     assembly = assemble(scene)
     model = assembly.model
     counts = np.bincount(model.group, minlength=len(model.group_names))
-    return {
+    found: dict[str, Any] = {
         "blocks": assembly.specimen.blocks.count,
         "cells": [cells_text(report) for report in assembly.specimen.cells],
         "scatter": scatter_lines(assembly),
@@ -77,6 +78,7 @@ def check(scene: Scene) -> dict[str, Any]:
         "compiled": compiled(assembly),
         "warnings": warnings(assembly),
     }
+    return Report(found)
 
 
 def scatter_lines(assembly: Assembly) -> list[str]:

@@ -16,6 +16,7 @@ SHOWING = tuple(
         *("__main__.py", "cli.py", "commands.py", "shell.py", "doctor.py", "printout.py", "import*.py"),
         *("plot.py", "curve_axes.py", "picture.py", "crack_drawing.py", "picture_frame.py", "geometry_picture.py"),
         *("solid_view.py", "condition_marks.py", "mark_drawing.py", "fields.py"),
+        *("curve_table.py", "notebook.py", "figure.py", "scene/portrait.py"),
         *("progress.py", "tally.py", "crew.py", "sweep/*"),
     )
 )
