@@ -11,6 +11,7 @@ from masonry.errors import Stopped
 from masonry.kernels.freedom import Guided
 from masonry.printout import Report
 from masonry.quality_lines import quality_lines
+from masonry.quick_start import leave_out_blas
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
 from masonry.summary import cells_text, summarise
@@ -27,6 +28,7 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None) -> Res
     if progress is not None:
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)
+    leave_out_blas()
     outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress)
     result = result_of(assembly, outcome)
     if outcome.stopped:

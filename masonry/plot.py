@@ -44,12 +44,12 @@ def write_png(figure: Any, path: Path | str, dpi: float = 120.0) -> None:
     """Draw a figure to a PNG file without a display."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-    FigureCanvasAgg(figure)
+    canvas = FigureCanvasAgg(figure)
     figure.set_dpi(dpi)
     if (engine := figure.get_layout_engine()) is not None:
-        engine.execute(figure)  # left to savefig, this costs one more drawing
+        engine.execute(figure)
         figure.set_layout_engine("none")
-    figure.savefig(path, format="png", dpi=dpi)
+    canvas.print_png(path, pil_kwargs={"compress_level": 3})  # savefig would draw once more, to lay it out
 
 
 def plain(title: str) -> str:

@@ -21,10 +21,13 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
     from masonry.curve_table import Table
+    from masonry.painter import Painter
     from masonry.plot import Peak
 
 NUMBERS = ("summary.json", "curve.csv", "history.h5", "scene.toml", "run.log")
 """Files of a run without its pictures and fields."""
+PICTURES = {"curve.png": "plot", "cracks.png": "picture"}
+"""And what draws each of its pictures."""
 
 
 @dataclass(repr=False)
@@ -83,20 +86,24 @@ class Result:
 
         return trust(self.summary)
 
-    def save(self, out: Path | str) -> dict[str, Path]:
+    def save(self, out: Path | str, painter: "Painter | None" = None) -> dict[str, Path]:
         """Write every file to the folder `out`, made if need be; returns file name -> path.
 
-        Each file appears whole or not at all: first the numbers, all together, then the pictures. Values that are not
-        finite are not written; the log says so. Raises OSError if the folder cannot be written to.
+        Each file appears whole or not at all: first the numbers, all together, then the pictures, which a painter draws
+        meanwhile. Values that are not finite are not written; the log says so. Raises OSError if the folder cannot be
+        written to.
         """
         from masonry import fields as vtk_fields
 
         folder = Path(out)
         result = self.finite()
         result.save_numbers(folder)
+        if painter is not None:
+            painter.begin(folder)
         with WholeFiles(folder) as fields_file:
             vtk_fields.write(fields_file.new("fields.vtkhdf"), result)
-        result.save_pictures(folder)
+        if painter is None or not painter.has_drawn():
+            result.save_pictures(folder)
         names = "summary.json curve.csv curve.png cracks.png fields.vtkhdf history.h5 scene.toml run.log"
         return {name: folder / name for name in names.split()}
 
@@ -116,10 +123,13 @@ class Result:
 
     def save_pictures(self, folder: Path) -> dict[str, Path]:
         """Write curve.png and cracks.png only; returns file name -> path."""
+        return {name: self.save_picture(folder, name) for name in PICTURES}
+
+    def save_picture(self, folder: Path, name: str) -> Path:
+        """Write one of PICTURES, whole or not at all."""
         with WholeFiles(folder) as pictures:
-            self.plot(pictures.new("curve.png"))
-            self.picture(pictures.new("cracks.png"))
-        return {name: folder / name for name in ("curve.png", "cracks.png")}
+            getattr(self, PICTURES[name])(pictures.new(name))
+        return folder / name
 
     def plot(self, path: Path | str | None = None) -> "Figure":
         """Draw the curve and the energy ledger: to a PNG file, or as a figure that a notebook shows."""
