@@ -3,14 +3,14 @@
 import importlib
 import platform
 import shutil
+import textwrap
 from collections.abc import Callable
 from functools import partial
 
 from masonry import __version__
-from masonry.installed import Finding, cached_code, module, others, processor, threading_layer
+from masonry.installed import COMPUTING, Finding, cached_code, module, others, processor, threading_layer
+from masonry.printout import WIDTH
 
-COMPUTING = ("numpy", "scipy", "numba", "h5py", "pyarrow", "matplotlib", "gmsh")
-"""Packages of compiled code, which may be there and yet not load."""
 LEAST_FREE = 200e6
 """Bytes of free disk under which a run may not find room for its results."""
 SELF_TEST = "verification.self_test"
@@ -35,11 +35,15 @@ def diagnose(quick: bool = False, say: Callable[[str], object] = print) -> bool:
     for name, check in checks.items():
         good, words = check()
         fine = fine and good
-        say(f"{name:<{MARGIN}}{'' if good else 'PROBLEM: '}{words}")
+        say(_line(name, words if good else f"PROBLEM: {words}"))
     if not quick:
-        fine = _self_test(say) and fine if fine else _not_tested(say)
+        fine = self_tested(say) and fine if fine else _not_tested(say)
     say("all fine" if fine else "some things are missing or wrong, see above")
     return fine
+
+
+def _line(name: str, words: str) -> str:
+    return textwrap.fill(words, WIDTH, initial_indent=f"{name:<{MARGIN}}", subsequent_indent=" " * MARGIN)
 
 
 def _disk() -> Finding:
@@ -47,24 +51,24 @@ def _disk() -> Finding:
     return free > LEAST_FREE, f"{free / 1e9:.1f} GB"
 
 
-def _self_test(say: Callable[[str], object]) -> bool:
+def self_tested(say: Callable[[str], object]) -> bool:
     """A few runs whose answers are known without this program, and the speed."""
     try:
         findings = importlib.import_module(SELF_TEST).findings
     except ModuleNotFoundError as error:
         if error.name not in (SELF_TEST, SELF_TEST.partition(".")[0]):
             raise
-        say(f"{'self-test':<{MARGIN}}left out: the package {SELF_TEST.partition('.')[0]} is not installed")
+        say(_line("self-test", f"left out: the package {SELF_TEST.partition('.')[0]} is not installed"))
         return True
-    say(f"{'self-test':<{MARGIN}}ten seconds; longer where the step has to be compiled first")
+    say(_line("self-test", "ten seconds; longer where the step has to be compiled first"))
     fine = True
     for name, good, lines in findings():
         fine = fine and good
-        for number, line in enumerate(lines):
-            say(f"{name if number == 0 else '':<{MARGIN}}{'OK: ' if good else 'FAILED: '}{line}")
+        for number, words in enumerate(lines):
+            say(_line(name if number == 0 else "", f"{'OK' if good else 'FAILED'}: {words}"))
     return fine
 
 
 def _not_tested(say: Callable[[str], object]) -> bool:
-    say(f"{'self-test':<{MARGIN}}left out until the problems above are solved")
+    say(_line("self-test", "left out until the problems above are solved"))
     return False

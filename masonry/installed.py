@@ -12,6 +12,8 @@ APT = "apt-get install libgl1 libglu1-mesa libxrender1 libxcursor1 libxft2 libxi
 """What the wheel of gmsh and threads need from a bare Debian."""
 ON_DEBIAN = f"on Debian and Ubuntu: {APT}"
 AGAIN = "install masonry-dem again: pip install --force-reinstall masonry-dem"
+COMPUTING = ("numpy", "scipy", "numba", "h5py", "pyarrow", "matplotlib", "gmsh")
+"""Packages of compiled code, which may be there and yet not load."""
 DISTRIBUTION = "masonry-dem"
 TOOLS = ("dev", "docs", "fuzz")
 """Extras for those who change the program; a user lacks nothing without them."""
@@ -38,8 +40,8 @@ def processor() -> Finding:
 
 
 def threading_layer() -> Finding:
-    """The first layer that Numba can load, in the order in which it tries them."""
-    for name, layer in (("tbb", "tbbpool"), ("omp", "omppool"), ("workqueue", "workqueue")):
+    """The first layer that Numba can load, in the order in which it is told to try them."""
+    for name, layer in (("omp", "omppool"), ("tbb", "tbbpool"), ("workqueue", "workqueue")):
         try:
             importlib.import_module(f"numba.np.ufunc.{layer}")
             return True, name
@@ -49,10 +51,10 @@ def threading_layer() -> Finding:
 
 
 def others(optional: bool) -> Finding:
-    """Versions of all packages that are asked for by pyproject.toml, or of the optional ones that users may want."""
+    """Versions of the packages that are asked for besides those, or of the optional ones that users may want."""
     present, absent = [], []
     for name, extra in _requirements():
-        if bool(extra) != optional or extra in TOOLS:
+        if bool(extra) != optional or extra in TOOLS or name in COMPUTING:
             continue
         try:
             present.append(f"{name} {metadata.version(name)}")
