@@ -59,7 +59,7 @@ def gallery(panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2, bac
 
     back  seen from behind, as the tension face of a wall in bending
     """
-    from matplotlib.figure import Figure
+    from masonry.figure import ShownFigure
 
     columns = max(min(columns, len(panels)), 1)
     rows = max(-(-len(panels) // columns), 1)
@@ -68,7 +68,7 @@ def gallery(panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2, bac
     ratio = max((_ratio(result, view) for (_, result, _), view in zip(panels, views, strict=True)), default=1.0)
     width = 14.0 if len(panels) > 1 else 9.0
     height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
-    figure = Figure(figsize=(width, height), layout="constrained")
+    figure = ShownFigure(figsize=(width, height), layout="constrained")
     axes = list(np.atleast_1d(figure.subplots(rows, columns)).ravel())
     for spare in axes[len(panels) :]:
         spare.set_axis_off()

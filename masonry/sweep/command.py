@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError
-from masonry.shell import INTERRUPTED, OK, Parser, processors
+from masonry.processors import processors
+from masonry.shell import INTERRUPTED, OK, Parser
 from masonry.sweep.folder import COPY, folder_for
 from masonry.sweep.read import Sweep, read
 
