@@ -5,6 +5,7 @@ import io
 import sys
 from collections.abc import Callable, Iterator
 from html import escape
+from typing import Any
 
 from masonry.printout import Rows
 from masonry.progress import Progress
@@ -29,7 +30,7 @@ def telling(progress: Tell | bool | None, label: str) -> Iterator[Tell | None]:
     elif progress is False or (progress is None and not in_notebook()):
         yield None
     else:
-        where = OneLine() if in_notebook() else contextlib.nullcontext(sys.stderr)
+        where: Any = OneLine() if in_notebook() else contextlib.nullcontext(sys.stderr)
         with where as stream, Progress(label=label, stream=stream) as bar:
             yield bar
 

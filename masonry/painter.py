@@ -34,12 +34,17 @@ class Painter:
 
     def __init__(self) -> None:
         order, self._order = os.pipe()
-        self._process = os.fork()
-        if self._process == 0:
+        self.process = os.fork()
+        if self.process == 0:
             os.close(self._order)
             _wait_and_draw(order)
         os.close(order)
         self._begun = False
+
+    @property
+    def is_gone(self) -> bool:
+        """Whether it has come to its end."""
+        return self.process == 0
 
     def begin(self, folder: Path) -> None:
         """The numbers are in this folder: draw them."""
@@ -54,9 +59,9 @@ class Painter:
 
     def close(self) -> None:
         """Without an order it goes at once."""
-        if self._process:
+        if not self.is_gone:
             if not self._begun:
-                os.kill(self._process, signal.SIGKILL)
+                os.kill(self.process, signal.SIGKILL)
                 self._let_go()
             self._ended()
 
@@ -64,8 +69,8 @@ class Painter:
         os.close(self._order)
 
     def _ended(self) -> int:
-        status = os.waitpid(self._process, 0)[1]
-        self._process = 0
+        status = os.waitpid(self.process, 0)[1]
+        self.process = 0
         return status
 
 

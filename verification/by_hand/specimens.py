@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from itertools import permutations
+from typing import Any
 
 import numpy as np
 
@@ -27,8 +28,7 @@ def bricks(count: tuple[int, int, int], cells: tuple[int, int, int]) -> tuple[Bl
     low, high = divide([0.0, 0.0, 0.0], (UNIT * count).tolist(), count)
     number = len(low)
     blocks = from_boxes(low, high, np.arange(number), np.zeros(number, dtype=np.int64), ("units",))
-    points = np.array(cells) + 1
-    k, j, i = (index.ravel() for index in np.indices(points[::-1]))
+    k, j, i = (index.ravel() for index in np.indices([n + 1 for n in cells[::-1]]))
     grid = np.stack([i, j, k], axis=1)
     nodes = (low[:, None] + grid * (UNIT / cells)).reshape(-1, 3)
     own = _tets(cells)
@@ -89,6 +89,8 @@ def _joints(count: tuple, cells: tuple, grid: np.ndarray, nodes: np.ndarray) -> 
             }
         )
         first += len(a)
-    values = {name: np.ascontiguousarray(np.concatenate([part[name] for part in parts])) for name in parts[0]}
+    values: dict[str, Any] = {
+        name: np.ascontiguousarray(np.concatenate([part[name] for part in parts])) for name in parts[0]
+    }
     start = np.arange(first + 1) * 4
     return Joints(point=nodes[values["node_a"]], patch_start=start, patch_points=np.zeros((4 * first, 3)), **values)

@@ -61,6 +61,7 @@ class Twin:
     def _tets(self) -> tuple:
         layout, joints = self.model.layout, self.model.joints
         mesh = layout.mesh
+        assert mesh is not None
         nodes = len(mesh.nodes)
         start, code = _by_row(joints.node_a, joints.node_b, nodes)
         self.ends = np.stack([joints.node_a, joints.node_b], axis=1).astype(np.uint32)
