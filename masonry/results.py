@@ -55,15 +55,17 @@ class Result:
         Each file appears whole or not at all: first the numbers, all together, then the pictures. Values that are not
         finite are not written; the log says so. Raises OSError if the folder cannot be written to.
         """
-        from masonry import fields as vtk_fields
+        from masonry.fields import write_blocks
+        from masonry.joint_fields import write_joints
 
         folder = Path(out)
         result = self.finite()
         result.save_numbers(folder)
-        with WholeFiles(folder) as fields_file:
-            vtk_fields.write(fields_file.new("fields.vtkhdf"), result)
+        with WholeFiles(folder) as grids:
+            write_blocks(grids.new("fields.vtkhdf"), result)
+            write_joints(grids.new("joints.vtkhdf"), result)
         result.save_pictures(folder)
-        names = "summary.json curve.csv curve.png cracks.png fields.vtkhdf history.h5 scene.toml run.log"
+        names = "summary.json curve.csv curve.png cracks.png fields.vtkhdf joints.vtkhdf history.h5 scene.toml run.log"
         return {name: folder / name for name in names.split()}
 
     def save_numbers(self, folder: Path) -> dict[str, Path]:
@@ -98,6 +100,31 @@ class Result:
         from masonry import picture, plot
 
         plot.write_png(picture.cracks_figure(self), path)
+
+    def show(
+        self,
+        step: str | int | float = "peak",
+        field: str = "opening",
+        scale: float | None = None,
+        view: str = "iso",
+        screenshot: Path | str | None = None,
+        everywhere: bool = False,
+    ) -> None:
+        """Show the specimen in 3D, with PyVista: units outlined, damaged joints coloured by a field.
+
+        step        "peak", "last", "first", a number of a step, or a displacement: "0.05 mm", or m as a float
+        field       "opening", "slip", "damage", "damage_tension", "damage_shear", or "mode": damage, red where tension
+                    leads and blue where shear does
+        scale       by how much displacements are drawn larger; by default so that they show
+        view        "iso", "front" or "back"
+        screenshot  a .png file to write in place of a window; needs no display
+        everywhere  colour the joints that are not damaged as well
+
+        Raises SceneError for other words, without PyVista, and where there is neither display nor screenshot.
+        """
+        from masonry.show import show
+
+        show(self, step, field, scale, view, screenshot, everywhere)
 
     def finite(self) -> "Result":
         """The same without what is not finite: rows from the first bad one on go, so do bad frames; summary values
