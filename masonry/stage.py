@@ -77,18 +77,19 @@ class Stage:
         self.tiles = pyvista.PolyData(cells.points.copy(), faces=_counted(cells.offsets, cells.connectivity))
         self.tiles.cell_data[field] = np.zeros(cells.count)
         shown = FIELDS[field]
+        look = {"scalars": field, "cmap": shown.colour_map(), "clim": self._range(), "nan_opacity": 0.0}
         plotter.set_background("white")
         plotter.add_mesh(self.walls, scalars="colour", rgb=True, opacity=PALE, ambient=0.5, diffuse=0.6, name="blocks")
         plotter.add_mesh(self.lines, color=EDGES, line_width=1.5, name="outlines")
         plotter.add_mesh(
             self.tiles,
-            scalars=field,
-            cmap=shown.colour_map(),
-            clim=self._range(),
-            nan_opacity=0.0,
+            **look,
             lighting=False,
             name="joints",
             scalar_bar_args={"title": f"{shown.title}\n", **BAR},
+        )
+        plotter.add_mesh(  # so that a joint seen edge-on shows
+            self.tiles, **look, style="wireframe", line_width=3.0, lighting=False, name="edges", show_scalar_bar=False
         )
 
     def set(self, number: int, name: str, times: float) -> None:
