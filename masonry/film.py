@@ -80,13 +80,15 @@ class Film:
         self._draw_curve(curve)
         draw_keys(figure, [self.panel], [self.result.specimen.blocks], self.scale)
         self.draw(len(self.frames) - 1)
-        figure.get_layout_engine().execute(figure)
+        if (engine := figure.get_layout_engine()) is not None:
+            engine.execute(figure)
         figure.set_layout_engine("none")
         return figure
 
     def _draw_curve(self, axes: Any) -> None:
         """The whole curve, pale, and what moves over it."""
-        self.dot = self.gone = None
+        self.dot: Any = None
+        self.gone: Any = None
         rows = self.result.history.rows
         axes.grid(color="0.9", linewidth=0.8)
         axes.set_axisbelow(True)

@@ -21,14 +21,14 @@ HOLD = 1.5
 def write_film(
     result: "Result",
     path: Path | str,
-    fps: float = 6.0,
+    fps: int = 6,
     view: str = "front",
     times: float | None = None,
     progress: Callable[[int, int, str], None] | None = None,
 ) -> Path:
     """Write a .gif or .mp4 of all frames, whole or not at all; returns the path.
 
-    fps       frames a second, 0.1 to 60
+    fps       frames a second, 1 to 60
     view      "front", "back" or "iso"
     times     by how much displacements are drawn larger
     progress  called with (frames done, frames, a word)
@@ -39,9 +39,9 @@ def write_film(
     path = Path(path)
     if path.suffix not in SUFFIXES:
         raise SceneError(f"'{path}': a film is a .gif or .mp4 file; nearest: '{path.stem or 'movie'}.gif'")
-    if not 0.1 <= fps <= 60.0:
-        raise SceneError(f"{fps:g} frames a second: a film has 0.1 to 60")
-    settings = {} if path.suffix == ".gif" else {"animation.ffmpeg_path": _ffmpeg()}
+    if not 1 <= fps <= 60:
+        raise SceneError(f"{fps} frames a second: a film has 1 to 60")
+    settings: Any = {} if path.suffix == ".gif" else {"animation.ffmpeg_path": _ffmpeg()}
     from matplotlib import rc_context
 
     from masonry.film import Film
@@ -56,7 +56,7 @@ def write_film(
     return path
 
 
-def _write(film: Any, writer: Any, path: Path, fps: float, progress: Callable[[int, int, str], None] | None) -> None:
+def _write(film: Any, writer: Any, path: Path, fps: int, progress: Callable[[int, int, str], None] | None) -> None:
     whole = len(film.frames)
     with writer.saving(film.figure, str(path), DPI):
         for number in range(whole):
@@ -68,7 +68,7 @@ def _write(film: Any, writer: Any, path: Path, fps: float, progress: Callable[[i
             writer.grab_frame()
 
 
-def _writer(suffix: str, fps: float) -> Any:
+def _writer(suffix: str, fps: int) -> Any:
     from matplotlib.animation import FFMpegWriter, PillowWriter
 
     return PillowWriter(fps=fps) if suffix == ".gif" else FFMpegWriter(fps=fps, codec="h264")

@@ -1,6 +1,6 @@
 """VTKHDF: a grid that stands still, written once, and its data at every frame (version 2.0 of the format).
 
-ParaView reads a grid with time from 5.12 on (VTK 9.3). Several grids in one file with time need ParaView 6.0, so each
+ParaView reads a grid with time from 5.12 on (VTK 9.3), but several grids in one file only later (format 2.1): so each
 grid has a file of its own.
 """
 

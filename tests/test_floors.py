@@ -37,7 +37,7 @@ FLOORS = {
     ),
     "run": Floor(
         "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
-        " masonry.overlap masonry.energy masonry.history masonry.progress masonry.checkpoint"
+        " masonry.overlap masonry.contact_stress masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
         " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation"
         " masonry.vtkhdf masonry.joint_fields masonry.frame_choice masonry.frame_picture"

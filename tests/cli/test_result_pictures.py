@@ -140,7 +140,7 @@ def test_a_crack_comes_out_on_the_front_and_on_top_where_its_joint_ends():
         (["picture", "couplet", "--geometry", "--scale", "2"], "--scale is for a folder of results"),
         (["movie", "nowhere"], "'nowhere' is not a folder of results"),
         (["movie", "{run}", "--to", "wall.avi"], "a .gif or .mp4 file; nearest: 'wall.gif'"),
-        (["movie", "{run}", "--fps", "0"], "0.1 to 60"),
+        (["movie", "{run}", "--fps", "0"], "1 to 60"),
         (["movie", "{run}", "--to", "no/such/wall.gif"], "cannot write"),
     ],
 )
