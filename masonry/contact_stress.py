@@ -22,8 +22,6 @@ def contact_stress(model: Model) -> np.ndarray:
     block = np.concatenate([joints.block_a, joints.block_b])
     arm = np.concatenate([joints.point, joints.point]) - layout.centroid[block]
     acting = np.concatenate([force, -force])
-    sums = [
-        0.5 * np.bincount(block, acting[:, i] * arm[:, j] + acting[:, j] * arm[:, i], len(free)) for i, j in PAIRS
-    ]
+    sums = [0.5 * np.bincount(block, acting[:, i] * arm[:, j] + acting[:, j] * arm[:, i], len(free)) for i, j in PAIRS]
     stress: np.ndarray = np.stack(sums, axis=1)[which] * (free / layout.volume)[which, None]
     return stress

@@ -112,15 +112,7 @@ class Result:
     ) -> None:
         """Show the specimen in 3D, with PyVista: units outlined, damaged joints coloured by a field.
 
-        step        "peak", "last", "first", a number of a step, or a displacement: "0.05 mm", or m as a float
-        field       "opening", "slip", "damage", "damage_tension", "damage_shear", or "mode": damage, red where tension
-                    leads and blue where shear does
-        scale       by how much displacements are drawn larger; by default so that they show
-        view        "iso", "front" or "back"
-        screenshot  a .png file to write in place of a window; needs no display
-        everywhere  colour the joints that are not damaged as well
-
-        Raises SceneError for other words, without PyVista, and where there is neither display nor screenshot.
+        The arguments are those of `masonry.show.show`. Raises SceneError without PyVista or a display.
         """
         from masonry.show import show
 

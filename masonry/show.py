@@ -22,12 +22,24 @@ def show(
     result: "Result",
     step: str | int | float = "peak",
     field: str = "opening",
-    times: float | None = None,
+    scale: float | None = None,
     view: str = "iso",
     screenshot: Path | str | None = None,
     everywhere: bool = False,
 ) -> None:
-    """As Result.show, where `times` is the scale of displacements."""
+    """Show the specimen in a window, in a notebook, or in a file.
+
+    step        "peak", "last", "first", a number of a step, or a displacement: "0.05 mm", or m as a float
+    field       "opening", "slip", "damage", "damage_tension", "damage_shear", or "mode": damage, red where tension
+                leads and blue where shear does
+    scale       by how much displacements are drawn larger; by default so that they show
+    view        "iso", "front" or "back"
+    screenshot  a .png file to write in place of a window; needs no display
+    everywhere  colour the joints that are not damaged as well
+
+    Raises SceneError for other words, without PyVista, and where there is neither display nor screenshot;
+    GeometryError where the file cannot be written.
+    """
     for name, word, known in (("field", field, tuple(FIELDS)), ("view", view, VIEWS)):
         if word not in known:
             raise SceneError(f"{name} '{word}'; {nearest(str(word), known)}")
@@ -43,7 +55,7 @@ def show(
         plotter.close()
         raise SceneError("there is no display to show it on; give a file: result.show(screenshot='wall.png')")
     stage = Stage(plotter, result, field, everywhere)
-    stage.set(number, chosen.name, times if times is not None else magnification(chosen.frame, stage.size))
+    stage.set(number, chosen.name, scale if scale is not None else magnification(chosen.frame, stage.size))
     stage.look(view)
     if screenshot is not None:
         with whole_file(Path(screenshot)) as beside:
@@ -53,12 +65,12 @@ def show(
         plotter.show(jupyter_backend="static")
     else:
         if len(frames) > 1 and not off:
-            _add_slider(plotter, stage, number)
+            add_slider(plotter, stage, number)
         plotter.show()
 
 
-def _add_slider(plotter: Any, stage: Stage, number: int) -> None:
-    """Frame by frame, displacements by the same factor."""
+def add_slider(plotter: Any, stage: Stage, number: int) -> Any:
+    """A slider through the frames, displacements by the same factor; returns it."""
     count = len(stage.result.history.frames)
 
     def move(value: float) -> None:
@@ -66,7 +78,7 @@ def _add_slider(plotter: Any, stage: Stage, number: int) -> None:
         if k != stage.number:
             stage.set(k, f"frame {k + 1} of {count}", stage.times)
 
-    plotter.add_slider_widget(
+    return plotter.add_slider_widget(
         move, [0, count - 1], value=number, title="frame", fmt="%.0f", pointa=(0.03, 0.1), pointb=(0.3, 0.1)
     )
 

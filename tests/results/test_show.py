@@ -7,7 +7,7 @@ import pytest
 from matplotlib import image
 
 from masonry.errors import SceneError
-from masonry.show import show
+from masonry.show import add_slider, show
 from masonry.stage import FIELDS, Stage
 from tests.results.sample import sample, with_tets
 from tests.results.test_pictures import blue, red
@@ -106,3 +106,18 @@ def test_what_cannot_be_shown_is_refused_in_one_message(tmp_path, monkeypatch):
     with pytest.raises(SceneError, match=r"pip install 'masonry-dem\[view\]'"):
         show(sample(), screenshot=tmp_path / "wall.png")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_slider_goes_through_the_frames_and_keeps_the_scale():
+    plotter = pyvista.Plotter(off_screen=True, window_size=(300, 200))
+    stage = Stage(plotter, sample(), "opening")
+    stage.set(1, "at the peak", 50.0)
+    widget = add_slider(plotter, stage, 1)
+    slider = widget.GetRepresentation()
+    assert (slider.GetMinimumValue(), slider.GetValue(), slider.GetMaximumValue()) == (0, 1, 2)
+    slider.SetValue(2.2)
+    widget.InvokeEvent("EndInteractionEvent")
+    frame = stage.result.history.frames[2]
+    assert (stage.number, stage.times) == (2, 50.0)
+    np.testing.assert_allclose(stage.walls.points, stage.result.specimen.blocks.points + 50.0 * frame.corners)
+    plotter.close()
