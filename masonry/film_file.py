@@ -2,14 +2,18 @@
 
 import shutil
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from geometry.whole_files import whole_file
 from masonry.errors import SceneError
 
 if TYPE_CHECKING:
+    from masonry.film import Film
     from masonry.results import Result
 
 SUFFIXES = (".gif", ".mp4")
@@ -41,37 +45,52 @@ def write_film(
         raise SceneError(f"'{path}': a film is a .gif or .mp4 file; nearest: '{path.stem or 'movie'}.gif'")
     if not 1 <= fps <= 60:
         raise SceneError(f"{fps} frames a second: a film has 1 to 60")
-    settings: Any = {} if path.suffix == ".gif" else {"animation.ffmpeg_path": _ffmpeg()}
-    from matplotlib import rc_context
-
+    write = _write_gif if path.suffix == ".gif" else partial(_write_mp4, ffmpeg=_ffmpeg())
     from masonry.film import Film
 
-    film = Film(result, view, times)
-    with whole_file(path) as beside, rc_context(settings):
-        writer = _writer(path.suffix, fps)
+    with whole_file(path) as beside:
+        beside.touch()  # before there is anything to lose
+        film = Film(result, view, times)
         try:
-            _write(film, writer, beside, fps, progress)
+            write(_shown(film, progress), film, beside, fps)
         except subprocess.CalledProcessError as error:
             raise SceneError(f"ffmpeg could not write '{path}' ({error}); a .gif needs no ffmpeg") from None
     return path
 
 
-def _write(film: Any, writer: Any, path: Path, fps: int, progress: Callable[[int, int, str], None] | None) -> None:
+def _shown(film: "Film", progress: Callable[[int, int, str], None] | None) -> Iterator[None]:
+    """Show one frame after the other."""
     whole = len(film.frames)
-    with writer.saving(film.figure, str(path), DPI):
-        for number in range(whole):
-            film.draw(number)
-            writer.grab_frame()
-            if progress is not None:
-                progress(number + 1, whole, f"frame {number + 1} of {whole}")
-        for _ in range(round(HOLD * fps)):
-            writer.grab_frame()
+    for number in range(whole):
+        film.draw(number)
+        yield
+        if progress is not None:
+            progress(number + 1, whole, f"frame {number + 1} of {whole}")
 
 
-def _writer(suffix: str, fps: int) -> Any:
-    from matplotlib.animation import FFMpegWriter, PillowWriter
+def _write_gif(shown: Iterator[None], film: "Film", path: Path, fps: int) -> None:
+    from PIL import Image
 
-    return PillowWriter(fps=fps) if suffix == ".gif" else FFMpegWriter(fps=fps, codec="h264")
+    film.figure.set_dpi(DPI)
+    pictures = []
+    for _ in shown:
+        film.figure.canvas.draw()
+        pictures.append(Image.fromarray(np.array(film.figure.canvas.buffer_rgba())[:, :, :3]))
+    times = [1000.0 / fps] * (len(pictures) - 1) + [1000.0 / fps + 1000.0 * HOLD]
+    pictures[0].save(path, save_all=True, append_images=pictures[1:], duration=times, loop=0)
+
+
+def _write_mp4(shown: Iterator[None], film: "Film", path: Path, fps: int, ffmpeg: str) -> None:
+    from matplotlib import rc_context
+    from matplotlib.animation import FFMpegWriter
+
+    with rc_context({"animation.ffmpeg_path": ffmpeg}):
+        writer = FFMpegWriter(fps=fps, codec="h264")
+        with writer.saving(film.figure, str(path), DPI):
+            for _ in shown:
+                writer.grab_frame()
+            for _ in range(round(HOLD * fps)):
+                writer.grab_frame()
 
 
 def _ffmpeg() -> str:
