@@ -6,11 +6,11 @@ Limits of the gates lie above what was measured (in brackets) by the spread seen
 import numpy as np
 import pytest
 
-from benchmarks import specimens, trial
-from benchmarks.interleaved import against, require
-from benchmarks.twin import Twin
 from masonry.laws.elastic import Elastic
 from masonry.laws.interface import Interface
+from verification.by_hand import specimens, trial
+from verification.by_hand.interleaved import against, require
+from verification.by_hand.twin import Twin
 
 ROUNDS, STEPS = 400, 10
 DEEP = 1e-6

@@ -10,9 +10,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks import specimens, trial
-from benchmarks.interleaved import against, in_turn, require
-from benchmarks.twin import Twin
 from masonry import scene
 from masonry.assembly import assemble
 from masonry.kernels.freedom import Guided
@@ -20,6 +17,9 @@ from masonry.laws.brittle import Brittle
 from masonry.laws.elastic import Elastic
 from masonry.laws.interface import Interface
 from masonry.scene.source import packaged
+from verification.by_hand import specimens, trial
+from verification.by_hand.interleaved import against, in_turn, require
+from verification.by_hand.twin import Twin
 
 STEPS, ROUNDS = 10, 400
 LIMIT = 1.03

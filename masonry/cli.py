@@ -17,7 +17,8 @@ from typing import Any
 
 from masonry import __version__, commands
 from masonry.errors import SceneError, Stopped
-from masonry.shell import INTERRUPTED, OK, STOPPED, USAGE, Parser, complain, processors
+from masonry.processors import processors
+from masonry.shell import INTERRUPTED, OK, STOPPED, USAGE, Parser, complain
 
 APART = {
     "picture": ("masonry.picture_command", "draw the cracks of results at a moment, or the specimen of a scene"),
@@ -57,9 +58,9 @@ def parser() -> Parser:
     plot.set_defaults(action=commands.plot_results)
     for name, (_, words) in APART.items():
         added.add_parser(name, help=words, add_help=False)
-    added.add_parser("doctor", help="look whether this machine has what a run needs").set_defaults(
-        action=commands.doctor
-    )
+    doctor = added.add_parser("doctor", help="look whether this machine has what a run needs, and computes right")
+    doctor.add_argument("--quick", action="store_true", help="leave out the self-test, which takes ten seconds")
+    doctor.set_defaults(action=commands.doctor)
     return main
 
 
@@ -81,13 +82,11 @@ def _add_import(added: Any) -> None:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run one command; returns the exit code."""
-    from geometry.blocks import GeometryError
-
     try:
         code = _act(arguments)
         sys.stdout.flush()
         return code
-    except (SceneError, GeometryError) as error:
+    except (SceneError, _geometry_error()) as error:
         return complain(str(error), USAGE)
     except Stopped as error:
         return complain(str(error), STOPPED)
@@ -98,6 +97,13 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return OK
+
+
+def _geometry_error() -> type[Exception]:
+    """Looked up when there is an error: it brings numpy with it."""
+    from geometry.blocks import GeometryError
+
+    return GeometryError
 
 
 def _act(arguments: list[str] | None) -> int:

@@ -1,16 +1,21 @@
 """What each command of `masonry` does, from its words to calls of the laboratory; returns the exit code."""
 
 import argparse
-import tomllib
 from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, Stopped
+from masonry.painter import Painter, painter
 from masonry.shell import INTERRUPTED, OK, STOPPED, complain
 
 
 def run_scene(words: argparse.Namespace) -> int:
     """`masonry run`: everything that the run got to is written, whatever ended it."""
+    with painter() as hired:
+        return _run(words, hired)
+
+
+def _run(words: argparse.Namespace, hired: Painter | None) -> int:
     from masonry import laboratory, scene
     from masonry.folder import claim, scene_name
     from masonry.progress import Progress
@@ -30,9 +35,9 @@ def run_scene(words: argparse.Namespace) -> int:
             if not existed and not any(out.iterdir()):
                 out.rmdir()
             raise
-        _save(part, out)
+        _save(part, out, hired)
         return complain(f"{error}\nmasonry: the results up to there are in '{out}'", STOPPED)
-    paths = _save(result, out)
+    paths = _save(result, out, hired)
     if not words.quiet:
         from masonry.printout import paths_text, summary_text
 
@@ -88,12 +93,12 @@ def import_blocks(words: argparse.Namespace) -> int:
 
 def list_scenes(words: argparse.Namespace) -> int:
     """`masonry list`: name and title of every packaged scene."""
-    from masonry.scene.source import packaged
+    from masonry.scene.source import titles
 
-    titles = {name: tomllib.loads(file.read_text(encoding="utf-8")) for name, file in packaged().items()}
-    margin = max(map(len, titles), default=0) + 2
-    for name, content in titles.items():
-        print(f"{name:<{margin}}{content.get('title', '')}".rstrip())
+    found = titles()
+    margin = max(map(len, found), default=0) + 2
+    for name, title in found.items():
+        print(f"{name:<{margin}}{title}".rstrip())
     return OK
 
 
@@ -112,12 +117,10 @@ def plot_results(words: argparse.Namespace) -> int:
 
 
 def doctor(words: argparse.Namespace) -> int:
-    """`masonry doctor`: 0 if all is fine, 1 if something is missing."""
-    from masonry.doctor import examine
+    """`masonry doctor`: 0 if all is fine, 1 if something is missing or wrong."""
+    from masonry.doctor import diagnose
 
-    fine, text = examine()
-    print(text)
-    return OK if fine else 1
+    return OK if diagnose(words.quick, lambda line: print(line, flush=True)) else 1
 
 
 def _one(unit: str) -> str:
@@ -132,9 +135,9 @@ def _group(text: str) -> tuple[str, str]:
     return pattern, group
 
 
-def _save(result: Any, out: Path) -> dict[str, Path]:
+def _save(result: Any, out: Path, hired: Painter | None) -> dict[str, Path]:
     try:
-        paths: dict[str, Path] = result.save(out)
+        paths: dict[str, Path] = result.save(out, hired)
         return paths
     except OSError as error:
         raise SceneError(f"cannot write results to '{out}': {error.strerror or error}") from None

@@ -1,97 +1,74 @@
-"""Looks at the machine: is everything there that a run needs?"""
+"""Looks at the machine: is everything there that a run needs, and is what it computes right?"""
 
 import importlib
-import os
 import platform
 import shutil
+import textwrap
 from collections.abc import Callable
-from pathlib import Path
+from functools import partial
 
 from masonry import __version__
+from masonry.installed import COMPUTING, Finding, cached_code, module, others, processor, threading_layer
+from masonry.printout import WIDTH
 
-APT = "apt-get install libgl1 libglu1-mesa libxrender1 libxcursor1 libxft2 libxinerama1 libfontconfig1 libgomp1"
-"""What gmsh's wheel needs from a bare Debian."""
 LEAST_FREE = 200e6
 """Bytes of free disk under which a run may not find room for its results."""
+SELF_TEST = "verification.self_test"
+"""Stands on a floor above this one: known by name alone, as the commands of other floors."""
+MARGIN = max(map(len, ("optional packages", "tension-exponential"))) + 2
 
-Finding = tuple[bool, str]
 
-
-def examine() -> tuple[bool, str]:
-    """Whether all is fine, and the findings as lines."""
+def diagnose(quick: bool = False, say: Callable[[str], object] = print) -> bool:
+    """Whether all is fine; each finding is said as a line. `quick` leaves out the self-test of ten seconds."""
     checks: dict[str, Callable[[], Finding]] = {
         "python": lambda: (True, platform.python_version()),
         "masonry": lambda: (True, __version__),
-        "processors": lambda: (True, str(os.cpu_count())),
-        "numpy": lambda: _module("numpy"),
-        "numba": lambda: _module("numba"),
-        "threading layer": _threading_layer,
-        "h5py": lambda: _module("h5py"),
-        "pyarrow": lambda: _module("pyarrow"),
-        "matplotlib": lambda: _module("matplotlib"),
-        "gmsh": _gmsh,
-        "compiled code": _cache,
+        "processors": processor,
+        **{name: partial(module, name) for name in COMPUTING},
+        "threading layer": threading_layer,
+        "other packages": lambda: others(optional=False),
+        "optional packages": lambda: others(optional=True),
+        "compiled code": cached_code,
         "free disk here": _disk,
     }
-    findings = {name: check() for name, check in checks.items()}
-    margin = max(map(len, findings)) + 2
-    lines = [f"{name:<{margin}}{'' if good else 'PROBLEM: '}{words}" for name, (good, words) in findings.items()]
-    fine = all(good for good, _ in findings.values())
-    lines.append("all fine" if fine else "some things are missing, see above")
-    return fine, "\n".join(lines)
+    fine = True
+    for name, check in checks.items():
+        good, words = check()
+        fine = fine and good
+        say(_line(name, words if good else f"PROBLEM: {words}"))
+    if not quick:
+        fine = self_tested(say) and fine if fine else _not_tested(say)
+    say("all fine" if fine else "some things are missing or wrong, see above")
+    return fine
 
 
-def _module(name: str) -> Finding:
-    try:
-        return True, str(importlib.import_module(name).__version__)
-    except (ImportError, OSError) as error:
-        return (
-            False,
-            f"cannot be imported ({error}); install masonry-dem again: pip install --force-reinstall masonry-dem",
-        )
-
-
-def _gmsh() -> Finding:
-    try:
-        return True, str(importlib.import_module("gmsh").__version__)
-    except ImportError as error:
-        return (
-            False,
-            f"cannot be imported ({error}); install masonry-dem again: pip install --force-reinstall masonry-dem",
-        )
-    except OSError as error:
-        return False, f"a library is missing ({error}); on Debian and Ubuntu: {APT}"
-
-
-def _threading_layer() -> Finding:
-    """The first layer that Numba can load, in the order in which it tries them."""
-    for name, module in (("tbb", "tbbpool"), ("omp", "omppool"), ("workqueue", "workqueue")):
-        try:
-            importlib.import_module(f"numba.np.ufunc.{module}")
-            return True, name
-        except ImportError:
-            continue
-    return False, "Numba can load none of tbb, omp and workqueue"
-
-
-def _cache() -> Finding:
-    """Where compiled code is kept between runs, and how much of it there is."""
-    try:
-        folder: Path = importlib.import_module("masonry.kernels.compiler").cache_root()
-    except (ImportError, OSError) as error:
-        return False, f"nothing can be compiled ({error})"
-    files = [path.stat().st_size for path in folder.rglob("*") if path.is_file()] if folder.is_dir() else []
-    place = folder
-    while not place.exists():
-        place = place.parent
-    if not os.access(place, os.W_OK):
-        return (
-            False,
-            f"{folder} cannot be written to: every run will compile anew; set MASONRY_CACHE to another folder",
-        )
-    return True, f"{folder}, {sum(files) / 1e6:.1f} MB in {len(files)} files"
+def _line(name: str, words: str) -> str:
+    return textwrap.fill(words, WIDTH, initial_indent=f"{name:<{MARGIN}}", subsequent_indent=" " * MARGIN)
 
 
 def _disk() -> Finding:
     free = shutil.disk_usage(".").free
     return free > LEAST_FREE, f"{free / 1e9:.1f} GB"
+
+
+def self_tested(say: Callable[[str], object]) -> bool:
+    """A few runs whose answers are known without this program, and the speed."""
+    try:
+        findings = importlib.import_module(SELF_TEST).findings
+    except ModuleNotFoundError as error:
+        if error.name not in (SELF_TEST, SELF_TEST.partition(".")[0]):
+            raise
+        say(_line("self-test", f"left out: the package {SELF_TEST.partition('.')[0]} is not installed"))
+        return True
+    say(_line("self-test", "ten seconds; longer where the step has to be compiled first"))
+    fine = True
+    for name, good, lines in findings():
+        fine = fine and good
+        for number, words in enumerate(lines):
+            say(_line(name if number == 0 else "", f"{'OK' if good else 'FAILED'}: {words}"))
+    return fine
+
+
+def _not_tested(say: Callable[[str], object]) -> bool:
+    say(_line("self-test", "left out until the problems above are solved"))
+    return False

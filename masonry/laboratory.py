@@ -9,7 +9,9 @@ from masonry import timeloop
 from masonry.assembly import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kernels.freedom import Guided
+from masonry.printout import Report
 from masonry.quality_lines import quality_lines
+from masonry.quick_start import leave_out_blas
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
 from masonry.summary import cells_text, summarise
@@ -26,6 +28,7 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None) -> Res
     if progress is not None:
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)
+    leave_out_blas()
     outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress)
     result = result_of(assembly, outcome)
     if outcome.stopped:
@@ -55,12 +58,12 @@ def result_of(assembly: Assembly, outcome: timeloop.Outcome) -> Result:
     )
 
 
-def check(scene: Scene) -> dict[str, Any]:
+def check(scene: Scene) -> Report:
     """What a scene would run: sizes, time step and what limits it, expected steps and time, what it leaves out."""
     assembly = assemble(scene)
     model = assembly.model
     counts = np.bincount(model.group, minlength=len(model.group_names))
-    return {
+    found: dict[str, Any] = {
         "blocks": assembly.specimen.blocks.count,
         "cells": [cells_text(report) for report in assembly.specimen.cells],
         "scatter": scatter_lines(assembly),
@@ -77,6 +80,7 @@ def check(scene: Scene) -> dict[str, Any]:
         "compiled": compiled(assembly),
         "warnings": warnings(assembly),
     }
+    return Report(found)
 
 
 def scatter_lines(assembly: Assembly) -> list[str]:

@@ -66,7 +66,7 @@ def gallery(
     view   "front", "back" as the tension face of a wall in bending, or "iso" from the front, the right and above
     times  by how much displacements are drawn larger; by default so that they show, panel by panel
     """
-    from matplotlib.figure import Figure
+    from masonry.figure import ShownFigure
 
     columns = max(min(columns, len(panels)), 1)
     rows = max(-(-len(panels) // columns), 1)
@@ -75,7 +75,7 @@ def gallery(
     ratio = max((_ratio(drawing) for drawing in shown), default=1.0)
     width = 14.0 if len(panels) > 1 else 9.0
     height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
-    figure = Figure(figsize=(width, height), layout="constrained")
+    figure = ShownFigure(figsize=(width, height), layout="constrained")
     axes = list(np.atleast_1d(figure.subplots(rows, columns)).ravel())
     for spare in axes[len(panels) :]:
         spare.set_axis_off()

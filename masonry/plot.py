@@ -1,13 +1,15 @@
 """curve.png: stress (or force) against displacement (or a gauge), and the energy ledger below it."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from masonry.curve_axes import CurveAxes, curve_axes
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from masonry.results import Result
 
 MILLI, MEGA = 1e3, 1e-6
@@ -24,16 +26,30 @@ LEDGER = {
 """The terms that together make up the external work: label and colour."""
 
 
+class Peak(NamedTuple):
+    """Displacement of the drive (m) and stress (Pa) there."""
+
+    displacement: float
+    stress: float
+
+
+def drawn(figure: "Figure", path: Path | str | None) -> "Figure":
+    """The figure, which is also written to a PNG file where one is named."""
+    if path is not None:
+        write_png(figure, path)
+    return figure
+
+
 def write_png(figure: Any, path: Path | str, dpi: float = 120.0) -> None:
     """Draw a figure to a PNG file without a display."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-    FigureCanvasAgg(figure)
+    canvas = FigureCanvasAgg(figure)
     figure.set_dpi(dpi)
     if (engine := figure.get_layout_engine()) is not None:
-        engine.execute(figure)  # left to savefig, this costs one more drawing
+        engine.execute(figure)
         figure.set_layout_engine("none")
-    figure.savefig(path, format="png", dpi=dpi)
+    canvas.print_png(path, pil_kwargs={"compress_level": 3})  # savefig would draw once more, to lay it out
 
 
 def plain(title: str) -> str:
@@ -46,20 +62,20 @@ def peak_row(rows: dict[str, np.ndarray]) -> int:
     return int(np.argmax(np.abs(rows["stress"])))
 
 
-def peak_point(result: "Result") -> tuple[float, float]:
-    """Displacement in m and stress in Pa at the peak: of the summary, which looks at every step, else of the rows."""
+def peak_point(result: "Result") -> Peak:
+    """The peak: of the summary, which looks at every step, else of the rows."""
     at, stress = (result.summary.get(key) for key in ("displacement_at_peak_m", "peak_stress_pa"))
     if isinstance(at, float) and isinstance(stress, float):
-        return at, stress
+        return Peak(at, stress)
     row = peak_row(result.history.rows)
-    return float(result.history.rows["displacement"][row]), float(result.history.rows["stress"][row])
+    return Peak(float(result.history.rows["displacement"][row]), float(result.history.rows["stress"][row]))
 
 
 def curve_figure(result: "Result") -> Any:
     """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger."""
-    from matplotlib.figure import Figure
+    from masonry.figure import ShownFigure
 
-    figure = Figure(figsize=(10, 8), layout="constrained")
+    figure = ShownFigure(figsize=(10, 8), layout="constrained")
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     words = [result.title, *(_words(result.summary.get(key)) for key in ("law", "kinematics"))]
     figure.suptitle(plain(", ".join(filter(None, words))), fontsize=13, wrap=True)

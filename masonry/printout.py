@@ -13,11 +13,32 @@ between the energy that the laws booked and the work that the contacts took up, 
 how far contacts close over the size of their blocks."""
 
 
+Rows = list[tuple[str, list[str]]]
+"""A word and its lines, row by row."""
+
+
+class Report(dict[str, Any]):
+    """What `masonry.check` found, by key; it prints as `masonry check` does."""
+
+    def __repr__(self) -> str:
+        return check_text(self)
+
+    def _repr_html_(self) -> str:
+        from masonry.notebook import html_table
+
+        return html_table("What this scene would run", check_rows(self))
+
+
 def check_text(report: dict[str, Any]) -> str:
     """The report of `masonry.laboratory.check` as lines."""
+    return aligned(check_rows(report))
+
+
+def check_rows(report: dict[str, Any]) -> Rows:
+    """The same, row by row."""
     contacts = report["contacts"]
     longest = max((len(name) for name in contacts), default=0)
-    rows = [
+    return [
         ("blocks", [f"{report['blocks']}"]),
         *([("cells", report["cells"])] if report.get("cells") else []),
         ("contacts", [f"{name:<{longest}}  {number}" for name, number in contacts.items()] or ["none"]),
@@ -33,7 +54,6 @@ def check_text(report: dict[str, Any]) -> str:
         ("left out", report["left_out"] or ["nothing"]),
         ("warnings", report["warnings"] or ["none"]),
     ]
-    return aligned(rows)
 
 
 def paths_text(paths: dict[str, Path]) -> str:
@@ -46,7 +66,12 @@ def paths_text(paths: dict[str, Path]) -> str:
 
 def summary_text(summary: dict[str, Any]) -> str:
     """The figures that matter, and a sentence on how far to trust them."""
-    rows = [
+    return aligned(summary_rows(summary))
+
+
+def summary_rows(summary: dict[str, Any]) -> Rows:
+    """The same, row by row."""
+    return [
         ("peak stress", [_number(summary, "peak_stress_pa", 1e-6, "MPa")]),
         ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
         ("final stress", [_number(summary, "final_stress_pa", 1e-6, "MPa")]),
@@ -59,7 +84,6 @@ def summary_text(summary: dict[str, Any]) -> str:
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
         ("trust", [trust(summary)]),
     ]
-    return aligned(rows)
 
 
 def gauge_text(readings: dict[str, float]) -> str:
@@ -130,7 +154,7 @@ def _seconds(summary: dict[str, Any], key: str) -> str:
     return "not known" if value is None else duration(value)
 
 
-def aligned(rows: list[tuple[str, list[str]]], wrap: bool = True) -> str:
+def aligned(rows: Rows, wrap: bool = True) -> str:
     """Two columns: a word, and lines that are wrapped under each other."""
     margin = max(len(word) for word, _ in rows) + 2
     lines = []

@@ -1,25 +1,36 @@
 """The result of a run: its summary, history and specimen, and the files that hold them."""
 
 import json
-import math
 import tomllib
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from geometry.blocks import Joints, Specimen, TetMesh
 from masonry import archive
+from masonry.curve_table import csv_text, table_of
 from masonry.errors import SceneError
+from masonry.finite import finite_rows, is_finite, without_nan
 from masonry.folder import WholeFiles
-from masonry.history import UNITS, Frame, History, unit_of
+from masonry.history import History
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from pandas import DataFrame
+
+    from masonry.curve_table import Table
+    from masonry.painter import Painter
+    from masonry.plot import Peak
 
 NUMBERS = ("summary.json", "curve.csv", "history.h5", "scene.toml", "run.log")
 """Files of a run without its pictures and fields."""
+PICTURES = {"curve.png": "plot", "cracks.png": "picture"}
+"""And what draws each of its pictures."""
 
 
-@dataclass
+@dataclass(repr=False)
 class Result:
     """What a run leaves behind.
 
@@ -49,22 +60,50 @@ class Result:
             title = None
         return str(title or self.summary.get("scene", "masonry"))
 
-    def save(self, out: Path | str) -> dict[str, Path]:
+    @property
+    def curve(self) -> "DataFrame | Table":
+        """The rows, one a moment, in SI units (`curve.attrs["units"]`): `curve["displacement"]`, `curve["stress"]`,
+        gauges, energies. A table of pandas where that is installed, else a small one of the same columns.
+        """
+        return table_of(self.history.rows)
+
+    @property
+    def peak(self) -> "Peak":
+        """`peak.stress` (Pa) and `peak.displacement` (m) of the drive: the largest of all steps, not of the rows."""
+        from masonry.plot import peak_point
+
+        return peak_point(self)
+
+    @property
+    def energies(self) -> dict[str, float]:
+        """The energy ledger at the end, J: external work, what is stored, what was dissipated and how."""
+        return dict(self.summary.get("energy_j") or {})
+
+    @property
+    def trust(self) -> str:
+        """How far to trust the numbers, in a sentence."""
+        from masonry.printout import trust
+
+        return trust(self.summary)
+
+    def save(self, out: Path | str, painter: "Painter | None" = None) -> dict[str, Path]:
         """Write every file to the folder `out`, made if need be; returns file name -> path.
 
-        Each file appears whole or not at all: first the numbers, all together, then the pictures. Values that are not
-        finite are not written; the log says so. Raises OSError if the folder cannot be written to.
+        Each file appears whole or not at all: numbers first, then pictures, which a painter draws meanwhile. Values that
+        are not finite are not written; the log says so. Raises OSError if the folder cannot be written to.
         """
-        from masonry.fields import write_blocks
-        from masonry.joint_fields import write_joints
+        from masonry import fields, joint_fields
 
         folder = Path(out)
         result = self.finite()
         result.save_numbers(folder)
+        if painter is not None:
+            painter.begin(folder)
         with WholeFiles(folder) as grids:
-            write_blocks(grids.new("fields.vtkhdf"), result)
-            write_joints(grids.new("joints.vtkhdf"), result)
-        result.save_pictures(folder)
+            fields.write_blocks(grids.new("fields.vtkhdf"), result)
+            joint_fields.write_joints(grids.new("joints.vtkhdf"), result)
+        if painter is None or not painter.has_drawn():
+            result.save_pictures(folder)
         names = "summary.json curve.csv curve.png cracks.png fields.vtkhdf joints.vtkhdf history.h5 scene.toml run.log"
         return {name: folder / name for name in names.split()}
 
@@ -84,49 +123,52 @@ class Result:
 
     def save_pictures(self, folder: Path) -> dict[str, Path]:
         """Write curve.png and cracks.png only; returns file name -> path."""
-        with WholeFiles(folder) as pictures:
-            self.plot(pictures.new("curve.png"))
-            self.picture(pictures.new("cracks.png"))
-        return {name: folder / name for name in ("curve.png", "cracks.png")}
+        return {name: self.save_picture(folder, name) for name in PICTURES}
 
-    def plot(self, path: Path | str) -> None:
-        """Draw the curve and the energy ledger to a PNG file."""
+    def save_picture(self, folder: Path, name: str) -> Path:
+        """Write one of PICTURES, whole or not at all."""
+        with WholeFiles(folder) as pictures:
+            getattr(self, PICTURES[name])(pictures.new(name))
+        return folder / name
+
+    def plot(self, path: Path | str | None = None) -> "Figure":
+        """Draw the curve and the energy ledger: to a PNG file, or as a figure that a notebook shows."""
         from masonry import plot
 
-        plot.write_png(plot.curve_figure(self), path)
+        return plot.drawn(plot.curve_figure(self), path)
 
-    def picture(self, path: Path | str) -> None:
-        """Draw the deformed specimen with its cracks to a PNG file."""
+    def picture(self, path: Path | str | None = None) -> "Figure":
+        """Draw the deformed specimen with its cracks: to a PNG file, or as a figure that a notebook shows."""
         from masonry import picture, plot
 
-        plot.write_png(picture.cracks_figure(self), path)
+        return plot.drawn(picture.cracks_figure(self), path)
 
-    def show(
-        self,
-        step: str | int | float = "peak",
-        field: str = "opening",
-        scale: float | None = None,
-        view: str = "iso",
-        screenshot: Path | str | None = None,
-        everywhere: bool = False,
-    ) -> None:
-        """Show the specimen in 3D, with PyVista: units outlined, damaged joints coloured by a field.
+    def __repr__(self) -> str:
+        from masonry.printout import summary_text
 
-        The arguments are those of `masonry.show.show`. Raises SceneError without PyVista or a display.
-        """
+        return f"Result: {self.title}\n\n{summary_text(self.summary)}"
+
+    def _repr_html_(self) -> str:
+        from masonry.notebook import html_table
+        from masonry.printout import summary_rows
+
+        return html_table(self.title, summary_rows(self.summary))
+
+    def show(self, step: str | int | float = "peak", field: str = "opening", **how: Any) -> None:
+        """Show the specimen in 3D with PyVista: all as masonry.show.show has it. Raises SceneError where it cannot."""
         from masonry.show import show
 
-        show(self, step, field, scale, view, screenshot, everywhere)
+        show(self, step, field, **how)
 
     def finite(self) -> "Result":
         """The same without what is not finite: rows from the first bad one on go, so do bad frames; summary values
         become null. Each loss is a line of the log."""
         log = list(self.log)
-        rows, last_step = _finite_rows(self.history.rows, log)
-        frames = [frame for frame in self.history.frames if _is_finite(frame) and frame.step <= last_step]
+        rows, last_step = finite_rows(self.history.rows, log)
+        frames = [frame for frame in self.history.frames if is_finite(frame) and frame.step <= last_step]
         if len(frames) < len(self.history.frames):
             log.append(f"{len(self.history.frames) - len(frames)} frames with values that are not finite were dropped")
-        summary = {key: _without_nan(value, key, log) for key, value in self.summary.items()}
+        summary = {key: without_nan(value, key, log) for key, value in self.summary.items()}
         return replace(self, summary=summary, history=History(rows, frames), log=log)
 
 
@@ -147,45 +189,6 @@ def load_history(folder: Path | str) -> Result:
         return Result(summary=summary, **archive.read(folder / name))
     except (OSError, KeyError, TypeError, ValueError, AttributeError) as error:
         raise SceneError(f"'{folder / name}' is damaged ({error}); run the scene again") from None
-
-
-def csv_text(rows: dict[str, np.ndarray]) -> str:
-    """The rows as CSV in SI units, displacement, stress and gauges first, floats to full precision."""
-    first = ("displacement", "stress", *(name for name in rows if name not in UNITS))
-    names = [name for name in (*first, *(name for name in UNITS if name not in first)) if name in rows]
-    lines = [",".join(f"{name} [{unit_of(name)}]" for name in names)]
-    columns = [np.asarray(rows[name]).tolist() for name in names]
-    lines += [",".join(map(repr, values)) for values in zip(*columns, strict=True)]
-    return "\n".join(lines) + "\n"
-
-
-def _finite_rows(rows: dict[str, np.ndarray], log: list[str]) -> tuple[dict[str, np.ndarray], float]:
-    """The rows before the first that is not finite, and the last step that frames may have."""
-    if not rows:
-        return {}, math.inf
-    good = np.logical_and.reduce([np.isfinite(values) for values in rows.values()])
-    if good.all():
-        return dict(rows), math.inf
-    first = int(np.argmin(good))
-    bad = ", ".join(name for name, values in rows.items() if not np.isfinite(values[first]))
-    log.append(f"{len(good) - first} rows were dropped: from row {first + 1} on, {bad} is not finite")
-    kept = {name: values[:first] for name, values in rows.items()}
-    return kept, float(kept["step"][-1]) if first and "step" in kept else -math.inf
-
-
-def _is_finite(frame: Frame) -> bool:
-    return all(np.isfinite(getattr(frame, entry.name)).all() for entry in fields(frame))
-
-
-def _without_nan(value: Any, key: str, log: list[str]) -> Any:
-    if isinstance(value, dict):
-        return {name: _without_nan(entry, f"{key}.{name}", log) for name, entry in value.items()}
-    if isinstance(value, list | tuple):
-        return [_without_nan(entry, key, log) for entry in value]
-    if isinstance(value, float | np.floating) and not math.isfinite(value):
-        log.append(f"summary: {key} is not finite and was left empty")
-        return None
-    return value
 
 
 def _plain(value: Any) -> Any:

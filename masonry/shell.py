@@ -1,7 +1,6 @@
 """What the commands share: exit codes, a parser that says what is wrong in one line, and how a complaint is said."""
 
 import argparse
-import os
 import re
 import sys
 from typing import NoReturn
@@ -16,11 +15,6 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         self.exit(USAGE, f"masonry: {message}; see `{self.prog} --help`\n")
-
-
-def processors() -> int:
-    """How many processors this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def complain(message: str, code: int) -> int:

@@ -140,8 +140,12 @@ def pace(fine: int, rungs: int = 5) -> dict[str, Rungs]:
 def richardson(values: list[float], kind: str = "converged run") -> Reference:
     """The finest of at least three rungs (each twice as fine), with 1.25 times its extrapolated error.
 
-    The observed order is held between 0.5 and 2, so that two values that agree by luck do not promise too much.
+    The observed order is held between 0.5 and 2, so that two values that agree by luck do not promise too much. Where
+    fewer rungs came to their end, the finest is doubted as a whole.
     """
+    if len(values) < 3:
+        finest = values[-1] if values else math.nan
+        return Reference(finest, kind, abs(finest))
     coarse, middle, fine = values[-3:]
     step = abs(middle - fine)
     order = math.log2(abs(coarse - middle) / step) if step and coarse != middle else 2.0

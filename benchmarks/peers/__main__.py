@@ -16,11 +16,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from benchmarks.interleaved import in_turn
 from benchmarks.peers.worker import Absent, Worker
 from masonry import scene, timeloop
 from masonry.assembly import assemble
 from masonry.pace import Chunk
+from verification.by_hand.interleaved import in_turn
 
 ROUNDS = 15
 

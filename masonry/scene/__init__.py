@@ -1,6 +1,7 @@
 """A scene file or a packaged scene -> `Scene`, checked and in SI; and back to TOML that gives the same scene."""
 
 import json
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -11,9 +12,9 @@ from masonry.quantity import parse
 from masonry.scene.errors import explain
 from masonry.scene.overrides import Overrides, apply
 from masonry.scene.schema import Scene
-from masonry.scene.source import packaged, read
+from masonry.scene.source import Source, packaged, read, titles
 
-__all__ = ["Scene", "load", "packaged", "to_toml"]
+__all__ = ["Scene", "changed", "load", "packaged", "titles", "to_toml"]
 
 
 def load(path_or_name: str | Path, overrides: Overrides = ()) -> Scene:
@@ -24,6 +25,18 @@ def load(path_or_name: str | Path, overrides: Overrides = ()) -> Scene:
     """
     source = read(path_or_name)
     apply(source, overrides)
+    return _checked(source)
+
+
+def changed(scene: Scene, settings: Overrides) -> Scene:
+    """Another scene: this one with some keys set anew, as `load` does. Raises SceneError as `load` does."""
+    source = Source(scene.name, scene.name, "", tomllib.loads(to_toml(scene)))
+    apply(source, settings)
+    return _checked(source)
+
+
+def _checked(source: Source) -> Scene:
+    """The scene that stands in the raw values."""
     confinement = source.raw.get("confinement")
     if confinement is not None:
         place = source.place(("confinement",))

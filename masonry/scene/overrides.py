@@ -4,6 +4,7 @@ import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from copy import deepcopy
+from numbers import Number
 from typing import Any
 
 from masonry.errors import SceneError
@@ -38,9 +39,9 @@ def _split(text: str) -> tuple[str, str]:
 
 
 def _value(value: Any) -> Any:
-    """A TOML value where the text is one, else the text."""
+    """A TOML value where the text is one, else the text; a plain number where it is one of numpy's."""
     if not isinstance(value, str):
-        return deepcopy(value)
+        return value.item() if isinstance(value, Number) and hasattr(value, "item") else deepcopy(value)
     try:
         value.encode()
         read_as_toml = tomllib.loads(f"value = {value}")

@@ -1,11 +1,12 @@
 """A scene: specimen, properties, supports, loading and solver, checked and in SI."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
+from masonry.errors import SceneError
 from masonry.history import UNITS
 from masonry.scene.contact import Contact, Material
 from masonry.scene.gauge import Curve, Gauge
@@ -58,6 +59,32 @@ class Scene(Table):
         """
         data = self.model_dump(exclude_none=True, context={"law": self.law, "confinement": self.confinement})
         return {key: value for key, value in data.items() if value not in ((), {})}
+
+    def with_(self, settings: Mapping[str, Any] | None = None, /, **top_level: Any) -> "Scene":
+        """Another scene with some keys set anew; this one stays as it is. Same rules and messages as `--set`.
+
+        settings   by dotted key: scene.with_({"drive.accuracy": "0.5 %", "contact.unit_unit.cohesion": "0.6 MPa"})
+        top_level  keys without a dot, for short: scene.with_(law="linear", confinement="0.1 MPa")
+        Raises SceneError: one message with the key, what is wrong, and what is allowed.
+        """
+        from masonry.scene import changed
+
+        for key in top_level:
+            if key in (settings or {}):
+                raise SceneError(f"{key} is given twice: in the settings and by itself")
+        return changed(self, {**(settings or {}), **top_level})
+
+    def __repr__(self) -> str:
+        from masonry.scene.portrait import portrait_text
+
+        return portrait_text(self)
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        from masonry.scene.portrait import portrait_html
+
+        return portrait_html(self)
 
     @model_validator(mode="after")
     def _fits_together(self) -> "Scene":

@@ -61,6 +61,12 @@ def packaged() -> dict[str, Traversable]:
     return dict(sorted((f.name.removesuffix(".toml"), f) for f in found))
 
 
+def titles() -> dict[str, str]:
+    """Name and title of every packaged scene."""
+    texts = {name: file.read_text(encoding="utf-8") for name, file in packaged().items()}
+    return {name: str(tomllib.loads(text).get("title", "")) for name, text in texts.items()}
+
+
 def read(scene: str | Path, depth: int = 0) -> Source:
     """The raw scene of a path or of a packaged name, on top of its `base` if it names one. Raises SceneError."""
     known = packaged()

@@ -32,7 +32,7 @@ class KeyedError(ValueError):
 class Table(BaseModel):
     """A table of the scene: no key but the ones named here, and no change after loading."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)  # the scene's own is built at first use
 
 
 @dataclass(frozen=True)

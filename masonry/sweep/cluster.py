@@ -14,13 +14,14 @@ PATIENCE = 5.0
 ALONE = threading.Lock()
 
 
-def work_on(scheduler: str, act: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[tuple[int, Any]]:
-    """As `masonry.crew.work`, on a cluster. A worker that dies has its task done by another, three times at most.
+def require(scheduler: str) -> None:
+    """Raise SceneError where Dask is not installed, no scheduler answers, or it has no workers."""
+    _client(scheduler).close()
 
-    Raises SceneError where Dask is not installed, no scheduler answers, or it goes away.
-    """
+
+def _client(scheduler: str) -> Any:
     try:
-        from dask.distributed import Client, as_completed
+        from dask.distributed import Client
         from distributed.comm import get_address_host_port
     except ImportError:
         raise SceneError("--scheduler needs Dask: pip install 'masonry-dem[cluster]'") from None
@@ -34,9 +35,21 @@ def work_on(scheduler: str, act: Callable[[Any], Any], tasks: Sequence[Any]) -> 
             f"no Dask scheduler answers at '{scheduler}' ({why}); start one with `dask scheduler`, workers with"
             " `dask worker ADDRESS`, and give the address that it says, such as tcp://127.0.0.1:8786"
         ) from None
+    if not client.scheduler_info()["workers"]:
+        client.close()
+        raise SceneError(f"the Dask scheduler at '{scheduler}' has no workers; start some: dask worker {scheduler}")
+    return client
+
+
+def work_on(scheduler: str, act: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[tuple[int, Any]]:
+    """As `masonry.crew.work`, on a cluster. A worker that dies has its task done by another, three times at most.
+
+    Raises SceneError as `require`, and where the scheduler goes away.
+    """
+    client = _client(scheduler)
+    from dask.distributed import as_completed
+
     try:
-        if not client.scheduler_info()["workers"]:
-            raise SceneError(f"the Dask scheduler at '{scheduler}' has no workers; start some: dask worker {scheduler}")
         begun = time.perf_counter()
         futures = {client.submit(one_at_a_time, act, task, pure=False): n for n, task in enumerate(tasks)}
         for future in as_completed(futures, loop=client.loop):

@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError
-from masonry.shell import INTERRUPTED, OK, Parser, processors
+from masonry.processors import processors
+from masonry.shell import INTERRUPTED, OK, Parser
 from masonry.sweep.folder import COPY, folder_for
 from masonry.sweep.read import Sweep, read
 
@@ -42,6 +43,10 @@ def main(arguments: list[str] | None = None) -> int:
         raise SceneError(f"--workers {words.workers}: 1 or more")
     sweep = read(words.sweep)
     planned = plan(sweep)
+    if words.scheduler is not None:
+        from masonry.sweep.cluster import require
+
+        require(words.scheduler)
     folder = folder_for(words.sweep, sweep, words.out, words.overwrite)
     tell = None if words.quiet else _tell
     if tell:

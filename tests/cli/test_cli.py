@@ -12,7 +12,7 @@ import masonry
 from geometry.blocks import GeometryError
 from masonry.cli import main
 from masonry.errors import SceneError, Stopped
-from masonry.shell import processors
+from masonry.processors import processors
 from tests.results.sample import sample
 
 REPORT = {

@@ -16,7 +16,7 @@ from masonry.film_file import write_film
 from masonry.frame_choice import choose
 from masonry.frame_picture import draw_frame
 from masonry.picture import drawing_of, magnification, panel_title, share_of_way
-from masonry.results import load_history
+from masonry.results import NUMBERS, load_history
 from tests.results.sample import HEIGHT, LENGTH, sample, with_tets
 from tests.results.test_pictures import blue, red
 
@@ -28,9 +28,7 @@ def folder(tmp_path):
 
 
 def new_files(folder):
-    return {path.name for path in folder.iterdir()} - {
-        *("summary.json", "curve.csv", "history.h5", "scene.toml", "run.log")
-    }
+    return {path.name for path in folder.iterdir()} - set(NUMBERS)
 
 
 @pytest.mark.parametrize(
@@ -67,7 +65,7 @@ def test_a_step_that_is_none_is_refused_in_one_message(step):
 
 def test_the_share_of_the_way_counts_all_that_the_drive_goes_to_and_fro():
     frame = sample().history.frames[1]
-    rows = {"step": np.array([0.0, 100.0, 200.0, 300.0]), "displacement": np.array([0.0, 1.0, -1.0, 0.0])}
+    rows = {"step": 100.0 * np.arange(4), "displacement": np.array([0.0, 1.0, -1.0, 0.0])}
     assert share_of_way(rows, frame) == pytest.approx(0.75)
     assert share_of_way({**rows, "displacement": np.zeros(4)}, frame) == pytest.approx(2 / 3)
 
@@ -75,9 +73,9 @@ def test_the_share_of_the_way_counts_all_that_the_drive_goes_to_and_fro():
 def test_a_title_says_displacement_stress_share_of_the_way_and_scale():
     result = sample()
     words = panel_title(result, "at the peak", result.history.frames[1], 250.0)
-    assert words == (
-        "at the peak: displacement 0.04 mm, stress 0.19 MPa, 20 % of the way\ndisplacements drawn 250 times"
-    )
+    first, second = words.split("\n")
+    assert first == "at the peak: displacement 0.04 mm, stress 0.19 MPa, 20 % of the way"
+    assert second == "displacements drawn 250 times"
 
 
 def test_the_command_draws_the_peak_beside_the_results_and_says_where(folder, capsys):
@@ -100,11 +98,10 @@ def test_cracks_are_red_and_blue_in_every_view_and_absent_where_nothing_is_damag
         assert (red(picture).sum() > 1000) == cracked and (blue(picture).sum() > 300) == cracked
 
 
-def test_from_behind_left_and_right_change_places(tmp_path):
+def test_from_behind_left_and_right_change_places():
     result = sample()
-    frame = result.history.frames[-1]
     front, back = (drawing_of(result, view) for view in ("front", "back"))
-    points = result.specimen.blocks.points + 100 * frame.corners
+    points = result.specimen.blocks.points
     np.testing.assert_allclose(front.project(points) * (-1, 1), back.project(points))
 
 
@@ -115,7 +112,7 @@ def test_a_crack_comes_out_on_the_front_and_on_top_where_its_joint_ends():
     assert len(tile) and np.all(np.isclose(tile[:, 1], 0.0) | np.isclose(tile[:, 2], 4 * HEIGHT))
     heads = np.flatnonzero(np.abs(result.joints.normal[:, 0]) > 0.5)
     owner = np.repeat(np.arange(len(result.joints.area)), np.diff(drawing.start))
-    following = np.roll(np.arange(len(owner)), -1)
+    following = np.arange(1, len(owner) + 1)
     following[drawing.start[1:] - 1] = drawing.start[:-1]
     length = np.linalg.norm(drawing.tile[following] - drawing.tile, axis=1)
     seen = np.isin(owner, heads) & (drawing.after >= 0)
@@ -175,9 +172,8 @@ def test_a_gif_opens_with_cracks_in_its_last_frame_only_and_the_last_one_stays(f
         for number in range(3):
             film.seek(number)
             times.append(film.info["duration"])
-            picture = np.asarray(film.convert("RGB"))[..., :] / 255.0
-            panel = picture[: int(0.8 * len(picture)), : int(0.45 * picture.shape[1])]
-            shares.append(int(red(panel).sum()))
+            picture = np.asarray(film.convert("RGB")) / 255.0
+            shares.append(int(red(picture[: int(0.8 * len(picture)), : int(0.45 * picture.shape[1])]).sum()))
     assert shares[0] < 20 and shares[2] > 500
     assert times[:2] == [100, 100] and times[2] > 1000
 

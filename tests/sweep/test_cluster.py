@@ -6,10 +6,11 @@ from types import SimpleNamespace
 
 import pytest
 
+from masonry.cli import main
 from masonry.errors import SceneError
 from masonry.sweep import engine
 from masonry.sweep.cluster import work_on
-from tests.sweep.samples import dying, jobs, marks, untimed
+from tests.sweep.samples import dying, jobs, marks, text, untimed
 
 FOUR = ("0.1 MPa", "0.2 MPa", "0.3 MPa", "0.4 MPa")
 
@@ -61,3 +62,12 @@ def test_without_dask_the_extra_is_named(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "dask.distributed", SimpleNamespace())
     with pytest.raises(SceneError, match=r"pip install 'masonry-dem\[cluster\]'"):
         engine.run(jobs("0.1 MPa"), tmp_path, scheduler="tcp://127.0.0.1:9")
+
+
+def test_nothing_is_written_for_a_sweep_whose_scheduler_does_not_answer(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("masonry.sweep.cluster.PATIENCE", 0.5)
+    (tmp_path / "sweep.toml").write_text(text('[grid]\nconfinement = ["0.1 MPa"]\n'), encoding="utf-8")
+    assert main(["sweep", "sweep.toml", "--scheduler", "tcp://127.0.0.1:9"]) == 2
+    assert "no Dask scheduler answers" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["sweep.toml"]

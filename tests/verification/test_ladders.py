@@ -3,6 +3,7 @@
 from dataclasses import replace
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from verification.cases import eccentric_tension
@@ -26,6 +27,11 @@ def test_richardson_covers_the_limit_of_a_series_of_first_order():
     reference = richardson([1.0 + 0.08 / 2**k for k in range(5)])
     assert abs(reference.value - 1.0) <= reference.uncertainty <= 2 * abs(reference.value - 1.0)
     assert reference.doubted(0.0) == reference and reference.doubted(0.5).uncertainty == 0.5
+
+
+def test_a_ladder_of_which_too_few_rungs_came_to_their_end_vouches_for_nothing():
+    assert richardson([2.0, -1.5]) == Reference(-1.5, "converged run", 1.5)
+    assert np.isnan(richardson([]).value)
 
 
 def test_a_lucky_crossing_is_no_time_to_one_percent():

@@ -1,5 +1,6 @@
 """Runs the experiments: all their runs at once through the sweep engine, each distinct one once."""
 
+import itertools
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -27,15 +28,24 @@ def gather(
 ) -> list[Shown]:
     """Run what is not there yet under `folder`, then let each experiment show its results."""
     wanted = {e.name: with_halved(e.runs(quick), quick) for e in experiments}
-    jobs = [Job(run.scene, run.settings, label) for runs in wanted.values() for label, run in runs.items()]
-    rows = iter(engine.run(jobs, folder, workers, tell))
+    order = in_turn(wanted)
+    jobs = [Job(wanted[name][label].scene, wanted[name][label].settings, label) for name, label in order]
+    rows = dict(zip(order, engine.run(jobs, folder, workers, tell), strict=True))
     made = []
     for experiment in experiments:
         runs = wanted[experiment.name]
-        made.append(shown(experiment, Done(runs, dict(zip(runs, rows, strict=False)), folder, quick)))
+        own = {label: rows[experiment.name, label] for label in runs}
+        made.append(shown(experiment, Done(runs, own, folder, quick)))
         if tell is not None:
             tell(f"{experiment.name}: drawn")
     return made
+
+
+def in_turn(wanted: dict[str, dict[str, Run]]) -> list[tuple[str, str]]:
+    """(experiment, label) of all runs, one of each experiment in turn: those of one experiment mostly need the same
+    step, and workers that come to them together all wait while one of them compiles it."""
+    lists = [[(name, label) for label in runs] for name, runs in wanted.items()]
+    return [pair for turn in itertools.zip_longest(*lists) for pair in turn if pair is not None]
 
 
 def with_halved(runs: dict[str, Run], quick: bool) -> dict[str, Run]:

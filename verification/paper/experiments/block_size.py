@@ -41,10 +41,9 @@ def families(quick: bool) -> Iterator[Family]:
     yield Family(FIRST, MODE_1, {} if quick else {ACCURACY: "0.6 %"}, halve=True)
     yield Family(SECOND, MODE_2, {} if quick else {ACCURACY: "0.7 %"}, halve=True)
     if not quick:
-        yield Family(HELD, MODE_2, CLAMPED, sudden="two half cracks become one at once")
-        yield Family(
-            BRITTLE, MODE_2, {"law": "brittle", "drive.displacement": "0.03 mm"}, sudden="a brittle crack runs at once"
-        )
+        yield Family(HELD, MODE_2, CLAMPED, halve=True, sudden="two half cracks become one at once")
+        brittle = {"law": "brittle", "drive.displacement": "0.03 mm"}
+        yield Family(BRITTLE, MODE_2, brittle, halve=True, sudden="a brittle crack runs at once")
 
 
 def runs(quick: bool) -> dict[str, Run]:

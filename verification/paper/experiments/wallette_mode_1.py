@@ -61,8 +61,8 @@ def runs(quick: bool) -> dict[str, Run]:
             made[dilated(angle, True)] = Run(MODE_1, {**CLAMPED, **given}, True)
     if not quick:
         made |= {
-            "affine units": Run(MODE_1, AFFINE),
-            "affine units, plates do not turn": Run(MODE_1, {**AFFINE, **CLAMPED}),
+            "affine units": Run(MODE_1, AFFINE, True),
+            "affine units, plates do not turn": Run(MODE_1, {**AFFINE, **CLAMPED}, True),
             RATE: Run(MODE_1, PAPERS_RATE),
         }
     return quick_enough(made, quick)

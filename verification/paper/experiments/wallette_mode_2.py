@@ -49,7 +49,7 @@ def runs(quick: bool) -> dict[str, Run]:
     }
     if quick:
         return quick_enough(made, quick)
-    return made | {"affine units": Run(MODE_2, AFFINE), RATE: Run(MODE_2, PAPERS_RATE)}
+    return made | {"affine units": Run(MODE_2, AFFINE, halve=True), RATE: Run(MODE_2, PAPERS_RATE)}
 
 
 def show(done: Done) -> Section:

@@ -7,7 +7,7 @@ from functools import cache
 
 import numpy as np
 
-from benchmarks.reference import by_hand
+from verification.by_hand.contacts import by_hand
 
 ONE = np.uint32(1)
 

@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from benchmarks import reference
-from benchmarks.reference_step import rigid_step, tet_step
-from benchmarks.trial import STONE, size_of
 from masonry.bodies import tet_gradients, tet_volumes
 from masonry.model import Model
+from verification.by_hand import contacts
+from verification.by_hand.steps import rigid_step, tet_step
+from verification.by_hand.trial import STONE, size_of
 
 
 def padded(values: np.ndarray) -> np.ndarray:
@@ -39,10 +39,10 @@ class Twin:
             self.past[:] = i.tensile_strength / i.normal_stiffness, 1.0, 1.0, i.normal_stiffness
         self.frame = np.column_stack([joints.normal, joints.area])
         self.force = np.zeros((count, 4))
-        contacts = getattr(reference, law)
+        by_hand = getattr(contacts, law)
         self.body = self._tets() if model.layout.mesh is not None else self._rigid()
-        self.step = (rigid_step if model.layout.mesh is None else tet_step)(contacts, damped, booked)
-        self.contacts = contacts
+        self.step = (rigid_step if model.layout.mesh is None else tet_step)(by_hand, damped, booked)
+        self.contacts = by_hand
 
     def _rigid(self) -> tuple:
         layout, joints = self.model.layout, self.model.joints
@@ -85,7 +85,7 @@ class Twin:
 
     def sweeping(self, by: np.ndarray, rounds: int, sweeps: bool = True) -> Callable[[], None]:
         """A call that so many times moves side b of every contact by (C, 3) m, and sweeps over them (or not)."""
-        shove, arrays = reference.shoving(self.contacts), (self.ends, self.frame, self.u, self.force)
+        shove, arrays = contacts.shoving(self.contacts), (self.ends, self.frame, self.u, self.force)
 
         def take() -> None:
             shove(rounds, by, sweeps, self.law, *arrays, self.past, self.slip, self.spent)

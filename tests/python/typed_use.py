@@ -1,0 +1,28 @@
+"""What a script may do with masonry, as a type checker sees it: mypy reads this with the program itself."""
+
+from pathlib import Path
+from typing import assert_type
+
+from matplotlib.figure import Figure
+
+import masonry
+from masonry.plot import Peak
+from masonry.results import Result
+from masonry.scene import Scene
+
+
+def use(folder: Path) -> float:
+    """Load, change, look, run, read and draw."""
+    scene = masonry.load("couplet", {"law": "linear"})
+    assert_type(scene, Scene)
+    assert_type(scene.with_({"solver.rows": 40}, confinement="0.1 MPa"), Scene)
+    assert_type(masonry.scenes(), dict[str, str])
+    blocks: int = masonry.check(scene)["blocks"]
+    result = masonry.run(scene, progress=lambda step, steps, note: None)
+    assert_type(result, Result)
+    assert_type(result.peak, Peak)
+    assert_type(result.energies, dict[str, float])
+    assert_type(result.plot(folder / "curve.png"), Figure)
+    assert_type(result.save(folder), dict[str, Path])
+    again = masonry.load_result(folder)
+    return blocks * float(again.curve["stress"][0]) + again.peak.stress

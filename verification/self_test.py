@@ -1,0 +1,55 @@
+"""The self-test of `masonry doctor`: is what this machine computes right, and how fast is it? Ten seconds."""
+
+from collections.abc import Iterator
+
+from verification.by_hand.speed import measure
+from verification.case import Case, Check
+from verification.cases import couplet, incline, tension_exponential
+from verification.outcome import Outcome
+from verification.printout import failures
+from verification.worker import run_case
+
+CASES: tuple[Case, ...] = (tension_exponential.CASE, couplet.CASE, incline.CASE)
+"""One contact, the couplet of the paper, and friction: each against a closed form, all quick."""
+Finding = tuple[str, bool, list[str]]
+
+
+def findings() -> Iterator[Finding]:
+    """Of each part, as it is done: name, whether all is well, and lines that say what came out."""
+    for case in CASES:
+        outcome = run_case(case)
+        yield case.name, outcome.holds, failures(outcome) if not outcome.holds else [_passed(outcome)]
+    yield _speed()
+
+
+def _passed(outcome: Outcome) -> str:
+    checks = outcome.findings.checks
+    nearest = max(checks, key=lambda check: check.used)
+    return (
+        f"{len(checks)} numbers against closed forms, {outcome.seconds:.1f} s; nearest to its limit: {_said(nearest)}"
+    )
+
+
+def _said(check: Check) -> str:
+    unit = f" {check.unit}" if check.unit not in ("", "1") else ""
+    if check.is_bound:
+        return f"{check.quantity} is {check.value:.7g}{unit}, at most {check.reference:.7g}{unit}"
+    return (
+        f"{check.quantity} is {check.value:.7g}{unit}, known {check.reference:.7g}{unit}, "
+        f"off by {abs(check.error):.1e}, allowed {check.tolerance:.1e}"
+    )
+
+
+def _speed() -> Finding:
+    speed = measure()
+    if not speed.agree:
+        return (
+            "speed",
+            False,
+            ["a wall's forces are not those of the hand-written step: the compiled code is wrong here"],
+        )
+    lines = [
+        f"a step takes {speed.ours:.1f} ns per contact point, the one written by hand {speed.by_hand:.1f} ns: "
+        f"{speed.ratio:.2f} of it ({speed.points} points, one thread, spread {100 * speed.spread:.0f} %)"
+    ]
+    return "speed", True, lines
