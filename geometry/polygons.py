@@ -68,16 +68,16 @@ def clip(
         inward = np.cross(window_normal, edge) / np.where(length > 0, length, 1.0)[:, None]
         distance = np.einsum("nki,ni->nk", corners - window[:, j, None], inward)
         distance[np.abs(distance) <= tolerance] = 0.0
-        cut = np.flatnonzero((distance < 0).any(axis=1))
-        if len(cut):
-            part, count[cut] = _cut(corners[cut], count[cut], distance[cut])
+        crossed = np.flatnonzero((distance < 0).any(axis=1))
+        if len(crossed):
+            part, count[crossed] = cut(corners[crossed], count[crossed], distance[crossed])
             width = max(corners.shape[1], part.shape[1])
             corners = widen(corners, width)
-            corners[cut] = widen(part, width)
+            corners[crossed] = widen(part, width)
     return corners[:, : max(int(count.max(initial=0)), 1)], count
 
 
-def _cut(corners: np.ndarray, count: np.ndarray, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def cut(corners: np.ndarray, count: np.ndarray, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """What of each polygon lies where the distance (N, K) is not negative."""
     following = np.roll(distance, -1, axis=1)
     used = np.arange(corners.shape[1]) < count[:, None]

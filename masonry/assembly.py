@@ -72,7 +72,7 @@ def assemble(scene: Scene) -> Assembly:
     plan = _plan(scene, built.dt)
     sign = scene.drive.sign if scene.drive else 1.0
     gauges = gauges_of(scene, specimen, joints, layout)
-    recording = Recording(specimen.section, sign, s.rows, s.rotation_limit, gauges)
+    recording = Recording(specimen.section, sign, s.rows, s.rotation_limit, gauges, s.frames)
     return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn)
 
 

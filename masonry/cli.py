@@ -21,6 +21,8 @@ from masonry.processors import processors
 from masonry.shell import INTERRUPTED, OK, STOPPED, USAGE, Parser, complain
 
 APART = {
+    "picture": ("masonry.picture_command", "draw the cracks of results at a moment, or the specimen of a scene"),
+    "movie": ("masonry.movie_command", "film a folder of results: cracks beside the curve"),
     "sweep": ("masonry.sweep.command", "run a scene many times over: grid, list or Latin hypercube"),
     "verify": ("verification.command", "run cases with known answers: are the numbers right?"),
     "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),
@@ -51,13 +53,6 @@ def parser() -> Parser:
     export.set_defaults(action=commands.export_scene)
     _add_import(added)
     added.add_parser("list", help="list the packaged scenes").set_defaults(action=commands.list_scenes)
-    picture = added.add_parser("picture", parents=[scene], help="draw the specimen of a scene")
-    picture.add_argument(
-        "--geometry", action="store_true", required=True, help="units, cells, groups, supports, loads and sets"
-    )
-    picture.add_argument("--out", type=Path, metavar="FILE.png", help="the picture (default SCENE-geometry.png)")
-    picture.add_argument("--view", choices=("front", "iso"), help="default: iso where the drive moves across the front")
-    picture.set_defaults(action=commands.picture_scene)
     plot = added.add_parser("plot", help="draw the pictures of a folder of results again")
     plot.add_argument("folder", type=Path, metavar="DIR")
     plot.set_defaults(action=commands.plot_results)

@@ -91,18 +91,6 @@ def import_blocks(words: argparse.Namespace) -> int:
     return OK
 
 
-def picture_scene(words: argparse.Namespace) -> int:
-    """`masonry picture --geometry`: what stands there, how it is held and what moves."""
-    from masonry import scene
-    from masonry.folder import scene_name
-    from masonry.geometry_picture import draw_geometry
-
-    loaded = scene.load(words.scene, words.overrides)
-    out = words.out or Path(f"{scene_name(words.scene)}-geometry.png")
-    print(draw_geometry(loaded, out, words.view))
-    return OK
-
-
 def list_scenes(words: argparse.Namespace) -> int:
     """`masonry list`: name and title of every packaged scene."""
     from masonry.scene.source import titles

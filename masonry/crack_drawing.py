@@ -42,7 +42,7 @@ def draw_cracks(
     field = Deformation(Corners(result.specimen.blocks), frame)
     pieces = view.project(lines.displaced(result.joints, field, times))
     order = np.argsort(lines.damage, kind="stable")
-    colours = np.where(lines.tension_led[:, None], crack_map("Reds")(lines.damage), crack_map("Blues")(lines.damage))
+    colours = crack_colours(lines.damage, lines.tension_led)
     axes.add_collection(
         LineCollection(
             list(pieces[order]),
@@ -52,6 +52,11 @@ def draw_cracks(
             zorder=3.0,
         )
     )
+
+
+def crack_colours(damage: np.ndarray, tension_led: np.ndarray) -> np.ndarray:
+    """(n, 4) colours of cracks by their damage (n,) and by what leads (n,)."""
+    return np.where(tension_led[:, None], crack_map("Reds")(damage), crack_map("Blues")(damage))
 
 
 def crack_map(name: str) -> Any:

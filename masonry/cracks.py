@@ -1,7 +1,6 @@
 """What a picture of cracks shows, as plain arrays: the view, the outlines of blocks, the contacts seen edge-on."""
 
 from dataclasses import dataclass, fields, replace
-from typing import Any
 
 import numpy as np
 
@@ -114,17 +113,10 @@ class CrackLines:
 
     def displaced(self, joints: Joints, field: Deformation, magnification: float) -> np.ndarray:
         """(n, 2, 3) m, both ends of each piece midway between the two displaced sides."""
-        sides: list[tuple[Any, ...]] = [
-            tuple(None if part is None else part[self.contact] for part in side)
-            for side in (
-                (joints.block_a, joints.node_a, joints.corner_a, joints.share_a),
-                (joints.block_b, joints.node_b, joints.corner_b, joints.share_b),
-            )
-        ]
         ends = []
         for point in (self.start, self.end):
-            moves = [field.at(block, point, node, *between) for block, node, *between in sides]
-            ends.append(point + 0.5 * magnification * (moves[0] + moves[1]))
+            first, second = field.sides(joints, self.contact, point)
+            ends.append(point + 0.5 * magnification * (first + second))
         return np.stack(ends, axis=1)
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from geometry.blocks import Blocks
+from geometry.blocks import Blocks, Joints
 from masonry.history import Frame
 
 
@@ -56,3 +56,16 @@ class Deformation:
             between = corner[:, 0] >= 0
             displacement[between] = np.einsum("nj,nji->ni", share[between], self._nodes[corner[between]])
         return displacement
+
+    def sides(self, joints: Joints, contact: np.ndarray, point: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Displacements (n, 3) m of point (n, 3), by the contacts (n,), as matter of block a and of block b."""
+        a, b = (
+            self.at(
+                block[contact], point, node[contact], *(None if part is None else part[contact] for part in between)
+            )
+            for block, node, *between in (
+                (joints.block_a, joints.node_a, joints.corner_a, joints.share_a),
+                (joints.block_b, joints.node_b, joints.corner_b, joints.share_b),
+            )
+        )
+        return a, b

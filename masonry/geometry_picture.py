@@ -10,14 +10,14 @@ from geometry.whole_files import whole_file
 from masonry.assembly import joined
 from masonry.condition_marks import Mark, marks
 from masonry.errors import SceneError
+from masonry.face_drawing import UNIT_EDGE, FaceDrawing
+from masonry.flat_drawing import group_colours
 from masonry.mark_drawing import COLOURS, draw_mark
-from masonry.picture import group_colours
 from masonry.picture_frame import draw_axes, draw_sets
 from masonry.plot import plain, write_png
 from masonry.scene import Scene
-from masonry.solid_view import Piece, Sight, front_sight, oblique_sight, visible_pieces
+from masonry.solid_view import Sight, front_sight, oblique_sight, visible_pieces
 
-UNIT_EDGE, CELL_EDGE = "#3a362f", "#9a9386"
 WIDTH = 11.0
 """Of the picture, inches."""
 
@@ -59,7 +59,10 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     axes = figure.subplots()
     _title(figure, scene, specimen)
     pieces = visible_pieces(blocks, joints, sight)
-    _draw_pieces(axes, blocks, pieces, sight)
+    faces = FaceDrawing(blocks, sight)
+    for piece in pieces:
+        faces.add_piece(piece)
+    faces.draw(axes)
     for mark in listed:
         draw_mark(axes, specimen, mark, pieces, sight, size)
     draw_sets(axes, specimen, pieces, sight, size)
@@ -79,37 +82,6 @@ def _title(figure: Any, scene: Scene, specimen: Specimen) -> None:
 
 def _blocks(count: int) -> str:
     return f"{count} block{'s' * (count > 1)}"
-
-
-def _draw_pieces(axes: Any, blocks: Blocks, pieces: list[Piece], sight: Sight) -> None:
-    """Faces from the back to the front, each with its own edges, so that what is nearer hides what is behind."""
-    from matplotlib.collections import PathCollection
-    from matplotlib.colors import to_rgb
-    from matplotlib.path import Path as Outline
-
-    colours = [np.array(to_rgb(c)) for c in group_colours(blocks.groups)]
-    owner = blocks.face_block()
-    paths, fills, lines, widths = [], [], [], []
-    for piece in pieces:
-        flat = sight.project(piece.corners)
-        across = np.cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0])
-        light = 1.0 if sight.front else 0.78 + 0.22 * float(across @ (0.2, -0.75, 0.6) / np.linalg.norm(across))
-        fill = (*np.clip(colours[blocks.group[owner[piece.face]]] * light, 0, 1), 1.0)
-        paths.append(Outline(np.vstack([flat, flat[:1]])))
-        fills.append(fill)
-        lines.append(fill)
-        widths.append(0.4)
-        after = np.roll(flat, -1, axis=0)
-        for edges, colour, wide in (
-            (piece.block_edge & ~piece.unit_edge, CELL_EDGE, 0.6),
-            (piece.unit_edge, UNIT_EDGE, 1.3),
-        ):
-            for k in np.flatnonzero(edges):
-                paths.append(Outline([flat[k], after[k]]))
-                fills.append((0, 0, 0, 0))
-                lines.append((*to_rgb(colour), 1.0))
-                widths.append(wide)
-    axes.add_collection(PathCollection(paths, facecolors=fills, edgecolors=lines, linewidths=widths, capstyle="round"))
 
 
 def _draw_list(figure: Any, blocks: Blocks, listed: list[Mark]) -> int:

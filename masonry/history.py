@@ -43,7 +43,7 @@ class Frame:
     slip          (C,) m, tangential slip at each contact point
     normal_stress, shear_stress  (C,) Pa, tension positive
     damage_tension, damage_shear (C,) 0 intact .. 1 broken;  damage = 1 - (1 - damage_tension)(1 - damage_shear)
-    stress        (B, 6) Pa, mean stress of each block (xx yy zz yz xz xy); zero for rigid blocks
+    stress        (B, 6) Pa, mean stress of each block (xx yy zz yz xz xy); of rigid ones from their contacts
     """
 
     step: int

@@ -89,22 +89,22 @@ class Result:
     def save(self, out: Path | str, painter: "Painter | None" = None) -> dict[str, Path]:
         """Write every file to the folder `out`, made if need be; returns file name -> path.
 
-        Each file appears whole or not at all: first the numbers, all together, then the pictures, which a painter draws
-        meanwhile. Values that are not finite are not written; the log says so. Raises OSError if the folder cannot be
-        written to.
+        Each file appears whole or not at all: numbers first, then pictures, which a painter draws meanwhile. Values that
+        are not finite are not written; the log says so. Raises OSError if the folder cannot be written to.
         """
-        from masonry import fields as vtk_fields
+        from masonry import fields, joint_fields
 
         folder = Path(out)
         result = self.finite()
         result.save_numbers(folder)
         if painter is not None:
             painter.begin(folder)
-        with WholeFiles(folder) as fields_file:
-            vtk_fields.write(fields_file.new("fields.vtkhdf"), result)
+        with WholeFiles(folder) as grids:
+            fields.write_blocks(grids.new("fields.vtkhdf"), result)
+            joint_fields.write_joints(grids.new("joints.vtkhdf"), result)
         if painter is None or not painter.has_drawn():
             result.save_pictures(folder)
-        names = "summary.json curve.csv curve.png cracks.png fields.vtkhdf history.h5 scene.toml run.log"
+        names = "summary.json curve.csv curve.png cracks.png fields.vtkhdf joints.vtkhdf history.h5 scene.toml run.log"
         return {name: folder / name for name in names.split()}
 
     def save_numbers(self, folder: Path) -> dict[str, Path]:
@@ -153,6 +153,12 @@ class Result:
         from masonry.printout import summary_rows
 
         return html_table(self.title, summary_rows(self.summary))
+
+    def show(self, step: str | int | float = "peak", field: str = "opening", **how: Any) -> None:
+        """Show the specimen in 3D with PyVista: all as masonry.show.show has it. Raises SceneError where it cannot."""
+        from masonry.show import show
+
+        show(self, step, field, **how)
 
     def finite(self) -> "Result":
         """The same without what is not finite: rows from the first bad one on go, so do bad frames; summary values

@@ -71,7 +71,7 @@ def visible_pieces(blocks: Blocks, joints: Joints, sight: Sight) -> list[Piece]:
     if not corners:
         return []
     edge = np.median([np.linalg.norm(np.roll(c, -1, axis=0) - c, axis=1).max() for c in corners])
-    outer = _unit_edges(blocks, seen, normal)
+    outer = unit_edges(blocks, seen, normal)
     pieces = [
         piece
         for f, c, bounds in zip(seen.tolist(), corners, outer, strict=True)
@@ -137,7 +137,7 @@ def _farthest_first(pieces: list[Piece], normal: np.ndarray, sight: Sight, width
     return [pieces[i] for i in order[np.argsort(rank[plane[order]], kind="stable")]]
 
 
-def _unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np.ndarray]:
+def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np.ndarray]:
     """For each face, per edge: true unless a face of the same unit goes on beyond it in the same plane."""
     size = float(np.ptp(blocks.points, axis=0).max())
     unit, group = (values[blocks.face_block()] for values in (blocks.unit, blocks.group))

@@ -22,9 +22,6 @@ from masonry.overlap import Overlap
 from masonry.pace import Chunk, Pace, pace_of
 from masonry.watch import Watch, frame_of
 
-FRAMES = 24
-"""Frames that are kept of a run, about."""
-
 
 @dataclass
 class Outcome:
@@ -50,13 +47,15 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Recording:
-    """How forces become stresses (section, m2; sign of the drive), how often to look, and which gauges to read then."""
+    """How forces become stresses (section, m2; sign of the drive), how often to look, which gauges to read then,
+    and how many frames to keep, about."""
 
     section: float
     sign: float = 1.0
     rows: int = 1000
     rotation_limit: float = 0.02
     gauges: tuple[Gauge, ...] = ()
+    frames: int = 24
 
 
 def run(
@@ -157,8 +156,8 @@ class _Loop:
             if not chunk.row:
                 continue
             now, whole = self.pace.progress()
-            frame_due = now * FRAMES >= (frames + 1) * whole or now == whole
-            frames = now * FRAMES // whole
+            frame_due = now * self.recording.frames >= (frames + 1) * whole or now == whole
+            frames = now * self.recording.frames // whole
             self.take_row(done, before, frame_due)
             self.outcome.steps = done
             if progress is not None:

@@ -4,6 +4,7 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from masonry.bodies import KINDS
+from masonry.contact_stress import contact_stress
 from masonry.energy import Observation
 from masonry.errors import Stopped
 from masonry.history import Frame
@@ -112,6 +113,9 @@ def frame_of(model: Model, view: Observation, step: int, displacement: float, ne
     seen, state = view.seen, model.state
     tets = model.bodies[2]
     nodes = model.contacts[3][: len(tets.v)].copy() if tets is not None else np.zeros((0, 3))
+    stress = view.stress.copy()
+    if model.bodies[0] is not None:
+        stress[model.layout.members["rigid"]] = contact_stress(model)
     return Frame(
         step=step,
         time=step * model.dt,
@@ -124,7 +128,7 @@ def frame_of(model: Model, view: Observation, step: int, displacement: float, ne
         shear_stress=seen[:, 3].copy(),
         damage_tension=1.0 - state.intact_n,
         damage_shear=1.0 - state.intact_s,
-        stress=view.stress,
+        stress=stress,
     )
 
 

@@ -37,20 +37,23 @@ FLOORS = {
     ),
     "run": Floor(
         "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
-        " masonry.overlap masonry.energy masonry.history masonry.progress masonry.checkpoint"
+        " masonry.overlap masonry.contact_stress masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
         " masonry.curve_table masonry.finite masonry.printout masonry.notebook masonry.figure masonry.painter"
-        " masonry.processors masonry.quick_start"
-        " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation",
+        " masonry.processors masonry.quick_start masonry.quantity"
+        " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation"
+        " masonry.vtkhdf masonry.joint_fields masonry.frame_choice masonry.frame_picture"
+        " masonry.flat_drawing masonry.solid_drawing masonry.solid_view masonry.face_drawing"
+        " masonry.film masonry.film_file masonry.show masonry.stage",
         sees="run model equations errors geometry",
     ),
     "scene": Floor(
         "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.installed"
-        " masonry.quantity masonry.scene*"
+        " masonry.scene* masonry.picture_command masonry.movie_command"
         " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
         " masonry.size_guard masonry.block_files masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
-        " masonry.solid_view masonry.condition_marks masonry.mark_drawing"
+        " masonry.condition_marks masonry.mark_drawing"
         " masonry.summary masonry.laboratory masonry.sweep",
         sees="scene run model equations errors geometry",
     ),

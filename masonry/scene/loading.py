@@ -9,6 +9,7 @@ from masonry.scene.types import (
     Damping,
     Direction,
     Fraction,
+    Frames,
     Freedom,
     KeyedError,
     Length,
@@ -111,6 +112,7 @@ class Solver(Table):
     damping: Damping = 0.8
     rotation_limit: Annotated[float, BeforeValidator(_rotation)] = 0.02
     rows: Rows = 1000
+    frames: Frames = 24
 
     @model_validator(mode="before")
     @classmethod

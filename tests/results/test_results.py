@@ -20,6 +20,7 @@ FILES = {
     "curve.png",
     "cracks.png",
     "fields.vtkhdf",
+    "joints.vtkhdf",
     "history.h5",
     "scene.toml",
     "run.log",

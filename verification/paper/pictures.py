@@ -62,4 +62,4 @@ def cracks(results: Mapping[str, Result], columns: int = 2, at_peak: bool = Fals
     for name, result in results.items():
         frames = frames_to_draw(result) if at_peak else [("", result.history.frames[-1])]
         panels += [(", ".join(filter(None, (name, when))), result, frame) for when, frame in frames]
-    return gallery(panels, columns, back)
+    return gallery(panels, columns, "back" if back else "front")
