@@ -21,7 +21,7 @@ from masonry.laws import build as law_build
 from masonry.scatter import Drawn, draw, laws_of
 from masonry.scene import Scene
 from masonry.size_guard import require_sane_size
-from masonry.specimens import specimen_of
+from masonry.specimens import is_outside, specimen_of
 from masonry.timeloop import Recording
 
 
@@ -80,7 +80,7 @@ def joined(scene: Scene) -> tuple[Specimen, Joints]:
     """The blocks of a scene and the joints between them."""
     require_sane_size(scene)
     specimen, spec = specimen_of(scene), scene.specimen
-    if spec.kind == "file":  # the others were looked at as they were built
+    if spec.kind == "file" or is_outside(spec.kind):  # the others were looked at as they were built
         overlaps.check_overlaps(specimen.blocks)
     joints = joint_search.find_joints(
         specimen.blocks, spec.contact_points, spec.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
@@ -131,6 +131,7 @@ def _properties(contact) -> dict:
         *("residual_cohesion", "tan_residual_friction", "fracture_energy_mode_1", "fracture_energy_mode_2"),
         *("fracture_energy_mode_2_slope", "exponent_tension", "exponent_shear", "dilation_angle", "dilation_cutoff"),
         *("unloading", "softening_variable", "coupling"),
+        *contact.own_keys,
     )
     return {key: getattr(contact, key) for key in keys}
 

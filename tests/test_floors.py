@@ -23,7 +23,7 @@ class Floor(NamedTuple):
 
 FLOORS = {
     "geometry": Floor("geometry", sees="geometry"),
-    "errors": Floor("masonry.errors", sees="", packages=""),
+    "errors": Floor("masonry.errors masonry.plugins", sees="errors", packages=""),
     "equations": Floor(
         "masonry.laws masonry.kernels masonry.kinematics",
         sees="equations errors",
@@ -46,7 +46,7 @@ FLOORS = {
         "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.printout"
         " masonry.quantity masonry.scene*"
         " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
-        " masonry.size_guard masonry.block_files masonry.import*"
+        " masonry.size_guard masonry.block_files masonry.own_specimens masonry.law_command masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.solid_view masonry.condition_marks masonry.mark_drawing"
         " masonry.summary masonry.laboratory masonry.sweep",

@@ -71,6 +71,11 @@ class Contact(Table):
     coupling: Literal["combined", "independent"] = "combined"
 
     @property
+    def own_keys(self) -> tuple[str, ...]:
+        """Keys that a law of another package adds (see own_keys.py)."""
+        return tuple(key for key in type(self).model_fields if key not in Contact.model_fields)
+
+    @property
     def tan_friction(self) -> float | None:
         return _tangent(self.tan_friction_angle, self.friction_angle)
 

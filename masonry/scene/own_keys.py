@@ -1,0 +1,84 @@
+"""Keys that a law of another package adds to the contacts of a scene: with units and messages as all others."""
+
+from collections.abc import Iterable, Iterator
+from functools import cache
+from typing import Annotated, Any
+
+from pydantic import SerializeAsAny, ValidationInfo, ValidatorFunctionWrapHandler, WrapValidator, create_model
+
+from masonry.errors import SceneError, nearest
+from masonry.laws import law_names
+from masonry.laws.outside import outside_law, outside_names
+from masonry.quantity import KINDS
+from masonry.scene.contact import Contact
+from masonry.scene.types import Given
+
+
+def is_law(name: Any) -> bool:
+    """Whether a law of that name is there and works."""
+    if name in law_names():
+        return True
+    try:
+        return isinstance(name, str) and outside_law(name) is not None
+    except SceneError:
+        return False
+
+
+def contact_class(law: Any, given: Iterable[str]) -> type[Contact]:
+    """The table of a contact group: `Contact`, with the keys of a law of another package.
+
+    given  the keys that a scene has there; those of laws that it does not use are let through, as those of ours are
+    """
+    keys: dict[str, str] = {} if law in law_names() or not is_law(law) else keys_of(law)
+    unknown = set(given) - set(Contact.model_fields) - set(keys)
+    if unknown:
+        keys = dict(_of_others(unknown)) | keys
+    return _with_keys(tuple(sorted(keys.items()))) if keys else Contact
+
+
+@cache
+def keys_of(law: str) -> dict[str, str]:
+    """Own keys of a law of another package, with their kinds; SceneError where they do not fit into a scene."""
+    found = outside_law(law)
+    assert found is not None
+    where = f"law '{law}' of {found.origin}"
+    for key, kind in found.keys.items():
+        if kind not in KINDS:
+            raise SceneError(f"{where}: KEYS: '{kind}' of '{key}' is no kind of quantity; {nearest(kind, KINDS)}")
+        if key in Contact.model_fields or not key.isidentifier() or key.startswith("_"):
+            raise SceneError(
+                f"{where}: KEYS: '{key}' cannot be a key of its own: every contact has it, or no scene can"
+            )
+    for key in found.parameters.values():
+        if key not in found.keys and key not in Contact.model_fields:
+            raise SceneError(f"{where}: no contact has the key '{key}'; name its kind: KEYS = {{'{key}': 'stress'}}")
+    return dict(found.keys)
+
+
+def _of_others(unknown: set[str]) -> Iterator[tuple[str, str]]:
+    """Which of some keys are those of any law of another package that works, with their kinds."""
+    for law in filter(is_law, outside_names()):
+        try:
+            yield from ((key, kind) for key, kind in keys_of(law).items() if key in unknown)
+        except SceneError:
+            continue
+
+
+@cache
+def _with_keys(keys: tuple[tuple[str, str], ...]) -> type[Contact]:
+    fields: dict[str, Any] = {key: (Annotated[float, Given(kind)] | None, None) for key, kind in keys}
+    made: type[Contact] = create_model("Contact", __base__=Contact, **fields)
+    return made
+
+
+def _of_its_law(data: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Contact:
+    """The table of its law, where that is not the usual one."""
+    if isinstance(data, dict):
+        table = contact_class(data.get("law", (info.context or {}).get("law")), map(str, data))
+        if table is not Contact:
+            return table.model_validate(data, context=info.context)
+    made: Contact = handler(data)
+    return made
+
+
+AnyContact = Annotated[SerializeAsAny[Contact], WrapValidator(_of_its_law)]
