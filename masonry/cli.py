@@ -20,6 +20,7 @@ from masonry.errors import SceneError, Stopped
 from masonry.shell import INTERRUPTED, OK, STOPPED, USAGE, Parser, complain, processors
 
 APART = {
+    "law": ("masonry.law_command", "which laws there are, and what one of them does"),
     "sweep": ("masonry.sweep.command", "run a scene many times over: grid, list or Latin hypercube"),
     "verify": ("verification.command", "run cases with known answers: are the numbers right?"),
     "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),

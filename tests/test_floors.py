@@ -31,7 +31,7 @@ FLOORS = {
     ),
     "model": Floor(
         "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays"
-        " masonry.holds masonry.step_cost masonry.draws masonry.gauges",
+        " masonry.holds masonry.one_contact masonry.step_cost masonry.draws masonry.gauges",
         sees="model equations errors geometry",
         packages="numpy numba llvmlite",
     ),
@@ -46,7 +46,8 @@ FLOORS = {
         "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.printout"
         " masonry.quantity masonry.scene*"
         " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
-        " masonry.size_guard masonry.block_files masonry.own_specimens masonry.law_command masonry.import*"
+        " masonry.size_guard masonry.block_files masonry.own_specimens masonry.law_*"
+        " masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.solid_view masonry.condition_marks masonry.mark_drawing"
         " masonry.summary masonry.laboratory masonry.sweep",

@@ -15,7 +15,7 @@ from masonry.laws.snap_back import Refusal
 STRENGTHS = ("tensile_strength", "cohesion", "tan_friction")
 
 
-def _file(name: str):
+def module_of(name: str) -> Any:
     """The module of a law: of ours by its name, else as another package brings it."""
     if name in law_names():
         return importlib.import_module(f"masonry.laws.{name}")
@@ -26,7 +26,7 @@ def _file(name: str):
 
 def _shape_class(name: str) -> type:
     """The NamedTuple of a law file."""
-    file = _file(name)
+    file = module_of(name)
     return next(
         c for c in vars(file).values() if isinstance(c, type) and issubclass(c, tuple) and c.__module__ == file.__name__
     )
@@ -56,13 +56,13 @@ def refusal(shape: Any, interface: Interface, compressions: Sequence[float]) -> 
 
 def properties_of(law: str) -> tuple[str, ...]:
     """The strengths and the parameters of its own that a law reads, under the scene's names."""
-    return () if law == "elastic" else (*STRENGTHS, *_file(law).PARAMETERS.values())
+    return () if law == "elastic" else (*STRENGTHS, *module_of(law).PARAMETERS.values())
 
 
 def made(group: str, properties: Mapping[str, Any]) -> tuple[Any, Interface]:
     """`build` without a look whether the curves would snap back."""
     name = properties["law"]
-    file, where = _file(name), f"contact.{group}"
+    file, where = module_of(name), f"contact.{group}"
     stiffness = {key: properties[key] for key in ("normal_stiffness", "shear_stiffness")}
     if name == "elastic":
         return _shape_class(name)(), Interface(**stiffness)
