@@ -159,7 +159,7 @@ def _energies(contact: Any, found: Any) -> list[tuple[str, list[str]]]:
                 (
                     "WARNING",
                     [
-                        f"the law books {found.mode_1.booked:.5g} N/m where the curve takes {found.mode_1.whole:.5g}: "
+                        f"the law books {found.mode_1.booked:.4g} N/m where the curve takes {found.mode_1.whole:.4g}: "
                         "its tension_area is not the integral of its tension_intact"
                     ],
                 )
@@ -172,5 +172,5 @@ def _energies(contact: Any, found: Any) -> list[tuple[str, list[str]]]:
 
 
 def _energy(energy: Any, given: float | None) -> str:
-    compared = "" if given is None else f"; given: {given:.5g}"
-    return f"{energy.beyond:.5g} N/m beyond the peak, {energy.whole:.5g} with the elastic part{compared}"
+    compared = "" if given is None else f"; given: {given:.4g}"
+    return f"{energy.beyond:.4g} N/m beyond the peak, {energy.whole:.4g} with the elastic part{compared}"

@@ -2,8 +2,10 @@
 by lane, as the function of single numbers that it is.
 """
 
+import sys
 from collections.abc import Callable
 from functools import cache
+from types import FunctionType
 from typing import Any
 
 from numba import njit
@@ -27,13 +29,14 @@ def fitting(curve: Any, shape: Any, kinds: tuple[Any, ...]) -> tuple[Curve | Non
     if is_ours(shape.instance_class.__module__):
         return curve, None
     curve = getattr(curve, "py_func", curve)
+    _let_in(curve.__module__)
     if _refusal(curve, kinds) is None:
         return curve, None
     width = width_in(kinds)
     refused = _refusal(curve, tuple(single(kind) for kind in kinds))
     if width is None or refused is not None:
         raise SceneError(f"{curve.__module__}.{curve.__name__} cannot be compiled by Numba: {refused}")
-    return None, by_lane(_let_in(curve), width)
+    return None, by_lane(curve, width)
 
 
 def _refusal(curve: Curve, kinds: tuple[Any, ...]) -> str | None:
@@ -47,7 +50,8 @@ def _refusal(curve: Curve, kinds: tuple[Any, ...]) -> str | None:
 
 
 @cache
-def _let_in(curve: Curve) -> Curve:
-    """The function, for compiled code to call; once for each."""
-    allowed: Curve = register_jitable(curve)
-    return allowed
+def _let_in(module: str) -> None:
+    """Let compiled code call the functions of a module; once for each."""
+    for function in vars(sys.modules[module]).values():
+        if isinstance(function, FunctionType) and function.__module__ == module:
+            register_jitable(function)

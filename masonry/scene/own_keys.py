@@ -1,5 +1,6 @@
 """Keys that a law of another package adds to the contacts of a scene: with units and messages as all others."""
 
+import re
 from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Annotated, Any
@@ -9,7 +10,7 @@ from pydantic import SerializeAsAny, ValidationInfo, ValidatorFunctionWrapHandle
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
 from masonry.laws.outside import outside_law, outside_names
-from masonry.quantity import KINDS
+from masonry.quantity import KINDS, is_interval
 from masonry.scene.contact import Contact
 from masonry.scene.types import Given
 
@@ -29,22 +30,20 @@ def contact_class(law: Any, given: Iterable[str]) -> type[Contact]:
 
     given  the keys that a scene has there; those of laws that it does not use are let through, as those of ours are
     """
-    keys: dict[str, str] = {} if law in law_names() or not is_law(law) else keys_of(law)
+    keys: dict[str, Given] = {} if law in law_names() or not is_law(law) else keys_of(law)
     unknown = set(given) - set(Contact.model_fields) - set(keys)
     if unknown:
         keys = dict(_of_others(unknown)) | keys
-    return _with_keys(tuple(sorted(keys.items()))) if keys else Contact
+    return _with_keys(tuple(keys.items())) if keys else Contact
 
 
 @cache
-def keys_of(law: str) -> dict[str, str]:
-    """Own keys of a law of another package, with their kinds; SceneError where they do not fit into a scene."""
+def keys_of(law: str) -> dict[str, Given]:
+    """Own keys of a law of another package, with what they hold; SceneError where they do not fit into a scene."""
     found = outside_law(law)
     assert found is not None
     where = f"law '{law}' of {found.origin}"
-    for key, kind in found.keys.items():
-        if kind not in KINDS:
-            raise SceneError(f"{where}: KEYS: '{kind}' of '{key}' is no kind of quantity; {nearest(kind, KINDS)}")
+    for key in found.keys:
         if key in Contact.model_fields or not key.isidentifier() or key.startswith("_"):
             raise SceneError(
                 f"{where}: KEYS: '{key}' cannot be a key of its own: every contact has it, or no scene can"
@@ -52,21 +51,32 @@ def keys_of(law: str) -> dict[str, str]:
     for key in found.parameters.values():
         if key not in found.keys and key not in Contact.model_fields:
             raise SceneError(f"{where}: no contact has the key '{key}'; name its kind: KEYS = {{'{key}': 'stress'}}")
-    return dict(found.keys)
+    return {key: _given(where, key, text) for key, text in found.keys.items()}
 
 
-def _of_others(unknown: set[str]) -> Iterator[tuple[str, str]]:
-    """Which of some keys are those of any law of another package that works, with their kinds."""
+def _given(where: str, key: str, text: str) -> Given:
+    """Of a kind of quantity, with or without an interval: "length", "number (0, 1)"."""
+    kind, left, rest = re.fullmatch(r"([^\[(]*)([\[(]?)(.*)", text, re.DOTALL).groups()  # type: ignore[union-attr]
+    kind, allowed = kind.strip(), left + rest if left else "(-inf, inf)"
+    if kind not in KINDS:
+        raise SceneError(f"{where}: KEYS: '{kind}' of '{key}' is no kind of quantity; {nearest(kind, KINDS)}")
+    if not is_interval(allowed):
+        raise SceneError(f"{where}: KEYS: '{allowed}' of '{key}' is no interval such as [0, 1) or (0, inf)")
+    return Given(kind, allowed)
+
+
+def _of_others(unknown: set[str]) -> Iterator[tuple[str, Given]]:
+    """Which of some keys are those of any law of another package that works, with what they hold."""
     for law in filter(is_law, outside_names()):
         try:
-            yield from ((key, kind) for key, kind in keys_of(law).items() if key in unknown)
+            yield from ((key, given) for key, given in keys_of(law).items() if key in unknown)
         except SceneError:
             continue
 
 
 @cache
-def _with_keys(keys: tuple[tuple[str, str], ...]) -> type[Contact]:
-    fields: dict[str, Any] = {key: (Annotated[float, Given(kind)] | None, None) for key, kind in keys}
+def _with_keys(keys: tuple[tuple[str, Given], ...]) -> type[Contact]:
+    fields: dict[str, Any] = {key: (Annotated[float, given] | None, None) for key, given in keys}
     made: type[Contact] = create_model("Contact", __base__=Contact, **fields)
     return made
 
