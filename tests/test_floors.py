@@ -46,7 +46,7 @@ FLOORS = {
         "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.printout"
         " masonry.quantity masonry.scene*"
         " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
-        " masonry.size_guard masonry.block_files masonry.own_specimens masonry.law_*"
+        " masonry.size_guard masonry.block_files masonry.own_s* masonry.law_*"
         " masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.solid_view masonry.condition_marks masonry.mark_drawing"

@@ -6,9 +6,10 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from masonry.errors import SceneError
 from masonry.quantity import parse
 from masonry.scene.errors import explain
-from masonry.scene.own_keys import is_law
+from masonry.scene.own_keys import law_there
 from masonry.scene.overrides import Overrides, apply
 from masonry.scene.schema import Scene
 from masonry.scene.source import packaged, read
@@ -30,7 +31,11 @@ def load(path_or_name: str | Path, overrides: Overrides = ()) -> Scene:
         where = place if place.endswith(" confinement") else f"{place}: confinement"
         confinement = parse(confinement, "stress", where, "[0, 1e15]")
     law = source.raw.get("law")
-    context = {"confinement": confinement, "law": law if law is None or is_law(law) else "elastic"}
+    try:
+        known = law is None or law_there(law)
+    except SceneError as error:
+        raise SceneError(f"{source.place(('law',))}: {error}") from None
+    context = {"confinement": confinement, "law": law if known else "elastic", "known": known}
     try:
         return Scene.model_validate({"name": source.stem, **source.raw}, context=context)
     except ValidationError as error:

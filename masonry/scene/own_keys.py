@@ -15,12 +15,18 @@ from masonry.scene.contact import Contact
 from masonry.scene.types import Given
 
 
+def law_there(name: Any) -> bool:
+    """Whether there is a law of that name; raises SceneError for one of another package that does not work."""
+    if isinstance(name, str) and name not in law_names() and outside_law(name) is not None:
+        keys_of(name)
+        return True
+    return name in law_names()
+
+
 def is_law(name: Any) -> bool:
     """Whether a law of that name is there and works."""
-    if name in law_names():
-        return True
     try:
-        return isinstance(name, str) and outside_law(name) is not None
+        return law_there(name)
     except SceneError:
         return False
 
@@ -82,10 +88,13 @@ def _with_keys(keys: tuple[tuple[str, Given], ...]) -> type[Contact]:
 
 
 def _of_its_law(data: Any, handler: ValidatorFunctionWrapHandler, info: ValidationInfo) -> Contact:
-    """The table of its law, where that is not the usual one."""
+    """The table of its law, where that is not the usual one. Keys of a law that is not there are not told as well."""
+    context = info.context or {}
     if isinstance(data, dict):
-        table = contact_class(data.get("law", (info.context or {}).get("law")), map(str, data))
-        if table is not Contact:
+        law = data.get("law", context.get("law"))
+        if not context.get("known", True) or not (law is None or is_law(law)):
+            data = {key: value for key, value in data.items() if key in Contact.model_fields}
+        elif (table := contact_class(law, map(str, data))) is not Contact:
             return table.model_validate(data, context=info.context)
     made: Contact = handler(data)
     return made

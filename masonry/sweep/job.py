@@ -16,7 +16,7 @@ SHOWING = tuple(
         *("__main__.py", "cli.py", "commands.py", "shell.py", "doctor.py", "printout.py", "import*.py"),
         *("plot.py", "curve_axes.py", "picture.py", "crack_drawing.py", "picture_frame.py", "geometry_picture.py"),
         *("solid_view.py", "condition_marks.py", "mark_drawing.py", "fields.py"),
-        *("progress.py", "tally.py", "crew.py", "sweep/*"),
+        *("law_*.py", "one_contact.py", "progress.py", "tally.py", "crew.py", "sweep/*"),
     )
 )
 """Sources that a result does not depend on: an edit of these runs nothing again."""
@@ -46,14 +46,24 @@ class Job:
     def _key(self) -> str:
         digest = hashlib.sha256(self.resolved.encode())
         digest.update(source_hash(ALL, SHOWING).encode())
+        digest.update(_other_sources(self.resolved))
         digest.update(_file_of_blocks(self.resolved))
         return digest.hexdigest()[:20]
 
     def key(self) -> str:
-        """Hash (hex) of the resolved scene, of a file that its blocks come from and of the sources that compute:
-        the same key means the same result. Raises SceneError.
+        """Hash (hex) of the resolved scene, of a file that its blocks come from and of the sources that compute,
+        those of laws and specimens of other packages too: the same key means the same result. Raises SceneError.
         """
         return self._key
+
+
+def _other_sources(toml: str) -> bytes:
+    """Hash of the packages that a scene has laws or its specimen from; nothing where all are ours."""
+    from masonry.own_sources import own_sources
+
+    scene = tomllib.loads(toml)
+    laws = scene.get("law"), *(contact.get("law") for contact in scene["contact"].values())
+    return own_sources(laws, scene["specimen"]["kind"]).encode()
 
 
 def _file_of_blocks(toml: str) -> bytes:

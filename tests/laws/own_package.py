@@ -51,21 +51,20 @@ def lanes_of_page() -> str:
 
 @contextmanager
 def on_the_path(*folders: Path) -> Iterator[None]:
-    """As if the packages in some folders were installed."""
-    before = set(sys.modules)
+    """As if the packages in some folders were installed; those that come first hide others of the same name."""
+    modules = {file.stem for folder in folders for file in folder.glob("*.py")}
     sys.path[:0] = map(str, folders)
     try:
-        _forget()
+        _forget(modules)
         yield
     finally:
         del sys.path[: len(folders)]
-        for name in set(sys.modules) - before:
-            if str(getattr(sys.modules[name], "__file__", "")).startswith(tuple(map(str, folders))):
-                del sys.modules[name]
-        _forget()
+        _forget(modules)
 
 
-def _forget() -> None:
+def _forget(modules: set[str]) -> None:
+    for name in modules:
+        sys.modules.pop(name, None)
     invalidate_caches()
     for cache in CACHES:
         cache.cache_clear()
