@@ -120,7 +120,12 @@ def _refuses(refuse: Any) -> str:
     """What a law refuses, in the words of its function."""
     if refuse is None:
         return "values that are not above 0"
-    return (inspect.getdoc(refuse) or "some values").partition("\n")[0].removesuffix(".").removesuffix(": a Refusal or None")
+    return (
+        (inspect.getdoc(refuse) or "some values")
+        .partition("\n")[0]
+        .removesuffix(".")
+        .removesuffix(": a Refusal or None")
+    )
 
 
 def _parameter(contact: Any, key: str) -> str:

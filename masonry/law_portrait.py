@@ -69,10 +69,9 @@ def portrait(shape: Any, interface: Interface) -> Portrait:
 
 def _strengths(interface: Interface, compression: float) -> tuple[float, float]:
     """Peak and residual shear strength (Pa) of an untouched contact; zeros where there is no strength."""
-    if interface.cohesion is None:
-        return 0.0, 0.0
-    peak = interface.cohesion + compression * interface.tan_friction
-    return peak, min(interface.residual_cohesion + compression * interface.tan_residual_friction, peak)
+    cohesion, last = interface.cohesion or 0.0, interface.residual_cohesion or 0.0
+    peak = cohesion + compression * (interface.tan_friction or 0.0)
+    return peak, min(last + compression * (interface.tan_residual_friction or 0.0), peak)
 
 
 def _pull(shape: Any, interface: Interface, opening: np.ndarray) -> Path:
@@ -105,5 +104,7 @@ def _energy(path: Path, way: np.ndarray, stress: np.ndarray, last: float) -> Ene
     work = 0.5 * (stress[1:] + stress[:-1]) * np.diff(way)
     beyond = work[1:].sum() - last * (way[-1] - way[1])
     return Energy(
-        float(work.sum() - path.friction[-1] - path.stored[-1] + path.stored[0]), float(beyond), float(path.fracture[-1])
+        float(work.sum() - path.friction[-1] - path.stored[-1] + path.stored[0]),
+        float(beyond),
+        float(path.fracture[-1]),
     )

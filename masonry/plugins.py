@@ -42,7 +42,7 @@ def plugin(group: str, name: str, what: str) -> Plugin | None:
 
 
 def load(one: Plugin, what: str) -> Any:
-    """The module or function that an entry point stands for. Raises SceneError with one message, whatever went wrong."""
+    """The module or function that an entry point stands for. Raises SceneError with one message for whatever fails."""
     module, _, attribute = (part.strip() for part in one.target.partition(":"))
     try:
         loaded = importlib.import_module(module)
@@ -61,8 +61,6 @@ def load(one: Plugin, what: str) -> Any:
 
 def _origin(entry: Any) -> str:
     """Name and version of the package that an entry point belongs to."""
-    known = entry.dist.metadata if entry.dist is not None else None
-    name = known["Name"] if known is not None else None
-    if not name:
-        return f"the module {entry.value}"
-    return f"{name} {known['Version']}" if known["Version"] else str(name)
+    known = {} if entry.dist is None or entry.dist.metadata is None else entry.dist.metadata
+    name, version = (known["Name"], known["Version"]) if "Name" in known else (None, None)
+    return f"{name} {version}".removesuffix(" None") if name else f"the module {entry.value}"

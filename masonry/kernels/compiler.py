@@ -2,7 +2,7 @@
 
 Numba serves a changed law stale from its cache when only another file changed: so the folder of the step is named after
 a hash of every source file that can be compiled into it. What else is compiled (cells in geometry) calls nothing of
-another file, and stays where it is when a law changes. What holds a law of another package is kept apart (law_cache.py).
+another file, and stays where it is when a law changes. What holds a law of another package is kept apart: law_cache.py.
 """
 
 import contextlib

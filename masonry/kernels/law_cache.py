@@ -13,8 +13,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from numba.core import types
 from numba.core.caching import FunctionCache, IndexDataCacheFile
+from numba.core.types import BaseTuple
 
 from masonry.kernels.sources import is_ours, package_hash
 
@@ -26,7 +26,7 @@ OTHERS = "laws-of-others"
 def outside_classes(kinds: Iterable[Any]) -> Iterator[type]:
     """Every NamedTuple in some types that another package defines."""
     for kind in kinds:
-        if isinstance(kind, types.BaseTuple):
+        if isinstance(kind, BaseTuple):
             named = getattr(kind, "instance_class", None)
             if named is not None and not is_ours(named.__module__):
                 yield named
@@ -45,7 +45,7 @@ class LawCache(FunctionCache):
 
     def __init__(self, function: Any) -> None:
         super().__init__(function)
-        self._ours = self._cache_file
+        self._ours: IndexDataCacheFile = self._cache_file  # type: ignore[has-type]
 
     def _load_overload(self, sig: Any, target_context: Any) -> Any:
         self._turn_to(sig)

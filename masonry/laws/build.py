@@ -83,7 +83,8 @@ def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence
     if missing:
         spelled = [_SPELLING.get(key, key) for key in missing]
         raise SceneError(
-            f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: {', '.join(all_law_names())}"
+            f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: "
+            f"{', '.join(all_law_names())}"
         )
 
 
@@ -144,7 +145,7 @@ def _dilation_cutoff(p: Mapping[str, Any], shape: Any, interface: Interface) -> 
 
 
 def _slip_without_cohesion(shape: Any, interface: Interface) -> float:
-    """Slip (m) at which a law's curve has 1 % left at zero normal stress, to a millionth; endless where it never has."""
+    """Slip (m) at which a curve has 1 % left at zero normal stress, to a millionth; endless where it never has."""
 
     def gone(slip: float) -> bool:
         left = beside(type(shape), "shear_intact")(

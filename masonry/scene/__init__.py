@@ -9,8 +9,8 @@ from pydantic import ValidationError
 from masonry.errors import SceneError
 from masonry.quantity import parse
 from masonry.scene.errors import explain
-from masonry.scene.own_keys import law_there
 from masonry.scene.overrides import Overrides, apply
+from masonry.scene.own_keys import law_there
 from masonry.scene.schema import Scene
 from masonry.scene.source import packaged, read
 

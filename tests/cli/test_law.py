@@ -40,7 +40,12 @@ def test_a_law_that_does_not_work_is_marked_in_the_list(tmp_path, capsys):
 
 def test_parameters_have_units_and_energies_are_measured_against_those_given(package, capsys):
     text = said(capsys, "bilinear", "--set", "fracture_energy_mode_1=12 N/m", "--set", "cohesion=1 MPa")
-    for words in ("cohesion = 1 MPa", "opening_at_knee = 0.008 mm", "share_at_knee = 0.3", "No room for the second line"):
+    for words in (
+        "cohesion = 1 MPa",
+        "opening_at_knee = 0.008 mm",
+        "share_at_knee = 0.3",
+        "No room for the second line",
+    ):
         assert words in text
     assert "12 N/m beyond the peak, 13.12 with the elastic part; given: 12" in text
     assert "at 1 MPa: 58 N/m beyond the peak" in text
@@ -73,7 +78,9 @@ def test_an_area_that_is_not_the_integral_of_its_curve_is_told(tmp_path, capsys)
     files = files_of_page()
     files["bilinear.py"] = files["bilinear.py"].replace("shape.G_I * area", "0.9 * shape.G_I * area")
     with on_the_path(install(tmp_path / "wrong", files)):
-        assert "its tension_area is not the integral of its tension_intact" in " ".join(said(capsys, "bilinear").split())
+        assert "its tension_area is not the integral of its tension_intact" in " ".join(
+            said(capsys, "bilinear").split()
+        )
 
 
 @pytest.mark.parametrize("name", ["brittle", "linear", "polynomial", "exponential"])

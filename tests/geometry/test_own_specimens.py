@@ -1,4 +1,4 @@
-"""The arch of docs/own-laws.md, as an installed package: its shape, its table in a scene, and what is said of mistakes."""
+"""The arch of docs/own-laws.md, as an installed package: its shape, its table in a scene, what is said of mistakes."""
 
 import numpy as np
 import pytest
@@ -48,11 +48,10 @@ def test_the_arch_is_checked_drawn_and_exported_by_the_commands(package, tmp_pat
     assert (tmp_path / "arch.png").stat().st_size > 1e4
 
 
-def test_the_arch_runs_and_carries_its_weight(package):
-    """The springers carry what gravity pulls; the drive pushes the haunch down until hinges form."""
-    result = laboratory.run(load("arch.toml", {"drive.displacement": "0.1 mm", "drive.accuracy": "5 %"}))
+def test_the_arch_runs_and_its_springers_bear_what_the_haunch_is_pushed_with(package):
+    result = laboratory.run(load("arch.toml"))
     assert abs(result.summary["energy_imbalance"]) < 1e-10
-    assert result.summary["unbalanced_after_settling"] < 0.01
+    assert result.summary["reaction_mismatch_max"] < 0.05
     assert result.summary["peak_stress_pa"] > 0 and result.summary["damaged_area_m2"]["unit_unit"] > 0
     assert "+" in result.summary["source_hash"]
 
@@ -113,8 +112,7 @@ def test_a_mistake_in_the_package_is_told_in_one_line_that_names_it(tmp_path, mo
         ("np.array([count // 2])", "np.array([count])", "set 'crown' names blocks that do not exist"),
         ("section=width * thickness", "section=0.0", "it must be an area above 0"),
         ("inner[:-1], outer[:-1], outer[1:], inner[1:]", "inner[:-1], inner[1:], outer[1:], outer[:-1]", "look inward"),
-        ("np.arange(-1, voussoirs + 2)", "np.arange(-1, voussoirs + 2) * 0.9", "overlap|crown|block"),
-    ][:5],
+    ],
 )
 def test_what_the_function_returns_is_looked_over(tmp_path, old, new, said):
     with changed(tmp_path, old, new), pytest.raises(GeometryError, match=said) as told:
@@ -123,9 +121,9 @@ def test_what_the_function_returns_is_looked_over(tmp_path, old, new, said):
 
 
 def test_blocks_that_overlap_are_refused(tmp_path):
-    with changed(tmp_path, "np.arange(-1, voussoirs + 2)", "1.2 * np.arange(-1, voussoirs + 2)"):
-        with pytest.raises(GeometryError, match="overlap"):
-            joined(load(tmp_path / "changed" / "arch.toml", {"specimen.angle": "355 deg"}))
+    edit = "np.arange(-1, voussoirs + 2)", "1.2 * np.arange(-1, voussoirs + 2)"
+    with changed(tmp_path, *edit), pytest.raises(GeometryError, match="overlap"):
+        joined(load(tmp_path / "changed" / "arch.toml", {"specimen.angle": "355 deg"}))
 
 
 def test_the_key_of_a_result_changes_with_the_source_of_its_specimen(package, tmp_path):

@@ -11,17 +11,37 @@ from verification.rigs.one_contact import along, law, walk
 KNEE = {"contact.unit_unit.opening_at_knee": "8 um", "contact.unit_unit.share_at_knee": 0.3}
 GOOD = files_of_page()["bilinear.py"]
 BROKEN = {
-    "an import that fails": ("from typing", "import numbat\nfrom typing", "ModuleNotFoundError: No module named 'numbat'"),
-    "an error on import": ("EXAMPLE =", "1 / 0\nEXAMPLE =", "ZeroDivisionError: division by zero (.*bilinear.py, line 1"),
+    "an import that fails": (
+        "from typing",
+        "import numbat\nfrom typing",
+        "ModuleNotFoundError: No module named 'numbat'",
+    ),
+    "an error on import": (
+        "EXAMPLE =",
+        "1 / 0\nEXAMPLE =",
+        "ZeroDivisionError: division by zero (.*bilinear.py, line 1",
+    ),
     "a leaving": ("EXAMPLE =", "raise SystemExit(3)\nEXAMPLE =", "cannot be loaded: SystemExit"),
     "bad syntax": ("def left(", "def left((", "SyntaxError"),
     "no curve of shear": ("def shear_intact", "def sheared", "has no function shear_intact(shape, interface, slip"),
-    "other words": ("def tension_intact(shape, interface, opening", "def tension_intact(s, i, opening", "with these names"),
+    "other words": (
+        "def tension_intact(shape, interface, opening",
+        "def tension_intact(s, i, opening",
+        "with these names",
+    ),
     "no table": ("PARAMETERS =", "PARAMETER =", "must have a table PARAMETERS"),
-    "no field": ('"share": "share_at_knee"}', '"part": "share_at_knee"}', "'part' of PARAMETERS is no field of Bilinear"),
+    "no field": (
+        '"share": "share_at_knee"}',
+        '"part": "share_at_knee"}',
+        "'part' of PARAMETERS is no field of Bilinear",
+    ),
     "no key": ("KEYS = {", 'KEYS = {"toughness": "stress", ', "'toughness' of KEYS is the key of no parameter"),
     "no tuple": ("class Bilinear(NamedTuple)", "class Bilinear", "must define one NamedTuple of parameters, not 0"),
-    "no such kind": ('"length (0, 1)"', '"lenght"', "'lenght' of 'opening_at_knee' is no kind .* did you mean 'length'"),
+    "no such kind": (
+        '"length (0, 1)"',
+        '"lenght"',
+        "'lenght' of 'opening_at_knee' is no kind .* did you mean 'length'",
+    ),
     "no interval": ('"length (0, 1)"', '"length (0, 1"', "is no interval"),
     "no such property": ('"fracture_energy_mode_2"', '"toughness"', "no contact has the key 'toughness'"),
 }

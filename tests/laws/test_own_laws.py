@@ -1,4 +1,4 @@
-"""The law of docs/own-laws.md, as an installed package: its physics, its keys in a scene, and what is said of mistakes."""
+"""The law of docs/own-laws.md, as an installed package: its physics, its keys, and what is said of mistakes."""
 
 import numpy as np
 import pytest
@@ -27,7 +27,9 @@ def page(tmp_path_factory):
     """The package of the page, and the same law without any `if` under another name."""
     files = files_of_page()
     files["bilinear_of_eight.py"] = lanes_of_page()
-    files["pyproject.toml"] = files["pyproject.toml"].replace("\nbilinear", '\neight = "bilinear_of_eight"\nbilinear', 1)
+    files["pyproject.toml"] = files["pyproject.toml"].replace(
+        "\nbilinear", '\neight = "bilinear_of_eight"\nbilinear', 1
+    )
     folder = install(tmp_path_factory.mktemp("page"), files)
     with on_the_path(folder):
         yield folder

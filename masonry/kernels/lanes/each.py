@@ -6,6 +6,7 @@ from typing import Any
 
 from llvmlite import ir
 from numba.core import types
+from numba.core.types import BaseTuple
 from numba.extending import intrinsic, register_jitable
 
 from masonry.kernels.lanes.arithmetic import WORD, Lanes
@@ -16,7 +17,7 @@ def width_in(kinds: Iterable[Any]) -> int | None:
     """How many lanes there are in some types, tuples among them; None where all are single numbers."""
     for kind in kinds:
         width = kind.width if isinstance(kind, Lanes) else None
-        if isinstance(kind, types.BaseTuple):
+        if isinstance(kind, BaseTuple):
             width = width_in(kind.types)
         if width is not None:
             return width
@@ -27,15 +28,15 @@ def single(kind: Any) -> Any:
     """The type of one lane: of lanes a number, of a tuple the tuple of these."""
     if isinstance(kind, Lanes):
         return types.float64
-    if not isinstance(kind, types.BaseTuple):
+    if not isinstance(kind, BaseTuple):
         return kind
-    return types.BaseTuple.from_types([single(one) for one in kind.types], getattr(kind, "instance_class", None))
+    return BaseTuple.from_types([single(one) for one in kind.types], getattr(kind, "instance_class", None))
 
 
 def _extract(context, builder, kind, value, i):
     if isinstance(kind, Lanes):
         return builder.extract_element(value, ir.Constant(WORD, i))
-    if not isinstance(kind, types.BaseTuple):
+    if not isinstance(kind, BaseTuple):
         return value
     parts = [_extract(context, builder, one, builder.extract_value(value, k), i) for k, one in enumerate(kind.types)]
     return context.make_tuple(builder, single(kind), parts)
