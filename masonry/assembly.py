@@ -21,7 +21,7 @@ from masonry.laws import build as law_build
 from masonry.scatter import Drawn, draw, laws_of
 from masonry.scene import Scene
 from masonry.size_guard import require_sane_size
-from masonry.specimens import specimen_of
+from masonry.specimens import is_outside, specimen_of
 from masonry.timeloop import Recording
 
 
@@ -57,9 +57,9 @@ def assemble(scene: Scene) -> Assembly:
     conditions = conditions_of(scene, specimen, layout, joints, materials)
     require_held(specimen, joints, layout, conditions, loaded=bool(scene.traction) or scene.gravity is not None)
     compressions = sorted({0.0, scene.confinement or 0.0})
-    laws = {name: law_build.build(name, _properties(scene.contact[name]), compressions) for name in names}
+    laws = {name: law_build.build(name, scene.contact[name].properties(), compressions) for name in names}
     drawn = _draws(scene, blocks, joints, names, group)
-    laws |= {d.group: laws_of(d, _properties(scene.contact[d.group]), compressions) for d in drawn}
+    laws |= {d.group: laws_of(d, scene.contact[d.group].properties(), compressions) for d in drawn}
     s = scene.solver
     stepping = model.Stepping(
         s.masses, s.time_step, s.step_fraction, LITTLE if scene.is_controlled else s.damping, scene.is_controlled
@@ -80,7 +80,7 @@ def joined(scene: Scene) -> tuple[Specimen, Joints]:
     """The blocks of a scene and the joints between them."""
     require_sane_size(scene)
     specimen, spec = specimen_of(scene), scene.specimen
-    if spec.kind == "file":  # the others were looked at as they were built
+    if spec.kind == "file" or is_outside(spec.kind):  # the others were looked at as they were built
         overlaps.check_overlaps(specimen.blocks)
     joints = joint_search.find_joints(
         specimen.blocks, spec.contact_points, spec.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
@@ -123,16 +123,6 @@ def _draws(scene: Scene, blocks: Blocks, joints: Joints, names: tuple[str, ...],
         for g, name in enumerate(names)
         if name in scene.scatter.groups
     ]
-
-
-def _properties(contact) -> dict:
-    keys = (
-        *("law", "normal_stiffness", "shear_stiffness", "tensile_strength", "cohesion", "tan_friction"),
-        *("residual_cohesion", "tan_residual_friction", "fracture_energy_mode_1", "fracture_energy_mode_2"),
-        *("fracture_energy_mode_2_slope", "exponent_tension", "exponent_shear", "dilation_angle", "dilation_cutoff"),
-        *("unloading", "softening_variable", "coupling"),
-    )
-    return {key: getattr(contact, key) for key in keys}
 
 
 def _require_groups(scene: Scene, groups: tuple[str, ...]) -> None:

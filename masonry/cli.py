@@ -23,6 +23,7 @@ from masonry.shell import INTERRUPTED, OK, STOPPED, USAGE, Parser, complain
 APART = {
     "picture": ("masonry.picture_command", "draw the cracks of results at a moment, or the specimen of a scene"),
     "movie": ("masonry.movie_command", "film a folder of results: cracks beside the curve"),
+    "law": ("masonry.law_command", "which laws there are, and what one of them does"),
     "sweep": ("masonry.sweep.command", "run a scene many times over: grid, list or Latin hypercube"),
     "verify": ("verification.command", "run cases with known answers: are the numbers right?"),
     "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),

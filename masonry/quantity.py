@@ -187,6 +187,11 @@ def _check(si: float, value: Any, name: str, allowed: str) -> None:
         raise ValueError(f"{_short(value)} is out of range; {name} must be {words}")
 
 
+def is_interval(text: str) -> bool:
+    """Whether a text is an interval as `parse` takes it."""
+    return _ALLOWED.fullmatch(text) is not None
+
+
 def written(kind: str) -> str:
     """The kind's example as it stands in a file: quoted where it has a unit."""
     return f"'{KINDS[kind].example}'" if KINDS[kind].unit else KINDS[kind].example

@@ -9,6 +9,7 @@ from masonry.errors import SceneError
 from masonry.scene import Scene
 from masonry.scene.points import DENSITIES
 from masonry.scene.specimen import Specimen
+from masonry.specimens import is_outside, outside_specimen
 
 BLOCKS, CONTACT_POINTS, TETS = 5e5, 5e6, 5e6
 """The most that a scene may ask for; about 10 GB of memory each."""
@@ -36,8 +37,8 @@ def require_sane_size(scene: Scene) -> None:
 
 def blocks_and_volume(spec: Any) -> tuple[float, float]:
     """About how many blocks a specimen has, and the volume (m3) of its units."""
-    if spec.kind == "file":
-        blocks = blocks_from(spec.path)[0].blocks
+    if spec.kind == "file" or is_outside(spec.kind):
+        blocks = (blocks_from(spec.path)[0] if spec.kind == "file" else outside_specimen(spec)).blocks
         return blocks.count, float(volumes(blocks).sum())
     if spec.kind == "boxes":
         return sum(prod(box.divisions) for box in spec.box), sum(prod(box.size) for box in spec.box)

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 from geometry.bending import bending
@@ -13,7 +14,10 @@ from geometry.prism import prism
 from geometry.wallette import wallette
 from masonry.block_files import blocks_from
 from masonry.kernels.sources import source_hash
+from masonry.own_specimens import built
 from masonry.scene import Scene
+from masonry.scene.own_specimen import parameters_of
+from masonry.scene.specimen import kinds
 
 
 def specimen_of(scene: Scene) -> Specimen:
@@ -29,7 +33,20 @@ def specimen_of(scene: Scene) -> Specimen:
         return _built(spec)
 
 
+def is_outside(kind: str) -> bool:
+    """Whether another package brings this kind of specimen."""
+    return kind not in kinds()
+
+
+@lru_cache(maxsize=2)
+def outside_specimen(spec: Any) -> Specimen:
+    """The specimen of another package; raises GeometryError for what it cannot build, or does not build soundly."""
+    return built(spec.kind, parameters_of(spec))
+
+
 def _built(spec: Any) -> Specimen:
+    if is_outside(spec.kind):
+        return outside_specimen(spec)
     if spec.kind == "couplet" or spec.kind == "prism":
         mortar = (spec.mortar.thickness, _filling(spec.mortar)) if spec.mortar else None
         size = (spec.length, spec.width, spec.height)

@@ -10,6 +10,8 @@ from masonry import __version__
 from masonry.assembly import Assembly
 from masonry.kernels.sources import source_hash
 from masonry.loads import Controlled
+from masonry.own_sources import own_sources
+from masonry.scene import Scene
 from masonry.timeloop import Outcome
 
 ENERGY_TERMS = (
@@ -78,8 +80,14 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "interrupted": outcome.interrupted,
         "stopped": outcome.stopped,
         "version": __version__,
-        "source_hash": source_hash(),
+        "source_hash": _sources(scene),
     }
+
+
+def _sources(scene: Scene) -> str:
+    """Hash of our sources; behind a plus that of other packages, where the scene has a law or a specimen of them."""
+    own = own_sources((contact.law for contact in scene.contact.values()), scene.specimen.kind)
+    return f"{source_hash()}+{own}" if own else source_hash()
 
 
 def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, dict[str, float]]:

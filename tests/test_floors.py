@@ -23,7 +23,7 @@ class Floor(NamedTuple):
 
 FLOORS = {
     "geometry": Floor("geometry", sees="geometry"),
-    "errors": Floor("masonry.errors", sees="", packages=""),
+    "errors": Floor("masonry.errors masonry.plugins", sees="errors", packages=""),
     "equations": Floor(
         "masonry.laws masonry.kernels masonry.kinematics",
         sees="equations errors",
@@ -31,7 +31,7 @@ FLOORS = {
     ),
     "model": Floor(
         "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays"
-        " masonry.holds masonry.step_cost masonry.draws masonry.gauges",
+        " masonry.holds masonry.one_contact masonry.step_cost masonry.draws masonry.gauges",
         sees="model equations errors geometry",
         packages="numpy numba llvmlite",
     ),
@@ -51,7 +51,8 @@ FLOORS = {
         "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.installed"
         " masonry.scene* masonry.picture_command masonry.movie_command"
         " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
-        " masonry.size_guard masonry.block_files masonry.import*"
+        " masonry.size_guard masonry.block_files masonry.own_s* masonry.law_*"
+        " masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.condition_marks masonry.mark_drawing"
         " masonry.summary masonry.laboratory masonry.sweep",

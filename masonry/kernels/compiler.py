@@ -2,7 +2,7 @@
 
 Numba serves a changed law stale from its cache when only another file changed: so the folder of the step is named after
 a hash of every source file that can be compiled into it. What else is compiled (cells in geometry) calls nothing of
-another file, and stays where it is when a law changes.
+another file, and stays where it is when a law changes. What holds a law of another package is kept apart: law_cache.py.
 """
 
 import contextlib
@@ -16,6 +16,7 @@ from typing import Any
 
 import numba
 
+from masonry.kernels.law_cache import LawCache, hash_of_laws, outside_classes
 from masonry.kernels.sources import COMPILED, source_hash
 
 KEPT = 5
@@ -55,18 +56,21 @@ if "NUMBA_THREADING_LAYER_PRIORITY" not in os.environ:
     numba.config.THREADING_LAYER_PRIORITY = ["omp", "tbb", "workqueue"]
 """Measured on two cores: OpenMP begins a parallel loop in 2 us, TBB in 16, Numba's own in 130; a step has several."""
 
-OPTIONS = {"cache": True, "error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper": True}
+OPTIONS = {"error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper": True}
 """`contract` alone fuses multiply and add, and keeps NaN tests and the order of sums. Nobody calls these from C."""
 
 
-def _kept(folder: str, **options: Any) -> Callable[[Any], Any]:
+def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any]:
     """A decorator that compiles, and keeps what it compiled in a folder of these sources."""
     decorate = numba.njit(**OPTIONS | options)
 
     def compiled(function: Any) -> Any:
         numba.config.CACHE_DIR = folder or numba.config.CACHE_DIR
         try:
-            return decorate(function)
+            dispatcher = decorate(function)
+            if keep:
+                dispatcher._cache = LawCache(function)
+            return dispatcher
         finally:
             numba.config.CACHE_DIR = REST or numba.config.CACHE_DIR
 
@@ -74,7 +78,7 @@ def _kept(folder: str, **options: Any) -> Callable[[Any], Any]:
 
 
 jit = _kept(STEP)
-jit_parallel = _kept(f"{STEP}/threads", parallel=True) if STEP else _kept("", parallel=True, cache=False)
+jit_parallel = _kept(f"{STEP}/threads", parallel=True) if STEP else _kept("", keep=False, parallel=True)
 """Numba's cache does not tell the two ways to compile one function apart: in one folder, whichever came first is served
 for both.
 """
@@ -101,4 +105,6 @@ def once(name: str, folder: str = STEP) -> Iterator[None]:
 
 def kind_of(arguments: tuple[Any, ...]) -> str:
     """A name for the types of some arguments: what is compiled for one kind serves all of it."""
-    return hashlib.sha256(str([numba.typeof(argument) for argument in arguments]).encode()).hexdigest()[:16]
+    kinds = [numba.typeof(argument) for argument in arguments]
+    laws = hash_of_laws(frozenset(outside_classes(kinds)))
+    return hashlib.sha256(f"{kinds}{laws}".encode()).hexdigest()[:16]

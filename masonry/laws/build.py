@@ -5,22 +5,28 @@ from collections.abc import Mapping, Sequence
 from math import inf, tan
 from typing import Any
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
 from masonry.laws.door import beside
 from masonry.laws.interface import Interface
+from masonry.laws.outside import all_law_names, outside_law
 from masonry.laws.snap_back import Refusal
 
 STRENGTHS = ("tensile_strength", "cohesion", "tan_friction")
 
 
-def _file(name: str):
-    return importlib.import_module(f"masonry.laws.{name}")
+def module_of(name: str) -> Any:
+    """The module of a law: of ours by its name, else as another package brings it."""
+    if name in law_names():
+        return importlib.import_module(f"masonry.laws.{name}")
+    if (found := outside_law(name)) is None:
+        raise SceneError(f"there is no law '{name}'; {nearest(name, all_law_names())}")
+    return found.module
 
 
 def _shape_class(name: str) -> type:
     """The NamedTuple of a law file."""
-    file = _file(name)
+    file = module_of(name)
     return next(
         c for c in vars(file).values() if isinstance(c, type) and issubclass(c, tuple) and c.__module__ == file.__name__
     )
@@ -50,13 +56,13 @@ def refusal(shape: Any, interface: Interface, compressions: Sequence[float]) -> 
 
 def properties_of(law: str) -> tuple[str, ...]:
     """The strengths and the parameters of its own that a law reads, under the scene's names."""
-    return () if law == "elastic" else (*STRENGTHS, *_file(law).PARAMETERS.values())
+    return () if law == "elastic" else (*STRENGTHS, *module_of(law).PARAMETERS.values())
 
 
 def made(group: str, properties: Mapping[str, Any]) -> tuple[Any, Interface]:
     """`build` without a look whether the curves would snap back."""
     name = properties["law"]
-    file, where = _file(name), f"contact.{group}"
+    file, where = module_of(name), f"contact.{group}"
     stiffness = {key: properties[key] for key in ("normal_stiffness", "shear_stiffness")}
     if name == "elastic":
         return _shape_class(name)(), Interface(**stiffness)
@@ -69,7 +75,7 @@ def made(group: str, properties: Mapping[str, Any]) -> tuple[Any, Interface]:
     for field, key in file.PARAMETERS.items():
         if field not in optional and getattr(shape, field) <= 0.0:
             raise SceneError(f"{where}.{key} = {getattr(shape, field):g}: law '{name}' needs a value above 0")
-    return shape, _interface(where, properties, stiffness)
+    return shape, _interface(where, properties, stiffness, shape)
 
 
 def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence[str]) -> None:
@@ -77,14 +83,15 @@ def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence
     if missing:
         spelled = [_SPELLING.get(key, key) for key in missing]
         raise SceneError(
-            f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: {', '.join(law_names())}"
+            f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: "
+            f"{', '.join(all_law_names())}"
         )
 
 
 _SPELLING = {"tan_friction": "friction_angle (or tan_friction_angle)"}
 
 
-def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) -> Interface:
+def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float], shape: Any) -> Interface:
     residual_cohesion = p.get("residual_cohesion") or 0.0
     tan_residual = p.get("tan_residual_friction")
     tan_residual = p["tan_friction"] if tan_residual is None else tan_residual
@@ -101,7 +108,7 @@ def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) ->
         raise SceneError(
             f"{where}.dilation_angle is larger than the residual friction angle: sliding would then produce energy"
         )
-    return Interface(
+    interface = Interface(
         **stiffness,
         tensile_strength=p["tensile_strength"],
         cohesion=p["cohesion"],
@@ -109,26 +116,49 @@ def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) ->
         residual_cohesion=residual_cohesion,
         tan_residual_friction=tan_residual,
         tan_dilation=dilation or None,
-        dilation_cutoff=_dilation_cutoff(p) if dilation else None,
         elastic_unloading=1.0 if p.get("unloading") == "elastic" else None,
         plastic_softening=1.0 if p.get("softening_variable") == "plastic" else None,
         combined=None if p.get("coupling") == "independent" else 1.0,
     )
+    return interface._replace(dilation_cutoff=_dilation_cutoff(p, shape, interface)) if dilation else interface
 
 
-def _dilation_cutoff(p: Mapping[str, Any]) -> float:
+def _dilation_cutoff(p: Mapping[str, Any], shape: Any, interface: Interface) -> float:
     """Slip (m) at which dilation ends; where none is given, the slip at which the cohesion has gone.
 
     "Gone" is 1 % left at zero normal stress: exponential ln(100) G_II/c0; linear and polynomial likewise from eqs
-    (13) and (15). A brittle contact loses it at once, so it does not dilate unless a cut-off is given.
+    (13) and (15). A brittle contact loses it at once, so it does not dilate unless a cut-off is given. The curve of a
+    law of another package is asked.
     """
     if p.get("dilation_cutoff") is not None:
         return p["dilation_cutoff"]
     if p["cohesion"] == 0.0:
         return inf
+    if p["law"] not in law_names():
+        return _slip_without_cohesion(shape, interface)
     G_II = p.get("fracture_energy_mode_2") or 0.0
     if p["law"] == "linear":
         return 2.0 * G_II / p["cohesion"]
     if p["law"] == "polynomial":
         return 2.0 * G_II / p["cohesion"] * (100.0 ** (1.0 / p["exponent_shear"]) - 1.0)
     return 4.605170185988092 * G_II / p["cohesion"]
+
+
+def _slip_without_cohesion(shape: Any, interface: Interface) -> float:
+    """Slip (m) at which a curve has 1 % left at zero normal stress, to a millionth; endless where it never has."""
+
+    def gone(slip: float) -> bool:
+        left = beside(type(shape), "shear_intact")(
+            shape, interface, slip, interface.cohesion, interface.residual_cohesion, 0.0
+        )
+        return bool(left <= 0.01)
+
+    low, high = 0.0, 1e-9
+    while not gone(high):
+        low, high = high, 2.0 * high
+        if high > 1e3:
+            return inf
+    while high - low > 1e-6 * high:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if gone(middle) else (middle, high)
+    return high

@@ -1,12 +1,15 @@
 """The one door: the TYPE of a law's tuple picks its functions, in Python and in the compiled step alike.
 
 A law is a NamedTuple in a file of its own beside three plain functions: `tension_intact`, `tension_area`,
-`shear_intact`. They are found in the file in which the tuple's class is defined; no list names them.
+`shear_intact`. They are found in the file in which the tuple's class is defined; no list names them. Those of another
+package may be written for single numbers, with `if`: `fitting` has them called lane by lane.
 """
 
 import sys
 
 from numba.extending import overload
+
+from masonry.laws.fitting import fitting
 
 
 def beside(shape_class: type, name: str, default=None):
@@ -31,14 +34,23 @@ def shear_intact(shape, interface, slip, peak, residual, compression):
 
 @overload(tension_intact)
 def _tension_intact(shape, interface, opening):
-    return beside(shape.instance_class, "tension_intact")
+    own, each = fitting(beside(shape.instance_class, "tension_intact"), shape, (shape, interface, opening))
+    return own or (lambda shape, interface, opening: each((shape, interface, opening)))
 
 
 @overload(tension_area)
 def _tension_area(shape, interface, opening, intact):
-    return beside(shape.instance_class, "tension_area")
+    own, each = fitting(beside(shape.instance_class, "tension_area"), shape, (shape, interface, opening, intact))
+    return own or (lambda shape, interface, opening, intact: each((shape, interface, opening, intact)))
 
 
 @overload(shear_intact)
 def _shear_intact(shape, interface, slip, peak, residual, compression):
-    return beside(shape.instance_class, "shear_intact")
+    own, each = fitting(
+        beside(shape.instance_class, "shear_intact"), shape, (shape, interface, slip, peak, residual, compression)
+    )
+    return own or (
+        lambda shape, interface, slip, peak, residual, compression: each(
+            (shape, interface, slip, peak, residual, compression)
+        )
+    )

@@ -7,10 +7,11 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from masonry.laws import law_names
+from masonry.errors import SceneError
 from masonry.quantity import parse
 from masonry.scene.errors import explain
 from masonry.scene.overrides import Overrides, apply
+from masonry.scene.own_keys import law_there
 from masonry.scene.schema import Scene
 from masonry.scene.source import Source, packaged, read, titles
 
@@ -43,7 +44,11 @@ def _checked(source: Source) -> Scene:
         where = place if place.endswith(" confinement") else f"{place}: confinement"
         confinement = parse(confinement, "stress", where, "[0, 1e15]")
     law = source.raw.get("law")
-    context = {"confinement": confinement, "law": law if law is None or law in law_names() else "elastic"}
+    try:
+        known = law is None or law_there(law)
+    except SceneError as error:
+        raise SceneError(f"{source.place(('law',))}: {error}") from None
+    context = {"confinement": confinement, "law": law if known else "elastic", "known": known}
     try:
         return Scene.model_validate({"name": source.stem, **source.raw}, context=context)
     except ValidationError as error:

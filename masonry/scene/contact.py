@@ -71,6 +71,21 @@ class Contact(Table):
     coupling: Literal["combined", "independent"] = "combined"
 
     @property
+    def own_keys(self) -> tuple[str, ...]:
+        """Keys that a law of another package adds (see own_keys.py)."""
+        return tuple(key for key in type(self).model_fields if key not in Contact.model_fields)
+
+    def properties(self) -> dict[str, Any]:
+        """SI values by name, as `laws.build.build` takes them."""
+        keys = (
+            *("law", "normal_stiffness", "shear_stiffness", "tensile_strength", "cohesion", "tan_friction"),
+            *("residual_cohesion", "tan_residual_friction", "fracture_energy_mode_1", "fracture_energy_mode_2"),
+            *("fracture_energy_mode_2_slope", "exponent_tension", "exponent_shear", "dilation_angle"),
+            *("dilation_cutoff", "unloading", "softening_variable", "coupling", *self.own_keys),
+        )
+        return {key: getattr(self, key) for key in keys}
+
+    @property
     def tan_friction(self) -> float | None:
         return _tangent(self.tan_friction_angle, self.friction_angle)
 

@@ -8,8 +8,11 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from masonry.errors import SceneError
+from masonry.own_specimens import own_specimen_names
 from masonry.quantity import KINDS, written
 from masonry.scene.lines import split_key
+from masonry.scene.own_keys import contact_class
+from masonry.scene.own_specimen import specimen_class
 from masonry.scene.schema import Scene
 from masonry.scene.source import Source
 from masonry.scene.specimen import kinds
@@ -75,7 +78,7 @@ def _line(found: ErrorDetails, source: Source) -> str:
     path = _in_file(loc, source.raw)
     place = source.place(path)
     key = ".".join(str(part)[:80] for part in path)
-    text = _text(found, loc, str(path[-1]) if path else "")
+    text = _text(found, loc, str(path[-1]) if path else "", source.raw)
     return f"{place}: {text}" if place == f"--set {key}" else f"{place}: {key}: {text}"
 
 
@@ -94,27 +97,27 @@ def _in_file(loc: Keys, raw: Any) -> Keys:
     return path
 
 
-def _text(found: ErrorDetails, loc: Keys, name: str) -> str:
+def _text(found: ErrorDetails, loc: Keys, name: str, raw: Any) -> str:
     kind, shown, ctx = found["type"], f"{str(found['input'])[:60]!r}", found.get("ctx", {})
     if kind == "value_error":
         return str(ctx["error"])
     if kind in UNKNOWN:
-        return f"unknown key; {_choice(name, list(_fields(loc)))}"
+        return f"unknown key; {_choice(name, list(_fields(loc, raw)))}"
     if kind in MISSING:
-        return f"missing{_hint(loc, name)}"
+        return f"missing{_hint(loc, name, raw)}"
     if kind == "union_tag_not_found":
-        return f"missing; allowed: {', '.join(kinds())}"
+        return f"missing; allowed: {', '.join((*kinds(), *own_specimen_names()))}"
     if kind == "union_tag_invalid":
-        return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], re.findall(QUOTED, ctx['expected_tags']))}"
+        return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], [*kinds(), *own_specimen_names()])}"
     if kind == "literal_error":
         return f"{shown} is not allowed; {_choice(shown, re.findall(QUOTED, ctx['expected']))}"
     return PLAIN[kind].format(shown=shown, name=name, **ctx) if kind in PLAIN else found["msg"][:200]
 
 
-def _hint(loc: Keys, name: str) -> str:
+def _hint(loc: Keys, name: str, raw: Any) -> str:
     if name in HINTS:
         return f"; {HINTS[name]}"
-    field = _fields(loc).get(name)
+    field = _fields(loc, raw).get(name)
     given = next((mark for mark in getattr(field, "metadata", ()) if isinstance(mark, Given)), None)
     return f"; {name} is {KINDS[given.kind].words}, for example {written(given.kind)}" if given else ""
 
@@ -124,17 +127,27 @@ def _choice(name: str, allowed: list[str]) -> str:
     return (f"did you mean '{nearest[0]}'? " if nearest else "") + f"allowed: {', '.join(allowed)}"
 
 
-def _fields(loc: Keys) -> dict[str, Any]:
+def _fields(loc: Keys, raw: Any) -> dict[str, Any]:
     """The keys, with pydantic's knowledge of each, that the table around the last part of `loc` may hold."""
     model: Any = Scene
     choices: list[Any] = []
-    for part in loc[:-1]:
+    for n, part in enumerate(loc[:-1]):
         if part in _keys(model):
             choices = _tables(_keys(model)[part].annotation)
             model = choices[0] if choices else model
         else:
             model = next((m for m in choices if part in _kinds(m)), getattr(model, "ANY", model))
+        model = _outside(model, loc[: n + 1], raw)
     return {key: field for key, field in _keys(model).items() if key not in HIDDEN}
+
+
+def _outside(model: Any, path: Keys, raw: Any) -> Any:
+    """The table of a law or a specimen of another package, where the scene names one there."""
+    if len(path) == 2 and path[0] == "contact" and isinstance(table := raw["contact"].get(path[1]), dict):
+        return contact_class(table.get("law", raw.get("law")), ())
+    if path == ("specimen",) and isinstance(kind := raw["specimen"].get("kind"), str) and kind not in kinds():
+        return specimen_class(kind) or model
+    return model
 
 
 def _keys(model: Any) -> dict[Any, Any]:

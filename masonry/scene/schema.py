@@ -8,11 +8,12 @@ from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
 from masonry.errors import SceneError
 from masonry.history import UNITS
-from masonry.scene.contact import Contact, Material
+from masonry.scene.contact import Material
 from masonry.scene.gauge import Curve, Gauge
 from masonry.scene.loading import Drive, Settle, Solver, Support, Traction
+from masonry.scene.own_keys import AnyContact
+from masonry.scene.own_specimen import AnySpecimen
 from masonry.scene.scatter import Scatter, require_contacts
-from masonry.scene.specimen import Specimen
 from masonry.scene.types import AccelerationVector, KeyedError, Law, Motion, Strength, Table
 
 
@@ -29,9 +30,9 @@ class Scene(Table):
     law: Law | None = None
     kinematics: Annotated[dict[str, Motion], BeforeValidator(_by_group)] = {"default": "rigid"}
     confinement: Strength | None = None
-    specimen: Specimen
+    specimen: AnySpecimen
     material: Annotated[dict[str, Material], Field(min_length=1)]
-    contact: Annotated[dict[str, Contact], Field(min_length=1)]
+    contact: Annotated[dict[str, AnyContact], Field(min_length=1)]
     scatter: Scatter | None = None
     support: tuple[Support, ...] = ()
     drive: Drive | None = None

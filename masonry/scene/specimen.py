@@ -10,7 +10,9 @@ from masonry.scene.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, 
 from masonry.scene.types import Area, Count, Gap, KeyedError, Length, Number, Position, Table
 
 
-class _Specimen(Table):
+class SpecimenTable(Table):
+    """What all specimens have."""
+
     kind: str
     contact_points: Literal["gauss", "vertex"] = "gauss"
     points_per_edge: PointsPerEdge = PerAxis()
@@ -25,7 +27,7 @@ class _Specimen(Table):
         return one_density(data)
 
     @model_validator(mode="after")
-    def _has_corners(self) -> "_Specimen":
+    def _has_corners(self) -> "SpecimenTable":
         if self.contact_points == "vertex":
             for key, number in (("points_per_edge", 2), ("points_per_face", 4)):
                 given = getattr(self, key)
@@ -52,7 +54,7 @@ class Mortar(_Divided):
     thickness: Length
 
 
-class _Stack(_Specimen, _Divided):
+class _Stack(SpecimenTable, _Divided):
     """Units one above the other; length, width and height are those of one unit."""
 
     length: Length
@@ -75,7 +77,7 @@ class PrismSpec(_Stack):
     units: Count = 3
 
 
-class _Wall(_Specimen):
+class _Wall(SpecimenTable):
     """Courses of expanded units with zero-thickness joints."""
 
     courses: Count
@@ -123,7 +125,7 @@ class Box(Table):
     divisions: tuple[Count, Count, Count] = (1, 1, 1)
 
 
-class BoxesSpec(_Specimen):
+class BoxesSpec(SpecimenTable):
     """Boxes that the user places; `section` turns a force into the reported stress."""
 
     kind: Literal["boxes"]
@@ -138,7 +140,7 @@ class BoxesSpec(_Specimen):
         return self
 
 
-class FileSpec(_Specimen):
+class FileSpec(SpecimenTable):
     """Blocks from a file that `masonry import` wrote; `section`, if given, takes the place of the file's."""
 
     kind: Literal["file"]

@@ -1,18 +1,27 @@
 """The types of a scene's values: what may stand in a file, what is kept (SI floats), how it is written out again."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, GetCoreSchemaHandler, PlainSerializer, SerializationInfo
-from pydantic_core import CoreSchema, core_schema
+from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
 from masonry.laws import law_names
+from masonry.laws.outside import all_law_names, outside_law
 from masonry.quantity import KINDS, convert
 
-if TYPE_CHECKING:
-    Law = str
-else:
-    Law = Literal[law_names()]
+
+def _law(value: Any) -> Any:
+    """The name of a law, of ours or of another package; these are looked for where it is not ours."""
+    if isinstance(value, str):
+        if value in law_names():
+            return value
+        if outside_law(value) is not None:
+            return value
+    raise PydanticKnownError("literal_error", {"expected": " or ".join(map(repr, all_law_names()))})
+
+
+Law = Annotated[str, BeforeValidator(_law)]
 Motion = Literal["rigid", "affine", "tets"]
 Freedom = Literal["x", "y", "z", "rotation", "rotation x", "rotation y", "rotation z"]
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]

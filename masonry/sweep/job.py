@@ -19,7 +19,7 @@ SHOWING = tuple(
         *("solid_drawing.py", "frame_choice.py", "frame_picture.py", "picture_command.py", "movie_command.py"),
         *("film.py", "film_file.py", "show.py", "stage.py", "fields.py", "joint_fields.py", "vtkhdf.py"),
         *("curve_table.py", "notebook.py", "painter.py", "figure.py", "scene/portrait.py"),
-        *("progress.py", "tally.py", "crew.py", "sweep/*"),
+        *("law_*.py", "one_contact.py", "progress.py", "tally.py", "crew.py", "sweep/*"),
     )
 )
 """Sources that a result does not depend on: an edit of these runs nothing again."""
@@ -49,14 +49,24 @@ class Job:
     def _key(self) -> str:
         digest = hashlib.sha256(self.resolved.encode())
         digest.update(source_hash(ALL, SHOWING).encode())
+        digest.update(_other_sources(self.resolved))
         digest.update(_file_of_blocks(self.resolved))
         return digest.hexdigest()[:20]
 
     def key(self) -> str:
-        """Hash (hex) of the resolved scene, of a file that its blocks come from and of the sources that compute:
-        the same key means the same result. Raises SceneError.
+        """Hash (hex) of the resolved scene, of a file that its blocks come from and of the sources that compute,
+        those of laws and specimens of other packages too: the same key means the same result. Raises SceneError.
         """
         return self._key
+
+
+def _other_sources(toml: str) -> bytes:
+    """Hash of the packages that a scene has laws or its specimen from; nothing where all are ours."""
+    from masonry.own_sources import own_sources
+
+    scene = tomllib.loads(toml)
+    laws = scene.get("law"), *(contact.get("law") for contact in scene["contact"].values())
+    return own_sources(laws, scene["specimen"]["kind"]).encode()
 
 
 def _file_of_blocks(toml: str) -> bytes:

@@ -5,7 +5,7 @@ MASONRY_LANES=0 the functions of `memory.py` and `rows.py` hand out plain number
 kernels, compiled for numbers, do the same work.
 """
 
-from masonry.kernels.lanes import exponential  # noqa: F401  math.exp learns of lanes
+from masonry.kernels.lanes import exponential, functions  # noqa: F401  math learns of lanes
 from masonry.kernels.lanes.arithmetic import PLAIN
 from masonry.kernels.lanes.choices import below, choose, filled, larger, smaller, some, total, unless
 from masonry.kernels.lanes.gathering import gather, gather_corners, put_rows, scatter, take_slopes

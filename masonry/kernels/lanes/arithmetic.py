@@ -92,17 +92,20 @@ for _function, _comparison in (
     _define(_function, "fcmp_ordered", _comparison)
 
 
-@infer_global(operator.and_)
-class _Both(AbstractTemplate):
+class _OfChoices(AbstractTemplate):
     def generic(self, args, kws):
         if all(isinstance(kind, Choice) for kind in args):
             return signature(args[0], *args)
         return None
 
 
-@lower_builtin(operator.and_, Choice, Choice)
-def _and(context, builder, sig, args):
-    return builder.and_(*args)
+for _operator, _instruction in ((operator.and_, "and_"), (operator.or_, "or_")):
+    infer_global(_operator)(type(f"_{_instruction}", (_OfChoices,), {}))
+
+    def _lower(context, builder, sig, args, instruction=_instruction):
+        return getattr(builder, instruction)(*args)
+
+    lower_builtin(_operator, Choice, Choice)(_lower)
 
 
 @infer_global(operator.neg)
@@ -133,7 +136,9 @@ def _by_llvm(function, name: str, count: int) -> None:
         named = cgutils.get_or_insert_function(builder.module, function_type, f"{name}.v{width}f64")
         return builder.call(named, vectors)
 
-    for kinds in ((Lanes,),) if count == 1 else ((Lanes, Lanes), (Lanes, types.Float), (Lanes, types.Integer)):
+    numbers = (types.Float, types.Integer)
+    pairs = ((Lanes, Lanes), *((Lanes, kind) for kind in numbers), *((kind, Lanes) for kind in numbers))
+    for kinds in ((Lanes,),) if count == 1 else pairs:
         lower_builtin(function, *kinds)(lower)
 
 

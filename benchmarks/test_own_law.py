@@ -1,0 +1,70 @@
+"""The law of docs/own-laws.md against the laws of the program, in the step of a wall; 1 thread.
+
+The gate is for a wall whose contacts are quiet, as most are at any moment of a run. Where all soften at once, a law
+written with `if` is called lane by lane; it must not cost more than the dearest of ours, and written without, no more
+than the cheapest. Limits of the gates lie above what was measured (in brackets).
+"""
+
+import numpy as np
+import pytest
+
+from benchmarks import specimens, trial
+from benchmarks.interleaved import in_turn, require
+from masonry.laws.exponential import Exponential
+from masonry.laws.linear import Linear
+from masonry.laws.outside import outside_law
+from masonry.laws.polynomial import Polynomial
+from tests.laws.own_package import files_of_page, install, lanes_of_page, on_the_path
+
+OURS = {
+    "exponential": Exponential(5.0, 15.0),
+    "linear": Linear(5.0, 15.0),
+    "polynomial": Polynomial(5.0, 15.0, 3.0, 2.5),
+}
+ROUNDS, STEPS = 400, 10
+STRETCH, STRETCHED = 5e-8, 60
+"""Strain of the wall in each step, where all of it softens, and calls of STEPS steps until it does."""
+OWN = (5.0, 15.0, 1e-5, 0.3)
+
+
+@pytest.fixture(scope="module")
+def laws(tmp_path_factory):
+    """Shapes by name: ours, and the page's law with `if` and without."""
+    files = files_of_page()
+    files["bilinear_of_eight.py"] = lanes_of_page()
+    files["pyproject.toml"] = files["pyproject.toml"].replace(
+        "\nbilinear", '\neight = "bilinear_of_eight"\nbilinear', 1
+    )
+    with on_the_path(install(tmp_path_factory.mktemp("page"), files)):
+        found = {"own, with if": outside_law("bilinear"), "own, without if": outside_law("eight")}
+        yield OURS | {name: law.shape(*OWN) for name, law in found.items()}
+
+
+def wall(shape: tuple, soft: bool) -> trial.Model:
+    """A wall in a motion that is the same whatever acts: slow, or such that it gets longer and all of it softens."""
+    model = trial.model_of(*specimens.wall(16, 16), law=(shape, trial.JOINT))
+    velocity = np.random.default_rng(1).normal(scale=1e-7, size=(model.blocks.count, 6))
+    if soft:
+        velocity[:] = 0.0
+        velocity[:, 0] = STRETCH * model.layout.centroid[:, 0] / model.dt
+    trial.make_unstoppable(model)
+    trial.set_velocity(model, velocity)
+    return model
+
+
+@pytest.mark.parametrize("state", ["untouched", "all softening"])
+def test_an_own_law_is_as_fast_as_ours(figure, laws, state):
+    soft, works = state == "all softening", {}
+    for name, shape in laws.items():
+        model = wall(shape, soft)
+        works[name] = trial.stepping(model, STEPS)
+        for _ in range(STRETCHED if soft else 1):
+            works[name]()
+        assert trial.evolving(model, works[name]) == soft
+    times = {name: t.least for name, t in zip(works, in_turn(*works.values(), rounds=ROUNDS), strict=True)}
+    ours = [times[name] for name in OURS]
+    for name in times.keys() - OURS:
+        figure(f"step with the law {name}, {state}: over ours, exponential", times[name] / times["exponential"], "")
+    require(times["own, without if"] / max(times["exponential"], times["linear"]), 1.05, f"without if, {state}")
+    slowest = max(ours) if soft else times["exponential"]
+    require(times["own, with if"] / slowest, 1.05, f"with if, {state}")

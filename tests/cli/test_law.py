@@ -1,0 +1,105 @@
+"""`masonry law`: the list, the parameters and measured energies, the picture; for laws of ours and of others."""
+
+import re
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+
+from masonry.cli import main
+from masonry.law_portrait import COMPRESSIONS, portrait
+from tests.laws.own_package import files_of_page, install, on_the_path
+from verification import closed_forms
+from verification.closed_forms import Joint
+from verification.rigs.one_contact import law
+
+
+@pytest.fixture
+def package(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with on_the_path(install(tmp_path / "package")):
+        yield
+
+
+def said(capsys, *words: str) -> str:
+    assert main(["law", *words]) == 0
+    return capsys.readouterr().out
+
+
+def test_the_list_names_every_law_and_where_it_comes_from(package, capsys):
+    rows = [re.split(r"\s{2,}", line)[:2] for line in said(capsys).splitlines()]
+    ours = ("brittle", "elastic", "exponential", "linear", "polynomial")
+    assert rows == [*([name, "masonry"] for name in ours), ["bilinear", "my-masonry 0.1"]]
+
+
+def test_a_law_that_does_not_work_is_marked_in_the_list(tmp_path, capsys):
+    files = files_of_page() | {"bilinear.py": "import numbat\n"}
+    with on_the_path(install(tmp_path / "broken", files)):
+        assert re.search(r"^bilinear .*DOES NOT WORK: .*numbat", said(capsys), re.MULTILINE)
+
+
+def test_parameters_have_units_and_energies_are_measured_against_those_given(package, capsys):
+    text = said(capsys, "bilinear", "--set", "fracture_energy_mode_1=12 N/m", "--set", "cohesion=1 MPa")
+    for words in (
+        "cohesion = 1 MPa",
+        "opening_at_knee = 0.008 mm",
+        "share_at_knee = 0.3",
+        "No room for the second line",
+    ):
+        assert words in text
+    assert "12 N/m beyond the peak, 13.12 with the elastic part; given: 12" in text
+    assert "at 1 MPa: 58 N/m beyond the peak" in text
+
+
+def test_the_picture_is_drawn_where_it_is_asked_for_and_by_default_beside(package, capsys, tmp_path):
+    assert said(capsys, "bilinear", "--plot").splitlines()[-1] == "law-bilinear.png"
+    assert said(capsys, "linear", "--plot", "mine.png").splitlines()[-1] == "mine.png"
+    pixels = imread(tmp_path / "law-bilinear.png")
+    assert pixels.shape[:2] == (960, 1320) and pixels[..., :3].std() > 0.05
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["bilinea"], "did you mean 'bilinear'"),
+        (["linear", "--set", "cohesion"], "write KEY=VALUE"),
+        (["linear", "--set", "cohesion=1 m"], "cohesion is a stress"),
+        (["linear", "--plot", "x.pdf"], "nearest: 'x.png'"),
+        (["--plot"], "go with the NAME of a law"),
+    ],
+)
+def test_wrong_words_get_one_message(package, capsys, words, message):
+    assert main(["law", *words]) == 2
+    found = capsys.readouterr()
+    assert message in found.err and len(found.err.splitlines()) == 1
+
+
+def test_an_area_that_is_not_the_integral_of_its_curve_is_told(tmp_path, capsys):
+    files = files_of_page()
+    files["bilinear.py"] = files["bilinear.py"].replace("shape.G_I * area", "0.9 * shape.G_I * area")
+    with on_the_path(install(tmp_path / "wrong", files)):
+        assert "its tension_area is not the integral of its tension_intact" in " ".join(
+            said(capsys, "bilinear").split()
+        )
+
+
+@pytest.mark.parametrize("name", ["brittle", "linear", "polynomial", "exponential"])
+def test_the_energies_of_our_laws_are_those_of_their_closed_forms(name):
+    found, joint = portrait(*law(name)), Joint()
+    whole = float(closed_forms.dissipated_in_tension(name, joint, 1.0))
+    assert found.mode_1.whole == pytest.approx(whole, rel=3e-4)
+    assert found.mode_1.booked == pytest.approx(whole, rel=1e-9)
+    for compression in COMPRESSIONS:
+        end, residual = 1.0 + float(joint.peak(compression)) / joint.ks, float(joint.residual(compression))
+        wanted = float(closed_forms.dissipated_in_shear(name, joint, end, compression))
+        friction = residual * (end - residual / joint.ks)
+        assert found.mode_2[compression].whole == pytest.approx(wanted - friction, rel=3e-4)
+
+
+def test_the_ways_of_a_portrait_go_back_and_forth():
+    found = portrait(*law("exponential"))
+    assert np.sum(np.diff(np.sign(np.diff(found.tension.opening))) != 0) == 2
+    assert found.tension.sigma.min() < 0.0 < found.tension.sigma.max() == pytest.approx(0.58e6, rel=1e-2)
+    for compression, path in found.shear.items():
+        np.testing.assert_allclose(path.sigma, -compression, rtol=1e-12)
+        assert path.tau.min() < 0.0 and np.all(np.diff(path.fracture) >= -1e-9)

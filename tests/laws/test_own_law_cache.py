@@ -1,0 +1,79 @@
+"""A run with an own law in real processes: compiled once, never served stale, kept apart from what is ours; and its
+energy is the closed form.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.cli.test_cache import ROOT, RUN, Ran
+from tests.laws.own_package import files_of_page, install
+
+PULLED = ["law=bilinear", "confinement=0 MPa", "drive.direction=z", 'support.1.fix=["x", "y", "rotation"]']
+SHORT = ["settle.steps=100", "drive.displacement=0.1 mm", "drive.steps=6000", "solver.rows=600"]
+KNEE = ["contact.unit_unit.opening_at_knee=8 um", "contact.unit_unit.share_at_knee=0.3"]
+ENERGY = 'print(json.dumps([compiled, [result.summary["energy_j"]["fracture_mode_1"] / result.summary["section_m2"], '
+MORE = 'result.summary["peak_stress_pa"], result.summary["dissipation_mismatch"]]]))'
+
+
+class Here:
+    """A folder with the package of the page, and a cache of its own."""
+
+    def __init__(self, root: Path) -> None:
+        self.root, self.package = root, install(root / "package")
+
+    def run(self) -> Ran:
+        """Pull the couplet apart in a process of its own: what was compiled, and fracture energy, peak, mismatch."""
+        text = RUN[: RUN.index("print(json")] + ENERGY + MORE
+        done = subprocess.run(
+            [sys.executable, "-c", text, str(ROOT), *PULLED, *SHORT, *KNEE],
+            env=os.environ | {"PYTHONPATH": f"{ROOT}:{self.package}", "MASONRY_CACHE": str(self.root / "cache")},
+            cwd=self.root,
+            capture_output=True,
+            text=True,
+        )
+        assert done.returncode == 0, done.stderr
+        return Ran(*json.loads(done.stdout))
+
+
+@pytest.fixture(scope="module")
+def used(tmp_path_factory) -> tuple[Here, Ran]:
+    here = Here(tmp_path_factory.mktemp("own"))
+    first = here.run()
+    assert "advance" in first.compiled
+    return here, first
+
+
+def test_a_couplet_that_is_pulled_apart_spends_the_energy_of_its_law(used):
+    fracture, peak, mismatch = used[1].stress
+    assert fracture == pytest.approx(5.8 + 0.5 * 0.58e6**2 / 150e9, rel=1e-9)
+    assert peak == pytest.approx(0.58e6, rel=1e-3) and mismatch < 1e-3
+
+
+def test_a_second_process_compiles_nothing(used):
+    here, first = used
+    assert here.run() == Ran([], first.stress)
+
+
+def test_what_holds_the_law_lies_apart_so_that_our_laws_are_found_without_its_package(used):
+    folder = used[0].root / "cache"
+    apart = [path for path in folder.rglob("*.nbi") if "laws-of-others" in path.parts]
+    ours = [path for path in folder.rglob("*.nbi") if "laws-of-others" not in path.parts]
+    assert apart and ours
+    assert any(b"Bilinear" in path.read_bytes() for path in apart)
+    assert not any(b"Bilinear" in path.read_bytes() for path in ours)
+
+
+def test_an_edit_of_the_law_is_compiled_and_changes_the_run(used):
+    here, first = used
+    text = files_of_page()["bilinear.py"].replace("shape.G_I", "(0.8 * shape.G_I)")
+    (here.package / "bilinear.py").write_text(text, encoding="utf-8")
+    edited = here.run()
+    assert "advance" in edited.compiled
+    assert edited.stress[0] == pytest.approx(first.stress[0] - 0.2 * 5.8, rel=1e-9)
+    assert np.isclose(edited.stress[1], first.stress[1])
