@@ -1,7 +1,6 @@
 """One run of many: a scene and what is set in it, and the key by which its result is found again."""
 
 import hashlib
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -9,17 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry.kernels.sources import ALL, source_hash
-
-SHOWING = tuple(
-    f"masonry/{name}"
-    for name in (
-        *("__main__.py", "cli.py", "commands.py", "shell.py", "doctor.py", "printout.py", "import*.py"),
-        *("plot.py", "curve_axes.py", "picture.py", "crack_drawing.py", "picture_frame.py", "geometry_picture.py"),
-        *("solid_view.py", "condition_marks.py", "mark_drawing.py", "fields.py"),
-        *("progress.py", "tally.py", "crew.py", "sweep/*"),
-    )
-)
-"""Sources that a result does not depend on: an edit of these runs nothing again."""
+from masonry.origin import SHOWING, file_of_blocks
 
 
 @dataclass(frozen=True)
@@ -46,7 +35,7 @@ class Job:
     def _key(self) -> str:
         digest = hashlib.sha256(self.resolved.encode())
         digest.update(source_hash(ALL, SHOWING).encode())
-        digest.update(_file_of_blocks(self.resolved))
+        digest.update(file_of_blocks(self.resolved))
         return digest.hexdigest()[:20]
 
     def key(self) -> str:
@@ -54,12 +43,3 @@ class Job:
         the same key means the same result. Raises SceneError.
         """
         return self._key
-
-
-def _file_of_blocks(toml: str) -> bytes:
-    """What stands in the file that a scene takes its blocks from; nothing where it has none, or it cannot be read."""
-    path = tomllib.loads(toml)["specimen"].get("path")
-    try:
-        return Path(path).read_bytes() if path else b""
-    except OSError:
-        return b""
