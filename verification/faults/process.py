@@ -2,33 +2,61 @@
 
 import os
 import signal
-import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable
+from functools import cache
+from multiprocessing import get_context
 from pathlib import Path
+from typing import Any
 
-POLL = 0.0005
-PATIENCE = 600.0
+POLL = 0.001
+PATIENCE = 900.0
 """Seconds after which a process is taken to hang."""
+LOADED = (
+    *("masonry.cli", "masonry.running", "masonry.laboratory", "masonry.archive", "masonry.fields", "masonry.plot"),
+    *("masonry.picture", "masonry.origin", "h5py", "scipy.spatial"),
+)
+"""Modules that each process finds loaded: a hundred of them then start in no time."""
+
+
+@cache
+def _context() -> Any:
+    context = get_context("forkserver")
+    context.set_forkserver_preload(list(LOADED))
+    return context
+
+
+def _act(words: list[str], cwd: str, said: str, before: Callable[[], None] | None) -> None:
+    """The whole life of the process: what the shell would have called."""
+    handle = os.open(said, os.O_WRONLY | os.O_APPEND)
+    os.dup2(handle, 1)
+    os.dup2(handle, 2)
+    os.chdir(cwd)
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    os.environ["OMP_WAIT_POLICY"] = "passive"  # threads that wait give way: there may be more of them than processors
+    if before is not None:
+        before()
+    from masonry.cli import main
+
+    sys.exit(main(words))
 
 
 class Process:
-    """`masonry WORDS`, from its start; `said` is what it wrote when it has ended."""
+    """`masonry WORDS`, from its start; `said` is what it wrote when it has ended.
+
+    before  a function of a module that is called in the process first
+    """
 
     def __init__(self, words: list[str], cwd: Path, before: Callable[[], None] | None = None) -> None:
+        handle, said = tempfile.mkstemp(prefix="masonry-said-")
+        os.close(handle)
+        self._said = Path(said)
+        self.process = _context().Process(target=_act, args=(words, str(cwd), said, before), daemon=True)
         self.begun = time.monotonic()
-        self.process = subprocess.Popen(
-            [sys.executable, "-m", "masonry", *words],
-            cwd=cwd,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            preexec_fn=before,
-            env={**os.environ, "OMP_WAIT_POLICY": "passive", "PYTHONPATH": str(Path(__file__).resolve().parents[2])},
-        )
+        self.process.start()
         self.said = ""
-        self.answer = ""
 
     @property
     def age(self) -> float:
@@ -37,7 +65,7 @@ class Process:
 
     @property
     def runs(self) -> bool:
-        return self.process.poll() is None
+        return bool(self.process.is_alive())
 
     def wait_for(self, happened: Callable[[], bool]) -> bool:
         """Whether something happened before the process ended."""
@@ -56,12 +84,16 @@ class Process:
         self.wait_for(lambda: time.monotonic() >= until)
 
     def send(self, number: int) -> None:
-        self.process.send_signal(number)
+        if self.runs:
+            os.kill(self.process.pid, number)
 
     def end(self) -> int:
         """Its exit code, when it has ended by itself or by a signal (negative)."""
-        self.answer, self.said = self.process.communicate(timeout=PATIENCE)
-        return self.process.returncode
+        self.wait_for(lambda: False)
+        self.process.join()
+        self.said = self._said.read_text(encoding="utf-8", errors="replace")
+        self._said.unlink()
+        return int(self.process.exitcode)
 
 
 def states(folder: Path) -> list[str]:
