@@ -1,7 +1,7 @@
 """The command `masonry`: words from a shell to calls of the laboratory.
 
 Exit codes: 0 done, 2 something wrong with the scene or the words, 3 stopped because the numbers could no longer be
-trusted, 130 interrupted. Nothing that computes is imported before it is needed.
+trusted, 130 interrupted, 143 terminated. Nothing that computes is imported before it is needed.
 
 `masonry verify` and `masonry paper` stand on a floor above this one, `masonry sweep` in a room of its own. Their
 modules are known here by name alone, and looked up when the command is called: an entry point would do the same, but be
@@ -45,8 +45,10 @@ def parser() -> Parser:
     run.add_argument("--out", type=Path, metavar="DIR", help="folder for the results (default results/SCENE-N)")
     run.add_argument("--overwrite", action="store_true", help="replace results that are in DIR already")
     run.add_argument("--threads", type=_threads, default=1, metavar="N", help=f"threads, 1 (default) to {processors()}")
+    run.add_argument("--checkpoint-every", metavar="TIME", help="such as 10min, or never (default 5min; first after 1)")
     run.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
     run.set_defaults(action=commands.run_scene)
+    _add_resume(added)
     check = added.add_parser("check", parents=[scene], help="say what a scene will cost and what it leaves out")
     check.set_defaults(action=commands.check_scene)
     export = added.add_parser("export", parents=[scene], help="write the blocks of a scene for other programs")
@@ -63,6 +65,16 @@ def parser() -> Parser:
     doctor.add_argument("--quick", action="store_true", help="leave out the self-test, which takes ten seconds")
     doctor.set_defaults(action=commands.doctor)
     return main
+
+
+def _add_resume(added: Any) -> None:
+    """`masonry resume` and its options."""
+    words = added.add_parser("resume", help="go on with a run that was interrupted or killed")
+    words.add_argument("folder", type=Path, metavar="DIR", help="the folder of its results")
+    words.add_argument("--threads", type=_threads, metavar="N", help="threads; default: as the run was begun")
+    words.add_argument("--checkpoint-every", metavar="TIME", help="such as 10min; default: as the run was begun")
+    words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
+    words.set_defaults(action=commands.resume_run)
 
 
 def _add_import(added: Any) -> None:

@@ -1,50 +1,23 @@
 """What each command of `masonry` does, from its words to calls of the laboratory; returns the exit code."""
 
 import argparse
-from pathlib import Path
-from typing import Any
 
-from masonry.errors import SceneError, Stopped
-from masonry.painter import Painter, painter
-from masonry.shell import INTERRUPTED, OK, STOPPED, complain
+from masonry.errors import SceneError
+from masonry.shell import OK
 
 
 def run_scene(words: argparse.Namespace) -> int:
-    """`masonry run`: everything that the run got to is written, whatever ended it."""
-    with painter() as hired:
-        return _run(words, hired)
+    """`masonry run`."""
+    from masonry.running import run
+
+    return run(words)
 
 
-def _run(words: argparse.Namespace, hired: Painter | None) -> int:
-    from masonry import laboratory, scene
-    from masonry.folder import claim, scene_name
-    from masonry.progress import Progress
+def resume_run(words: argparse.Namespace) -> int:
+    """`masonry resume`."""
+    from masonry.running import resume
 
-    loaded = scene.load(words.scene, words.overrides)
-    existed = words.out is not None and words.out.exists()
-    out = claim(words.scene, words.out, overwrite=words.overwrite)
-    try:
-        if words.quiet:
-            result = laboratory.run(loaded, threads=words.threads, progress=None)
-        else:
-            with Progress(label=scene_name(words.scene)) as progress:
-                result = laboratory.run(loaded, threads=words.threads, progress=progress)
-    except BaseException as error:
-        part = error.result if isinstance(error, Stopped) else None
-        if part is None:
-            if not existed and not any(out.iterdir()):
-                out.rmdir()
-            raise
-        _save(part, out, hired)
-        return complain(f"{error}\nmasonry: the results up to there are in '{out}'", STOPPED)
-    paths = _save(result, out, hired)
-    if not words.quiet:
-        from masonry.printout import paths_text, summary_text
-
-        print(f"{paths_text(paths)}\n\n{summary_text(result.summary)}")
-    if result.summary.get("interrupted"):
-        return complain(f"interrupted; the results up to there are in '{out}'", INTERRUPTED)
-    return OK
+    return resume(words)
 
 
 def check_scene(words: argparse.Namespace) -> int:
@@ -133,11 +106,3 @@ def _group(text: str) -> tuple[str, str]:
     if not equals or not pattern or not group or "." in group or not group.isprintable():
         raise SceneError(f"--group '{text}': write PATTERN=GROUP, for example 'brick*=units'; no dot in a group")
     return pattern, group
-
-
-def _save(result: Any, out: Path, hired: Painter | None) -> dict[str, Path]:
-    try:
-        paths: dict[str, Path] = result.save(out, hired)
-        return paths
-    except OSError as error:
-        raise SceneError(f"cannot write results to '{out}': {error.strerror or error}") from None

@@ -1,11 +1,15 @@
 """The folder that a run writes to: claimed by one run only, and filled with whole files or none."""
 
+import contextlib
 import os
 import re
+import shutil
+from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
 
 from masonry.errors import SceneError
+from masonry.lock import LOCK, sole
 
 RESULTS = Path("results")
 """Where folders go that the user does not name."""
@@ -35,6 +39,35 @@ def claim(scene: str, out: Path | None = None, *, overwrite: bool = False, resul
     return folder
 
 
+@contextlib.contextmanager
+def claimed(scene: str, out: Path | None = None, *, overwrite: bool = False) -> Iterator[Path]:
+    """As `claim`, and no other process may write there for as long; a folder that was made and stays empty goes.
+
+    Raises SceneError as `claim` does, and where another process is at work in the folder.
+    """
+    existed = out is not None and out.exists()
+    if out is not None and existed and not out.is_dir():
+        raise SceneError(f"--out '{out}' is a file; results need a folder")
+    folder = claim(scene) if out is None else out
+    try:
+        with sole(folder, "runs a scene into it"):
+            yield folder if out is None else claim(scene, out, overwrite=overwrite)
+    finally:
+        if not existed:
+            with contextlib.suppress(OSError):  # it holds something
+                folder.rmdir()
+
+
+def sweep_up(folder: Path) -> None:
+    """Remove what a killed process left unfinished in a folder; for who holds its lock."""
+    for left in folder.glob(".*-unfinished-*"):
+        if left.is_dir():
+            shutil.rmtree(left, ignore_errors=True)
+        else:
+            with contextlib.suppress(OSError):
+                left.unlink()
+
+
 def _next_free(results: Path, name: str) -> Path:
     results.mkdir(parents=True, exist_ok=True)
     taken = [re.fullmatch(re.escape(name) + r"-(\d+)", entry.name) for entry in results.iterdir()]
@@ -52,7 +85,13 @@ def _named(out: Path, overwrite: bool) -> Path:
     if out.exists() and not out.is_dir():
         raise SceneError(f"--out '{out}' is a file; results need a folder")
     out.mkdir(parents=True, exist_ok=True)
-    if not overwrite and any(out.iterdir()):
+    there = {entry.name for entry in out.iterdir()} - {LOCK}
+    if not overwrite and (out / "checkpoint" / "scene.toml").is_file():
+        raise SceneError(
+            f"--out '{out}' holds a run that is not done: go on with `masonry resume {out}`, name a new folder, or add"
+            " --overwrite to begin anew"
+        )
+    if not overwrite and there:
         raise SceneError(f"--out '{out}' is not empty; name a new folder, or add --overwrite to replace its results")
     return out
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from masonry.kernels.freedom import Guided
 from masonry.model import Model
+from masonry.remember import State, attributes, put_back
 
 LITTLE = 0.1
 """xi of the local damping, eq. (3), that acts on all motion."""
@@ -33,7 +34,11 @@ class Guide:
         ]
         self.last = [place.copy() for _, _, place in self.parts]
         self.displacement = self.kinetic = 0.0
-        model.damping = Guided(0.05, LITTLE)
+        self._damp(0.05)
+
+    def _damp(self, share: float) -> None:
+        self.share = share
+        self.model.damping = Guided(share, LITTLE)
 
     def settle(self) -> None:
         """The dead loads have come to rest: what they moved is not the drive's."""
@@ -54,5 +59,19 @@ class Guide:
         self.displacement = displacement
         self.kinetic = 0.5 * inertia * speed**2
         if inertia > 1e-20:  # kg: something moves with the drive, not round-off
-            share = RATIO * np.sqrt(abs(force / displacement) / inertia) * self.model.dt
-            self.model.damping = Guided(float(np.clip(share, LEAST, MOST)), LITTLE)
+            wanted = RATIO * np.sqrt(abs(force / displacement) / inertia) * self.model.dt
+            self._damp(float(np.clip(wanted, LEAST, MOST)))
+
+    def state(self) -> State:
+        """Where all was at the end of the last increment, and the damping that followed; the field is the bodies'."""
+        return {
+            **attributes(self, ("displacement", "kinetic", "share")),
+            "last": [last.copy() for last in self.last],
+        }
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        put_back(self, ("displacement", "kinetic", "share"), state)
+        for last, saved in zip(self.last, state["last"], strict=True):
+            last[...] = saved
+        self._damp(self.share)

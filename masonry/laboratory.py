@@ -19,17 +19,21 @@ from masonry.summary import cells_text, summarise
 Progress = Callable[[int, int, str], None]
 
 
-def run(scene: Scene, threads: int = 1, progress: Progress | None = None) -> Result:
+def run(
+    scene: Scene, threads: int = 1, progress: Progress | None = None, keeper: timeloop.Keeper | None = None
+) -> Result:
     """Run a scene to its end; `progress(step, steps, note)` is called between chunks.
 
     Raises SceneError or GeometryError before anything is computed, Stopped (with `.result`, the rows up to the last
     trusted one) when the numbers can no longer be trusted. Ctrl-C ends the run; the result says so.
+
+    keeper  writes checkpoints, goes on from one, and says when to end, in place of Ctrl-C
     """
     if progress is not None:
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)
     leave_out_blas()
-    outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress)
+    outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress, keeper)
     result = result_of(assembly, outcome)
     if outcome.stopped:
         stop = Stopped(outcome.stopped)

@@ -4,6 +4,7 @@ import numpy as np
 
 from geometry import measures
 from masonry.model import Model
+from masonry.remember import State
 
 
 class Overlap:
@@ -20,3 +21,11 @@ class Overlap:
         """Opening (C,) m, negative where a contact is closed."""
         if len(opening):
             self.largest = max(self.largest, float((-opening / self.extent).max()))
+
+    def state(self) -> State:
+        """The largest closure so far."""
+        return {"largest": self.largest}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        self.largest = state["largest"]

@@ -7,6 +7,7 @@ import numpy as np
 from masonry.guide import Guide
 from masonry.loads import Controlled, Program, smooth
 from masonry.model import Model
+from masonry.remember import State, attributes, put_back
 from masonry.utilisation import utilisation
 from masonry.watch import LEAP, smallest_block
 
@@ -58,6 +59,14 @@ class FixedPace:
         """Nothing was asked, and nothing achieved."""
         return {}
 
+    def state(self) -> State:
+        """How far it is."""
+        return {"done": self.done}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        self.done = state["done"]
+
 
 STEPS = 80
 """Steps of an increment: about a period of the slowest swing of a wallette."""
@@ -89,6 +98,12 @@ FINE, BLUNT = 0.01, 0.4
 DEFORMABLE = 0.5
 """Of the accuracy: what is aimed at where units deform. In failure mode 1 the same bounds left 2.4 (affine) and 4.8 %
 (tets) of error in the dissipated energy at an accuracy of 1 %, against 0.7 % with rigid units."""
+
+REMEMBERED = (
+    *("speed", "moved", "made", "used", "target", "steps", "increments"),
+    *("most_stored", "stored", "broken", "most_force"),
+)
+"""Numbers of a paced drive that the next increment depends on."""
 
 
 class ControlledPace:
@@ -195,6 +210,23 @@ class ControlledPace:
             "mean_lag": float(lag @ way / max(way.sum(), 1e-300)),
             "largest_lag": float(lag.max()),
         }
+
+    def state(self) -> State:
+        """All that the next speed depends on."""
+        lags = np.array(self.lags).reshape(-1, 2)
+        return {
+            **attributes(self, REMEMBERED),
+            "lags": lags,
+            "settling": self.settling.state(),
+            "guide": self.guide.state(),
+        }
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        put_back(self, REMEMBERED, state)
+        self.lags = [(lag, way) for lag, way in state["lags"].tolist()]
+        self.settling.restore(state["settling"])
+        self.guide.restore(state["guide"])
 
 
 Pace = FixedPace | ControlledPace

@@ -5,6 +5,7 @@ import numpy as np
 from masonry.errors import Stopped
 from masonry.laws.snap_back import given_mode_2_energy, least_mode_2_energy
 from masonry.model import Model
+from masonry.remember import State
 
 
 class SnapBack:
@@ -38,6 +39,14 @@ class SnapBack:
             worst = int(np.argmax(lacking))
             if lacking[worst] > 0.0:
                 self._stop(step, g, span.start + worst, float(most[worst]), float(lacking[worst]))
+
+    def state(self) -> State:
+        """By number of the group: compression and share left at the last look."""
+        return {str(g): list(before) for g, before in self.before.items()}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        self.before = {g: (state[str(g)][0], state[str(g)][1]) for g, _ in self.spans}
 
     def _compression(self, span: slice) -> np.ndarray:
         """(c,) Pa of a group's contacts, from the force that acts; 0 in tension."""

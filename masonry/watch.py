@@ -10,6 +10,7 @@ from masonry.errors import Stopped
 from masonry.history import Frame
 from masonry.kinematics.tets import mean_turn
 from masonry.model import Model
+from masonry.remember import State, attributes, put_back
 from masonry.snap_back import SnapBack
 
 LEAP = 1e-2
@@ -43,6 +44,15 @@ class Watch:
             self._stop_unstable(step, kind, row, i)
         self._check_rotation(step)
         self.snap_back.check(step)
+
+    def state(self) -> State:
+        """The largest turn and work so far, and what contacts were like at the last look."""
+        return {**attributes(self, ("rotation", "work")), "snap_back": self.snap_back.state()}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        put_back(self, ("rotation", "work"), state)
+        self.snap_back.restore(state["snap_back"])
 
     def _fastest(self) -> tuple[float, str, int, int]:
         """Speed (m/s; turns and strains times the block size), kind, row and freedom of what moves fastest."""

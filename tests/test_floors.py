@@ -38,6 +38,8 @@ FLOORS = {
     "run": Floor(
         "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
         " masonry.overlap masonry.contact_stress masonry.energy masonry.history masonry.progress masonry.checkpoint"
+        " masonry.loop masonry.outcome masonry.compiled_step masonry.keeper masonry.model_state masonry.state_file"
+        " masonry.remember masonry.lock"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
         " masonry.curve_table masonry.finite masonry.printout masonry.notebook masonry.figure masonry.painter"
         " masonry.processors masonry.quick_start masonry.quantity"
@@ -55,7 +57,7 @@ FLOORS = {
         " masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.condition_marks masonry.mark_drawing"
-        " masonry.summary masonry.laboratory masonry.sweep",
+        " masonry.summary masonry.laboratory masonry.running masonry.asked masonry.origin masonry.sweep",
         sees="scene run model equations errors geometry",
     ),
     "verification": Floor("verification", sees="verification scene run model equations errors geometry"),

@@ -15,7 +15,7 @@ from typing import Any
 from masonry.errors import SceneError
 from masonry.processors import processors
 from masonry.shell import INTERRUPTED, OK, Parser
-from masonry.sweep.folder import COPY, folder_for
+from masonry.sweep.folder import COPY, DOING, folder_for
 from masonry.sweep.read import Sweep, read
 
 TERMINATED = 143
@@ -61,12 +61,12 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any, tell: Any) -> int:
     from masonry.folder import WholeFiles
+    from masonry.lock import sole
     from masonry.sweep.engine import run_alone
     from masonry.sweep.picture import PICTURE, draw
-    from masonry.sweep.store import sole
     from masonry.sweep.table import TABLE, table_of, write_table
 
-    with sole(folder):
+    with sole(folder, DOING):
         try:
             for stale in (TABLE, "sweep.csv", PICTURE) if words.overwrite else ():
                 (folder / stale).unlink(missing_ok=True)

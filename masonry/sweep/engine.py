@@ -8,9 +8,11 @@ from typing import Any
 
 from masonry.crew import Lost, work
 from masonry.errors import SceneError
+from masonry.lock import sole
+from masonry.sweep.folder import DOING
 from masonry.sweep.job import Job
 from masonry.sweep.names import names
-from masonry.sweep.store import Row, Store, sole
+from masonry.sweep.store import Row, Store
 from masonry.sweep.work import ERROR, Ended, compute
 from masonry.tally import Tally, Tell
 
@@ -32,14 +34,14 @@ def run(
     """
     for job in jobs:
         job.key()
-    with sole(folder):
+    with sole(folder, DOING):
         return run_alone(jobs, folder, workers, tell, scheduler)
 
 
 def run_alone(
     jobs: Sequence[Job], folder: Path, workers: int = WORKERS, tell: Tell | None = None, scheduler: str | None = None
 ) -> list[Row]:
-    """As `run`, for one who holds the folder already (`store.sole`)."""
+    """As `run`, for one who holds the folder already (`lock.sole`)."""
     store = Store(folder)
     wanted = {job.key(): job for job in jobs}
     rows = {key: row for key in wanted if (row := store.row(key)) is not None}

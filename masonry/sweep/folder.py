@@ -6,11 +6,13 @@ from typing import Any
 
 from masonry.errors import SceneError
 from masonry.folder import RESULTS, claim, scene_name
+from masonry.lock import LOCK
 from masonry.sweep.read import Sweep, read_toml
-from masonry.sweep.store import LOCK
 from masonry.sweep.table import TABLE
 
 COPY = "sweep.toml"
+DOING = "runs a sweep into it"
+"""What a second one is told."""
 MOST = 3
 
 

@@ -1,11 +1,8 @@
 """The folder that many runs leave their results in: one folder a run, named by its key, there whole or not at all."""
 
-import contextlib
-import fcntl
 import json
 import os
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -14,36 +11,6 @@ from masonry.folder import WholeFiles
 from masonry.sweep.work import OK, Ended
 
 Row = dict[str, Any]
-LOCK = ".lock"
-
-
-@contextlib.contextmanager
-def sole(folder: Path) -> Iterator[None]:
-    """Make the folder, and keep all others from it for a while. Raises SceneError where another process has it."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        handle = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT, 0o644)
-    except OSError as error:
-        raise SceneError(
-            f"cannot write results to '{folder}': {error.strerror or error}; name a folder that you may write to"
-        ) from None
-    try:
-        try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            raise SceneError(
-                f"'{folder}' is in use: process {_text(handle) or 'unknown'} runs a sweep into it; wait for its end,"
-                " or name another folder"
-            ) from None
-        os.truncate(handle, 0)
-        os.pwrite(handle, str(os.getpid()).encode(), 0)
-        yield
-    finally:
-        os.close(handle)
-
-
-def _text(handle: int) -> str:
-    return os.pread(handle, 20, 0).decode(errors="replace")
 
 
 class Store:

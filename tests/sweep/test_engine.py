@@ -5,11 +5,12 @@ import json
 import pytest
 
 from masonry.errors import SceneError
+from masonry.lock import sole
 from masonry.results import load_history
 from masonry.sweep import engine
+from masonry.sweep.folder import DOING
 from masonry.sweep.job import SHOWING, Job
 from masonry.sweep.names import names
-from masonry.sweep.store import sole
 from tests.sweep.samples import SHORT, dying, jobs, marks, mistaken, untimed
 
 FOUR = ("0.1 MPa", "0.2 MPa", "0.3 MPa", "0.4 MPa")
@@ -89,7 +90,10 @@ def test_a_wrong_scene_among_many_is_told_before_anything_is_written(tmp_path):
 
 
 def test_two_sweeps_do_not_share_a_folder(tmp_path):
-    with sole(tmp_path), pytest.raises(SceneError, match=r"is in use: process \d+ runs a sweep into it"):
+    with (
+        sole(tmp_path, DOING),
+        pytest.raises(SceneError, match=r"is in use: process \d+ runs a sweep into it"),
+    ):
         engine.run(jobs("0.1 MPa"), tmp_path)
 
 

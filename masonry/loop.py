@@ -1,0 +1,161 @@
+"""The time loop: chunks of compiled steps; between chunks the history, and the watch for instability."""
+
+import time
+from collections.abc import Callable
+from dataclasses import fields
+
+import numpy as np
+
+from masonry import energy
+from masonry.compiled_step import advance_model
+from masonry.history import UNITS, Frame
+from masonry.keeper import Keeper
+from masonry.kernels.step import reaction
+from masonry.model import Model
+from masonry.outcome import Outcome, Recording
+from masonry.overlap import Overlap
+from masonry.pace import Chunk, Pace
+from masonry.remember import State, attributes, put_back
+from masonry.watch import Watch, frame_of
+
+FOUND = ("peak_force", "displacement_at_peak", "rotation_max", "unbalanced", "overlap_max", "steps", "log")
+"""What an outcome has besides the history before the run is over."""
+REMEMBERED = ("place", "done", "frames_done", "highest_row")
+
+
+class Loop:
+    """State of one run between chunks."""
+
+    def __init__(
+        self, model: Model, pace: Pace, settle: int, recording: Recording, threads: int, outcome: Outcome
+    ) -> None:
+        self.model, self.pace, self.settle, self.recording = model, pace, settle, recording
+        self.threads, self.outcome = threads, outcome
+        self.place = 0.0
+        self.done = self.frames_done = 0
+        self.rows: list[list[float]] = []
+        self.watch = Watch(model, recording.rotation_limit)
+        self.overlap = Overlap(model)
+        self.frames: list[Frame] = []
+        self.peak_frame: Frame | None = None
+        self.highest_row = -np.inf
+        self.earlier, self.begun = 0.0, time.perf_counter()
+
+    @property
+    def seconds(self) -> float:
+        """Wall time of the run so far, that of processes before this one included."""
+        return self.earlier + time.perf_counter() - self.begun
+
+    def run(self, progress: Callable[[int, int, str], None] | None, keeper: Keeper | None) -> None:
+        if not self.rows:
+            self.take_row(0, energy.velocities(self.model))
+        while (chunk := self.pace.next()) is not None:
+            before = self.take_steps(self.done, chunk)
+            self.done += chunk.steps
+            if chunk.row:
+                self.close_row(before, progress)
+            if keeper is not None and keeper.look(self):
+                self.outcome.interrupted = True
+                return
+
+    def close_row(self, before: list[np.ndarray], progress: Callable[[int, int, str], None] | None) -> None:
+        """A row, a frame where one is due, and a word on how far the run is."""
+        now, whole = self.pace.progress()
+        frame_due = now * self.recording.frames >= (self.frames_done + 1) * whole or now == whole
+        self.frames_done = now * self.recording.frames // whole
+        self.take_row(self.done, before, frame_due)
+        self.outcome.steps = self.done
+        if progress is not None:
+            progress(now, whole, f"step {self.done}, stress {self.rows[-1][3] / 1e6:.3f} MPa")
+
+    def take_steps(self, done: int, chunk: Chunk) -> list[np.ndarray]:
+        """The steps of a chunk, and a look whether they can be trusted; returns the velocities before the last."""
+        count, gauge = chunk.steps, np.zeros(chunk.steps)
+        if count > 1:
+            advance_model(self.model, chunk, self.threads, 0, count - 1, gauge)
+        before = energy.velocities(self.model)
+        advance_model(self.model, chunk, self.threads, count - 1, 1, gauge[count - 1 :])
+        self.watch.check(done + count)
+        path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
+        self.place = float(path[-1])
+        self.find_peak(path, gauge)
+        return before
+
+    def find_peak(self, path: np.ndarray, gauge: np.ndarray) -> None:
+        """The peak is looked for at every step, not only at rows."""
+        force = gauge * self.recording.sign
+        k = int(np.argmax(force))
+        if force[k] > self.outcome.peak_force:
+            self.outcome.peak_force = float(force[k])
+            self.outcome.displacement_at_peak = abs(float(path[k]))
+
+    def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
+        model, area = self.model, self.recording.section
+        view = energy.observe(model)
+        stress, support = (
+            sum(reaction(b, f) for b, f in zip(model.bodies, freedoms, strict=True)) / area * self.recording.sign
+            for freedoms in (model.drives, model.supports)
+        )
+        terms = energy.ledger(model, view, before)
+        self.watch.check_energies(step, terms)
+        if step <= self.settle:
+            self.outcome.unbalanced = energy.unbalanced(model, before)
+        place = abs(self.place)
+        force = area * self.recording.sign
+        gauges = [gauge.read(model) for gauge in self.recording.gauges]
+        motion = [step, step * model.dt, place, stress, -support, area * stress]
+        self.rows.append([*motion, *(terms[k] for k in list(UNITS)[len(motion) :]), *gauges])
+        self.pace.look(stress * force, -support * force, view.seen, terms)
+        self.outcome.rotation_max = self.watch.rotation
+        self.overlap.look(view.seen[:, 0])
+        self.outcome.overlap_max = self.overlap.largest
+        higher = stress > self.highest_row and step > 0
+        if frame_due or higher:
+            frame = frame_of(model, view, step, place, self.watch.nearest)
+            if frame_due:
+                self.frames.append(frame)
+            if higher:
+                self.peak_frame, self.highest_row = frame, stress
+
+    def finish(self) -> None:
+        """Columns from rows; the frame at the peak among the others, oldest first."""
+        columns = [*UNITS, *(gauge.name for gauge in self.recording.gauges)]
+        table = np.array(self.rows).reshape(-1, len(columns))
+        self.outcome.history.rows = {key: table[:, i].copy() for i, key in enumerate(columns)}
+        frames = {frame.step: frame for frame in self.frames}
+        if self.peak_frame is not None:
+            frames[self.peak_frame.step] = self.peak_frame
+        self.outcome.control = self.pace.report()
+        self.outcome.history.frames = [frames[step] for step in sorted(frames)]
+
+    def state(self) -> State:
+        """All that the run remembers between two chunks, but for the model."""
+        peak = self.peak_frame
+        return {
+            **attributes(self, REMEMBERED),
+            "seconds": self.seconds,
+            "rows": np.array(self.rows),
+            "frames": [_kept(frame) for frame in self.frames],
+            "peak_frame": None if peak is None else _kept(peak),
+            "found": attributes(self.outcome, FOUND),
+            "pace": self.pace.state(),
+            "watch": self.watch.state(),
+            "overlap": self.overlap.state(),
+        }
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        peak = state["peak_frame"]
+        put_back(self, REMEMBERED, state)
+        put_back(self.outcome, FOUND, state["found"])
+        self.earlier = state["seconds"]
+        self.rows = state["rows"].tolist()
+        self.frames = [Frame(**frame) for frame in state["frames"]]
+        self.peak_frame = None if peak is None else Frame(**peak)
+        self.pace.restore(state["pace"])
+        self.watch.restore(state["watch"])
+        self.overlap.restore(state["overlap"])
+
+
+def _kept(frame: Frame) -> State:
+    return {entry.name: getattr(frame, entry.name) for entry in fields(frame)}

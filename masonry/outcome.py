@@ -1,0 +1,41 @@
+"""What is recorded of a run, and what comes of it."""
+
+from dataclasses import dataclass, field
+
+from masonry.gauges import Gauge
+from masonry.history import History
+
+
+@dataclass
+class Outcome:
+    """What the loop found besides the rows: the peak seen at any step, the largest rotation, the times, the force
+    that was still unbalanced when the dead loads had settled, over the dead loads, and how far a contact closed, over
+    the extent of its thinner block.
+    """
+
+    history: History
+    peak_force: float = 0.0
+    displacement_at_peak: float = 0.0
+    seconds_run: float = 0.0
+    seconds_compile: float = 0.0
+    rotation_max: float = 0.0
+    unbalanced: float = 0.0
+    overlap_max: float = 0.0
+    steps: int = 0
+    interrupted: bool = False
+    stopped: str = ""
+    control: dict[str, float] = field(default_factory=dict)
+    log: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Recording:
+    """How forces become stresses (section, m2; sign of the drive), how often to look, which gauges to read then,
+    and how many frames to keep, about."""
+
+    section: float
+    sign: float = 1.0
+    rows: int = 1000
+    rotation_limit: float = 0.02
+    gauges: tuple[Gauge, ...] = ()
+    frames: int = 24

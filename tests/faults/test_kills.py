@@ -1,0 +1,86 @@
+"""Killed, a run loses nothing that was written: it goes on from there, to the same bits."""
+
+import random
+import signal
+
+import pytest
+
+from tests.faults.samples import half_done, resume, run
+from verification.faults.compare import differences
+from verification.faults.kills import MOMENTS, kill_and_resume, leave_alone
+from verification.faults.process import Process
+from verification.faults.trials import TRIALS
+
+
+def test_a_run_killed_at_any_moment_goes_on_to_the_same_bits(tmp_path):
+    trial = TRIALS[0]
+    left_alone = leave_alone(trial, tmp_path / "alone")
+    for number, moment in enumerate(MOMENTS):
+        killed = kill_and_resume(trial, left_alone, tmp_path / f"{number}", moment, random.Random(number))
+        assert not killed.differs, f"killed at {moment}, found {killed.found}"
+
+
+@pytest.mark.slow
+def test_of_a_hundred_runs_killed_at_random_moments_all_go_on_to_the_same_bits(capsys, monkeypatch):
+    from verification.faults.__main__ import main
+
+    monkeypatch.setattr("sys.argv", ["faults", "--kills", "100"])
+    assert main() == 0, capsys.readouterr().out
+
+
+def test_a_run_that_dies_again_and_again_still_comes_to_the_same_bits(alone, tmp_path, monkeypatch):
+    half_done(tmp_path / "out", monkeypatch)
+    for _ in range(2):
+        process = Process(["resume", "out", "--checkpoint-every", "1e-6 s"], tmp_path)
+        process.wait_for(lambda: bool(list((tmp_path / "out").glob(".lock"))))
+        process.sleep(0.3)
+        process.send(signal.SIGKILL)
+        process.end()
+    assert resume(tmp_path / "out") == 0
+    assert differences(alone, tmp_path / "out") == []
+
+
+def test_a_run_killed_before_its_first_checkpoint_begins_anew_by_resume(alone, tmp_path, monkeypatch, capsys):
+    kept = half_done(tmp_path / "out", monkeypatch)
+    for _, path in kept.states():
+        path.unlink()
+    assert resume(tmp_path / "out") == 0
+    assert differences(alone, tmp_path / "out") == []
+
+
+def test_a_run_that_is_done_leaves_results_only_and_says_so_when_resumed(tmp_path, capsys):
+    assert run(tmp_path / "out") == 0
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert "summary.json" in names and not {"checkpoint", ".lock"} & names
+    assert resume(tmp_path / "out") == 0
+    assert capsys.readouterr().out == f"the run in '{tmp_path / 'out'}' is finished\n"
+
+
+def test_a_run_stopped_as_unsound_cannot_be_resumed_and_says_why(tmp_path, capsys):
+    too_large = ["--set", "solver.masses=real", "--set", "solver.time_step=1e-3 s"]
+    assert run(tmp_path / "out", *too_large) == 3
+    capsys.readouterr()
+    assert resume(tmp_path / "out") == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and "stopped for good" in said and "unstable at step" in said
+
+
+def test_a_new_run_never_takes_the_place_of_one_that_is_not_done_without_a_word(tmp_path, monkeypatch, capsys):
+    half_done(tmp_path / "out", monkeypatch)
+    assert run(tmp_path / "out") == 2
+    assert "masonry resume" in capsys.readouterr().err
+    assert run(tmp_path / "out", "--overwrite") == 0
+    assert not (tmp_path / "out" / "checkpoint").exists()
+
+
+@pytest.mark.parametrize("there", ["nothing", "a file", "other files", "a broken summary"])
+def test_what_is_no_run_gives_one_message_and_exit_code_2(there, tmp_path, capsys):
+    folder = tmp_path / "out"
+    if there == "a file":
+        folder.touch()
+    elif there != "nothing":
+        folder.mkdir()
+        (folder / "summary.json").write_text("[1" if there == "a broken summary" else "[]")
+    assert resume(folder) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("masonry: ") and said.count("\n") == 1

@@ -1,0 +1,87 @@
+"""A run in pieces is the run in one: every row, frame and number of the summary, to the bit."""
+
+from dataclasses import fields
+from itertools import cycle
+from math import inf
+from random import Random
+
+import pytest
+
+from masonry import laboratory, model_state
+from masonry.assembly import assemble
+from masonry.checkpoint import Checkpoints
+from masonry.errors import SceneError
+from masonry.keeper import Keeper
+from masonry.scene import load as load_scene
+from tests.mechanics.scenes import load
+from tests.mechanics.test_loop import couplet
+
+SHORT = {"settle": 200, "displacement": "0.03 mm"}
+SCENES = {
+    "rigid, steps": lambda: load(couplet("rigid", settle=400, pace="steps = 800", displacement="0.02 mm")),
+    "tets, steps": lambda: load(couplet("tets", settle=400, pace="steps = 800", displacement="0.02 mm")),
+    "rigid, accuracy": lambda: load(couplet("rigid", **SHORT, pace='accuracy = "5 %"')),
+    "affine, accuracy": lambda: load(couplet("affine", **SHORT, pace='accuracy = "5 %"')),
+    "tets, accuracy": lambda: load(couplet("tets", **SHORT, pace='accuracy = "5 %"')),
+    "a wall that cracks": lambda: load_scene(
+        "wallette-mode-1", ["specimen.divisions=[4, 2]", "drive.rate=50 mm/s", "solver.rows=60"]
+    ),
+}
+
+
+def everything(result) -> dict:
+    """Bytes of all rows and frames, and the summary without seconds."""
+    frames = [[getattr(frame, entry.name) for entry in fields(frame)] for frame in result.history.frames]
+    return {
+        **{name: values.tobytes() for name, values in result.history.rows.items()},
+        "frames": [[v.tobytes() if hasattr(v, "tobytes") else v for v in frame] for frame in frames],
+        "summary": {key: value for key, value in result.summary.items() if not key.startswith("seconds")},
+    }
+
+
+def after(chunks: int):
+    """Says no at first and for so many chunks of steps, then yes."""
+    answers = iter([False] * chunks)
+    return lambda: next(answers, True)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_a_run_in_pieces_on_changing_threads_has_the_bits_of_the_run_in_one(name, tmp_path):
+    scene, kept, draw = SCENES[name](), Checkpoints(tmp_path), Random(name)
+    whole = everything(laboratory.run(scene))
+    kept.begin("", {})
+    saved, pieces = None, 0
+    for threads in cycle((2, 1) if name != "a wall that cracks" else (1,)):
+        keeper = Keeper(kept, {}, inf, asked=after(draw.randint(2, 12) if pieces < 5 else 10**9))
+        keeper.saved = saved
+        result = laboratory.run(scene, threads=threads, keeper=keeper)
+        if not result.summary["interrupted"]:
+            break
+        saved, wrong = kept.newest()
+        assert not wrong and saved["run"]["done"] >= result.summary["steps"]
+        pieces += 1
+    assert pieces == 5, "it was ended as often as that"
+    assert result.log[-1].startswith("resumed at step")
+    found = everything(result)
+    assert not [key for key in whole if whole[key] != found[key]]
+
+
+@pytest.mark.parametrize("name", ["rigid, steps", "affine, accuracy", "tets, accuracy"])
+def test_what_steps_change_is_what_is_kept_and_nothing_else_in_a_model_changes(name, tmp_path):
+    assembly = assemble(SCENES[name]())
+    model = assembly.model
+    before, fixed = model_state.state(model), model_state.fingerprint(model)
+    laboratory.timeloop.run(model, assembly.plan, assembly.recording)
+    assert model_state.fingerprint(model) == fixed
+    now = model_state.state(model)
+    assert {"u", "force", "memory.0.0"} < {key for key in now if now[key].tobytes() != before[key].tobytes()}
+
+
+def test_a_checkpoint_of_another_model_is_refused(tmp_path):
+    kept = Checkpoints(tmp_path)
+    kept.begin("", {})
+    laboratory.run(SCENES["rigid, steps"](), keeper=Keeper(kept, {}, inf, asked=after(4)))
+    other = Keeper(kept, {}, inf)
+    other.saved, _ = kept.newest()
+    with pytest.raises(SceneError, match="of another model"):
+        laboratory.run(load(couplet("rigid", settle=400, pace="steps = 800", masses="real")), keeper=other)
