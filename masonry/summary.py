@@ -8,6 +8,7 @@ import numpy as np
 from geometry.cells.asked import CellReport
 from masonry import __version__
 from masonry.assembly import Assembly
+from masonry.cycles import at_peak, goes_one_way, table
 from masonry.kernels.sources import source_hash
 from masonry.loads import Controlled
 from masonry.timeloop import Outcome
@@ -31,6 +32,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     at_peak = rows["step"][settled][int(np.argmax(rows["stress"][settled]))] if settled.any() else 0
     after = settled & (rows["step"] >= min(plan.settle + plan.ramp, at_peak))
     peak = outcome.peak_force / assembly.specimen.section
+    highest = peak
+    if not goes_one_way(rows["displacement"]):
+        highest = max(peak, -outcome.lowest_force / assembly.specimen.section)
     mismatch = np.abs(rows["stress"] - rows["support_stress"])[after]
     internal = rows["elastic_blocks"] + rows["contact_work"]
     work = float(np.abs(rows["external_work"]).max())
@@ -62,8 +66,11 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "displacement_at_peak_m": outcome.displacement_at_peak,
         "final_stress_pa": float(rows["stress"][-1]),
         "peak_force_n": outcome.peak_force,
+        "lowest_stress_pa": outcome.lowest_force / assembly.specimen.section,
+        "displacement_at_lowest_m": outcome.displacement_at_lowest,
+        "cycles": table(rows, np.array(outcome.widest)),
         "gauges": _readings(assembly, outcome),
-        "reaction_mismatch_max": float(mismatch.max() / peak) if peak > 0 and after.any() else 0.0,
+        "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and after.any() else 0.0,
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / work) if work > 0 else 0.0,
@@ -87,7 +94,7 @@ def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, dict[str, float
     rows, peak = outcome.history.rows, outcome.displacement_at_peak
     return {
         gauge.name: {
-            "at_peak_m": float(np.interp(peak, rows["displacement"], rows[gauge.name])),
+            "at_peak_m": at_peak(rows, rows[gauge.name], peak),
             "final_m": float(rows[gauge.name][-1]),
         }
         for gauge in assembly.recording.gauges

@@ -19,7 +19,8 @@ from masonry.kernels.step import advance, reaction
 from masonry.loads import Controlled, Program
 from masonry.model import Model
 from masonry.overlap import Overlap
-from masonry.pace import Chunk, Pace, pace_of
+from masonry.pace import Chunk
+from masonry.paces import Pace, pace_of
 from masonry.watch import Watch, frame_of
 
 FRAMES = 24
@@ -28,19 +29,22 @@ FRAMES = 24
 
 @dataclass
 class Outcome:
-    """What the loop found besides the rows: the peak seen at any step, the largest rotation, the times, the force
-    that was still unbalanced when the dead loads had settled, over the dead loads, and how far a contact closed, over
-    the extent of its thinner block.
+    """What the loop found besides the rows: the peak seen at any step, and the lowest force; the largest rotation, the
+    times, the force that was still unbalanced when the dead loads had settled, over the dead loads, how far a contact
+    closed, over the extent of its thinner block, and the widest opening at each row (m).
     """
 
     history: History
     peak_force: float = 0.0
     displacement_at_peak: float = 0.0
+    lowest_force: float = 0.0
+    displacement_at_lowest: float = 0.0
     seconds_run: float = 0.0
     seconds_compile: float = 0.0
     rotation_max: float = 0.0
     unbalanced: float = 0.0
     overlap_max: float = 0.0
+    widest: list[float] = field(default_factory=list)
     steps: int = 0
     interrupted: bool = False
     stopped: str = ""
@@ -178,12 +182,19 @@ class _Loop:
         return before
 
     def find_peak(self, path: np.ndarray, gauge: np.ndarray) -> None:
-        """The peak is looked for at every step, not only at rows."""
+        """The peak, and the lowest force, are looked for at every step, not only at rows."""
         force = gauge * self.recording.sign
-        k = int(np.argmax(force))
+        k, low = int(np.argmax(force)), int(np.argmin(force))
         if force[k] > self.outcome.peak_force:
             self.outcome.peak_force = float(force[k])
-            self.outcome.displacement_at_peak = abs(float(path[k]))
+            self.outcome.displacement_at_peak = self.along(float(path[k]))
+        if force[low] < self.outcome.lowest_force:
+            self.outcome.lowest_force = float(force[low])
+            self.outcome.displacement_at_lowest = self.along(float(path[low]))
+
+    def along(self, place: float) -> float:
+        """A place of the drive (m) along its direction, for one along an axis."""
+        return self.recording.sign * place + 0.0
 
     def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
         model, area = self.model, self.recording.section
@@ -196,7 +207,7 @@ class _Loop:
         self.watch.check_energies(step, terms)
         if step <= self.settle:
             self.outcome.unbalanced = energy.unbalanced(model, before)
-        place = abs(self.place)
+        place = self.along(self.place)
         force = area * self.recording.sign
         gauges = [gauge.read(model) for gauge in self.recording.gauges]
         motion = [step, step * model.dt, place, stress, -support, area * stress]
@@ -204,6 +215,7 @@ class _Loop:
         self.pace.look(stress * force, -support * force, view.seen, terms)
         self.outcome.rotation_max = self.watch.rotation
         self.overlap.look(view.seen[:, 0])
+        self.outcome.widest.append(float(view.seen[:, 0].max(initial=0.0)))
         self.outcome.overlap_max = self.overlap.largest
         higher = stress > self.highest_row and step > 0
         if frame_due or higher:

@@ -31,12 +31,12 @@ FLOORS = {
     ),
     "model": Floor(
         "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays"
-        " masonry.holds masonry.step_cost masonry.draws masonry.gauges",
+        " masonry.holds masonry.step_cost masonry.draws masonry.gauges masonry.cycling",
         sees="model equations errors geometry",
         packages="numpy numba llvmlite",
     ),
     "run": Floor(
-        "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
+        "masonry.timeloop masonry.pace masonry.paces masonry.cyclic_pace masonry.varying_loads masonry.cycles masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
         " masonry.overlap masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
         " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation",
@@ -45,7 +45,7 @@ FLOORS = {
     "scene": Floor(
         "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.printout"
         " masonry.quantity masonry.scene*"
-        " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
+        " masonry.assembly masonry.plan masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
         " masonry.size_guard masonry.block_files masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.solid_view masonry.condition_marks masonry.mark_drawing"
