@@ -1,5 +1,6 @@
 """A drive that turns back, paced by its error: one leg after the other, at rest at each turn."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -7,10 +8,14 @@ import numpy as np
 from masonry.cycling import Cyclic
 from masonry.loads import Controlled, smooth
 from masonry.model import Model
-from masonry.pace import COARSEST, FINEST, FIRST, STEPS, Chunk, ControlledPace
+from masonry.pace import COARSEST, FEW, FINEST, FIRST, STEPS, Chunk, ControlledPace
 
 RESTART = 0.25
 """Speed after a turn over the speed at which the drive came to it."""
+BRAKE = 0.2
+"""Least change of the speed from one increment to the next: contacts that close make a soft specimen stiff at once."""
+CURVED = 100
+"""Increments of a leg, at least, where all that moves is prescribed: they are cheap, and show the corners."""
 STATE = (
     *("goal", "sign", "target", "steps", "speed", "moved", "made", "used", "most_stored", "stored", "broken"),
     *("most_force", "increments", "slowest", "leg", "passed", "most_work", "farthest", "cruise", "place", "force"),
@@ -25,7 +30,7 @@ class CyclicPace(ControlledPace):
     back, the force may pass through zero, and the drive through its start.
     """
 
-    slower = 0.2
+    slower = BRAKE
 
     def __init__(self, model: Model, plan: Cyclic, rows: int) -> None:
         super().__init__(model, Controlled(plan.dead_load, plan.turns[0], plan.accuracy), rows)
@@ -55,7 +60,7 @@ class CyclicPace(ControlledPace):
         speed[1:] *= (left - first) / (whole - first)
         chunk = self.made_of(speed)
         self.moved = self.goal
-        return chunk
+        return replace(chunk, place=self.turns[self.leg])
 
     def made_of(self, speed: np.ndarray) -> Chunk:
         """Book an increment of these speeds (n + 1,) m/s along the leg."""
@@ -84,6 +89,8 @@ class CyclicPace(ControlledPace):
         if self.increments == 0:
             self.force = force
         super().look(force, support, seen, {**terms, "external_work": self.most_work})
+        if self.steps == FEW:
+            self.target = min(self.target, self.goal / (CURVED * self.steps * self.dt))
 
     def learn(self, force: float) -> None:
         """The stiffness of the last increment: that of all the way may be anything, as both ends pass through zero."""

@@ -177,7 +177,7 @@ class _Loop:
         advance_model(self.model, chunk, self.threads, count - 1, 1, gauge[count - 1 :])
         self.watch.check(done + count)
         path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
-        self.place = float(path[-1])
+        self.place = float(path[-1]) if chunk.place is None else chunk.place
         self.find_peak(path, gauge)
         return before
 

@@ -39,7 +39,7 @@ FLOORS = {
         "masonry.timeloop masonry.pace masonry.paces masonry.cyclic_pace masonry.varying_loads masonry.cycles masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
         " masonry.overlap masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
-        " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation",
+        " masonry.plot masonry.hysteresis masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation",
         sees="run model equations errors geometry",
     ),
     "scene": Floor(
