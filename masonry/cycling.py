@@ -54,11 +54,13 @@ def passage(turns: tuple[float, ...], steps: int) -> np.ndarray:
     ways = np.abs(np.diff(stops))
     at = np.round(np.concatenate([[0.0], np.cumsum(ways)]) / ways.sum() * (steps - 1))
     if np.any(np.diff(at) < 1.0):
-        raise SceneError(f"drive: {steps} steps are too few for {len(turns)} turning points; give more, or a lower rate")
+        raise SceneError(
+            f"drive: {steps} steps are too few for {len(turns)} turning points; give more, or a lower rate"
+        )
     k = np.arange(steps)
     leg = np.minimum(np.searchsorted(at, k, side="right"), len(ways)) - 1
     share = smooth((k - at[leg]) / (at[leg + 1] - at[leg]))
-    places: np.ndarray = stops[leg] + share * (stops[leg + 1] - stops[leg])
+    places: np.ndarray = (1.0 - share) * stops[leg] + share * stops[leg + 1]
     return places
 
 

@@ -36,16 +36,19 @@ FLOORS = {
         packages="numpy numba llvmlite",
     ),
     "run": Floor(
-        "masonry.timeloop masonry.pace masonry.paces masonry.cyclic_pace masonry.varying_loads masonry.cycles masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
+        "masonry.timeloop masonry.pace masonry.paces masonry.cyclic_pace masonry.varying_loads masonry.cycles"
+        " masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
         " masonry.overlap masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
-        " masonry.plot masonry.hysteresis masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation",
+        " masonry.plot masonry.hysteresis masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks"
+        " masonry.deformation",
         sees="run model equations errors geometry",
     ),
     "scene": Floor(
         "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.printout"
         " masonry.quantity masonry.scene*"
-        " masonry.assembly masonry.plan masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
+        " masonry.assembly masonry.plan masonry.scatter masonry.specimens masonry.conditions masonry.held"
+        " masonry.gauge_places"
         " masonry.size_guard masonry.block_files masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.solid_view masonry.condition_marks masonry.mark_drawing"

@@ -41,7 +41,7 @@ def triangle(x: Values) -> Values:
     return 1.0 - 2.0 * np.abs((x / np.pi + 0.5) % 2.0 - 1.0)
 
 
-FUNCTIONS = {"sin": np.sin, "cos": np.cos, "ramp": ramp, "triangle": triangle}
+FUNCTIONS: dict[str, Callable[[Values], Values]] = {"sin": np.sin, "cos": np.cos, "ramp": ramp, "triangle": triangle}
 NAMES = {"t": Term((0, 1), lambda t: t), "pi": Term((0, 0), lambda t: np.full_like(t, np.pi))}
 
 

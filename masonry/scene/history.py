@@ -61,9 +61,10 @@ class Timed:
 
 def read(value: Any, kind: str) -> Any:
     """What a file gives as a history of lengths ("length") or shares ("number"), checked: text, or tuples in SI."""
-    if value is None or (isinstance(value, str) and not expression.read(value, kind)):
+    if value is None:
         return value
     if isinstance(value, str):
+        expression.read(value, kind)
         return value.strip()
     if not isinstance(value, (list, tuple)) or not value:
         raise ValueError(f"must be {FORMS[kind]}")
@@ -76,7 +77,9 @@ def read(value: Any, kind: str) -> Any:
     places = tuple(convert(point, "length", f"point {k}", FARTHEST["length"]) for k, point in enumerate(value))
     for k, (before, after) in enumerate(zip((0.0, *places), places, strict=False)):
         if before == after:
-            raise ValueError(f"point {k}, {value[k]!r}, makes no way: it must differ from the one before (0 at the start)")
+            raise ValueError(
+                f"point {k}, {value[k]!r}, makes no way: it must differ from the one before (0 at the start)"
+            )
     return places
 
 
