@@ -70,6 +70,7 @@ def marks(scene: Scene, specimen: Specimen, joints: Joints) -> list[Mark]:
         parts = [(a, s) for a, s in enumerate(traction.stress) if s != 0.0]
         value = ", ".join(f"{AXES[a]} {s * 1e-6:.4g} MPa" for a, s in parts)
         arrows = [_push_or_pull(specimen, blocks, faces, np.sign(s) * np.eye(3)[a], True) for a, s in parts]
+        value += "" if traction.history is None else ", times its history"
         words = f"traction {k}: {traction.on}, {value or 'none'}"
         found.append(Mark("traction", words, blocks, faces, [], arrows=arrows, value=value))
     return found

@@ -16,11 +16,12 @@ BRAKE = 0.2
 """Least change of the speed from one increment to the next: contacts that close make a soft specimen stiff at once."""
 CURVED = 100
 """Increments of a leg, at least, where all that moves is prescribed: they are cheap, and show the corners."""
-STATE = (
-    *("goal", "sign", "target", "steps", "speed", "moved", "made", "used", "most_stored", "stored", "broken"),
-    *("most_force", "increments", "slowest", "leg", "passed", "most_work", "farthest", "cruise", "place", "force"),
+ONE_WAY = (
+    *("target", "steps", "speed", "moved", "made", "used"),
+    *("most_stored", "stored", "broken", "most_force", "increments"),
 )
-"""What changes from increment to increment: numbers."""
+LEG = ("goal", "sign", "slowest", "leg", "passed", "most_work", "farthest", "cruise", "place", "force")
+"""What changes from increment to increment: numbers of any paced drive, and those of one that turns back."""
 
 
 class CyclicPace(ControlledPace):
@@ -80,7 +81,7 @@ class CyclicPace(ControlledPace):
         self.goal, self.sign, self.moved = abs(end - begin), -1.0 if end < begin else 1.0, 0.0
         whole = self.goal / (self.steps * self.dt)
         self.slowest = self.goal / (STEPS * self.dt) / FINEST
-        self.target = float(np.clip(RESTART * self.cruise, whole * FIRST, whole / COARSEST))
+        self.target = float(np.clip(RESTART * self.cruise, whole * FIRST, min(whole / COARSEST, self.leap)))
         return True
 
     def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
@@ -115,10 +116,14 @@ class CyclicPace(ControlledPace):
 
     def state(self) -> dict[str, Any]:
         """All that it remembers, as plain numbers."""
-        return {**{name: getattr(self, name) for name in STATE}, "settled": self.settling.done, "lags": self.lags}
+        return {
+            **{name: getattr(self, name) for name in (*ONE_WAY, *LEG)},
+            "settled": self.settling.done,
+            "lags": self.lags,
+        }
 
     def restore(self, state: dict[str, Any]) -> None:
         """Go on from a state."""
-        for name in STATE:
+        for name in (*ONE_WAY, *LEG):
             setattr(self, name, state[name])
         self.settling.done, self.lags = int(state["settled"]), [(lag, way) for lag, way in state["lags"]]

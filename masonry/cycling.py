@@ -23,9 +23,8 @@ class Cyclic(Controlled):
 
     @property
     def steps(self) -> int:
-        """About how many there will be."""
-        each = super().steps - self.settle
-        return self.settle + len(self.turns) * each
+        """About how many there will be: what a wall took, leg by leg."""
+        return self.settle + len(self.turns) * (2000 + round(30 / self.accuracy))
 
 
 def cyclic(settle: int, turns: tuple[float, ...], accuracy: float) -> Cyclic:

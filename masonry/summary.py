@@ -32,11 +32,13 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     at_peak = rows["step"][settled][int(np.argmax(rows["stress"][settled]))] if settled.any() else 0
     after = settled & (rows["step"] >= min(plan.settle + plan.ramp, at_peak))
     peak = outcome.peak_force / assembly.specimen.section
-    highest = peak
-    if not goes_one_way(rows["displacement"]):
-        highest = max(peak, -outcome.lowest_force / assembly.specimen.section)
     mismatch = np.abs(rows["stress"] - rows["support_stress"])[after]
-    internal = rows["elastic_blocks"] + rows["contact_work"]
+    internal, highest = rows["elastic_blocks"] + rows["contact_work"], peak
+    if not goes_one_way(rows["displacement"]):  # on the way back work comes back, and the force may be negative
+        internal, highest = (
+            np.maximum.accumulate(internal),
+            max(peak, -outcome.lowest_force / assembly.specimen.section),
+        )
     work = float(np.abs(rows["external_work"]).max())
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
     ratio = rows["kinetic"][dynamic] / np.maximum(internal[dynamic], max(1e-6 * work, 1e-300))
