@@ -58,6 +58,7 @@ def bodies_of(
     common = {}
     for kind in KINDS:
         held, load = conditions.prescribed[kind], conditions.load[kind]
+        varies = any(varying[kind] is not None for varying in conditions.varying)
         zeros = [in_rows(np.zeros(held.shape)) for _ in range(3)]
         pace = in_rows(np.where(held, 0.0, dt / np.where(masses[kind] > 0, masses[kind], np.inf)))
         start, code, _ = ordered[kind]
@@ -67,7 +68,8 @@ def bodies_of(
                 "pace": pace,
                 "start": start,
                 "code": code,
-                "load": None if load is None else in_rows(load),
+                "load": in_rows(np.zeros(held.shape) if load is None else load) if varies or load is not None else None,
+                "change": in_rows(np.zeros(held.shape)) if varies else None,
                 "guess": in_rows(np.zeros(held.shape)) if guided else None,
                 "work": np.zeros((len(layout.members[kind]), 3)),
             },

@@ -1,6 +1,6 @@
 """From a scene to a model: specimen, joints, mesh, laws, conditions, and the program of loading."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from masonry.gauge_places import gauges_of
 from masonry.guide import LITTLE
 from masonry.held import require_held
 from masonry.laws import build as law_build
+from masonry.plan import plan_of
 from masonry.scatter import Drawn, draw, laws_of
 from masonry.scene import Scene
 from masonry.size_guard import require_sane_size
@@ -56,6 +57,8 @@ def assemble(scene: Scene) -> Assembly:
     layout = lay_out(blocks, kinds, mesh)
     conditions = conditions_of(scene, specimen, layout, joints, materials)
     require_held(specimen, joints, layout, conditions, loaded=bool(scene.traction) or scene.gravity is not None)
+    for varying in conditions.varying:
+        require_held(specimen, joints, layout, replace(conditions, load=varying), loaded=True)
     compressions = sorted({0.0, scene.confinement or 0.0})
     laws = {name: law_build.build(name, scene.contact[name].properties(), compressions) for name in names}
     drawn = _draws(scene, blocks, joints, names, group)
@@ -69,7 +72,7 @@ def assemble(scene: Scene) -> Assembly:
             'solver.time_step = "equation-11" needs solver.masses = "real": scaled masses have one bound of their own'
         )
     built = model.build(blocks, joints, materials, laws, stepping, conditions, layout)
-    plan = _plan(scene, built.dt)
+    plan = plan_of(scene, built.dt)
     sign = scene.drive.sign if scene.drive else 1.0
     gauges = gauges_of(scene, specimen, joints, layout)
     recording = Recording(specimen.section, sign, s.rows, s.rotation_limit, gauges, s.frames)
@@ -150,13 +153,3 @@ def _require_contact_groups(scene: Scene, specimen: Specimen, joints: Joints) ->
     for name in scene.contact:
         if name not in possible:
             raise SceneError(f"[contact.{name}]: no such contacts in this specimen; {nearest(name, possible)}")
-
-
-def _plan(scene: Scene, dt: float) -> loads.Program | loads.Controlled:
-    settle = scene.settle.steps if scene.settle else 0
-    if scene.drive is None:
-        return loads.program(dt, settle, 0.0, None, None, 0.0)
-    d = scene.drive
-    if d.accuracy is not None:
-        return loads.controlled(settle, d.sign * d.displacement, d.accuracy)
-    return loads.program(dt, settle, d.sign * d.displacement, d.steps, d.rate, d.ramp)

@@ -60,7 +60,7 @@ def marks(scene: Scene, specimen: Specimen, joints: Joints) -> list[Mark]:
     if scene.drive is not None:
         drive = scene.drive
         blocks, faces = _selected(specimen, joints, drive.on, "drive.on")
-        value = f"{drive.displacement * 1e3:.4g} mm"
+        value = f"{drive.farthest * 1e3:.4g} mm" + ("" if drive.history is None else " at most, back and forth")
         way = drive.sign * np.eye(3)[drive.axis]
         arrows = [_push_or_pull(specimen, part, faces, way) for part in parts_of(joints, blocks, faces)]
         words = f"drive: {drive.on}, {value} along {drive.direction}"
@@ -70,6 +70,7 @@ def marks(scene: Scene, specimen: Specimen, joints: Joints) -> list[Mark]:
         parts = [(a, s) for a, s in enumerate(traction.stress) if s != 0.0]
         value = ", ".join(f"{AXES[a]} {s * 1e-6:.4g} MPa" for a, s in parts)
         arrows = [_push_or_pull(specimen, blocks, faces, np.sign(s) * np.eye(3)[a], True) for a, s in parts]
+        value += "" if traction.history is None else ", times its history"
         words = f"traction {k}: {traction.on}, {value or 'none'}"
         found.append(Mark("traction", words, blocks, faces, [], arrows=arrows, value=value))
     return found

@@ -43,7 +43,12 @@ def conditions_of(
         _, faces = select(specimen, joints, traction.on, where)
         if faces is None:
             raise SceneError(f"{where} = '{traction.on}': a traction acts on a face, for example '{traction.on}.z+'")
-        loads.add_traction(blocks, layout, conditions.load, loads.Push(faces, np.array(traction.stress)))
+        push, path = loads.Push(faces, np.array(traction.stress)), traction.path
+        if path is None:
+            loads.add_traction(blocks, layout, conditions.load, push)
+        else:
+            conditions.varying.append(dict.fromkeys(KINDS))
+            loads.add_traction(blocks, layout, conditions.varying[-1], push)
     if scene.gravity is not None:
         density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
         loads.add_gravity(layout, conditions.load, density, np.array(scene.gravity))

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from masonry.cycles import at_peak
+
 if TYPE_CHECKING:
     from masonry.results import Result
 
@@ -25,7 +27,7 @@ class CurveAxes:
 
     def place(self, rows: dict[str, np.ndarray], displacement: float) -> float:
         """Where a displacement (m) of the drive lies across."""
-        return float(np.interp(displacement, rows["displacement"], self.across))
+        return at_peak(rows, self.across, displacement)
 
 
 def curve_axes(result: "Result") -> CurveAxes:

@@ -45,8 +45,11 @@ class Guide:
         for (_, _, place), last in zip(self.parts, self.last, strict=True):
             last[...] = place
 
-    def learn(self, displacement: float, speed: float, force: float) -> None:
-        """The drive has come to `displacement` (m, signed), moves at `speed` (m/s) and exerts `force` (N)."""
+    def learn(self, displacement: float, speed: float, force: float, stiffness: float | None = None) -> None:
+        """The drive has come to `displacement` (m, signed), moves at `speed` (m/s) and exerts `force` (N).
+
+        stiffness  N/m, where it is not the force over the displacement
+        """
         rest = sum(float(np.sum(m * (body.v - speed * body.guess) ** 2)) for body, m, _ in self.parts)
         foreseen = sum(float(np.sum(m * (speed * body.guess) ** 2)) for body, m, _ in self.parts)
         trust = foreseen / (foreseen + rest) if foreseen > 0.0 else 1.0
@@ -59,7 +62,8 @@ class Guide:
         self.displacement = displacement
         self.kinetic = 0.5 * inertia * speed**2
         if inertia > 1e-20:  # kg: something moves with the drive, not round-off
-            wanted = RATIO * np.sqrt(abs(force / displacement) / inertia) * self.model.dt
+            secant = abs(force / displacement) if stiffness is None else stiffness
+            wanted = RATIO * np.sqrt(secant / inertia) * self.model.dt
             self._damp(float(np.clip(wanted, LEAST, MOST)))
 
     def state(self) -> State:

@@ -115,6 +115,8 @@ def left_out(assembly: Assembly) -> list[str]:
             out.append(f"{kind}: no such loops, no such freedoms")
     if all(body is None or body.load is None for body in m.bodies):
         out.append("dead loads (gravity, traction): no load arrays, no work of theirs")
+    elif not m.varying:
+        out.append("loads that vary: dead loads stay as they are")
     if m.damping is None:
         out.append("damping")
     if all(drive is None for drive in m.drives):

@@ -23,7 +23,8 @@ class Push:
 @dataclass
 class Conditions:
     """Per kind: masks of what supports and drive prescribe, dead loads (None where there are none); flat indices of the
-    driven freedoms and of those that support against the drive; masks of what supports alone hold.
+    driven freedoms and of those that support against the drive; masks of what supports alone hold; loads of tractions
+    that vary, one entry each, by kind, at a share of 1.
     """
 
     prescribed: dict[str, np.ndarray]
@@ -31,6 +32,7 @@ class Conditions:
     driven: dict[str, np.ndarray | None] = field(default_factory=dict)
     support: dict[str, np.ndarray | None] = field(default_factory=dict)
     supported: dict[str, np.ndarray] = field(default_factory=dict)
+    varying: list[dict[str, np.ndarray | None]] = field(default_factory=list)
 
 
 def no_conditions(layout: Layout) -> Conditions:
@@ -100,12 +102,14 @@ class Program:
     """What happens at each step 0..n: share of the dead load, velocity of the drive (m/s) after the step.
 
     settle  steps before the drive starts     ramp  steps over which the drive's velocity rises
+    varying (H, n + 1) share of each load that varies, at each step; None without any
     """
 
     dead_load: np.ndarray
     speed: np.ndarray
     settle: int
     ramp: int
+    varying: np.ndarray | None = None
 
     @property
     def steps(self) -> int:
@@ -137,11 +141,21 @@ class Controlled:
 
 def controlled(settle: int, displacement: float, accuracy: float) -> Controlled:
     """Dead loads rise over the first half of `settle`; then the drive makes `displacement` to an accuracy."""
-    return Controlled(_rise(settle, settle), displacement, accuracy)
+    return Controlled(rise(settle, settle), displacement, accuracy)
 
 
-def _rise(settle: int, steps: int) -> np.ndarray:
+def rise(settle: int, steps: int) -> np.ndarray:
+    """Share of the dead loads at each step 0..n: they rise over the first half of `settle`, if there is one."""
     return smooth(np.arange(steps + 1) / (0.5 * settle)) if settle else np.zeros(steps + 1)
+
+
+def require_few(steps: float, dt: float) -> None:
+    """SceneError where a program would take more steps than anybody waits for."""
+    if steps > MOST_STEPS:
+        raise SceneError(
+            f"drive: this would take {steps:.2g} steps of {dt:.3g} s; at most {MOST_STEPS:.0e} are allowed: "
+            "raise drive.rate, or give drive.steps"
+        )
 
 
 def program(dt: float, settle: int, displacement: float, steps: int | None, rate: float | None, ramp: float) -> Program:
@@ -158,15 +172,11 @@ def program(dt: float, settle: int, displacement: float, steps: int | None, rate
         count = max(1, ceil(min(abs(displacement) / (rate * dt * (1.0 - 0.5 * ramp)), 1e18)))
     if count and settle == 0:
         count = max(count, 2)  # the first step starts at rest and cannot move anything
-    if settle + count > MOST_STEPS:
-        raise SceneError(
-            f"drive: this would take {settle + count:.2g} steps of {dt:.3g} s; at most {MOST_STEPS:.0e} are allowed: "
-            "raise drive.rate, or give drive.steps"
-        )
+    require_few(settle + count, dt)
     k = np.arange(settle + count + 1)
     shape: np.ndarray = np.where(
         k < settle, 0.0, smooth((k - settle + 0.5) / (ramp * count)) if ramp * count > 0 else 1.0
     )
     shape[[0, -1]] = 0.0  # the first step starts at rest; what is set after the last step moves nothing
     speed = shape * (displacement / (dt * shape.sum())) if count else np.zeros(len(k))
-    return Program(_rise(settle, settle + count), speed, settle, int(np.ceil(ramp * count)))
+    return Program(rise(settle, settle + count), speed, settle, int(np.ceil(ramp * count)))

@@ -14,11 +14,15 @@ from masonry.kernels.step import reaction
 from masonry.model import Model
 from masonry.outcome import Outcome, Recording
 from masonry.overlap import Overlap
-from masonry.pace import Chunk, Pace
+from masonry.pace import Chunk
+from masonry.paces import Pace
 from masonry.remember import State, attributes, put_back
 from masonry.watch import Watch, frame_of
 
-FOUND = ("peak_force", "displacement_at_peak", "rotation_max", "unbalanced", "overlap_max", "steps", "log")
+FOUND = (
+    *("peak_force", "displacement_at_peak", "lowest_force", "displacement_at_lowest", "widest"),
+    *("rotation_max", "unbalanced", "overlap_max", "steps", "log"),
+)
 """What an outcome has besides the history before the run is over."""
 REMEMBERED = ("place", "done", "frames_done", "highest_row")
 
@@ -77,17 +81,24 @@ class Loop:
         advance_model(self.model, chunk, self.threads, count - 1, 1, gauge[count - 1 :])
         self.watch.check(done + count)
         path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
-        self.place = float(path[-1])
+        self.place = float(path[-1]) if chunk.place is None else chunk.place
         self.find_peak(path, gauge)
         return before
 
     def find_peak(self, path: np.ndarray, gauge: np.ndarray) -> None:
-        """The peak is looked for at every step, not only at rows."""
+        """The peak, and the lowest force, are looked for at every step, not only at rows."""
         force = gauge * self.recording.sign
-        k = int(np.argmax(force))
+        k, low = int(np.argmax(force)), int(np.argmin(force))
         if force[k] > self.outcome.peak_force:
             self.outcome.peak_force = float(force[k])
-            self.outcome.displacement_at_peak = abs(float(path[k]))
+            self.outcome.displacement_at_peak = self.along(float(path[k]))
+        if force[low] < self.outcome.lowest_force:
+            self.outcome.lowest_force = float(force[low])
+            self.outcome.displacement_at_lowest = self.along(float(path[low]))
+
+    def along(self, place: float) -> float:
+        """A place of the drive (m) along its direction, for one along an axis."""
+        return self.recording.sign * place + 0.0
 
     def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
         model, area = self.model, self.recording.section
@@ -100,7 +111,7 @@ class Loop:
         self.watch.check_energies(step, terms)
         if step <= self.settle:
             self.outcome.unbalanced = energy.unbalanced(model, before)
-        place = abs(self.place)
+        place = self.along(self.place)
         force = area * self.recording.sign
         gauges = [gauge.read(model) for gauge in self.recording.gauges]
         motion = [step, step * model.dt, place, stress, -support, area * stress]
@@ -108,6 +119,7 @@ class Loop:
         self.pace.look(stress * force, -support * force, view.seen, terms)
         self.outcome.rotation_max = self.watch.rotation
         self.overlap.look(view.seen[:, 0])
+        self.outcome.widest.append(float(view.seen[:, 0].max(initial=0.0)))
         self.outcome.overlap_max = self.overlap.largest
         higher = stress > self.highest_row and step > 0
         if frame_due or higher:

@@ -50,6 +50,7 @@ class Model:
     bound: float
     limited_by: str
     cost: StepCost | None
+    varying: list[dict[str, np.ndarray | None]]
 
     @property
     def freedoms(self) -> int:
@@ -133,6 +134,7 @@ def build(
         bound=bound,
         limited_by=limited_by,
         cost=step_cost(layout, sums, real, free, stepping.masses == "scaled"),
+        varying=conditions.varying,
     )
 
 

@@ -10,8 +10,8 @@ from masonry.energy import present
 from masonry.model import Model
 from masonry.state_file import Damaged, add_array
 
-CHANGED = ("q", "v", "contact", "hold", "inner", "work", "guess")
-"""Arrays of the bodies that a step writes, and the expected motion, which the guide does."""
+CHANGED = ("q", "v", "contact", "hold", "inner", "work", "guess", "load", "change")
+"""Arrays of the bodies that a step writes; the expected motion, which the guide does; and loads, which may vary."""
 
 
 def changing(model: Model) -> dict[str, np.ndarray]:

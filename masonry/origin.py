@@ -16,7 +16,15 @@ SHOWING = tuple(
     for name in (
         *("__main__.py", "cli.py", "commands.py", "shell.py", "doctor.py", "installed.py", "printout.py", "import*.py"),
         *("asked.py", "running.py"),
-        *("plot.py", "curve_axes.py", "picture.py", "crack_drawing.py", "picture_frame.py", "geometry_picture.py"),
+        *(
+            "plot.py",
+            "hysteresis.py",
+            "curve_axes.py",
+            "picture.py",
+            "crack_drawing.py",
+            "picture_frame.py",
+            "geometry_picture.py",
+        ),
         *("solid_view.py", "condition_marks.py", "mark_drawing.py", "face_drawing.py", "flat_drawing.py"),
         *("solid_drawing.py", "frame_choice.py", "frame_picture.py", "picture_command.py", "movie_command.py"),
         *("film.py", "film_file.py", "show.py", "stage.py", "fields.py", "joint_fields.py", "vtkhdf.py"),

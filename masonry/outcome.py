@@ -8,19 +8,22 @@ from masonry.history import History
 
 @dataclass
 class Outcome:
-    """What the loop found besides the rows: the peak seen at any step, the largest rotation, the times, the force
-    that was still unbalanced when the dead loads had settled, over the dead loads, and how far a contact closed, over
-    the extent of its thinner block.
+    """What the loop found besides the rows: the peak seen at any step, and the lowest force; the largest rotation, the
+    times, the force that was still unbalanced when the dead loads had settled, over the dead loads, how far a contact
+    closed, over the extent of its thinner block, and the widest opening at each row (m).
     """
 
     history: History
     peak_force: float = 0.0
     displacement_at_peak: float = 0.0
+    lowest_force: float = 0.0
+    displacement_at_lowest: float = 0.0
     seconds_run: float = 0.0
     seconds_compile: float = 0.0
     rotation_max: float = 0.0
     unbalanced: float = 0.0
     overlap_max: float = 0.0
+    widest: list[float] = field(default_factory=list)
     steps: int = 0
     interrupted: bool = False
     stopped: str = ""

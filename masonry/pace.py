@@ -19,12 +19,14 @@ LONGEST_CHUNK = 200
 class Chunk:
     """Some steps: share of the dead load (n + 1,) and speed of the drive (n + 1,) m/s, before and after each step.
 
-    row  whether a row of the history is due after it
+    row    whether a row of the history is due after it
+    place  m, signed: where the drive is after it, if that is known better than the sum of the speeds
     """
 
     dead_load: np.ndarray
     speed: np.ndarray
     row: bool
+    place: float | None = None
 
     @property
     def steps(self) -> int:
@@ -113,6 +115,8 @@ class ControlledPace:
     brought: larger increments while elastic, smaller ones while cracking.
     """
 
+    slower = SLOWER
+
     def __init__(self, model: Model, plan: Controlled, rows: int) -> None:
         self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Guide(model)
         self.settling = FixedPace(Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0), rows)
@@ -161,7 +165,7 @@ class ControlledPace:
             return
         self.most_stored = max(self.most_stored, stored, 1e-300)
         self.most_force = max(self.most_force, abs(force), 1e-300)
-        self.guide.learn(self.sign * self.moved, self.sign * self.speed, force)
+        self.learn(force)
         if broken <= INTACT * self.most_stored:
             factor = self.towards_damage(utilisation(self.model, seen))
         else:
@@ -170,6 +174,10 @@ class ControlledPace:
         self.steps = FEW if abs(terms["kinetic"]) <= STILL * stored else STEPS
         fastest = min(self.goal / (COARSEST * self.steps * self.dt), self.leap)
         self.target = float(np.clip(self.target * factor, self.slowest, fastest))
+
+    def learn(self, force: float) -> None:
+        """Let the guide see where the drive has come to, and its force (N)."""
+        self.guide.learn(self.sign * self.moved, self.sign * self.speed, force)
 
     def towards_damage(self, used: float) -> float:
         """Factor of the speed while the contacts use a share `used` of their strength, which grows with the way."""
@@ -195,7 +203,7 @@ class ControlledPace:
         ends = apart / self.most_force
         shares = (lag / LAG, sway / SWAY, ends / ENDS)
         excess = max(np.sqrt(brought), *(share / self.unit for share in shares))
-        return float(np.clip(1.0 / excess, SLOWER, FASTER))
+        return float(np.clip(1.0 / excess, self.slower, FASTER))
 
     def progress(self) -> tuple[int, int]:
         """How far the displacement is made, in millionths."""
@@ -227,11 +235,3 @@ class ControlledPace:
         self.lags = [(lag, way) for lag, way in state["lags"].tolist()]
         self.settling.restore(state["settling"])
         self.guide.restore(state["guide"])
-
-
-Pace = FixedPace | ControlledPace
-
-
-def pace_of(model: Model, plan: Program | Controlled, rows: int) -> Pace:
-    """The pace that a plan asks for."""
-    return FixedPace(plan, rows) if isinstance(plan, Program) else ControlledPace(model, plan, rows)

@@ -72,18 +72,19 @@ def peak_point(result: "Result") -> Peak:
 
 
 def curve_figure(result: "Result") -> Any:
-    """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger."""
+    """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger; or loops and cycles."""
+    if result.summary.get("cycles"):
+        from masonry.hysteresis import hysteresis_figure
+
+        return hysteresis_figure(result)
     from masonry.figure import ShownFigure
 
     figure = ShownFigure(figsize=(10, 8), layout="constrained")
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
-    words = [result.title, *(_words(result.summary.get(key)) for key in ("law", "kinematics"))]
-    figure.suptitle(plain(", ".join(filter(None, words))), fontsize=13, wrap=True)
+    heading(figure, result)
     ledger.set_ylabel("energy [J]")
     for axes in (curve, ledger):
-        axes.grid(color="0.9", linewidth=0.8)
-        axes.set_axisbelow(True)
-        axes.spines[["top", "right"]].set_visible(False)
+        tidy(axes)
     rows = result.history.rows
     if not len(rows.get("displacement", ())):
         curve.text(0.5, 0.5, "no rows were recorded", transform=curve.transAxes, ha="center")
@@ -92,10 +93,23 @@ def curve_figure(result: "Result") -> Any:
     curve.set_ylabel(f"{drawn.name} [{drawn.unit}]")
     ledger.set_xlabel(drawn.label)
     _draw_curve(curve, rows, drawn, *peak_point(result))
-    _draw_ledger(ledger, rows, drawn.across)
+    draw_ledger(ledger, rows, drawn.across)
     for axes in (curve, ledger):
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
     return figure
+
+
+def heading(figure: Any, result: "Result") -> None:
+    """Title of the scene, its laws and kinds of motion."""
+    words = [result.title, *(_words(result.summary.get(key)) for key in ("law", "kinematics"))]
+    figure.suptitle(plain(", ".join(filter(None, words))), fontsize=13, wrap=True)
+
+
+def tidy(axes: Any) -> None:
+    """A light grid behind the curves, no frame at the top and right."""
+    axes.grid(color="0.9", linewidth=0.8)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
 
 
 def _words(value: Any) -> str:
@@ -136,7 +150,7 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_a
         )
 
 
-def _draw_ledger(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray) -> None:
+def draw_ledger(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray) -> None:
     """Stacked areas; a term that is clearly negative somewhere cannot be stacked and is drawn as a line."""
     terms = {name: rows[name] for name in LEDGER if name in rows}
     size = max((float(np.abs(values).max()) for values in terms.values()), default=0.0)

@@ -7,6 +7,7 @@ from typing import Any
 from masonry.progress import duration
 
 WIDTH = 110
+FEW_CYCLES = 6
 MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-9, 0.01, 0.01, 0.01
 """Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference
 between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
@@ -75,6 +76,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         ("peak stress", [_number(summary, "peak_stress_pa", 1e-6, "MPa")]),
         ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
         ("final stress", [_number(summary, "final_stress_pa", 1e-6, "MPa")]),
+        *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *((name, [gauge_text(readings)]) for name, readings in (summary.get("gauges") or {}).items()),
         ("energy imbalance", [_number(summary, "energy_imbalance", 1.0, "of the external work")]),
         ("reaction mismatch", [_number(summary, "reaction_mismatch_max", 100.0, "% of the peak")]),
@@ -84,6 +86,15 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
         ("trust", [trust(summary)]),
     ]
+
+
+def cycles_text(cycles: list[dict[str, Any]]) -> str:
+    """How many cycles there were, what they dissipated, and what is left of the stiffness; the first few in figures."""
+    spent = ", ".join(f"{cycle['dissipated_j']:.3g}" for cycle in cycles[:FEW_CYCLES])
+    more = ", ..." if len(cycles) > FEW_CYCLES else ""
+    first, last = (cycles[k]["stiffness_pa_per_m"] for k in (0, -1))
+    left = f"; stiffness of the last over the first: {last / first:.2g}" if first and last and len(cycles) > 1 else ""
+    return f"{len(cycles)}, dissipating {spent}{more} J{left}"
 
 
 def gauge_text(readings: dict[str, float]) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 from geometry.cells.asked import CellReport
 from masonry import __version__
 from masonry.assembly import Assembly
+from masonry.cycles import at_peak, goes_one_way, table
 from masonry.kernels.sources import source_hash
 from masonry.loads import Controlled
 from masonry.own_sources import own_sources
@@ -34,7 +35,12 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     after = settled & (rows["step"] >= min(plan.settle + plan.ramp, at_peak))
     peak = outcome.peak_force / assembly.specimen.section
     mismatch = np.abs(rows["stress"] - rows["support_stress"])[after]
-    internal = rows["elastic_blocks"] + rows["contact_work"]
+    internal, highest = rows["elastic_blocks"] + rows["contact_work"], peak
+    if not goes_one_way(rows["displacement"]):  # on the way back work comes back, and the force may be negative
+        internal, highest = (
+            np.maximum.accumulate(internal),
+            max(peak, -outcome.lowest_force / assembly.specimen.section),
+        )
     work = float(np.abs(rows["external_work"]).max())
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
     ratio = rows["kinetic"][dynamic] / np.maximum(internal[dynamic], max(1e-6 * work, 1e-300))
@@ -64,8 +70,11 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "displacement_at_peak_m": outcome.displacement_at_peak,
         "final_stress_pa": float(rows["stress"][-1]),
         "peak_force_n": outcome.peak_force,
+        "lowest_stress_pa": outcome.lowest_force / assembly.specimen.section,
+        "displacement_at_lowest_m": outcome.displacement_at_lowest,
+        "cycles": table(rows, np.array(outcome.widest)),
         "gauges": _readings(assembly, outcome),
-        "reaction_mismatch_max": float(mismatch.max() / peak) if peak > 0 and after.any() else 0.0,
+        "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and after.any() else 0.0,
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / work) if work > 0 else 0.0,
@@ -95,7 +104,7 @@ def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, dict[str, float
     rows, peak = outcome.history.rows, outcome.displacement_at_peak
     return {
         gauge.name: {
-            "at_peak_m": float(np.interp(peak, rows["displacement"], rows[gauge.name])),
+            "at_peak_m": at_peak(rows, rows[gauge.name], peak),
             "final_m": float(rows[gauge.name][-1]),
         }
         for gauge in assembly.recording.gauges

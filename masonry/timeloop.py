@@ -14,7 +14,7 @@ from masonry.loads import Controlled, Program
 from masonry.loop import Loop
 from masonry.model import Model
 from masonry.outcome import Outcome, Recording
-from masonry.pace import pace_of
+from masonry.paces import pace_of
 
 __all__ = ["Keeper", "Outcome", "Recording", "advance_model", "compile_for", "interrupt_afterwards", "run"]
 

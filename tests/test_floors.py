@@ -31,12 +31,13 @@ FLOORS = {
     ),
     "model": Floor(
         "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays"
-        " masonry.holds masonry.one_contact masonry.step_cost masonry.draws masonry.gauges",
+        " masonry.holds masonry.one_contact masonry.step_cost masonry.draws masonry.gauges masonry.cycling",
         sees="model equations errors geometry",
         packages="numpy numba llvmlite",
     ),
     "run": Floor(
-        "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
+        "masonry.timeloop masonry.pace masonry.paces masonry.cyclic_pace masonry.varying_loads masonry.cycles"
+        " masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
         " masonry.overlap masonry.contact_stress masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.loop masonry.outcome masonry.compiled_step masonry.keeper masonry.model_state masonry.state_file"
         " masonry.remember masonry.lock"
@@ -45,15 +46,15 @@ FLOORS = {
         " masonry.processors masonry.quick_start masonry.quantity"
         " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation"
         " masonry.vtkhdf masonry.joint_fields masonry.frame_choice masonry.frame_picture"
-        " masonry.flat_drawing masonry.solid_drawing masonry.solid_view masonry.face_drawing"
+        " masonry.hysteresis masonry.flat_drawing masonry.solid_drawing masonry.solid_view masonry.face_drawing"
         " masonry.film masonry.film_file masonry.show masonry.stage",
         sees="run model equations errors geometry",
     ),
     "scene": Floor(
         "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.installed"
         " masonry.scene* masonry.picture_command masonry.movie_command"
-        " masonry.assembly masonry.scatter masonry.specimens masonry.conditions masonry.held masonry.gauge_places"
-        " masonry.size_guard masonry.block_files masonry.own_s* masonry.law_*"
+        " masonry.assembly masonry.plan masonry.scatter masonry.specimens masonry.conditions masonry.held"
+        " masonry.gauge_places masonry.size_guard masonry.block_files masonry.own_s* masonry.law_*"
         " masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.condition_marks masonry.mark_drawing"

@@ -70,6 +70,22 @@ def _share_of(array, at, like, factor):
     return lambda array, at, like, factor: 0.0
 
 
+def dead_load(body, at, like, share):
+    """The load on a freedom at a share of it; what the share exceeds 1 by is that of the load that varies besides."""
+    if body.change is None:
+        return share_of(body.load, at, like, share)
+    return min(share, 1.0) * take(body.load, at, like) + max(share - 1.0, 0.0) * take(body.change, at, like)
+
+
+@overload(dead_load)
+def _dead_load(body, at, like, share):
+    if isinstance(dict(zip(body.fields, body.types, strict=True))["change"], types.Array):
+        return lambda body, at, like, share: (
+            min(share, 1.0) * take(body.load, at, like) + max(share - 1.0, 0.0) * take(body.change, at, like)
+        )
+    return lambda body, at, like, share: share_of(body.load, at, like, share)
+
+
 @register_jitable
 def book(done, held, half_step_move, contact, hold, load):
     """Add a trapezoid's half-sums of forces times the move to the works done so far: of the contacts, of damping, and
@@ -91,7 +107,7 @@ def advance(body, at, contact, inner, dt, damping, clock, done):
     clock           share of the dead load that acts now and one step before; speed of the drive after and before
     done            works (J) of contacts, damping, and what acts from outside, so far; returned with this step's
     """
-    load = share_of(body.load, at, contact, clock[0])
+    load = dead_load(body, at, contact, clock[0])
     pace, velocity = take(body.pace, at, contact), take(body.v, at, contact)
     sum_of_forces = contact + inner + load
     now, before = (
@@ -102,7 +118,7 @@ def advance(body, at, contact, inner, dt, damping, clock, done):
     hold = choose(held, -sum_of_forces, resist(damping, pace, sum_of_forces, velocity, now, before))
     contacts = contact + take(body.contact, at, contact)
     holds = hold + take(body.hold, at, contact)
-    loads = load + share_of(body.load, at, contact, clock[1])
+    loads = load + dead_load(body, at, contact, clock[1])
     done = book(done, held, 0.5 * dt * velocity, contacts, holds, loads)
     put(body.contact, at, contact)
     put(body.hold, at, hold)

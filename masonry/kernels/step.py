@@ -15,7 +15,7 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
     """Run `steps` steps from step number `first`; all state is changed in place.
 
     damping    None, a number (xi of eq. 3) or Guided
-    dead_load  (n + 1,) share of the dead load at step 0..n
+    dead_load  (n + 1,) share of the dead load at step 0..n; above 1: 1 + share of what its bodies hold as its change
     speed      (n + 1,) velocity of the drive after step i, m/s
     groups     (shapes, interfaces, states, bounds), one entry per contact group; bounds (G + 1,)
     contacts   (sides, normal, area, u, force)

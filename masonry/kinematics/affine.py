@@ -23,7 +23,7 @@ class Affine(NamedTuple):
     arm             (S, 3) m, from the centroid to the point, along the block's axes
     stiffness       (B, 2) J: volume times the Lame constants lambda, mu
     first_point     row of u at which the sides begin
-    work, load, guess, axes  as for rigid blocks; None where absent
+    work, load, guess, axes, change  as for rigid blocks; None where absent
     """
 
     q: np.ndarray
@@ -40,6 +40,7 @@ class Affine(NamedTuple):
     load: np.ndarray | None = None
     guess: np.ndarray | None = None
     axes: np.ndarray | None = None
+    change: np.ndarray | None = None
 
 
 def place(body, dt, u):

@@ -25,6 +25,7 @@ class Rigid(NamedTuple):
     first_point     row of u at which the sides begin
     work            (B, 3) J: contact, damping, external; None without a ledger
     load            (B, 6) dead loads or None
+    change          (B, 6) by how much the dead loads change while their share rises from 1 to 2, or None
     guess           (B, 6) expected velocity for a unit speed of the drive, or None
     axes            (B, 3, 3) or None
     """
@@ -42,6 +43,7 @@ class Rigid(NamedTuple):
     load: np.ndarray | None = None
     guess: np.ndarray | None = None
     axes: np.ndarray | None = None
+    change: np.ndarray | None = None
 
 
 @register_jitable

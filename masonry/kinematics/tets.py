@@ -39,7 +39,7 @@ class Tets(NamedTuple):
     corner          (G, 4, 8) nodes
     slope           (G, 9, 8) sqrt(volume) times the gradients of the last three shape functions; 0 where filled up
     lame            (B, 2) Pa, lambda and mu
-    work, load, guess  (B, 3), (N, 3) and (N, 3), as for rigid blocks; None where absent
+    work, load, guess, change  (B, 3), three times (N, 3), as for rigid blocks; None where absent
 
     Contact points that lie between nodes, in a surface triangle; None where there are none:
     corner_between, share_between  (S, 3) nodes of the triangle, and their shape functions at the point
@@ -63,6 +63,7 @@ class Tets(NamedTuple):
     work: np.ndarray | None = None
     load: np.ndarray | None = None
     guess: np.ndarray | None = None
+    change: np.ndarray | None = None
     corner_between: np.ndarray | None = None
     share_between: np.ndarray | None = None
     start_between: np.ndarray | None = None

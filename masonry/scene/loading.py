@@ -5,9 +5,12 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, PlainSerializer, ValidationInfo, model_validator
 
 from masonry.quantity import convert
+from masonry.scene import history as histories
+from masonry.scene.history import History, Timed, is_timed
 from masonry.scene.types import (
     Damping,
     Direction,
+    Duration,
     Fraction,
     Frames,
     Freedom,
@@ -52,6 +55,18 @@ def _rotation(value: Any, info: ValidationInfo) -> float:
     return convert(value, kind, info.field_name or "", allowed)
 
 
+DriveHistory = Annotated[
+    History | None,
+    BeforeValidator(lambda value: histories.read(value, "length")),
+    PlainSerializer(lambda value: histories.written(value, "length"), when_used="unless-none"),
+]
+LoadHistory = Annotated[
+    History | None,
+    BeforeValidator(lambda value: histories.read(value, "number")),
+    PlainSerializer(lambda value: histories.written(value, "number"), when_used="unless-none"),
+]
+
+
 class Support(Table):
     """Blocks or an outer face that are held in some directions."""
 
@@ -60,11 +75,14 @@ class Support(Table):
 
 
 class Drive(Table):
-    """Blocks moved by `displacement` (m) in one direction: to an accuracy, at `rate` (m/s) or in so many `steps`."""
+    """Blocks moved in one direction by `displacement` (m), or along a `history`: to an accuracy, at `rate` (m/s), in so
+    many `steps`, or in the time that the history takes."""
 
     on: Selector
     direction: Direction
-    displacement: Length
+    displacement: Length | None = None
+    history: DriveHistory = None
+    duration: Duration | None = None
     accuracy: Annotated[float | None, BeforeValidator(_accuracy)] = None
     rate: Velocity | None = None
     steps: Steps | None = None
@@ -78,19 +96,63 @@ class Drive(Table):
     def sign(self) -> float:
         return -1.0 if self.direction[0] == "-" else 1.0
 
+    @property
+    def path(self) -> Timed | None:
+        """The displacement (m) over time, where the history has times."""
+        return histories.checked(self.history, self.duration, "length")
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """The places (m, along the direction) that the drive visits one after the other."""
+        if self.history is None:
+            return (self.displacement or 0.0,)
+        path = self.path
+        return self.history if path is None else path.turning_points()  # type: ignore[return-value]
+
+    @property
+    def farthest(self) -> float:
+        """m, how far from its start the drive comes."""
+        return max(map(abs, self.turns))
+
+    @model_validator(mode="after")
+    def _has_one_way(self) -> "Drive":
+        if self.history is None and self.displacement is None:
+            raise KeyedError("displacement", "missing; give it, for example '20 mm', or a history that turns back")
+        if self.history is not None and self.displacement is not None:
+            raise KeyedError("displacement", "displacement and history exclude each other; keep one of them")
+        path = histories.checked(self.history, self.duration, "length")
+        if path is not None:
+            histories.require_a_start_at_0(path)
+        if path is not None and self.rate is not None:
+            raise KeyedError("rate", "a history with times has its own; leave it out, or give accuracy or steps")
+        return self
+
     @model_validator(mode="after")
     def _has_one_pace(self) -> "Drive":
         given = [key for key in ("accuracy", "rate", "steps") if getattr(self, key) is not None]
         if len(given) > 1:
             raise KeyedError(given[-1], f"{' and '.join(given)} exclude each other; keep one of them")
-        return self if given else self.model_copy(update={"accuracy": 0.01})
+        own_time = self.history is not None and is_timed(self.history)
+        return self if given or own_time else self.model_copy(update={"accuracy": 0.01})
 
 
 class Traction(Table):
-    """A dead force per area (Pa, by direction) on an outer face."""
+    """A force per area (Pa, by direction) on an outer face: constant, or times the shares of a `history`."""
 
     on: Selector
     stress: StressVector
+    history: LoadHistory = None
+    duration: Duration | None = None
+
+    @property
+    def path(self) -> Timed | None:
+        """The share of the stress over time, where it varies."""
+        return histories.checked(self.history, self.duration, "number")
+
+    @model_validator(mode="after")
+    def _has_a_time(self) -> "Traction":
+        histories.checked(self.history, self.duration, "number")
+        return self
 
 
 class Settle(Table):

@@ -100,6 +100,11 @@ class Scene(Table):
             raise KeyedError(
                 "solver.masses", "real masses move in real time; give drive.rate, or leave masses = 'scaled'"
             )
+        for k, traction in enumerate(self.traction):
+            if traction.history is not None and self.is_controlled:
+                raise KeyedError(
+                    f"traction.{k}.history", "an accuracy paces the drive alone; give drive.steps or drive.rate"
+                )
         self._kinematics_have_what_they_need()
         if self.scatter is not None:
             require_contacts(self.scatter, self.contact)

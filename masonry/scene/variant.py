@@ -7,6 +7,7 @@ from typing import Any
 Keys = tuple[str | int, ...]
 RIVALS = (
     {"accuracy", "rate", "steps"},
+    {"displacement", "history"},
     {"friction_angle", "tan_friction_angle"},
     {"residual_friction_angle", "tan_residual_friction_angle"},
     {"points_per_edge", "points_per_face", "contact_spacing"},

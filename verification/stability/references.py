@@ -16,7 +16,7 @@ def sheared(one: Trial) -> dict[str, Exact]:
     law, joint = loaded.contact["unit_unit"].law, joint_of(one.case, one.knobs)
     area = one.summary["section_m2"]
     sigma = pressure(one, area)
-    slip = loaded.drive.displacement
+    slip = loaded.drive.farthest
     at_peak = min(slip, float(joint.peak(sigma)) / joint.ks)
     peak = float(closed_forms.shear(law, joint, at_peak, sigma))
     work = float(closed_forms.shear_work(law, joint, slip, sigma))
@@ -37,7 +37,7 @@ def sheared_over_plastic_slip(one: Trial) -> dict[str, Exact]:
     loaded = scene.load(one.case, one.knobs)
     assert loaded.drive is not None and loaded.contact["unit_unit"].law == "exponential"
     joint, area = joint_of(one.case, one.knobs), one.summary["section_m2"]
-    sigma, slip = pressure(one, area), loaded.drive.displacement
+    sigma, slip = pressure(one, area), loaded.drive.farthest
     energy, residual = float(joint.mode_2_energy(sigma)), float(joint.residual(sigma))
     drop = float(joint.peak(sigma)) - residual
 
@@ -69,7 +69,7 @@ def torn(one: Trial) -> dict[str, Exact]:
     assert loaded.drive is not None and loaded.specimen.kind == "boxes"
     law, joint = loaded.contact["unit_unit"].law, joint_of(one.case, one.knobs)
     area = one.summary["section_m2"]
-    opened = loaded.drive.displacement
+    opened = loaded.drive.farthest
     peak = float(closed_forms.tension(law, joint, min(opened, joint.opening_at_peak)))
     if loaded.gravity is not None:
         peak -= loaded.material["units"].density * float(loaded.gravity.z) * float(loaded.specimen.box[-1].size[2])

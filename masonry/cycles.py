@@ -1,0 +1,79 @@
+"""Cycles of a drive that turns back: where each begins and ends, and what it spent, bore and left open."""
+
+from typing import Any
+
+import numpy as np
+
+HOME = 1e-9
+"""Share of the farthest way within which the drive counts as back at its start."""
+SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
+
+
+def goes_one_way(place: np.ndarray) -> bool:
+    """Whether places (n,) of the drive only rise: then nothing is a cycle."""
+    return bool(np.all(np.diff(place) >= 0.0))
+
+
+def bounds(place: np.ndarray) -> list[float]:
+    """Rows, with fractions, at which cycles begin, and the last row.
+
+    A cycle ends where the drive is back at its start, and leaves it the way it left it first. One that the run does
+    not end stays as the last.
+    """
+    near = HOME * float(np.abs(place).max())
+    away = np.flatnonzero(np.abs(place) > near)
+    if not len(away):
+        return [0.0, float(len(place) - 1)]
+    x = place * np.sign(place[away[0]])
+    out = np.flatnonzero((x[:-1] <= near) & (x[1:] > near))
+    crossings = [k + max(-x[k], 0.0) / (x[k + 1] - min(x[k], 0.0)) for k in out[1:]]
+    last = float(len(place) - 1)
+    return [0.0, *map(float, crossings), last]
+
+
+def table(rows: dict[str, np.ndarray], widest: np.ndarray) -> list[dict[str, Any]]:
+    """One entry a cycle, in SI; widest (n,) m, the widest opening at each row. Empty where the drive goes one way.
+
+    Energies are differences between the cycle's ends (between rows in proportion), forces and ways those of its rows.
+    """
+    place, stress = rows["displacement"], rows["stress"]
+    if goes_one_way(place) or goes_one_way(-place):
+        return []
+    ends = bounds(place)
+    near = HOME * float(np.abs(place).max())
+    found = []
+    for begin, end in zip(ends[:-1], ends[1:], strict=True):
+        inner = slice(int(np.ceil(begin)), int(np.floor(end)) + 1)
+        spent = {key: _between(rows[key], begin, end) for key in SPENT}
+        far, near_end = (pick(place[inner]) + inner.start for pick in (np.argmax, np.argmin))
+        way = float(place[far] - place[near_end])
+        found.append(
+            {
+                "closed": bool(end < len(place) - 1 or abs(place[-1]) <= near),
+                "dissipated_j": sum(spent.values()),
+                **{f"{key}_j": value for key, value in spent.items()},
+                "external_work_j": _between(rows["external_work"], begin, end),
+                "highest_stress_pa": float(stress[inner].max()),
+                "lowest_stress_pa": float(stress[inner].min()),
+                "farthest_m": float(place[far]),
+                "farthest_back_m": float(place[near_end]),
+                "stiffness_pa_per_m": float(stress[far] - stress[near_end]) / way if way > 0.0 else None,
+                "widest_opening_m": float(widest[inner].max()),
+                "opening_left_m": float(np.interp(end, np.arange(len(widest)), widest)),
+            }
+        )
+    return found
+
+
+def _between(values: np.ndarray, begin: float, end: float) -> float:
+    """By how much values grow between two rows, with fractions."""
+    at = np.interp([begin, end], np.arange(len(values)), values)
+    return float(at[1] - at[0])
+
+
+def at_peak(rows: dict[str, np.ndarray], values: np.ndarray, displacement: float) -> float:
+    """A value (one a row) at the peak: between the rows round its displacement (m), or in the row of the greatest
+    stress where the drive turns back and passes the same place more than once."""
+    if goes_one_way(rows["displacement"]):
+        return float(np.interp(displacement, rows["displacement"], values))
+    return float(values[int(np.argmax(rows["stress"]))])

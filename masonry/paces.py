@@ -1,0 +1,17 @@
+"""Which pace a plan asks for."""
+
+from masonry.cyclic_pace import CyclicPace
+from masonry.cycling import Cyclic
+from masonry.loads import Controlled, Program
+from masonry.model import Model
+from masonry.pace import ControlledPace, FixedPace
+from masonry.varying_loads import VaryingPace
+
+Pace = FixedPace | ControlledPace
+
+
+def pace_of(model: Model, plan: Program | Controlled, rows: int) -> Pace:
+    """The pace that a plan asks for."""
+    if isinstance(plan, Program):
+        return FixedPace(plan, rows) if plan.varying is None else VaryingPace(model, plan, plan.varying, rows)
+    return CyclicPace(model, plan, rows) if isinstance(plan, Cyclic) else ControlledPace(model, plan, rows)

@@ -1,0 +1,33 @@
+"""The couplet sheared back and forth with the other laws, and with the path of plastic slip as softening variable.
+
+    softening by displacement:  constant strength back to -M, then on along the envelope (see couplet-back-and-forth)
+    softening by plastic slip:  tau = tau(r), r = path slid either way; each way back softens from its first slip on
+
+With plastic slip the law looks at the path one step back, so its error is of first order in the step.
+
+Reference: by hand from eqs (8), (13), (15), (17) of the paper (verification/cyclic_forms.py).
+"""
+
+from verification.case import Case, Findings
+from verification.cases.couplet_back_and_forth import ROUNDING
+from verification.rigs.sheared_in_cycles import cycled
+
+
+def run() -> Findings:
+    """Two laws by displacement, one by plastic slip."""
+    found = Findings()
+    for law in ("linear", "polynomial"):
+        cycled(found, law, "displacement", (1e-12, 1e-14, ROUNDING))
+    why = "the path of plastic slip is taken one step back: first order in steps of up to 1 um, the slope c0 drop/G_II"
+    cycled(found, "exponential", "plastic", (1e-2, 2e-3, why), (3e-3, 5e-4, why))
+    return found
+
+
+CASE = Case(
+    "couplet-back-and-forth-by-law",
+    "A8",
+    "Couplet sheared back and forth, other laws and softening by plastic slip",
+    area="Contact laws",
+    run=run,
+    no_ladders="the drive prescribes all that moves; the step of plastic slip follows from the accuracy",
+)

@@ -1,0 +1,91 @@
+"""Closed form of a couplet that is sheared back and forth under constant compression, one leg after the other.
+
+A leg begins elastically, with slope k_s. It slides where it meets the strength that is left. With the softening
+variable "displacement" (the slip |u| from where the joint was made) that is the envelope at the farthest place M at
+which the joint has slid so far: constant up to M, falling along the envelope beyond. With the variable "plastic" (the
+path r of plastic slip) it is the envelope at r on either side. Tension and cohesion keep each other's share: nothing
+opens. See `closed_forms` for the envelopes.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from verification.closed_forms import Floats, Joint, shear, shear_work
+
+
+@dataclass
+class Sheared:
+    """A joint on its way: place and stress at the last turn, what it has slid, and energy that is gone (J/m2).
+
+    slid  m: farthest place of sliding ("displacement"), or the path of plastic slip ("plastic")
+    """
+
+    law: str
+    joint: Joint
+    compression: float
+    variable: str = "displacement"
+    place: float = 0.0
+    stress: float = 0.0
+    slid: float = 0.0
+    gone: float = 0.0
+
+    @property
+    def peak_at(self) -> float:
+        """us0 = t_max/ks (m)."""
+        return float(self.joint.peak(self.compression)) / self.joint.ks
+
+    def strength(self, slid: Floats) -> Floats:
+        """Pa, after sliding so far."""
+        beyond = slid + self.peak_at if self.variable == "plastic" else np.maximum(slid, self.peak_at)
+        return shear(self.law, self.joint, beyond, self.compression)
+
+    def along(self, places: Floats) -> tuple[Floats, Floats]:
+        """Stress (Pa) and energy gone (J/m2) at places (n,) m on one leg in order; the last one is the next turn."""
+        way = np.sign(places[-1] - self.place)
+        towards, made = way * places, np.abs(places - self.place)
+        slid = self.slid_by(towards, made, float(way * self.stress))
+        elastic = way * self.stress + self.joint.ks * made
+        stress = np.minimum(elastic, self.strength(slid))
+        gone = self.gone + self.spent(slid, towards, stress, float(way * self.stress), made)
+        self.place, self.stress = float(places[-1]), float(way * stress[-1])
+        self.slid, self.gone = float(slid[-1]), float(gone[-1])
+        return way * stress, gone
+
+    def slid_by(self, towards: Floats, made: Floats, start: float) -> Floats:
+        """The softening variable at places `towards` (m, along the leg), `made` m from its start at `start` Pa."""
+        if self.variable == "displacement":
+            return np.maximum(self.slid, np.where(towards > max(self.slid, self.peak_at), towards, self.slid))
+        path = self.slid + np.concatenate([[0.0], np.geomspace(1e-12, made[-1], 200_001)])
+        reached = path - self.slid + (self.strength(path) - start) / self.joint.ks
+        return np.asarray(np.interp(made, reached, path))
+
+    def spent(self, slid: Floats, towards: Floats, stress: Floats, start: float, made: Floats) -> Floats:
+        """Energy (J/m2) that the leg has taken: of the plateau, and under the envelope less what stays elastic."""
+        held = float(self.strength(np.array([self.slid]))[0])
+        if self.variable == "plastic":
+            return self._under(slid + self.peak_at) - self._under(np.array([self.slid + self.peak_at]))
+        plateau = np.clip(np.minimum(made, made + self.slid - towards) - (held - start) / self.joint.ks, 0.0, None)
+        if self.slid == 0.0:
+            plateau = np.zeros_like(made)
+        last = np.maximum(slid, self.peak_at)
+        first = np.full_like(last, max(self.slid, self.peak_at))
+        stored = 0.5 * (self.strength(slid) ** 2 - held**2) / self.joint.ks
+        return held * plateau + self._under(last) - self._under(first) - stored
+
+    def _under(self, slip: Floats) -> Floats:
+        return shear_work(self.law, self.joint, slip, self.compression)
+
+
+def legs(places: Floats) -> list[slice]:
+    """The rows (n,) m of a drive, split where it turns; each leg ends with its turn."""
+    way = np.sign(np.diff(places))
+    turns = np.flatnonzero(way[1:] * way[:-1] < 0.0) + 1
+    bounds = [-1, *turns.tolist(), len(places) - 1]
+    return [slice(a + 1, b + 1) for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
+
+
+def followed(joint: Sheared, places: Floats) -> tuple[Floats, Floats]:
+    """Stress (Pa) and energy gone (J/m2) at all places (n,) m that a drive passed, in order, from 0."""
+    found = [joint.along(places[leg]) for leg in legs(places)]
+    return np.concatenate([stress for stress, _ in found]), np.concatenate([gone for _, gone in found])
