@@ -7,9 +7,9 @@ than the cheapest. Limits of the gates lie above what was measured (in brackets)
 
 import numpy as np
 import pytest
+from benchmarks.interleaved import in_turn, require
 
 from benchmarks import specimens, trial
-from benchmarks.interleaved import in_turn, require
 from masonry.laws.exponential import Exponential
 from masonry.laws.linear import Linear
 from masonry.laws.outside import outside_law
