@@ -14,7 +14,9 @@ ROOT = Path(__file__).resolve().parents[2]
 SHOWN = ("text", "csv", "css", "{")
 """Languages of what is only shown; a directive of the site begins with a brace."""
 RUN = ("python", "bash", "console", "toml", "json")
-_FENCE = re.compile(r"^(?P<fence>`{3,})(?P<language>[^`\n]*)\n(?P<text>.*?)^(?P=fence)[ \t]*$", re.MULTILINE | re.DOTALL)
+_FENCE = re.compile(
+    r"^(?P<fence>`{3,})(?P<language>[^`\n]*)\n(?P<text>.*?)^(?P=fence)[ \t]*$", re.MULTILINE | re.DOTALL
+)
 _WORD = re.compile(r"<!-- (slow|exit (?P<code>\d+)|not run: (?P<why>[^>]+)) -->[ \t]*\n$")
 _NAMED = re.compile(r"# (?P<name>[\w.-]+\.toml)\b")
 
