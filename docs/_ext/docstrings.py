@@ -8,8 +8,11 @@ from collections import _tuplegetter  # type: ignore[attr-defined]
 from collections.abc import Iterator
 from typing import Any
 
-ROW = re.compile(r"^ *(?P<name>\S.*?) {2,}(?P<words>\S.*)$")
+ROW = re.compile(r"^ *(?P<name>\S.*?)(?<![.,;:]) {2,}(?P<words>\S.*)$")
 SPECIAL = re.compile(r"[\\*|`]|(?<=\w)_(?!\w)|(?<!\w)_(?=\w)")
+ARRAY_LIKE = re.compile(r"~numpy\._typing\._array_like\._Buffer \|.*?_NestedSequence\[complex \| bytes \| str\]")
+ARRAY = re.compile(r"~numpy\.ndarray\[tuple\[~typing\.Any, \.\.\.\], ~numpy\.dtype\[[^\]]*\]\]")
+"""What numpy's ArrayLike and NDArray are spelled out to."""
 CODE = re.compile(r"`([^`\n]+)`")
 
 
@@ -45,7 +48,8 @@ def _part(lines: list[str]) -> Iterator[str]:
             if not open_row:
                 yield ""
             open_row = row.start("words")
-            yield f":{_safe(row['name']).replace(':', chr(92) + ':')}: {_safe(row['words'])}"
+            yield f"``{row['name'].replace('`', '')}``"
+            yield f"    {_safe(row['words'])}"
         elif open_row and indent > 1:
             yield f"    {_safe(line.strip())}"
         else:
@@ -73,13 +77,25 @@ def _process(app: Any, what: str, name: str, obj: Any, options: Any, lines: list
     lines[:] = reworked(lines)
 
 
+def _signature(
+    app: Any, what: str, name: str, obj: Any, options: Any, given: str | None, back: str | None
+) -> tuple[str | None, str | None]:
+    """Types of numpy by the names that the source has for them."""
+    return _short(given), _short(back)
+
+
+def _short(types: str | None) -> str | None:
+    return types and ARRAY.sub("~numpy.ndarray", ARRAY_LIKE.sub("ArrayLike", types))
+
+
 def _skip(app: Any, what: str, name: str, obj: Any, skip: bool, options: Any) -> bool | None:
     """Fields of named tuples are told in the docstring of the tuple; what pydantic adds to a model is not ours."""
     return True if isinstance(obj, _tuplegetter) or name.startswith("model_") else None
 
 
 def setup(app: Any) -> dict[str, bool]:
-    """Listen where autodoc hands out docstrings and members."""
+    """Listen where autodoc hands out docstrings, signatures and members."""
     app.connect("autodoc-process-docstring", _process)
+    app.connect("autodoc-process-signature", _signature)
     app.connect("autodoc-skip-member", _skip)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

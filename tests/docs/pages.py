@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SHOWN = ("text", "csv", "css", "{")
-"""Languages of what is only shown; a directive of the site begins with a brace."""
+SHOWN = ("text", "csv")
+"""Languages of what is only shown."""
 RUN = ("python", "bash", "console", "toml", "json")
+"""Languages that `Reader` has a method for."""
 _FENCE = re.compile(
     r"^(?P<fence>`{3,})(?P<language>[^`\n]*)\n(?P<text>.*?)^(?P=fence)[ \t]*$", re.MULTILINE | re.DOTALL
 )

@@ -11,7 +11,7 @@ from masonry.cli import APART, main, parser
 from masonry.scene import load
 from masonry.sweep.plan import plan
 from masonry.sweep.read import read
-from tests.docs.pages import Block
+from tests.docs.pages import RUN, Block
 
 ELSEWHERE = ("make", "pip", "git", "cd", "dask", "apt-get", "jupyter", "python", ".venv/bin/python")
 """What a line of a shell may begin with besides `masonry`; such lines are not run."""
@@ -32,9 +32,9 @@ class Reader:
     def read(self, slow: bool) -> None:
         """Run every block; those that are slow only where asked for, else they are looked at."""
         for block in self.blocks:
-            act = getattr(self, block.language, None)
-            if act is not None:
-                act(block, self.where(block), not block.why_not and (slow or not block.slow))
+            if block.language in RUN:
+                run = not block.why_not and (slow or not block.slow)
+                getattr(self, block.language)(block, self.where(block), run)
 
     def where(self, block: Block) -> str:
         """The place of a block, for messages."""

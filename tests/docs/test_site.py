@@ -42,6 +42,9 @@ def test_formulas_are_mathml_and_say_what_they_should(site):
 def test_the_reference_shows_docstrings_and_every_command(site):
     python = (site / "reference" / "python.html").read_text(encoding="utf-8")
     assert "masonry.load" in python and "Raises SceneError" in python
+    laws = (site / "reference" / "laws.html").read_text(encoding="utf-8")
+    assert "|tau| &lt;= c - sigma tan(phi)" in laws and "sigma &gt; 0 is tension" in laws
+    assert "(P, 3) m, corners" in (site / "reference" / "geometry.html").read_text(encoding="utf-8")
     commands = (site / "reference" / "commands.html").read_text(encoding="utf-8")
     assert all(f'id="masonry-{name}"' in commands for name in ("run", "check", "sweep", "verify", "paper"))
     assert "--scheduler ADDRESS" in commands
