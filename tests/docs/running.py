@@ -13,7 +13,7 @@ from masonry.sweep.plan import plan
 from masonry.sweep.read import read
 from tests.docs.pages import RUN, Block
 
-ELSEWHERE = ("make", "pip", "git", "cd", "dask", "apt-get", "jupyter", "python", ".venv/bin/python")
+ELSEWHERE = ("make", "pip", "git", "cd", "dask", "apt-get", "jupyter", "python", ".venv/bin/python", ".venv/bin/pip")
 """What a line of a shell may begin with besides `masonry`; such lines are not run."""
 MASONRY = ("masonry", ".venv/bin/masonry")
 SHELL = ("|", "||", "&", "&&", ";", ">", ">>", "<")
@@ -52,12 +52,12 @@ class Reader:
             self.command(line, block, where, run)
 
     def console(self, block: Block, where: str, run: bool) -> None:
-        """A shell and its answers: commands follow a dollar sign."""
+        """A shell and its answers: a command follows a dollar sign, or begins with `masonry `."""
         lines = block.text.replace("\\\n", " ").splitlines()
-        assert any(line.startswith("$ ") for line in lines), f"{where}: a command begins with '$ '"
-        for line in lines:
-            if line.startswith("$ "):
-                self.command(line[2:], block, where, run)
+        commands = [line.removeprefix("$ ") for line in lines if line.startswith(("$ ", "masonry "))]
+        assert commands, f"{where}: no command; one follows '$ ', or begins with 'masonry '"
+        for line in commands:
+            self.command(line, block, where, run)
 
     def command(self, line: str, block: Block, where: str, run: bool) -> None:
         """One line: `masonry` is called here, or its words are looked at; what else is known is left alone."""

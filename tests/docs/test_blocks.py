@@ -60,7 +60,7 @@ def test_python_goes_on_with_the_names_of_the_block_before():
         "```bash\nmasonri list\n```\n",
         "```bash\nmasonry list | head\n```\n",
         "```bash\nmasonry check nowhere.toml\n```\n",
-        "```console\nmasonry list\n```\n",
+        "```console\nmasonri list\n```\n",
         "```toml\n[[[\n```\n",
         '```toml\n[drive]\nrat = "1 mm/s"\n```\n',
         '```toml\nbase = "couplet"\nlaw = "cubic"\n```\n',
