@@ -1,11 +1,13 @@
 """The documentation site: `make docs` builds it into site/. It needs no network, neither here nor in the browser."""
 
 import logging
+import os
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT), str(ROOT / "docs" / "_ext")]
+os.environ["PYTHONPATH"] = str(ROOT)  # what a notebook imports is what stands here
 
 from masonry import __version__  # noqa: E402
 
@@ -24,7 +26,8 @@ smartquotes = False
 myst_enable_extensions = ["dollarmath", "deflist"]
 myst_heading_anchors = 4
 nb_execution_mode = "cache"
-nb_execution_cache_path = str(ROOT / "build" / "notebooks")
+newest = max(path.stat().st_mtime_ns for folder in ("masonry", "geometry") for path in (ROOT / folder).rglob("*.py"))
+nb_execution_cache_path = str(ROOT / "build" / "notebooks" / f"{newest:x}")  # another program gives other outputs
 nb_execution_in_temp = True
 nb_execution_raise_on_error = True
 nb_execution_timeout = 300
