@@ -2,6 +2,7 @@
 # make test     style, types, then the tests
 # make bench    speed, into bench.json
 # make report   the verification report: all cases and studies, results/report.html (long; ARGS="--quick --only cases" is not)
+# make docs     the documentation, as a site that opens without a network: site/index.html
 # make lint     style and types only
 # make clean    removes what the others made, results/ excepted
 # Each sets up .venv first where that is needed, and on Debian the libraries that gmsh lacks (.ci/setup).
@@ -12,7 +13,7 @@ PYTHON ?= python3
 export PYTHON
 PY := .venv/bin/python
 
-.PHONY: run test bench report lint clean
+.PHONY: run test bench report docs lint clean
 
 run: .venv/.ready
 	@.venv/bin/masonry run $(SCENE) $(ARGS)
@@ -27,6 +28,10 @@ bench: .venv/.ready
 report: .venv/.ready
 	@$(PY) -m verification.report $(ARGS)
 
+docs: .venv/.ready
+	@$(PY) -m sphinx -W --keep-going -q -d build/trees docs site $(ARGS)
+	@echo "site/index.html"
+
 lint: .venv/.ready
 	@echo "ruff check"
 	@$(PY) -m ruff check .
@@ -35,7 +40,7 @@ lint: .venv/.ready
 	@$(PY) -m mypy
 
 clean:
-	rm -rf .venv build *.egg-info bench.json .pytest_cache .mypy_cache .ruff_cache .hypothesis .benchmarks
+	rm -rf .venv build site docs/_generated *.egg-info bench.json .pytest_cache .mypy_cache .ruff_cache .hypothesis .benchmarks
 	find geometry masonry verification tests benchmarks -name __pycache__ -prune -exec rm -rf {} +
 
 # The stamp holds the folder that .venv was made in: a copied, moved or broken .venv is made again.

@@ -2,7 +2,6 @@
 
 import csv
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -13,6 +12,7 @@ import pytest
 from pyarrow import parquet
 
 from masonry.cli import main
+from tests.docs.pages import blocks
 from tests.sweep.samples import marks, text, untimed
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -160,7 +160,7 @@ def test_a_sweep_that_is_not_there_is_said(capsys):
     assert "no sweep 'nowhere.toml': no such file" in capsys.readouterr().err
 
 
-EXAMPLES = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/sweep.md").read_text(encoding="utf-8"), re.DOTALL)
+EXAMPLES = [block.text for block in blocks("docs/sweep.md") if block.language == "toml"]
 
 
 @pytest.mark.parametrize(("number", "runs"), list(enumerate((6, 10, 6))))

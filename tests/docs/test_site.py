@@ -1,0 +1,60 @@
+"""The site builds without a warning, whole, and opens without a network."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+from tests.docs.pages import ROOT, pages
+
+NOTEBOOKS = ("-D", "nb_execution_mode=off")  # the tutorial is run by a test of its own
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    """The site, built anew with every warning an error."""
+    folder = tmp_path_factory.mktemp("site")
+    words = ["-m", "sphinx", "-W", "--keep-going", "-q", *NOTEBOOKS, "-d", f"{folder}/trees", "docs", f"{folder}/html"]
+    done = subprocess.run([sys.executable, *words], cwd=ROOT, capture_output=True, text=True, timeout=600)
+    assert done.returncode == 0, done.stderr
+    return folder / "html"
+
+
+def test_every_page_of_the_documentation_is_in_the_site(site):
+    names = [page.removeprefix("docs/").removesuffix(".md") for page in pages() if page.startswith("docs/")]
+    assert len(names) > 10
+    assert [name for name in names if not (site / f"{name}.html").is_file()] == []
+
+
+def test_no_page_asks_for_anything_from_the_network(site):
+    asked = re.compile(r'<(?:script|img|iframe)[^>]+src="(?:https?:)?//|<link[^>]+href="(?:https?:)?//')
+    found = {page.name for page in site.rglob("*.html") if asked.search(page.read_text(encoding="utf-8"))}
+    assert found == set()
+
+
+def test_formulas_are_mathml_and_say_what_they_should(site):
+    page = (site / "theory" / "contact-laws.html").read_text(encoding="utf-8")
+    assert page.count("<math") > 10 and "<merror" not in page
+    assert "$$" not in page and "\\frac" not in page
+
+
+def test_the_reference_shows_docstrings_and_every_command(site):
+    python = (site / "reference" / "python.html").read_text(encoding="utf-8")
+    assert "masonry.load" in python and "Raises SceneError" in python
+    laws = (site / "reference" / "laws.html").read_text(encoding="utf-8")
+    assert "|tau| &lt;= c - sigma tan(phi)" in laws and "sigma &gt; 0 is tension" in laws
+    assert "(P, 3) m, corners" in (site / "reference" / "geometry.html").read_text(encoding="utf-8")
+    commands = (site / "reference" / "commands.html").read_text(encoding="utf-8")
+    assert all(f'id="masonry-{name}"' in commands for name in ("run", "check", "sweep", "verify", "paper"))
+    assert "--scheduler ADDRESS" in commands
+
+
+def test_the_gallery_shows_every_packaged_scene_with_its_picture(site):
+    from masonry.scene import packaged
+
+    page = (site / "gallery.html").read_text(encoding="utf-8")
+    assert all(f'id="{name}"' in page for name in packaged())
+    pictures = set(re.findall(r'src="_images/([^"]+)"', page))
+    assert len(pictures) >= len(packaged())
+    assert all((site / "_images" / name).stat().st_size > 10_000 for name in pictures)
