@@ -9,6 +9,7 @@ from masonry import timeloop
 from masonry.assembly import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kernels.freedom import Guided
+from masonry.laws.door import word_of
 from masonry.printout import Report
 from masonry.quality_lines import quality_lines
 from masonry.quick_start import leave_out_blas
@@ -144,7 +145,7 @@ def compiled(assembly: Assembly) -> list[str]:
     """What the step does contain."""
     m = assembly.model
     names = [f"{len(v)} {k} blocks" for k, v in m.layout.members.items() if len(v)]
-    laws = [f"{n}: {type(s).__name__.lower()} law" for n, s in zip(m.group_names, m.groups[0], strict=True)]
+    laws = [f"{n}: {word_of(s)} law" for n, s in zip(m.group_names, m.groups[0], strict=True)]
     return [*names, *laws, damping_text(m.damping), "energy ledger"]
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from masonry.errors import Stopped
+from masonry.laws.door import word_of
 from masonry.laws.snap_back import given_mode_2_energy, least_mode_2_energy
 from masonry.model import Model
 from masonry.remember import State
@@ -66,7 +67,7 @@ class SnapBack:
             wanted = f"by more than {1.0 + lacking / drawn:.4g} times (drawn here: {drawn:.4g} N/m)"
         raise Stopped(
             f"step {step}: {self.model.contact(contact)} softens under a compression of {compression:.4g} Pa, where "
-            f"the curve of law '{type(shape).__name__.lower()}' snaps back and takes more energy than given: raise "
+            f"the curve of law '{word_of(shape)}' snaps back and takes more energy than given: raise "
             f"contact.{self.model.group_names[g]}.fracture_energy_mode_2 {wanted}, or "
             'choose law exponential with softening_variable = "displacement", which cannot snap back'
         )

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from numba.core.caching import FunctionCache, IndexDataCacheFile
-from numba.core.types import BaseTuple
+from numba.core.types.containers import BaseTuple
 
 from masonry.kernels.sources import is_ours, package_hash
 
@@ -45,7 +45,7 @@ class LawCache(FunctionCache):
 
     def __init__(self, function: Any) -> None:
         super().__init__(function)
-        self._ours: IndexDataCacheFile = self._cache_file  # type: ignore[has-type]
+        self._ours: IndexDataCacheFile = self._cache_file
 
     def _load_overload(self, sig: Any, target_context: Any) -> Any:
         self._turn_to(sig)

@@ -17,6 +17,11 @@ def beside(shape_class: type, name: str, default=None):
     return getattr(sys.modules[shape_class.__module__], name, default)
 
 
+def word_of(shape) -> str:
+    """What a law is called in a message; a law of another package has a hash behind the name of its class."""
+    return type(shape).__name__.partition("_")[0].lower()
+
+
 def tension_intact(shape, interface, opening):
     """Share of the tensile strength left on the envelope at an opening (m) beyond the elastic limit."""
     return beside(type(shape), "tension_intact")(shape, interface, opening)

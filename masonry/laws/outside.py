@@ -11,6 +11,7 @@ from types import ModuleType
 from typing import Any, NamedTuple
 
 from masonry.errors import SceneError
+from masonry.kernels.sources import package_hash
 from masonry.laws import law_names
 from masonry.plugins import Plugin, load, plugin, plugins
 
@@ -71,6 +72,7 @@ def _looked_over(found: Plugin) -> OutsideLaw:
     _require_fields(where, shapes[0], parameters)
     if hasattr(module, "least_mode_2_energy") and not {"G_II", "G_II_slope"} <= set(shapes[0]._fields):
         raise SceneError(f"{where}: least_mode_2_energy goes with fields G_II and G_II_slope")
+    shapes[0].__name__ += f"_{package_hash(shapes[0])}"  # two types of one name would be one in compiled code
     for key in keys:
         if key not in parameters.values():
             raise SceneError(f"{where}: '{key}' of KEYS is the key of no parameter in PARAMETERS")

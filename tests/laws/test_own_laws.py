@@ -78,6 +78,12 @@ def test_dissipation_of_an_own_law_never_decreases_and_strength_never_grows(poin
     require_dissipation(own(**values), legs(points, steps))
 
 
+def test_two_laws_whose_tuples_have_one_name_are_two_laws_in_compiled_code():
+    path = along([(0.0, 0.0, 0.0), (0.0, 0.0, 80e-6)], 3e-6)
+    for name, energy in (("bilinear", 5.8), ("weaker", 0.8 * 5.8)):
+        assert walk(own(name), path).spent[-1, 0] == pytest.approx(energy + TRIANGLE, rel=1e-9)
+
+
 @settings(unhurried, max_examples=20)
 @given(points=corners(), steps=st.sampled_from([7, 60]))
 def test_written_with_if_or_for_eight_at_once_or_in_python_a_law_does_the_same(points, steps):
@@ -134,7 +140,7 @@ def test_a_key_that_is_missing_or_refused_is_named():
 
 
 def test_a_law_that_is_not_there_is_told_with_all_that_are():
-    with pytest.raises(SceneError, match="did you mean 'bilinear'.*linear, polynomial, bilinear, eight"):
+    with pytest.raises(SceneError, match="did you mean 'bilinear'.*linear, polynomial, bilinear, eight, weaker"):
         load("couplet", {"law": "bilinea"})
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from llvmlite import ir
 from numba.core import types
-from numba.core.types import BaseTuple
+from numba.core.types.containers import BaseTuple
 from numba.extending import intrinsic, register_jitable
 
 from masonry.kernels.lanes.arithmetic import WORD, Lanes
