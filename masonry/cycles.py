@@ -15,7 +15,7 @@ def goes_one_way(place: np.ndarray) -> bool:
 
 
 def bounds(place: np.ndarray) -> list[float]:
-    """Rows, with fractions, at which cycles begin, and the last row.
+    """Rows, with fractions, at which cycles begin, and the last row; the first begins where the drive sets out.
 
     A cycle ends where the drive is back at its start, and leaves it the way it left it first. One that the run does
     not end stays as the last.
@@ -27,14 +27,14 @@ def bounds(place: np.ndarray) -> list[float]:
     x = place * np.sign(place[away[0]])
     out = np.flatnonzero((x[:-1] <= near) & (x[1:] > near))
     crossings = [k + max(-x[k], 0.0) / (x[k + 1] - min(x[k], 0.0)) for k in out[1:]]
-    last = float(len(place) - 1)
-    return [0.0, *map(float, crossings), last]
+    return [float(out[0]), *map(float, crossings), float(len(place) - 1)]
 
 
 def table(rows: dict[str, np.ndarray], widest: np.ndarray) -> list[dict[str, Any]]:
     """One entry a cycle, in SI; widest (n,) m, the widest opening at each row. Empty where the drive goes one way.
 
     Energies are differences between the cycle's ends (between rows in proportion), forces and ways those of its rows.
+    What dead loads do while they settle is in no cycle.
     """
     place, stress = rows["displacement"], rows["stress"]
     if goes_one_way(place) or goes_one_way(-place):

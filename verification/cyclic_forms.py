@@ -47,7 +47,7 @@ class Sheared:
         slid = self.slid_by(towards, made, float(way * self.stress))
         elastic = way * self.stress + self.joint.ks * made
         stress = np.minimum(elastic, self.strength(slid))
-        gone = self.gone + self.spent(slid, towards, stress, float(way * self.stress), made)
+        gone = self.gone + self.spent(slid, towards, made, float(way * self.stress))
         self.place, self.stress = float(places[-1]), float(way * stress[-1])
         self.slid, self.gone = float(slid[-1]), float(gone[-1])
         return way * stress, gone
@@ -55,16 +55,16 @@ class Sheared:
     def slid_by(self, towards: Floats, made: Floats, start: float) -> Floats:
         """The softening variable at places `towards` (m, along the leg), `made` m from its start at `start` Pa."""
         if self.variable == "displacement":
-            return np.maximum(self.slid, np.where(towards > max(self.slid, self.peak_at), towards, self.slid))
+            return np.where(towards > max(self.slid, self.peak_at), towards, self.slid)
         path = self.slid + np.concatenate([[0.0], np.geomspace(1e-12, made[-1], 200_001)])
         reached = path - self.slid + (self.strength(path) - start) / self.joint.ks
         return np.asarray(np.interp(made, reached, path))
 
-    def spent(self, slid: Floats, towards: Floats, stress: Floats, start: float, made: Floats) -> Floats:
+    def spent(self, slid: Floats, towards: Floats, made: Floats, start: float) -> Floats:
         """Energy (J/m2) that the leg has taken: of the plateau, and under the envelope less what stays elastic."""
-        held = float(self.strength(np.array([self.slid]))[0])
         if self.variable == "plastic":
             return self._under(slid + self.peak_at) - self._under(np.array([self.slid + self.peak_at]))
+        held = float(self.strength(np.array([self.slid]))[0])
         plateau = np.clip(np.minimum(made, made + self.slid - towards) - (held - start) / self.joint.ks, 0.0, None)
         if self.slid == 0.0:
             plateau = np.zeros_like(made)

@@ -18,6 +18,8 @@ START = 1e-9
 """Share of the farthest displacement by which a history may miss 0 at its start."""
 FLAT = 1e-12
 """Changes below this share of the farthest displacement are rounding, not motion."""
+MOST_WAY = 1e5
+"""m, farthest place of a drive."""
 FARTHEST = {"length": "[-1e5, 1e5]", "number": "[-1e6, 1e6]"}
 FORMS = {
     "length": "a list of turning points, ['20 um', '-8 um'], a list of times and places, [['0 s', '0 mm'], "
@@ -139,6 +141,8 @@ def require_a_start_at_0(path: Timed) -> None:
     most = float(np.abs(value).max())
     if most < 1e-9:
         raise KeyedError("history", f"the displacement never passes {most:.2g} m; at least 1e-9 m is needed")
+    if most > MOST_WAY:
+        raise KeyedError("history", f"the displacement reaches {most:.2g} m; at most {MOST_WAY:g} m are allowed")
     if abs(value[0]) > START * most:
         raise KeyedError("history", f"the displacement must be 0 at t = 0, and is {value[0]:.4g} m")
 

@@ -110,6 +110,7 @@ def test_a_pace_goes_on_from_what_it_remembers():
     ("places", "wanted"),
     [
         ([0, 2, 0, -1, 0, 2, 4], [0, 4, 6]),
+        ([0, 0, 0, 2, 0, -1, 0, 2], [2, 6, 7]),
         ([0, 1, 0, 1, 0], [0, 2, 4]),
         ([0, -2, 2, -2, 4, 0], [0, 2.5, 5]),
         ([0, 1, -1, 1, 1], [0, 2.5, 4]),
@@ -123,3 +124,13 @@ def test_a_cycle_ends_where_the_drive_leaves_its_start_the_way_it_left_it_first(
 def test_a_drive_that_goes_one_way_makes_no_cycle():
     rows = {"displacement": np.linspace(0, 1, 5), "stress": np.zeros(5)}
     assert table(rows, np.zeros(5)) == []
+
+
+@pytest.mark.slow
+def test_the_shipped_wallette_keeps_to_a_run_four_times_as_careful():
+    shipped, careful = (laboratory.run(load("wallette-cyclic", {"drive.accuracy": a})).summary for a in (0.01, 0.0025))
+    assert shipped["peak_stress_pa"] == pytest.approx(careful["peak_stress_pa"], rel=0.01)
+    for one, other in zip(shipped["cycles"], careful["cycles"], strict=True):
+        assert one["dissipated_j"] == pytest.approx(other["dissipated_j"], rel=0.01)
+        assert one["opening_left_m"] == pytest.approx(other["opening_left_m"], abs=1e-6)
+    assert shipped["energy_imbalance"] < 1e-6 and shipped["reaction_mismatch_max"] < 0.02

@@ -88,6 +88,7 @@ def test_any_text_is_an_expression_or_refused(text):
         ({"history": [["0 s", "0 mm"]]}, "two or more"),
         ({"history": SINE}, "drive.duration|missing; an expression needs it"),
         ({"history": "0 mm * t / s", "duration": "1 s"}, "never passes"),
+        ({"history": "1e9 m * t / s", "duration": "1 s"}, "at most 100000 m"),
         ({"history": "1 mm / (t / s)", "duration": "1 s"}, "no finite value at t = 0"),
         ({"history": ["1 mm"], "duration": "1 s"}, "duration: belongs to"),
         ({"history": SINE, "duration": "1 s", "rate": "1 mm/s"}, "a history with times has its own"),
