@@ -89,8 +89,8 @@ class Result:
     def save(self, out: Path | str, painter: "Painter | None" = None) -> dict[str, Path]:
         """Write every file to the folder `out`, made if need be; returns file name -> path.
 
-        Each file appears whole or not at all: numbers first, then pictures, which a painter draws meanwhile. Values
-        that are not finite are not written; the log says so. Raises OSError if the folder cannot be written to.
+        Each file appears whole or not at all: numbers first, then pictures, drawn by a painter meanwhile. Values that
+        are not finite are not written; the log says so. Raises OSError if the folder cannot be written to.
         """
         from masonry import fields, joint_fields
 

@@ -151,9 +151,8 @@ def test_what_does_not_fit_ends_with_code_2_one_message_and_no_file(folder, caps
 
 def test_a_film_has_every_frame_and_keeps_its_scales(tmp_path):
     result = sample()
-    film = Film(result)
+    film, limits, places = Film(result), [], []
     assert film.times == magnification(result.history.frames[-1], film.drawing.size), "of what moves most"
-    limits, places = [], []
     for number in range(3):
         film.draw(number)
         limits.append((film.panel.get_xlim(), film.panel.get_ylim()))
