@@ -5,7 +5,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from masonry.errors import SceneError, Stopped
+from masonry.errors import SceneError, Stopped, visible
 from masonry.shell import INTERRUPTED, OK, STOPPED, complain
 
 
@@ -31,7 +31,7 @@ def run_scene(words: argparse.Namespace) -> int:
                 out.rmdir()
             raise
         _save(part, out)
-        return complain(f"{error}\nmasonry: the results up to there are in '{out}'", STOPPED)
+        return complain([f"{error}", f"masonry: the results up to there are in '{out}'"], STOPPED)
     paths = _save(result, out)
     if not words.quiet:
         from masonry.printout import paths_text, summary_text
@@ -61,7 +61,7 @@ def export_scene(words: argparse.Namespace) -> int:
     loaded = scene.load(words.scene, words.overrides)
     specimen, joints = joined(loaded)
     export(words.to, specimen, meshed(loaded, specimen.blocks, joints)[0])
-    print(f"{words.to}: {specimen.blocks.count} blocks")
+    print(visible(f"{words.to}: {specimen.blocks.count} blocks"))
     return OK
 
 
@@ -94,7 +94,7 @@ def picture_scene(words: argparse.Namespace) -> int:
 
     loaded = scene.load(words.scene, words.overrides)
     out = words.out or Path(f"{scene_name(words.scene)}-geometry.png")
-    print(draw_geometry(loaded, out, words.view))
+    print(visible(str(draw_geometry(loaded, out, words.view))))
     return OK
 
 

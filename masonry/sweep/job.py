@@ -8,6 +8,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from geometry.block_file import LARGEST
+from geometry.blocks import GeometryError
+from geometry.whole_files import require_file
 from masonry.kernels.sources import ALL, source_hash
 
 SHOWING = tuple(
@@ -57,9 +60,13 @@ class Job:
 
 
 def _file_of_blocks(toml: str) -> bytes:
-    """What stands in the file that a scene takes its blocks from; nothing where it has none, or it cannot be read."""
+    """Hash of what stands in the file that a scene takes its blocks from; nothing where there is none to read."""
     path = tomllib.loads(toml)["specimen"].get("path")
+    if not path:
+        return b""
     try:
-        return Path(path).read_bytes() if path else b""
-    except OSError:
+        require_file(path, LARGEST)
+        with open(path, "rb") as file:
+            return hashlib.file_digest(file, "sha256").digest()
+    except (OSError, GeometryError):
         return b""
