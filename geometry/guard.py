@@ -27,7 +27,8 @@ from geometry.whole_files import require_file
 LARGEST = 500_000_000  # bytes of a file
 MEMORY = 4 << 30  # bytes
 SECONDS = 600
-START, PER_MEGABYTE = 15, 60  # s of processor time, so that a small file cannot take long
+START, PER_MEGABYTE = 8, 60  # s of processor time, so that a small file cannot take long
+PATIENCE = 3  # times as long by the clock, where others are at work
 ANSWER, COMPLAINT = "answer.npz", "complaint.txt"
 SAID, LACKS_MEMORY = 3, 4
 BLOCKS = ("points", "face_start", "face_points", "block_face_start", "unit", "group")
@@ -42,13 +43,14 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
     """
     path = Path(path).absolute()
     seconds = min(SECONDS, START + PER_MEGABYTE * require_file(path, LARGEST) // 1_000_000)
+    patience = min(SECONDS, PATIENCE * seconds)
     theirs, ours = os.pipe()
     with open(ours, "wb"), open(theirs, "rb"), tempfile.TemporaryDirectory(prefix="masonry-") as folder:
         child = begin(json.dumps([module, reader, str(path), words, seconds]), Path(folder), theirs)
         try:
-            code = child.wait(SECONDS)
+            code = child.wait(patience)
         except subprocess.TimeoutExpired:
-            raise GeometryError(f"'{path.name}': reading it was stopped after {SECONDS} s") from None
+            raise GeometryError(f"'{path.name}': reading it was stopped after {patience} s; is it damaged?") from None
         finally:
             if child.poll() is None:
                 child.kill()
@@ -60,6 +62,7 @@ def begin(task: str, folder: Path, alive: int) -> Any:
     """Start the reader in this folder, as a subprocess.Popen; `alive` is the end of a pipe whose other end is here."""
     house = str(Path(__file__).resolve().parents[1])
     surroundings = {**os.environ, "PYTHONPATH": house, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+    surroundings["HOME"] = str(folder)  # the CAD kernel's libraries leave settings there
     return subprocess.Popen(
         [sys.executable, "-m", "geometry.guard", task, str(alive)],
         cwd=folder,

@@ -104,6 +104,10 @@ def _write_arrays(group: Any, value: Blocks | Joints | TetMesh) -> None:
 
 
 def _read_arrays(group: Any, kind: type) -> Any:
+    import h5py
+
+    if not isinstance(group, h5py.Group):
+        raise ValueError(f"'{group.name}' is no group of arrays")
     content: dict[str, Any] = {}
     for entry in fields(kind):
         if entry.name in group:

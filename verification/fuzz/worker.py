@@ -8,6 +8,7 @@ from random import Random
 from typing import NamedTuple
 
 from masonry import size_guard
+from masonry.quantity import parse
 from masonry.sweep import engine
 from verification.fuzz import reading
 from verification.fuzz.kind import kind_of
@@ -53,6 +54,7 @@ def prepared(root: Path) -> Room:
     size_guard.BLOCKS, size_guard.CONTACT_POINTS, size_guard.TETS = BLOCKS, CONTACT_POINTS, TETS
     engine.work = _no_runs
     reading.quicken()
+    parse("1 furlong", "length", "")  # loads what knows the units
     return made(root / f"process-{os.getpid()}")
 
 

@@ -29,4 +29,4 @@ def _scene() -> str:
     return scene_text(seeds.small(), find_joints(seeds.small().blocks), "blocks", "a.blocks.h5", False)
 
 
-KIND = Kind("blocks", ".blocks.h5: arrays, links, packed data, bytes", 8, make)
+KIND = Kind("blocks", ".blocks.h5: arrays, links, packed data, bytes", 5, make)

@@ -15,4 +15,4 @@ def make(draw: Random, folder: Path) -> Attempt:
     return importing(draw, folder, seeds.brep(), (".brep",))
 
 
-KIND = Kind("iges-brep", "IGES and BREP: cut, other numbers, other bytes", 3, make)
+KIND = Kind("iges-brep", "IGES and BREP: cut, other numbers, other bytes", 0.8, make)

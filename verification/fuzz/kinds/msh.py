@@ -28,4 +28,4 @@ def _other_head(draw: Random, content: bytes) -> bytes:
                                                b"2.2 7 8", b"", b"x y z", b"2.2 0 99999999999")), 1)  # fmt: skip
 
 
-KIND = Kind("msh", "Gmsh's meshes 2.2 and 4.1, text and binary", 4, make)
+KIND = Kind("msh", "Gmsh's meshes 2.2 and 4.1, text and binary", 2.5, make)

@@ -32,4 +32,4 @@ def make(draw: Random, folder: Path) -> Attempt:
     return Attempt(["verify", "--format", form, "--compare", *(names if draw.random() < 0.7 else names[::-1])])
 
 
-KIND = Kind("records", "records.json to compare: types, depth, size, no files", 4, make)
+KIND = Kind("records", "records.json to compare: types, depth, size, no files", 8, make)

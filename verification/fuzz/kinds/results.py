@@ -40,4 +40,4 @@ def summary(draw: Random, content: bytes) -> bytes:
     return one_of(draw, (b"[", b'{"a":', b"1", b"[1,", b'{"a":"')) * one_of(draw, (1000, 50_000))
 
 
-KIND = Kind("results", "folders of results: history.h5, summary.json", 1, make)
+KIND = Kind("results", "folders of results: history.h5, summary.json", 0.8, make)

@@ -52,4 +52,4 @@ def _write(path: Path, text: str) -> None:
     path.write_bytes(text.encode("utf-8", "surrogatepass"))
 
 
-KIND = Kind("scene-files", "what a scene stands on: no file, torn, huge, a circle", 6, make)
+KIND = Kind("scene-files", "what a scene stands on: no file, torn, huge, a circle", 10, make)

@@ -54,4 +54,4 @@ def target(data: bytes) -> None:
     refused(length_unit, entities)
 
 
-KIND = Kind("step", "STEP: references, names, numbers, circles", 5, make, target)
+KIND = Kind("step", "STEP: references, names, numbers, circles", 2.5, make, target)

@@ -48,4 +48,4 @@ def target(data: bytes) -> None:
     with_file(data, ".toml", lambda path: points(read(path)))
 
 
-KIND = Kind("sweep", "grids, lists, samples and keys of sweep files", 14, make, target)
+KIND = Kind("sweep", "grids, lists, samples and keys of sweep files", 20, make, target)

@@ -49,4 +49,4 @@ def _keys() -> list[str]:
     return [Job("couplet", {"contact.unit_unit.cohesion": value}).key() for value in ("0.6 MPa", "0.8 MPa")]
 
 
-KIND = Kind("sweep-folders", "folders of sweeps: summaries, curves, copies", 1, make)
+KIND = Kind("sweep-folders", "folders of sweeps: summaries, curves, copies", 0.5, make)

@@ -38,4 +38,4 @@ def target(data: bytes) -> None:
     with_file(data, ".tess", lambda path: read_tess(path, thickness=0.1))
 
 
-KIND = Kind("tess", "Neper's tessellations, plane and in space", 6, make, target)
+KIND = Kind("tess", "Neper's tessellations, plane and in space", 4, make, target)

@@ -59,4 +59,4 @@ def _claims(draw: Random, content: bytes) -> bytes:
         b'NumberOfCells="', b'NumberOfCells="' + one_of(draw, (b"", b"9", b"-1")))  # fmt: skip
 
 
-KIND = Kind("vtu", "VTK's meshes; entities, encodings, compressed bombs", 4, make)
+KIND = Kind("vtu", "VTK's meshes; entities, encodings, compressed bombs", 2.5, make)

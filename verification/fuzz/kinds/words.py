@@ -54,4 +54,4 @@ def _below(folder: Path, word: str) -> tuple[str, ...]:
     return (str(inside), "couplet-geometry.png", *(f"{name}-geometry.png" for name in SCENES))
 
 
-KIND = Kind("words", "words of the command line: --set, --out, options", 10, make)
+KIND = Kind("words", "words of the command line: --set, --out, options", 14, make)
