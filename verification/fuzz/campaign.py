@@ -6,11 +6,11 @@ from pathlib import Path
 
 from masonry.crew import Lost, work
 from verification.fuzz.kind import Kind
-from verification.fuzz.trial import Trial
+from verification.fuzz.trial import HANG, Trial
 from verification.fuzz.worker import Task, act, warm
 
-HANG = 30.0
-"""Seconds after which an input counts as one that hangs."""
+LIMIT = 600.0
+"""Seconds for an input with the start of its process, which ends itself long before."""
 DIED, HUNG = -2, -3
 
 
@@ -45,12 +45,13 @@ def run(tasks: Sequence[Task], workers: int, tell: Callable[[Trial], None]) -> l
 
 
 def _trials(tasks: Sequence[Task], workers: int) -> Iterator[Trial]:
-    with closing(work(act, tasks, workers, HANG)) as ends:
+    with closing(work(act, tasks, workers, LIMIT)) as ends:
         for number, end in ends:
             yield _lost(tasks[number], end) if isinstance(end, Lost) else end
 
 
 def _lost(task: Task, end: Lost) -> Trial:
-    hung = end.reason.startswith("no result")
+    stacks = [path.read_text(encoding="utf-8") for path in Path(task.root).glob(f"*/{task.kind}-{task.number}.stack")]
+    hung = any("Timeout" in stack for stack in stacks) or end.reason.startswith("no result")
     what = f"hangs: no end after {HANG:g} s" if hung else end.reason
     return Trial(task.kind, task.number, HUNG if hung else DIED, end.seconds, 0, faults=[what])

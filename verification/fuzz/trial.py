@@ -19,8 +19,8 @@ from verification.fuzz.room import Room, differences, listing
 
 MEMORY = 3 << 30
 """Bytes of real memory that a process may take for an input; readers of foreign files have a limit of their own."""
-PATIENCE = 25.0
-"""Seconds after which it is written beside the input where the program is; later it counts as one that hangs."""
+HANG = 30.0
+"""Seconds after which an input counts as one that hangs: its process writes down where it is, and ends."""
 LONGEST, MOST_LINES = 4000, 40
 """Letters and lines of what is said against an input."""
 ERRORS = "strict", "backslashreplace"
@@ -50,7 +50,7 @@ def tried(kind: Kind, draw: Random, number: int, room: Room) -> Trial:
     memory.forget_peak()
     begun = time.perf_counter()
     with open(f"{folder}.stack", "w", encoding="utf-8") as stack, _caught(room) as said:
-        faulthandler.dump_traceback_later(PATIENCE, file=stack)
+        faulthandler.dump_traceback_later(HANG, file=stack, exit=True)
         room.folder = folder
         code = _call(attempt)
         room.folder = None

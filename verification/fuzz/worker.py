@@ -52,13 +52,13 @@ def prepared(root: Path) -> Room:
     resource.setrlimit(resource.RLIMIT_AS, (ADDRESSES, hard))
     resource.setrlimit(resource.RLIMIT_CORE, (0, hard if hard == 0 else resource.getrlimit(resource.RLIMIT_CORE)[1]))
     size_guard.BLOCKS, size_guard.CONTACT_POINTS, size_guard.TETS = BLOCKS, CONTACT_POINTS, TETS
-    engine.work = _no_runs
+    engine.work = no_runs
     reading.quicken()
     parse("1 furlong", "length", "")  # loads what knows the units
     return made(root / f"process-{os.getpid()}")
 
 
-def _no_runs(act, tasks, workers, limit):  # type: ignore[no-untyped-def]
+def no_runs(act, tasks, workers, limit):  # type: ignore[no-untyped-def]
     """A sweep whose runs are not done already ends with a row that says so."""
     from masonry.crew import Lost
 
