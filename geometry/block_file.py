@@ -114,7 +114,7 @@ def _member(group: Any, name: str) -> Any:
     """What stands under a name in the file itself, not behind a link to elsewhere."""
     import h5py
 
-    if name not in group:
+    if not isinstance(group, h5py.Group) or name not in group:
         raise GeometryError(f"'{name}' is missing")
     if not isinstance(group.get(name, getlink=True), h5py.HardLink):
         raise GeometryError(f"'{name}' is a link; only what is in the file itself is read")

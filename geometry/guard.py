@@ -1,16 +1,19 @@
 """Files from elsewhere are read in a process of their own, so that a damaged or hostile one can do no harm here.
 
 The reader gets limited memory, processor time and output, no standard input and an empty folder to work in. What comes
-back is plain arrays. A crash, an abort or a time-out of it becomes one GeometryError.
+back is plain arrays. A crash, an abort or a time-out of it becomes one GeometryError. A reader whose asker was killed
+takes its folder away and ends.
 """
 
 import json
 import os
 import resource
+import shutil
 import signal
 import subprocess
 import sys
 import tempfile
+import threading
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -24,7 +27,8 @@ from geometry.whole_files import require_file
 LARGEST = 500_000_000  # bytes of a file
 MEMORY = 4 << 30  # bytes
 SECONDS = 600
-START, PER_MEGABYTE = 15, 60  # s of processor time, so that a small file cannot take long
+START, PER_MEGABYTE = 8, 60  # s of processor time, so that a small file cannot take long
+PATIENCE = 3  # times as long by the clock, where others are at work
 ANSWER, COMPLAINT = "answer.npz", "complaint.txt"
 SAID, LACKS_MEMORY = 3, 4
 BLOCKS = ("points", "face_start", "face_points", "block_face_start", "unit", "group")
@@ -39,29 +43,36 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
     """
     path = Path(path).absolute()
     seconds = min(SECONDS, START + PER_MEGABYTE * require_file(path, LARGEST) // 1_000_000)
-    with tempfile.TemporaryDirectory(prefix="masonry-") as folder:
-        task = json.dumps([module, reader, str(path), words, seconds])
-        house = str(Path(__file__).resolve().parents[1])
-        surroundings = {**os.environ, "PYTHONPATH": house, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
-        with open(os.devnull, "wb") as nothing:
-            child = subprocess.Popen(
-                [sys.executable, "-m", "geometry.guard", task],
-                cwd=folder,
-                env=surroundings,
-                stdin=subprocess.DEVNULL,
-                stdout=nothing,
-                stderr=nothing,
-                start_new_session=True,
-            )
-            try:
-                code = child.wait(SECONDS)
-            except subprocess.TimeoutExpired:
-                raise GeometryError(f"'{path.name}': reading it was stopped after {SECONDS} s") from None
-            finally:
-                if child.poll() is None:
-                    child.kill()
-                    child.wait()
+    patience = min(SECONDS, PATIENCE * seconds)
+    theirs, ours = os.pipe()
+    with open(ours, "wb"), open(theirs, "rb"), tempfile.TemporaryDirectory(prefix="masonry-") as folder:
+        child = begin(json.dumps([module, reader, str(path), words, seconds]), Path(folder), theirs)
+        try:
+            code = child.wait(patience)
+        except subprocess.TimeoutExpired:
+            raise GeometryError(f"'{path.name}': reading it was stopped after {patience} s; is it damaged?") from None
+        finally:
+            if child.poll() is None:
+                child.kill()
+                child.wait()
         return _answer(Path(folder), code, path.name, seconds)
+
+
+def begin(task: str, folder: Path, alive: int) -> Any:
+    """Start the reader in this folder, as a subprocess.Popen; `alive` is the end of a pipe whose other end is here."""
+    house = str(Path(__file__).resolve().parents[1])
+    surroundings = {**os.environ, "PYTHONPATH": house, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+    surroundings["HOME"] = str(folder)  # the CAD kernel's libraries leave settings there
+    return subprocess.Popen(
+        [sys.executable, "-m", "geometry.guard", task, str(alive)],
+        cwd=folder,
+        env=surroundings,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+        pass_fds=(alive,),
+    )
 
 
 def _answer(folder: Path, code: int, name: str, seconds: int) -> Imported:
@@ -116,5 +127,13 @@ def _save(found: Imported) -> None:
     np.savez(ANSWER, words=np.frombuffer(text, dtype=np.uint8), **arrays)
 
 
+def _end_with_asker(alive: int) -> None:
+    """Nothing comes through the pipe; it ends when the process that asks is gone, and nobody waits for an answer."""
+    os.read(alive, 1)
+    shutil.rmtree(os.getcwd(), ignore_errors=True)
+    os._exit(1)
+
+
 if __name__ == "__main__":
+    threading.Thread(target=_end_with_asker, args=(int(sys.argv[2]),), daemon=True).start()
     sys.exit(serve(sys.argv[1]))

@@ -20,6 +20,13 @@ FILLED = 1e-6
 
 def require_sound(blocks: Blocks) -> None:
     """Raise GeometryError, naming the block or face, unless all numbers are sane, faces flat and blocks closed."""
+    require_whole(blocks)
+    _require_flat(blocks)
+    _require_closed(blocks)
+
+
+def require_whole(blocks: Blocks) -> None:
+    """Raise GeometryError unless all tables fit together and all numbers are sane, whatever shape the blocks have."""
     _require_table("points", blocks.points, (None, 3), float)
     require_near(blocks)
     for name in ("face_start", "face_points", "block_face_start", "unit", "group"):
@@ -35,8 +42,6 @@ def require_sound(blocks: Blocks) -> None:
     if len(blocks.group) != blocks.count:
         raise GeometryError(f"group has {len(blocks.group)} entries, there are {blocks.count} blocks")
     _require_range("group", blocks.group, len(blocks.groups))
-    _require_flat(blocks)
-    _require_closed(blocks)
 
 
 def require_near(blocks: Blocks) -> None:

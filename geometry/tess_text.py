@@ -37,7 +37,7 @@ class Section:
             self._numbers.extend([float(word) for word in text.split()])
         except ValueError:
             word = next(w for w in text.split() if not _is_number(w))
-            raise GeometryError(f"'{self.path}', line {line}: {word[:40]!r} is no number (**{self.name})") from None
+            raise GeometryError(f"'{self.path}', line {line}: {word[:20]!r} is no number (**{self.name})") from None
         self._ends.append(len(self._numbers))
         self._lines.append(line)
 
@@ -94,7 +94,7 @@ def read_sections(path: Path) -> dict[str, Section]:
                 raise GeometryError(f"'{path}', line {number}: the line is longer than {LONGEST_LINE} letters")
             word = text.strip()
             if number == 1 and word != "***tess":
-                raise GeometryError(f"'{path}' is no tessellation: line 1 must be '***tess', found {word[:40]!r}")
+                raise GeometryError(f"'{path}' is no tessellation: line 1 must be '***tess'")
             if word == "***end":
                 ended = True
                 break

@@ -13,6 +13,8 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
 from masonry.history import Frame, History, unit_of
+from masonry.open_archive import require_plain
+from masonry.whole_result import require_whole_result
 
 if TYPE_CHECKING:
     from masonry.results import Result
@@ -59,15 +61,18 @@ def write(path: Path, result: "Result") -> None:
 
 
 def read(path: Path) -> dict[str, Any]:
-    """The fields of a Result but its summary. Raises OSError, KeyError, TypeError or ValueError for a damaged file."""
+    """The fields of a Result but its summary. Raises OSError, RuntimeError, KeyError, TypeError, AttributeError or
+    ValueError (GeometryError among them) for a file that is damaged, or whose arrays do not fit together.
+    """
     import h5py
 
     with h5py.File(path, "r") as file:
+        require_plain(file, path)
         if file.attrs.get("format") != "masonry history" or file.attrs["version"] > VERSION:
             raise ValueError("not a history that this version can read")
         specimen = file["specimen"]
         sets = sorted(specimen["sets"].items(), key=lambda item: int(item[0]))
-        return {
+        found = {
             "history": History({name: data[()] for name, data in file["rows"].items()}, _read_frames(file["frames"])),
             "specimen": Specimen(
                 blocks=_read_arrays(specimen["blocks"], Blocks),
@@ -82,6 +87,8 @@ def read(path: Path) -> dict[str, Any]:
             "scene_toml": file["scene"].asstr()[()],
             "log": list(file["log"].asstr()[()]),
         }
+    require_whole_result(**found)
+    return found
 
 
 def _write_arrays(group: Any, value: Blocks | Joints | TetMesh) -> None:
@@ -97,6 +104,10 @@ def _write_arrays(group: Any, value: Blocks | Joints | TetMesh) -> None:
 
 
 def _read_arrays(group: Any, kind: type) -> Any:
+    import h5py
+
+    if not isinstance(group, h5py.Group):
+        raise ValueError(f"'{group.name}' is no group of arrays")
     content: dict[str, Any] = {}
     for entry in fields(kind):
         if entry.name in group:

@@ -10,6 +10,7 @@ found only after reinstalling, and cost each other command a search through all 
 
 import argparse
 import importlib
+import io
 import os
 import sys
 from pathlib import Path
@@ -95,11 +96,15 @@ def _add_import(added: Any) -> None:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run one command; returns the exit code."""
+    if isinstance(sys.stdout, io.TextIOWrapper):  # a letter that the terminal does not know is shown as its code
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         code = _act(arguments)
         sys.stdout.flush()
         return code
-    except (SceneError, _geometry_error()) as error:
+    except SceneError as error:
+        return complain(error.lines, USAGE)
+    except _geometry_error() as error:
         return complain(str(error), USAGE)
     except Stopped as error:
         return complain(str(error), STOPPED)

@@ -2,7 +2,7 @@
 
 import argparse
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, visible
 from masonry.shell import OK
 
 
@@ -39,7 +39,7 @@ def export_scene(words: argparse.Namespace) -> int:
     loaded = scene.load(words.scene, words.overrides)
     specimen, joints = joined(loaded)
     export(words.to, specimen, meshed(loaded, specimen.blocks, joints)[0])
-    print(f"{words.to}: {specimen.blocks.count} blocks")
+    print(visible(f"{words.to}: {specimen.blocks.count} blocks"))
     return OK
 
 

@@ -1,12 +1,13 @@
 """What a curve is drawn against and which force it shows: as the scene says, else stress against the drive's way."""
 
-import tomllib
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from masonry.cycles import at_peak
+from masonry.errors import SceneError
+from masonry.text_files import toml_of
 
 if TYPE_CHECKING:
     from masonry.results import Result
@@ -45,7 +46,7 @@ def curve_axes(result: "Result") -> CurveAxes:
 
 def _asked(scene_toml: str) -> dict[str, object]:
     try:
-        curve = tomllib.loads(scene_toml).get("curve", {})
-    except tomllib.TOMLDecodeError:
+        curve = toml_of(scene_toml, "scene").get("curve", {})
+    except SceneError:
         return {}
     return curve if isinstance(curve, dict) else {}

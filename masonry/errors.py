@@ -1,12 +1,39 @@
 """What a user may be told: one clear message, exit code 2, no traceback."""
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 
 class SceneError(ValueError):
     """A scene that cannot be run: what, where, what is allowed, and the nearest valid choice."""
+
+    @property
+    def lines(self) -> list[str]:
+        """What to show: one line, whatever letters the words that it quotes have."""
+        return [visible(str(self))]
+
+    def within(self, where: str, without: str = "") -> "SceneError":
+        """The same, with where it was met in front, and without a word that begins it."""
+        return SceneError(f"{where}: {str(self).removeprefix(without)}")
+
+
+class Findings(SceneError):
+    """Several things that are wrong, a line each."""
+
+    def __init__(self, lines: Sequence[str]) -> None:
+        super().__init__("\n".join(map(visible, lines)))
+
+    @property
+    def lines(self) -> list[str]:
+        return str(self).split("\n")
+
+    def within(self, where: str, without: str = "") -> SceneError:
+        first, *others = (line.removeprefix(without) for line in self.lines)
+        return Findings([f"{where}: {first}", *others])
+
+    def __reduce__(self) -> tuple[type, tuple[list[str]]]:
+        return Findings, (self.lines,)
 
 
 class Stopped(RuntimeError):
@@ -16,6 +43,13 @@ class Stopped(RuntimeError):
     """
 
     result: Any = None
+
+
+def visible(text: str) -> str:
+    """A text in one line of letters that can be seen: newlines and what could steer a terminal are written as codes."""
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
 
 
 def nearest(word: str, known: Iterable[str]) -> str:

@@ -5,6 +5,7 @@ Exit codes: 0 written, 2 something wrong with the words or the folder, 130 inter
 
 from pathlib import Path
 
+from masonry.errors import visible
 from masonry.picture_command import VIEWS, scale
 from masonry.shell import OK, Parser
 
@@ -34,5 +35,5 @@ def main(arguments: list[str] | None = None) -> int:
     result = load_history(words.folder)
     with Progress(label="movie") as progress:
         path = write_film(result, words.to or words.folder / "movie.gif", words.fps, words.view, words.scale, progress)
-    print(path)
+    print(visible(f"{path}"))
     return OK

@@ -7,6 +7,9 @@ import tomllib
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+from geometry.block_file import LARGEST
+from geometry.blocks import GeometryError
+from geometry.whole_files import require_file
 from masonry import __version__
 from masonry.errors import SceneError
 from masonry.kernels.sources import ALL, source_hash
@@ -39,11 +42,15 @@ PACKAGES = ("numpy", "scipy", "numba", "llvmlite", "gmsh")
 
 
 def file_of_blocks(toml: str) -> bytes:
-    """What stands in the file that a scene takes its blocks from; nothing where it has none, or it cannot be read."""
+    """Hash of what stands in the file that a scene takes its blocks from; nothing where there is none to read."""
     path = tomllib.loads(toml)["specimen"].get("path")
+    if not path:
+        return b""
     try:
-        return Path(path).read_bytes() if path else b""
-    except OSError:
+        require_file(path, LARGEST)
+        with open(path, "rb") as file:
+            return hashlib.file_digest(file, "sha256").digest()
+    except (OSError, GeometryError):
         return b""
 
 
@@ -60,7 +67,7 @@ def origin_of(toml: str) -> dict[str, str]:
     """What a run of a resolved scene depends on, by a few words each."""
     return {
         "its scene": hashlib.sha256(toml.encode()).hexdigest()[:16],
-        "its file of blocks": hashlib.sha256(file_of_blocks(toml)).hexdigest()[:16],
+        "its file of blocks": file_of_blocks(toml).hex()[:16] or "none",
         "the program": f"masonry {__version__}, sources {source_hash(ALL, SHOWING)}",
         "the packages of its laws and specimen": other_sources(toml) or "none",
         "the packages": ", ".join(f"{name} {_version(name)}" for name in PACKAGES),

@@ -7,7 +7,7 @@ import argparse
 import re
 from pathlib import Path
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, visible
 from masonry.shell import OK, Parser
 
 VIEWS = ("front", "back", "iso")
@@ -42,7 +42,7 @@ def main(arguments: list[str] | None = None) -> int:
     words = parser().parse_args(arguments)
     _require_fitting(words)
     path, note = _of_scene(words) if words.geometry else _of_results(words)
-    print(f"{path}" + (f"\n{note}" if note else ""))
+    print(visible(f"{path}") + (f"\n{note}" if note else ""))
     return OK
 
 

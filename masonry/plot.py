@@ -114,7 +114,7 @@ def tidy(axes: Any) -> None:
 
 def _words(value: Any) -> str:
     """A word of the summary, or the different ones of a table of them: `elastic + exponential`."""
-    return " + ".join(sorted(set(value.values()))) if isinstance(value, dict) else str(value or "")
+    return " + ".join(sorted(set(map(str, value.values())))) if isinstance(value, dict) else str(value or "")
 
 
 def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_at: float, peak: float) -> None:

@@ -4,6 +4,7 @@ import textwrap
 from pathlib import Path
 from typing import Any
 
+from masonry.errors import visible
 from masonry.progress import duration
 
 WIDTH = 110
@@ -167,6 +168,7 @@ def _seconds(summary: dict[str, Any], key: str) -> str:
 
 def aligned(rows: Rows, wrap: bool = True) -> str:
     """Two columns: a word, and lines that are wrapped under each other."""
+    rows = [(visible(word), list(map(visible, entries))) for word, entries in rows]
     margin = max(len(word) for word, _ in rows) + 2
     lines = []
     for word, entries in rows:

@@ -1,7 +1,6 @@
 """The result of a run: its summary, history and specimen, and the files that hold them."""
 
 import json
-import tomllib
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,6 +14,7 @@ from masonry.errors import SceneError
 from masonry.finite import finite_rows, is_finite, without_nan
 from masonry.folder import WholeFiles
 from masonry.history import History
+from masonry.text_files import json_of, toml_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -55,8 +55,8 @@ class Result:
     def title(self) -> str:
         """The scene's title, or its name where it has none."""
         try:
-            title = tomllib.loads(self.scene_toml).get("title")
-        except tomllib.TOMLDecodeError:
+            title = toml_of(self.scene_toml, "scene").get("title")
+        except SceneError:
             title = None
         return str(title or self.summary.get("scene", "masonry"))
 
@@ -180,15 +180,15 @@ def load_history(folder: Path | str) -> Result:
     for name in ("summary.json", "history.h5"):
         if not (folder / name).is_file():
             raise SceneError(f"'{folder}' has no {name}; it is not a folder of results, or its run did not finish")
+    summary = json_of(folder / "summary.json")
+    if not isinstance(summary, dict):
+        raise SceneError(
+            f"'{folder / 'summary.json'}' is damaged (not a table of keys and values); run the scene again"
+        )
     try:
-        name = "summary.json"
-        summary = json.loads((folder / name).read_text(encoding="utf-8"))
-        if not isinstance(summary, dict):
-            raise ValueError("not a table of keys and values")
-        name = "history.h5"
-        return Result(summary=summary, **archive.read(folder / name))
-    except (OSError, KeyError, TypeError, ValueError, AttributeError) as error:
-        raise SceneError(f"'{folder / name}' is damaged ({error}); run the scene again") from None
+        return Result(summary=summary, **archive.read(folder / "history.h5"))
+    except (OSError, RuntimeError, KeyError, TypeError, ValueError, AttributeError, IndexError, OverflowError) as error:
+        raise SceneError(f"'{folder / 'history.h5'}' is damaged ({f'{error}'[:300]}); run the scene again") from None
 
 
 def _plain(value: Any) -> Any:

@@ -1,7 +1,6 @@
 """`masonry run` and `masonry resume`: one run from the shell, with its lock, checkpoints, results and exit code."""
 
 import argparse
-import json
 import math
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ from masonry.errors import SceneError, Stopped
 from masonry.painter import Painter, painter
 from masonry.processors import processors
 from masonry.shell import OK, STOPPED, complain
+from masonry.text_files import json_of
 
 EVERY = 300.0
 """Seconds between two checkpoints where nothing is said."""
@@ -127,7 +127,7 @@ class _Run:
                 raise
             self._save(error.result)
             self.kept.clear()
-            return complain(f"{error}\nmasonry: the results up to there are in '{self.out}'", STOPPED)
+            return complain([f"{error}", f"masonry: the results up to there are in '{self.out}'"], STOPPED)
         paths = self._save(result)
         interrupted = result.summary.get("interrupted")
         if not interrupted:
@@ -167,9 +167,9 @@ def _nothing_to_resume(folder: Path) -> int:
     if not folder.is_dir():
         raise SceneError(f"'{folder}' is not a folder of results; `masonry run` writes one")
     try:
-        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        summary = json_of(folder / "summary.json")
         stopped, interrupted = summary.get("stopped"), summary.get("interrupted")
-    except (OSError, ValueError, AttributeError):
+    except (SceneError, AttributeError):
         raise SceneError(
             f"'{folder}' holds neither results nor a checkpoint; `masonry run SCENE --out {folder}` begins a run"
         ) from None

@@ -47,6 +47,7 @@ FLOORS = {
         " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation"
         " masonry.vtkhdf masonry.joint_fields masonry.frame_choice masonry.frame_picture"
         " masonry.hysteresis masonry.flat_drawing masonry.solid_drawing masonry.solid_view masonry.face_drawing"
+        " masonry.text_files masonry.open_archive masonry.whole_result"
         " masonry.film masonry.film_file masonry.show masonry.stage",
         sees="run model equations errors geometry",
     ),

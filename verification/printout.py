@@ -3,6 +3,7 @@
 import textwrap
 from collections.abc import Iterable, Sequence
 
+from masonry.errors import visible
 from masonry.progress import duration
 from verification.case import LOOSE, Case, Check
 from verification.comparison import Change
@@ -97,6 +98,7 @@ def changes_notes(changes: Sequence[Change]) -> dict[str, list[str]]:
 
 def as_text(rows: Sequence[Sequence[str]], header: Sequence[str], under: dict[str, list[str]], last: str) -> str:
     """Aligned columns, then wrapped sentences."""
+    header, *rows = ([visible(cell) for cell in cells] for cells in (header, *rows))
     widths = [max(map(len, column)) for column in zip(header, *rows, strict=True)]
     lines = []
     for entry in (header, *rows):
@@ -108,7 +110,7 @@ def as_text(rows: Sequence[Sequence[str]], header: Sequence[str], under: dict[st
     for heading, sentences in under.items():
         lines += ["", f"{heading}:"]
         for sentence in sentences:
-            lines += textwrap.wrap(sentence, WIDTH, initial_indent="  ", subsequent_indent="    ")
+            lines += textwrap.wrap(visible(sentence), WIDTH, initial_indent="  ", subsequent_indent="    ")
     return "\n".join([*lines, *(["", last] if last else [])])
 
 
@@ -116,12 +118,12 @@ def as_markdown(rows: Sequence[Sequence[str]], header: Sequence[str], under: dic
     """A table, headings and lists."""
 
     def line(cells: Iterable[str]) -> str:
-        return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+        return "| " + " | ".join(visible(cell).replace("|", "\\|") for cell in cells) + " |"
 
     rule = "|" + "|".join("---:" if name in NUMBERS else "---" for name in header) + "|"
     lines = [line(header), rule, *map(line, rows)]
     for heading, sentences in under.items():
-        lines += ["", f"### {heading}", *(f"- {sentence}" for sentence in sentences)]
+        lines += ["", f"### {heading}", *(f"- {visible(sentence)}" for sentence in sentences)]
     return "\n".join([*lines, *(["", last] if last else [])])
 
 

@@ -14,10 +14,15 @@ from masonry import __version__
 from masonry.errors import SceneError
 from masonry.folder import WholeFiles
 from masonry.kernels.sources import source_hash
+from masonry.text_files import JSON_LARGEST, json_in, text_of
 from verification.outcome import Outcome
 
 NAME = "records.json"
 PACKAGES = ("numpy", "scipy", "numba", "gmsh", "scikit-fem")
+WORDS = ("version", "source_hash", "chapter", "case", "status", "reason", "quantity", "unit", "kind_of_reference",
+         "knob", "rung", "processor")  # fmt: skip
+MEASURED = ("value", "reference", "tolerance", "scale", "seconds", "seconds_stepping")
+"""What records are compared by: words (or plain numbers), and numbers; either may be missing."""
 CASES = "Cases"
 """The chapter of a record that comes from a case."""
 Record = dict[str, Any]
@@ -104,14 +109,19 @@ def version_of(record: Record) -> tuple[str, str]:
 def load(path: Path) -> list[Record]:
     """The records of a file, oldest version first. Raises SceneError where it is no such file."""
     try:
-        records = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise SceneError(f"cannot read records from '{path}': {error.strerror or error}") from None
-    except ValueError as error:
-        raise SceneError(f"'{path}' holds no records: not JSON ({error})") from None
+        text = text_of(path, JSON_LARGEST)
+    except SceneError as error:
+        raise SceneError(f"cannot read records: {error}") from None
+    records = json_in(text, f"'{path}' holds no records, it")
     fine = isinstance(records, list) and all(isinstance(r, dict) and "case" in r and "version" in r for r in records)
     if not fine:
         raise SceneError(f"'{path}' holds no records: give a records.json that `masonry verify --out` wrote")
+    for number, record in enumerate(records, start=1):
+        for name in (*WORDS, *MEASURED):
+            value = record.get(name)
+            if value is not None and not isinstance(value, (str, int, float) if name in WORDS else (int, float)):
+                need = "a word" if name in WORDS else "a number"
+                raise SceneError(f"'{path}', record {number}: {name}: must be {need}, not {value!r:.60}")
     return records
 
 

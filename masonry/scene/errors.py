@@ -7,7 +7,7 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from masonry.errors import SceneError
+from masonry.errors import Findings, SceneError
 from masonry.own_specimens import own_specimen_names
 from masonry.quantity import KINDS, written
 from masonry.scene.lines import split_key
@@ -51,7 +51,7 @@ def explain(error: ValidationError, source: Source) -> SceneError:
     findings = _without_echoes(error.errors(include_url=False))
     lines = [_line(found, source) for found in findings[:MOST]]
     more = [f"... and {len(findings) - MOST} more"] if len(findings) > MOST else []
-    return SceneError("\n".join(lines + more))
+    return Findings(lines + more)
 
 
 def _without_echoes(findings: list[ErrorDetails]) -> list[ErrorDetails]:

@@ -2,7 +2,6 @@
 
 import difflib
 import re
-import tomllib
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib.resources import files
@@ -13,14 +12,11 @@ from typing import Any
 from masonry.errors import SceneError
 from masonry.scene.lines import line_numbers
 from masonry.scene.variant import Keys, overlay
+from masonry.text_files import decoded, toml_of
 
 LARGEST = 5_000_000
 DEEPEST = 8
 """Scenes that may stand one on top of the other."""
-NESTED = 32
-"""Tables within tables; a scene has five."""
-_NESTED_KEY = re.compile(rf"(?<![\w\"'-])(?:[\w\"'-]+[ \t]*\.[ \t]*){{{NESTED}}}")
-_BARE_QUANTITY = re.compile(r"=\s*([-+]?[\d.]+(?:[eE][-+]?\d+)? ?[A-Za-z][\w/^*]*)\s*(?:#.*)?$")
 
 
 @dataclass
@@ -64,7 +60,7 @@ def packaged() -> dict[str, Traversable]:
 def titles() -> dict[str, str]:
     """Name and title of every packaged scene."""
     texts = {name: file.read_text(encoding="utf-8") for name, file in packaged().items()}
-    return {name: str(tomllib.loads(text).get("title", "")) for name, text in texts.items()}
+    return {name: str(toml_of(text, name).get("title", "")) for name, text in texts.items()}
 
 
 def read(scene: str | Path, depth: int = 0) -> Source:
@@ -74,7 +70,7 @@ def read(scene: str | Path, depth: int = 0) -> Source:
     name = f"{scene}.toml" if isinstance(scene, str) and scene in known else str(scene)
     text = _text(file, name, known)
     stem = name.replace("\\", "/").rsplit("/", 1)[-1].removesuffix(".toml")
-    source = Source(name, stem, text, _parse(text, name))
+    source = Source(name, stem, text, toml_of(text, name))
     _anchor(source.raw, file)
     base = source.raw.pop("base", None)
     if base is not None:
@@ -102,7 +98,7 @@ def _below(source: Source, base: Any, file: Traversable, depth: int) -> Source:
     try:
         return read(base if base in packaged() else beside / base, depth + 1)
     except SceneError as error:
-        raise SceneError(f"{where}: {error}") from None
+        raise error.within(where) from None
 
 
 def _text(file: Traversable, name: str, known: dict[str, Traversable]) -> str:
@@ -115,6 +111,8 @@ def _text(file: Traversable, name: str, known: dict[str, Traversable]) -> str:
             nearest = difflib.get_close_matches(stem, known, 1, 0.4)
             hint = f"did you mean '{nearest[0]}'? " if nearest else ""
             raise SceneError(f"no scene {shown}: no such file; {hint}packaged scenes are {', '.join(known)}")
+        if isinstance(file, Path) and file.stat().st_size == 0:  # some files of the system say so and never end
+            return ""
         with file.open("rb") as stream:
             data = stream.read(LARGEST + 1)
     except (OSError, ValueError) as error:
@@ -123,30 +121,4 @@ def _text(file: Traversable, name: str, known: dict[str, Traversable]) -> str:
         raise SceneError(f"{shown} cannot be read: {getattr(error, 'strerror', None) or error}") from None
     if len(data) > LARGEST:
         raise SceneError(f"{shown} is larger than {LARGEST // 1_000_000} MB; a scene file holds a few kB of text")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        raise SceneError(f"{name}, line {line}: not UTF-8 text; save the file as UTF-8") from None
-
-
-def _parse(text: str, name: str) -> dict[str, Any]:
-    too_deep = SceneError(f"{name}: not a scene: tables nested too deeply")
-    if _NESTED_KEY.search(text):  # their reader takes time that grows with the square of the depth
-        raise too_deep
-    try:
-        raw = tomllib.loads(text)
-    except RecursionError:
-        raise too_deep from None
-    except ValueError as error:  # tomllib's own, and Python's limit on the digits of a number
-        hint, line = "", re.search(r"at line (\d+)", str(error))
-        if line and (bare := _BARE_QUANTITY.search(text.split("\n")[int(line[1]) - 1][:200].rstrip())):
-            hint = f"; a quantity stands in quotes: '{bare[1]}'"
-        raise SceneError(f"{name}: not valid TOML: {error}{hint}") from None
-    level: list[Any] = [raw]
-    for _ in range(NESTED):
-        level = [part for value in level for part in (value.values() if isinstance(value, dict) else value)]
-        level = [part for part in level if isinstance(part, (dict, list))]
-        if not level:
-            return raw
-    raise too_deep
+    return decoded(data, name)

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, visible
 from masonry.processors import processors
 from masonry.shell import INTERRUPTED, OK, Parser
 from masonry.sweep.folder import COPY, DOING, folder_for
@@ -28,6 +28,7 @@ def parser() -> Parser:
     words.add_argument("sweep", type=Path, metavar="SWEEP.toml", help="what to vary: a grid, a list, a Latin hypercube")
     words.add_argument("--out", type=Path, metavar="DIR", help="folder for the results (default results/SWEEP-N)")
     words.add_argument("--overwrite", action="store_true", help="replace the table of another sweep in DIR")
+    words.add_argument("--list", action="store_true", help="say what each run would set, and run nothing")
     words.add_argument("--workers", type=int, default=processors(), metavar="N", help="processes (default: processors)")
     words.add_argument("--scheduler", metavar="ADDRESS", help="run on the Dask cluster of this scheduler instead")
     words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
@@ -36,13 +37,16 @@ def parser() -> Parser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
-    from masonry.sweep.plan import plan
+    from masonry.sweep.plan import listing, plan
 
     words = parser().parse_args(arguments)
     if words.workers < 1:
         raise SceneError(f"--workers {words.workers}: 1 or more")
     sweep = read(words.sweep)
     planned = plan(sweep)
+    if words.list:
+        print(listing(planned))
+        return OK
     if words.scheduler is not None:
         from masonry.sweep.cluster import require
 
@@ -80,7 +84,7 @@ def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any, tell: Any) 
     if tell:
         counts = Counter(row["status"] for row in rows)
         print(", ".join(f"{count} {status}" for status, count in counts.items()))
-        print("\n".join(f"{folder / name}" for name in (TABLE, "sweep.csv", PICTURE)))
+        print("\n".join(visible(f"{folder / name}") for name in (TABLE, "sweep.csv", PICTURE)))
     return OK
 
 
@@ -99,4 +103,4 @@ def _terminated() -> Iterator[None]:
 
 
 def _tell(line: str) -> None:
-    print(line, file=sys.stderr, flush=True)
+    print(visible(line), file=sys.stderr, flush=True)

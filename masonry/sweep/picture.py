@@ -6,14 +6,19 @@ from typing import Any
 
 import numpy as np
 
+from masonry.errors import SceneError
 from masonry.folder import WholeFiles
 from masonry.plot import MEGA, MILLI, plain, write_png
 from masonry.sweep.plan import Planned
 from masonry.sweep.store import Row
 from masonry.sweep.table import swept
 from masonry.sweep.work import OK
+from masonry.text_files import text_of
+from masonry.whole_result import MOST
 
 PICTURE = "sweep.png"
+LARGEST = 1 << 30
+"""Bytes of a curve."""
 ONE_COLOUR, FEW = "#1f3b5c", 10
 
 
@@ -82,5 +87,11 @@ def _colours(values: list[Any]) -> tuple[list[Any], Any]:
 
 def _curve(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """Displacement (m) and stress (Pa) of all rows of a curve.csv."""
-    table = np.loadtxt(path, delimiter=",", skiprows=1, usecols=(0, 1), ndmin=2)
+    try:
+        lines = text_of(path, LARGEST).splitlines()
+        table = np.loadtxt(lines, delimiter=",", skiprows=1, usecols=(0, 1), ndmin=2)
+    except ValueError as error:
+        raise SceneError(f"'{path}' is damaged ({f'{error}'[:200]}); remove its folder, and it is run again") from None
+    if not np.all(np.abs(table) <= MOST):
+        raise SceneError(f"'{path}' is damaged (numbers that are not finite); remove its folder, and it is run again")
     return table[:, 0], table[:, 1]

@@ -1,11 +1,11 @@
 """The runs of a sweep: each point's values worked out against its scene, and the scene loaded, before anything runs."""
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from masonry.errors import SceneError, nearest
+from masonry.errors import SceneError, nearest, visible
 from masonry.sweep.job import Job
 from masonry.sweep.points import points, si
 from masonry.sweep.read import Sweep, Times
@@ -37,10 +37,16 @@ def plan(sweep: Sweep) -> list[Planned]:
         try:
             found.append(base.planned(point))
         except SceneError as error:
-            said = str(error).removeprefix("--set ")
             run = f", run {number + 1} of {len(asked)}" if len(asked) > 1 else ""
-            raise SceneError(f"{sweep.name}{run}: {said}") from None
+            raise error.within(f"{sweep.name}{run}", "--set ") from None
     return found
+
+
+def listing(planned: Sequence[Planned]) -> str:
+    """A line a run: its number and what the sweep sets in it."""
+    margin = len(str(len(planned)))
+    rows = (visible("  ".join(f"{key} = {value!r:.60}" for key, value in run.values.items())) for run in planned)
+    return "\n".join(f"{number:>{margin}}  {row}" for number, row in enumerate(rows, start=1))
 
 
 class _Base:

@@ -6,7 +6,7 @@ from typing import Any
 
 from masonry.errors import SceneError, nearest
 from masonry.quantity import KINDS, convert
-from masonry.sweep.read import Sweep, value_of
+from masonry.sweep.read import Sweep, is_number, value_of
 
 MOST = 100_000
 """Runs of one sweep."""
@@ -97,7 +97,7 @@ def _between(low: Any, high: Any, log: bool, where: str) -> Any:
 
 def si(value: Any, where: str) -> tuple[float, str]:
     """A number, or a quantity such as "0.5 MPa", as an SI value and its unit ("" for a number). Raises SceneError."""
-    if isinstance(value, int | float) and not isinstance(value, bool):
+    if is_number(value):
         return float(value), ""
     for kind, (_, unit, _) in KINDS.items():
         try:

@@ -1,12 +1,13 @@
 """A sweep file -> what it asks for, with every word of it checked that needs no scene."""
 
-import tomllib
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, nearest
+from masonry.text_files import text_of, toml_of
 
 PARTS = ("list", "grid", "latin_hypercube")
 WORDS = ("scene", "settings", *PARTS)
@@ -82,19 +83,12 @@ def read(path: Path) -> Sweep:
 def read_toml(path: Path) -> dict[str, Any]:
     """The raw tables of a TOML file. Raises SceneError."""
     try:
-        if not path.is_file():
-            raise SceneError(f"no sweep '{path}': no such file; give a sweep file (.toml), see docs/sweep.md")
-        if path.stat().st_size > LARGEST:
-            raise SceneError(f"'{path}' is larger than {LARGEST // 1_000_000} MB; a sweep file holds a few kB of text")
-        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except OSError as error:
-        raise SceneError(f"'{path}' cannot be read: {error.strerror or error}") from None
-    except UnicodeDecodeError:
-        raise SceneError(f"{path}: not UTF-8 text; save the file as UTF-8") from None
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
-        if isinstance(error, SceneError):
-            raise
-        raise SceneError(f"{path}: not valid TOML: {error}") from None
+        there = path.is_file()
+    except OSError:  # a name that is too long, a folder that may not be looked into
+        there = False
+    if not there:
+        raise SceneError(f"no sweep {f'{path}'[:200]!r}: no such file; give a sweep file (.toml), see docs/sweep.md")
+    return toml_of(text_of(path, LARGEST), str(path), "a sweep")
 
 
 def values(table: Any, where: str) -> dict[str, Any]:
@@ -107,7 +101,7 @@ def values(table: Any, where: str) -> dict[str, Any]:
 def value_of(value: Any, where: str) -> Any:
     """One value: as it stands, or Times where it is `{times = 2}` or `{times = 2, of = "key"}`."""
     if isinstance(value, Mapping) and "times" in value:
-        if set(value) - {"times", "of"} or not _is_number(value["times"]) or not isinstance(value.get("of", ""), str):
+        if set(value) - {"times", "of"} or not is_number(value["times"]) or not isinstance(value.get("of", ""), str):
             raise SceneError(f"{where}: write {{times = 2}}, or {{times = 1.5, of = 'a.dotted.key'}}")
         return Times(float(value["times"]), value.get("of"))
     if isinstance(value, Mapping):
@@ -115,8 +109,9 @@ def value_of(value: Any, where: str) -> Any:
     return value
 
 
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
+def is_number(value: Any) -> bool:
+    """Whether it is a number that a float can hold."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
 
 
 def _each_key_once(sweep: Sweep) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 from masonry.errors import SceneError
 from masonry.folder import WholeFiles
 from masonry.sweep.work import OK, Ended
+from masonry.text_files import json_of
 
 Row = dict[str, Any]
 
@@ -34,7 +35,7 @@ class Store:
         folder = self.runs / key
         try:
             failure, numbers = _read(folder / "failure.json"), _read(folder / "summary.json")
-        except (OSError, ValueError):
+        except (OSError, SceneError):
             return None
         if failure is None and (numbers is None or not (folder / "history.h5").is_file()):
             return None
@@ -67,9 +68,9 @@ class Store:
 def _read(path: Path) -> dict[str, Any] | None:
     if not path.is_file():
         return None
-    content = json.loads(path.read_text(encoding="utf-8"))
+    content = json_of(path)
     if not isinstance(content, dict):
-        raise ValueError("not a table of keys and values")
+        raise SceneError(f"'{path}': not a table of keys and values")
     return content
 
 

@@ -1,0 +1,60 @@
+"""What an HDF5 file may hold that a result is read from: arrays of plain numbers and texts that lie in the file itself.
+
+Packed arrays are unpacked only where the file is large enough to be worth it: a small file must not fill the memory.
+"""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+LARGEST = 16 << 30
+"""Bytes of all arrays of a file together."""
+PACKED, SPARE = 100, 1 << 28
+"""Bytes of all arrays for each byte of the file, and besides."""
+FILTERS = {1: "deflate", 2: "shuffle"}
+LONGEST_TEXT = 5_000_000
+
+
+def require_plain(file: Any, path: Path) -> None:
+    """Raise ValueError unless every member of the h5py file is a group or array of its own, and all fit into memory."""
+    import h5py
+
+    total, most = 0, min(LARGEST, PACKED * path.stat().st_size + SPARE)
+    waiting, seen = [("", file)], {file.id.__hash__()}
+    while waiting:
+        above, group = waiting.pop()
+        for name in group:
+            where = f"{above}{name}"
+            if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+                raise ValueError(f"'{where}' is a link; only what is in the file itself is read")
+            member = group[name]
+            if isinstance(member, h5py.Group):
+                if member.id.__hash__() in seen:
+                    raise ValueError(f"'{where}' is there twice")
+                seen.add(member.id.__hash__())
+                waiting.append((f"{where}/", member))
+                continue
+            total += _size(member, where)
+            if total > most:
+                raise ValueError(f"its arrays claim more than {most} bytes")
+
+
+def _size(data: Any, where: str) -> int:
+    """Bytes of an array. Raises ValueError where it lies elsewhere, is made up, or is none of numbers or texts."""
+    import h5py
+
+    if not isinstance(data, h5py.Dataset) or data.shape is None:
+        raise ValueError(f"'{where}' is no array")
+    if data.external is not None or data.is_virtual:
+        raise ValueError(f"'{where}' lies in another file")
+    if data.dtype.kind not in "iuf" and h5py.check_string_dtype(data.dtype) is None:
+        raise ValueError(f"'{where}' holds neither numbers nor texts")
+    plan = data.id.get_create_plist()
+    used = {plan.get_filter(n)[0] for n in range(plan.get_nfilters())}
+    if used - set(FILTERS):
+        raise ValueError(f"'{where}' is packed in a way that is not read")
+    if data.nbytes > 0 and data.id.get_storage_size() == 0:
+        raise ValueError(f"'{where}' claims {data.nbytes} bytes and holds none")
+    chunk = int(np.prod(data.chunks)) * data.dtype.itemsize if data.chunks else 0
+    return max(int(data.nbytes), chunk)

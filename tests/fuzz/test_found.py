@@ -1,0 +1,222 @@
+"""What bad input has found: each by its smallest input."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from geometry.block_file import load_blocks, save_blocks
+from geometry.blocks import GeometryError
+from masonry.cli import main
+from masonry.errors import Findings, SceneError, visible
+from masonry.results import load_history
+from masonry.sweep.read import read
+from masonry.text_files import json_of
+from verification import records
+from verification.fuzz import made_up, seeds
+
+SWEEP = 'scene = "couplet"\n[grid]\n"drive.steps" = [1]\n'
+
+
+def said(capsys, *words) -> str:
+    assert main(list(words)) == 2
+    return capsys.readouterr().err
+
+
+def test_a_newline_in_a_name_makes_no_line_of_its_own(tmp_path, capsys):
+    (tmp_path / "a.toml").write_text('base = "couplet"\n"x\\nmasonry: all is well" = 1\n')
+    assert said(capsys, "check", str(tmp_path / "a.toml")).count("\n") == 1
+    assert said(capsys, "check", "couplet", "--set", "law=a\nmasonry: all is well").count("\n") == 1
+    assert said(capsys, "no\nsuch").count("\n") == 1
+    assert "\x1b" not in said(capsys, "check", "couplet", "\x1b[2J")
+
+
+def test_a_name_with_codes_of_a_terminal_is_shown_as_codes(tmp_path, capsys):
+    (tmp_path / "a.toml").write_text('base = "couplet"\n[[gauge]]\nname = "\\u001b[2J"\non = "top"\ndirection = "x"\n')
+    main(["check", str(tmp_path / "a.toml")])
+    both = capsys.readouterr()
+    assert "\x1b" not in both.out + both.err
+    assert visible("a\nb\x1b\u202e\udcff") == "a\\nb\\x1b\\u202e\\udcff"
+
+
+def test_findings_stay_findings_when_they_are_met_elsewhere():
+    import pickle
+
+    found = Findings(["a", "b\nc"]).within("x")
+    assert found.lines == ["x: a", "b\\nc"]
+    assert pickle.loads(pickle.dumps(found)).lines == found.lines
+
+
+def test_no_message_is_longer_than_a_screen(capsys):
+    assert len(said(capsys, "check", "couplet", "--set", " ".join(["law=x"] + ["y" * 90] * 500))) < 2000
+    assert len(said(capsys, "y" * 100_000)) < 2000
+
+
+@pytest.mark.parametrize("content", ["[" * 100_000, '{"a":' * 100_000, "[1e999]", "[NaN]", "[1" + "0" * 50 + "]", ""])
+def test_json_that_is_deep_or_not_finite_is_refused(tmp_path, content):
+    (tmp_path / "a.json").write_text(content)
+    with pytest.raises(SceneError):
+        json_of(tmp_path / "a.json")
+
+
+def test_what_is_no_plain_file_is_refused_and_not_waited_for(tmp_path):
+    os.mkfifo(tmp_path / "pipe.json")
+    for path in (tmp_path / "pipe.json", Path("/dev/zero"), Path("/proc/kmsg"), tmp_path, Path("x" * 5000)):
+        for reader in (json_of, records.load, read):
+            with pytest.raises(SceneError):
+                reader(path)
+
+
+@pytest.mark.skipif(not Path("/proc/kmsg").exists(), reason="needs a file that keeps its reader waiting")
+def test_a_scene_that_keeps_its_reader_waiting_is_refused(capsys):
+    assert said(capsys, "check", "/proc/kmsg")
+
+
+@pytest.mark.parametrize("key", ["case", "version", "value", "seconds", "tolerance"])
+def test_a_record_of_another_type_is_refused_by_name(tmp_path, key):
+    record = {"case": "a", "version": "1", "value": 1.0, "tolerance": 0.1, "seconds": 1.0}
+    (tmp_path / "r.json").write_text(json.dumps([record | {key: [1]}]))
+    with pytest.raises(SceneError, match=f"record 1: {key}"):
+        records.load(tmp_path / "r.json")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        SWEEP.replace("[1]", "{times = [1" + "0" * 400 + "]}"),
+        SWEEP + '[latin_hypercube]\nsamples = 2\n"drive.accuracy" = {from = 1, to = 1' + "0" * 400 + "}\n",
+        "a." * 40_000 + "a = 1",
+        "a = " + "[" * 5000,
+    ],
+)
+def test_a_sweep_with_numbers_or_tables_beyond_bounds_is_refused(tmp_path, capsys, text):
+    (tmp_path / "s.toml").write_text(text)
+    begun = time.perf_counter()
+    assert said(capsys, "sweep", str(tmp_path / "s.toml"), "--list")
+    assert time.perf_counter() - begun < 10
+
+
+def test_a_sweep_can_be_listed_and_nothing_is_written(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("s.toml").write_text(SWEEP.replace("[1]", "[1, 2]"))
+    assert main(["sweep", "s.toml", "--list"]) == 0
+    assert capsys.readouterr().out == "1  drive.steps = 1\n2  drive.steps = 2\n"
+    assert os.listdir() == ["s.toml"]
+
+
+def test_a_sweep_on_blocks_from_a_pipe_is_refused(tmp_path, capsys):
+    os.mkfifo(tmp_path / "pipe.h5")
+    (tmp_path / "a.toml").write_text('base = "couplet"\n[specimen]\nkind = "file"\npath = "pipe.h5"\n')
+    (tmp_path / "s.toml").write_text(SWEEP.replace("couplet", "a.toml"))
+    assert said(capsys, "sweep", str(tmp_path / "s.toml"), "--list")
+
+
+def test_an_array_in_the_place_of_a_group_is_not_searched(tmp_path):
+    path = tmp_path / "a.blocks.h5"
+    save_blocks(path, seeds.small())
+    with h5py.File(path, "r+") as file:
+        del file["blocks"]
+        file.create_dataset("blocks", shape=(10**12,), dtype="f8", chunks=(10,))
+    with pytest.raises(GeometryError, match="missing"):
+        load_blocks(path)
+
+
+def _results(tmp_path: Path) -> Path:
+    for name, content in made_up.files().items():
+        (tmp_path / name).write_bytes(content)
+    return tmp_path
+
+
+def _replace(name, **words):
+    def change(file):
+        del file[name]
+        file.create_dataset(name, **words)
+
+    return change
+
+
+def _link(name, link):
+    def change(file):
+        del file[name]
+        file[name] = link
+
+    return change
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        _replace("rows/stress", shape=(10**12,), dtype="f8", chunks=(10,)),
+        _replace("rows/stress", data=np.zeros(3)),
+        _replace("rows/stress", data=np.full(11, np.nan)),
+        _replace("rows/stress", data=np.full(11, 1e300)),
+        _replace("joints/block_a", data=np.zeros(3, dtype=int)),
+        _replace("frames/corners", data=np.zeros((2, 1, 3))),
+        _replace("specimen/blocks/face_points", data=np.full(96, 10**9)),
+        _replace("specimen", shape=(10**12,), dtype="f8", chunks=(10,)),
+        _replace("log", data=np.zeros(60_000_000, dtype="u1"), chunks=(60_000_000,), compression="lzf"),
+        _replace("joints/area", shape=(16,), dtype="f8", external=[("/etc/passwd", 0, 128)]),
+        _link("rows/stress", h5py.ExternalLink("/etc/passwd", "x")),
+        _link("rows/stress", h5py.SoftLink("/")),
+        _link("frames", h5py.SoftLink("/frames")),
+        lambda file: file.attrs.clear(),
+    ],
+)
+def test_a_history_whose_parts_do_not_fit_is_refused(tmp_path, change):
+    folder = _results(tmp_path)
+    load_history(folder)
+    with h5py.File(folder / "history.h5", "r+") as file:
+        change(file)
+    with pytest.raises(SceneError, match="history.h5"):
+        load_history(folder)
+
+
+def test_a_tessellation_that_is_none_is_not_repeated(tmp_path, capsys):
+    (tmp_path / "a.tess").write_text("root:$6$salt$hash:19000:0\n")
+    assert "salt" not in said(capsys, "import", str(tmp_path / "a.tess"), "--out", str(tmp_path / "a.toml"))
+
+
+def test_a_reader_whose_asker_was_killed_takes_its_folder_away_and_ends(tmp_path):
+    code = (
+        "import sys; sys.path.insert(0, sys.argv[1])\n"
+        "from geometry.guard import guarded\n"
+        "guarded('tests.geometry.bad_readers', 'sleep', sys.argv[2])\n"
+    )
+    (tmp_path / "a.step").write_text("x")
+    house = str(Path(__file__).resolve().parents[2])
+    inside = tmp_path / "tmp"
+    inside.mkdir()
+    words = [sys.executable, "-c", code, house, str(tmp_path / "a.step")]
+    asker = subprocess.Popen(words, env={**os.environ, "TMPDIR": str(inside), "PYTHONPATH": house})
+    _until(lambda: any(inside.iterdir()) and _readers(inside))
+    os.kill(asker.pid, signal.SIGKILL)
+    asker.wait()
+    _until(lambda: not any(inside.iterdir()) and not _readers(inside))
+
+
+def _readers(inside: Path) -> list[str]:
+    """Processes that work in a folder below."""
+    found = []
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdecimal():
+            try:
+                there = os.readlink(entry / "cwd")
+            except OSError:
+                continue
+            if there.startswith(str(inside)):
+                found.append(entry.name)
+    return found
+
+
+def _until(holds) -> None:
+    end = time.monotonic() + 60
+    while not holds():
+        assert time.monotonic() < end
+        time.sleep(0.05)
