@@ -4,6 +4,7 @@ energy is the closed form.
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -71,7 +72,7 @@ def test_what_holds_the_law_lies_apart_so_that_our_laws_are_found_without_its_pa
 
 def test_an_edit_of_the_law_is_compiled_and_changes_the_run(used):
     here, first = used
-    text = files_of_page()["bilinear.py"].replace("shape.G_I", "(0.8 * shape.G_I)")
+    text = re.sub(r"shape\.G_I\b", "(0.8 * shape.G_I)", files_of_page()["bilinear.py"])
     (here.package / "bilinear.py").write_text(text, encoding="utf-8")
     edited = here.run()
     assert "advance" in edited.compiled

@@ -1,5 +1,7 @@
 """The law of docs/own-laws.md, as an installed package: its physics, its keys, and what is said of mistakes."""
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -27,9 +29,9 @@ def page(tmp_path_factory):
     """The package of the page, and the same law without any `if` under another name."""
     files = files_of_page()
     files["bilinear_of_eight.py"] = lanes_of_page()
-    files["pyproject.toml"] = files["pyproject.toml"].replace(
-        "\nbilinear", '\neight = "bilinear_of_eight"\nbilinear', 1
-    )
+    files["weaker.py"] = re.sub(r"shape\.G_I\b", "(0.8 * shape.G_I)", files["bilinear.py"])
+    more = '\neight = "bilinear_of_eight"\nweaker = "weaker"\nbilinear'
+    files["pyproject.toml"] = files["pyproject.toml"].replace("\nbilinear", more, 1)
     folder = install(tmp_path_factory.mktemp("page"), files)
     with on_the_path(folder):
         yield folder
