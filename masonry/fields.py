@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.deformation import Corners, Deformation
+from masonry.hdf5 import new_file
 from masonry.history import Frame
 
 if TYPE_CHECKING:
@@ -82,7 +83,7 @@ def write(path: Path, result: "Result") -> None:
     import h5py
 
     grid = Grid(result)
-    with h5py.File(path, "w") as file:
+    with new_file(path) as file:
         root = file.create_group("VTKHDF")
         root.attrs["Version"] = np.array([2, 0], dtype=np.int64)
         kind = b"UnstructuredGrid"

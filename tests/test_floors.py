@@ -39,7 +39,7 @@ FLOORS = {
         "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
         " masonry.overlap masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.loop masonry.outcome masonry.compiled_step masonry.keeper masonry.model_state masonry.state_file"
-        " masonry.remember masonry.lock"
+        " masonry.remember masonry.lock masonry.hdf5"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
         " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation",
         sees="run model equations errors geometry",
