@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
+from masonry.hdf5 import new_file
 from masonry.history import Frame, History, unit_of
 from masonry.open_archive import require_plain
 from masonry.whole_result import require_whole_result
@@ -33,10 +34,10 @@ FRAME_UNITS = {
 
 
 def write(path: Path, result: "Result") -> None:
-    """Write history.h5."""
+    """Write history.h5. Raises OSError."""
     import h5py
 
-    with h5py.File(path, "w") as file:
+    with new_file(path) as file:
         file.attrs["format"] = "masonry history"
         file.attrs["version"] = VERSION
         file.create_dataset("scene", data=result.scene_toml, dtype=h5py.string_dtype())

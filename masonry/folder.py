@@ -51,6 +51,10 @@ def claimed(scene: str, out: Path | None = None, *, overwrite: bool = False) -> 
     folder = claim(scene) if out is None else out
     try:
         with sole(folder, "runs a scene into it"):
+            sweep_up(folder)
+            with contextlib.suppress(OSError):  # there is none, or it holds more than what a killed process began
+                sweep_up(folder / "checkpoint")
+                (folder / "checkpoint").rmdir()
             yield folder if out is None else claim(scene, out, overwrite=overwrite)
     finally:
         if not existed:

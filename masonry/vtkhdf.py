@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from masonry.hdf5 import new_file
 from masonry.history import Frame
 
 VTK_POLYGON, VTK_TETRA = 7, 10
@@ -48,7 +49,7 @@ def write(
     """Write the file; without frames it holds the grid and its still data only. Floats at frames are single."""
     import h5py
 
-    with h5py.File(path, "w") as file:
+    with new_file(path) as file:
         root = file.create_group("VTKHDF")
         root.attrs["Version"] = np.array([2, 0], dtype=np.int64)
         kind = b"UnstructuredGrid"

@@ -40,7 +40,7 @@ FLOORS = {
         " masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
         " masonry.overlap masonry.contact_stress masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.loop masonry.outcome masonry.compiled_step masonry.keeper masonry.model_state masonry.state_file"
-        " masonry.remember masonry.lock"
+        " masonry.remember masonry.lock masonry.hdf5"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
         " masonry.curve_table masonry.finite masonry.printout masonry.notebook masonry.figure masonry.painter"
         " masonry.processors masonry.quick_start masonry.quantity"

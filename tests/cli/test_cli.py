@@ -38,10 +38,11 @@ def laboratory(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     scene = types.ModuleType("masonry.scene")
     scene.load = lambda name, overrides: (name, list(overrides))
+    scene.to_toml = lambda loaded: "[specimen]\n"
     fake = types.ModuleType("masonry.laboratory")
     fake.calls = []
 
-    def run(loaded, *, threads, progress):
+    def run(loaded, *, threads, progress, keeper):
         fake.calls.append((loaded, threads, progress))
         return sample()
 

@@ -1,4 +1,4 @@
-"""A disk that is full: what was written stays whole, the exit code is not 0, and room is all it takes to go on."""
+"""A full disk: what was written before stays whole, the exit code is not 0, and room is all it takes to go on."""
 
 import errno
 import resource
