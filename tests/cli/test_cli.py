@@ -10,6 +10,7 @@ import pytest
 
 import masonry
 from geometry.blocks import GeometryError
+from masonry import scene
 from masonry.cli import main
 from masonry.errors import SceneError, Stopped
 from masonry.processors import processors
@@ -36,9 +37,8 @@ REPORT = {
 def laboratory(monkeypatch, tmp_path):
     """A laboratory that returns a made-up result; `calls` remembers how it was called."""
     monkeypatch.chdir(tmp_path)
-    scene = types.ModuleType("masonry.scene")
-    scene.load = lambda name, overrides: (name, list(overrides))
-    scene.to_toml = lambda loaded: "[specimen]\n"
+    monkeypatch.setattr(scene, "load", lambda name, overrides: (name, list(overrides)))
+    monkeypatch.setattr(scene, "to_toml", lambda loaded: '[specimen]\nkind = "couplet"\n[contact]\n')
     fake = types.ModuleType("masonry.laboratory")
     fake.calls = []
 
@@ -47,9 +47,8 @@ def laboratory(monkeypatch, tmp_path):
         return sample()
 
     fake.run, fake.check = run, lambda loaded: REPORT
-    for name, module in (("scene", scene), ("laboratory", fake)):
-        monkeypatch.setitem(sys.modules, f"masonry.{name}", module)
-        monkeypatch.setattr(masonry, name, module, raising=False)
+    monkeypatch.setitem(sys.modules, "masonry.laboratory", fake)
+    monkeypatch.setattr(masonry, "laboratory", fake, raising=False)
     return fake
 
 
