@@ -1,6 +1,5 @@
 """The documentation site: `make docs` builds it into site/. It needs no network, neither here nor in the browser."""
 
-import logging
 import os
 import sys
 from pathlib import Path
@@ -10,9 +9,6 @@ sys.path[:0] = [str(ROOT), str(ROOT / "docs" / "_ext")]
 os.environ["PYTHONPATH"] = str(ROOT)  # what a notebook imports is what stands here
 
 from masonry import __version__  # noqa: E402
-
-# A page that is named with a star may be absent; Sphinx gives that warning no type that could be left out.
-logging.getLogger("sphinx.sphinx.directives.other").addFilter(lambda said: getattr(said, "subtype", "") != "empty_glob")
 
 project = "The masonry laboratory"
 author = "the authors of masonry-dem"
