@@ -38,7 +38,8 @@ FLOORS = {
     "run": Floor(
         "masonry.timeloop masonry.pace masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
         " masonry.overlap masonry.energy masonry.history masonry.progress masonry.checkpoint"
-        " masonry.results masonry.archive masonry.folder masonry.text_files masonry.open_archive masonry.whole_result masonry.fields masonry.crew masonry.tally"
+        " masonry.results masonry.archive masonry.folder masonry.fields masonry.text_files"
+        " masonry.open_archive masonry.whole_result masonry.crew masonry.tally"
         " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation",
         sees="run model equations errors geometry",
     ),

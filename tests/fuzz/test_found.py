@@ -18,7 +18,7 @@ from masonry.cli import main
 from masonry.errors import Findings, SceneError, visible
 from masonry.results import load_history
 from masonry.sweep.read import read
-from masonry.text_files import json_of, toml_of
+from masonry.text_files import json_of
 from verification import records
 from verification.fuzz import made_up, seeds
 
