@@ -23,7 +23,7 @@ def sole(folder: Path) -> Iterator[None]:
     """Make the folder, and keep all others from it for a while. Raises SceneError where another process has it."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        handle = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT, 0o644)
+        handle = os.open(folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK, 0o644)
     except OSError as error:
         raise SceneError(
             f"cannot write results to '{folder}': {error.strerror or error}; name a folder that you may write to"
@@ -36,8 +36,11 @@ def sole(folder: Path) -> Iterator[None]:
                 f"'{folder}' is in use: process {_text(handle) or 'unknown'} runs a sweep into it; wait for its end,"
                 " or name another folder"
             ) from None
-        os.truncate(handle, 0)
-        os.pwrite(handle, str(os.getpid()).encode(), 0)
+        try:
+            os.truncate(handle, 0)
+            os.pwrite(handle, str(os.getpid()).encode(), 0)
+        except OSError as error:
+            raise SceneError(f"'{folder / LOCK}' cannot be written: {error.strerror or error}; remove it") from None
         yield
     finally:
         os.close(handle)

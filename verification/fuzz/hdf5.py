@@ -60,7 +60,7 @@ ARRAYS: tuple[Callable[[Random, np.ndarray], Any], ...] = (
     lambda draw, v: v[None],
     lambda draw, v: np.zeros(v.shape + (0,)),
     lambda draw, v: v.astype(one_of(draw, (">f8", "<f4", "<i2", "<u8", "<c16", "<f2", "?", "S8"))),
-    lambda draw, v: v * one_of(draw, (-1, 0, 10**9, 1e300, float("nan"))),
+    lambda draw, v: v * one_of(draw, (-1.0, 0.0, 1e9, 1e300, float("nan"))),
     lambda draw, v: _at(draw, v, one_of(draw, [n for n in NUMBERS if abs(n) < 2**62 or isinstance(n, float)])),
     lambda draw, v: _at(draw, v, one_of(draw, (-1, 10**9, 0))),
     lambda draw, v: np.array([(1, 2.0)], dtype=[("a", "i4"), ("b", "f8")]),
