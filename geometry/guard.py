@@ -27,8 +27,8 @@ from geometry.whole_files import require_file
 LARGEST = 500_000_000  # bytes of a file
 MEMORY = 4 << 30  # bytes
 SECONDS = 600
-START, PER_MEGABYTE = 8, 60  # s of processor time, so that a small file cannot take long
-PATIENCE = 3  # times as long by the clock, where others are at work
+START, PER_MEGABYTE = 15, 60  # s of processor time, so that a small file cannot take long
+PATIENCE = 10  # times as long by the clock, where others are at work
 ANSWER, COMPLAINT = "answer.npz", "complaint.txt"
 SAID, LACKS_MEMORY = 3, 4
 BLOCKS = ("points", "face_start", "face_points", "block_face_start", "unit", "group")

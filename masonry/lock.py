@@ -48,7 +48,7 @@ def sole(folder: Path, doing: str) -> Iterator[None]:
 def _held(path: Path) -> int | None:
     """The open lock; None where another process has it. A file that its last holder has removed is no lock."""
     while True:
-        handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
+        handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK, 0o644)
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:

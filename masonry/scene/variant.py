@@ -42,7 +42,10 @@ def drop_rivals(raw: dict[str, Any], path: Keys, given: Container[Keys]) -> None
             if isinstance(table, dict) and rival in table and at not in given:
                 del table[rival]
                 _forget(raw, at, given)
-        table = table[part] if isinstance(table, dict) or (isinstance(table, list) and isinstance(part, int)) else {}
+        try:
+            table = table[part] if isinstance(table, dict | list) else {}
+        except (KeyError, IndexError, TypeError):  # what stands above it was set as well, later
+            return
 
 
 def _put(table: dict[str, Any], above: dict[str, Any]) -> None:

@@ -220,3 +220,30 @@ def _until(holds) -> None:
     while not holds():
         assert time.monotonic() < end
         time.sleep(0.05)
+
+
+@pytest.mark.parametrize(
+    "pairs",
+    [
+        ("contact.unit_unit.cohesion=1 MPa", "contact.unit_unit.friction_angle=45 deg", "contact=1"),
+        ("specimen.divisions.0=2", "specimen=5"),
+        ("support.1.fix=x", "support=[]"),
+        ("traction.0.stress.z=1", "traction=0"),
+    ],
+)
+def test_a_table_set_after_its_keys_takes_their_place(capsys, pairs):
+    said(capsys, "check", "couplet", *(word for pair in pairs for word in ("--set", pair)))
+
+
+def test_a_lock_that_leads_elsewhere_is_not_written_through(tmp_path, capsys):
+    (tmp_path / "mine").write_text("mine")
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / ".lock").symlink_to(tmp_path / "mine")
+    (tmp_path / "s.toml").write_text(SWEEP)
+    said(capsys, "sweep", str(tmp_path / "s.toml"), "--out", str(tmp_path / "out"))
+    assert (tmp_path / "mine").read_text() == "mine"
+
+
+def test_a_name_that_no_file_can_have_is_refused(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert "no name of a file" in said(capsys, "export", "couplet", "--to", "\ud800.step")

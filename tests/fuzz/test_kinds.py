@@ -1,4 +1,4 @@
-"""Bad input of every kind, a few of each: one message and nothing else. Many thousand more: `python -m verification.fuzz`."""
+"""Bad input of every kind, a few of each: one message, and nothing else. More: `python -m verification.fuzz`."""
 
 import os
 import tempfile

@@ -4,6 +4,7 @@ import importlib.util
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 from masonry.errors import SceneError
@@ -55,7 +56,7 @@ def _seeds(name: str) -> tuple[bytes, ...]:
     from verification.fuzz.kinds import quantity, sweep
     from verification.fuzz.trees import toml
 
-    known = {
+    known: dict[str, Callable[[], tuple[bytes, ...]]] = {
         "tess": seeds.tess,
         "step": seeds.step,
         "sweep": lambda: tuple(toml(tree).encode() for tree in sweep.SEEDS),
@@ -66,7 +67,7 @@ def _seeds(name: str) -> tuple[bytes, ...]:
 
 def _serve(words: list[str]) -> None:
     """The process that searches; it ends itself."""
-    import atheris  # type: ignore[import-not-found]
+    import atheris
 
     with atheris.instrument_imports(include=MODULES):
         target = kind_of(words[1]).target

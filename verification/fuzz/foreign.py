@@ -9,8 +9,17 @@ from verification.fuzz.odd import SECRET, one_of
 from verification.fuzz.texts import changed_bytes, changed_text
 
 Change = Callable[[Random, bytes], bytes]
-WORDS: tuple[tuple[str, ...], ...] = ((), (), (), ("--unit", "mm"), ("--open-gaps",), ("--group", "*=wall"),
-                                      ("--section", "1 cm^2"), ("--tolerance", "1 m"), ("--thickness", "5 cm"))  # fmt: skip
+WORDS: tuple[tuple[str, ...], ...] = (
+    (),
+    (),
+    (),
+    ("--unit", "mm"),
+    ("--open-gaps",),
+    ("--group", "*=wall"),
+    ("--section", "1 cm^2"),
+    ("--tolerance", "1 m"),
+    ("--thickness", "5 cm"),
+)
 
 
 def importing(

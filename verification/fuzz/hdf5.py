@@ -60,14 +60,22 @@ ARRAYS: tuple[Callable[[Random, np.ndarray], Any], ...] = (
     lambda draw, v: v[None],
     lambda draw, v: np.zeros(v.shape + (0,)),
     lambda draw, v: v.astype(one_of(draw, (">f8", "<f4", "<i2", "<u8", "<c16", "<f2", "?", "S8"))),
-    lambda draw, v: v * one_of(draw, (-1, 0, 10**9, 1e300, float("nan"))),
+    lambda draw, v: v * one_of(draw, (-1.0, 0.0, 1e9, 1e300, float("nan"))),
     lambda draw, v: _at(draw, v, one_of(draw, [n for n in NUMBERS if abs(n) < 2**62 or isinstance(n, float)])),
     lambda draw, v: _at(draw, v, one_of(draw, (-1, 10**9, 0))),
     lambda draw, v: np.array([(1, 2.0)], dtype=[("a", "i4"), ("b", "f8")]),
     lambda draw, v: one_of(draw, TEXTS).replace("\0", "").encode("utf-8", "replace"),
     lambda draw, v: v[::-1],
     lambda draw, v: float(v.ravel()[0]) if v.size else 0.0,
-)  # fmt: skip
+)
+
+
+PACKINGS: tuple[dict[str, Any], ...] = (
+    {"compression": "lzf"},
+    {"scaleoffset": 0},
+    {"fletcher32": True},
+    {"maxshape": (None,)},
+)
 
 
 def _member(draw: Random, file: Any, name: str) -> None:
@@ -87,8 +95,11 @@ def _member(draw: Random, file: Any, name: str) -> None:
         )
     elif kind == 3:
         layout = h5py.VirtualLayout(shape=shape, dtype="f8")
-        layout[:100] = h5py.VirtualSource("other.h5", "x", shape=(100,))[: min(100, shape[0])] if shape[0] >= 100 else \
-            h5py.VirtualSource("other.h5", "x", shape=(100,))[: shape[0]]  # fmt: skip
+        layout[:100] = (
+            h5py.VirtualSource("other.h5", "x", shape=(100,))[: min(100, shape[0])]
+            if shape[0] >= 100
+            else h5py.VirtualSource("other.h5", "x", shape=(100,))[: shape[0]]
+        )
         file.create_virtual_dataset(name, layout, fillvalue=1.0)
     elif kind == 4:
         file.create_dataset(
@@ -96,7 +107,12 @@ def _member(draw: Random, file: Any, name: str) -> None:
         )
     elif kind == 5:
         file.create_dataset(
-            name, shape=shape, dtype="f8", chunks=(one_of(draw, (10, 10**6)),), fillvalue=1.0, compression="gzip"
+            name,
+            shape=shape,
+            dtype="f8",
+            chunks=(min(one_of(draw, (10, 10**6)), *shape),),
+            fillvalue=1.0,
+            compression="gzip",
         )
     elif kind == 6:
         file.create_dataset(name, shape=shape, dtype=one_of(draw, ("f8", "i8", "u1")))
@@ -112,14 +128,14 @@ def _member(draw: Random, file: Any, name: str) -> None:
         file.create_dataset(
             name,
             data=np.array([b"x", b"y"], dtype=object),
-            dtype=h5py.vlen_dtype(np.uint8) if False else h5py.string_dtype(),
+            dtype=h5py.string_dtype(),
         )
     else:
         file.create_dataset(
             name,
             data=np.arange(64),
             chunks=(8,),
-            **one_of(draw, ({"compression": "lzf"}, {"scaleoffset": 0}, {"fletcher32": True}, {"maxshape": (None,)})),
+            **one_of(draw, PACKINGS),
         )
 
 

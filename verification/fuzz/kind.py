@@ -1,4 +1,4 @@
-"""What a kind of bad input is; every module of `verification.fuzz.kinds` that holds a KIND is one, found without a list."""
+"""What a kind of bad input is; each module of `kinds` that holds a KIND is one, found without a list."""
 
 import importlib
 import pkgutil

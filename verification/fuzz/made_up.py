@@ -12,11 +12,22 @@ from masonry.results import NUMBERS, Result
 from verification.fuzz.seeds import small
 
 SUMMARY = {
-    "scene": "couplet", "law": {"unit_unit": "exponential"}, "kinematics": "rigid", "steps": 10, "seconds_run": 1.25,
-    "peak_stress_pa": 1.9e5, "displacement_at_peak_m": 4e-5, "final_stress_pa": 7.7e3, "seconds": 2.5,
-    "reaction_mismatch_max": 0.01, "kinetic_over_internal_max": 1e-3, "energy_imbalance": 1e-13,
-    "energy_j": {"friction": 0.1}, "gauges": {"deflection": {"at_peak_m": 1e-5, "final_m": 2e-5}}, "warnings": ["none"],
-}  # fmt: skip
+    "scene": "couplet",
+    "law": {"unit_unit": "exponential"},
+    "kinematics": "rigid",
+    "steps": 10,
+    "seconds_run": 1.25,
+    "peak_stress_pa": 1.9e5,
+    "displacement_at_peak_m": 4e-5,
+    "final_stress_pa": 7.7e3,
+    "seconds": 2.5,
+    "reaction_mismatch_max": 0.01,
+    "kinetic_over_internal_max": 1e-3,
+    "energy_imbalance": 1e-13,
+    "energy_j": {"friction": 0.1},
+    "gauges": {"deflection": {"at_peak_m": 1e-5, "final_m": 2e-5}},
+    "warnings": ["none"],
+}
 SCENE = 'title = "A couplet"\nlaw = "exponential"\n[curve]\nx = "deflection"\ny = "force"\n'
 
 
@@ -35,10 +46,19 @@ def made_up() -> Result:
 def _frame(corners: tuple[int, ...], contacts: int, count: int, step: int) -> Frame:
     one = np.full(contacts, 0.09 * step)
     return Frame(
-        step=step, time=1e-4 * step, displacement=2e-5 * step, corners=np.full(corners, 1e-6 * step), nodes=np.zeros((0, 3)),
-        opening=1e-5 * one, slip=1e-5 * one, normal_stress=1e5 * one, shear_stress=one, damage_tension=one, damage_shear=one / 2,
+        step=step,
+        time=1e-4 * step,
+        displacement=2e-5 * step,
+        corners=np.full(corners, 1e-6 * step),
+        nodes=np.zeros((0, 3)),
+        opening=1e-5 * one,
+        slip=1e-5 * one,
+        normal_stress=1e5 * one,
+        shear_stress=one,
+        damage_tension=one,
+        damage_shear=one / 2,
         stress=np.ones((count, 6)),
-    )  # fmt: skip
+    )
 
 
 @cache

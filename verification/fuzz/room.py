@@ -13,8 +13,19 @@ from pathlib import Path
 from typing import Any
 
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
-CHANGES = {"os.remove": 1, "os.rename": 2, "os.mkdir": 1, "os.rmdir": 1, "os.symlink": 2, "os.link": 2,
-           "os.truncate": 1, "os.chmod": 1, "os.chown": 1, "shutil.rmtree": 1, "shutil.move": 2}  # fmt: skip
+CHANGES = {
+    "os.remove": 1,
+    "os.rename": 2,
+    "os.mkdir": 1,
+    "os.rmdir": 1,
+    "os.symlink": 2,
+    "os.link": 2,
+    "os.truncate": 1,
+    "os.chmod": 1,
+    "os.chown": 1,
+    "shutil.rmtree": 1,
+    "shutil.move": 2,
+}
 """Events of Python's audit hook that change files, and how many paths each has."""
 FORBIDDEN = ("pickle.find_class", "os.system", "socket.connect", "webbrowser.open", "os.exec", "os.posix_spawn")
 """Events that no input may lead to."""
@@ -40,7 +51,7 @@ class Room:
         if event in FORBIDDEN and not _by_numba():
             self.seen.append(f"{event} {words[:2]!r:.200}")
         elif event == "open" and isinstance(words[2], int) and words[2] & WRITING:
-            self._note(event, words[0])
+            self._note(event, words[0] if isinstance(words[0], int) else os.path.realpath(words[0]))
         elif event in CHANGES:
             for path in words[: CHANGES[event]]:
                 self._note(event, path)
@@ -80,15 +91,19 @@ class Room:
 
 
 def made(root: Path) -> Room:
-    """A room for this process, which it cannot leave: HOME and TMPDIR point into it, caches to where they are shared."""
+    """A room for this process, which it cannot leave: HOME and TMPDIR are in it, caches where they are shared."""
     from masonry.kernels.compiler import cache_root
 
     caches = cache_root()
     fonts = Path(os.environ.get("MPLCONFIGDIR") or caches / "matplotlib")
     fonts.mkdir(parents=True, exist_ok=True)
     room = Room(root, (caches, fonts))
-    os.environ |= {"HOME": str(root / "home"), "TMPDIR": str(root / "tmp"), "MASONRY_CACHE": str(caches),
-                   "MPLCONFIGDIR": str(fonts)}  # fmt: skip
+    os.environ |= {
+        "HOME": str(root / "home"),
+        "TMPDIR": str(root / "tmp"),
+        "MASONRY_CACHE": str(caches),
+        "MPLCONFIGDIR": str(fonts),
+    }
     tempfile.tempdir = str(root / "tmp")
     sys.addaudithook(room.watch)
     return room
@@ -106,7 +121,7 @@ def _by_numba() -> bool:
 
 def listing(folder: Path) -> dict[str, tuple[int, ...]]:
     """Every name below a folder with its kind, and the size and time of what is a file."""
-    found = {}
+    found: dict[str, tuple[int, ...]] = {}
     for top, folders, files in os.walk(folder):
         for name in (*folders, *files):
             state = os.lstat(os.path.join(top, name))
@@ -115,8 +130,9 @@ def listing(folder: Path) -> dict[str, tuple[int, ...]]:
     return found
 
 
-def differences(before: dict[str, tuple[int, ...]], after: dict[str, tuple[int, ...]], writes: tuple[str, ...]
-                ) -> list[str]:  # fmt: skip
+def differences(
+    before: dict[str, tuple[int, ...]], after: dict[str, tuple[int, ...]], writes: tuple[str, ...]
+) -> list[str]:
     """Names that came, went or changed, other than those that may."""
     changed = {name for name in before | after if before.get(name) != after.get(name)}
     fine = [name for name in changed if any(name == top or name.startswith(f"{top}/") for top in writes)]

@@ -76,8 +76,9 @@ def msh() -> tuple[bytes, ...]:
     mesh = _mesh(meshio)
     return tuple(
         _written(".msh", lambda path, v=version, b=binary: meshio.gmsh.write(path, mesh, v, binary=b))  # type: ignore[misc]
-        for version in ("2.2", "4.1") for binary in (False, True)
-    )  # fmt: skip
+        for version in ("2.2", "4.1")
+        for binary in (False, True)
+    )
 
 
 @cache
@@ -112,8 +113,8 @@ def _appended() -> bytes:
     names = ("Points", "connectivity", "offsets", "types")
     kinds = ("Float64", "Int64", "Int64", "UInt8")
     arrays = [
-        f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{3 if n == 0 else 1}" format="appended" offset="{at}"/>'
-        for n, (name, kind, at) in enumerate(zip(names, kinds, starts, strict=False))
+        f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{wide}" format="appended" offset="{at}"/>'
+        for name, kind, wide, at in zip(names, kinds, (3, 1, 1, 1), starts, strict=False)
     ]
     head = (
         '<?xml version="1.0"?><VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" '

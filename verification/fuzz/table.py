@@ -31,10 +31,12 @@ def table_text(trials: Sequence[Trial]) -> str:
     wide = [max(len(line[k]) for line in rows) for k in range(len(HEADER))]
     ends = len(HEADER) - 1
     return "\n".join(
-        "  ".join(f"{word:<{w}}" if k in (0, ends) else f"{word:>{w}}" for k, (word, w) in
-                  enumerate(zip(line, wide, strict=True))).rstrip()
+        "  ".join(
+            f"{word:<{w}}" if k in (0, ends) else f"{word:>{w}}"
+            for k, (word, w) in enumerate(zip(line, wide, strict=True))
+        ).rstrip()
         for line in rows
-    )  # fmt: skip
+    )
 
 
 def verdict(trials: Sequence[Trial], seconds: float) -> str:

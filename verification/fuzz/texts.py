@@ -7,8 +7,27 @@ from random import Random
 from verification.fuzz.odd import QUANTITIES, TEXTS, one_of
 
 NUMBER = re.compile(rb"(?<![\w.])[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?")
-ODD = (b"nan", b"inf", b"-inf", b"0", b"-1", b"1e308", b"1e-320", b"1e999", b"2147483648", b"9223372036854775808",
-       b"1000000000", b"999999999999999999999", b"1.5", b"", b"x", b"0x10", b"--1", b"1_0", b"\xd9\xa3")  # fmt: skip
+ODD = (
+    b"nan",
+    b"inf",
+    b"-inf",
+    b"0",
+    b"-1",
+    b"1e308",
+    b"1e-320",
+    b"1e999",
+    b"2147483648",
+    b"9223372036854775808",
+    b"1000000000",
+    b"999999999999999999999",
+    b"1.5",
+    b"",
+    b"x",
+    b"0x10",
+    b"--1",
+    b"1_0",
+    b"\xd9\xa3",
+)
 LARGEST = 300_000
 """Bytes of what is made; repeated parts stop there."""
 
@@ -46,7 +65,7 @@ def _change(draw: Random, content: bytes) -> bytes:
 
 
 def with_other_number(draw: Random, content: bytes) -> bytes:
-    """Another number in the place of one: odd, a thousand million times as large, negative, or that of another place."""
+    """Another number in the place of one: odd, a thousand million times as large, negative, or another's."""
     found = list(NUMBER.finditer(content))
     if not found:
         return content

@@ -66,8 +66,9 @@ def _other_quantity(draw: Random, old: str) -> str:
     number, space, unit = old.partition(" ")
     units = ("mm", "m", "MPa", "GPa/m", "N/m", "deg", "%", "kg/m^3", "s", "furlong", "mPa", "Pa*m")
     numbers = ("0", "-1", "1e9", "1e-9", "1e308", "1e-320", "nan", "1e400", number + "0" * 8, f"-{number}")
-    return one_of(draw, (f"{one_of(draw, numbers)} {unit}", f"{number}{space}{one_of(draw, units)}",
-                         one_of(draw, QUANTITIES)))  # fmt: skip
+    return one_of(
+        draw, (f"{one_of(draw, numbers)} {unit}", f"{number}{space}{one_of(draw, units)}", one_of(draw, QUANTITIES))
+    )
 
 
 def _deep(draw: Random, old: Any) -> Any:

@@ -105,7 +105,9 @@ def _caught(room: Room) -> Iterator[list[str]]:
     """What is written to standard output and error within, by native code too; filled at the end."""
     said: list[str] = []
     paths = [room.root / f"said-{n}" for n in (1, 2)]
-    flows = [open(path, "w", encoding="utf-8", errors=how) for path, how in zip(paths, ERRORS, strict=True)]
+    flows = []
+    for path, how in zip(paths, ERRORS, strict=True):
+        flows.append(open(path, "w", encoding="utf-8", errors=how))  # noqa: SIM115
     kept, streams = [os.dup(n) for n in (1, 2)], (sys.stdout, sys.stderr)
     for stream in streams:
         stream.flush()

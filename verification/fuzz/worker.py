@@ -2,10 +2,11 @@
 
 import os
 import resource
+from collections.abc import Generator, Sequence
 from functools import cache
 from pathlib import Path
 from random import Random
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from masonry import size_guard
 from masonry.quantity import parse
@@ -58,7 +59,7 @@ def prepared(root: Path) -> Room:
     return made(root / f"process-{os.getpid()}")
 
 
-def no_runs(act, tasks, workers, limit):  # type: ignore[no-untyped-def]
+def no_runs(act: Any, tasks: Sequence[Any], workers: int, limit: float) -> Generator[tuple[int, Any]]:
     """A sweep whose runs are not done already ends with a row that says so."""
     from masonry.crew import Lost
 

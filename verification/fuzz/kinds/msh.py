@@ -24,8 +24,27 @@ def _other_kind(draw: Random, content: bytes) -> bytes:
 def _other_head(draw: Random, content: bytes) -> bytes:
     """Another version, kind or size of numbers than the file has."""
     line = content.split(b"\n")[1]
-    return content.replace(line, one_of(draw, (b"2.2 0 8", b"2.2 1 8", b"4.1 0 8", b"4.1 1 8", b"4.0 1 8", b"4.1 1 4", b"9 0 8", b"1 0 8",
-                                               b"2.2 7 8", b"", b"x y z", b"2.2 0 99999999999")), 1)  # fmt: skip
+    return content.replace(
+        line,
+        one_of(
+            draw,
+            (
+                b"2.2 0 8",
+                b"2.2 1 8",
+                b"4.1 0 8",
+                b"4.1 1 8",
+                b"4.0 1 8",
+                b"4.1 1 4",
+                b"9 0 8",
+                b"1 0 8",
+                b"2.2 7 8",
+                b"",
+                b"x y z",
+                b"2.2 0 99999999999",
+            ),
+        ),
+        1,
+    )
 
 
 KIND = Kind("msh", "Gmsh's meshes 2.2 and 4.1, text and binary", 2.5, make)

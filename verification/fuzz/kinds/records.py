@@ -9,10 +9,26 @@ from verification.fuzz.kind import Attempt, Kind
 from verification.fuzz.odd import one_of, paths
 
 RECORD = {
-    "version": "1.0", "source_hash": "a", "chapter": "Cases", "case": "incline", "row": "A12", "status": "PASS", "reason": "",
-    "quantity": "peak", "unit": "Pa", "value": 1.0, "reference": 1.0, "tolerance": 0.01, "scale": 1.0, "seconds": 1.5,
-    "seconds_stepping": 0.5, "knobs": {}, "processor": "x", "kind_of_reference": "exact", "holds": True,
-}  # fmt: skip
+    "version": "1.0",
+    "source_hash": "a",
+    "chapter": "Cases",
+    "case": "incline",
+    "row": "A12",
+    "status": "PASS",
+    "reason": "",
+    "quantity": "peak",
+    "unit": "Pa",
+    "value": 1.0,
+    "reference": 1.0,
+    "tolerance": 0.01,
+    "scale": 1.0,
+    "seconds": 1.5,
+    "seconds_stepping": 0.5,
+    "knobs": {},
+    "processor": "x",
+    "kind_of_reference": "exact",
+    "holds": True,
+}
 
 
 def make(draw: Random, folder: Path) -> Attempt:

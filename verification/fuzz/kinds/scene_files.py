@@ -36,8 +36,30 @@ def make(draw: Random, folder: Path) -> Attempt:
 
 def _large(draw: Random) -> bytes:
     """What takes a careless reader long, or much memory."""
-    piece = one_of(draw, (b"a.", b"[", b"[[a]]\n", b"{a=", b"a = 1\n", b'"', b"'''", b"\\", b"#", b"[a.b.c]\n", b"x = [", b"\n",
-                          b"a = 1e", b"1", b"a.a.a.a.a = 1\n", b"\xff", b"a = '\n", b"[specimen]\n", b"0_"))  # fmt: skip
+    piece = one_of(
+        draw,
+        (
+            b"a.",
+            b"[",
+            b"[[a]]\n",
+            b"{a=",
+            b"a = 1\n",
+            b'"',
+            b"'''",
+            b"\\",
+            b"#",
+            b"[a.b.c]\n",
+            b"x = [",
+            b"\n",
+            b"a = 1e",
+            b"1",
+            b"a.a.a.a.a = 1\n",
+            b"\xff",
+            b"a = '\n",
+            b"[specimen]\n",
+            b"0_",
+        ),
+    )
     count = one_of(draw, (1000, 30_000, HUGE)) // len(piece) + 1
     return one_of(draw, (b"", b"a = ", b'title = "', b"[support]\n")) + piece * count
 

@@ -11,19 +11,43 @@ from verification.fuzz.odd import one_of, paths
 COHESION, MODE_1 = "contact.unit_unit.cohesion", "contact.unit_unit.fracture_energy_mode_1"
 SEEDS: tuple[dict[str, Any], ...] = (
     {"scene": "couplet", "grid": {COHESION: ["0.6 MPa", "0.8 MPa"], MODE_1: {"times": [0.5, 1, 2]}}},
-    {"scene": "couplet", "list": [{"law": "linear"}, {COHESION: {"times": 2, "of": "contact.unit_unit.tensile_strength"}}],
-     "settings": {"drive.steps": 100}},
-    {"scene": "couplet", "latin_hypercube": {"samples": 4, "seed": 7, COHESION: {"from": "0.1 MPa", "to": "0.4 MPa"},
-     MODE_1: {"times": {"from": 0.5, "to": 2.0, "scale": "log"}}, "drive.steps": {"from": 10, "to": 99},
-     "law": {"values": ["linear", "exponential"]}}},
-)  # fmt: skip
+    {
+        "scene": "couplet",
+        "list": [{"law": "linear"}, {COHESION: {"times": 2, "of": "contact.unit_unit.tensile_strength"}}],
+        "settings": {"drive.steps": 100},
+    },
+    {
+        "scene": "couplet",
+        "latin_hypercube": {
+            "samples": 4,
+            "seed": 7,
+            COHESION: {"from": "0.1 MPa", "to": "0.4 MPa"},
+            MODE_1: {"times": {"from": 0.5, "to": 2.0, "scale": "log"}},
+            "drive.steps": {"from": 10, "to": 99},
+            "law": {"values": ["linear", "exponential"]},
+        },
+    },
+)
 LARGE: tuple[Any, ...] = (
-    {"from": 1, "to": 10**12}, {"from": 0, "to": 1e300}, {"from": "1e-300 m", "to": "1e300 m", "scale": "log"},
-    {"times": {"from": 0, "to": 1}}, {"times": {"times": {"times": {"from": 1, "to": 2}}}}, {"values": []},
-    {"from": float("-inf"), "to": float("inf")}, {"times": [10**400]}, list(range(3000)), [{"times": 2, "of": COHESION}],
-    [{"times": 1, "of": MODE_1}], 10**12, {"from": "a", "to": "b"}, {"from": 1, "to": "2 m"}, {"times": 1, "of": "x.y"},
-    [[1]], [{}], [float("nan")],
-)  # fmt: skip
+    {"from": 1, "to": 10**12},
+    {"from": 0, "to": 1e300},
+    {"from": "1e-300 m", "to": "1e300 m", "scale": "log"},
+    {"times": {"from": 0, "to": 1}},
+    {"times": {"times": {"times": {"from": 1, "to": 2}}}},
+    {"values": []},
+    {"from": float("-inf"), "to": float("inf")},
+    {"times": [10**400]},
+    list(range(3000)),
+    [{"times": 2, "of": COHESION}],
+    [{"times": 1, "of": MODE_1}],
+    10**12,
+    {"from": "a", "to": "b"},
+    {"from": 1, "to": "2 m"},
+    {"times": 1, "of": "x.y"},
+    [[1]],
+    [{}],
+    [float("nan")],
+)
 
 
 def make(draw: Random, folder: Path) -> Attempt:

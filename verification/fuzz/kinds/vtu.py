@@ -55,8 +55,9 @@ def _bomb(draw: Random, content: bytes) -> bytes:
 
 def _claims(draw: Random, content: bytes) -> bytes:
     """More points and cells than there are."""
-    return content.replace(b'NumberOfPoints="', b'NumberOfPoints="' + one_of(draw, (b"9", b"-", b"1e9", b"99999999999"))).replace(
-        b'NumberOfCells="', b'NumberOfCells="' + one_of(draw, (b"", b"9", b"-1")))  # fmt: skip
+    return content.replace(
+        b'NumberOfPoints="', b'NumberOfPoints="' + one_of(draw, (b"9", b"-", b"1e9", b"99999999999"))
+    ).replace(b'NumberOfCells="', b'NumberOfCells="' + one_of(draw, (b"", b"9", b"-1")))
 
 
 KIND = Kind("vtu", "VTK's meshes; entities, encodings, compressed bombs", 2.5, make)
