@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry import scene, timeloop
 from masonry.assembly import Assembly
-from masonry.pace import Chunk
+from masonry.fixed_pace import Chunk
 
 STEPS = 20_000
 """Steps of the run that set-up and output are compared with."""

@@ -34,7 +34,7 @@ total(np.zeros(3))
 FIRST_STEP = """
 import numpy as np
 from masonry import laboratory, scene, timeloop
-from masonry.pace import Chunk
+from masonry.fixed_pace import Chunk
 assembly = laboratory.assemble(scene.load("couplet", ["drive.steps=1000"]))
 timeloop.compile_for(assembly.model, 1)
 chunk = Chunk(assembly.plan.dead_load[:2], assembly.plan.speed[:2], row=False)

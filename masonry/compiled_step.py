@@ -8,10 +8,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from masonry import energy
+from masonry.fixed_pace import Chunk
 from masonry.kernels.compiler import kind_of, once
 from masonry.kernels.step import advance
 from masonry.model import Model
-from masonry.pace import Chunk
 
 
 def compile_for(model: Model, threads: int) -> None:

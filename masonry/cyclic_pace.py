@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 
 from masonry.cycling import Cyclic
+from masonry.fixed_pace import Chunk
 from masonry.loads import Controlled, smooth
 from masonry.model import Model
-from masonry.pace import COARSEST, FEW, FINEST, FIRST, STEPS, Chunk, ControlledPace
+from masonry.pace import COARSEST, FEW, FINEST, FIRST, STEPS, ControlledPace
 from masonry.remember import State, attributes, put_back
 
 RESTART = 0.25

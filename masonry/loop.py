@@ -8,13 +8,13 @@ import numpy as np
 
 from masonry import energy
 from masonry.compiled_step import advance_model
+from masonry.fixed_pace import Chunk
 from masonry.history import UNITS, Frame
 from masonry.keeper import Keeper
 from masonry.kernels.step import reaction
 from masonry.model import Model
 from masonry.outcome import Outcome, Recording
 from masonry.overlap import Overlap
-from masonry.pace import Chunk
 from masonry.paces import Pace
 from masonry.remember import State, attributes, put_back
 from masonry.watch import Watch, frame_of

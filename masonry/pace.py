@@ -1,9 +1,8 @@
-"""How a run advances, chunk by chunk: a fixed program, or a drive that is paced by its error."""
-
-from dataclasses import dataclass
+"""How a run advances, chunk by chunk: a drive that is paced by its error."""
 
 import numpy as np
 
+from masonry.fixed_pace import Chunk, FixedPace
 from masonry.guide import Guide
 from masonry.loads import Controlled, Program, smooth
 from masonry.model import Model
@@ -11,65 +10,8 @@ from masonry.remember import State, attributes, put_back
 from masonry.utilisation import utilisation
 from masonry.watch import LEAP, smallest_block
 
-LONGEST_CHUNK = 200
-"""Steps between two looks at the motion: an instability then cannot grow into infinities unseen."""
-
-
-@dataclass(frozen=True)
-class Chunk:
-    """Some steps: share of the dead load (n + 1,) and speed of the drive (n + 1,) m/s, before and after each step.
-
-    row    whether a row of the history is due after it
-    place  m, signed: where the drive is after it, if that is known better than the sum of the speeds
-    """
-
-    dead_load: np.ndarray
-    speed: np.ndarray
-    row: bool
-    place: float | None = None
-
-    @property
-    def steps(self) -> int:
-        return len(self.speed) - 1
-
-
-class FixedPace:
-    """The chunks of a program, with a row every so many steps."""
-
-    def __init__(self, program: Program, rows: int) -> None:
-        self.program, self.done = program, 0
-        self.every = max(1, program.steps // rows)
-
-    def next(self) -> Chunk | None:
-        """The next chunk; None at the end."""
-        steps = self.program.steps
-        if self.done >= steps:
-            return None
-        due = min((self.done // self.every + 1) * self.every, steps)
-        first, self.done = self.done, min(due, self.done + LONGEST_CHUNK)
-        part = slice(first, self.done + 1)
-        return Chunk(self.program.dead_load[part], self.program.speed[part], self.done == due)
-
-    def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
-        """A fixed program does not care."""
-
-    def progress(self) -> tuple[int, int]:
-        """Steps done, and all of them."""
-        return self.done, self.program.steps
-
-    def report(self) -> dict[str, float]:
-        """Nothing was asked, and nothing achieved."""
-        return {}
-
-    def state(self) -> State:
-        """How far it is."""
-        return {"done": self.done}
-
-    def restore(self, state: State) -> None:
-        """Go on from there."""
-        self.done = state["done"]
-
-
+SETTLING = 10
+"""One in so many of the rows goes to the settling, which nobody looks at but for its end."""
 STEPS = 80
 """Steps of an increment: about a period of the slowest swing of a wallette."""
 FEW, STILL = 4, 1e-12
@@ -119,7 +61,8 @@ class ControlledPace:
 
     def __init__(self, model: Model, plan: Controlled, rows: int) -> None:
         self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Guide(model)
-        self.settling = FixedPace(Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0), rows)
+        still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0)
+        self.settling = FixedPace(still, max(1, rows // SETTLING))
         self.goal = abs(plan.displacement)
         self.sign = -1.0 if plan.displacement < 0 else 1.0
         self.unit = min(plan.accuracy, FINE * (plan.accuracy / FINE) ** BLUNT)

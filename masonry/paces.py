@@ -2,9 +2,10 @@
 
 from masonry.cyclic_pace import CyclicPace
 from masonry.cycling import Cyclic
+from masonry.fixed_pace import FixedPace
 from masonry.loads import Controlled, Program
 from masonry.model import Model
-from masonry.pace import ControlledPace, FixedPace
+from masonry.pace import ControlledPace
 from masonry.varying_loads import VaryingPace
 
 Pace = FixedPace | ControlledPace

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from masonry.fixed_pace import LONGEST_CHUNK, Chunk, FixedPace
 from masonry.loads import Program
 from masonry.model import Model
-from masonry.pace import LONGEST_CHUNK, Chunk, FixedPace
 
 
 class VaryingPace(FixedPace):

@@ -19,7 +19,7 @@ import numpy as np
 from benchmarks.peers.worker import Absent, Worker
 from masonry import scene, timeloop
 from masonry.assembly import assemble
-from masonry.pace import Chunk
+from masonry.fixed_pace import Chunk
 from verification.by_hand.interleaved import in_turn
 
 ROUNDS = 15

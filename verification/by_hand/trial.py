@@ -9,13 +9,13 @@ import numpy as np
 from geometry.blocks import Blocks, Joints, TetMesh
 from masonry import loads, timeloop
 from masonry.bodies import KINDS, Material, lay_out
+from masonry.fixed_pace import Chunk
 from masonry.kernels.compiler import jit
 from masonry.kernels.contact import sweep
 from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
 from masonry.laws.interface import Interface
 from masonry.model import Model, Stepping, build, sort_by_group
-from masonry.pace import Chunk
 
 STONE = Material(density=1900.0, young_modulus=16.7e9, poisson_ratio=0.2)
 JOINT = Interface(167e9, 69.6e9, 0.1e6, 0.15e6, 1.0, 1.5e3, 0.7265, combined=1.0)

@@ -7,8 +7,8 @@ import numpy as np
 
 from masonry import scene, timeloop
 from masonry.assembly import assemble
+from masonry.fixed_pace import Chunk
 from masonry.loads import Program
-from masonry.pace import Chunk
 from verification.stability.cells import Cell, Exact, Grid
 from verification.stability.references import torn
 from verification.stability.scenes import CHAIN, Knobs, chain_of, joint_of
