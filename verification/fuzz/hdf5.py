@@ -9,7 +9,6 @@ import numpy as np
 
 from verification.fuzz.odd import NUMBERS, SECRET, TEXTS, one_of
 
-
 LARGE = 1 << 20
 """Bytes of an array that only claims to be there."""
 
