@@ -13,7 +13,6 @@ LARGEST = 16 << 30
 PACKED, SPARE = 100, 1 << 28
 """Bytes of all arrays for each byte of the file, and besides."""
 FILTERS = {1: "deflate", 2: "shuffle"}
-LONGEST_TEXT = 5_000_000
 
 
 def require_plain(file: Any, path: Path) -> None:
@@ -21,7 +20,7 @@ def require_plain(file: Any, path: Path) -> None:
     import h5py
 
     total, most = 0, min(LARGEST, PACKED * path.stat().st_size + SPARE)
-    waiting, seen = [("", file)], {file.id.__hash__()}
+    waiting, seen = [("", file)], {hash(file.id)}
     while waiting:
         above, group = waiting.pop()
         for name in group:
@@ -30,9 +29,9 @@ def require_plain(file: Any, path: Path) -> None:
                 raise ValueError(f"'{where}' is a link; only what is in the file itself is read")
             member = group[name]
             if isinstance(member, h5py.Group):
-                if member.id.__hash__() in seen:
+                if hash(member.id) in seen:
                     raise ValueError(f"'{where}' is there twice")
-                seen.add(member.id.__hash__())
+                seen.add(hash(member.id))
                 waiting.append((f"{where}/", member))
                 continue
             total += _size(member, where)

@@ -88,7 +88,7 @@ def _require(
     """Of this shape and these kinds of numbers, finite; whole numbers from `least` to below `end`, where given."""
     if np.shape(values) != shape or values.dtype.kind not in kinds:
         raise ValueError(f"{name} has the shape {np.shape(values)} of {values.dtype}, it must be {shape} of numbers")
-    if not np.all(np.abs(values) <= MOST):
+    if not np.all(np.abs(np.asarray(values, dtype=float)) <= MOST):
         raise ValueError(f"{name} holds numbers that are not finite, or too large")
     if end is not None and values.dtype.kind == "i" and np.any((values < least) | (values >= end)):
         raise ValueError(f"{name} holds numbers that are not from {least} to {end - 1}")

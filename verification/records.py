@@ -111,7 +111,8 @@ def load(path: Path) -> list[Record]:
     try:
         text = text_of(path, JSON_LARGEST)
     except SceneError as error:
-        raise SceneError(f"cannot read records: {error}") from None
+        reason = str(error).removeprefix(f"'{path}' ")
+        raise SceneError(f"cannot read records from '{path}': {reason}") from None
     records = json_in(text, f"'{path}' holds no records, it")
     fine = isinstance(records, list) and all(isinstance(r, dict) and "case" in r and "version" in r for r in records)
     if not fine:

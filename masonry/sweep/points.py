@@ -8,8 +8,8 @@ from masonry.errors import SceneError, nearest
 from masonry.quantity import KINDS, convert
 from masonry.sweep.read import Sweep, is_number, value_of
 
-MOST = 100_000
-"""Runs of one sweep."""
+MOST, MOST_VALUES = 100_000, 5_000_000
+"""Runs of one sweep, and values that it sets in all of them together."""
 Point = dict[str, Any]
 RANGE = "write {from = '0.1 MPa', to = '0.4 MPa'}, with scale = 'log' if you like, {values = [...]}, or {times = ...}"
 
@@ -26,7 +26,9 @@ def points(sweep: Sweep) -> list[Point]:
         axes.append(_samples(sweep.parts["latin_hypercube"], f"{sweep.name}: latin_hypercube"))
     count = math.prod(map(len, axes))
     if count > MOST:
-        raise SceneError(f"{sweep.name}: {count} runs; a sweep may have {MOST}")
+        many = f"{count}" if count < 1e15 else "far too many"
+        raise SceneError(f"{sweep.name}: {many} runs; a sweep may have {MOST}")
+    _require_few(count * sum(max(map(len, axis)) for axis in axes), sweep.name)
     return [{key: value for part in parts for key, value in part.items()} for parts in itertools.product(*axes)]
 
 
@@ -53,6 +55,7 @@ def _samples(table: dict[str, Any], where: str) -> list[Point]:
     axes = {key: _axis(given, f"{where}: {key}") for key, given in table.items() if key not in ("samples", "seed")}
     if not axes:
         raise SceneError(f"{where}: no dotted key; {RANGE}")
+    _require_few(count * len(axes), where)
     places = qmc.LatinHypercube(len(axes), rng=seed).random(count)
     return [{key: axes[key](place) for key, place in zip(axes, row, strict=True)} for row in places.tolist()]
 
@@ -105,6 +108,11 @@ def si(value: Any, where: str) -> tuple[float, str]:
         except ValueError:
             continue
     raise SceneError(f"{where}: {value!r:.60} is no number and no quantity such as '0.5 MPa'")
+
+
+def _require_few(values: int, where: str) -> None:
+    if values > MOST_VALUES:
+        raise SceneError(f"{where}: sets {values:.3g} values in all runs together; {MOST_VALUES} are allowed")
 
 
 def _whole(value: Any, where: str, least: int, most: int) -> int:

@@ -92,6 +92,11 @@ def test_a_record_of_another_type_is_refused_by_name(tmp_path, key):
     [
         SWEEP.replace("[1]", "{times = [1" + "0" * 400 + "]}"),
         SWEEP + '[latin_hypercube]\nsamples = 2\n"drive.accuracy" = {from = 1, to = 1' + "0" * 400 + "}\n",
+        SWEEP
+        + "[latin_hypercube]\nsamples = 100_000\n"
+        + "".join(f'"a{n}" = {{from = 0, to = 1}}\n' for n in range(60)),
+        SWEEP.replace("[1]", str(list(range(1000)))) + '"b" = [1, 2]\n"c" = ' + str(list(range(1000))),
+        SWEEP + "".join(f'"a{n}" = {list(range(1000))}\n' for n in range(120)),
         "a." * 40_000 + "a = 1",
         "a = " + "[" * 5000,
     ],

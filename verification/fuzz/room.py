@@ -51,7 +51,8 @@ class Room:
         if event in FORBIDDEN and not _by_numba():
             self.seen.append(f"{event} {words[:2]!r:.200}")
         elif event == "open" and isinstance(words[2], int) and words[2] & WRITING:
-            self._note(event, words[0] if isinstance(words[0], int) else os.path.realpath(words[0]))
+            as_it_is = isinstance(words[0], int) or words[2] & os.O_NOFOLLOW
+            self._note(event, words[0] if as_it_is else os.path.realpath(words[0]))
         elif event in CHANGES:
             for path in words[: CHANGES[event]]:
                 self._note(event, path)
