@@ -1,7 +1,7 @@
 """Run a scene, or look at it first: what a Python user and the command line both call."""
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -10,12 +10,14 @@ from masonry.assembly import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kernels.freedom import Guided
 from masonry.laws.door import word_of
-from masonry.printout import Report
 from masonry.quality_lines import quality_lines
 from masonry.quick_start import leave_out_blas
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
 from masonry.summary import cells_text, summarise
+
+if TYPE_CHECKING:
+    from masonry.printout import Report
 
 Progress = Callable[[int, int, str], None]
 
@@ -63,7 +65,7 @@ def result_of(assembly: Assembly, outcome: timeloop.Outcome) -> Result:
     )
 
 
-def check(scene: Scene) -> Report:
+def check(scene: Scene) -> "Report":
     """What a scene would run: sizes, time step and what limits it, expected steps and time, what it leaves out."""
     assembly = assemble(scene)
     model = assembly.model
@@ -85,6 +87,8 @@ def check(scene: Scene) -> Report:
         "compiled": compiled(assembly),
         "warnings": warnings(assembly),
     }
+    from masonry.printout import Report
+
     return Report(found)
 
 

@@ -31,7 +31,7 @@ SHOWING = tuple(
         *("solid_view.py", "condition_marks.py", "mark_drawing.py", "face_drawing.py", "flat_drawing.py"),
         *("solid_drawing.py", "frame_choice.py", "frame_picture.py", "picture_command.py", "movie_command.py"),
         *("film.py", "film_file.py", "show.py", "stage.py", "fields.py", "joint_fields.py", "vtkhdf.py"),
-        *("curve_table.py", "notebook.py", "painter.py", "figure.py", "scene/portrait.py"),
+        *("notebook.py", "painter.py", "figure.py", "scene/portrait.py"),
         *("law_*.py", "one_contact.py", "progress.py", "tally.py", "crew.py", "sweep/*"),
     )
 )

@@ -2,6 +2,7 @@
 
 import argparse
 import importlib
+import re
 import textwrap
 from collections.abc import Iterator
 from typing import Any
@@ -11,6 +12,8 @@ from masonry.cli import APART, parser
 PAGE, MARK = "reference/commands", "<!-- commands -->"
 WIDTH = 84
 """Letters of a line of usage."""
+STAYS = "\x00"
+"""Stands for a space at which no line of usage ends."""
 
 
 def parsers() -> Iterator[tuple[str, str, argparse.ArgumentParser]]:
@@ -31,7 +34,8 @@ def page() -> str:
 def _section(name: str, says: str, words: argparse.ArgumentParser) -> str:
     words.prog = f"masonry {name}"
     usage = " ".join(words.format_usage().removeprefix("usage: ").split())
-    usage = "\n".join(textwrap.wrap(usage, WIDTH, subsequent_indent="    ", break_on_hyphens=False))
+    usage = re.sub(r"\[[^][]*\]", lambda option: option[0].replace(" ", STAYS), usage)
+    usage = "\n".join(textwrap.wrap(usage, WIDTH, subsequent_indent="    ", break_on_hyphens=False)).replace(STAYS, " ")
     lines = [f"## masonry {name}", "", f"{says[:1].upper()}{says[1:]}.", "", "```text", usage, "```"]
     rows = [_row(action) for action in words._actions if action.help and action.dest != "help"]
     if rows:

@@ -5,7 +5,7 @@ by lane, as the function of single numbers that it is.
 import sys
 from collections.abc import Callable
 from functools import cache
-from types import FunctionType
+from types import FunctionType, ModuleType
 from typing import Any
 
 from numba import njit
@@ -29,7 +29,7 @@ def fitting(curve: Any, shape: Any, kinds: tuple[Any, ...]) -> tuple[Curve | Non
     if is_ours(shape.instance_class.__module__):
         return curve, None
     curve = getattr(curve, "py_func", curve)
-    _let_in(curve.__module__)
+    _let_in(sys.modules[curve.__module__])
     if _refusal(curve, kinds) is None:
         return curve, None
     width = width_in(kinds)
@@ -50,8 +50,8 @@ def _refusal(curve: Curve, kinds: tuple[Any, ...]) -> str | None:
 
 
 @cache
-def _let_in(module: str) -> None:
+def _let_in(module: ModuleType) -> None:
     """Let compiled code call the functions of a module; once for each."""
-    for function in vars(sys.modules[module]).values():
-        if isinstance(function, FunctionType) and function.__module__ == module:
+    for function in vars(module).values():
+        if isinstance(function, FunctionType) and function.__module__ == module.__name__:
             register_jitable(function)

@@ -51,7 +51,8 @@ def explain(error: ValidationError, source: Source) -> SceneError:
     findings = _without_echoes(error.errors(include_url=False))
     lines = [_line(found, source) for found in findings[:MOST]]
     more = [f"... and {len(findings) - MOST} more"] if len(findings) > MOST else []
-    return Findings(lines + more)
+    found = lines + more
+    return Findings(found) if len(found) > 1 else SceneError(*found)
 
 
 def _without_echoes(findings: list[ErrorDetails]) -> list[ErrorDetails]:
