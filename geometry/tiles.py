@@ -7,6 +7,8 @@ from geometry.polygons import cut, pad, unpad, widen
 
 NEIGHBOURS = 8
 """So many of the nearest points are looked at first; twice as many where these leave a doubt, and so on."""
+FEW = 400
+"""Points up to which all distances are quicker found than the library of trees is loaded."""
 
 
 def tiles(joints: Joints) -> tuple[np.ndarray, np.ndarray]:
@@ -41,9 +43,13 @@ def tiles(joints: Joints) -> tuple[np.ndarray, np.ndarray]:
 
 def _nearest(joints: Joints, which: np.ndarray, number: int) -> tuple[np.ndarray, np.ndarray]:
     """Distance and index (n, number) of the points nearest to some, the nearest first; others' polygons are far."""
-    from scipy.spatial import cKDTree
-
     apart = 10.0 * float(np.ptp(joints.point, axis=0).max())  # a fourth axis on which other polygons are out of reach
     place = np.column_stack([joints.point, apart * joints.patch])
+    if len(place) <= FEW:
+        between = np.linalg.norm(place[which][:, None] - place, axis=2)
+        near = np.argsort(between, axis=1, kind="stable")[:, :number]
+        return np.take_along_axis(between, near, axis=1), near
+    from scipy.spatial import cKDTree
+
     distance, near = cKDTree(place).query(place[which], k=number)
     return distance.reshape(len(which), -1), near.reshape(len(which), -1)

@@ -10,7 +10,6 @@ from masonry.errors import SceneError, Stopped
 from masonry.painter import Painter, painter
 from masonry.processors import processors
 from masonry.shell import OK, STOPPED, complain
-from masonry.text_files import json_of
 
 EVERY = 300.0
 """Seconds between two checkpoints where nothing is said."""
@@ -19,12 +18,17 @@ NEVER = ("0", "never")
 
 def run(words: argparse.Namespace) -> int:
     """`masonry run`: everything that the run got to is written, whatever ended it."""
+    with painter() as hired:  # before anything heavy is loaded
+        return _begin(words, hired)
+
+
+def _begin(words: argparse.Namespace, hired: Painter | None) -> int:
     from masonry import scene
     from masonry.checkpoint import Checkpoints
     from masonry.folder import claimed, scene_name
 
     every = _every(words.checkpoint_every, EVERY)
-    with painter() as hired, listening() as asked:
+    with listening() as asked:
         loaded = scene.load(words.scene, words.overrides)
         with claimed(words.scene, words.out, overwrite=words.overwrite) as out:
             kept = Checkpoints(out)
@@ -164,6 +168,8 @@ class _Run:
 
 def _nothing_to_resume(folder: Path) -> int:
     """Why there is nothing to go on from: it is done, or it cannot be."""
+    from masonry.text_files import json_of
+
     if not folder.is_dir():
         raise SceneError(f"'{folder}' is not a folder of results; `masonry run` writes one")
     try:

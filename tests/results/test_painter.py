@@ -59,3 +59,14 @@ def test_none_is_hired_where_all_is_loaded_already():
     assert "numpy" in sys.modules
     with painter() as hired:
         assert hired is None
+
+
+def test_the_command_hires_a_painter_which_it_can_only_before_anything_heavy_is_loaded(tmp_path):
+    code = (
+        "import sys; from masonry import painter; from masonry.cli import main;"
+        "begin = painter.Painter.begin;"
+        "painter.Painter.begin = lambda self, folder: (print('painted'), begin(self, folder));"
+        "main(['run', 'couplet', '--quiet', '--out', 'r', '--set', 'drive.displacement=0.01 mm'])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=tmp_path)
+    assert done.stdout.split() == ["painted"]
