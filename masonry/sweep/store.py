@@ -8,7 +8,7 @@ from typing import Any
 
 from masonry.errors import SceneError
 from masonry.folder import WholeFiles
-from masonry.sweep.work import OK, Ended
+from masonry.sweep.work import OK, STATUSES, Ended
 from masonry.text_files import json_of
 
 Row = dict[str, Any]
@@ -41,7 +41,11 @@ class Store:
             return None
         seconds = (numbers or {}).pop("seconds", None)
         how = failure or {"status": OK, "reason": "", "seconds": seconds}
-        return {"key": key, **{name: how.get(name) for name in ("status", "reason", "seconds")}, **flat(numbers or {})}
+        plain = isinstance(how.get("reason"), str) and isinstance(how.get("seconds"), int | float | None)
+        if how.get("status") not in STATUSES or not plain:
+            return None
+        own = {"key": key, **{name: how.get(name) for name in ("status", "reason", "seconds")}}
+        return own | {name: value for name, value in flat(numbers or {}).items() if name not in own}
 
     def keep(self, key: str, ended: Ended) -> Row:
         """Write what a run left; returns its row. Raises SceneError where it cannot be written."""

@@ -11,6 +11,7 @@ from masonry.sweep import engine
 from masonry.sweep.folder import DOING
 from masonry.sweep.job import SHOWING, Job
 from masonry.sweep.names import names
+from masonry.sweep.store import Store
 from tests.sweep.samples import SHORT, dying, jobs, marks, mistaken, untimed
 
 FOUR = ("0.1 MPa", "0.2 MPa", "0.3 MPa", "0.4 MPa")
@@ -129,3 +130,13 @@ def test_no_run_loads_a_source_that_only_shows(tmp_path):
     files = [name.replace(".", "/") + ".py" for name in loaded.stdout.split() if name.startswith("masonry.")]
     assert "masonry/timeloop.py" in files
     assert not [file for file in files for pattern in SHOWING if fnmatchcase(file, pattern)]
+
+
+@pytest.mark.parametrize(
+    "failure", ['{"status": {"a": 1}, "reason": "", "seconds": 1}', '{"status": "ERROR", "reason": 3}']
+)
+def test_a_failure_that_nobody_wrote_so_is_none(tmp_path, failure):
+    folder = tmp_path / "runs" / "abc"
+    folder.mkdir(parents=True)
+    (folder / "failure.json").write_text(failure, encoding="utf-8")
+    assert Store(tmp_path).row("abc") is None
