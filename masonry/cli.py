@@ -9,6 +9,7 @@ found only after reinstalling, and cost each other command a search through all 
 """
 
 import argparse
+import errno
 import importlib
 import io
 import os
@@ -115,6 +116,10 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return OK
+    except OSError as error:
+        if error.errno != errno.ENAMETOOLONG:
+            raise
+        return complain(f"'{error.filename}': no file can have a name as long as this; give a shorter one", USAGE)
 
 
 def _geometry_error() -> type[Exception]:

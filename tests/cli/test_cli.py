@@ -232,3 +232,10 @@ def test_a_reader_that_goes_away_is_no_error(words):
 def test_the_version_is_the_packages(capsys):
     assert main(["--version"]) == 0
     assert capsys.readouterr().out == f"masonry {masonry.__version__}\n"
+
+
+@pytest.mark.parametrize("words", ["plot {}", "resume {}", "movie {}", "picture {}", "run couplet --out {}"])
+def test_a_name_that_no_file_can_have_is_said_in_one_line(words, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(words.format("a" * 5000).split()) == 2
+    assert capsys.readouterr().err.count("\n") == 1 and not list(tmp_path.iterdir())
