@@ -7,14 +7,14 @@ than the cheapest. Limits of the gates lie above what was measured (in brackets)
 
 import numpy as np
 import pytest
-from benchmarks.interleaved import in_turn, require
 
-from benchmarks import specimens, trial
 from masonry.laws.exponential import Exponential
 from masonry.laws.linear import Linear
 from masonry.laws.outside import outside_law
 from masonry.laws.polynomial import Polynomial
 from tests.laws.own_package import files_of_page, install, lanes_of_page, on_the_path
+from verification.by_hand import specimens, trial
+from verification.by_hand.interleaved import in_turn, require
 
 OURS = {
     "exponential": Exponential(5.0, 15.0),
