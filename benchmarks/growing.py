@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from masonry import scene, timeloop
+from masonry import compiled_step, scene
 from masonry.assembly import Assembly
 from masonry.fixed_pace import Chunk
 
@@ -46,10 +46,10 @@ def items(assembly: Assembly) -> int:
 def stepper(assembly: Assembly) -> tuple[Callable[[], object], int]:
     """A call that takes as many steps on one thread as last a few milliseconds, and their number."""
     model = assembly.model
-    timeloop.compile_for(model, 1)
+    compiled_step.compile_for(model, 1)
     steps = max(1, 500_000 // items(assembly))
     chunk, gauge = Chunk(np.zeros(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
-    return lambda: timeloop.advance_model(model, chunk, 1, 0, steps, gauge), steps
+    return lambda: compiled_step.advance_model(model, chunk, 1, 0, steps, gauge), steps
 
 
 def growth(numbers: Sequence[float], costs: Sequence[float]) -> float:

@@ -33,17 +33,17 @@ total(np.zeros(3))
 """
 FIRST_STEP = """
 import numpy as np
-from masonry import laboratory, scene, timeloop
+from masonry import laboratory, scene, compiled_step
 from masonry.fixed_pace import Chunk
 assembly = laboratory.assemble(scene.load("couplet", ["drive.steps=1000"]))
-timeloop.compile_for(assembly.model, 1)
+compiled_step.compile_for(assembly.model, 1)
 chunk = Chunk(assembly.plan.dead_load[:2], assembly.plan.speed[:2], row=False)
-timeloop.advance_model(assembly.model, chunk, 1, 0, 1, np.zeros(1))
+compiled_step.advance_model(assembly.model, chunk, 1, 0, 1, np.zeros(1))
 """
 COLD = """
 import sys, time
 import numba, numpy as np
-from masonry import laboratory, scene, timeloop
+from masonry import laboratory, scene, compiled_step
 from masonry.assembly import assemble
 
 def loop(force, u, sides, stiffness):
@@ -62,7 +62,7 @@ for _ in range(5):
 loaded = scene.load(sys.argv[1])
 begun, cpu = time.perf_counter(), time.process_time()
 assembly = assemble(loaded)
-timeloop.compile_for(assembly.model, 1)
+compiled_step.compile_for(assembly.model, 1)
 print(time.perf_counter() - begun, time.process_time() - cpu, min(reference))
 """
 

@@ -18,12 +18,12 @@ from masonry.gauge_places import gauges_of
 from masonry.guide import LITTLE
 from masonry.held import require_held
 from masonry.laws import build as law_build
+from masonry.outcome import Recording
 from masonry.plan import plan_of
 from masonry.scatter import Drawn, draw, laws_of
 from masonry.scene import Scene
 from masonry.size_guard import require_sane_size
 from masonry.specimens import is_outside, specimen_of
-from masonry.timeloop import Recording
 
 
 @dataclass(frozen=True)

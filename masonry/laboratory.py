@@ -8,8 +8,10 @@ import numpy as np
 from masonry import timeloop
 from masonry.assembly import Assembly, assemble
 from masonry.errors import Stopped
+from masonry.keeper import Keeper
 from masonry.kernels.freedom import Guided
 from masonry.laws.door import word_of
+from masonry.outcome import Outcome
 from masonry.quality_lines import quality_lines
 from masonry.quick_start import leave_out_blas
 from masonry.results import Result
@@ -22,9 +24,7 @@ if TYPE_CHECKING:
 Progress = Callable[[int, int, str], None]
 
 
-def run(
-    scene: Scene, threads: int = 1, progress: Progress | None = None, keeper: timeloop.Keeper | None = None
-) -> Result:
+def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper: Keeper | None = None) -> Result:
     """Run a scene to its end; `progress(step, steps, note)` is called between chunks.
 
     Raises SceneError or GeometryError before anything is computed, Stopped (with `.result`, the rows up to the last
@@ -45,7 +45,7 @@ def run(
     return result
 
 
-def result_of(assembly: Assembly, outcome: timeloop.Outcome) -> Result:
+def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     """What is kept of a run."""
     return Result(
         summary={**summarise(assembly, outcome), "warnings": warnings(assembly)},

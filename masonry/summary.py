@@ -11,9 +11,9 @@ from masonry.assembly import Assembly
 from masonry.cycles import at_peak, goes_one_way, table
 from masonry.kernels.sources import source_hash
 from masonry.loads import Controlled
+from masonry.outcome import Outcome
 from masonry.own_sources import own_sources
 from masonry.scene import Scene
-from masonry.timeloop import Outcome
 
 ENERGY_TERMS = (
     *("external_work", "elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2"),

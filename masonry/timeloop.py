@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numba
 import numpy as np
 
-from masonry.compiled_step import advance_model, compile_for, interrupt_afterwards
+from masonry.compiled_step import compile_for
 from masonry.errors import Stopped
 from masonry.history import UNITS, History
 from masonry.keeper import Keeper
@@ -15,8 +15,6 @@ from masonry.loop import Loop
 from masonry.model import Model
 from masonry.outcome import Outcome, Recording
 from masonry.paces import pace_of
-
-__all__ = ["Keeper", "Outcome", "Recording", "advance_model", "compile_for", "interrupt_afterwards", "run"]
 
 
 def run(

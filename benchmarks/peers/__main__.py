@@ -17,7 +17,7 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.peers.worker import Absent, Worker
-from masonry import scene, timeloop
+from masonry import compiled_step, scene
 from masonry.assembly import assemble
 from masonry.fixed_pace import Chunk
 from verification.by_hand.interleaved import in_turn
@@ -28,12 +28,12 @@ ROUNDS = 15
 def stepper(name: str, overrides: list[str], steps: int) -> tuple[Callable[[], None], int, int]:
     """A call that takes some steps of a scene with a drive at a rate; its contact points and its tets."""
     assembly = assemble(scene.load(name, overrides))
-    timeloop.compile_for(assembly.model, 1)
+    compiled_step.compile_for(assembly.model, 1)
     chunk = Chunk(np.zeros(steps + 1), np.full(steps + 1, 1e-3), row=False)
     gauge = np.zeros(steps)
     tets = 0 if assembly.mesh is None else len(assembly.mesh.tets)
     return (
-        lambda: timeloop.advance_model(assembly.model, chunk, 1, 0, steps, gauge),
+        lambda: compiled_step.advance_model(assembly.model, chunk, 1, 0, steps, gauge),
         len(assembly.model.group),
         tets,
     )

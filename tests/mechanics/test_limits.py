@@ -5,7 +5,7 @@ import signal
 
 import pytest
 
-from masonry import laboratory, scene, timeloop
+from masonry import compiled_step, laboratory, scene
 from masonry.errors import SceneError
 from masonry.plot import plain
 from masonry.printout import trust
@@ -43,7 +43,7 @@ def test_the_mismatch_of_the_two_ends_is_looked_for_at_the_peak_too():
 
 def test_ctrl_c_while_compiling_counts_when_the_compiler_is_done():
     done = []
-    with pytest.raises(KeyboardInterrupt), timeloop.interrupt_afterwards():
+    with pytest.raises(KeyboardInterrupt), compiled_step.interrupt_afterwards():
         os.kill(os.getpid(), signal.SIGINT)
         done.append(True)
     assert done

@@ -7,7 +7,7 @@ import numba
 import numpy as np
 
 from geometry.blocks import Blocks, Joints, TetMesh
-from masonry import loads, timeloop
+from masonry import compiled_step, loads
 from masonry.bodies import KINDS, Material, lay_out
 from masonry.fixed_pace import Chunk
 from masonry.kernels.compiler import jit
@@ -55,7 +55,7 @@ def stepping(model: Model, steps: int, threads: int = 1) -> Callable[[], None]:
     def take() -> None:
         if threads > 1:
             numba.set_num_threads(threads)
-        timeloop.advance_model(model, chunk, threads, 0, steps, gauge)
+        compiled_step.advance_model(model, chunk, threads, 0, steps, gauge)
 
     return take
 

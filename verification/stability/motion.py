@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry import scene, timeloop
+from masonry import compiled_step, scene
 from masonry.assembly import assemble
 from masonry.fixed_pace import Chunk
 from masonry.loads import Program
@@ -119,12 +119,12 @@ def swing(count: int, knobs: Knobs) -> Trial:
     each = count // looks
     plan = Program(np.zeros(each + 1), np.zeros(each + 1), 0, 0)
     chunk, one = Chunk(plan.dead_load, plan.speed, False), Chunk(np.zeros(2), np.zeros(2), False)
-    timeloop.compile_for(model, 1)
+    compiled_step.compile_for(model, 1)
     energies, begun = np.zeros(looks), time.perf_counter()
     for k in range(looks):
-        timeloop.advance_model(model, chunk, 1, 0, each - 1, np.zeros(each))
+        compiled_step.advance_model(model, chunk, 1, 0, each - 1, np.zeros(each))
         before = body.v[free, 2]
-        timeloop.advance_model(model, one, 1, 0, 1, np.zeros(1))
+        compiled_step.advance_model(model, one, 1, 0, 1, np.zeros(1))
         energies[k] = 0.5 * mass * before * body.v[free, 2] + 0.5 * stiffness * body.q[free, 2] ** 2
     seconds = time.perf_counter() - begun
     turn = math.acos(1.0 - 0.5 * stiffness / mass * model.dt**2)

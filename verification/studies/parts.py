@@ -12,11 +12,11 @@ import numpy as np
 
 from masonry.arrays import in_rows, memory_of, own_memory
 from masonry.assembly import Assembly, assemble
+from masonry.compiled_step import advance_model
 from masonry.fixed_pace import Chunk
 from masonry.kernels.freedom import Guided
 from masonry.loads import Program
 from masonry.model import Model
-from masonry.timeloop import advance_model
 from verification.precision.joint_in_tension import SCENE as PULLED
 from verification.studies import trial
 
