@@ -13,7 +13,6 @@ from masonry.kernels.freedom import Guided
 from masonry.laws.door import word_of
 from masonry.outcome import Outcome
 from masonry.quality_lines import quality_lines
-from masonry.quick_start import leave_out_blas
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
 from masonry.summary import cells_text, summarise
@@ -35,7 +34,6 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper
     if progress is not None:
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)
-    leave_out_blas()
     outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress, keeper)
     result = result_of(assembly, outcome)
     if outcome.stopped:

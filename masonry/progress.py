@@ -37,6 +37,7 @@ class Progress:
         self._first: tuple[int, float] | None = None
         self._said_at = 0.0
         self._said_step = 0
+        self._announced = ""
         self._bar: Any = None
         self._task: Any = None
 
@@ -55,7 +56,7 @@ class Progress:
         self._begin()
         now = self._clock()
         if step == 0:
-            self._announce(note)
+            self._announce(note, now)
             return
         self._first = self._first or (step, now)
         done = bool(self.total_steps) and step >= self.total_steps
@@ -69,11 +70,17 @@ class Progress:
             self._said_at, self._said_step = now, step
             self._say(self.line(step, note, now))
 
-    def _announce(self, note: str) -> None:
-        """What is done before the first step, such as compiling; it does not count in the time left."""
+    def _announce(self, note: str, now: float) -> None:
+        """What is done before the first part, such as compiling; it does not count in the time left.
+
+        As plain lines, notes that begin alike (`step 40, ...`, `step 80, ...`) are said only now and then.
+        """
         if self._bar is not None:
             self._bar.update(self._task, total=self.total_steps or None, note=note, refresh=True)
-        elif note:
+            return
+        first_word = note.partition(" ")[0]
+        if note and (first_word != self._announced or now - self._said_at >= LINE_SECONDS):
+            self._announced, self._said_at = first_word, now
             self._say("  ".join([self.label, note] if self.label else [note]))
 
     def __call__(self, step: int, total_steps: int, note: str = "") -> None:

@@ -18,6 +18,9 @@ VTK_POLYGON, VTK_TETRA = 7, 10
 TO_VTK = [0, 1, 2, 5, 3, 4]
 """From xx yy zz yz xz xy to VTK's xx yy zz xy yz xz."""
 
+AT_ONCE = 2_000_000
+"""Numbers that are held to be written together: each call of HDF5 costs as much as writing a thousand."""
+
 Data = dict[str, np.ndarray]
 
 
@@ -68,10 +71,9 @@ def write(
         for name, values in cells.still.items():
             groups[1].create_dataset(name, data=values)
         if frames:
-            offsets = _steps(root, frames, cells.still)
-            for number, frame in enumerate(frames):
-                for group, starts, data in zip(groups, offsets, (point_data(frame), cell_data(frame)), strict=True):
-                    _append(group, starts, data, number, len(frames))
+            places = tuple(zip(groups, _steps(root, frames, cells.still), (point_data, cell_data), strict=True))
+            for group, starts, data_of in places:
+                _write_series(group, starts, frames, data_of)
 
 
 def _steps(root: Any, frames: Sequence[Frame], still: Data) -> tuple[Any, Any]:
@@ -91,11 +93,18 @@ def _steps(root: Any, frames: Sequence[Frame], still: Data) -> tuple[Any, Any]:
     return points, cells
 
 
-def _append(group: Any, starts: Any, data: Data, number: int, count: int) -> None:
-    """Put one frame's data after those of the frames before it, in one dataset a field."""
-    for name, values in data.items():
+def _write_series(group: Any, starts: Any, frames: Sequence[Frame], data_of: Callable[[Frame], Data]) -> None:
+    """The data of all frames, one after the other in one dataset a field; many frames at once where they are small."""
+    first = data_of(frames[0])
+    sets = {}
+    for name, values in first.items():
         size = len(values)
-        if number == 0:
-            group.create_dataset(name, shape=(count * size, *values.shape[1:]), dtype=np.float32)
-            starts.create_dataset(name, data=np.arange(count, dtype=np.int64) * size)
-        group[name][number * size : (number + 1) * size] = values
+        sets[name] = group.create_dataset(name, shape=(len(frames) * size, *values.shape[1:]), dtype=np.float32)
+        starts.create_dataset(name, data=np.arange(len(frames), dtype=np.int64) * size)
+    together = max(1, AT_ONCE // max(sum(values.size for values in first.values()), 1))
+    for begin in range(0, len(frames), together):
+        batch = [data_of(frame) for frame in frames[begin : begin + together]]
+        for name, data in sets.items():
+            size = len(first[name])
+            values = np.concatenate([one[name] for one in batch], dtype=np.float32, casting="same_kind")
+            data[begin * size : begin * size + len(values)] = values

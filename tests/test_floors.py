@@ -43,7 +43,7 @@ FLOORS = {
         " masonry.remember masonry.lock masonry.hdf5"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
         " masonry.curve_table masonry.finite masonry.printout masonry.notebook masonry.figure masonry.painter"
-        " masonry.processors masonry.quick_start masonry.quantity"
+        " masonry.processors masonry.quantity"
         " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation"
         " masonry.vtkhdf masonry.joint_fields masonry.frame_choice masonry.frame_picture"
         " masonry.hysteresis masonry.flat_drawing masonry.solid_drawing masonry.solid_view masonry.face_drawing"

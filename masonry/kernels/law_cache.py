@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from numba.core.caching import FunctionCache, IndexDataCacheFile
+from numba.core.runtime import rtsys
 from numba.core.types.containers import BaseTuple
 
 from masonry.kernels.sources import is_ours, package_hash
@@ -46,6 +47,11 @@ class LawCache(FunctionCache):
     def __init__(self, function: Any) -> None:
         super().__init__(function)
         self._ours: IndexDataCacheFile = self._cache_file
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """As Numba's, but without the tools of compiling: half of what a short run would load, and not needed here."""
+        rtsys.initialize(target_context)
+        return self._load_overload(sig, target_context)
 
     def _load_overload(self, sig: Any, target_context: Any) -> Any:
         self._turn_to(sig)

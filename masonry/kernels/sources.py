@@ -1,6 +1,8 @@
 """Which sources a result came from: their hash, found without importing anything heavy."""
 
+import fnmatch
 import hashlib
+import re
 import sys
 from functools import cache
 from pathlib import Path
@@ -18,12 +20,13 @@ def source_hash(folders: tuple[str, ...] = ALL, without: tuple[str, ...] = ()) -
     without  patterns of paths that are left out, such as "masonry/plot.py" or "masonry/sweep/*"
     """
     root = Path(__file__).resolve().parents[2]
+    left_out = re.compile("|".join(map(fnmatch.translate, without)) or "(?!)")
     digest = hashlib.sha256()
     for folder in folders:
         for path in sorted((root / folder).rglob("*.py")):
-            name = path.relative_to(root)
-            if not any(name.match(pattern) for pattern in without):
-                digest.update(name.as_posix().encode())
+            name = path.relative_to(root).as_posix()
+            if not left_out.match(name):
+                digest.update(name.encode())
                 digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 

@@ -24,13 +24,17 @@ event.register("numba:compile", Listener())
 import masonry
 assert masonry.__file__.startswith(sys.argv[1])
 result = masonry.run(masonry.load("couplet", sys.argv[2:]))
-print(json.dumps([compiled, result.history.rows["stress"].tolist()]))
+tools = "numba.np.arraymath" in sys.modules
+print(json.dumps([compiled, result.history.rows["stress"].tolist(), tools]))
 """
 
 
 class Ran(NamedTuple):
+    """What a run compiled, its stresses, and whether it loaded what Numba compiles array functions with."""
+
     compiled: list[str]
     stress: list[float]
+    tools: bool
 
 
 class Copy:
@@ -67,7 +71,7 @@ def used(tmp_path_factory) -> tuple[Copy, Ran]:
     """A copy that ran once, and what it found."""
     copy = Copy(tmp_path_factory.mktemp("package"))
     first = copy.run()
-    assert "advance" in first.compiled
+    assert "advance" in first.compiled and first.tools
     return copy, first
 
 
@@ -75,7 +79,7 @@ def test_a_second_process_compiles_nothing_whatever_was_edited_that_is_not_compi
     copy, first = used
     for file in ("masonry/model.py", "masonry/laboratory.py", "geometry/joints.py"):
         copy.edit(file, r"\Z", "# a remark\n")
-    assert copy.run() == Ran([], first.stress)
+    assert copy.run() == Ran([], first.stress, tools=False)
 
 
 EDITS = {

@@ -55,6 +55,20 @@ def test_a_run_of_unknown_length_counts_its_steps_and_may_learn_its_length():
     assert stream.getvalue().splitlines() == ["x  50 steps", "x  100 %"]
 
 
+def test_what_comes_before_the_first_part_is_said_once_and_then_now_and_then():
+    clock, stream = Clock(), io.StringIO()
+    progress = Progress(label="x", stream=stream, clock=clock)
+    progress.update(0, "compiling the step")
+    for step in range(1, 101):
+        clock.now += 0.15
+        progress.update(0, f"step {step}, stress 0.0 MPa")
+    assert stream.getvalue().splitlines() == [
+        "x  compiling the step",
+        "x  step 1, stress 0.0 MPa",
+        "x  step 68, stress 0.0 MPa",
+    ]
+
+
 def test_a_terminal_gets_a_bar_with_percent_speed_and_note():
     clock, stream = Clock(), Terminal()
     with Progress(1000, "couplet [red]", stream, clock) as progress:
