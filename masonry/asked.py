@@ -7,6 +7,8 @@ import threading
 from collections.abc import Iterator
 from typing import Any
 
+from masonry.shell import INTERRUPTED, TERMINATED
+
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
@@ -22,7 +24,7 @@ class Asked:
     @property
     def code(self) -> int:
         """The exit code that tells a shell: 130 for Ctrl-C, 143 for SIGTERM."""
-        return 128 + (self.number or signal.SIGINT)
+        return TERMINATED if self.number == signal.SIGTERM else INTERRUPTED
 
     def hear(self, number: int, frame: Any) -> None:
         """A signal came. Raises KeyboardInterrupt if it is not the first."""

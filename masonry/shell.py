@@ -8,7 +8,7 @@ from typing import NoReturn
 
 from masonry.errors import visible
 
-OK, USAGE, STOPPED, INTERRUPTED = 0, 2, 3, 130
+OK, USAGE, STOPPED, INTERRUPTED, TERMINATED = 0, 2, 3, 130, 143
 LONGEST_WORD, LONGEST_LINE, HEAD, TAIL = 500, 1600, 1000, 500
 """Letters of a word and of a line that a message repeats; of a longer line its head and its tail."""
 

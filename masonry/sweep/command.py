@@ -14,11 +14,10 @@ from typing import Any
 
 from masonry.errors import SceneError, visible
 from masonry.processors import processors
-from masonry.shell import INTERRUPTED, OK, Parser
+from masonry.shell import INTERRUPTED, OK, TERMINATED, Parser
 from masonry.sweep.folder import COPY, DOING, folder_for
 from masonry.sweep.read import Sweep, read
 
-TERMINATED = 143
 EPILOG = "What a sweep file holds, with three to copy: docs/sweep.md; the keys of a scene: docs/scene.md."
 
 
