@@ -43,10 +43,10 @@ def install(folder: Path, files: dict[str, str] | None = None, name: str = "my-m
     return folder
 
 
-def lanes_of_page() -> str:
-    """The law of the page with its functions for eight at a time in place of those with `if`."""
+def law_with_if() -> str:
+    """The law of the page with its functions of single numbers in place of those for eight at a time."""
     files = files_of_page()
-    return files["bilinear.py"] + "\n" + files["lanes.py"]
+    return files["bilinear.py"] + "\n" + files["with_if.py"]
 
 
 @contextmanager

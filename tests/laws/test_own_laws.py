@@ -14,7 +14,7 @@ from masonry.laws.build import build
 from masonry.one_contact import follow
 from masonry.scene import load, to_toml
 from masonry.sweep.job import Job
-from tests.laws.own_package import files_of_page, install, lanes_of_page, on_the_path
+from tests.laws.own_package import files_of_page, install, law_with_if, on_the_path
 from tests.laws.test_random_paths import corners, legs, numbers, require_dissipation, unhurried
 from verification.rigs.one_contact import TABLE_1, along, law, walk
 
@@ -26,11 +26,11 @@ AT_PEAK = 0.58e6 / 150e9
 
 @pytest.fixture(scope="module", autouse=True)
 def page(tmp_path_factory):
-    """The package of the page, and the same law without any `if` under another name."""
+    """The package of the page, and the same law with `if` under another name."""
     files = files_of_page()
-    files["bilinear_of_eight.py"] = lanes_of_page()
+    files["bilinear_with_if.py"] = law_with_if()
     files["weaker.py"] = re.sub(r"shape\.G_I\b", "(0.8 * shape.G_I)", files["bilinear.py"])
-    more = '\neight = "bilinear_of_eight"\nweaker = "weaker"\nbilinear'
+    more = '\nwith-if = "bilinear_with_if"\nweaker = "weaker"\nbilinear'
     files["pyproject.toml"] = files["pyproject.toml"].replace("\nbilinear", more, 1)
     folder = install(tmp_path_factory.mktemp("page"), files)
     with on_the_path(folder):
@@ -90,7 +90,7 @@ def test_two_laws_whose_tuples_have_one_name_are_two_laws_in_compiled_code():
 @given(points=corners(), steps=st.sampled_from([7, 60]))
 def test_written_with_if_or_for_eight_at_once_or_in_python_a_law_does_the_same(points, steps):
     path = legs(points, steps) * (1.0, 0.0, 1.0)
-    one, other = walk(own(), path, ninth=True), walk(own("eight"), path)
+    one, other = walk(own("with-if"), path, ninth=True), walk(own(), path)
     plain = follow(*own(), path[:, 2], path[:, 0])
     size = np.abs(one.stress).max() + 1.0
     np.testing.assert_allclose(other.stress, one.stress, rtol=0, atol=1e-9 * size)
@@ -142,7 +142,7 @@ def test_a_key_that_is_missing_or_refused_is_named():
 
 
 def test_a_law_that_is_not_there_is_told_with_all_that_are():
-    with pytest.raises(SceneError, match="did you mean 'bilinear'.*linear, polynomial, bilinear, eight, weaker"):
+    with pytest.raises(SceneError, match="did you mean 'bilinear'.*linear, polynomial, bilinear, weaker, with-if"):
         load("couplet", {"law": "bilinea"})
 
 
