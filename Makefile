@@ -40,7 +40,7 @@ lint: .venv/.ready
 	@$(PY) -m mypy
 
 clean:
-	rm -rf .venv build site docs/_generated *.egg-info bench.json .pytest_cache .mypy_cache .ruff_cache .hypothesis .benchmarks
+	rm -rf .venv build site jupyter_execute docs/_generated *.egg-info bench.json .pytest_cache .mypy_cache .ruff_cache .hypothesis .benchmarks
 	find geometry masonry verification tests benchmarks -name __pycache__ -prune -exec rm -rf {} +
 
 # The stamp holds the folder that .venv was made in: a copied, moved or broken .venv is made again.

@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM: asked once, a run ends after the present steps; asked twice, it ends at once."""
+"""Ctrl-C, SIGTERM and SIGHUP: asked once, a run ends after the present steps; asked twice, it ends at once."""
 
 import contextlib
 import os
@@ -7,9 +7,9 @@ import threading
 from collections.abc import Iterator
 from typing import Any
 
-from masonry.shell import INTERRUPTED, TERMINATED
+from masonry.shell import ENDING
 
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
+SIGNALS = (signal.SIGINT, *ENDING)
 
 
 class Asked:
@@ -23,8 +23,8 @@ class Asked:
 
     @property
     def code(self) -> int:
-        """The exit code that tells a shell: 130 for Ctrl-C, 143 for SIGTERM."""
-        return TERMINATED if self.number == signal.SIGTERM else INTERRUPTED
+        """The exit code that tells a shell: 130 for Ctrl-C, 143 for SIGTERM, 129 for SIGHUP."""
+        return 128 + (self.number or signal.SIGINT)
 
     def hear(self, number: int, frame: Any) -> None:
         """A signal came. Raises KeyboardInterrupt if it is not the first."""
@@ -37,12 +37,13 @@ class Asked:
 
 @contextlib.contextmanager
 def listening() -> Iterator[Asked]:
-    """Listen to both signals for a while; outside the main thread nothing changes."""
+    """Listen to them for a while, but to what is ignored (nohup); outside the main thread nothing changes."""
     asked = Asked()
     if threading.current_thread() is not threading.main_thread():
         yield asked
         return
-    usual = {number: signal.signal(number, asked.hear) for number in SIGNALS}
+    heard = [number for number in SIGNALS if number == signal.SIGINT or signal.getsignal(number) != signal.SIG_IGN]
+    usual = {number: signal.signal(number, asked.hear) for number in heard}
     try:
         yield asked
     finally:

@@ -62,7 +62,7 @@ class Checkpoints:
         for number, path in self.states():
             self.last = max(self.last, number)
             try:
-                return read(path), wrong
+                return _whole(read(path)), wrong
             except (Damaged, OSError) as error:
                 wrong.append(f"'{path}' is damaged ({error})")
         return None, wrong
@@ -85,6 +85,15 @@ class Checkpoints:
             gone = self.results / f".{os.getpid()}-unfinished-checkpoint"
             os.replace(self.folder, gone)  # all at once: half a checkpoint is none
             shutil.rmtree(gone, ignore_errors=True)
+
+
+def _whole(state: State) -> State:
+    """The state, if it has what a keeper writes. Raises Damaged."""
+    kinds = {"origin": dict, "model": str, "arrays": dict, "run": dict}
+    for key, kind in kinds.items():
+        if not isinstance(state.get(key), kind):
+            raise Damaged(f"it has no '{key}'")
+    return state
 
 
 def _name(number: int) -> str:

@@ -1,7 +1,7 @@
 """The command `masonry`: words from a shell to calls of the laboratory.
 
 Exit codes: 0 done, 2 something wrong with the scene or the words, 3 stopped because the numbers could no longer be
-trusted, 130 interrupted, 143 terminated. Nothing that computes is imported before it is needed.
+trusted, 130 interrupted, 143 terminated, 129 hung up. Nothing that computes is imported before it is needed.
 
 `masonry verify` and `masonry paper` stand on a floor above this one, `masonry sweep` in a room of its own. Their
 modules are known here by name alone, and looked up when the command is called: an entry point would do the same, but be
@@ -20,7 +20,18 @@ from typing import Any
 from masonry import __version__, commands
 from masonry.errors import SceneError, Stopped
 from masonry.processors import processors
-from masonry.shell import INTERRUPTED, OK, STOPPED, USAGE, Parser, complain
+from masonry.shell import (
+    ENDING,
+    INTERRUPTED,
+    OK,
+    STOPPED,
+    USAGE,
+    Parser,
+    complain,
+    have_streams,
+    leaving_on,
+    let_go_of_output,
+)
 
 APART = {
     "picture": ("masonry.picture_command", "draw the cracks of results at a moment, or the specimen of a scene"),
@@ -97,6 +108,8 @@ def _add_import(added: Any) -> None:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run one command; returns the exit code."""
+    have_streams()
+    os.environ["MPLBACKEND"] = "agg"  # a command draws files; what is set for a notebook may not exist here
     if isinstance(sys.stdout, io.TextIOWrapper):  # a letter that the terminal does not know is shown as its code
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
@@ -114,9 +127,12 @@ def main(arguments: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         return complain("interrupted before there were results", INTERRUPTED)
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        let_go_of_output()
         return OK
     except OSError as error:
+        if error.filename is None and error.errno in (errno.ENOSPC, errno.EIO, errno.EBADF):
+            let_go_of_output()
+            return complain(f"what there is to say cannot be written: {error.strerror}", USAGE)
         if error.errno != errno.ENAMETOOLONG:
             raise
         return complain(f"'{error.filename}': no file can have a name as long as this; give a shorter one", USAGE)
@@ -132,10 +148,11 @@ def _geometry_error() -> type[Exception]:
 def _act(arguments: list[str] | None) -> int:
     given = sys.argv[1:] if arguments is None else arguments
     try:
-        if given and given[0] in APART:
-            return int(_apart(given[0]).main(given[1:]))
-        words = parser().parse_args(given)
-        return int(words.action(words))
+        with leaving_on(*ENDING):
+            if given and given[0] in APART:
+                return int(_apart(given[0]).main(given[1:]))
+            words = parser().parse_args(given)
+            return int(words.action(words))
     except SystemExit as leaving:
         return leaving.code if isinstance(leaving.code, int) else USAGE
 

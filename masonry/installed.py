@@ -3,6 +3,7 @@
 import importlib
 import os
 import re
+import tempfile
 from importlib import metadata
 from pathlib import Path
 
@@ -89,13 +90,14 @@ def cached_code() -> Finding:
         return False, f"nothing can be compiled ({error})"
     folder: Path = compiler.cache_root()
     files = [path.stat().st_size for path in folder.rglob("*") if path.is_file()] if folder.is_dir() else []
-    place = folder
-    while not place.exists():
-        place = place.parent
-    if not os.access(place, os.W_OK):
-        return (
-            False,
-            f"{folder} cannot be written to: every run will compile anew; set MASONRY_CACHE to another folder",
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        return False, (
+            f"{folder} cannot be written to ({error.strerror}): every run will compile anew; set MASONRY_CACHE to"
+            " another folder"
         )
     kinds = len(list(Path(compiler.STEP).glob("*.compiled"))) if compiler.STEP else 0
     size = f"{sum(files) / 1e6:.1f} MB in {len(files)} files"

@@ -17,7 +17,7 @@ STEPS = 80
 FEW, STILL = 4, 1e-12
 """Steps of an increment where all that moves is prescribed, and kinetic over stored energy below which it is so."""
 CURVE = 0.05
-"""Accuracy of increments there: nothing lags, and only the curve is followed."""
+"""Accuracy of increments there at one of FINE or coarser: nothing lags, and only the curve is followed."""
 COARSEST, FINEST = 30, 40_000
 """Increments in which the whole displacement is made, at least and at most."""
 FIRST, LEARNING = 1e-4, 4
@@ -141,7 +141,8 @@ class ControlledPace:
         lag = 2.0 * np.sqrt(self.guide.kinetic * abs(stored)) / max(abs(terms["external_work"]), 1e-300)
         sway = np.sqrt(abs(terms["kinetic"]) / max(abs(stored), PARTED * self.most_stored))
         self.lags.append((float(lag), self.made))
-        unit = max(self.unit, CURVE) if self.steps == FEW else self.unit
+        curve = CURVE * min(self.plan.accuracy / FINE, 1.0)
+        unit = max(self.unit, curve) if self.steps == FEW else self.unit
         brought = max(change / STORED, fracture / FRACTURE, 1e-12) / unit
         ends = apart / self.most_force
         shares = (lag / LAG, sway / SWAY, ends / ENDS)

@@ -52,9 +52,14 @@ def write_png(figure: Any, path: Path | str, dpi: float = 120.0) -> None:
     canvas.print_png(path, pil_kwargs={"compress_level": 3})  # savefig would draw once more, to lay it out
 
 
+LONGEST_TITLE = 300
+"""Letters of a title that are drawn: laying out a long one takes longer than the run."""
+
+
 def plain(title: str) -> str:
     """A title as it was written: no control characters, no dollar sign that would begin a formula."""
-    return "".join(c if c.isprintable() else " " for c in title).replace("$", r"\$")
+    short = title if len(title) <= LONGEST_TITLE else title[: LONGEST_TITLE - 3] + "..."
+    return "".join(c if c.isprintable() else " " for c in short).replace("$", r"\$")
 
 
 def peak_row(rows: dict[str, np.ndarray]) -> int:

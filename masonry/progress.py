@@ -105,14 +105,14 @@ class Progress:
             return
         self._begun = True
         self._said_at = self._clock()
-        if self._stream.isatty():
+        if self._stream is not None and self._stream.isatty():
             self._bar = _bar(self._stream)
             self._task = self._bar.add_task(self.label, total=self.total_steps or None, note="")
             self._bar.start()
 
     def _say(self, line: str) -> None:
-        """A reader that has gone must not end the run."""
-        with contextlib.suppress(BrokenPipeError):
+        """A reader that has gone, or a disk that is full, must not end the run."""
+        with contextlib.suppress(OSError):
             print(line, file=self._stream, flush=True)
 
 

@@ -1,14 +1,20 @@
 """What the commands share: exit codes, a parser that says what is wrong in one line, and how a complaint is said."""
 
 import argparse
+import contextlib
+import os
 import re
+import signal
 import sys
-from collections.abc import Sequence
-from typing import NoReturn
+import threading
+from collections.abc import Iterator, Sequence
+from typing import Any, NoReturn
 
 from masonry.errors import visible
 
-OK, USAGE, STOPPED, INTERRUPTED, TERMINATED = 0, 2, 3, 130, 143
+ENDING = (signal.SIGTERM, *([signal.SIGHUP] if hasattr(signal, "SIGHUP") else []))
+"""Signals that ask a process to end: of a system that shuts down, of a terminal that is closed."""
+OK, USAGE, STOPPED, INTERRUPTED = 0, 2, 3, 130
 LONGEST_WORD, LONGEST_LINE, HEAD, TAIL = 500, 1600, 1000, 500
 """Letters of a word and of a line that a message repeats; of a longer line its head and its tail."""
 
@@ -25,5 +31,41 @@ def complain(message: str | Sequence[str], code: int) -> int:
     lines = [message] if isinstance(message, str) else message
     plain = [re.sub(rf"(\S{{{LONGEST_WORD}}})\S+", r"\1...", visible(line)) for line in lines]
     text = "\n".join(line if len(line) <= LONGEST_LINE else f"{line[:HEAD]} ... {line[-TAIL:]}" for line in plain)
-    print(f"masonry: {text}", file=sys.stderr)
+    with contextlib.suppress(OSError):  # nobody can hear it; the code still tells
+        print(f"masonry: {text}", file=sys.stderr, flush=True)
     return code
+
+
+def leave(number: int, frame: Any) -> NoReturn:
+    """What a signal does that asks to end: all that is half-done is put away, and the exit code names the signal."""
+    raise SystemExit(128 + number)
+
+
+@contextlib.contextmanager
+def leaving_on(*numbers: int) -> Iterator[None]:
+    """`leave` on these signals, for a while, where nothing else is to happen on them; in the main thread only."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    usual = {number: signal.getsignal(number) for number in numbers}
+    for number, handler in usual.items():
+        if handler is signal.SIG_DFL:
+            signal.signal(number, leave)
+    try:
+        yield
+    finally:
+        for number, handler in usual.items():
+            if handler is signal.SIG_DFL:
+                signal.signal(number, handler)
+
+
+def have_streams() -> None:
+    """Nothing is said where standard output or error was closed; printing to them must not be an error."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115  open to the end
+
+
+def let_go_of_output() -> None:
+    """Standard output takes nothing more; what is left in its buffer must not be tried again at the end."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

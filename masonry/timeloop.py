@@ -6,8 +6,9 @@ from collections.abc import Callable
 import numba
 import numpy as np
 
+from geometry.compiled import NOT_KEPT
 from masonry.compiled_step import compile_for
-from masonry.errors import Stopped
+from masonry.errors import SceneError, Stopped
 from masonry.history import UNITS, History
 from masonry.keeper import Keeper
 from masonry.loads import Controlled, Program
@@ -31,12 +32,14 @@ def run(
     """
     outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
     if threads > 1:
-        numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
+        _use(threads)
     begun = time.perf_counter()
     pace = pace_of(model, plan, recording.rows)
     if progress is not None:
         progress(0, pace.progress()[1], "compiling the step for this scene, or loading it")
     compile_for(model, threads)
+    if NOT_KEPT:
+        outcome.log.append(f"what was compiled could not be kept, so the next run compiles it again: {NOT_KEPT[0]}")
     outcome.seconds_compile = time.perf_counter() - begun
     loop = Loop(model, pace, plan.settle, recording, threads, outcome)
     if keeper is not None and keeper.start(model, loop):
@@ -52,3 +55,15 @@ def run(
     outcome.seconds_run = loop.seconds
     loop.finish()
     return outcome
+
+
+def _use(threads: int) -> None:
+    """Raise SceneError where Numba has nothing to run threads with, or is told of something that does not exist."""
+    try:
+        numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
+    except ValueError as error:
+        why = str(error).partition("\n")[0].rstrip(".")
+        raise SceneError(
+            f"--threads {threads}: Numba cannot run threads here ({why}); unset NUMBA_THREADING_LAYER if it is set, or"
+            " use one thread"
+        ) from None

@@ -22,11 +22,12 @@ class Floor(NamedTuple):
 
 
 FLOORS = {
-    "geometry": Floor("geometry", sees="geometry"),
+    "kept": Floor("geometry.compiled", sees="", packages="numba"),
+    "geometry": Floor("geometry", sees="geometry kept"),
     "errors": Floor("masonry.errors masonry.plugins", sees="errors", packages=""),
     "equations": Floor(
         "masonry.laws masonry.kernels masonry.kinematics",
-        sees="equations errors",
+        sees="equations errors kept",
         packages="numpy numba llvmlite",
     ),
     "model": Floor(
@@ -49,7 +50,7 @@ FLOORS = {
         " masonry.hysteresis masonry.flat_drawing masonry.solid_drawing masonry.solid_view masonry.face_drawing"
         " masonry.text_files masonry.open_archive masonry.whole_result"
         " masonry.film masonry.film_file masonry.show masonry.stage",
-        sees="run model equations errors geometry",
+        sees="run model equations errors geometry kept",
     ),
     "scene": Floor(
         "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.installed"
@@ -63,7 +64,7 @@ FLOORS = {
         sees="scene run model equations errors geometry",
     ),
     "verification": Floor("verification", sees="verification scene run model equations errors geometry"),
-    "tests": Floor("tests benchmarks", sees="tests verification scene run model equations errors geometry"),
+    "tests": Floor("tests benchmarks", sees="tests verification scene run model equations errors geometry kept"),
 }
 GMSH = ("geometry.gmsh_model", "tests", "tests.*")
 

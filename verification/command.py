@@ -25,7 +25,7 @@ EPILOG = (
 
 def parser() -> Parser:
     """The words that the command knows."""
-    words = Parser(prog="masonry verify", description=__doc__.partition("\n")[0], epilog=EPILOG)
+    words = Parser(prog="masonry verify", description=(__doc__ or "").partition("\n")[0], epilog=EPILOG)
     words.add_argument("cases", nargs="*", metavar="CASE", help="run these; without any the quick ones")
     words.add_argument("--full", action="store_true", help="run all cases, also those that take a minute")
     words.add_argument("--list", action="store_true", help="name all cases, and run none")

@@ -16,6 +16,7 @@ from typing import Any
 
 import numba
 
+from geometry.compiled import NOT_KEPT
 from masonry.kernels.law_cache import LawCache, hash_of_laws, outside_classes
 from masonry.kernels.sources import COMPILED, source_hash
 
@@ -30,7 +31,7 @@ def cache_root() -> Path:
     chosen = os.environ.get("MASONRY_CACHE")
     if chosen:
         return Path(chosen)
-    return Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "masonry-dem"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "masonry-dem"
 
 
 def _folders() -> tuple[str, str]:
@@ -95,12 +96,18 @@ def once(name: str, folder: str = STEP) -> Iterator[None]:
     if not folder or done.exists():
         yield
         return
-    with open(done.with_suffix(".lock"), "w", encoding="utf-8") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        if done.exists():
-            fcntl.flock(lock, fcntl.LOCK_UN)
+    with contextlib.ExitStack() as held:
+        try:
+            lock = held.enter_context(open(done.with_suffix(".lock"), "w", encoding="utf-8"))
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if done.exists():
+                fcntl.flock(lock, fcntl.LOCK_UN)
+        except OSError:  # nothing can be kept here: each compiles for itself
+            lock = None
         yield
-        done.touch()
+        if lock is not None and not NOT_KEPT:
+            with contextlib.suppress(OSError):
+                done.touch()
 
 
 def kind_of(arguments: tuple[Any, ...]) -> str:

@@ -13,10 +13,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from numba.core.caching import FunctionCache, IndexDataCacheFile
-from numba.core.runtime import rtsys
 from numba.core.types.containers import BaseTuple
 
+from geometry.compiled import CheckedCache
 from masonry.kernels.sources import is_ours, package_hash
 
 KEPT = 12
@@ -41,17 +40,12 @@ def hash_of_laws(classes: frozenset[type]) -> str:
     return hashlib.sha256("\n".join(found).encode()).hexdigest()[:16] if found else ""
 
 
-class LawCache(FunctionCache):
-    """Numba's cache of a function, which puts what holds laws of other packages into a folder of their own."""
+class LawCache(CheckedCache):
+    """The cache of a function, which puts what holds laws of other packages into a folder of their own."""
 
     def __init__(self, function: Any) -> None:
         super().__init__(function)
-        self._ours: IndexDataCacheFile = self._cache_file
-
-    def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """As Numba's, but without the tools of compiling: half of what a short run would load, and not needed here."""
-        rtsys.initialize(target_context)
-        return self._load_overload(sig, target_context)
+        self._ours = self._cache_file
 
     def _load_overload(self, sig: Any, target_context: Any) -> Any:
         self._turn_to(sig)
@@ -64,10 +58,7 @@ class LawCache(FunctionCache):
     def _turn_to(self, sig: Any) -> None:
         """Read and write where the laws in a signature have their place."""
         laws = hash_of_laws(frozenset(outside_classes(getattr(sig, "args", sig))))
-        self._cache_file = self._ours
-        if laws:
-            stamp = self._impl.locator.get_source_stamp()
-            self._cache_file = IndexDataCacheFile(_folder(self._cache_path, laws), self._impl.filename_base, stamp)
+        self._cache_file = self.files(_folder(self._cache_path, laws)) if laws else self._ours
 
 
 @cache

@@ -34,9 +34,12 @@ def evolve(shape, interface, memory, opening, total, tau):
     if not some(slides):
         return Answer(sigma, filled(1.0, e), torn, mode_1, filled(0.0, e), filled(0.0, e))
 
-    flexibility = 1.0 / interface.shear_stiffness
-    beyond = slip_beyond_peak(interface.plastic_softening, torn.run, total - peak * flexibility)
-    left = shear_intact(shape, interface, larger(beyond, 0.0), peak, residual, larger(-sigma, 0.0))
+    flexibility, compression = 1.0 / interface.shear_stiffness, larger(-sigma, 0.0)
+    beyond = total - peak * flexibility
+    beyond = slip_beyond_peak(
+        interface.plastic_softening, beyond, shape, interface, torn, tau, peak, residual, compression
+    )
+    left = shear_intact(shape, interface, larger(beyond, 0.0), peak, residual, compression)
     whole = choose(slides & (beyond > 0.0) & (peak > residual), smaller(torn.intact_s, left), torn.intact_s)
     mode_1 += 0.5 * secant_energy(interface, torn, e) * (torn.intact_s - whole)
     started = smaller(tau, strength(interface, memory, e, sigma))
@@ -194,11 +197,31 @@ def shared(combined, intact):
 
 
 @register_jitable
-def slip_beyond_peak(plastic_softening, run, beyond):
-    """Softening variable: total slip less the slip at peak (the paper), or the path of plastic slip."""
+def slip_beyond_peak(plastic_softening, beyond, shape, interface, memory, tau, peak, residual, compression):
+    """Softening variable: total slip less the slip at peak (the paper), or the path of plastic slip after this step.
+
+    The plastic slip s of the step and the strength that it leaves depend on each other: s = (tau - strength(s)) / ks is
+    solved by secants, exactly where the strength falls along a line. Taken from before the step, it would lag behind.
+    """
     if plastic_softening is None:
         return beyond
-    return run
+    cohesive = choose(peak > residual, shared(interface.combined, memory.intact_n) * (peak - residual), 0.0)
+    most = larger(tau - residual, 0.0) / interface.shear_stiffness
+    before, slip = filled(0.0, tau), filled(0.0, tau)
+    wanted = filled(0.0, tau)
+    for _ in range(SECANTS):
+        left = shear_intact(shape, interface, memory.run + slip, peak, residual, compression)
+        left = choose(peak > residual, smaller(memory.intact_s, left), memory.intact_s)
+        last, wanted = wanted, larger(most - left * cohesive / interface.shear_stiffness, 0.0)
+        way = slip - before
+        rise = choose(abs(way) > 0.0, (wanted - last) / way, 0.0)
+        before, slip = slip, smaller(slip + (wanted - slip) / larger(1.0 - rise, LEAST_SLOPE), most)
+    return memory.run + slip
+
+
+SECANTS = 4
+LEAST_SLOPE = 1e-3
+"""Looks at the curve in a step, and how near to a snap-back the secants still go by it."""
 
 
 @register_jitable

@@ -4,17 +4,14 @@ Exit codes: 0 all runs ended, the failed ones as rows with their reason; 2 somet
 file or a scene, and nothing was run; 130 interrupted, 143 terminated: what is done stays, and the same command goes on.
 """
 
-import contextlib
-import signal
 import sys
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, visible
 from masonry.processors import processors
-from masonry.shell import INTERRUPTED, OK, TERMINATED, Parser
+from masonry.shell import INTERRUPTED, OK, Parser
 from masonry.sweep.folder import COPY, DOING, folder_for
 from masonry.sweep.read import Sweep, read
 
@@ -54,12 +51,11 @@ def main(arguments: list[str] | None = None) -> int:
     tell = None if words.quiet else _tell
     if tell:
         tell(f"{len(planned)} runs, results in '{folder}'")
-    with _terminated():
-        try:
-            return _run(sweep, planned, folder, words, tell)
-        except KeyboardInterrupt:
-            _tell(f"masonry: interrupted; what is done stays in '{folder}', and the same command goes on from there")
-            return INTERRUPTED
+    try:
+        return _run(sweep, planned, folder, words, tell)
+    except KeyboardInterrupt:
+        _tell(f"masonry: interrupted; what is done stays in '{folder}', and the same command goes on from there")
+        return INTERRUPTED
 
 
 def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any, tell: Any) -> int:
@@ -85,20 +81,6 @@ def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any, tell: Any) 
         print(", ".join(f"{count} {status}" for status, count in counts.items()))
         print("\n".join(visible(f"{folder / name}") for name in (TABLE, "sweep.csv", PICTURE)))
     return OK
-
-
-@contextlib.contextmanager
-def _terminated() -> Iterator[None]:
-    """SIGTERM leaves by the same doors as Ctrl-C, with its own exit code."""
-
-    def leave(number: int, frame: Any) -> None:
-        raise SystemExit(TERMINATED)
-
-    usual = signal.signal(signal.SIGTERM, leave)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, usual)
 
 
 def _tell(line: str) -> None:

@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM: the present steps are finished, all is written, the exit code says which; twice, at once."""
+"""Ctrl-C, SIGTERM, SIGHUP: the present steps are finished, all is written, the exit code says which; twice, at once."""
 
 import os
 import signal
@@ -14,7 +14,7 @@ from verification.faults.process import Process, states
 WORDS = ["run", "couplet", *LONG, "--out", "out", "--quiet", "--checkpoint-every", "0.02 s"]
 
 
-@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)])
 def test_a_signal_ends_the_run_with_results_a_checkpoint_and_the_way_to_go_on(number, code, tmp_path):
     process = Process(WORDS, tmp_path)
     assert process.wait_for(lambda: bool(states(tmp_path / "out")))

@@ -57,6 +57,17 @@ def other_origin(kept, what: str, value: str) -> None:
         state_file.write(path, state)
 
 
+@pytest.mark.parametrize("key", ["origin", "model", "arrays", "run"])
+def test_a_checkpoint_that_lacks_something_counts_as_damaged(key, alone, tmp_path, monkeypatch, capsys):
+    kept = half_done(tmp_path / "out", monkeypatch)
+    newest = kept.states()[0][1]
+    state = state_file.read(newest)
+    state_file.write(newest, {**state, key: None})
+    assert resume(tmp_path / "out") == 0
+    assert f"is damaged (it has no '{key}'); the one before it is taken" in capsys.readouterr().err
+    assert differences(alone, tmp_path / "out") == []
+
+
 def test_a_checkpoint_of_another_processor_is_gone_on_from_and_the_log_says_so(alone, tmp_path, monkeypatch, capsys):
     other_origin(half_done(tmp_path / "out", monkeypatch), "the processor", "another one")
     assert resume(tmp_path / "out") == 0

@@ -21,7 +21,7 @@ EPILOG = "What was run before, into the same folder and with the same program, i
 
 def parser() -> Parser:
     """The words that the command knows."""
-    words = Parser(prog="masonry paper", description=__doc__.partition("\n")[0], epilog=EPILOG)
+    words = Parser(prog="masonry paper", description=(__doc__ or "").partition("\n")[0], epilog=EPILOG)
     words.add_argument("experiments", nargs="*", metavar="EXPERIMENT", help="only these; without any all of them")
     words.add_argument("--quick", action="store_true", help="fewer runs, loaded less carefully: under three minutes")
     words.add_argument("--list", action="store_true", help="name the experiments, and run none")

@@ -1,0 +1,74 @@
+"""Compiled functions that are kept between runs, in files with a checksum.
+
+Numba serves what lies in its cache as it is: a damaged file ends in a traceback, or in wrong code. Here it counts as
+absent, and what cannot be kept is compiled again by the next process.
+"""
+
+import contextlib
+import hashlib
+import pickle
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from numba import njit
+from numba.core.caching import FunctionCache, IndexDataCacheFile
+from numba.core.runtime import rtsys
+
+NOT_KEPT: list[str] = []
+"""Why something that was compiled by this process could not be kept, one line each."""
+DIGEST = hashlib.sha256().digest_size
+
+
+class CheckedFiles(IndexDataCacheFile):
+    """Numba's index and data files of a function, the data with their checksum before them."""
+
+    def _load_index(self) -> Any:
+        try:
+            return super()._load_index()
+        except Exception:  # whatever unpickling of damaged bytes comes to
+            return {}
+
+    def _load_data(self, name: str) -> Any:
+        whole = Path(self._data_path(name)).read_bytes()
+        digest, content = whole[:DIGEST], whole[DIGEST:]
+        if hashlib.sha256(content).digest() != digest:
+            raise OSError(f"{name} is damaged")  # which `load` takes for a file that is not there
+        return pickle.loads(content)  # our own file, as it was written
+
+    def _save_data(self, name: str, data: Any) -> None:
+        content = self._dump(data)
+        with self._open_for_write(self._data_path(name)) as file:
+            file.write(hashlib.sha256(content).digest() + content)
+
+
+class CheckedCache(FunctionCache):
+    """Numba's cache of a function, in checked files."""
+
+    def __init__(self, function: Any) -> None:
+        super().__init__(function)
+        self._cache_file = self.files(self._cache_path)
+
+    def files(self, folder: str) -> CheckedFiles:
+        """The files of this function in a folder."""
+        return CheckedFiles(folder, self._impl.filename_base, self._impl.locator.get_source_stamp())
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """As Numba's, but without the tools of compiling: half of what a short run would load, and not needed here."""
+        rtsys.initialize(target_context)
+        with contextlib.suppress(OSError):
+            return self._load_overload(sig, target_context)
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        """As Numba's; where it cannot be written the program goes on without."""
+        try:
+            super().save_overload(sig, data)
+        except OSError as error:
+            NOT_KEPT.append(f"{self._cache_path}: {error.strerror or error}")
+
+
+def kept(function: Callable[..., Any]) -> Any:
+    """A decorator: compile by `numba.njit`, and keep what was compiled."""
+    dispatcher = njit(function)
+    dispatcher._cache = CheckedCache(function)
+    return dispatcher
