@@ -10,6 +10,8 @@ from masonry.loads import Controlled, Program, rise, smooth
 
 FASTEST = 1.875
 """The greatest slope of the quintic passage between two turning points, over its mean."""
+STILL = 1e-12
+"""Of the farthest place: a drive that moves by less in a step stands still."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,17 @@ def followed(dt: float, settle: int, places: np.ndarray, varying: np.ndarray | N
     shares = None
     if varying is not None:
         shares = np.concatenate([np.repeat(varying[:, :1], settle, axis=1), varying], axis=1)
-    return Program(rise(settle, settle + count), speed, settle, 0, shares)
+    return Program(rise(settle, settle + count), speed, settle, 0, shares, settle + 1 + landmarks(places))
+
+
+def landmarks(places: np.ndarray) -> np.ndarray:
+    """Which of places (n,) rows must not miss: those where the drive turns, and both between which it crosses its
+    start. Changes that are rounding count for nothing."""
+    made = np.diff(places)
+    moving = np.flatnonzero(np.abs(made) > STILL * float(np.abs(places).max()))
+    turned = np.flatnonzero(made[moving[1:]] * made[moving[:-1]] < 0.0)
+    crossed = np.flatnonzero((places[1:] > 0.0) != (places[:-1] > 0.0))
+    return np.unique(np.concatenate([moving[turned + 1], moving[turned] + 1, crossed, crossed + 1]))
 
 
 def passage(turns: tuple[float, ...], steps: int) -> np.ndarray:

@@ -103,6 +103,7 @@ class Program:
 
     settle  steps before the drive starts     ramp  steps over which the drive's velocity rises
     varying (H, n + 1) share of each load that varies, at each step; None without any
+    marks   steps, rising, after which a row is due besides the regular ones
     """
 
     dead_load: np.ndarray
@@ -110,6 +111,7 @@ class Program:
     settle: int
     ramp: int
     varying: np.ndarray | None = None
+    marks: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
 
     @property
     def steps(self) -> int:

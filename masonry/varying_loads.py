@@ -28,7 +28,7 @@ class VaryingPace(FixedPace):
         steps, settle = self.program.steps, self.program.settle
         if self.done >= steps:
             return None
-        due = min((self.done // self.every + 1) * self.every, steps)
+        due = self.row_due()
         first, self.done = self.done, min(due, self.done + LONGEST_CHUNK, settle if self.done < settle else steps)
         part = slice(first, self.done + 1)
         begin, end = self.shares[:, first], self.shares[:, self.done]
