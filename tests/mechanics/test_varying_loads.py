@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 
 from masonry import laboratory
+from masonry.assembly import assemble
 from masonry.errors import SceneError
+from masonry.paces import pace_of
+from masonry.varying_loads import knots
 from tests.mechanics.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
 KN, KS, AREA = 200e9, 80e9, 0.2 * 0.1
@@ -52,6 +55,38 @@ def test_each_load_follows_its_own_history_beside_one_that_stays():
     assert rows["stress"] == pytest.approx(np.zeros(len(rows["step"]))), "nothing is driven"
     assert result.summary["energy_imbalance"] < 1e-10, "the work of loads that vary is booked as they act"
     assert result.summary["unbalanced_after_settling"] < 1e-3
+
+
+def acting(scene, rows: int) -> np.ndarray:
+    """Shear (N) on the top block at each step, as the chunks of a run hand it to the step."""
+    assembly = assemble(scene)
+    pace, body = pace_of(assembly.model, assembly.plan, rows), assembly.model.bodies[0]
+    found = np.zeros(1)
+    while (chunk := pace.next()) is not None:
+        stays, comes = np.minimum(chunk.dead_load, 1.0), np.maximum(chunk.dead_load - 1.0, 0.0)
+        found = np.append(found, (stays * body.load[1, 0] + comes * body.change[1, 0])[1:])
+    return found
+
+
+def test_a_load_that_varies_fast_is_the_same_however_many_rows_there_are():
+    text = block([PUSH, SHEAR], steps=500)
+    dt = laboratory.check(load(text))["time_step_s"]
+    text = text.replace("2 pi t / 1 s", f"80 pi t / {4000 * dt!r} s").replace('"1 s"', f'"{4000 * dt!r} s"')
+    few, many = (acting(load(text), rows) for rows in (9, 1500))
+    most = 0.2e6 * AREA
+    assert few == pytest.approx(many, abs=1e-9 * most)
+    wanted = most * np.sin(80 * np.pi * np.arange(4001) / 4000)
+    assert few[501:] == pytest.approx(wanted, abs=2e-3 * most)
+
+
+@pytest.mark.parametrize("period", [3000.0, 150.0, 40.0])
+def test_between_its_knots_no_history_leaves_its_line(period):
+    step = np.arange(5001)
+    shares = np.array([np.sin(2 * np.pi * np.maximum(step - 300, 0) / period), np.ones(len(step))])
+    at = knots(shares, 300)
+    assert 300 in at and at[0] == 0 and at[-1] == 5000 and np.diff(at[1:]).max() <= 200
+    assert np.interp(step, at, shares[0][at]) == pytest.approx(shares[0], abs=1e-3)
+    assert len(at) > 20 * 5000 / period
 
 
 def test_a_share_of_one_is_a_load_that_stays():
