@@ -23,11 +23,6 @@ class Cyclic(Controlled):
 
     turns: tuple[float, ...] = ()
 
-    @property
-    def steps(self) -> int:
-        """About how many there will be: what a wall took, leg by leg."""
-        return self.settle + len(self.turns) * (2000 + round(30 / self.accuracy))
-
 
 def cyclic(settle: int, turns: tuple[float, ...], accuracy: float) -> Cyclic:
     """Dead loads rise over the first half of `settle`; then the drive visits the places to an accuracy."""

@@ -135,11 +135,6 @@ class Controlled:
     def settle(self) -> int:
         return len(self.dead_load) - 1
 
-    @property
-    def steps(self) -> int:
-        """About how many there will be: what tests of masonry took."""
-        return self.settle + 5000 + round(100 / self.accuracy)
-
 
 def controlled(settle: int, displacement: float, accuracy: float) -> Controlled:
     """Dead loads rise over the first half of `settle`; then the drive makes `displacement` to an accuracy."""
