@@ -32,16 +32,13 @@ def cyclic(settle: int, turns: tuple[float, ...], accuracy: float) -> Cyclic:
 def followed(dt: float, settle: int, places: np.ndarray, varying: np.ndarray | None = None) -> Program:
     """Dead loads rise over the first half of `settle`; then the drive comes to places (n,) m, signed, one a step.
 
-    varying  (H, n + 1) share of each varying load, at the end of the settling and after each step
+    varying  (H, settle + n + 1) share of each varying load, at each step
     The first step starts at rest and moves nothing, so `places` begins with 0.
     """
     count = len(places)
     speed = np.zeros(settle + count + 1)
     speed[settle + 1 : -1] = np.diff(places) / dt
-    shares = None
-    if varying is not None:
-        shares = np.concatenate([np.repeat(varying[:, :1], settle, axis=1), varying], axis=1)
-    return Program(rise(settle, settle + count), speed, settle, 0, shares, settle + 1 + landmarks(places))
+    return Program(rise(settle, settle + count), speed, settle, 0, varying, settle + 1 + landmarks(places))
 
 
 def landmarks(places: np.ndarray) -> np.ndarray:

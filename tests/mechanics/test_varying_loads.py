@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from masonry import laboratory
+from masonry import scene as scenes
 from masonry.assembly import assemble
 from masonry.errors import SceneError
 from masonry.paces import pace_of
@@ -87,6 +88,24 @@ def test_between_its_knots_no_history_leaves_its_line(period):
     assert 300 in at and at[0] == 0 and at[-1] == 5000 and np.diff(at[1:]).max() <= 200
     assert np.interp(step, at, shares[0][at]) == pytest.approx(shares[0], abs=1e-3)
     assert len(at) > 20 * 5000 / period
+
+
+@pytest.mark.parametrize("pace", [{"drive.steps": 20_000}, {"drive.rate": "20 mm/s"}])
+def test_a_drive_one_way_keeps_its_ramp_and_its_speed_beside_a_load_that_varies(pace):
+    over = {**pace, "drive.accuracy": None, "drive.ramp": 0.9, "settle.steps": 400}
+    beside = {"on": "top.z+", "stress": {"z": "-0.1 MPa"}, "history": [["0 s", 0], ["1 s", 1]]}
+    plain = scenes.load("couplet", over)
+    varied = scenes.load("couplet", {**over, "traction": [plain.traction[0].model_dump(), beside]})
+    one, other = (assemble(scene).plan for scene in (plain, varied))
+    assert np.array_equal(one.speed, other.speed) and other.varying.shape == (1, other.steps + 1)
+    assert other.varying[0, [0, 400, 401, -1]] == pytest.approx([0.0, 0.0, 0.0, 1.0])
+
+
+def test_a_joint_still_slides_at_the_end_of_a_drive_beside_a_load_that_varies():
+    wave = {"on": "top.z+", "stress": {"z": "-0.5 MPa"}, "history": "1 + 0.2 * sin(2 pi t / 1 s)", "duration": "2 s"}
+    over = {"drive.accuracy": None, "drive.steps": 20_000, "traction": [wave]}
+    final = laboratory.run(scenes.load("couplet", over)).summary["final_stress_pa"]
+    assert final == pytest.approx(0.73 * 0.5e6, rel=5e-3)
 
 
 def test_a_share_of_one_is_a_load_that_stays():
