@@ -6,6 +6,8 @@ import numpy as np
 
 HOME = 1e-9
 """Share of the farthest way within which the drive counts as back at its start."""
+TOUCH = 1e-4
+"""The same for a place where the drive turns or ends: a step may just miss the start there."""
 SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
 
 
@@ -18,8 +20,9 @@ def bounds(place: np.ndarray) -> list[float]:
     """Rows, with fractions, at which cycles begin, and the last row; the first begins where the drive sets out.
 
     A cycle ends where the drive is back at its start, and leaves it the way it left it first. One that the run does
-    not end stays as the last.
+    not end stays as the last. A turn at the start ends one too.
     """
+    place = _touching(place)
     near = HOME * float(np.abs(place).max())
     away = np.flatnonzero(np.abs(place) > near)
     if not len(away):
@@ -40,7 +43,6 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray) -> list[dict[str, Any
     if goes_one_way(place) or goes_one_way(-place):
         return []
     ends = bounds(place)
-    near = HOME * float(np.abs(place).max())
     found = []
     for begin, end in zip(ends[:-1], ends[1:], strict=True):
         inner = slice(int(np.ceil(begin)), int(np.floor(end)) + 1)
@@ -49,7 +51,7 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray) -> list[dict[str, Any
         way = float(place[far] - place[near_end])
         found.append(
             {
-                "closed": bool(end < len(place) - 1 or abs(place[-1]) <= near),
+                "closed": bool(end < len(place) - 1 or _touching(place)[-1] == 0.0),
                 "dissipated_j": sum(spent.values()),
                 **{f"{key}_j": value for key, value in spent.items()},
                 "external_work_j": _between(rows["external_work"], begin, end),
@@ -63,6 +65,19 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray) -> list[dict[str, Any
             }
         )
     return found
+
+
+def _touching(place: np.ndarray) -> np.ndarray:
+    """Places (n,) of the drive; turns, stops there and the end are put on the start where they touch it."""
+    near = TOUCH * float(np.abs(place).max())
+    way = np.sign(np.diff(place))
+    moving = np.flatnonzero(way)
+    touching = np.zeros(len(place), dtype=bool)
+    for before, after in zip(moving[:-1], moving[1:], strict=True):
+        touching[before + 1 : after + 1] = way[before] != way[after]
+    if len(moving):
+        touching[moving[-1] + 1 :] = True
+    return np.where(touching & (np.abs(place) <= near), 0.0, place)
 
 
 def _between(values: np.ndarray, begin: float, end: float) -> float:

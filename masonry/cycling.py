@@ -10,6 +10,8 @@ from masonry.loads import Controlled, Program, rise, smooth
 
 FASTEST = 1.875
 """The greatest slope of the quintic passage between two turning points, over its mean."""
+STILL = 1e-12
+"""Of the farthest place: a drive that moves by less in a step stands still."""
 
 
 @dataclass(frozen=True)
@@ -21,11 +23,6 @@ class Cyclic(Controlled):
 
     turns: tuple[float, ...] = ()
 
-    @property
-    def steps(self) -> int:
-        """About how many there will be: what a wall took, leg by leg."""
-        return self.settle + len(self.turns) * (2000 + round(30 / self.accuracy))
-
 
 def cyclic(settle: int, turns: tuple[float, ...], accuracy: float) -> Cyclic:
     """Dead loads rise over the first half of `settle`; then the drive visits the places to an accuracy."""
@@ -35,16 +32,23 @@ def cyclic(settle: int, turns: tuple[float, ...], accuracy: float) -> Cyclic:
 def followed(dt: float, settle: int, places: np.ndarray, varying: np.ndarray | None = None) -> Program:
     """Dead loads rise over the first half of `settle`; then the drive comes to places (n,) m, signed, one a step.
 
-    varying  (H, n + 1) share of each varying load, at the end of the settling and after each step
+    varying  (H, settle + n + 1) share of each varying load, at each step
     The first step starts at rest and moves nothing, so `places` begins with 0.
     """
     count = len(places)
     speed = np.zeros(settle + count + 1)
     speed[settle + 1 : -1] = np.diff(places) / dt
-    shares = None
-    if varying is not None:
-        shares = np.concatenate([np.repeat(varying[:, :1], settle, axis=1), varying], axis=1)
-    return Program(rise(settle, settle + count), speed, settle, 0, shares)
+    return Program(rise(settle, settle + count), speed, settle, 0, varying, settle + 1 + landmarks(places))
+
+
+def landmarks(places: np.ndarray) -> np.ndarray:
+    """Which of places (n,) rows must not miss: those where the drive turns, and both between which it crosses its
+    start. Changes that are rounding count for nothing."""
+    made = np.diff(places)
+    moving = np.flatnonzero(np.abs(made) > STILL * float(np.abs(places).max()))
+    turned = np.flatnonzero(made[moving[1:]] * made[moving[:-1]] < 0.0)
+    crossed = np.flatnonzero((places[1:] > 0.0) != (places[:-1] > 0.0))
+    return np.unique(np.concatenate([moving[turned + 1], moving[turned] + 1, crossed, crossed + 1]))
 
 
 def passage(turns: tuple[float, ...], steps: int) -> np.ndarray:

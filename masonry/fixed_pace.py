@@ -30,7 +30,7 @@ class Chunk:
 
 
 class FixedPace:
-    """The chunks of a program, with a row every so many steps."""
+    """The chunks of a program, with a row every so many steps, and after each step that the program marks."""
 
     def __init__(self, program: Program, rows: int) -> None:
         self.program, self.done = program, 0
@@ -41,10 +41,17 @@ class FixedPace:
         steps = self.program.steps
         if self.done >= steps:
             return None
-        due = min((self.done // self.every + 1) * self.every, steps)
+        due = self.row_due()
         first, self.done = self.done, min(due, self.done + LONGEST_CHUNK)
         part = slice(first, self.done + 1)
         return Chunk(self.program.dead_load[part], self.program.speed[part], self.done == due)
+
+    def row_due(self) -> int:
+        """The next step after which a row is due."""
+        marks = self.program.marks
+        k = int(np.searchsorted(marks, self.done, side="right"))
+        regular = min((self.done // self.every + 1) * self.every, self.program.steps)
+        return min(regular, int(marks[k])) if k < len(marks) else regular
 
     def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
         """A fixed program does not care."""

@@ -7,6 +7,7 @@ import numpy as np
 
 from masonry import timeloop
 from masonry.assembly import Assembly, assemble
+from masonry.effort import expected_seconds, expected_steps
 from masonry.errors import Stopped
 from masonry.keeper import Keeper
 from masonry.kernels.freedom import Guided
@@ -79,7 +80,7 @@ def check(scene: Scene) -> "Report":
         "time_step_s": model.dt,
         "limited_by": model.limited_by,
         "quality": quality_lines(assembly),
-        "steps": assembly.plan.steps,
+        "steps": expected_steps(assembly),
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),
         "compiled": compiled(assembly),
@@ -93,21 +94,6 @@ def check(scene: Scene) -> "Report":
 def scatter_lines(assembly: Assembly) -> list[str]:
     """What was drawn, a line for each property that scatters."""
     return [line for drawn in assembly.drawn for line in drawn.lines()]
-
-
-NANOSECONDS = {"contact": 13.0, "side": 4.0, "block": 60.0, "tet": 20.0, "node": 30.0, "step": 200.0, "row": 5e5}
-"""Rough cost of each part of a step on one 2.5 GHz core; `masonry check` says "about"."""
-
-
-def expected_seconds(assembly: Assembly) -> float:
-    """Rough stepping time from the parts' costs, without the compile."""
-    m = assembly.model
-    nodes = 0 if assembly.mesh is None else len(assembly.mesh.nodes)
-    tets = 0 if assembly.mesh is None else len(assembly.mesh.tets)
-    blocks = len(m.layout.members["rigid"]) + 2 * len(m.layout.members["affine"])
-    each = {"contact": len(m.group), "side": 2 * len(m.group), "block": blocks, "tet": tets, "node": nodes, "step": 1}
-    step = sum(NANOSECONDS[key] * count for key, count in each.items())
-    return 1e-9 * (assembly.plan.steps * step + assembly.recording.rows * NANOSECONDS["row"])
 
 
 def left_out(assembly: Assembly) -> list[str]:

@@ -103,6 +103,7 @@ class Program:
 
     settle  steps before the drive starts     ramp  steps over which the drive's velocity rises
     varying (H, n + 1) share of each load that varies, at each step; None without any
+    marks   steps, rising, after which a row is due besides the regular ones
     """
 
     dead_load: np.ndarray
@@ -110,6 +111,7 @@ class Program:
     settle: int
     ramp: int
     varying: np.ndarray | None = None
+    marks: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
 
     @property
     def steps(self) -> int:
@@ -132,11 +134,6 @@ class Controlled:
     @property
     def settle(self) -> int:
         return len(self.dead_load) - 1
-
-    @property
-    def steps(self) -> int:
-        """About how many there will be: what tests of masonry took."""
-        return self.settle + 5000 + round(100 / self.accuracy)
 
 
 def controlled(settle: int, displacement: float, accuracy: float) -> Controlled:

@@ -1,5 +1,7 @@
 """From a scene's words to the plan of its loading: how many steps, and what happens at each."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from masonry.cycling import cyclic, followed, passage, steps_at
@@ -28,6 +30,10 @@ def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: f
     """All histories over the same steps: each load's time runs while the drive makes its whole way."""
     if drive is not None and drive.accuracy is not None:
         return cyclic(settle, tuple(drive.sign * place for place in drive.turns), drive.accuracy)
+    if drive is not None and drive.history is None:
+        plain = program(dt, settle, drive.sign * drive.farthest, drive.steps, drive.rate, drive.ramp)
+        require_two(plain.steps - settle)
+        return replace(plain, varying=_shares(loads, settle, plain.steps - settle))
     path = None if drive is None else drive.path
     duration = max(found.duration for found in [*loads, *([path] if path else [])]) if loads or path else 0.0
     if drive is not None and drive.steps is not None:
@@ -43,8 +49,14 @@ def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: f
         places = np.zeros(count)
     else:
         places = drive.sign * (passage(drive.turns, count) if path is None else _at(path, t) - _at(path, t[:1]))
-    shares = np.array([_at(load, np.concatenate([t[:1], t])) for load in loads])
-    return followed(dt, settle, places, shares if loads else None)
+    return followed(dt, settle, places, _shares(loads, settle, count, duration) if loads else None)
+
+
+def _shares(loads: list[Timed], settle: int, count: int, duration: float = 0.0) -> np.ndarray:
+    """(H, settle + count + 1) share of each load at each step: all the time of the longest, or `duration` (s) if that
+    is longer, passes in the last `count` steps."""
+    t = np.linspace(0.0, max(duration, *(load.duration for load in loads)), count)
+    return np.array([_at(load, np.concatenate([np.zeros(settle + 1), t])) for load in loads])
 
 
 def _at(path: Timed, t: np.ndarray) -> np.ndarray:

@@ -17,12 +17,17 @@ from tests.mechanics.scenes import load
 from tests.mechanics.test_loop import couplet
 
 SHORT = {"settle": 200, "displacement": "0.03 mm"}
+WAVE = {"on": "top.z+", "stress": {"z": "-0.5 MPa"}, "history": "1 + 0.2 * sin(40 pi t / 1 s)", "duration": "1 s"}
+TURNS = {"drive.accuracy": None, "drive.history": ["0.1 mm", "0 mm", "0.1 mm"], "drive.steps": 900}
 SCENES = {
     "rigid, steps": lambda: load(couplet("rigid", settle=400, pace="steps = 800", displacement="0.02 mm")),
     "tets, steps": lambda: load(couplet("tets", settle=400, pace="steps = 800", displacement="0.02 mm")),
     "rigid, accuracy": lambda: load(couplet("rigid", **SHORT, pace='accuracy = "5 %"')),
     "affine, accuracy": lambda: load(couplet("affine", **SHORT, pace='accuracy = "5 %"')),
     "tets, accuracy": lambda: load(couplet("tets", **SHORT, pace='accuracy = "5 %"')),
+    "turns beside a load that varies": lambda: load_scene(
+        "couplet", {**TURNS, "traction": [WAVE], "settle.steps": 300, "solver.rows": 30}
+    ),
     "a wall that cracks": lambda: load_scene(
         "wallette-mode-1", ["specimen.divisions=[4, 2]", "drive.rate=50 mm/s", "solver.rows=60"]
     ),

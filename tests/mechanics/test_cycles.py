@@ -10,6 +10,7 @@ from masonry.assembly import assemble
 from masonry.cycles import bounds, table
 from masonry.cyclic_pace import CyclicPace
 from masonry.cycling import cyclic
+from masonry.fixed_pace import FixedPace
 from masonry.scene import load
 from tests.mechanics.test_controlled import TERMS
 from verification.cases.joint_that_closes import KEYS
@@ -75,6 +76,30 @@ def test_an_expression_in_steps_and_its_turning_points_to_an_accuracy_take_the_s
     assert len(one) == 2 and one == pytest.approx(two, rel=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("history", "steps", "cycles"),
+    [("0.05 mm * (1 - cos(2 pi t / 1 s))", 5999, 3), ("0.05 mm * sin(2 pi t / 1 s)", 6000, 3)],
+)
+def test_cycles_in_steps_are_the_same_however_many_rows_there_are(history, steps, cycles):
+    over = {**QUICK, "drive.history": history, "drive.duration": "3 s", "drive.steps": steps}
+    few, many = (laboratory.run(load("couplet", {**over, "solver.rows": rows})).summary for rows in (10, 1000))
+    assert len(few["cycles"]) == len(many["cycles"]) == cycles
+    for one, other in zip(few["cycles"], many["cycles"], strict=True):
+        assert one["closed"] and other["closed"]
+        for key in ("dissipated_j", "external_work_j", "farthest_m", "farthest_back_m", "opening_left_m"):
+            assert one[key] == pytest.approx(other[key], rel=1e-9, abs=1e-15)
+
+
+def test_a_pace_in_steps_goes_on_to_the_same_rows():
+    plan = assemble(load("couplet-cyclic", {"drive.accuracy": None, "drive.steps": 5000, **QUICK})).plan
+    one, other = (FixedPace(plan, 7) for _ in range(2))
+    for _ in range(9):
+        one.next()
+    other.restore(one.state())
+    rest = [[(chunk.steps, chunk.row) for chunk in iter(pace.next, None)] for pace in (one, other)]
+    assert rest[0] == rest[1] and sum(row for _, row in rest[0]) > 7
+
+
 def test_increments_reach_every_turning_point_whatever_the_energies_say():
     assembly = assemble(load("wallette-mode-1", {"drive.accuracy": 0.05}))
     rng = np.random.default_rng(0)
@@ -115,6 +140,9 @@ def test_a_pace_goes_on_from_what_it_remembers():
         ([0, -2, 2, -2, 4, 0], [0, 2.5, 5]),
         ([0, 1, -1, 1, 1], [0, 2.5, 4]),
         ([0, 3, 2, 3, 2], [0, 4]),
+        ([0, 2, 1e-5, 2, -1e-5, 2, 1e-5], [0, 2, 4, 6]),
+        ([0, 1e-5, 1e-3, 2, 1, 2], [0, 5]),
+        ([0, 1, -1, 1e-5, -1, 1], [0, 4.5, 5]),
     ],
 )
 def test_a_cycle_ends_where_the_drive_leaves_its_start_the_way_it_left_it_first(places, wanted):
