@@ -158,8 +158,7 @@ def _energies(contact: Any, found: Any) -> list[tuple[str, list[str]]]:
     )
     if found.mode_1 is not None:
         rows.append(("G_I, measured", [_energy(found.mode_1, mode_1)]))
-        off = abs(found.mode_1.booked - found.mode_1.whole) / found.mode_1.whole
-        if off > AGREE:
+        if abs(found.mode_1.booked - found.mode_1.whole) > AGREE * found.mode_1.whole:
             rows.append(
                 (
                     "WARNING",
