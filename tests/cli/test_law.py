@@ -66,6 +66,7 @@ def test_the_picture_is_drawn_where_it_is_asked_for_and_by_default_beside(packag
 @pytest.mark.parametrize(
     ("words", "message"),
     [
+        (["bilinea"], "there is no law 'bilinea'; known here: bilinear, brittle"),
         (["bilinea"], "did you mean 'bilinear'"),
         (["linear", "--set", "cohesion"], "write KEY=VALUE"),
         (["linear", "--set", "cohesion=1 m"], "cohesion is a stress"),
@@ -155,6 +156,12 @@ def test_a_law_is_drawn_at_every_zero_that_a_scene_may_hold(name, monkeypatch):
 def test_a_contact_without_stiffness_in_shear_slides_without_stress():
     found = portrait(*law("elastic", shear_stiffness=0.0))
     assert all(not path.tau.any() and not path.stored[-1] - path.stored[0] for path in found.shear.values())
+
+
+@pytest.mark.parametrize(("name", "changes"), [("elastic", "shear_stiffness=0 Pa/m"), ("brittle", "cohesion=0 Pa")])
+def test_a_law_that_takes_0_does_not_say_that_it_refuses_it(name, changes, capsys):
+    text = said(capsys, name, "--set", changes)
+    assert "only what is out of the range of its key" in text and "above 0" not in text
 
 
 @pytest.mark.parametrize("energy", [1e-8, 1e-6, 5.8, 1e9])
