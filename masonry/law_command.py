@@ -93,7 +93,7 @@ def _contact(name: str, changes: list[str]) -> Any:
 
     own = None if name in law_names() else outside_law(name)
     if own is None and name not in law_names():
-        raise SceneError(f"masonry law: there is no law '{name[:60]}'; {nearest(name, all_law_names())}")
+        raise SceneError(f"there is no law '{name[:60]}'; {nearest(name, all_law_names())}")
     example = {} if own is None else {f"{GROUP}.{key}": value for key, value in own.example.items()}
     given = {}
     for text in changes:
