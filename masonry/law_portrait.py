@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from masonry.laws.door import beside
 from masonry.laws.interface import Interface
 from masonry.one_contact import Path, follow
 
@@ -12,8 +13,18 @@ COMPRESSIONS = (0.1e6, 0.5e6, 1.0e6)
 """Pa, of the couplets of the paper."""
 LEFT = 0.02
 """Share of the strength that is left where a picture ends."""
-NEAREST, FARTHEST, POINTS = 1e-9, 1.0, 2500
-"""m beyond the peak, and how many points between: where energies are integrated."""
+NEAREST, FARTHEST = 1e-9, 1e5
+"""Where energies are integrated beyond the peak: from and to, over energy by strength."""
+FINEST = 1e-13
+"""m beyond the peak, over the way to the peak: nearer there is only rounding."""
+LEAST, MOST = 1e-30, 1e200
+"""m: no energy over strength is taken to be less or more."""
+POINTS = 280
+"""Points for each factor of ten of the way."""
+LOST = 1e-12
+"""Share of the strength that is rounding."""
+WITHOUT_STRENGTH = 20e-6
+"""m, how far a contact without strength is drawn."""
 
 
 @dataclass(frozen=True)
@@ -48,23 +59,37 @@ def portrait(shape: Any, interface: Interface) -> Portrait:
     interface = interface._replace(tan_dilation=None, dilation_cutoff=None)
     strength = interface.tensile_strength
     at_peak = (strength or 0.0) / interface.normal_stiffness
-    opened = _pull(shape, interface, _way(at_peak))
-    end = _end(opened.opening, opened.sigma / strength, at_peak) if strength else 20e-6
+    if strength:
+        opened = _pull(shape, interface, _way(at_peak, _given(shape, 1, 0.0), strength, 0.0))
+        mode_1 = _energy(opened, opened.opening, opened.sigma, 0.0)
+        end = _end(opened.opening, opened.sigma / strength, at_peak)
+    else:
+        mode_1, end = None, WITHOUT_STRENGTH
     turn = at_peak + 0.25 * (end - at_peak)
-    tension = _pull(shape, interface, _through(0.0, turn, -0.1 * at_peak, turn, end))
-    mode_1 = _energy(opened, opened.opening, opened.sigma, 0.0) if strength else None
+    tension = _pull(shape, interface, _through(0.0, turn, -0.1 * (at_peak or turn), turn, end))
     shear, mode_2 = {}, {}
     for compression in (0.0, *COMPRESSIONS):
         peak, last = _strengths(interface, compression)
-        at_peak = peak / interface.shear_stiffness
-        slid = _push(shape, interface, compression, _way(at_peak))
-        end = _end(slid.slip, (slid.tau - last) / (peak - last), at_peak) if peak > last else 3.0 * at_peak or 20e-6
+        at_peak = peak / interface.shear_stiffness if peak else 0.0
+        end = 3.0 * at_peak or WITHOUT_STRENGTH
+        if peak > last:
+            way = _way(at_peak, _given(shape, 2, compression), peak, last)
+            slid = _push(shape, interface, compression, way)
+            end = _end(slid.slip, (slid.tau - last) / (peak - last), at_peak)
+            if strength is not None:
+                mode_2[compression] = _energy(slid, slid.slip, slid.tau, last)
         if compression:
             turn = at_peak + 0.3 * (end - at_peak)
             shear[compression] = _push(shape, interface, compression, _through(0.0, turn, -0.5 * turn, end))
-        if strength is not None and peak > last:
-            mode_2[compression] = _energy(slid, slid.slip, slid.tau, last)
     return Portrait(tension, shear, mode_1, mode_2)
+
+
+def _given(shape: Any, mode: int, compression: float) -> float | None:
+    """Fracture energy (N/m) that the law was given for a mode at a compression (Pa); None where it knows none."""
+    keys = beside(type(shape), "PARAMETERS", {})
+    given = {key: getattr(shape, field) or 0.0 for field, key in keys.items()}
+    energy = given.get(f"fracture_energy_mode_{mode}")
+    return energy and energy + given.get(f"fracture_energy_mode_{mode}_slope", 0.0) * compression
 
 
 def _strengths(interface: Interface, compression: float) -> tuple[float, float]:
@@ -88,9 +113,18 @@ def _through(*corners: float) -> np.ndarray:
     return np.concatenate([[corners[0]], *legs])
 
 
-def _way(at_peak: float) -> np.ndarray:
-    """(N,) m: rest, the peak, and ever further beyond, each step a little longer than the one before."""
-    return np.concatenate([[0.0, at_peak], at_peak + np.geomspace(NEAREST, FARTHEST, POINTS)])
+def _way(at_peak: float, energy: float | None, peak: float, last: float) -> np.ndarray:
+    """(N,) m: rest, the peak, and ever further beyond, each step a little longer than the one before.
+
+    at_peak     m
+    energy      N/m, given; the elastic one counts where there is none
+    peak, last  Pa
+    """
+    energy = energy or at_peak * peak
+    nearest = max(NEAREST * min(max(energy / peak, LEAST), MOST), FINEST * at_peak)
+    farthest = max(FARTHEST * min(max(energy / (peak - last), LEAST), MOST), 100.0 * nearest, at_peak)
+    count = round(POINTS * np.log10(farthest / nearest))
+    return np.concatenate([[0.0, at_peak], at_peak + np.geomspace(nearest, farthest, count)])
 
 
 def _end(way: np.ndarray, left: np.ndarray, at_peak: float) -> float:
@@ -100,11 +134,15 @@ def _end(way: np.ndarray, left: np.ndarray, at_peak: float) -> float:
 
 
 def _energy(path: Path, way: np.ndarray, stress: np.ndarray, last: float) -> Energy:
-    """Of a path whose second point is the peak; `last` (Pa) is the residual."""
-    work = 0.5 * (stress[1:] + stress[:-1]) * np.diff(way)
-    beyond = work[1:].sum() - last * (way[-1] - way[1])
+    """Of a path whose second point is the peak; `last` (Pa) is the residual. What is lost at once leaves no area."""
+    above = stress - last
+    above[2:] = np.where(np.abs(above[2:]) <= LOST * stress[1], 0.0, above[2:])
+    work = 0.5 * (above[1:] + above[:-1]) * np.diff(way)
+    if above[2] == 0.0:
+        work[1] = 0.0
+    beyond = work[1:].sum()
     return Energy(
-        float(work.sum() - path.friction[-1] - path.stored[-1] + path.stored[0]),
+        float(work.sum() + last * way[-1] - path.friction[-1] - path.stored[-1] + path.stored[0]),
         float(beyond),
         float(path.fracture[-1]),
     )

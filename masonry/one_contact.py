@@ -1,6 +1,8 @@
 """One contact of unit area taken along a path by the laws themselves, in Python: nothing is compiled.
 
 The same functions that the step has compiled (`laws.mechanism`), in the order in which `kernels.contact` calls them.
+They reckon with numbers of numpy, which divide by zero as compiled code does: a formula may give inf or nan where its
+answer is not chosen.
 """
 
 from math import inf
@@ -31,11 +33,16 @@ class Path(NamedTuple):
 
 def follow(shape: Any, interface: Interface, opening: np.ndarray, slip: np.ndarray) -> Path:
     """Take a contact that nothing has happened to along openings and slips (m), both (N,)."""
-    memory, plastic = _fresh(interface), 0.0
+    with np.errstate(all="ignore"):
+        return _follow(_of_numpy(shape), _of_numpy(interface), opening, slip)
+
+
+def _follow(shape: Any, interface: Interface, opening: np.ndarray, slip: np.ndarray) -> Path:
+    memory, plastic = _of_numpy(_fresh(interface)), 0.0
     ks = interface.shear_stiffness
     fracture = friction = 0.0
     rows = np.empty((len(opening), 5))
-    for k, (e, s) in enumerate(zip(opening.tolist(), slip.tolist(), strict=True)):
+    for k, (e, s) in enumerate(zip(opening, slip, strict=True)):
         tau = ks * (s - plastic)
         sigma, unchanged = quiet(shape, interface, memory, e, tau * tau)
         if not unchanged:
@@ -47,6 +54,11 @@ def follow(shape: Any, interface: Interface, opening: np.ndarray, slip: np.ndarr
             tau *= answer.share
         rows[k] = sigma, tau, fracture, friction, stored(shape, interface, memory, e, tau * tau)
     return Path(opening, slip, *rows.T)
+
+
+def _of_numpy(fields: Any) -> Any:
+    """The same NamedTuple with numbers of numpy; None stays."""
+    return type(fields)(*(value if value is None else np.float64(value) for value in fields))
 
 
 def _fresh(interface: Interface) -> Memory:

@@ -13,6 +13,9 @@ MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-
 """Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference
 between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
 how far contacts close over the size of their blocks."""
+ROUNDING, BELOW_0 = 1e-11, 1e-5
+"""Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
+of the steps."""
 
 
 Rows = list[tuple[str, list[str]]]
@@ -81,7 +84,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         *((name, [gauge_text(readings)]) for name, readings in (summary.get("gauges") or {}).items()),
         ("energy imbalance", [_number(summary, "energy_imbalance", 1.0, "of the external work")]),
         ("reaction mismatch", [_number(summary, "reaction_mismatch_max", 100.0, "% of the peak")]),
-        ("kinetic / internal", [_number(summary, "kinetic_over_internal_max", 100.0, "%")]),
+        ("kinetic / internal", [_kinetic(summary)]),
         *([("accuracy", [accuracy_text(summary)])] if summary.get("control") else []),
         ("steps", [str(summary.get("steps", "not known"))]),
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
@@ -107,11 +110,19 @@ def gauge_text(readings: dict[str, float]) -> str:
 def accuracy_text(summary: dict[str, Any]) -> str:
     """What a drive to an accuracy was asked for, and by what it can be seen how far it came."""
     control = summary["control"]
+    asked = f"{100 * control['accuracy']:g} % asked"
+    damping = f"damping took {_percent(summary['damping_over_external'])} of the work"
+    if not any((summary.get("energy_j") or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
+        return f"{asked}; no contact was damaged; {damping}"
     return (
-        f"{100 * control['accuracy']:g} % asked; after the first damage the drive ran ahead of the specimen by "
-        f"{100 * control['mean_lag']:.2g} % of the work done on average, by {100 * control['largest_lag']:.2g} % at "
-        f"most; damping took {100 * summary['damping_over_external']:.2g} % of the work"
+        f"{asked}; after the first damage the drive ran ahead of the specimen by {_percent(control['mean_lag'])} of "
+        f"the work done on average, by {_percent(control['largest_lag'])} at most; {damping}"
     )
+
+
+def _percent(share: float, digits: int = 2) -> str:
+    """A share as a percentage, 0 where it is rounding."""
+    return f"{0.0 if -BELOW_0 < share < ROUNDING else 100 * share:.{digits}g} %"
 
 
 def trust(summary: dict[str, Any]) -> str:
@@ -159,6 +170,11 @@ def trust(summary: dict[str, Any]) -> str:
 def _number(summary: dict[str, Any], key: str, factor: float, unit: str) -> str:
     value = summary.get(key)
     return "not known" if value is None else f"{value * factor:.4g} {unit}"
+
+
+def _kinetic(summary: dict[str, Any]) -> str:
+    share = summary.get("kinetic_over_internal_max")
+    return "not known" if share is None else _percent(share, 4)
 
 
 def _seconds(summary: dict[str, Any], key: str) -> str:

@@ -41,7 +41,7 @@ def _checked(source: Source) -> Scene:
     confinement = source.raw.get("confinement")
     if confinement is not None:
         place = source.place(("confinement",))
-        where = place if place.endswith(" confinement") else f"{place}: confinement"
+        where = place if place.split()[-1] == "confinement" else f"{place}: confinement"
         confinement = parse(confinement, "stress", where, "[0, 1e15]")
     law = source.raw.get("law")
     try:

@@ -80,7 +80,7 @@ def _line(found: ErrorDetails, source: Source) -> str:
     place = source.place(path)
     key = ".".join(str(part)[:80] for part in path)
     text = _text(found, loc, str(path[-1]) if path else "", source.raw)
-    return f"{place}: {text}" if place == f"--set {key}" else f"{place}: {key}: {text}"
+    return f"{place}: {text}" if place in (key, f"--set {key}") else f"{place}: {key}: {text}"
 
 
 def _in_file(loc: Keys, raw: Any) -> Keys:

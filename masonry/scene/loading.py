@@ -45,9 +45,12 @@ def _time_step(value: Any) -> str | float:
 
 def _accuracy(value: Any) -> Any:
     """A share, or a percentage: 0.01 or "1 %"."""
-    if isinstance(value, str) and value.rstrip().endswith("%"):
-        return convert(value.rstrip()[:-1], "number", "accuracy", "[0.01, 20] %".removesuffix(" %")) / 100
-    return value if value is None else convert(value, "number", "accuracy", "[1e-4, 0.2]")
+    if not (isinstance(value, str) and value.rstrip().endswith("%")):
+        return value if value is None else convert(value, "number", "accuracy", "[1e-4, 0.2]")
+    try:
+        return convert(value.rstrip()[:-1], "number", "accuracy", "[0.01, 20]") / 100
+    except ValueError:
+        raise ValueError(f"{value[:40]!r} does not fit; accuracy must be in [0.01, 20] %") from None
 
 
 def _rotation(value: Any, info: ValidationInfo) -> float:

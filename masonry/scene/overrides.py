@@ -1,4 +1,4 @@
-"""`--set key=value`: single values of a scene set anew, by dotted key, before the scene is checked."""
+"""`--set key=value`, or a dict from Python: values of a scene set anew, by dotted key, before the scene is checked."""
 
 import re
 import tomllib
@@ -19,15 +19,22 @@ def apply(source: Source, overrides: Overrides) -> None:
     """Put the overrides into the raw values of `source`. Raises SceneError for a key that leads nowhere."""
     if isinstance(overrides, str):
         overrides = [overrides]
-    given = dict(overrides) if isinstance(overrides, Mapping) else dict(map(_split, overrides))
+    written, given = (
+        ("", dict(overrides)) if isinstance(overrides, Mapping) else ("--set ", dict(map(_split, overrides)))
+    )
+    keys = {}
     for key, value in given.items():
-        path = _set(source.raw, key, _value(value))
-        source.overridden[path] = key
+        try:
+            path = _set(source.raw, key, _value(value))
+        except SceneError as error:
+            raise SceneError(f"{written}{error}") from None
+        keys[path] = key
+        source.overridden[path] = f"{written}{key}"
         assumptions = source.raw.get("assumptions")
         if isinstance(assumptions, dict) and key in assumptions:
             assumptions[key] = f"set to {value} by the user"
-    set_here = {path[:n] for path in source.overridden for n in range(1, len(path) + 1)}
-    for path, key in source.overridden.items():
+    set_here = {path[:n] for path in keys for n in range(1, len(path) + 1)}
+    for path, key in keys.items():
         drop_rivals(source.raw, path, {*set_here, ("assumptions", key)})
 
 
@@ -54,7 +61,7 @@ def _set(raw: dict[str, Any], key: str, value: Any) -> Keys:
     """Put the value at the dotted key, making tables on the way; the path it took."""
     keys = split_key(key)
     if not keys or ".".join(keys) != re.sub(r"[\"'\s]", "", key):
-        raise SceneError(f"--set {key[:80]}: not a dotted key such as contact.unit_unit.law")
+        raise SceneError(f"{key[:80]}: not a dotted key such as contact.unit_unit.law")
     at: Any = raw
     path: Keys = ()
     for n, part in enumerate(keys):
@@ -70,7 +77,7 @@ def _set(raw: dict[str, Any], key: str, value: Any) -> Keys:
                 at[part] = {"default": at[part]}
             at = at.setdefault(part, {})
         if not last and not isinstance(at, (dict, list)):
-            raise SceneError(f"--set {key}: {'.'.join(map(str, path))} is a value, it has no '{keys[n + 1]}'")
+            raise SceneError(f"{key}: {'.'.join(map(str, path))} is a value, it has no '{keys[n + 1]}'")
     return path
 
 
@@ -78,4 +85,4 @@ def _index(items: list[Any], part: str, path: Keys, key: str) -> int:
     if part.isdecimal() and len(part) < 9 and int(part) < len(items):
         return int(part)
     listed = ", ".join(str(n) for n in range(min(len(items), 10))) or "none, the list is empty"
-    raise SceneError(f"--set {key}: no item '{part}' in {'.'.join(map(str, path))}; items are {listed}")
+    raise SceneError(f"{key}: no item '{part}' in {'.'.join(map(str, path))}; items are {listed}")

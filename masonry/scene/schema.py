@@ -62,7 +62,7 @@ class Scene(Table):
         return {key: value for key, value in data.items() if value not in ((), {})}
 
     def with_(self, settings: Mapping[str, Any] | None = None, /, **top_level: Any) -> "Scene":
-        """Another scene with some keys set anew; this one stays as it is. Same rules and messages as `--set`.
+        """Another scene with some keys set anew; this one stays as it is. Same rules as `--set`.
 
         settings   by dotted key: scene.with_({"drive.accuracy": "0.5 %", "contact.unit_unit.cohesion": "0.6 MPa"})
         top_level  keys without a dot, for short: scene.with_(law="linear", confinement="0.1 MPa")

@@ -21,7 +21,10 @@ DEEPEST = 8
 
 @dataclass
 class Source:
-    """Raw values of a scene before they are checked, and where each one stands."""
+    """Raw values of a scene before they are checked, and where each one stands.
+
+    overridden  path: how its new value was given, "--set law" or "law"
+    """
 
     file: str
     stem: str
@@ -35,10 +38,10 @@ class Source:
         return line_numbers(self.text)
 
     def place(self, path: Keys) -> str:
-        """`--set key`, or file and line of the key or of the nearest table above it."""
+        """`--set key` (`key` from Python), or file and line of the key or of the nearest table above it."""
         for n in range(len(path), 0, -1):
             if path[:n] in self.overridden:
-                return f"--set {self.overridden[path[:n]]}"
+                return self.overridden[path[:n]]
         for n in range(len(path), 0, -1):
             if line := self._line(path[:n]):
                 return line
@@ -63,12 +66,15 @@ def titles() -> dict[str, str]:
     return {name: str(toml_of(text, name).get("title", "")) for name, text in texts.items()}
 
 
-def read(scene: str | Path, depth: int = 0) -> Source:
-    """The raw scene of a path or of a packaged name, on top of its `base` if it names one. Raises SceneError."""
+def read(scene: str | Path, depth: int = 0, asked: str | None = None) -> Source:
+    """The raw scene of a path or of a packaged name, on top of its `base` if it names one. Raises SceneError.
+
+    asked  what a message may suggest to add to, where that is not the path itself
+    """
     known = packaged()
     file = known[scene] if isinstance(scene, str) and scene in known else Path(scene)
     name = f"{scene}.toml" if isinstance(scene, str) and scene in known else str(scene)
-    text = _text(file, name, known)
+    text = _text(file, name, known, str(scene) if asked is None else asked)
     stem = name.replace("\\", "/").rsplit("/", 1)[-1].removesuffix(".toml")
     source = Source(name, stem, text, toml_of(text, name))
     _anchor(source.raw, file)
@@ -96,20 +102,19 @@ def _below(source: Source, base: Any, file: Traversable, depth: int) -> Source:
         raise SceneError(f"{where}: more than {DEEPEST} scenes stand on top of each other; does one name itself?")
     beside = file.parent if isinstance(file, Path) else Path()
     try:
-        return read(base if base in packaged() else beside / base, depth + 1)
+        return read(base if base in packaged() else beside / base, depth + 1, base)
     except SceneError as error:
         raise error.within(where) from None
 
 
-def _text(file: Traversable, name: str, known: dict[str, Traversable]) -> str:
+def _text(file: Traversable, name: str, known: dict[str, Traversable], asked: str) -> str:
     shown = repr(name if len(name) <= 200 else name[:200] + "...")
     try:
         if file.is_dir():
             raise SceneError(f"{shown} is a folder; give a scene file (.toml) or one of {', '.join(known)}")
         if not file.is_file():
-            stem = re.split(r"[/\\]", name[-200:])[-1].removesuffix(".toml")
-            nearest = difflib.get_close_matches(stem, known, 1, 0.4)
-            hint = f"did you mean '{nearest[0]}'? " if nearest else ""
+            nearest = _nearest(file, name, known, asked)
+            hint = f"did you mean '{nearest}'? " if nearest else ""
             raise SceneError(f"no scene {shown}: no such file; {hint}packaged scenes are {', '.join(known)}")
         if isinstance(file, Path) and file.stat().st_size == 0:  # some files of the system say so and never end
             return ""
@@ -122,3 +127,11 @@ def _text(file: Traversable, name: str, known: dict[str, Traversable]) -> str:
     if len(data) > LARGEST:
         raise SceneError(f"{shown} is larger than {LARGEST // 1_000_000} MB; a scene file holds a few kB of text")
     return decoded(data, name)
+
+
+def _nearest(file: Traversable, name: str, known: dict[str, Traversable], asked: str) -> str | None:
+    """The file of this name that lacks only its ending, or the packaged scene whose name is closest."""
+    if isinstance(file, Path) and file.name and file.with_name(f"{file.name}.toml").is_file():
+        return f"{asked}.toml"
+    stem = re.split(r"[/\\]", name[-200:])[-1].removesuffix(".toml")
+    return next(iter(difflib.get_close_matches(stem, known, 1, 0.4)), None)

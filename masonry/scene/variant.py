@@ -33,19 +33,34 @@ def overlay(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
 
 
 def drop_rivals(raw: dict[str, Any], path: Keys, given: Container[Keys]) -> None:
-    """What stands at `path` takes the place of the rivals of its keys, and of what was assumed of them."""
+    """What stands at `path` takes the place of the rivals of its keys, and of what was assumed of them.
+
+    The duration of an expression goes with it.
+    """
     table: Any = raw
     part: Any
     for n, part in enumerate(path):
         for rival in {key for rivals in RIVALS if part in rivals for key in rivals - {part}}:
             at = (*path[:n], rival)
-            if isinstance(table, dict) and rival in table and at not in given:
-                del table[rival]
-                _forget(raw, at, given)
+            _drop(raw, table, at, given)
+        if part == "displacement" or (part == "history" and isinstance(table, dict) and _is_list(table.get(part))):
+            _drop(raw, table, (*path[:n], "duration"), given)
         try:
             table = table[part] if isinstance(table, dict | list) else {}
         except (KeyError, IndexError, TypeError):  # what stands above it was set as well, later
             return
+
+
+def _drop(raw: dict[str, Any], table: Any, at: Keys, given: Container[Keys]) -> None:
+    """Take the key at the end of `at` out of its table, unless it is given anew."""
+    if isinstance(table, dict) and at[-1] in table and at not in given:
+        del table[at[-1]]
+        _forget(raw, at, given)
+
+
+def _is_list(value: Any) -> bool:
+    """Whether a history has times of its own, or none: a `duration` belongs to an expression."""
+    return isinstance(value, list | tuple)
 
 
 def _put(table: dict[str, Any], above: dict[str, Any]) -> None:

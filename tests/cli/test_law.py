@@ -6,8 +6,13 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
+from masonry import law_command, law_portrait
 from masonry.cli import main
+from masonry.errors import SceneError
+from masonry.law_picture import law_figure
 from masonry.law_portrait import COMPRESSIONS, portrait
+from masonry.laws.build import build
+from masonry.scene.contact import Contact
 from tests.laws.own_package import files_of_page, install, on_the_path
 from verification import closed_forms
 from verification.closed_forms import Joint
@@ -61,6 +66,7 @@ def test_the_picture_is_drawn_where_it_is_asked_for_and_by_default_beside(packag
 @pytest.mark.parametrize(
     ("words", "message"),
     [
+        (["bilinea"], "there is no law 'bilinea'; known here: bilinear, brittle"),
         (["bilinea"], "did you mean 'bilinear'"),
         (["linear", "--set", "cohesion"], "write KEY=VALUE"),
         (["linear", "--set", "cohesion=1 m"], "cohesion is a stress"),
@@ -103,3 +109,74 @@ def test_the_ways_of_a_portrait_go_back_and_forth():
     for compression, path in found.shear.items():
         np.testing.assert_allclose(path.sigma, -compression, rtol=1e-12)
         assert path.tau.min() < 0.0 and np.all(np.diff(path.fracture) >= -1e-9)
+
+
+LAWS = ("brittle", "elastic", "exponential", "linear", "polynomial")
+NOTHING = {
+    "stress": "0 Pa",
+    "stiffness": "0 Pa/m",
+    "energy": "0 N/m",
+    "energy per stress": "0 N/m/Pa",
+    "angle": "0 deg",
+    "length": "0 m",
+    "number": "0",
+}
+
+
+def zeros() -> list[list[str]]:
+    """Every quantity of a contact set to 0, and some of them together."""
+    kinds = {key: law_command._kind(Contact, key) for key in Contact.model_fields}
+    alone = [[f"{key}={NOTHING[kind]}"] for key, kind in kinds.items()]
+    weak = ["tensile_strength=0 Pa", "cohesion=0 Pa"]
+    ground = ["residual_friction_angle=0 deg", "friction_angle=0 deg"]
+    options = ("unloading=elastic", "softening_variable=plastic", "coupling=independent")
+    pairs = [[*some, option] for some in (weak, weak[:1], weak[1:]) for option in options]
+    return [*alone, weak, [*weak, *ground], *pairs]
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_law_is_drawn_at_every_zero_that_a_scene_may_hold(name, monkeypatch):
+    monkeypatch.setattr(law_portrait, "POINTS", 6)
+    drawn = 0
+    for changes in zeros():
+        try:
+            contact = law_command._contact(name, changes)
+            found = portrait(*build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS)))
+        except SceneError:
+            continue
+        drawn += 1
+        assert "nan" not in str(law_command._energies(contact, found)), changes
+        for path in (found.tension, *found.shear.values()):
+            assert np.isfinite(np.array(path)).all() and np.ptp(path.slip) + np.ptp(path.opening) > 0.0, changes
+        assert (found.mode_1 is None) == (name == "elastic" or not contact.tensile_strength)
+    assert drawn > 9
+    law_figure(name, found)
+
+
+def test_a_contact_without_stiffness_in_shear_slides_without_stress():
+    found = portrait(*law("elastic", shear_stiffness=0.0))
+    assert all(not path.tau.any() and not path.stored[-1] - path.stored[0] for path in found.shear.values())
+
+
+@pytest.mark.parametrize(("name", "changes"), [("elastic", "shear_stiffness=0 Pa/m"), ("brittle", "cohesion=0 Pa")])
+def test_a_law_that_takes_0_does_not_say_that_it_refuses_it(name, changes, capsys):
+    text = said(capsys, name, "--set", changes)
+    assert "only what is out of the range of its key" in text and "above 0" not in text
+
+
+@pytest.mark.parametrize("energy", [1e-8, 1e-6, 5.8, 1e9])
+def test_an_energy_of_any_size_is_measured_beyond_the_peak(energy):
+    found = portrait(*law("exponential", fracture_energy_mode_1=energy, fracture_energy_mode_2=energy))
+    assert found.mode_1.beyond == pytest.approx(energy, rel=1e-4)
+    assert found.mode_2[0.0].beyond == pytest.approx(energy, rel=1e-4)
+
+
+def test_what_is_left_beyond_the_peak_just_above_a_snap_back_is_measured():
+    triangle = 0.5 * 0.58e6**2 / 150e9
+    found = portrait(*law("linear", fracture_energy_mode_1=1.1214))
+    assert found.mode_1.beyond == pytest.approx(1.1214 - triangle, rel=1e-3)
+
+
+def test_a_brittle_law_has_no_energy_beyond_the_peak():
+    found = portrait(*law("brittle"))
+    assert [found.mode_1.beyond, *(energy.beyond for energy in found.mode_2.values())] == [0.0] * 5

@@ -4,7 +4,7 @@ import io
 
 import pytest
 
-from masonry.printout import summary_text, trust
+from masonry.printout import accuracy_text, summary_text, trust
 from masonry.progress import Progress, duration
 from tests.results.sample import SUMMARY
 
@@ -107,3 +107,20 @@ def test_trust_follows_from_the_numbers():
 
 def test_a_summary_with_gaps_can_still_be_printed():
     assert summary_text({}).count("not known") >= 8
+
+
+CONTROL = {
+    "control": {"accuracy": 0.01, "mean_lag": 0.0, "largest_lag": 0.0},
+    "energy_j": {"fracture_mode_1": 0.0, "fracture_mode_2": 0.0},
+    "damping_over_external": -4.9e-6,
+    "kinetic_over_internal_max": 1.115e-198,
+}
+
+
+def test_a_run_without_damage_says_so_and_rounding_reads_as_0():
+    assert accuracy_text(CONTROL) == "1 % asked; no contact was damaged; damping took 0 % of the work"
+    assert "kinetic / internal    0 %" in summary_text(CONTROL)
+    damaged = CONTROL | {"energy_j": {"fracture_mode_1": 0.0, "fracture_mode_2": 1e-3}, "damping_over_external": 2e-3}
+    assert "after the first damage the drive ran ahead" in accuracy_text(damaged)
+    assert "damping took 0.2 % of the work" in accuracy_text(damaged)
+    assert "damping took -3 %" in accuracy_text(CONTROL | {"damping_over_external": -0.03})

@@ -1,9 +1,11 @@
 """`base`: a scene that says only in what it differs from another."""
 
+import tomllib
+
 import pytest
 
 from masonry.errors import SceneError
-from masonry.scene import load, to_toml
+from masonry.scene import changed, load, to_toml
 
 
 def scene(folder, text, name="own.toml"):
@@ -68,6 +70,62 @@ def test_cells_that_are_set_for_one_run_take_the_place_of_a_grid_and_what_was_as
     assert "specimen.divisions" not in own.assumptions
     other = load("wallette-mode-1-218", ["specimen.cells.per_unit=20"])
     assert (other.specimen.cells.total, other.specimen.cells.per_unit) == (None, 20)
+
+
+TIMED = """base = "wallette-mode-1"
+[drive]
+steps = 100
+history = "0.1 mm * t / 1 s"
+duration = "4 s"
+[settle]
+steps = 10
+[[traction]]
+on = "left"
+stress = { x = "1 kPa" }
+history = "t / 1 s"
+duration = "4 s"
+[assumptions]
+"drive.duration" = "guessed"
+"""
+LISTS = [
+    ("drive", "displacement", '"1 mm"'),
+    ("drive", "history", '["20 um", "-8 um"]'),
+    ("drive", "history", '[["0 s", "0 mm"], ["1 s", "2 mm"]]'),
+    ("traction.0", "history", '[["0 s", 0], ["1 s", 1]]'),
+]
+
+
+@pytest.mark.parametrize(("table", "key", "value"), LISTS)
+def test_a_duration_goes_with_the_expression_that_it_belonged_to(tmp_path, table, key, value):
+    before = scene(tmp_path, TIMED, "timed.toml")
+    ways = [
+        load(tmp_path / "timed.toml", [f"{table}.{key}={value}"]),
+        changed(before, {f"{table}.{key}": tomllib.loads(f"v = {value}")["v"]}),
+    ]
+    if table == "drive":
+        ways.append(scene(tmp_path, f'base = "timed.toml"\n[drive]\n{key} = {value}\n'))
+    for found in ways:
+        part = found.drive if table == "drive" else found.traction[0]
+        assert part.duration is None and getattr(part, key) not in (None, getattr(before.drive, key))
+        assert ("drive.duration" in found.assumptions) == (table != "drive")
+
+
+def test_a_duration_that_is_given_with_a_list_is_refused_and_one_with_an_expression_stays(tmp_path):
+    scene(tmp_path, TIMED, "timed.toml")
+    with pytest.raises(SceneError, match="--set drive.duration: .*leave it out"):
+        load(tmp_path / "timed.toml", ["drive.displacement=1 mm", "drive.duration=2 s"])
+    assert load(tmp_path / "timed.toml", ["drive.history=2 mm * t / 1 s"]).drive.duration == 4.0
+
+
+def test_a_file_that_lacks_only_its_ending_is_the_nearest(tmp_path, monkeypatch):
+    (tmp_path / "wcyc.toml").write_text('base = "wallette-cyclic"\n')
+    with pytest.raises(SceneError, match="did you mean 'wcyc.toml'"):
+        scene(tmp_path, 'base = "wcyc"\n')
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SceneError, match="did you mean 'wcyc.toml'"):
+        load("wcyc")
+    with pytest.raises(SceneError, match="did you mean 'wallette-cyclic'"):
+        load("walette-cyclic")
 
 
 @pytest.mark.parametrize(

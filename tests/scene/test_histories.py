@@ -60,7 +60,7 @@ def test_an_expression_has_the_values_that_it_says(text, kind, wanted):
 def test_a_wrong_expression_is_refused_with_its_place(text, words):
     with pytest.raises(SceneError, match=words) as caught:
         cyclic(text, duration="4 s")
-    assert str(caught.value).startswith("--set drive.history: ") and "\n" not in str(caught.value)
+    assert str(caught.value).startswith("drive.history: ") and "\n" not in str(caught.value)
 
 
 @settings(max_examples=60, deadline=None, derandomize=True)

@@ -199,6 +199,7 @@ def test_an_assumption_that_the_user_replaces_says_so():
         ("contact.unit_unit.cohesion=5 m", "--set contact.unit_unit.cohesion: m is a length"),
         ("confinement=0.5", "--set confinement: 0.5 has no unit"),
         ("support.7.on=top", "--set support.7.on: no item '7' in support; items are 0, 1"),
+        ("drive.accuracy=30 %", "--set drive.accuracy: '30 %' does not fit; accuracy must be in [0.01, 20] %"),
         ("title.x=5", "--set title.x: title is a value, it has no 'x'"),
         ("law", "--set law: write key=value"),
         ("a..b=1", "--set a..b: not a dotted key"),
