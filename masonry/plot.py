@@ -58,8 +58,8 @@ def plain(title: str) -> str:
 
 
 def peak_row(rows: dict[str, np.ndarray]) -> int:
-    """The row of the greatest stress, in tension or compression."""
-    return int(np.argmax(np.abs(rows["stress"])))
+    """The row of the greatest stress, positive along the drive, as the peak of the summary."""
+    return int(np.argmax(rows["stress"]))
 
 
 def peak_point(result: "Result") -> Peak:
