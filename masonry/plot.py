@@ -126,10 +126,12 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_a
     if not rows["displacement"].any():
         return
     axes.plot(peak_at, peak, "o", color="#b2182b", markersize=7, label="peak")
+    late = peak_at > displacement.min() + 2 / 3 * np.ptp(displacement)
     axes.annotate(
         f"peak {peak:.4g} {unit} at {peak_at:.4g} mm",
         (peak_at, peak),
-        xytext=(12, 4 if peak >= 0 else -14),
+        xytext=(-12 if late else 12, 4 if peak >= 0 else -14),
+        ha="right" if late else "left",
         textcoords="offset points",
         color="#b2182b",
         fontsize=11,
@@ -140,7 +142,7 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_a
         axes.annotate(
             f"residual {stress[-1]:.3g} {unit}",
             (displacement[-1], stress[-1]),
-            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 else -38),
+            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 and not late else -38),
             textcoords="offset points",
             ha="right" if right else "left",
             color="0.25",
