@@ -9,7 +9,7 @@ import numpy as np
 
 from masonry.errors import SceneError
 from masonry.history import Frame
-from masonry.plot import peak_row
+from masonry.plot import peak_row, without_noise
 
 if TYPE_CHECKING:
     from masonry.results import Result
@@ -51,9 +51,10 @@ def choose(result: "Result", step: str | int | float = "peak") -> Chosen:
     frame = frames[chosen]
     if abs(of_frames[chosen] - wanted) <= exact:
         return Chosen(frame, f"at step {frame.step}")
+    ways = np.array([kept.displacement for kept in frames])
     note = (
         f"no frame was kept at '{step}'; drawn is the nearest of {len(frames)}: step {frame.step}, displacement "
-        f"{frame.displacement * 1e3:.4g} mm (a run keeps more with --set solver.frames=100)"
+        f"{without_noise(frame.displacement, ways) * 1e3:.4g} mm (a run keeps more with --set solver.frames=100)"
     )
     return Chosen(frame, f"at step {frame.step}, the nearest kept to {step}", note)
 
