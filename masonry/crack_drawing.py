@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
 LEAST_DAMAGE = 0.05
 """Contacts with less damage are not drawn."""
+LEAST_OPENING = 1e-12
+"""Openings (m) up to this one, far less than an atom, are but rounding."""
 THIN, THICK = 0.9, 4.6
 """Widths of a line in points: where the faces have not moved apart, and where they did by the scale of the picture."""
 MILLI = 1e3
@@ -21,7 +23,7 @@ MILLI = 1e3
 def scale_of(openings: np.ndarray) -> float:
     """The opening (m) that is drawn at full width: the largest of them, rounded up to one digit; 0 without any."""
     largest = float(openings.max(initial=0.0))
-    if largest <= 0.0:
+    if largest <= LEAST_OPENING:
         return 0.0
     power = 10.0 ** np.floor(np.log10(largest))
     return float(power * np.ceil(largest / power * (1.0 - 1e-9)))

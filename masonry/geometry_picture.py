@@ -12,7 +12,7 @@ from masonry.condition_marks import Mark, marks
 from masonry.errors import SceneError
 from masonry.face_drawing import UNIT_EDGE, FaceDrawing
 from masonry.flat_drawing import group_colours
-from masonry.mark_drawing import COLOURS, draw_mark
+from masonry.mark_drawing import COLOURS, draw_mark, stands_left
 from masonry.picture_frame import draw_axes, draw_sets
 from masonry.plot import plain, write_png
 from masonry.scene import Scene
@@ -66,7 +66,7 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     for mark in listed:
         draw_mark(axes, specimen, mark, pieces, sight, size)
     draw_sets(axes, specimen, pieces, sight, size)
-    draw_axes(axes, blocks, sight)
+    draw_axes(axes, blocks, sight, left_taken=any(stands_left(specimen, mark) for mark in listed))
     rows = _draw_list(figure, blocks, listed)
     axes.margins(0.02)
     low, high = axes.dataLim.min, axes.dataLim.max

@@ -14,11 +14,14 @@ if TYPE_CHECKING:
 PARTS = ("fracture_mode_1", "fracture_mode_2", "friction")
 NAMED = 8
 """Cycles up to which each has its line in the key; of more, some have."""
+ROOM = 1.25
+"""Height of the axes of the bars over the tallest one: two lines of words stand on it."""
 MILLI = 1e3
 
 
 def hysteresis_figure(result: "Result") -> Any:
-    """A figure of 1200 x 1080 pixels at 120 dpi: loops on top; ledger over the drive's way, and bars, below."""
+    """A figure of 1200 x 1080 pixels at 120 dpi: loops on top; ledger over the drive's way, and bars, below; their key
+    under both."""
     from masonry.figure import ShownFigure
 
     figure = ShownFigure(figsize=(10, 9), layout="constrained")
@@ -32,7 +35,7 @@ def hysteresis_figure(result: "Result") -> Any:
     draw_ledger(ledger, rows, way)
     ledger.set_xlabel("way of the drive, back and forth [mm]")
     ledger.set_ylabel("energy [J]")
-    ledger.legend(loc="upper left", frameon=False, fontsize=8)
+    figure.legend(*ledger.get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False, fontsize=9)
     _draw_bars(bars, result.summary["cycles"])
     return figure
 
@@ -64,15 +67,14 @@ def _draw_bars(axes: Any, cycles: list[dict[str, Any]]) -> None:
     """Energy dissipated in each cycle, by what took it."""
     number, base = np.arange(1, len(cycles) + 1), np.zeros(len(cycles))
     for part in PARTS:
-        label, colour = LEDGER[part]
+        colour = LEDGER[part][1]
         height = np.array([cycle[f"{part}_j"] for cycle in cycles])
-        axes.bar(number, height, bottom=base, color=colour, label=label)
+        axes.bar(number, height, bottom=base, color=colour)
         base += height
     for k, cycle in enumerate(cycles[:NAMED]):
         words = f"{cycle['dissipated_j']:.3g}" + ("" if cycle["closed"] else "\nnot closed")
         axes.annotate(words, (number[k], base[k]), xytext=(0, 3), textcoords="offset points", ha="center", fontsize=9)
-    axes.margins(y=0.2)
+    axes.set_ylim(0.0, ROOM * float(base.max()) or 1.0)
     axes.set_xlabel("cycle")
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.set_ylabel("dissipated in the cycle [J]")
-    axes.legend(loc="upper left", frameon=False, fontsize=8)

@@ -11,6 +11,10 @@ from masonry.solid_view import Piece, Sight, hidden
 COLOURS = {"support": "#1e7a4c", "drive": "#c0392b", "traction": "#1f5fa8"}
 ARROW = 0.09
 """Length of an arrow over the size of the picture."""
+LETTER = 0.013
+"""Width of a letter of the words at an arrow over the size of the picture, with some to spare."""
+PAPER = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5}
+"""Behind words, so that they can be read on joints and hatching."""
 
 
 def draw_mark(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], sight: Sight, size: float) -> None:
@@ -24,15 +28,28 @@ def draw_mark(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], si
         _draw_value(axes, sight, mark, size)
 
 
+def stands_left(specimen: Specimen, mark: Mark) -> bool:
+    """Whether arrows of a mark stand out of the low end of a specimen along x."""
+    low = specimen.blocks.points[:, 0].min()
+    for base, way, presses in mark.arrows:
+        out = -way[0] if presses else way[0]
+        if out < -0.5 and base[:, 0].min() < low + 1e-6:
+            return True
+    return False
+
+
 def _draw_value(axes: Any, sight: Sight, mark: Mark, size: float) -> None:
-    """Words at the free end of the last arrow of the first group."""
+    """Words at the free end of the last arrow of the first group; in lines of their own where they stand beside it."""
     base, way, presses = mark.arrows[0]
     out = (-1.0 if presses else 1.0) * _flat(sight, way)
     at = sight.project(base[-1]) + 1.1 * ARROW * size * out
     ha = "center" if abs(out[0]) < 0.3 else "left" if out[0] > 0 else "right"
     va = "center" if abs(out[1]) < 0.3 else "bottom" if out[1] > 0 else "top"
-    axes.annotate(mark.value, at, ha=ha, va=va, fontsize=10, color=COLOURS[mark.kind], zorder=9)
-    axes.update_datalim([at + (0.0, 0.05 * size), at - (0.0, 0.05 * size)])
+    words = mark.value if ha == "center" else mark.value.replace(", ", ",\n")
+    axes.annotate(words, at, ha=ha, va=va, fontsize=10, color=COLOURS[mark.kind], zorder=9, bbox=PAPER)
+    wide = LETTER * size * max(map(len, words.split("\n")))
+    left = {"center": 0.5, "left": 0.0, "right": 1.0}[ha] * wide
+    axes.update_datalim([at + (wide - left, 0.05 * size), at - (left, 0.05 * size)])
 
 
 def _flat(sight: Sight, way: np.ndarray) -> np.ndarray:

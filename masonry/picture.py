@@ -10,7 +10,7 @@ from masonry.crack_drawing import crack_keys, draw_scales, scale_of
 from masonry.flat_drawing import FlatDrawing, group_colours
 from masonry.frame_choice import at_peak
 from masonry.history import Frame
-from masonry.plot import MEGA, MILLI, plain
+from masonry.plot import MEGA, MILLI, plain, without_noise
 from masonry.solid_drawing import SolidDrawing
 
 if TYPE_CHECKING:
@@ -114,10 +114,11 @@ def panel_title(result: "Result", name: str, frame: Frame, times: float, narrow:
     narrow panels take one more line, without the share; a long name has a line to itself
     """
     between = "\n" if narrow or len(name) > 30 else " "
-    words = f"{name}:{between}displacement {frame.displacement * MILLI:.4g} mm"
     rows = result.history.rows
+    ways = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))
+    words = f"{name}:{between}displacement {without_noise(frame.displacement, ways) * MILLI:.4g} mm"
     if len(rows.get("stress", ())):
-        stress = np.interp(frame.step, rows["step"], rows["stress"])
+        stress = without_noise(float(np.interp(frame.step, rows["step"], rows["stress"])), rows["stress"])
         words += f", stress {stress * MEGA:.3g} MPa"
         words += "" if narrow else f", {100 * share_of_way(rows, frame):.3g} % of the way"
     return f"{words}\ndisplacements drawn {times:g} times"

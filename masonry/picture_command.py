@@ -26,7 +26,10 @@ def parser() -> Parser:
     )
     results = words.add_argument_group("of a folder of results")
     results.add_argument(
-        "--step", metavar="STEP", help="peak (default), last, first, number of a step, or displacement: '0.05 mm'"
+        "--step",
+        metavar="STEP",
+        help="peak (default), lowest stress: lowest, last, first, number of a step, or displacement: '0.05 mm'; "
+        "a negative one with an equals sign: --step=-0.05mm",
     )
     results.add_argument("--scale", type=scale, metavar="N", help="displacements drawn N times (default: so they show)")
     scenes = words.add_argument_group("of a scene")
@@ -94,6 +97,6 @@ def _of_results(words: argparse.Namespace) -> tuple[Path, str]:
     from masonry.results import load_history
 
     step, view = words.step or "peak", words.view or "front"
-    name = re.sub(r"[^\w.+]+", "-", step).strip("-")
+    name = re.sub(r"[^\w.+]+", "-", re.sub(r"^\s*-", "minus ", step)).strip("-")
     out = words.out or Path(words.source) / f"{name}-{view}.png"
     return out, draw_frame(load_history(words.source), out, step, view, words.scale)

@@ -70,8 +70,11 @@ def _apart(levels: list[float], least: float) -> list[float]:
     return [level + shift for level in moved]
 
 
-def draw_axes(axes: Any, blocks: Blocks, sight: Sight) -> None:
-    """Coordinates in mm: the axes of a front view, or three edges of the box round the specimen with marks on them."""
+def draw_axes(axes: Any, blocks: Blocks, sight: Sight, left_taken: bool = False) -> None:
+    """Coordinates in mm: the axes of a front view, or three edges of the box round the specimen with marks on them.
+
+    left_taken: arrows stand where the upright edge would be; that of the other side is drawn.
+    """
     axes.set_aspect("equal")
     axes.autoscale_view()
     axes.margins(0.04)
@@ -88,8 +91,10 @@ def draw_axes(axes: Any, blocks: Blocks, sight: Sight) -> None:
         return
     axes.set_axis_off()
     low, high = blocks.points.min(axis=0), blocks.points.max(axis=0)
-    for axis, start in enumerate(([low[0], low[1], low[2]], [high[0], low[1], low[2]], [low[0], low[1], low[2]])):
-        _draw_edge(axes, sight, np.array(start), axis, low, high)
+    upright = ([high[0], high[1], low[2]], [2.0, 0.0, 0.0]) if left_taken else (low, [-1.0, 0.0, 0.0])
+    edges = ((low, [0.0, -1.0, 0.0]), ([high[0], low[1], low[2]], [1.0, 0.0, 0.0]), upright)
+    for axis, (start, outward) in enumerate(edges):
+        _draw_edge(axes, sight, np.array(start), np.array(outward), axis, low, high)
 
 
 def _ticks(low: float, high: float, most: int) -> np.ndarray:
@@ -100,19 +105,21 @@ def _ticks(low: float, high: float, most: int) -> np.ndarray:
     return np.asarray(ticks[(ticks >= low * 1e3 - 1e-6) & (ticks <= high * 1e3 + 1e-6)])
 
 
-def _draw_edge(axes: Any, sight: Sight, start: np.ndarray, axis: int, low: np.ndarray, high: np.ndarray) -> None:
-    """One edge of the box, shifted a little outward, with ticks and numbers."""
-    size = float(np.max(high - low))
-    out = sight.project(np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]])[axis])
+def _draw_edge(
+    axes: Any, sight: Sight, start: np.ndarray, outward: np.ndarray, axis: int, low: np.ndarray, high: np.ndarray
+) -> None:
+    """One edge of the box, shifted a little outward (twice as far by a vector of length 2), with ticks and numbers."""
+    size, away = float(np.max(high - low)), OUT * np.linalg.norm(outward)
+    out = sight.project(outward)
     out = out / np.linalg.norm(out)
     span = high[axis] - low[axis]
     ticks = _ticks(low[axis], high[axis], max(1, min(7, round(9 * span / size))))
     ticks = ticks[-1:] if span < 0.05 * size else ticks
     along = np.eye(3)[axis]
-    ends = np.array([sight.project(start + s * span * along) + OUT * size * out for s in (0.0, 1.0)])
+    ends = np.array([sight.project(start + s * span * along) + away * size * out for s in (0.0, 1.0)])
     axes.plot(*ends.T, color="0.3", lw=0.9)
     for tick in ticks:
-        at = sight.project(start + (tick * 1e-3 - low[axis]) * along) + OUT * size * out
+        at = sight.project(start + (tick * 1e-3 - low[axis]) * along) + away * size * out
         axes.plot(*np.array([at, at + 0.012 * size * out]).T, color="0.3", lw=0.9)
         axes.annotate(f"{tick:.4g}", at + 0.03 * size * out, ha="center", va="center", fontsize=8, color="0.2")
     name = ends.mean(axis=0) + (0.08, 0.12)[axis] * size * out if axis < 2 else ends[1] + (0.0, 0.05 * size)

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from masonry.results import Result
 
 MILLI, MEGA = 1e3, 1e-6
+NOISE = 1e-9
+"""What is smaller than this share of the largest value is written as 0."""
 
 LEDGER = {
     "elastic_blocks": ("elastic, blocks", "#9ecae1"),
@@ -62,9 +64,14 @@ def plain(title: str) -> str:
     return "".join(c if c.isprintable() else " " for c in short).replace("$", r"\$")
 
 
+def without_noise(value: float, values: np.ndarray) -> float:
+    """A value as it is written beside others; 0, never -0, where it is but their rounding."""
+    return value if abs(value) > NOISE * float(np.abs(values).max(initial=0.0)) else 0.0
+
+
 def peak_row(rows: dict[str, np.ndarray]) -> int:
-    """The row of the greatest stress, in tension or compression."""
-    return int(np.argmax(np.abs(rows["stress"])))
+    """The row of the greatest stress, positive along the drive, as the peak of the summary."""
+    return int(np.argmax(rows["stress"]))
 
 
 def peak_point(result: "Result") -> Peak:
@@ -131,10 +138,12 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_a
     if not rows["displacement"].any():
         return
     axes.plot(peak_at, peak, "o", color="#b2182b", markersize=7, label="peak")
+    late = peak_at > displacement.min() + 2 / 3 * np.ptp(displacement)
     axes.annotate(
-        f"peak {peak:.4g} {unit} at {peak_at:.4g} mm",
+        f"peak {peak:.4g} {unit} at {without_noise(peak_at, displacement):.4g} mm",
         (peak_at, peak),
-        xytext=(12, 4 if peak >= 0 else -14),
+        xytext=(-12 if late else 12, 4 if peak >= 0 else -14),
+        ha="right" if late else "left",
         textcoords="offset points",
         color="#b2182b",
         fontsize=11,
@@ -143,9 +152,9 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_a
     if peak_row(rows) < len(stress) - 1:
         right = displacement[-1] >= displacement.mean()
         axes.annotate(
-            f"residual {stress[-1]:.3g} {unit}",
+            f"residual {without_noise(float(stress[-1]), stress):.3g} {unit}",
             (displacement[-1], stress[-1]),
-            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 else -38),
+            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 and not late else -38),
             textcoords="offset points",
             ha="right" if right else "left",
             color="0.25",

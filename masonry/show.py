@@ -29,7 +29,7 @@ def show(
 ) -> None:
     """Show the specimen in a window, in a notebook, or in a file.
 
-    step        "peak", "last", "first", a number of a step, or a displacement: "0.05 mm", or m as a float
+    step        "peak", "lowest", "last", "first", a number of a step, or a displacement: "-0.05 mm", or m as a float
     field       "opening", "slip", "damage", "damage_tension", "damage_shear", or "mode": damage, red where tension
                 leads and blue where shear does
     scale       by how much displacements are drawn larger; by default so that they show

@@ -154,15 +154,25 @@ def test_names_beside_the_picture_are_apart_and_in_order():
     assert np.mean(moved) == pytest.approx(np.mean([0.0, 0.0, 0.01, 1.0]))
 
 
-@pytest.mark.parametrize("name", ["couplet", "wallette-mode-2", "bending-025"])
-def test_no_words_of_the_picture_overlap_or_are_cut(name):
+@pytest.mark.parametrize(
+    ("name", "view"),
+    [
+        *((name, None) for name in ("couplet", "wallette-mode-2", "bending-025")),
+        *(("couplet-cyclic", view) for view in ("front", "iso")),
+    ],
+)
+def test_no_words_of_the_picture_overlap_or_are_cut(name, view):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.text import Text
 
     scene = load(name)
-    figure = geometry_figure(scene, *joined(scene))
+    figure = geometry_figure(scene, *joined(scene), view)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
+    axes = figure.axes[0]
+    if axes.axison:
+        upright = axes.spines["left"].get_window_extent()
+        assert not any(Text.get_window_extent(text).overlaps(upright) for text in axes.texts)
     texts = [t for t in [*figure.axes[0].texts, figure.axes[0].title] if t.get_text()]
     boxes = [Text.get_window_extent(t, canvas.get_renderer()) for t in texts]  # without the line of a name
     page = figure.bbox

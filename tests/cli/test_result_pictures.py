@@ -2,6 +2,7 @@
 
 import re
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from masonry.film import Film
 from masonry.film_file import write_film
 from masonry.frame_choice import choose
 from masonry.frame_picture import draw_frame
-from masonry.picture import drawing_of, magnification, panel_title, share_of_way
+from masonry.picture import drawing_of, frames_to_draw, magnification, panel_title, share_of_way
 from masonry.results import NUMBERS, load_history
 from tests.results.sample import HEIGHT, LENGTH, sample, with_tets
 from tests.results.test_pictures import blue, red
@@ -52,15 +53,55 @@ def test_the_frame_is_the_one_asked_for_or_the_nearest_and_says_so(step, found, 
     assert ("solver.frames" in chosen.note) == ("nearest" in name)
 
 
-@pytest.mark.parametrize("step", ["peek", "", "5", "-1 mm", "3 MPa", "nan mm", float("nan"), None])
+@pytest.mark.parametrize("step", ["peek", "", "5", "-1", "3 MPa", "nan mm", float("nan"), None])
 def test_a_step_that_is_none_is_refused_in_one_message(step):
     result = sample()
     if step == "5":
         result.history.frames = []
-    says = "no frames" if step == "5" else "peak, last, first, the number of a step"
+    says = "no frames" if step == "5" else "peak, lowest, last, first, the number of a step"
     with pytest.raises(SceneError, match=says) as refused:
         choose(result, step)
     assert ("did you mean 'peak'" in str(refused.value)) == (step == "peek")
+
+
+def pulled_then_pressed():
+    """The sample, pushed beyond where it began at its end, with a stress larger than its peak."""
+    result = sample()
+    last = result.history.frames[-1]
+    result.history.frames[-1] = replace(last, displacement=-2e-4)
+    rows = result.history.rows
+    rows["displacement"][60:] = np.linspace(1e-4, -2e-4, 41)
+    rows["stress"][60:] = np.linspace(5e4, -6e5, 41)
+    return result
+
+
+def test_the_peak_is_that_of_the_summary_where_the_specimen_bears_more_the_other_way():
+    result = pulled_then_pressed()
+    assert choose(result, "peak").frame.displacement == result.summary["displacement_at_peak_m"]
+    assert [name for name, _ in frames_to_draw(result)] == ["at the peak", "at the end"]
+
+
+def test_the_lowest_stress_has_a_frame_or_its_nearest_which_says_so():
+    result = pulled_then_pressed()
+    chosen = choose(result, "lowest")
+    assert (chosen.frame.step, chosen.name, chosen.note) == (1000, "at the lowest stress", "")
+    result.history.rows["stress"][90] = -7e5
+    chosen = choose(result, "lowest")
+    assert (chosen.frame.step, chosen.name) == (1000, "nearest kept to the lowest stress")
+    assert "lowest stress, -0.7 MPa at step 900; drawn is the nearest of 3: step 1000" in chosen.note
+    with pytest.raises(SceneError, match="no stress below zero"):
+        choose(sample(), "lowest")
+
+
+@pytest.mark.parametrize("step", ["-0.2 mm", "-0.2mm", -2e-4])
+def test_a_negative_displacement_can_be_asked_for(step):
+    chosen = choose(pulled_then_pressed(), step)
+    assert (chosen.frame.step, chosen.note) == (1000, "")
+
+
+def test_the_pictures_of_both_directions_have_names_of_their_own(folder, capsys):
+    assert main(["picture", str(folder), "--step=-0.2mm"]) == main(["picture", str(folder), "--step", "0.2mm"]) == 0
+    assert new_files(folder) == {"minus-0.2mm-front.png", "0.2mm-front.png"}
 
 
 def test_the_share_of_the_way_counts_all_that_the_drive_goes_to_and_fro():
