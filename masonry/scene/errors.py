@@ -38,6 +38,7 @@ PLAIN = {
     "arguments_type": _NO_TABLE,
     "tuple_type": "must be a list or, for tables, stand in double brackets [[{name}]]; not {shown}",
     "too_short": "must have {min_length} or more items, not {actual_length}",
+    "string_too_long": "must have no more than {max_length} letters",
     "too_long": "must have no more than {max_length} items",
     "bool_type": "must be true or false, not {shown}",
     "string_type": "must be a text in quotes, not {shown}",

@@ -26,7 +26,7 @@ class Scene(Table):
     """All that a run needs, in SI; `name` is the file's unless it gives one."""
 
     name: Annotated[str, Field(pattern=r"^[^/\\\x00]{1,200}$")]
-    title: str = ""
+    title: Annotated[str, Field(max_length=500)] = ""
     law: Law | None = None
     kinematics: Annotated[dict[str, Motion], BeforeValidator(_by_group)] = {"default": "rigid"}
     confinement: Strength | None = None
