@@ -132,7 +132,7 @@ def main(arguments: list[str] | None = None) -> int:
     except OSError as error:
         if error.filename is None and error.errno in (errno.ENOSPC, errno.EIO, errno.EBADF):
             let_go_of_output()
-            return complain(f"what there is to say cannot be written: {error.strerror}", USAGE)
+            return complain(f"cannot write, to standard output or to a file: {error.strerror}", USAGE)
         if error.errno != errno.ENAMETOOLONG:
             raise
         return complain(f"'{error.filename}': no file can have a name as long as this; give a shorter one", USAGE)
