@@ -67,7 +67,7 @@ class CheckedCache(FunctionCache):
             NOT_KEPT.append(f"{self._cache_path}: {error.strerror or error}")
 
 
-def kept(function: Callable[..., Any]) -> Any:
+def compiled(function: Callable[..., Any]) -> Any:
     """A decorator: compile by `numba.njit`, and keep what was compiled."""
     dispatcher = njit(function)
     dispatcher._cache = CheckedCache(function)

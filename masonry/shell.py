@@ -47,16 +47,14 @@ def leaving_on(*numbers: int) -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    usual = {number: signal.getsignal(number) for number in numbers}
-    for number, handler in usual.items():
-        if handler is signal.SIG_DFL:
-            signal.signal(number, leave)
+    free = [number for number in numbers if signal.getsignal(number) is signal.SIG_DFL]
+    for number in free:
+        signal.signal(number, leave)
     try:
         yield
     finally:
-        for number, handler in usual.items():
-            if handler is signal.SIG_DFL:
-                signal.signal(number, handler)
+        for number in free:
+            signal.signal(number, signal.SIG_DFL)
 
 
 def have_streams() -> None:

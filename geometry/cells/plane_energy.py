@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from geometry.compiled import kept
+from geometry.compiled import compiled
 
 MOST = 64
 """Corners that a cell may have while it is cut."""
@@ -46,7 +46,7 @@ class Wishes(NamedTuple):
     of_segments: float
 
 
-@kept
+@compiled
 def cut_cell(i, site, weight, order, place, rank, heaviest, at, label, spare, spare_label, count):
     """Cell i, cut out of the polygon whose count corners stand in at and label, by the cells of the same polygon.
 
@@ -91,7 +91,7 @@ def cut_cell(i, site, weight, order, place, rank, heaviest, at, label, spare, sp
     return count
 
 
-@kept
+@compiled
 def _cut(a, b, level, j, x, z, at, label, spare, spare_label, count):
     """The part of a convex polygon with a (X - x) + b (Z - z) <= level, in spare; its corners, or -1 if that is all."""
     kept, outside = 0, False
@@ -114,7 +114,7 @@ def _cut(a, b, level, j, x, z, at, label, spare, spare_label, count):
     return kept if outside else -1
 
 
-@kept
+@compiled
 def _reach(at, count, x, z):
     """Largest squared distance from (x, z) to a corner."""
     largest = 0.0
@@ -125,7 +125,7 @@ def _reach(at, count, x, z):
     return largest
 
 
-@kept
+@compiled
 def _hand_on(i, a, b, vx, vz, gx, gz, site, normal, to_site, to_weight):
     """Gradient (gx, gz) of the vertex between cell i and the generators a and b, handed on to the generators."""
     if a < 0 and b < 0:
@@ -145,14 +145,14 @@ def _hand_on(i, a, b, vx, vz, gx, gz, site, normal, to_site, to_weight):
             to_weight[i] += 0.5 * share
 
 
-@kept
+@compiled
 def _row(i, generator, site, normal):
     if generator >= 0:
         return site[generator, 0] - site[i, 0], site[generator, 1] - site[i, 1]
     return normal[-1 - generator, 0], normal[-1 - generator, 1]
 
 
-@kept
+@compiled
 def tessellate(site, weight, domains, at, label, count):
     """Corners (n, MOST, 2), labels (n, MOST) and their number (n,) of every cell; returns whether all had room."""
     spare, spare_label = np.empty((MOST, 2)), np.empty(MOST, dtype=np.int64)
@@ -177,7 +177,7 @@ def tessellate(site, weight, domains, at, label, count):
     return True
 
 
-@kept
+@compiled
 def energy(site, weight, domains, wishes, at, label, count, to_site, to_weight):
     """The energy; its gradient is written to to_site (n, 2) and to_weight (n,). Infinite for a cell without area."""
     to_site[:], to_weight[:] = 0.0, 0.0
@@ -201,7 +201,7 @@ def energy(site, weight, domains, wishes, at, label, count, to_site, to_weight):
     return total
 
 
-@kept
+@compiled
 def _of_cell(i, at, label, count, wishes, pull):
     """Size and edges of cell i, each edge between two cells once; what they want of the corners goes into pull."""
     area = 0.0
@@ -233,7 +233,7 @@ def _of_cell(i, at, label, count, wishes, pull):
     return total
 
 
-@kept
+@compiled
 def joint_points(domains, at, label, count):
     """Where edges of cells begin on walls in joints: line (m,), place along it (m,), cell (m,), corner (m,)."""
     number = 0
@@ -256,7 +256,7 @@ def joint_points(domains, at, label, count):
     return line, place, cell, corner
 
 
-@kept
+@compiled
 def _of_joints(site, domains, wishes, at, label, count, to_site, to_weight):
     """Short segments between corners that follow each other along a joint, from cells on either side."""
     line, place, cell, corner = joint_points(domains, at, label, count)

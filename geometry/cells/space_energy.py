@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from geometry.compiled import kept
+from geometry.compiled import compiled
 
 MOST_FACES = 128
 """Planes that may cut one cell, those that later cuts remove among them."""
@@ -95,7 +95,7 @@ def room() -> Cut:
     )
 
 
-@kept
+@compiled
 def _crosses(cut, p, q, r):
     """Cross products of the normals of faces p, q and r, two by two, and the product of all three."""
     ax, ay, az = cut.normal[p]
@@ -108,7 +108,7 @@ def _crosses(cut, p, q, r):
     return ux, uy, uz, vx, vy, vz, wx, wy, wz, det
 
 
-@kept
+@compiled
 def _add_corner(cut, p, q, r):
     """A corner where faces p, q, r meet, counter-clockwise seen from outside; its place is solved for."""
     t = cut.used[1]
@@ -124,7 +124,7 @@ def _add_corner(cut, p, q, r):
     cut.place[t, 2] = f * uz + g * vz + h * wz
 
 
-@kept
+@compiled
 def _begin(cut, site, box, box_label):
     """The box round the domain."""
     cut.used[0], cut.used[1] = 6, 0
@@ -143,7 +143,7 @@ def _begin(cut, site, box, box_label):
                     _add_corner(cut, x, 4 + z, 2 + y)
 
 
-@kept
+@compiled
 def _clip(cut, label, ax, ay, az, level):
     """Cut off what lies beyond a plane. Returns 1 if something is left, 0 if nothing, -1 where there is no room."""
     corners, gone = cut.used[1], 0
@@ -185,7 +185,7 @@ def _clip(cut, label, ax, ay, az, level):
     return 1
 
 
-@kept
+@compiled
 def _reach(cut):
     """Distance of the farthest corner from the site."""
     most = 0.0
@@ -195,7 +195,7 @@ def _reach(cut):
     return np.sqrt(most)
 
 
-@kept
+@compiled
 def _cut_by(i, j, diagram, cut, reach):
     """Cut cell i by site j if that is close enough. Returns the reach of what is left; 0 if empty, -1 without room."""
     ax = diagram.site[j, 0] - diagram.site[i, 0]
@@ -209,7 +209,7 @@ def _cut_by(i, j, diagram, cut, reach):
     return _reach(cut) if left == 1 else float(left)
 
 
-@kept
+@compiled
 def cut_cell(i, diagram, cut):
     """Cell i in cut. Returns the distance of its farthest corner from its site; 0 if empty, -1 without room."""
     _begin(cut, diagram.site[i], diagram.box, diagram.box_label)
@@ -237,7 +237,7 @@ def cut_cell(i, diagram, cut):
     return reach
 
 
-@kept
+@compiled
 def hold(site, weight, near, held):
     """Fill in held of a Diagram whose lists are made for these very sites and weights."""
     listed = np.zeros(len(site), dtype=np.bool_)
@@ -255,7 +255,7 @@ def hold(site, weight, near, held):
         listed[i] = False
 
 
-@kept
+@compiled
 def _has_met(cut, j):
     for p in range(cut.used[0]):  # noqa: SIM110 - compiled
         if cut.label[p] == j:
@@ -263,7 +263,7 @@ def _has_met(cut, j):
     return False
 
 
-@kept
+@compiled
 def _face(cut, p, start):
     """Area and first moments (about the site) of face p, whose loop goes through corner start."""
     area, mx, my, mz = 0.0, 0.0, 0.0, 0.0
@@ -286,7 +286,7 @@ def _face(cut, p, start):
     return area, mx, my, mz, length
 
 
-@kept
+@compiled
 def _next(cut, p, t):
     """The corner after t round face p, counter-clockwise."""
     for k in range(3):
@@ -295,7 +295,7 @@ def _next(cut, p, t):
     return t
 
 
-@kept
+@compiled
 def _some_corner(cut, start, sides):
     """start[p] becomes a corner of face p, or -1 where nothing is left of the face; sides[p] the number of them."""
     start[: cut.used[0]] = -1
@@ -306,7 +306,7 @@ def _some_corner(cut, start, sides):
             sides[cut.corner[t, k]] += 1
 
 
-@kept
+@compiled
 def _push(cut, i, t, gx, gy, gz, site, to_site, to_weight):
     """Hand what is wanted of corner t (gx, gy, gz) on to its generators."""
     p, q, r = cut.corner[t]
@@ -331,7 +331,7 @@ def _push(cut, i, t, gx, gy, gz, site, to_site, to_weight):
         to_weight[i] += 0.5 * lever
 
 
-@kept
+@compiled
 def _edges(cut, i, wishes, site, to_site, to_weight, wanted, sides):
     """The cell's share of the energy of its short edges."""
     total = 0.0
@@ -375,7 +375,7 @@ def _edges(cut, i, wishes, site, to_site, to_weight, wanted, sides):
     return total
 
 
-@kept
+@compiled
 def _size(cut, i, wishes, site, to_site, to_weight, start, face):
     """The cell's energy of size; face (., 5) is room for area, moments and length of normal by face."""
     volume = 0.0
@@ -398,7 +398,7 @@ def _size(cut, i, wishes, site, to_site, to_weight, start, face):
     return lack * lack * wishes.of_size
 
 
-@kept
+@compiled
 def energy(cells, diagram, wishes, cut, of_cell, to_site, to_weight):
     """Energy of the cells listed, and its gradient to_site (n, 3), to_weight (n,); inf where one of them is empty.
 
@@ -419,7 +419,7 @@ def energy(cells, diagram, wishes, cut, of_cell, to_site, to_weight):
     return total
 
 
-@kept
+@compiled
 def measure(diagram, cut, volume, centroid, faces, beyond, area):
     """Volume (n,) and centroid (n, 3) of all cells; their faces (n,), cells beyond (n, MOST_FACES) and areas."""
     start, sides = np.empty(MOST_FACES, dtype=np.int64), np.empty(MOST_FACES, dtype=np.int64)

@@ -13,6 +13,9 @@ from masonry.kernels.lanes import choose, filled, larger, or_zero, smaller, some
 from masonry.laws.door import shear_intact, tension_area, tension_intact
 from masonry.laws.state import Answer, Memory, grown
 
+SECANTS, LEAST_SLOPE = 4, 1e-3
+"""Looks at a curve over the plastic slip in a step, and how near to a snap-back the secants still go by it."""
+
 
 def quiet(shape, interface, memory, opening, tau_squared):
     """(sigma, whether the elastic answer stands): the contact neither opens further, nor tears, nor slips."""
@@ -217,11 +220,6 @@ def slip_beyond_peak(plastic_softening, beyond, shape, interface, memory, tau, p
         rise = choose(abs(way) > 0.0, (wanted - last) / way, 0.0)
         before, slip = slip, smaller(slip + (wanted - slip) / larger(1.0 - rise, LEAST_SLOPE), most)
     return memory.run + slip
-
-
-SECANTS = 4
-LEAST_SLOPE = 1e-3
-"""Looks at the curve in a step, and how near to a snap-back the secants still go by it."""
 
 
 @register_jitable
