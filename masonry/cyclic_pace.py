@@ -17,15 +17,15 @@ BRAKE = 0.2
 """Least change of the speed from one increment to the next: contacts that close make a soft specimen stiff at once."""
 CURVED = 100
 """Increments of a leg, at least, where all that moves is prescribed: they are cheap, and show the corners."""
-LEG = ("goal", "sign", "slowest", "leg", "passed", "most_work", "farthest", "cruise", "place", "force")
+LEG = ("goal", "sign", "slowest", "leg", "passed", "farthest", "cruise", "place", "force")
 """What changes from increment to increment: besides what any paced drive remembers."""
 
 
 class CyclicPace(ControlledPace):
     """Increments as those of a drive that goes one way, leg by leg, with a stop at the end of each.
 
-    What is measured against the whole of the test there is measured against the largest so far here: work may come
-    back, the force may pass through zero, and the drive through its start.
+    What is measured against the way or the force of the test there is measured against the largest so far here: the
+    force may pass through zero, and the drive through its start.
     """
 
     slower = BRAKE
@@ -35,7 +35,7 @@ class CyclicPace(ControlledPace):
         self.turns = plan.turns
         self.ways = np.abs(np.diff([0.0, *plan.turns]))
         self.leg = 0
-        self.passed = self.most_work = self.farthest = self.cruise = self.place = self.force = 0.0
+        self.passed = self.farthest = self.cruise = self.place = self.force = 0.0
 
     def next(self) -> Chunk | None:
         """The next increment; None when the last place is reached."""
@@ -82,11 +82,10 @@ class CyclicPace(ControlledPace):
         return True
 
     def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
-        """Choose the next speed as for one way, by the most work done so far."""
-        self.most_work = max(self.most_work, abs(terms["external_work"]))
+        """Choose the next speed as for one way."""
         if self.increments == 0:
             self.force = force
-        super().look(force, support, seen, {**terms, "external_work": self.most_work})
+        super().look(force, support, seen, terms)
         if self.steps == FEW:
             self.target = min(self.target, self.goal / (CURVED * self.steps * self.dt))
 

@@ -1,14 +1,15 @@
 """How a run advances, chunk by chunk: a program that is fixed beforehand."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from masonry.loads import Program
 from masonry.remember import State
+from masonry.rest import Rest
 
-LONGEST_CHUNK = 200
-"""Steps between two looks at the motion: an instability then cannot grow into infinities unseen."""
+LONGEST_CHUNK = 100
+"""Steps between two looks at the motion: an instability cannot grow into infinities unseen, nor a sudden crack far."""
 
 
 @dataclass(frozen=True)
@@ -32,8 +33,9 @@ class Chunk:
 class FixedPace:
     """The chunks of a program, with a row every so many steps, and after each step that the program marks."""
 
-    def __init__(self, program: Program, rows: int) -> None:
-        self.program, self.done = program, 0
+    def __init__(self, program: Program, rows: int, rest: Rest | None = None) -> None:
+        self.program, self.done, self.rest, self.speed = program, 0, rest, 0.0
+        self.events = None if rest is None else rest.events
         self.every = max(1, program.steps // rows)
 
     def next(self) -> Chunk | None:
@@ -41,10 +43,23 @@ class FixedPace:
         steps = self.program.steps
         if self.done >= steps:
             return None
+        if self.rest is not None and self.rest.held:
+            return self.hold(self.rest.steps)
         due = self.row_due()
         first, self.done = self.done, min(due, self.done + LONGEST_CHUNK)
         part = slice(first, self.done + 1)
-        return Chunk(self.program.dead_load[part], self.program.speed[part], self.done == due)
+        return self.going_on(Chunk(self.program.dead_load[part], self.program.speed[part], self.done == due))
+
+    def hold(self, steps: int) -> Chunk:
+        """Some steps in which the drive rests, and the dead loads stay; the move that was due next is still made."""
+        return self.going_on(Chunk(np.full(steps + 1, self.program.dead_load[self.done]), np.zeros(steps + 1), False))
+
+    def going_on(self, chunk: Chunk) -> Chunk:
+        """The chunk, beginning with the speed that the one before it ended with."""
+        if chunk.speed[0] != self.speed:
+            chunk = replace(chunk, speed=np.concatenate([[self.speed], chunk.speed[1:]]))
+        self.speed = float(chunk.speed[-1])
+        return chunk
 
     def row_due(self) -> int:
         """The next step after which a row is due."""
@@ -53,8 +68,15 @@ class FixedPace:
         regular = min((self.done // self.every + 1) * self.every, self.program.steps)
         return min(regular, int(marks[k])) if k < len(marks) else regular
 
+    def feel(self, step: int, before: list[np.ndarray]) -> None:
+        """The drive is held where the specimen moves by itself; `before`: velocities one step before this one."""
+        if self.rest is not None and self.done > self.program.settle:
+            self.rest.look(step, self.speed, before)
+
     def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
-        """A fixed program does not care."""
+        """The drive is held by what the specimen stores."""
+        if self.rest is not None:
+            self.rest.stored = terms["elastic_blocks"] + terms["elastic_contacts"]
 
     def progress(self) -> tuple[int, int]:
         """Steps done, and all of them."""
@@ -66,8 +88,10 @@ class FixedPace:
 
     def state(self) -> State:
         """How far it is."""
-        return {"done": self.done}
+        return {"done": self.done, "speed": self.speed, "rest": None if self.rest is None else self.rest.state()}
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        self.done = state["done"]
+        self.done, self.speed = state["done"], state["speed"]
+        if self.rest is not None:
+            self.rest.restore(state["rest"])

@@ -13,8 +13,9 @@ from masonry.remember import State, attributes, put_back
 
 LITTLE = 0.1
 """xi of the local damping, eq. (3), that acts on all motion."""
-RATIO = 0.1
-"""Viscosity over the critical one at the frequency of the expected motion."""
+RATIO, SUDDEN = 0.2, 2.0
+"""Viscosity over the critical one at the frequency of the expected motion: where all moves as expected, and where
+nothing does, so that a specimen with a sudden crack does not swing beyond where it comes to rest, and break there."""
 LEAST, MOST = 0.002, 0.3
 """Bounds of the share c dt / 2."""
 
@@ -23,6 +24,7 @@ class Guide:
     """Learns the field from increment to increment, and sets the viscosity of the model's damping.
 
     kinetic  energy (J) of the expected motion at the last increment's end
+    trust    share of the kinetic energy that was expected
     """
 
     def __init__(self, model: Model) -> None:
@@ -34,6 +36,7 @@ class Guide:
         ]
         self.last = [place.copy() for _, _, place in self.parts]
         self.displacement = self.kinetic = 0.0
+        self.trust = 1.0
         self._damp(0.05)
 
     def _damp(self, share: float) -> None:
@@ -52,7 +55,7 @@ class Guide:
         """
         rest = sum(float(np.sum(m * (body.v - speed * body.guess) ** 2)) for body, m, _ in self.parts)
         foreseen = sum(float(np.sum(m * (speed * body.guess) ** 2)) for body, m, _ in self.parts)
-        trust = foreseen / (foreseen + rest) if foreseen > 0.0 else 1.0
+        self.trust = trust = foreseen / (foreseen + rest) if foreseen > 0.0 else 1.0
         inertia = 0.0
         for (body, m, place), last in zip(self.parts, self.last, strict=True):
             body.guess[...] += trust * ((place - last) / (displacement - self.displacement) - body.guess)
@@ -63,19 +66,20 @@ class Guide:
         self.kinetic = 0.5 * inertia * speed**2
         if inertia > 1e-20:  # kg: something moves with the drive, not round-off
             secant = abs(force / displacement) if stiffness is None else stiffness
-            wanted = RATIO * np.sqrt(secant / inertia) * self.model.dt
+            ratio = trust * RATIO + (1.0 - trust) * SUDDEN
+            wanted = ratio * np.sqrt(secant / inertia) * self.model.dt
             self._damp(float(np.clip(wanted, LEAST, MOST)))
 
     def state(self) -> State:
         """Where all was at the end of the last increment, and the damping that followed; the field is the bodies'."""
         return {
-            **attributes(self, ("displacement", "kinetic", "share")),
+            **attributes(self, ("displacement", "kinetic", "share", "trust")),
             "last": [last.copy() for last in self.last],
         }
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        put_back(self, ("displacement", "kinetic", "share"), state)
+        put_back(self, ("displacement", "kinetic", "share", "trust"), state)
         for last, saved in zip(self.last, state["last"], strict=True):
             last[...] = saved
         self._damp(self.share)

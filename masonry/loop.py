@@ -56,6 +56,7 @@ class Loop:
         while (chunk := self.pace.next()) is not None:
             before = self.take_steps(self.done, chunk)
             self.done += chunk.steps
+            self.pace.feel(self.done, before)
             if chunk.row:
                 self.close_row(before, progress)
             if keeper is not None and keeper.look(self):
@@ -138,6 +139,7 @@ class Loop:
         if self.peak_frame is not None:
             frames[self.peak_frame.step] = self.peak_frame
         self.outcome.control = self.pace.report()
+        self.outcome.events = [] if self.pace.events is None else self.pace.events.found
         self.outcome.history.frames = [frames[step] for step in sorted(frames)]
 
     def state(self) -> State:

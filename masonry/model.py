@@ -51,6 +51,7 @@ class Model:
     limited_by: str
     cost: StepCost | None
     varying: list[dict[str, np.ndarray | None]]
+    scaled: bool = True
 
     @property
     def freedoms(self) -> int:
@@ -135,6 +136,7 @@ def build(
         limited_by=limited_by,
         cost=step_cost(layout, sums, real, free, stepping.masses == "scaled"),
         varying=conditions.varying,
+        scaled=stepping.masses == "scaled",
     )
 
 

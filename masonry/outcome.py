@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from masonry.events import Event
 from masonry.gauges import Gauge
 from masonry.history import History
 
@@ -10,7 +11,7 @@ from masonry.history import History
 class Outcome:
     """What the loop found besides the rows: the peak seen at any step, and the lowest force; the largest rotation, the
     times, the force that was still unbalanced when the dead loads had settled, over the dead loads, how far a contact
-    closed, over the extent of its thinner block, and the widest opening at each row (m).
+    closed, over the extent of its thinner block, the widest opening at each row (m), and the sudden cracks.
     """
 
     history: History
@@ -28,6 +29,7 @@ class Outcome:
     interrupted: bool = False
     stopped: str = ""
     control: dict[str, float] = field(default_factory=dict)
+    events: list[Event] = field(default_factory=list)
     log: list[str] = field(default_factory=list)
 
 

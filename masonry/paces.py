@@ -6,6 +6,7 @@ from masonry.fixed_pace import FixedPace
 from masonry.loads import Controlled, Program
 from masonry.model import Model
 from masonry.pace import ControlledPace
+from masonry.rest import Rest
 from masonry.varying_loads import VaryingPace
 
 Pace = FixedPace | ControlledPace
@@ -14,5 +15,7 @@ Pace = FixedPace | ControlledPace
 def pace_of(model: Model, plan: Program | Controlled, rows: int) -> Pace:
     """The pace that a plan asks for."""
     if isinstance(plan, Program):
-        return FixedPace(plan, rows) if plan.varying is None else VaryingPace(model, plan, plan.varying, rows)
+        if plan.varying is not None:
+            return VaryingPace(model, plan, plan.varying, rows)
+        return FixedPace(plan, rows, Rest(model) if model.scaled and model.damping is not None else None)
     return CyclicPace(model, plan, rows) if isinstance(plan, Cyclic) else ControlledPace(model, plan, rows)

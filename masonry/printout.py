@@ -13,6 +13,8 @@ MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-
 """Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference
 between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
 how far contacts close over the size of their blocks."""
+RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
+"""Limits, over the work of the drive: what sudden cracks release, what damping gives, and what it takes besides."""
 ROUNDING, BELOW_0 = 1e-11, 1e-5
 """Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
 of the steps."""
@@ -86,6 +88,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         ("reaction mismatch", [_number(summary, "reaction_mismatch_max", 100.0, "% of the peak")]),
         ("kinetic / internal", [_kinetic(summary)]),
         *([("accuracy", [accuracy_text(summary)])] if summary.get("control") else []),
+        *([("sudden cracks", [sudden_text(summary)])] if summary.get("sudden_cracks") else []),
         ("steps", [str(summary.get("steps", "not known"))]),
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
         ("trust", [trust(summary)]),
@@ -120,6 +123,17 @@ def accuracy_text(summary: dict[str, Any]) -> str:
     )
 
 
+def sudden_text(summary: dict[str, Any]) -> str:
+    """How many sudden cracks there were, what they released, and where and when the largest came."""
+    found = summary["sudden_cracks"]
+    largest = max(found, key=lambda event: event["released_j"])
+    what = "one" if len(found) == 1 else f"{len(found)}, the largest"
+    return (
+        f"{what} at {1e3 * largest['displacement_m']:.4g} mm, {largest['place']}; together they released "
+        f"{_percent(summary['released_over_external'])} of the work of the drive"
+    )
+
+
 def _percent(share: float, digits: int = 2) -> str:
     """A share as a percentage, 0 where it is rounding."""
     return f"{0.0 if -BELOW_0 < share < ROUNDING else 100 * share:.{digits}g} %"
@@ -146,9 +160,25 @@ def trust(summary: dict[str, Any]) -> str:
             f"contacts close by up to {overlap:.2g} of a block's size: the normal stiffness is too low for this load"
         )
     doubts += summary.get("warnings") or []
+    released = summary.get("released_over_external") or 0.0
+    if released > RELEASED:
+        doubts.append(
+            f"sudden cracks released {_percent(released)} of the work: what came after them depends on how their swing"
+            " is damped, and `masonry sensitivity` shows by how much"
+        )
+    damping = summary.get("damping_over_external") or 0.0
+    if damping < -PUSHED:
+        doubts.append(f"damping did {_percent(-damping)} of the work instead of taking any: ask for a smaller accuracy")
+    control = summary.get("control") or {}
+    if control.get("drag_at_peak", 0.0) > control.get("accuracy", 1.0):
+        doubts.append(
+            f"damping took {_percent(control['drag_at_peak'])} of the force at the peak, which may be too high by as"
+            " much: ask for a smaller accuracy"
+        )
     slow = (
         ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),
         ("kinetic_over_internal_max", KINETIC, "kinetic energy reaches {:.2g} of the internal"),
+        ("damping_over_external", DAMPING, "damping takes {:.2g} of the work"),
     )
     fast = []
     for key, limit, words in slow:

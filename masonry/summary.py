@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from geometry.cells.asked import CellReport
-from masonry import __version__
+from masonry import __version__, events
 from masonry.assembly import Assembly
 from masonry.cycles import at_peak, goes_one_way, table
 from masonry.kernels.sources import source_hash
@@ -20,6 +20,8 @@ ENERGY_TERMS = (
     *("friction", "damping", "kinetic", "contact_work", "imbalance"),
 )
 BROKEN, DAMAGED = 0.95, 0.05
+SUDDEN = 1e-3
+"""Share of the work of the drive from which on the energy that a sudden crack released is worth a line."""
 
 
 def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
@@ -43,6 +45,12 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         )
     work = float(np.abs(rows["external_work"]).max())
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
+    begun = int(np.searchsorted(rows["step"], plan.settle))
+    driven = float((np.abs(rows["force"][begun + 1 :]) * np.abs(np.diff(rows["displacement"][begun:]))).sum())
+    sudden = events.table(model, outcome.events, rows, SUDDEN * driven)
+    damped = float(rows["damping"][-1] - rows["damping"][begun]) - sum(event["released_j"] for event in sudden)
+    for event in sudden:
+        dynamic = dynamic & ((rows["step"] <= event["first_step"]) | (rows["step"] > event["last_step"]))
     ratio = rows["kinetic"][dynamic] / np.maximum(internal[dynamic], max(1e-6 * work, 1e-300))
     spent = sum(float(rows[key][-1]) for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
     booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
@@ -80,7 +88,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / work) if work > 0 else 0.0,
         "dissipation_mismatch": abs(booked - spent) / abs(spent) if spent else 0.0,
         "unbalanced_after_settling": outcome.unbalanced,
-        "damping_over_external": float(rows["damping"][-1] / work) if work > 0 else 0.0,
+        "damping_over_external": damped / driven if driven > 0.0 else 0.0,
+        "sudden_cracks": sudden,
+        "released_over_external": sum(event["released_j"] for event in sudden) / driven if sudden else 0.0,
         "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
         "rotation_max_rad": outcome.rotation_max,

@@ -2,19 +2,21 @@
 
 import numpy as np
 
-from masonry.fixed_pace import LONGEST_CHUNK, Chunk, FixedPace
+from masonry.fixed_pace import Chunk, FixedPace
 from masonry.loads import Program
 from masonry.model import Model
 
+STRETCH = 200
+"""Steps between two knots, at most."""
 STRAIGHT = 1e-3
 """Of the largest share of a history: how far it may leave the straight line between two knots."""
 
 
 def knots(shares: np.ndarray, settle: int) -> np.ndarray:
-    """Steps, rising, between which each of shares (H, n + 1) is taken for straight: at most 200 apart, and at the end
-    of the settling; one apart where the shares bend too much from step to step."""
+    """Steps, rising, between which each of shares (H, n + 1) is taken for straight: at most STRETCH apart, and at the
+    end of the settling; one apart where the shares bend too much from step to step."""
     last = shares.shape[1] - 1
-    at = np.unique(np.concatenate([[0], np.arange(settle, last, LONGEST_CHUNK), [last]]))
+    at = np.unique(np.concatenate([[0], np.arange(settle, last, STRETCH), [last]]))
     while True:
         apart = np.zeros(last)
         for share in shares:
@@ -53,7 +55,7 @@ class VaryingPace(FixedPace):
             return None
         due = self.row_due()
         knot = int(self.knots[np.searchsorted(self.knots, self.done, side="right")])
-        first, self.done = self.done, min(due, self.done + LONGEST_CHUNK, knot)
+        first, self.done = self.done, min(due, self.done + STRETCH, knot)
         part = slice(first, self.done + 1)
         begin, end = self.shares[:, first], self.shares[:, self.done]
         for body, rest, each in self.parts:

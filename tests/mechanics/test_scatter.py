@@ -72,7 +72,7 @@ def test_each_contact_begins_with_the_elastic_limit_and_the_utilisation_of_its_o
     assert len(np.unique(strength)) == 18
     seen = np.zeros((len(model.group), 4))
     seen[own, 2] = 0.5 * strength.min()
-    assert utilisation(model, seen) == pytest.approx(0.5, rel=1e-12)
+    assert utilisation(model, seen, np.zeros(len(seen))) == pytest.approx(0.5, rel=1e-12)
 
 
 def test_snap_back_in_a_run_is_looked_for_with_the_energy_drawn_and_the_message_says_it():

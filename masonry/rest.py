@@ -1,0 +1,87 @@
+"""A sudden crack in a run at a constant rate or in steps: the drive is held, and the specimen brought to rest.
+
+What a sudden crack breaks would else depend on the local damping of the run: with little of it the specimen swings
+beyond where it comes to rest, and breaks there as well. So all such runs share the viscosity that brakes this swing.
+"""
+
+import numpy as np
+
+from masonry import energy
+from masonry.events import Events
+from masonry.model import Model
+from masonry.remember import State, attributes, put_back
+
+JUMP, LEAST = 10.0, 1e-5
+"""A sudden crack: kinetic energy over what is usual at this speed of the drive, and over the stored energy."""
+MEMORY, AFTERWARDS, LOOKS = 0.1, 0.5, 5
+"""Share of a look in what is usual; the same for so many looks after the drive was held, as a specimen that has cracked
+may swing otherwise."""
+STEPS, DECAY = 10, 0.4
+"""Steps from one braking to the next while the drive is held, and the share of the velocities that one leaves."""
+CALM, STILL, MOST = 3.0, 1e-6, 50_000
+"""The drive goes on when the kinetic energy is down to so many times the usual or to this share of the stored energy,
+or after so many steps."""
+REMEMBERED = ("usual", "held", "stored", "learning")
+
+
+class Rest:
+    """Looks after each chunk of steps whether the specimen moves by itself, and if so holds the drive until it rests.
+
+    held   steps for which it has been held so far; 0 while it moves
+    steps  steps until the next braking
+    """
+
+    steps = STEPS
+
+    def __init__(self, model: Model) -> None:
+        self.model, self.events = model, Events(model)
+        self.usual = self.stored = 0.0
+        self.held = self.learning = 0
+
+    def look(self, step: int, speed: float, before: list[np.ndarray]) -> None:
+        """The drive moves at `speed` (m/s) after a step; velocities one step earlier (energy.velocities)."""
+        kinetic = abs(energy.kinetic(self.model, before))
+        expected = self.usual * speed**2
+        if self.held:
+            brake(self.model, before, DECAY)
+            self.events.sudden(step)
+            over = kinetic <= max(CALM * expected, STILL * self.stored) or self.held >= MOST
+            self.held = 0 if over else self.held + STEPS
+            self.learning = LOOKS
+        elif kinetic > max(JUMP * expected, LEAST * self.stored) and self.usual > 0.0 and not self.learning:
+            self.events.sudden(step)
+            self.held = STEPS
+        else:
+            self.events.calm(step)
+            if speed != 0.0:
+                share = AFTERWARDS if self.learning else MEMORY
+                self.usual += share * (kinetic / speed**2 - self.usual)
+            self.learning = max(self.learning - 1, 0)
+
+    def state(self) -> State:
+        """What the next look depends on."""
+        return {**attributes(self, REMEMBERED), "events": self.events.state()}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        put_back(self, REMEMBERED, state)
+        self.events.restore(state["events"])
+
+
+def brake(model: Model, before: list[np.ndarray], left: float) -> None:
+    """Leave a share of each free velocity: an impulse, booked as a force of the damping in this step, so that the
+    energy balance stays closed."""
+    for (kind, body), old in zip(energy.present(model), before, strict=True):
+        impulse = (left - 1.0) * model.masses[kind] * body.v / model.dt
+        body.hold[...] += impulse
+        body.work[:, 1] += 0.5 * model.dt * _by_block(impulse * old, len(body.work))
+        body.v[...] = np.where(model.masses[kind] > 0.0, left * body.v, body.v)
+
+
+def _by_block(work: np.ndarray, blocks: int) -> np.ndarray:
+    """(B,) sums of a row each; nodes of tets are not told apart by block: the first account takes all of them."""
+    if len(work) == blocks:
+        return np.asarray(work.sum(axis=1))
+    accounts = np.zeros(blocks)
+    accounts[0] = work.sum()
+    return accounts
