@@ -21,7 +21,7 @@ ENERGY_TERMS = (
 )
 BROKEN, DAMAGED = 0.95, 0.05
 SUDDEN = 1e-3
-"""Share of the work of the drive from which on the energy that a sudden crack released is worth a line."""
+"""Share of all energy lost, by cracks, friction and damping, from which on what a sudden crack released is told."""
 
 
 def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
@@ -46,13 +46,15 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     work = float(np.abs(rows["external_work"]).max())
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
     begun = int(np.searchsorted(rows["step"], plan.settle))
-    driven = float((np.abs(rows["force"][begun + 1 :]) * np.abs(np.diff(rows["displacement"][begun:]))).sum())
-    sudden = events.table(model, outcome.events, rows, SUDDEN * driven)
-    damped = float(rows["damping"][-1] - rows["damping"][begun]) - sum(event["released_j"] for event in sudden)
+    spent = sum(float(rows[key][-1]) for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
+    driven = float(np.abs(rows["external_work"][begun:] - rows["external_work"][begun]).max(initial=0.0))
+    taken = float((rows["damping"] + rows["kinetic"])[-1] - (rows["damping"] + rows["kinetic"])[begun])
+    lost = spent + max(taken, 0.0)
+    sudden = events.table(model, outcome.events, rows, SUDDEN * lost)
+    released = sum(event["released_j"] for event in sudden)
     for event in sudden:
         dynamic = dynamic & ((rows["step"] <= event["first_step"]) | (rows["step"] > event["last_step"]))
     ratio = rows["kinetic"][dynamic] / np.maximum(internal[dynamic], max(1e-6 * work, 1e-300))
-    spent = sum(float(rows[key][-1]) for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
     booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
     laws = {name: scene.contact[name].law for name in model.group_names}
     kinematics = {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups}
@@ -88,9 +90,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / work) if work > 0 else 0.0,
         "dissipation_mismatch": abs(booked - spent) / abs(spent) if spent else 0.0,
         "unbalanced_after_settling": outcome.unbalanced,
-        "damping_over_external": damped / driven if driven > 0.0 else 0.0,
+        "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
-        "released_over_external": sum(event["released_j"] for event in sudden) / driven if sudden else 0.0,
+        "released_over_dissipated": released / lost if sudden else 0.0,
         "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
         "rotation_max_rad": outcome.rotation_max,

@@ -56,7 +56,7 @@ def test_the_shipped_couplet_keeps_the_accuracy_that_was_asked(accuracy):
     assert result.summary["peak_stress_pa"] == pytest.approx(1.375e6, rel=accuracy)
 
 
-TERMS = ("external_work", "elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "kinetic")
+TERMS = ("damping", "elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "kinetic")
 
 
 def elastic_wall(pace: str):
