@@ -22,7 +22,8 @@ PARAMETERS = {
 }
 
 WHY_IN_SHEAR = (
-    "over plastic slip the curve would snap back below cohesion * (peak - residual shear strength) / shear stiffness"
+    "over plastic slip the curve would snap back below cohesion * (peak - residual shear strength) / shear stiffness "
+    '(with softening_variable = "displacement" it cannot)'
 )
 
 

@@ -26,7 +26,7 @@ PARAMETERS = {
 
 WHY_IN_SHEAR = (
     "over plastic slip the curve would snap back below exponent_shear * peak * (peak - residual shear strength) / "
-    "(2 shear stiffness)"
+    '(2 shear stiffness) (with softening_variable = "displacement" it cannot)'
 )
 
 
