@@ -46,7 +46,7 @@ class LawArea:
                 if share[c] > 0.0:
                     between = 0.0, float(self.compression[bounds[g] + c])
                     has = max(area(_of(shape, c), _of(interface, c), compression) for compression in between)
-                    most = max(most, float(spent[c]) / has)
+                    most = max(most, float(spent[c]) / has) if has > 0.0 else most
         return most
 
     def state(self) -> State:
@@ -65,6 +65,8 @@ def area(shape, interface, compression: float) -> float:
     elastic part by either.
     """
     drop = float(lost_in_shear(interface, compression))
+    if drop <= 0.0:
+        return 0.0
     residual = interface.residual_cohesion + compression * interface.tan_residual_friction
 
     def left(slip: float) -> float:
