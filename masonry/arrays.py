@@ -162,9 +162,8 @@ def memory_of(group: np.ndarray, interfaces: list[Interface]) -> ContactState:
     return fresh(
         limit,
         stiffness,
-        uplift=any(i.tan_dilation is not None for i in interfaces),
+        dilates=any(i.tan_dilation is not None for i in interfaces),
         gap=any(i.elastic_unloading is not None for i in interfaces),
-        run=any(i.tan_dilation is not None or i.plastic_softening is not None for i in interfaces),
     )
 
 
@@ -176,5 +175,5 @@ def own_memory(state: ContactState, interface: Interface) -> ContactState:
     return state._replace(
         uplift=state.uplift if dilates else None,
         gap=state.gap if interface.elastic_unloading is not None else None,
-        run=state.run if dilates or interface.plastic_softening is not None else None,
+        run=state.run if dilates else None,
     )

@@ -60,9 +60,10 @@ def assemble(scene: Scene) -> Assembly:
     for varying in conditions.varying:
         require_held(specimen, joints, layout, replace(conditions, load=varying), loaded=True)
     compressions = sorted({0.0, scene.confinement or 0.0})
-    laws = {name: law_build.build(name, scene.contact[name].properties(), compressions) for name in names}
+    given = {name: scene.contact[name].properties(scene.turns_back) for name in names}
+    laws = {name: law_build.build(name, given[name], compressions) for name in names}
     drawn = _draws(scene, blocks, joints, names, group)
-    laws |= {d.group: laws_of(d, scene.contact[d.group].properties(), compressions) for d in drawn}
+    laws |= {d.group: laws_of(d, given[d.group], compressions) for d in drawn}
     s = scene.solver
     stepping = model.Stepping(
         s.masses, s.time_step, s.step_fraction, LITTLE if scene.is_controlled else s.damping, scene.is_controlled

@@ -7,6 +7,7 @@ import numpy as np
 
 from masonry import timeloop
 from masonry.assembly import Assembly, assemble
+from masonry.contact_remarks import contact_remarks
 from masonry.effort import expected_seconds, expected_steps
 from masonry.errors import Stopped
 from masonry.keeper import Keeper
@@ -158,4 +159,4 @@ def warnings(assembly: Assembly) -> list[str]:
         nu = material.poisson_ratio
         if nu is not None and nu > LOCKING and assembly.scene.kinematics_of(name) == "tets":
             found.append(f"material.{name}: constant-strain tets lock in bending at a Poisson ratio of {nu:g}")
-    return found
+    return [*found, *contact_remarks(assembly)]

@@ -12,6 +12,7 @@ from masonry.fixed_pace import Chunk
 from masonry.history import UNITS, Frame
 from masonry.keeper import Keeper
 from masonry.kernels.step import reaction
+from masonry.law_area import LawArea
 from masonry.model import Model
 from masonry.outcome import Outcome, Recording
 from masonry.overlap import Overlap
@@ -40,6 +41,7 @@ class Loop:
         self.rows: list[list[float]] = []
         self.watch = Watch(model, recording.rotation_limit)
         self.overlap = Overlap(model)
+        self.law_area = LawArea(model)
         self.frames: list[Frame] = []
         self.peak_frame: Frame | None = None
         self.highest_row = -np.inf
@@ -120,6 +122,7 @@ class Loop:
         self.pace.look(stress * force, -support * force, view.seen, terms)
         self.outcome.rotation_max = self.watch.rotation
         self.overlap.look(view.seen[:, 0])
+        self.law_area.look(view.seen[:, 2])
         self.outcome.widest.append(float(view.seen[:, 0].max(initial=0.0)))
         self.outcome.overlap_max = self.overlap.largest
         higher = stress > self.highest_row and step > 0
@@ -140,6 +143,7 @@ class Loop:
             frames[self.peak_frame.step] = self.peak_frame
         self.outcome.control = self.pace.report()
         self.outcome.events = [] if self.pace.events is None else self.pace.events.found
+        self.outcome.mode_2_over_law = self.law_area.most_taken()
         self.outcome.history.frames = [frames[step] for step in sorted(frames)]
 
     def state(self) -> State:
@@ -155,6 +159,7 @@ class Loop:
             "pace": self.pace.state(),
             "watch": self.watch.state(),
             "overlap": self.overlap.state(),
+            "law_area": self.law_area.state(),
         }
 
     def restore(self, state: State) -> None:
@@ -169,6 +174,7 @@ class Loop:
         self.pace.restore(state["pace"])
         self.watch.restore(state["watch"])
         self.overlap.restore(state["overlap"])
+        self.law_area.restore(state["law_area"])
 
 
 def _kept(frame: Frame) -> State:

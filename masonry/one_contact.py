@@ -12,7 +12,7 @@ import numpy as np
 
 from masonry.laws.interface import Interface
 from masonry.laws.mechanism import evolve, quiet, stored
-from masonry.laws.state import Memory
+from masonry.laws.state import TOUCHING, Memory
 
 
 class Path(NamedTuple):
@@ -64,13 +64,12 @@ def _of_numpy(fields: Any) -> Any:
 def _fresh(interface: Interface) -> Memory:
     """What a contact remembers at first; None where its options need nothing."""
     limit = 0.0 if interface.tensile_strength is None else interface.tensile_strength / interface.normal_stiffness
-    dilates, plastic = interface.tan_dilation is not None, interface.plastic_softening is not None
     return Memory(
-        opening_max=inf if interface.tensile_strength is None else limit,
+        opening_max=inf if interface.tensile_strength is None else max(limit, TOUCHING),
         intact_n=1.0,
         intact_s=1.0,
         secant=interface.normal_stiffness if limit > 0.0 else 0.0,
-        uplift=0.0 if dilates else None,
+        uplift=None if interface.tan_dilation is None else 0.0,
         gap=0.0 if interface.elastic_unloading is not None else None,
-        run=0.0 if dilates or plastic else None,
+        run=None if interface.tan_dilation is None else 0.0,
     )

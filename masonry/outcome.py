@@ -11,7 +11,8 @@ from masonry.history import History
 class Outcome:
     """What the loop found besides the rows: the peak seen at any step, and the lowest force; the largest rotation, the
     times, the force that was still unbalanced when the dead loads had settled, over the dead loads, how far a contact
-    closed, over the extent of its thinner block, the widest opening at each row (m), and the sudden cracks.
+    closed, over the extent of its thinner block, the most energy of mode II of a contact over what its law has, the
+    widest opening at each row (m), and the sudden cracks.
     """
 
     history: History
@@ -24,6 +25,7 @@ class Outcome:
     rotation_max: float = 0.0
     unbalanced: float = 0.0
     overlap_max: float = 0.0
+    mode_2_over_law: float = 0.0
     widest: list[float] = field(default_factory=list)
     steps: int = 0
     interrupted: bool = False

@@ -15,6 +15,8 @@ between the energy that the laws booked and the work that the contacts took up, 
 how far contacts close over the size of their blocks."""
 RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
 """Limits: what sudden cracks release over all energy lost; over the external work, what damping gives, and takes."""
+TAKEN = 0.02
+"""Share by which a contact may take more energy of mode II than the area under its law's curve."""
 ROUNDING, BELOW_0 = 1e-11, 1e-5
 """Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
 of the steps."""
@@ -159,6 +161,11 @@ def trust(summary: dict[str, Any]) -> str:
     if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
         doubts.append(
             f"contacts close by up to {overlap:.2g} of a block's size: the normal stiffness is too low for this load"
+        )
+    if (taken := summary.get("mode_2_over_law") or 0.0) > 1.0 + TAKEN:
+        doubts.append(
+            f"a contact took {taken:.3g} times the energy of mode II that its law has: take smaller steps, or look at "
+            "the law where it is your own"
         )
     doubts += summary.get("warnings") or []
     released = summary.get("released_over_dissipated") or 0.0

@@ -97,7 +97,7 @@ def laws_of(drawn: Drawn, properties: Mapping[str, Any], compressions: Sequence[
     for j in range(len(drawn.pairs)):
         own = {**properties, **{key: float(values[j]) for key, values in drawn.values.items()}}
         try:
-            laws.append(law_build.made(drawn.group, own))
+            laws.append(law_build.made(drawn.group, own, compressions))
         except SceneError as error:
             raise SceneError(f"{error}, as [scatter.{drawn.group}] draws it for {drawn.words(j)}") from None
     _require_no_snap_back(drawn, properties, laws, compressions)

@@ -13,7 +13,8 @@ class SnapBack:
     """Stops a run in which a contact softens in shear under more compression than its law's energy is enough for.
 
     Beyond that compression the strength would drop at once and take more energy than the fracture energy given. The
-    compression is looked at before and after the steps of a chunk in which a contact softens.
+    compression is looked at before and after the steps of a chunk in which a contact softens; the slope of the curve is
+    that at the share of the strength which was left before.
     """
 
     def __init__(self, model: Model) -> None:
@@ -31,11 +32,11 @@ class SnapBack:
         for g, span in self.spans:
             compression, intact = self._compression(span), self._intact(span)
             softened = intact < self.before[g][1]
-            most = np.maximum(compression, self.before[g][0])
+            most, left = np.maximum(compression, self.before[g][0]), self.before[g][1]
             self.before[g] = compression, intact
             if not softened.any():
                 continue
-            lacking = least_mode_2_energy(shapes[g], interfaces[g], most) - given_mode_2_energy(shapes[g], most)
+            lacking = least_mode_2_energy(shapes[g], interfaces[g], most, left) - given_mode_2_energy(shapes[g], most)
             lacking[~softened] = -np.inf
             worst = int(np.argmax(lacking))
             if lacking[worst] > 0.0:

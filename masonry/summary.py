@@ -97,6 +97,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
         "rotation_max_rad": outcome.rotation_max,
         "overlap_max": outcome.overlap_max,
+        "mode_2_over_law": outcome.mode_2_over_law,
         "section_m2": assembly.specimen.section,
         "interrupted": outcome.interrupted,
         "stopped": outcome.stopped,

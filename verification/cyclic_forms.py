@@ -1,10 +1,9 @@
 """Closed form of a couplet that is sheared back and forth under constant compression, one leg after the other.
 
-A leg begins elastically, with slope k_s. It slides where it meets the strength that is left. With the softening
-variable "displacement" (the slip |u| from where the joint was made) that is the envelope at the farthest place M at
-which the joint has slid so far: constant up to M, falling along the envelope beyond. With the variable "plastic" (the
-path r of plastic slip) it is the envelope at r on either side. Tension and cohesion keep each other's share: nothing
-opens. See `closed_forms` for the envelopes.
+A leg begins elastically, with slope k_s. It slides where it meets the strength that is left, and then goes on along the
+envelope where it left it: with the softening variable "displacement" by the way that it makes while it slides, with
+"plastic" by the plastic slip r. Tension and cohesion keep each other's share: nothing opens. See `closed_forms` for the
+envelopes.
 """
 
 from dataclasses import dataclass
@@ -18,7 +17,7 @@ from verification.closed_forms import Floats, Joint, shear, shear_work
 class Sheared:
     """A joint on its way: place and stress at the last turn, what it has slid, and energy that is gone (J/m2).
 
-    slid  m: farthest place of sliding ("displacement"), or the path of plastic slip ("plastic")
+    slid  m: place on the envelope ("displacement"), or the path of plastic slip ("plastic")
     """
 
     law: str
@@ -43,35 +42,32 @@ class Sheared:
     def along(self, places: Floats) -> tuple[Floats, Floats]:
         """Stress (Pa) and energy gone (J/m2) at places (n,) m on one leg in order; the last one is the next turn."""
         way = np.sign(places[-1] - self.place)
-        towards, made = way * places, np.abs(places - self.place)
-        slid = self.slid_by(towards, made, float(way * self.stress))
+        made = np.abs(places - self.place)
+        slid = self.slid_by(made, float(way * self.stress))
         elastic = way * self.stress + self.joint.ks * made
         stress = np.minimum(elastic, self.strength(slid))
-        gone = self.gone + self.spent(slid, towards, made, float(way * self.stress))
+        gone = self.gone + self.spent(slid)
         self.place, self.stress = float(places[-1]), float(way * stress[-1])
         self.slid, self.gone = float(slid[-1]), float(gone[-1])
         return way * stress, gone
 
-    def slid_by(self, towards: Floats, made: Floats, start: float) -> Floats:
-        """The softening variable at places `towards` (m, along the leg), `made` m from its start at `start` Pa."""
+    def slid_by(self, made: Floats, start: float) -> Floats:
+        """The softening variable `made` m from the start of a leg at `start` Pa."""
         if self.variable == "displacement":
-            return np.where(towards > max(self.slid, self.peak_at), towards, self.slid)
+            first = max(self.slid, self.peak_at)
+            elastic = (float(self.strength(np.array([first]))[0]) - start) / self.joint.ks
+            return np.asarray(first + np.maximum(made - elastic, 0.0))
         path = self.slid + np.concatenate([[0.0], np.geomspace(1e-12, made[-1], 200_001)])
         reached = path - self.slid + (self.strength(path) - start) / self.joint.ks
         return np.asarray(np.interp(made, reached, path))
 
-    def spent(self, slid: Floats, towards: Floats, made: Floats, start: float) -> Floats:
-        """Energy (J/m2) that the leg has taken: of the plateau, and under the envelope less what stays elastic."""
+    def spent(self, slid: Floats) -> Floats:
+        """Energy (J/m2) that the leg has taken: under the envelope, less what stays elastic by the total slip."""
         if self.variable == "plastic":
             return self._under(slid + self.peak_at) - self._under(np.array([self.slid + self.peak_at]))
-        held = float(self.strength(np.array([self.slid]))[0])
-        plateau = np.clip(np.minimum(made, made + self.slid - towards) - (held - start) / self.joint.ks, 0.0, None)
-        if self.slid == 0.0:
-            plateau = np.zeros_like(made)
-        last = np.maximum(slid, self.peak_at)
-        first = np.full_like(last, max(self.slid, self.peak_at))
-        stored = 0.5 * (self.strength(slid) ** 2 - held**2) / self.joint.ks
-        return held * plateau + self._under(last) - self._under(first) - stored
+        first = np.array([max(self.slid, self.peak_at)])
+        stored = 0.5 * (self.strength(slid) ** 2 - self.strength(first) ** 2) / self.joint.ks
+        return self._under(slid) - self._under(first) - stored
 
     def _under(self, slip: Floats) -> Floats:
         return shear_work(self.law, self.joint, slip, self.compression)

@@ -22,6 +22,6 @@ def tension_area(shape, interface, opening, intact):
     return 0.5 * interface.tensile_strength**2 / interface.normal_stiffness
 
 
-def shear_intact(shape, interface, slip, peak, residual, compression):
+def shear_intact(shape, interface, intact, slip, peak, residual, compression):
     """Only the residual is left beyond the peak, eq. (8)."""
     return shape.left

@@ -7,11 +7,15 @@ from typing import Any
 
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
-from masonry.laws.door import beside
+from masonry.laws.door import beside, shear_intact
 from masonry.laws.interface import Interface
 from masonry.laws.outside import all_law_names, outside_law
-from masonry.laws.snap_back import Refusal
+from masonry.laws.snap_back import Refusal, lost_in_shear
 
+NEAREST, FARTHEST = 1e-18, 1e3
+"""m: slips between which a curve is asked where the cohesion has gone."""
+NOTHING = 1e-5
+"""Share of the cohesion below which a tensile strength counts as none."""
 STRENGTHS = ("tensile_strength", "cohesion", "tan_friction")
 
 
@@ -38,7 +42,7 @@ def build(group: str, properties: Mapping[str, Any], compressions: Sequence[floa
     properties    SI values under the scene's names; None or absent where not given
     compressions  Pa, the confining stresses at which snap-back in shear is looked for
     """
-    shape, interface = made(group, properties)
+    shape, interface = made(group, properties, compressions)
     refused = refusal(shape, interface, compressions)
     if refused is not None:
         raise SceneError(
@@ -59,7 +63,7 @@ def properties_of(law: str) -> tuple[str, ...]:
     return () if law == "elastic" else (*STRENGTHS, *module_of(law).PARAMETERS.values())
 
 
-def made(group: str, properties: Mapping[str, Any]) -> tuple[Any, Interface]:
+def made(group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)) -> tuple[Any, Interface]:
     """`build` without a look whether the curves would snap back."""
     name = properties["law"]
     file, where = module_of(name), f"contact.{group}"
@@ -75,7 +79,12 @@ def made(group: str, properties: Mapping[str, Any]) -> tuple[Any, Interface]:
     for field, key in file.PARAMETERS.items():
         if field not in optional and getattr(shape, field) <= 0.0:
             raise SceneError(f"{where}.{key} = {getattr(shape, field):g}: law '{name}' needs a value above 0")
-    return shape, _interface(where, properties, stiffness, shape)
+    interface = _interface(where, properties, stiffness)
+    if interface.tan_dilation is not None:
+        interface = interface._replace(
+            dilation_cutoff=_dilation_cutoff(properties, shape, interface, max(compressions))
+        )
+    return shape, interface
 
 
 def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence[str]) -> None:
@@ -91,7 +100,7 @@ def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence
 _SPELLING = {"tan_friction": "friction_angle (or tan_friction_angle)"}
 
 
-def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float], shape: Any) -> Interface:
+def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) -> Interface:
     residual_cohesion = p.get("residual_cohesion") or 0.0
     tan_residual = p.get("tan_residual_friction")
     tan_residual = p["tan_friction"] if tan_residual is None else tan_residual
@@ -108,9 +117,9 @@ def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float], sh
         raise SceneError(
             f"{where}.dilation_angle is larger than the residual friction angle: sliding would then produce energy"
         )
-    interface = Interface(
+    return Interface(
         **stiffness,
-        tensile_strength=p["tensile_strength"],
+        tensile_strength=tensile_strength(p),
         cohesion=p["cohesion"],
         tan_friction=p["tan_friction"],
         residual_cohesion=residual_cohesion,
@@ -120,45 +129,39 @@ def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float], sh
         plastic_softening=1.0 if p.get("softening_variable") == "plastic" else None,
         combined=None if p.get("coupling") == "independent" else 1.0,
     )
-    return interface._replace(dilation_cutoff=_dilation_cutoff(p, shape, interface)) if dilation else interface
 
 
-def _dilation_cutoff(p: Mapping[str, Any], shape: Any, interface: Interface) -> float:
+def tensile_strength(p: Mapping[str, Any]) -> float:
+    """Tensile strength (Pa) as the laws take it: not beyond the apex of the Coulomb line, c/tan(phi), and none where it
+    is next to nothing beside the cohesion.
+
+    Beyond the apex nothing holds a slip, though nothing is torn: shear strength would come back on the way home. And
+    cohesion goes with the opening over G_I/fT, which grows beyond all bounds as fT goes to nothing.
+    """
+    strength = p["tensile_strength"]
+    if strength < NOTHING * p["cohesion"]:
+        return 0.0
+    return min(strength, p["cohesion"] / p["tan_friction"]) if p["tan_friction"] > 0.0 else strength
+
+
+def _dilation_cutoff(p: Mapping[str, Any], shape: Any, interface: Interface, compression: float) -> float:
     """Slip (m) at which dilation ends; where none is given, the slip at which the cohesion has gone.
 
-    "Gone" is 1 % left at zero normal stress: exponential ln(100) G_II/c0; linear and polynomial likewise from eqs
-    (13) and (15). A brittle contact loses it at once, so it does not dilate unless a cut-off is given. The curve of a
-    law of another package is asked.
+    "Gone" is 1 % left of the curve at a compression (Pa). A brittle contact loses it at once, so it does not dilate
+    unless a cut-off is given.
     """
     if p.get("dilation_cutoff") is not None:
         return p["dilation_cutoff"]
-    if p["cohesion"] == 0.0:
-        return inf
-    if p["law"] not in law_names():
-        return _slip_without_cohesion(shape, interface)
-    G_II = p.get("fracture_energy_mode_2") or 0.0
-    if p["law"] == "linear":
-        return 2.0 * G_II / p["cohesion"]
-    if p["law"] == "polynomial":
-        return 2.0 * G_II / p["cohesion"] * (100.0 ** (1.0 / p["exponent_shear"]) - 1.0)
-    return 4.605170185988092 * G_II / p["cohesion"]
-
-
-def _slip_without_cohesion(shape: Any, interface: Interface) -> float:
-    """Slip (m) at which a curve has 1 % left at zero normal stress, to a millionth; endless where it never has."""
+    peak = p["cohesion"] + compression * p["tan_friction"]
+    residual = peak - float(lost_in_shear(interface, compression))
 
     def gone(slip: float) -> bool:
-        left = beside(type(shape), "shear_intact")(
-            shape, interface, slip, interface.cohesion, interface.residual_cohesion, 0.0
-        )
-        return bool(left <= 0.01)
+        return bool(shear_intact(shape, interface, 1.0, slip, peak, residual, compression) <= 0.01)
 
-    low, high = 0.0, 1e-9
-    while not gone(high):
-        low, high = high, 2.0 * high
-        if high > 1e3:
-            return inf
-    while high - low > 1e-6 * high:
-        middle = 0.5 * (low + high)
+    if peak <= residual or not gone(FARTHEST):
+        return inf
+    low, high = 0.0, FARTHEST
+    while high - low > 1e-14 * high and high > NEAREST:
+        middle = (low * high) ** 0.5 if low > NEAREST else 0.5 * (low + high)
         low, high = (low, middle) if gone(middle) else (middle, high)
-    return high
+    return high if low > 0.0 else 0.0

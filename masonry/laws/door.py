@@ -6,10 +6,16 @@ package may be written for single numbers, with `if`: `fitting` has them called 
 """
 
 import sys
+from functools import cache
+from inspect import signature
 
-from numba.extending import overload
+from numba.extending import overload, register_jitable
 
+from masonry.kernels.lanes import choose, filled, some
 from masonry.laws.fitting import fitting
+
+DOUBLINGS, HALVINGS = 30, 60
+"""Looks at a curve for a slip, from a micrometre to a kilometre."""
 
 
 def beside(shape_class: type, name: str, default=None):
@@ -32,9 +38,42 @@ def tension_area(shape, interface, opening, intact):
     return beside(type(shape), "tension_area")(shape, interface, opening, intact)
 
 
-def shear_intact(shape, interface, slip, peak, residual, compression):
-    """Share of (peak - residual) shear strength left at a slip (m) beyond the peak; stresses in Pa."""
+def shear_intact(shape, interface, intact, slip, peak, residual, compression):
+    """Share of (peak - residual) shear strength left after a slip (m) more, where `intact` was left; stresses in Pa."""
+    if by_total_slip(type(shape)):
+        return after(shape, interface, intact, slip, peak, residual, compression)
+    return beside(type(shape), "shear_intact")(shape, interface, intact, slip, peak, residual, compression)
+
+
+def shear_curve(shape, interface, slip, peak, residual, compression):
+    """The same share at a slip (m) beyond the peak, for a law that knows its curve alone."""
     return beside(type(shape), "shear_intact")(shape, interface, slip, peak, residual, compression)
+
+
+@cache
+def by_total_slip(shape_class: type) -> bool:
+    """Whether a law gives its curve in shear over the whole slip, and not what is left of a share."""
+    curve = beside(shape_class, "shear_intact")
+    return "intact" not in signature(getattr(curve, "py_func", curve)).parameters
+
+
+@register_jitable
+def after(shape, interface, intact, slip, peak, residual, compression):
+    """What `shear_intact` answers, by the curve alone: look for the last slip that leaves `intact`, and go on from it.
+
+    By halves, from a micrometre on: as near as numbers come, but with some eighty looks at the curve.
+    """
+    low, high = filled(0.0, intact), filled(1e-6, intact)
+    for _ in range(DOUBLINGS):
+        leaves = shear_curve(shape, interface, high, peak, residual, compression) >= intact
+        if not some(leaves):
+            break
+        low, high = choose(leaves, high, low), choose(leaves, 2.0 * high, high)
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        leaves = shear_curve(shape, interface, middle, peak, residual, compression) >= intact
+        low, high = choose(leaves, middle, low), choose(leaves, high, middle)
+    return shear_curve(shape, interface, low + slip, peak, residual, compression)
 
 
 @overload(tension_intact)
@@ -50,10 +89,22 @@ def _tension_area(shape, interface, opening, intact):
 
 
 @overload(shear_intact)
-def _shear_intact(shape, interface, slip, peak, residual, compression):
-    own, each = fitting(
-        beside(shape.instance_class, "shear_intact"), shape, (shape, interface, slip, peak, residual, compression)
+def _shear_intact(shape, interface, intact, slip, peak, residual, compression):
+    if by_total_slip(shape.instance_class):
+        return after
+    given = (shape, interface, intact, slip, peak, residual, compression)
+    own, each = fitting(beside(shape.instance_class, "shear_intact"), shape, given)
+    return own or (
+        lambda shape, interface, intact, slip, peak, residual, compression: each(
+            (shape, interface, intact, slip, peak, residual, compression)
+        )
     )
+
+
+@overload(shear_curve)
+def _shear_curve(shape, interface, slip, peak, residual, compression):
+    given = (shape, interface, slip, peak, residual, compression)
+    own, each = fitting(beside(shape.instance_class, "shear_intact"), shape, given)
     return own or (
         lambda shape, interface, slip, peak, residual, compression: each(
             (shape, interface, slip, peak, residual, compression)

@@ -22,7 +22,8 @@ PARAMETERS = {
 }
 
 WHY_IN_SHEAR = (
-    "over plastic slip the curve would snap back below cohesion * (peak - residual shear strength) / shear stiffness"
+    "over plastic slip the curve would snap back below cohesion * (peak - residual shear strength) / shear stiffness "
+    '(with softening_variable = "displacement" it cannot)'
 )
 
 
@@ -31,11 +32,11 @@ def refuse(shape, interface, compressions):
     return refuse_in_shear(shape, interface, compressions)
 
 
-def least_mode_2_energy(shape, interface, compression):
-    """Over plastic slip the first slope, (peak - residual) c0/G_II, must stay below ks."""
+def least_mode_2_energy(shape, interface, compression, intact):
+    """Over plastic slip the slope, (peak - residual) intact c0/G_II, must stay below ks."""
     if interface.plastic_softening is None:
         return None
-    return interface.cohesion * lost_in_shear(interface, compression) / interface.shear_stiffness
+    return intact * interface.cohesion * lost_in_shear(interface, compression) / interface.shear_stiffness
 
 
 def tension_intact(shape, interface, opening):
@@ -49,6 +50,6 @@ def tension_area(shape, interface, opening, intact):
     return 0.5 * interface.tensile_strength**2 / interface.normal_stiffness + shape.G_I * (1.0 - intact)
 
 
-def shear_intact(shape, interface, slip, peak, residual, compression):
+def shear_intact(shape, interface, intact, slip, peak, residual, compression):
     """Eq. (17), mended: exp(-(c0/G_II)(us - us0)); tan(phi) follows the cohesion in proportion."""
-    return exp(-interface.cohesion / mode_2_energy(shape.G_II, shape.G_II_slope, compression) * slip)
+    return intact * exp(-interface.cohesion / mode_2_energy(shape.G_II, shape.G_II_slope, compression) * slip)

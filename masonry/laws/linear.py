@@ -34,8 +34,11 @@ def refuse(shape, interface, compressions):
     return refuse_in_shear(shape, interface, compressions)
 
 
-def least_mode_2_energy(shape, interface, compression):
-    """That ul > us0 takes more than the elastic triangle, (peak - residual)^2/(2 ks), by either softening variable."""
+def least_mode_2_energy(shape, interface, compression, intact):
+    """That ul > us0 takes more than the elastic triangle, (peak - residual)^2/(2 ks), by either softening variable.
+
+    The line falls alike at any share that is left.
+    """
     return lost_in_shear(interface, compression) ** 2 / (2.0 * interface.shear_stiffness)
 
 
@@ -55,7 +58,7 @@ def tension_area(shape, interface, opening, intact):
     return shape.G_I - 0.5 * fT * intact * intact * (uf - un0)
 
 
-def shear_intact(shape, interface, slip, peak, residual, compression):
+def shear_intact(shape, interface, intact, slip, peak, residual, compression):
     """Eq. (13): straight from peak at us0 to residual at ul = 2 G_II/(peak - residual) + residual/ks.
 
     Over the plastic slip, which has no elastic part, the same triangle ends at 2 G_II/(peak - residual).
@@ -63,7 +66,7 @@ def shear_intact(shape, interface, slip, peak, residual, compression):
     width = 2.0 * mode_2_energy(shape.G_II, shape.G_II_slope, compression) / (peak - residual)
     if interface.plastic_softening is None:
         width -= (peak - residual) / interface.shear_stiffness
-    return choose(width <= slip, 0.0, 1.0 - slip / width)
+    return choose(width * intact <= slip, 0.0, intact - slip / width)
 
 
 @register_jitable

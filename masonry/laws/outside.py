@@ -19,13 +19,16 @@ GROUP = "masonry.laws"
 CURVES = {
     "tension_intact": ("shape", "interface", "opening"),
     "tension_area": ("shape", "interface", "opening", "intact"),
-    "shear_intact": ("shape", "interface", "slip", "peak", "residual", "compression"),
+    "shear_intact": ("shape", "interface", "intact", "slip", "peak", "residual", "compression"),
 }
+BY_TOTAL_SLIP = tuple(word for word in CURVES["shear_intact"] if word != "intact")
+"""What `shear_intact` may be given as well, by a law that knows its curve alone: see `door.after`."""
 MECHANISM = {
     "quiet": ("shape", "interface", "memory", "opening", "tau_squared"),
     "evolve": ("shape", "interface", "memory", "opening", "total", "tau"),
     "stored": ("shape", "interface", "memory", "opening", "tau_squared"),
 }
+LEAST_ENERGY = ("shape", "interface", "compression", "intact")
 """The functions of a law and of a mechanism of its own, by the names of what they are given."""
 
 
@@ -70,8 +73,10 @@ def _looked_over(found: Plugin) -> OutsideLaw:
         _require_function(where, module, name, words)
     parameters, keys, example = (_table(where, module, name) for name in ("PARAMETERS", "KEYS", "EXAMPLE"))
     _require_fields(where, shapes[0], parameters)
-    if hasattr(module, "least_mode_2_energy") and not {"G_II", "G_II_slope"} <= set(shapes[0]._fields):
-        raise SceneError(f"{where}: least_mode_2_energy goes with fields G_II and G_II_slope")
+    if hasattr(module, "least_mode_2_energy"):
+        _require_function(where, module, "least_mode_2_energy", LEAST_ENERGY)
+        if not {"G_II", "G_II_slope"} <= set(shapes[0]._fields):
+            raise SceneError(f"{where}: least_mode_2_energy goes with fields G_II and G_II_slope")
     shapes[0].__name__ += f"_{package_hash(shapes[0])}"  # two types of one name would be one in compiled code
     for key in keys:
         if key not in parameters.values():
@@ -95,7 +100,7 @@ def _require_function(where: str, module: ModuleType, name: str, words: tuple[st
     if not inspect.isfunction(function):
         raise SceneError(f"{where}: {module.__name__} has no function {wanted}")
     given = tuple(inspect.signature(function).parameters)
-    if given != words:
+    if given != words and not (name == "shear_intact" and given == BY_TOTAL_SLIP):
         raise SceneError(f"{where}: {name}({', '.join(given)}) must be {wanted}, with these names in this order")
 
 

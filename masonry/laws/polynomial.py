@@ -26,7 +26,7 @@ PARAMETERS = {
 
 WHY_IN_SHEAR = (
     "over plastic slip the curve would snap back below exponent_shear * peak * (peak - residual shear strength) / "
-    "(2 shear stiffness)"
+    '(2 shear stiffness) (with softening_variable = "displacement" it cannot)'
 )
 
 
@@ -38,12 +38,13 @@ def refuse(shape, interface, compressions):
     return refuse_in_shear(shape, interface, compressions)
 
 
-def least_mode_2_energy(shape, interface, compression):
-    """Over plastic slip the first slope, (peak - residual) beta/w with w = 2 G_II/peak, must stay below ks."""
+def least_mode_2_energy(shape, interface, compression, intact):
+    """Over plastic slip the slope, (peak - residual) intact^(1 + 1/beta) beta/w with w = 2 G_II/peak, is below ks."""
     if interface.plastic_softening is None:
         return None
     peak = interface.cohesion + compression * interface.tan_friction
-    return shape.beta * peak * lost_in_shear(interface, compression) / (2.0 * interface.shear_stiffness)
+    steepest = shape.beta * peak * lost_in_shear(interface, compression) / (2.0 * interface.shear_stiffness)
+    return steepest * intact ** (1.0 + 1.0 / shape.beta)
 
 
 def tension_intact(shape, interface, opening):
@@ -62,7 +63,7 @@ def tension_area(shape, interface, opening, intact):
     return 0.5 * fT * un0 + post_peak
 
 
-def shear_intact(shape, interface, slip, peak, residual, compression):
-    """Eq. (15), mended: lambda = (w/(w + us - us0))^beta, w = 2 G_II/tau_max."""
+def shear_intact(shape, interface, intact, slip, peak, residual, compression):
+    """Eq. (15), mended: lambda = (w/(w + us - us0))^beta, w = 2 G_II/tau_max; lambda^(-1/beta) = 1 + (us - us0)/w."""
     w = 2.0 * mode_2_energy(shape.G_II, shape.G_II_slope, compression) / peak
-    return (w / (w + slip)) ** shape.beta
+    return (intact ** (-1.0 / shape.beta) + slip / w) ** -shape.beta

@@ -1,7 +1,7 @@
 """Fracture energies in shear below which a law's curve snaps back: refused at input, and looked for during a run.
 
-A law file that has such a limit brings `least_mode_2_energy(shape, interface, compression)`: N/m, at a compression in
-Pa, or None where its curve never snaps back.
+A law file that has such a limit brings `least_mode_2_energy(shape, interface, compression, intact)`: N/m, at a
+compression in Pa and where a share of the strength above the residual is left; None where its curve never snaps back.
 """
 
 from typing import NamedTuple
@@ -23,10 +23,10 @@ class Refusal(NamedTuple):
         return f"{self.least:.6g} {self.unit}".rstrip()
 
 
-def least_mode_2_energy(shape, interface, compression):
-    """The least energy (N/m) of a law at a compression (Pa, number or array), or None where any is enough."""
+def least_mode_2_energy(shape, interface, compression, intact=1.0):
+    """The least energy (N/m) of a law at a compression (Pa) and a share left (numbers or arrays), or None for any."""
     own = beside(type(shape), "least_mode_2_energy")
-    return None if own is None else own(shape, interface, compression)
+    return None if own is None else own(shape, interface, compression, intact)
 
 
 def given_mode_2_energy(shape, compression):

@@ -15,6 +15,8 @@ from masonry.laws.state import Answer, Memory, grown
 
 SECANTS, LEAST_SLOPE = 4, 1e-3
 """Looks at a curve over the plastic slip in a step, and how near to a snap-back the secants still go by it."""
+ROUNDS = 2
+"""Looks at what dilation and softening by the total slip make of each other in a step."""
 
 
 def quiet(shape, interface, memory, opening, tau_squared):
@@ -32,25 +34,17 @@ def evolve(shape, interface, memory, opening, total, tau):
     torn, mode_1 = tear(shape, interface, memory, e)
     sigma = normal_stress(interface, torn, e)
     peak, residual = coulomb(interface, torn, e, sigma)
-    cohesive = shared(interface.combined, torn.intact_n) * (peak - residual)
-    slides = tau > residual + torn.intact_s * cohesive
+    slides = tau > left_of(interface, torn, torn.intact_s, peak, residual)
     if not some(slides):
         return Answer(sigma, filled(1.0, e), torn, mode_1, filled(0.0, e), filled(0.0, e))
 
-    flexibility, compression = 1.0 / interface.shear_stiffness, larger(-sigma, 0.0)
-    beyond = total - peak * flexibility
-    beyond = slip_beyond_peak(
-        interface.plastic_softening, beyond, shape, interface, torn, tau, peak, residual, compression
-    )
-    left = shear_intact(shape, interface, larger(beyond, 0.0), peak, residual, compression)
-    whole = choose(slides & (beyond > 0.0) & (peak > residual), smaller(torn.intact_s, left), torn.intact_s)
+    slip = softening_slip(interface.plastic_softening, shape, interface, torn, e, sigma, tau, peak, residual)
+    whole = choose(slides, softened(shape, interface, torn, slip, peak, residual, sigma), torn.intact_s)
     mode_1 += 0.5 * secant_energy(interface, torn, e) * (torn.intact_s - whole)
     started = smaller(tau, strength(interface, memory, e, sigma))
-    excess = choose(slides, tau - residual - whole * cohesive, 0.0)
-    rise = dilation(interface.tan_dilation, interface, torn, e, excess, whole)
-    peak, last = cone_after(interface.tan_dilation, interface, torn, e - rise, peak, residual)
-    yielded = last + whole * shared(interface.combined, torn.intact_n) * (peak - last)
-    slipped = choose(slides, (tau - yielded) * flexibility, 0.0)
+    rise, peak, last = pressed(interface, torn, e, tau, whole, peak, residual)
+    yielded = choose(slides, left_of(interface, torn, whole, peak, last), tau)
+    slipped, rise = (tau - yielded) / interface.shear_stiffness, choose(slides, rise, 0.0)
     lift_now, run_now = grown(torn.uplift, rise), grown(torn.run, slipped)
     slid = remember(interface, torn.opening_max, torn.intact_n, whole, lift_now, torn.gap, run_now)
     lifted = normal_stress(interface, slid, e - rise)
@@ -188,7 +182,13 @@ def residual_cohesion(interface, memory, e):
 def strength(interface, memory, e, sigma):
     """Shear strength (Pa) that this history leaves at the present stress."""
     peak, residual = coulomb(interface, memory, e, sigma)
-    return residual + memory.intact_s * shared(interface.combined, memory.intact_n) * (peak - residual)
+    return left_of(interface, memory, memory.intact_s, peak, residual)
+
+
+@register_jitable
+def left_of(interface, memory, whole, peak, residual):
+    """Shear strength (Pa) where a share `whole` of it is left in shear."""
+    return residual + whole * shared(interface.combined, memory.intact_n) * (peak - residual)
 
 
 @register_jitable
@@ -200,26 +200,66 @@ def shared(combined, intact):
 
 
 @register_jitable
-def slip_beyond_peak(plastic_softening, beyond, shape, interface, memory, tau, peak, residual, compression):
-    """Softening variable: total slip less the slip at peak (the paper), or the path of plastic slip after this step.
+def softened(shape, interface, memory, slip, peak, residual, sigma):
+    """Share of the shear strength above the residual that is left after a slip (m) of this step; it only falls."""
+    left = shear_intact(shape, interface, memory.intact_s, slip, peak, residual, larger(-sigma, 0.0))
+    return choose((slip > 0.0) & (peak > residual), smaller(memory.intact_s, left), memory.intact_s)
 
-    The plastic slip s of the step and the strength that it leaves depend on each other: s = (tau - strength(s)) / ks is
-    solved by secants, exactly where the strength falls along a line. Taken from before the step, it would lag behind.
-    """
+
+@register_jitable
+def softening_slip(plastic_softening, shape, interface, memory, e, sigma, tau, peak, residual):
+    """How far (m) this step takes a contact along its curve: by the total slip (the paper), or by the plastic slip."""
     if plastic_softening is None:
-        return beyond
-    cohesive = choose(peak > residual, shared(interface.combined, memory.intact_n) * (peak - residual), 0.0)
-    most = larger(tau - residual, 0.0) / interface.shear_stiffness
+        return total_slip(interface.tan_dilation, shape, interface, memory, e, sigma, tau, peak, residual)
+    return plastic_slip(shape, interface, memory, e, sigma, tau, peak, residual)
+
+
+@register_jitable
+def total_slip(tan_dilation, shape, interface, memory, e, sigma, tau, peak, residual):
+    """Tau beyond the strength that was left, over ks.
+
+    In one direction and under constant stress that is all the slip of the step, at first what lies beyond the peak;
+    after a way back it goes on where the contact slides again. Where dilation presses the faces, the strength is that
+    under the new stress.
+    """
+    ks, whole = interface.shear_stiffness, memory.intact_s
+    slip = larger(tau - left_of(interface, memory, whole, peak, residual), 0.0) / ks
+    if tan_dilation is None:
+        return slip
+    for _ in range(ROUNDS):
+        left = softened(shape, interface, memory, slip, peak, residual, sigma)
+        _, top, last = pressed(interface, memory, e, tau, left, peak, residual)
+        slip = larger(tau - left_of(interface, memory, whole, top, last), 0.0) / ks
+    return slip
+
+
+@register_jitable
+def plastic_slip(shape, interface, memory, e, sigma, tau, peak, residual):
+    """The plastic slip s of the step, on which the strength that it leaves depends: s = (tau - strength(s)) / ks.
+
+    Solved by secants, exactly where the strength falls along a line. Taken from before the step, it would lag behind.
+    """
+    ks = interface.shear_stiffness
+    most = larger(tau - residual, 0.0) / ks
     before, slip = filled(0.0, tau), filled(0.0, tau)
     wanted = filled(0.0, tau)
     for _ in range(SECANTS):
-        left = shear_intact(shape, interface, memory.run + slip, peak, residual, compression)
-        left = choose(peak > residual, smaller(memory.intact_s, left), memory.intact_s)
-        last, wanted = wanted, larger(most - left * cohesive / interface.shear_stiffness, 0.0)
+        left = softened(shape, interface, memory, slip, peak, residual, sigma)
+        _, top, last = pressed(interface, memory, e, tau, left, peak, residual)
+        wanted, was = larger(tau - left_of(interface, memory, left, top, last), 0.0) / ks, wanted
         way = slip - before
-        rise = choose(abs(way) > 0.0, (wanted - last) / way, 0.0)
+        rise = choose(abs(way) > 0.0, (wanted - was) / way, 0.0)
         before, slip = slip, smaller(slip + (wanted - slip) / larger(1.0 - rise, LEAST_SLOPE), most)
-    return memory.run + slip
+    return slip
+
+
+@register_jitable
+def pressed(interface, memory, e, tau, whole, peak, residual):
+    """Rise (m) by dilation of a contact that slides and keeps a share `whole`; peak and residual (Pa) under it."""
+    excess = larger(tau - left_of(interface, memory, whole, peak, residual), 0.0)
+    rise = dilation(interface.tan_dilation, interface, memory, e, excess, whole)
+    top, last = cone_after(interface.tan_dilation, interface, memory, e - rise, peak, residual)
+    return rise, top, last
 
 
 @register_jitable

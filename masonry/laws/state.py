@@ -8,11 +8,15 @@ from numba.extending import overload
 
 from masonry.kernels.lanes.room import aligned
 
+TOUCHING = 1e-9
+"""m: a contact that stands open by no more than this counts as closed. It is far above the rounding of displacements
+and far below an opening that matters; without tensile strength it is where faces come apart."""
+
 
 class ContactState(NamedTuple):
     """History of C contact points; None where no law of the group needs it (all of it for an elastic group).
 
-    opening_max   (C,) m, largest opening so far, never below the elastic limit
+    opening_max   (C,) m, largest opening so far, never below the elastic limit or TOUCHING
     intact_n      (C,) share of the tensile strength left, 1 .. 0
     intact_s      (C,) share of the shear strength above the residual left, 1 .. 0
     secant        (C,) Pa/m, stiffness in tension on the way back: follows from the three above, kept so that no step
@@ -76,18 +80,18 @@ def _grown(memory, value):
     return lambda memory, value: None
 
 
-def fresh(elastic_limit: np.ndarray, normal_stiffness: np.ndarray, uplift: bool, gap: bool, run: bool) -> ContactState:
+def fresh(elastic_limit: np.ndarray, normal_stiffness: np.ndarray, dilates: bool, gap: bool) -> ContactState:
     """Memory of contacts that nothing has happened to; elastic_limit (C,) m, normal_stiffness (C,) Pa/m."""
     count = len(elastic_limit)
     none = np.zeros(count)
     return ContactState(
-        opening_max=aligned(elastic_limit),
+        opening_max=aligned(np.maximum(elastic_limit, TOUCHING)),
         intact_n=aligned(np.ones(count)),
         intact_s=aligned(np.ones(count)),
         secant=aligned(np.where(elastic_limit > 0.0, normal_stiffness, 0.0)),
         slip=aligned(np.zeros((count, 3))),
         spent=aligned(np.zeros((count, 3))),
-        uplift=aligned(none) if uplift else None,
+        uplift=aligned(none) if dilates else None,
         gap=aligned(none) if gap else None,
-        run=aligned(none) if run else None,
+        run=aligned(none) if dilates else None,
     )

@@ -67,7 +67,7 @@ class Contact(Table):
     dilation_angle: Angle | None = None
     dilation_cutoff: Length | None = None
     unloading: Literal["secant", "elastic"] = "secant"
-    softening_variable: Literal["displacement", "plastic"] = "displacement"
+    softening_variable: Literal["displacement", "plastic"] | None = None
     coupling: Literal["combined", "independent"] = "combined"
 
     @property
@@ -75,15 +75,17 @@ class Contact(Table):
         """Keys that a law of another package adds (see own_keys.py)."""
         return tuple(key for key in type(self).model_fields if key not in Contact.model_fields)
 
-    def properties(self) -> dict[str, Any]:
-        """SI values by name, as `laws.build.build` takes them."""
+    def properties(self, turns_back: bool = False) -> dict[str, Any]:
+        """SI values by name, as `laws.build.build` takes them; turns_back: whether loading does, where it matters."""
         keys = (
             *("law", "normal_stiffness", "shear_stiffness", "tensile_strength", "cohesion", "tan_friction"),
             *("residual_cohesion", "tan_residual_friction", "fracture_energy_mode_1", "fracture_energy_mode_2"),
             *("fracture_energy_mode_2_slope", "exponent_tension", "exponent_shear", "dilation_angle"),
             *("dilation_cutoff", "unloading", "softening_variable", "coupling", *self.own_keys),
         )
-        return {key: getattr(self, key) for key in keys}
+        found = {key: getattr(self, key) for key in keys}
+        default = "plastic" if turns_back else "displacement"
+        return {**found, "softening_variable": self.softening_variable or default}
 
     @property
     def tan_friction(self) -> float | None:

@@ -53,6 +53,12 @@ class Scene(Table):
         """Whether the drive is paced by its error, and motion is damped against what is expected."""
         return self.drive is not None and self.drive.accuracy is not None
 
+    @property
+    def turns_back(self) -> bool:
+        """Whether the drive turns, or a traction that varies: contacts then soften over the plastic slip by default."""
+        paths = [path.turning_points() for load in self.traction if (path := load.path) is not None]
+        return any(len(path) > 1 for path in paths) or (self.drive is not None and len(self.drive.turns) > 1)
+
     def resolved(self) -> dict[str, Any]:
         """The scene as plain values with SI units, defaults written out; loading it gives the same scene bit by bit.
 

@@ -49,6 +49,12 @@ def law_with_if() -> str:
     return files["bilinear.py"] + "\n" + files["with_if.py"]
 
 
+def law_by_slip() -> str:
+    """The law of the page that knows its curve over the slip alone."""
+    files = files_of_page()
+    return files["bilinear.py"] + "\n" + files["by_slip.py"]
+
+
 @contextmanager
 def on_the_path(*folders: Path) -> Iterator[None]:
     """As if the packages in some folders were installed; those that come first hide others of the same name."""

@@ -23,7 +23,11 @@ BROKEN = {
     ),
     "a leaving": ("EXAMPLE =", "raise SystemExit(3)\nEXAMPLE =", "cannot be loaded: SystemExit"),
     "bad syntax": ("def left(", "def left((", "SyntaxError"),
-    "no curve of shear": ("def shear_intact", "def sheared", "has no function shear_intact(shape, interface, slip"),
+    "no curve of shear": (
+        "def shear_intact",
+        "def sheared",
+        "has no function shear_intact(shape, interface, intact, slip",
+    ),
     "other words": (
         "def tension_intact(shape, interface, opening",
         "def tension_intact(s, i, opening",

@@ -126,7 +126,7 @@ def test_a_dilation_steeper_than_the_residual_friction_is_refused():
 @pytest.mark.parametrize(
     ("name", "slip"),
     [
-        ("linear", 2 * 58.0 / 0.87e6),
+        ("linear", 0.99 * (2 * 58.0 / 0.87e6 - 0.87e6 / 70e9)),
         ("exponential", log(100.0) * 58.0 / 0.87e6),
         ("polynomial", 2 * 58.0 / 0.87e6 * (100.0 ** (1 / 2.5) - 1)),
         ("brittle", 0.0),
@@ -136,6 +136,15 @@ def test_dilation_ends_where_the_cohesion_has_gone_unless_the_scene_says_where(n
     interface = build("unit_unit", {"law": name, **TABLE_1, "fracture_energy_mode_2": 58.0, "dilation_angle": 0.1})[1]
     if name != "brittle":
         assert interface.dilation_cutoff == pytest.approx(slip, rel=1e-12)
+    pressed = build("unit_unit", {"law": name, **TABLE_1, "dilation_angle": 0.1}, (0.0, 1e6))[1]
+    energy, peak, drop = 58.0 + 130.0, 0.87e6 + 1.01e6, 0.87e6 + 0.28e6
+    wanted = {
+        "linear": 0.99 * (2 * energy / drop - drop / 70e9),
+        "exponential": log(100.0) * energy / 0.87e6,
+        "polynomial": 2 * energy / peak * (100.0 ** (1 / 2.5) - 1),
+        "brittle": 0.0,
+    }
+    assert pressed.dilation_cutoff == pytest.approx(wanted[name], rel=1e-12, abs=1e-17)
     given = build("unit_unit", {"law": name, **TABLE_1, "dilation_angle": 0.1, "dilation_cutoff": 1e-4})[1]
     assert given.dilation_cutoff == 1e-4
     frictional = build("unit_unit", {"law": name, **TABLE_1, "dilation_angle": 0.1, "cohesion": 0.0})[1]

@@ -56,7 +56,8 @@ def test_combined_loss_in_tension_lowers_the_cohesion_by_the_same_share():
         kept = float(tension(name, JOINT, 8 * UM)) / JOINT.fT
         assert found.intact_n[-1] == pytest.approx(kept, rel=1e-12)
         slip, residual, peak = found.path[sliding, 0], float(JOINT.residual(0.3e6)), float(JOINT.peak(0.3e6))
-        envelope = np.where(slip > peak / KS, shear(name, JOINT, slip, 0.3e6), peak)
+        first = (residual + kept * (peak - residual)) / KS
+        envelope = shear(name, JOINT, np.maximum(slip - first, 0.0) + peak / KS, 0.3e6)
         wanted = np.minimum(KS * slip, residual + kept * (envelope - residual))
         np.testing.assert_allclose(found.tau[sliding], wanted, rtol=1e-11)
 
@@ -108,13 +109,28 @@ def test_combined_damage_is_dt_plus_ds_less_their_product():
         assert found.sigma[opening[-1]] == pytest.approx((1 - (dt + ds - dt * ds)) * JOINT.fT, rel=1e-9, abs=1e-6)
 
 
-def test_where_the_cone_ends_before_the_cutoff_the_shear_strength_is_zero_and_not_negative():
-    """c/tan(phi) < fT: beyond the apex of the cone a contact still pulls, but holds no shear."""
+def test_tension_ends_at_the_apex_of_the_cone():
+    """c/tan(phi) < fT: a contact would pull where nothing holds a slip."""
+    apex = 0.3e6 / 1.01
     for name in LAWS:
-        found = walk(law(name, cohesion=0.3e6), along([(0, 0, 0), (0, 0, 3 * UM), (10 * UM, 0, 3 * UM)], 0.1 * UM))
-        assert found.sigma[-1] == pytest.approx(3 * UM * KN, rel=1e-12) or found.sigma[-1] <= JOINT.fT
-        assert found.tau[-1] == 0.0
+        weak = law(name, cohesion=0.3e6)
+        found = walk(weak, along([(0, 0, 0), (0, 0, 3 * UM), (10 * UM, 0, 3 * UM)], 0.1 * UM))
+        assert weak[1].tensile_strength == pytest.approx(apex, rel=1e-15)
+        assert found.sigma.max() <= apex * (1 + 1e-12) and found.intact_n[-1] < 1.0
         assert np.isfinite(found.stress).all()
+
+
+@pytest.mark.parametrize("coupling", ["combined", "independent"])
+@pytest.mark.parametrize("strength", [0.0, 1.0])
+@pytest.mark.parametrize("name", LAWS)
+def test_next_to_no_tensile_strength_is_none_and_only_faces_that_come_apart_lose_their_cohesion(
+    name, strength, coupling
+):
+    weak = law(name, tensile_strength=strength, coupling=coupling)
+    closed = walk(weak, along([(0, 0, 0), (0, 0, 0.9e-9), (0, 0, 1e-22), (0, 0, -1 * UM)]))
+    assert closed.intact_n[-1] == 1.0 and not closed.sigma[closed.path[:, 2] > 0].any()
+    apart = walk(weak, along([(0, 0, 0), (0, 0, 1.1e-9), (0, 0, -1 * UM)]))
+    assert apart.intact_n[-1] == 0.0
 
 
 @pytest.mark.parametrize("name", LAWS)

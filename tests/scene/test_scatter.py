@@ -62,7 +62,12 @@ def test_a_property_that_the_law_does_not_read_is_refused():
 
 def test_snap_back_is_refused_for_the_worst_draw_and_the_joint_is_named():
     """Linear law: G_I must be above fT^2/(2 kn), here for a strength that alone scatters."""
-    changes = {"law": "linear", "contact.unit_unit.fracture_energy_mode_1": "0.04 N/m"}
+    changes = {
+        "law": "linear",
+        "contact.unit_unit.fracture_energy_mode_1": "0.04 N/m",
+        "contact.unit_unit.cohesion": "5 MPa",
+        "contact.unit_unit.fracture_energy_mode_2": "2000 N/m",
+    }
     assemble(scene.load("wallette-mode-1", {**changes, "specimen.divisions": [2, 1]}))
     wide = {**changes, "specimen.divisions": [2, 1], "scatter.unit_unit.tensile_strength": 1.0}
     with pytest.raises(SceneError) as error:

@@ -2,12 +2,12 @@
 
     tau      /\\
             /  \\___                 out:   k_s u, then the envelope
-       ____/___/___\\___ u           back:  slope k_s down to -tau(M), on at that strength to -M, then on the mirrored
-          /   /                             envelope;  M = the farthest slip so far
+       ____/___/___\\___ u           back:  slope k_s down to minus the strength left, on along the mirrored
+          /   /                             envelope from where it was left
      ____/___/                      a cycle dissipates its area
 
-The softening variable is the slip from where the joint was made: what has softened one way has softened the other way
-as far, and slides at constant strength until it is farther out than ever. Amplitudes 0.1, 0.2 and 0.4 mm.
+The strength falls along the envelope with all that the joint slips, either way; on the elastic ways between it stays.
+So mode II takes no more than the area above the residual. Amplitudes 0.1, 0.2 and 0.4 mm.
 
 Reference: by hand from eqs (8) and (17) of the paper (verification/cyclic_forms.py).
 """

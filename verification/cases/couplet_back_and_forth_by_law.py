@@ -1,6 +1,6 @@
 """The couplet sheared back and forth with the other laws, and with the path of plastic slip as softening variable.
 
-    softening by displacement:  constant strength back to -M, then on along the envelope (see couplet-back-and-forth)
+    softening by displacement:  on along the envelope by the way made while it slides (see couplet-back-and-forth)
     softening by plastic slip:  tau = tau(r), r = path slid either way; each way back softens from its first slip on
 
 Reference: by hand from eqs (8), (13), (15), (17) of the paper (verification/cyclic_forms.py).

@@ -81,13 +81,11 @@ def contact(interface) -> ContactState:
     """A contact, nine times, that nothing has happened to; only the memory that its options need."""
     if interface.tensile_strength is None:
         return ContactState()
-    dilates = interface.tan_dilation is not None
     return fresh(
         np.full(COUNT, interface.tensile_strength / interface.normal_stiffness),
         np.full(COUNT, interface.normal_stiffness),
-        uplift=dilates,
+        dilates=interface.tan_dilation is not None,
         gap=interface.elastic_unloading is not None,
-        run=dilates or interface.plastic_softening is not None,
     )
 
 
