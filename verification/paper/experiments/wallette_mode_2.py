@@ -31,11 +31,10 @@ BY_HAND = 8.0
 """N/m of section: fracture energy of one straight crack, all of it in tension."""
 CELLS, FIRST = "218 cells", "failure mode 1"
 PLATES = (
-    "the paper does not say whether its plates turn. Rates set at all gridpoints of a side would hold it upright; "
-    "but then "
-    "three sections (at 125, 250 and 375 mm) compete, and in most divisions into cells two of them share the wall "
-    "with half "
-    "a crack each (see the size of the blocks). One almost vertical crack is what a hinge gives, and so it is shipped"
+    "the paper does not say it in so many words. Rates set at all gridpoints of a side would hold it upright; then "
+    "three sections (at 125, 250 and 375 mm) compete, and in the regular grid two share the wall until one wins. How "
+    "often one section has the crack to itself, see the size of the blocks. On a hinge it nearly always has, and so it "
+    "is shipped"
 )
 
 
