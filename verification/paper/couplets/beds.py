@@ -107,8 +107,8 @@ def at_once(by_model: dict[str, dict[int, Cracks]], peaks: dict[str, dict[int, f
         f"peak over that of the tests with {words((*RATIOS, SHIPPED), 'd')} times the strength: "
         + "; ".join(f"{model} {words(by.values(), '.2f')}" for model, by in peaks.items()),
         bool(both),
-        "a bed as weak as its interfaces cracks, and carries a sixth too little; from twice their strength on it "
-        "carries enough and stays whole. Table 2, which had both, is lost",
+        "a bed as weak as its interfaces cracks, and carries a tenth to a sixth too little; from twice their strength "
+        "on it carries enough and stays whole. Table 2, which had both, is lost",
     )
 
 
