@@ -66,7 +66,7 @@ def runs(quick: bool) -> dict[str, Run]:
     if not quick:
         made |= {ended(cutoff): Run(MODE_1, {CUTOFF: cutoff}) for cutoff in CUTOFFS}
         made |= {
-            "affine units": Run(MODE_1, AFFINE, True),
+            "affine units": Run(MODE_1, AFFINE),
             "affine units, right plate on a hinge": Run(MODE_1, {**AFFINE, **HINGED}, True),
             RATE: Run(MODE_1, PAPERS_RATE),
         }
