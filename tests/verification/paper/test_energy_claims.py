@@ -5,6 +5,7 @@ import pytest
 
 from tests.verification.paper.test_curve_shapes import PEAK, curve
 from tests.verification.paper.test_size_claims import LENGTH, cracked
+from verification.paper.walls.common import rate_claim
 from verification.paper.walls.curve_shape import tail
 from verification.paper.walls.energy_claims import drastic_claim, pattern_claim, residual_claim, smooth_claim
 
@@ -45,3 +46,17 @@ def test_a_crack_that_moves_by_half_a_unit_is_another_pattern_and_the_same_one_i
     assert pattern_claim("cells", {1: here, 2.5: there}).holds
     same = pattern_claim("cells", {1: here, 2.5: cracked(LENGTH)})
     assert not same.holds and same.why
+
+
+@pytest.mark.parametrize(("ends", "kinetic", "holds"), [(0.01, 0.01, True), (0.03, 0.01, False), (0.01, 0.06, False)])
+def test_a_rate_is_quasi_static_by_the_limits_of_every_run_and_says_how_far_it_is_from_the_accuracy(
+    ends, kinetic, holds
+):
+    shipped, constant = curve(SOFT), curve(1.02 * SOFT)
+    constant.summary |= {
+        "peak_stress_pa": 1.02 * PEAK,
+        "reaction_mismatch_max": ends,
+        "kinetic_over_internal_max": kinetic,
+    }
+    claim = rate_claim(shipped, constant, "5")
+    assert claim.holds is holds and "peak +2 %" in claim.measured

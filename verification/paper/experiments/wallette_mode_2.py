@@ -93,8 +93,7 @@ def softening_claim(second: Mapping[str, Result], first: Result) -> Claim:
     return Claim(
         "A completely different curve from the first failure mode: steep softening",
         "5.2, Fig. 13",
-        "falls to half the peak in < half the displacement of mode 1, and at twice the displacement of the peak less of "
-        "it is left",
+        "falls to half the peak in < half the displacement of mode 1; at twice that of the peak less is left",
         f"{'; '.join(f'{n}: {half[n]:.3f} mm, {percent(left[n])}' for n in second)}; mode 1: {before[0]:.3f} mm, "
         f"{percent(before[1])}. Left at {end * MILLI:.1f} mm: "
         + ", ".join(f"{percent(share)} ({n})" for n, share in late.items()),

@@ -79,7 +79,7 @@ def residual_claims(shipped: Result, hinge: Result) -> list[Claim]:
         Claim(
             "The mechanism yields a residual stress, from shear of the bed joints",
             "5.1, Fig. 10",
-            f"stress at the end > 0, and within {percent(ALIKE)} of the shear in the broken bed joints over the section",
+            f"stress at the end > 0, and within {percent(ALIKE)} of the shear of broken bed joints over the section",
             f"{ends[0]:.4f} MPa, bed joints {sheared[0]:.4f} MPa; on a hinge: {ends[1]:.4f}, {sheared[1]:.4f}",
             alike,
             "" if alike else "something else carries load",
