@@ -67,7 +67,7 @@ def picture(done: Done) -> Figure:
             run = label(pair, sigma)
             mark, colour = MARK[crack_of(done, run).word]
             one.plot(*pair, mark, color=colour, markersize=11, markeredgewidth=3.0)
-            one.annotate(f"{1e-6 * done.peak(run):.2f} MPa", pair, (9, -3), textcoords="offset points", fontsize=8)
+            one.annotate(f"{1e-6 * done.peak(run):.2f} MPa", pair, (11, -3), textcoords="offset points", fontsize=8)
         across, wall = np.linspace(0.15, 0.65, 30), wall_by_hand(done, label(ASSUMED, sigma))
         for way, style in (("brittle", "--"), ("plastic", ":")):
             limits = [even(wall, 1e6 * x, way) for x in across]

@@ -26,7 +26,7 @@ QUICK = {ACCURACY: "3 %"}
 """At 4 % the two ends of the stepped wall differ by 2.1 % for a moment."""
 SUDDEN = "strong units give way at once"
 GIVE_WAY = tuple(pair for pair in STRENGTHS if pair[0] > ASSUMED[0] and pair[1] >= 8 * pair[0])
-"""Of these the two ends differ by 2.1 to 3.1 % of the peak for a moment past it."""
+"""Of these the two ends differ by up to 3.1 % of the peak for a moment past it."""
 INTRODUCTION = (
     "A wall of six courses in four-point bending about an upright axis, and the same under a pressure on its bed "
     "joints. The drawing of the test (Fig. 20) and the column of tensile strengths of Table 5 are lost. Shown are the "
