@@ -6,7 +6,7 @@ The error is the larger one of those in the peak and in the dissipated energy.
 import numpy as np
 import pytest
 
-from benchmarks.equal_steps import CONVERGED, LADDER
+from benchmarks.equal_steps import CONVERGED, LADDER, RIG
 from masonry import laboratory
 from masonry.scene import load
 
@@ -28,7 +28,7 @@ def steps_for(name: str, damping: float, error: float) -> float:
 
 def run(name: str, **over) -> tuple[dict, int, float]:
     """Summary, steps of the drive, and error."""
-    scene = load(name, {key.replace("__", "."): value for key, value in over.items()})
+    scene = load(name, RIG.get(name, {}) | {key.replace("__", "."): value for key, value in over.items()})
     summary = laboratory.run(scene).summary
     assert not summary["stopped"]
     energy = summary["energy_j"]
@@ -56,7 +56,7 @@ def test_an_accuracy_is_kept_with_a_third_of_the_steps_of_a_constant_rate(name, 
 def test_seconds_of_stepping(figure):
     seconds = [run("wallette-mode-1", drive__accuracy=0.01)[0]["seconds_run"] for _ in range(5)]
     spread = float(np.quantile(seconds, 0.75) / min(seconds) - 1.0)
-    figure("wallette-mode-1 at 1 %: seconds of stepping", min(seconds), "s", 2.0, 0.5, spread)
+    figure("wallette-mode-1 on a hinge at 1 %: seconds of stepping", min(seconds), "s", 2.0, 0.5, spread)
 
 
 @pytest.mark.slow

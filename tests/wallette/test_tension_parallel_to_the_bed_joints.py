@@ -60,12 +60,41 @@ def test_mode_1_hardly_feels_the_loading_rate():
     assert dissipated(slow) == pytest.approx(dissipated(fast), rel=0.02)
 
 
-@pytest.mark.parametrize(("name", "rate"), [("wallette-mode-1", "1 mm/s"), ("wallette-mode-2", "0.5 mm/s")])
-def test_a_shipped_wallette_finds_in_fewer_steps_what_a_slow_constant_rate_finds(name, rate):
-    shipped, constant = run(name), run(name, f"drive.rate={rate}")
+HINGE = 'support.1.fix=["y"]'
+"""Mode 1 in the rig of mode 2: the right plate hangs on a hinge."""
+
+
+def test_mode_2_finds_in_fewer_steps_what_a_slow_constant_rate_finds():
+    shipped, constant = run("wallette-mode-2"), run("wallette-mode-2", "drive.rate=0.5 mm/s")
     assert shipped.summary["steps"] < 0.4 * constant.summary["steps"]
     assert shipped.summary["peak_stress_pa"] == pytest.approx(constant.summary["peak_stress_pa"], rel=0.01)
     assert dissipated(shipped) == pytest.approx(dissipated(constant), rel=0.01)
+
+
+def test_mode_1_as_shipped_finds_what_a_slow_constant_rate_finds():
+    shipped, constant = run("wallette-mode-1"), run("wallette-mode-1", "drive.rate=0.5 mm/s")
+    assert shipped.summary["peak_stress_pa"] == pytest.approx(constant.summary["peak_stress_pa"], rel=0.01)
+    assert dissipated(shipped) == pytest.approx(dissipated(constant), rel=0.01)
+
+
+def test_mode_1_falls_smoothly_upright_and_rests_before_one_last_fall_on_a_hinge():
+    upright, hinge = (steepest_late_fall(run("wallette-mode-1", *rig)) for rig in ((), (HINGE,)))
+    assert upright < 0.1 < hinge
+
+
+def steepest_late_fall(result: Result) -> float:
+    """Largest fall within 5 um of displacement, from twice the displacement of the peak on, over the peak."""
+    rows, peak = result.history.rows, result.summary["peak_stress_pa"]
+    u = np.arange(2.0 * result.summary["displacement_at_peak_m"], rows["displacement"][-1] - 5e-6, 1e-6)
+    early, late = (np.interp(at, rows["displacement"], rows["stress"]) for at in (u, u + 5e-6))
+    return float((early - late).max() / peak)
+
+
+@pytest.mark.parametrize("name", ["wallette-mode-1", "wallette-mode-1-218"])
+def test_where_dilation_ends_moves_what_is_left_of_mode_1_and_not_its_peak(name):
+    short, long = (run(name, f"contact.unit_unit.dilation_cutoff={cutoff} mm") for cutoff in ("0.05", "0.2"))
+    assert long.summary["peak_stress_pa"] == pytest.approx(short.summary["peak_stress_pa"], rel=1e-3)
+    assert long.summary["final_stress_pa"] > 2.0 * short.summary["final_stress_pa"] > 0.0
 
 
 def test_mode_2_peaks_below_the_bound_of_all_sections_at_their_strength():

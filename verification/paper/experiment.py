@@ -9,6 +9,7 @@ from typing import Any
 from masonry import __version__
 from masonry.kernels.compiler import source_hash
 from masonry.results import Result, load_history
+from verification.paper.misprints import Misprint
 from verification.report.page import Chapter, Verdict
 
 ACCURACY = "drive.accuracy"
@@ -77,12 +78,13 @@ def answer(holds: bool, why: str) -> tuple[bool, str]:
 
 @dataclass
 class Section:
-    """What an experiment shows: pieces of HTML, claims, numbers to keep, and verdicts beside that on the claims."""
+    """What an experiment shows: HTML, claims, numbers to keep, verdicts beside that on the claims, and misprints."""
 
     parts: list[str] = field(default_factory=list)
     claims: list[Claim] = field(default_factory=list)
     records: list[dict[str, Any]] = field(default_factory=list)
     verdicts: list[Verdict] = field(default_factory=list)
+    misprints: list[Misprint] = field(default_factory=list)
 
 
 class Missing(Exception):

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from masonry.progress import duration
 from verification.paper.experiment import Claim, Shown
+from verification.paper.misprints import misprint_table
 from verification.report import cover
 from verification.report.page import Cell, Chapter, Link, Verdict, heading, paragraph, table
 
@@ -26,7 +27,7 @@ def chapters(shown: Sequence[Shown]) -> list[Chapter]:
 
 
 def tables(shown: Sequence[Shown]) -> list[str]:
-    """The claims of the paper by experiment, and below them those on our runs."""
+    """The claims of the paper by experiment; below them its misprints, and what must hold of our runs."""
     claims = [table(HEADER, [row(c) for c in s.section.claims], s.experiment.title) for s in shown if s.section.claims]
     sound = [
         [Link(s.experiment.title, s.experiment.name), Cell(c.says, "claim"), *row(c)[2:]]
@@ -35,6 +36,7 @@ def tables(shown: Sequence[Shown]) -> list[str]:
     ]
     return [
         *claims,
+        *([misprint_table(misprints)] if (misprints := [m for s in shown for m in s.section.misprints]) else []),
         heading("How sound the runs are"),
         table(("experiment", "what must hold", "check", "measured", ""), sound),
     ]
@@ -51,6 +53,7 @@ def chapter(one: Shown) -> Chapter:
     """The page of an experiment: its pictures, then its claims."""
     made = one.as_chapter()
     made.parts += [heading("Claims"), table(HEADER, [row(c) for c in one.section.claims])] if one.section.claims else []
+    made.parts += [misprint_table(one.section.misprints)] if one.section.misprints else []
     made.parts.append(paragraph(f"{one.count} runs, {duration(one.seconds)} of computing.", "note"))
     return made
 

@@ -46,6 +46,7 @@ RULES: dict[str, Callable[[Any], dict[str, Any]]] = {
     "exponent_tension": _to(2.0, 4.0),
     "exponent_shear": _to(2.1, 2.9),
     "dilation_angle": _to("0 deg", "2 deg", "4 deg"),
+    "dilation_cutoff": _times(0.4, 2, 4, 9.2, unit=" m"),
     "density": _times(0.5, 2, unit=" kg/m^3"),
     "young_modulus": _times(0.5, 2, unit=" Pa"),
     "poisson_ratio": _to(0.1, 0.3),
@@ -136,7 +137,8 @@ def options(name: str) -> list[Variation]:
         return {f"contact.{g}.{key}": value for g in groups if g in among}
 
     dilates = everywhere("dilation_angle", "2 deg", JOINTS)
-    cutoffs = ("10 um", "100 um", "1 mm")
+    assumed_already = any(key.endswith(".dilation_cutoff") for key in loaded.assumptions)
+    cutoffs = () if assumed_already else ("10 um", "100 um", "1 mm")
     return [
         Variation("softening_variable", "plastic", everywhere("softening_variable", "plastic"), {}),
         Variation("coupling", "independent", everywhere("coupling", "independent"), {}),

@@ -13,7 +13,7 @@ from tests.results.sample import DEPTH, HEIGHT
 from tests.verification.paper.test_crack_paths import parted
 from verification.paper.bending.by_hand import Wall, edge_moment, wall_of
 from verification.paper.bending.crack import CRACKED, flexural_crack
-from verification.paper.bending.runs import ASSUMED, PATTERNED, SCENES, STRENGTHS, strengths
+from verification.paper.bending.runs import ASSUMED, RATIOS, SCENES, STRENGTHS, WEAKER, strengths
 from verification.paper.bending.strength_map import even
 from verification.paper.experiment import Run
 from verification.paper.experiments import bending
@@ -47,7 +47,7 @@ def test_without_strength_in_tension_only_bed_joints_carry():
 
 
 def test_the_wall_of_a_scene_has_friction_under_its_pressure():
-    free, pressed = (wall_of(scene.load(name, strengths(*ASSUMED))) for name in SCENES.values())
+    free, pressed = (wall_of(scene.load(name, strengths(*WEAKER))) for name in SCENES.values())
     assert astuple(free) == pytest.approx(astuple(WALL))
     assert pressed.shear - free.shear == pytest.approx(0.25e6)
 
@@ -59,8 +59,9 @@ def test_on_the_line_of_the_map_both_cracks_carry_the_same(way):
     assert getattr(wall, way)((3, 0)) == pytest.approx(getattr(wall, way)((0, 5)))
 
 
-def test_the_strengths_of_the_map_are_the_assumed_ones_and_half_of_them_to_either_side():
-    assert len(STRENGTHS) == 9 and {ASSUMED, PATTERNED} <= set(STRENGTHS)
+def test_the_map_holds_the_shipped_strengths_and_units_up_to_ten_times_as_strong_as_joints():
+    assert {ASSUMED, WEAKER} <= set(STRENGTHS) and max(RATIOS) == 10
+    assert {round(units / joints, 9) for joints, units in STRENGTHS} == set(RATIOS)
     loaded = scene.load("bending-0", strengths(*ASSUMED))
     assert loaded.contact == scene.load("bending-0").contact
 
@@ -94,5 +95,6 @@ def test_from_behind_right_is_left_and_the_viewer_stands_opposite():
 
 def test_only_walls_of_strong_units_are_said_to_give_way_at_once():
     sudden = [run for run in bending.runs(False).values() if run.sudden]
-    assert all(run.settings["contact.within_units.tensile_strength"] == "2.25 MPa" for run in sudden)
-    assert 0 < len(sudden) < 5 and not Run("couplet").sudden
+    strong = {"4 MPa", "4.5 MPa", "5 MPa"}
+    assert {run.settings["contact.within_units.tensile_strength"] for run in sudden} == strong
+    assert len(sudden) == 6 and not Run("couplet").sudden

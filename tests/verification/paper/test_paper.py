@@ -11,6 +11,7 @@ from verification.paper import catalogue, command, gathering, page
 from verification.paper.experiment import ACCURACY, Claim, Done, Experiment, Missing, Run, Section, Shown
 from verification.paper.experiments import sensitivity
 from verification.paper.soundness import HALVED, soundness
+from verification.paper.variations import assumed, options
 
 EXPERIMENTS = catalogue.catalogue()
 SOUND = {"status": "OK", "reason": "", "seconds": 1.0, "energy_imbalance": 1e-14, "reaction_mismatch_max": 0.001}
@@ -87,6 +88,13 @@ def test_the_verdict_counts_what_holds_and_the_page_gives_the_reason_of_what_doe
     assert "Of 2 claims 1 hold, 1 do not" in page.verdict([made]).sentence and page.verdict([made]).kind == "warn"
     text = page.html_of([made], 1.0, quick=False)
     assert "because of &amp; c" in text and "2 &lt;MPa&gt;" in text and "http" not in text.partition("<body>")[2]
+
+
+def test_the_end_of_dilation_is_varied_once_where_it_is_assumed_and_as_an_option_elsewhere():
+    ends = [v for v in assumed("wallette-mode-1")[0] if v.entry == "contact.unit_unit.dilation_cutoff"]
+    assert [v.label for v in ends] == ["x0.4", "x2", "x4", "x9.2"]
+    assert not [v for v in options("wallette-mode-1") if v.entry == "dilation_cutoff"]
+    assert [v for v in options("wallette-mode-2") if v.entry == "dilation_cutoff"]
 
 
 @pytest.fixture(scope="module")

@@ -3,14 +3,14 @@
 import numpy as np
 
 from masonry.results import Result
-from verification.paper.bending.runs import ASSUMED, PATTERNED, SCENES, SEEDS, STRENGTHS, label, name_of
+from verification.paper.bending.runs import ASSUMED, SCENES, SEEDS, STRENGTHS, WEAKER, label, name_of
 from verification.paper.bending.strength_map import crack_of
 from verification.paper.experiment import Claim, Done, answer
 
 FREE, PRESSED = SCENES
 LOST = (
     "the column fT of Table 5 is lost; by hand the straight crack is the weaker one unless units are some six times as "
-    "strong as joints. It is no error of solving: see the rows on accuracy, contact points and cells"
+    "strong as joints, and near that the cells decide"
 )
 
 
@@ -21,42 +21,43 @@ def claims(done: Done) -> list[Claim]:
 
 
 def modes(done: Done) -> list[Claim]:
-    """The two patterns, with the strengths that were assumed."""
+    """The two patterns, with the strengths that are shipped, which were chosen for them."""
     rows = (
         ("Without pre-compression the crack is stepped", "7, Fig. 22a", FREE, "stepped"),
         ("Under 0.25 MPa the failure is mixed: cracked units and open head joints", "7, Fig. 22b", PRESSED, "mixed"),
     )
     made = []
     for says, source, sigma, word in rows:
-        assumed, other = (crack_of(done, label(pair, sigma)) for pair in (ASSUMED, PATTERNED))
-        check = f"units cracked in {'no course' if word == 'stepped' else 'one or two of six courses'}, as assumed"
-        measured = f"{assumed.sentence()}. With {name_of(PATTERNED)} {other.sentence()}"
+        assumed, other = (crack_of(done, label(pair, sigma)) for pair in (ASSUMED, WEAKER))
+        count = "no course" if word == "stepped" else "one or two of six courses"
+        check = f"units cracked in {count}, {name_of(ASSUMED)} (chosen for this)"
+        measured = f"{assumed.sentence()}. With {name_of(WEAKER)} {other.sentence()}"
         wider = "" if word == "stepped" else ". A straight crack, too, goes through units and head joints"
         made.append(Claim(says, source, check, measured, *answer(assumed.word == word, LOST + wider)))
     return made
 
 
 def pattern_changes(done: Done) -> Claim:
-    """Whether any of the pairs of strengths gives both patterns."""
-    tried = (ASSUMED, PATTERNED) if done.quick else STRENGTHS
+    """Which of the pairs of strengths give both patterns."""
+    tried = (ASSUMED, WEAKER) if done.quick else STRENGTHS
     words = {pair: tuple(crack_of(done, label(pair, sigma)).word for sigma in SCENES) for pair in tried}
     both = [pair for pair, word in words.items() if word == ("stepped", "mixed")]
     return Claim(
         "The failure changes from stepped to mixed with the pre-compression",
         "7, Fig. 22",
-        f"it does with one at least of {len(tried)} pairs of strengths within 50 % of the assumed ones",
+        f"it does with the shipped strengths; {len(tried)} pairs were tried, units 3 to 10 times as strong as joints",
         f"{len(both)} of {len(tried)}: {'; '.join(map(name_of, both)) or 'none'}",
-        *answer(bool(both), "no pair gives both patterns"),
+        *answer(ASSUMED in both, LOST),
     )
 
 
 def tension_leads(done: Done) -> Claim:
     """What broke the head joints of the stepped crack."""
-    opened = crack_of(done, label(PATTERNED, FREE)).opened
+    opened = crack_of(done, label(ASSUMED, FREE)).opened
     return Claim(
         "In the stepped crack head joints fail by flexural tension",
         "7, Fig. 22a",
-        f"broken area of head joints that lost more by tension than by shear: > 90 %, {name_of(PATTERNED)}",
+        f"broken area of head joints that lost more by tension than by shear: > 90 %, {name_of(ASSUMED)}",
         f"{opened:.0%}",
         *answer(opened > 0.9, "head joints slide as they open"),
     )
@@ -95,7 +96,7 @@ def held_below(done: Done) -> Claim:
 def cells(done: Done) -> Claim:
     """Other random cells in the units."""
     same, spread = [], []
-    for pair in (ASSUMED, PATTERNED):
+    for pair in (ASSUMED, WEAKER):
         for sigma in SCENES:
             names = [label(pair, sigma), *(label(pair, sigma, f"cells {seed}") for seed in SEEDS)]
             peaks = np.array([done.peak(name) for name in names])

@@ -42,7 +42,7 @@ def parts(done: Done) -> list[str]:
             low, high = wall_by_hand(done, run).bounds()
             numbers = (f"{1e-6 * value:.3g}" for value in (low, peak, high))
             shares = (f"{100 * crack.unit_share:.0f} %", f"{crack.shares['bed joints']:.2f}")
-            name = f"{pair[0]:g} / {pair[1]:g}" + (", as assumed" if pair == ASSUMED else "")
+            name = f"{pair[0]:g} / {pair[1]:g}" + (", as shipped" if pair == ASSUMED else "")
             rows.append([name, sigma, *numbers, crack.word, str(crack.through), *shares])
     header = (
         "fT interface / units [MPa]",
@@ -62,17 +62,17 @@ def picture(done: Done) -> Figure:
     """A panel for each pre-compression."""
     figure, axes = sheet(1, len(SCENES), (10.0, 4.4), sharey=True)
     for one, sigma in zip(axes.flat, SCENES, strict=True):
-        one.set(title=f"pre-compression {sigma}", xlabel="tensile strength of interfaces [MPa]", xlim=(0.1, 0.9))
+        one.set(title=f"pre-compression {sigma}", xlabel="tensile strength of interfaces [MPa]", xlim=(0.15, 0.65))
         for pair in STRENGTHS:
             run = label(pair, sigma)
             mark, colour = MARK[crack_of(done, run).word]
             one.plot(*pair, mark, color=colour, markersize=11, markeredgewidth=3.0)
-            one.annotate(f"{1e-6 * done.peak(run):.2f} MPa", pair, (9, -3), textcoords="offset points", fontsize=8)
-        across, wall = np.linspace(0.1, 0.9, 30), wall_by_hand(done, label(ASSUMED, sigma))
+            one.annotate(f"{1e-6 * done.peak(run):.2f} MPa", pair, (11, -3), textcoords="offset points", fontsize=8)
+        across, wall = np.linspace(0.15, 0.65, 30), wall_by_hand(done, label(ASSUMED, sigma))
         for way, style in (("brittle", "--"), ("plastic", ":")):
             limits = [even(wall, 1e6 * x, way) for x in across]
             one.plot(across, np.array(limits) * 1e-6, style, color="0.4", linewidth=1.2, label=f"by hand, {way}")
-        one.set_ylim(0.4, 3.0)
+        one.set_ylim(0.4, 5.5)
         for word, (mark, colour) in MARK.items():
             one.plot([], [], mark, color=colour, markersize=8, markeredgewidth=2.5, label=word)
     axes[0, 0].set_ylabel("tensile strength of units [MPa]")

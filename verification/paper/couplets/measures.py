@@ -34,7 +34,11 @@ def work_to(rows: Rows, displacement: float) -> float:
 
 def plateau(rows: Rows, share: float = 0.2) -> float:
     """Mean stress (Pa) over the last share of the way."""
-    u, tau = driven(rows)
+    return mean_late(*driven(rows), share)
+
+
+def mean_late(u: np.ndarray, tau: np.ndarray, share: float = 0.2) -> float:
+    """Mean of a stress (Pa) over the last share of displacements (m) that grow."""
     last = u >= (1.0 - share) * u[-1]
     return float(np.trapezoid(tau[last], u[last]) / np.ptp(u[last]))
 

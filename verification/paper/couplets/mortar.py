@@ -2,10 +2,12 @@
 
 from typing import Any
 
-from verification.closed_forms import Joint
+import numpy as np
+
+from verification.closed_forms import Joint, shear
 from verification.paper.couplets.checked import checked, unknown
 from verification.paper.couplets.laws import CONFINEMENTS, words
-from verification.paper.couplets.measures import plateau, strength_line
+from verification.paper.couplets.measures import Rows, driven, mean_late, plateau, strength_line
 from verification.paper.couplets.setups import OTHERS
 from verification.paper.experiment import ACCURACY, Claim, Done, Run
 
@@ -17,13 +19,11 @@ MACRO: dict[str, Any] = {
     "material.units.young_modulus": "16.7 GPa",
     "material.mortar.young_modulus": "2.9 GPa",
 }
-SHORTER = {"drive.displacement": "0.4 mm"}
-"""For other seeds: beyond, a broken cell of one of them turns by more than small rotations allow."""
 CAREFUL = {ACCURACY: "0.5 %"}
 """Where at 1 % the forces at both ends come close to differing by 2 %."""
 SEMI_RIGID, OF_BRICK = "coarse, semi-rigid, {}", "coarse, macro stiffness, {}"
 CAPACITY, RESIDUAL = 0.10, 0.10
-"""Tolerances against the strength and the plateau that the tests had."""
+"""Tolerances against the strength of the tests, and the plateau of the joint that was fitted to them."""
 
 
 def name(size: str, confinement: str, seed: int = 1) -> str:
@@ -44,7 +44,7 @@ def runs(quick: bool) -> dict[str, Run]:
     for size, scene in SIZES.items():
         for seed in SEEDS[1:]:
             for c in (LOW, HIGH):
-                given = {"confinement": c, "specimen.mortar.cells.seed": seed, **SHORTER}
+                given = {"confinement": c, "specimen.mortar.cells.seed": seed}
                 made[name(size, c, seed)] = Run(scene, given)
     for c in (LOW, HIGH):
         made[SEMI_RIGID.format(c)] = Run(SIZES["coarse"], {"confinement": c, "kinematics": "affine", **CAREFUL})
@@ -62,9 +62,10 @@ def records(done: Done) -> list[dict[str, Any]]:
     made = []
     for label, c in ((name(s, c), c) for s in SIZES for c in known(done, s)):
         sigma = CONFINEMENTS[c]
-        rest = plateau(done[label].history.rows)
-        found = (("peak", done.peak(label), Joint().peak(sigma)), ("plateau", rest, Joint().residual(sigma)))
-        made += [done.record(label, q, value, "Pa", float(test), "tests, Table 1") for q, value, test in found]
+        rows = done[label].history.rows
+        law = plateau_of_law(rows, sigma)
+        found = (("peak", done.peak(label), Joint().peak(sigma)), ("plateau", plateau(rows), law))
+        made += [done.record(label, q, value, "Pa", float(test), "joint of Table 1") for q, value, test in found]
     return made
 
 
@@ -82,9 +83,8 @@ def capacity(done: Done) -> Claim:
         f"peak within {CAPACITY:.0%} of the tests' line, Table 1: 0.971 / 1.375 / 1.880 MPa",
         "; ".join(f"{s} {words(r)} of it" for s, r in ratios.items()),
         all(abs(r - 1.0) <= CAPACITY for values in ratios.values() for r in values),
-        "Table 2 is lost, and the line of the tests is given to the contacts. The shear tips the bed between the "
-        "units: at the peak a third to a half of the interfaces is in tension, and much of the rest has softened (see "
-        "the row on uniform stress). Half the loading error, other seeds and semi-rigid blocks do not change that",
+        "Table 2 is lost, and the line of the tests is given to the interfaces. The shear tips the bed between the "
+        "units, so that stress is not uniform (see that row), and a bed as weak as its interfaces cracks as well",
     )
 
 
@@ -104,25 +104,32 @@ def line(done: Done) -> Claim:
             f"{s} {c / 1e6:.3f} MPa ({off[s][0]:+.0%}), {t:.3f} ({off[s][1]:+.0%})" for s, (c, t) in found.items()
         ),
         all(abs(v) <= CAPACITY for pair in off.values() for v in pair),
-        f"what a test measures is not what its joint has. {OTHERS}. Here more is lost under high confinement, where "
-        "the bed cracks as a row of struts",
+        f"what a test measures is not what its joint has. {OTHERS}",
     )
 
 
+def plateau_of_law(rows: Rows, compression: float) -> float:
+    """What the joint of Table 1 carries (Pa) over the same slips as `plateau` looks at: its tail is not over there."""
+    u, _ = driven(rows)
+    return mean_late(u, np.asarray(shear("exponential", Joint(), u, compression)))
+
+
 def residual(done: Done) -> Claim:
-    """The plateau against that of the tests."""
+    """The plateau against that of the joint that was fitted to the tests."""
     means = {s: [plateau(done[name(s, c)].history.rows) for c in known(done, s)] for s in SIZES}
-    wanted = {s: [float(Joint().residual(CONFINEMENTS[c])) for c in known(done, s)] for s in SIZES}
+    wanted = {
+        s: [plateau_of_law(done[name(s, c)].history.rows, CONFINEMENTS[c]) for c in known(done, s)] for s in SIZES
+    }
     ratios = {s: [m / w for m, w in zip(means[s], wanted[s], strict=True)] for s in SIZES}
     return checked(
         "Good agreement of the meso-models with the tests in the residual plateau",
         "4, Fig. 7",
-        f"mean stress from 0.4 to 0.5 mm within {RESIDUAL:.0%} of sigma tan(phi_res): 0.073 / 0.365 / 0.730 MPa",
+        f"mean stress from 0.4 to 0.5 mm within {RESIDUAL:.0%} of that of the two blocks of Fig. 6 there, "
+        f"{words(w / 1e6 for w in wanted['coarse'])} MPa",
         "; ".join(f"{s} {words(m / 1e6 for m in means[s])} MPa ({words(ratios[s], '.2f')} of it)" for s in SIZES)
         + other_plateaus(done),
         all(abs(r - 1.0) <= RESIDUAL for values in ratios.values() for r in values),
-        "the crack changes from one interface to the other through the bed, and cells that wedge there carry shear "
-        "beside friction. How many do is chance: other seeds differ",
+        "cells that wedge in the bed carry shear beside friction. How many do is chance: other seeds differ",
     )
 
 

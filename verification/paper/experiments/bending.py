@@ -10,11 +10,11 @@ from verification.paper.bending import claims, patterns, strength_map
 from verification.paper.bending.runs import (
     ASSUMED,
     GAUGE,
-    PATTERNED,
     POINTS,
     SCENES,
     SEEDS,
     STRENGTHS,
+    WEAKER,
     label,
     strengths,
 )
@@ -25,22 +25,24 @@ from verification.report import page
 QUICK = {ACCURACY: "3 %"}
 """At 4 % the two ends of the stepped wall differ by 2.1 % for a moment."""
 SUDDEN = "strong units give way at once"
+GIVE_WAY = tuple(pair for pair in STRENGTHS if pair[0] > ASSUMED[0] and pair[1] >= 8 * pair[0])
+"""Of these the two ends differ by up to 3.1 % of the peak for a moment past it."""
 INTRODUCTION = (
     "A wall of six courses in four-point bending about an upright axis, and the same under a pressure on its bed "
     "joints. The drawing of the test (Fig. 20) and the column of tensile strengths of Table 5 are lost. Shown are the "
-    "walls with the strengths that were assumed, 0.5 MPa in joints and 1.5 MPa in units, and those with half of that "
-    "in joints and one and a half times that in units, where by hand the crack round all units becomes the weakest."
+    "walls with the strengths that are shipped, 0.25 MPa in joints and 2.25 MPa in units, chosen because by hand the "
+    "crack round all units is then the weakest, as Fig. 22 has it; and walls with 0.5 and 1.5 MPa, which do not."
 )
-MAPPED = " All nine pairs of strengths within 50 % of the assumed ones stand in the map below."
+MAPPED = " Units 3 to 10 times as strong as joints stand in the map below."
 
 
 def runs(quick: bool) -> dict[str, Run]:
     """Both walls for every pair of strengths; for two pairs with other cells and other contact points as well."""
     made = {}
-    for pair in (ASSUMED, PATTERNED) if quick else STRENGTHS:
+    for pair in (ASSUMED, WEAKER) if quick else STRENGTHS:
         for sigma, name in SCENES.items():
-            chosen = pair in (ASSUMED, PATTERNED)
-            sudden = SUDDEN if pair[1] == max(STRENGTHS)[1] and pair[0] >= ASSUMED[0] else ""
+            chosen = pair in (ASSUMED, WEAKER)
+            sudden = SUDDEN if pair in GIVE_WAY else ""
             settings = {**strengths(*pair), **(QUICK if quick else {})}
             made[label(pair, sigma)] = Run(name, settings, halve=chosen, sudden=sudden)
     return made if quick else made | dict(_varied())
@@ -49,15 +51,15 @@ def runs(quick: bool) -> dict[str, Run]:
 def _varied() -> Iterator[tuple[str, Run]]:
     """Other cells, more and fewer points through the thickness, and the mode II energy without pre-compression."""
     for sigma, name in SCENES.items():
-        for pair in (ASSUMED, PATTERNED):
+        for pair in (ASSUMED, WEAKER):
             for seed in SEEDS:
                 settings: dict[str, Any] = {**strengths(*pair), "specimen.cells.seed": seed}
                 yield label(pair, sigma, f"cells {seed}"), Run(name, settings)
         for points in POINTS:
             settings = {**strengths(*ASSUMED), "specimen.points_per_edge.y": points}
             yield label(ASSUMED, sigma, f"{points} points"), Run(name, settings)
-    lower = {**strengths(*PATTERNED), "contact.unit_unit.fracture_energy_mode_2": "40 N/m"}
-    yield label(PATTERNED, "0.25 MPa", "GII 40 N/m"), Run(SCENES["0.25 MPa"], lower)
+    lower = {**strengths(*ASSUMED), "contact.unit_unit.fracture_energy_mode_2": "40 N/m"}
+    yield label(ASSUMED, "0.25 MPa", "GII 40 N/m"), Run(SCENES["0.25 MPa"], lower)
 
 
 def show(done: Done) -> Section:
@@ -67,7 +69,7 @@ def show(done: Done) -> Section:
     if not done.quick:
         made.parts += strength_map.parts(done)
     made.claims = [*claims.claims(done), *patterns.claims(done)]
-    for pair in (ASSUMED, PATTERNED):
+    for pair in (ASSUMED, WEAKER):
         low, high = (label(pair, sigma) for sigma in SCENES)
         made.records += [done.record(high, "peak_stress", done.peak(high), "Pa", done.peak(low), "without pressure")]
     return made
@@ -85,7 +87,7 @@ def curves_of(done: Done) -> list[str]:
     """Fig. 21: force against mid-span deflection."""
     panels = {
         f"interface {pair[0]:g} MPa, units {pair[1]:g} MPa": [_line(done, pair, sigma) for sigma in SCENES]
-        for pair in (ASSUMED, PATTERNED)
+        for pair in (ASSUMED, WEAKER)
     }
     figure = curves(panels, "mid-span deflection [mm]", "force [kN]")
     caption = "Our Fig. 21: force of both load rollers against the mid-span deflection of the tension face."
@@ -100,7 +102,7 @@ def _line(done: Done, pair: tuple[float, float], sigma: str) -> Line:
 def seen_from_behind(done: Done) -> list[str]:
     """Fig. 22: the cracks at the end, seen from the tension face."""
     shown = {}
-    for pair in (ASSUMED, PATTERNED):
+    for pair in (ASSUMED, WEAKER):
         for sigma in SCENES:
             name = label(pair, sigma)
             shown[f"{strength_map.crack_of(done, name).word}, {name}"] = done[name]

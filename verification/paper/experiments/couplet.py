@@ -45,11 +45,10 @@ def show(done: Done) -> Section:
     claims = [
         *laws.claims(done),
         *energies.claims(done),
-        *printed.claims(),
         *setups.claims(done),
         *contact_points.claims(done),
     ]
-    return Section(parts, claims, laws.records(done))
+    return Section(parts, claims, laws.records(done), misprints=printed.misprints())
 
 
 def figure_6(done: Done) -> Figure:

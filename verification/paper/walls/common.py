@@ -4,19 +4,23 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
+from masonry.printout import KINETIC
 from masonry.results import Result
 from verification.paper.experiment import PERCENT, Claim, Done, Run
+from verification.paper.soundness import MISMATCH
 from verification.paper.walls.crack_path import crack_path
 from verification.paper.walls.curve_shape import apart, energy_per_section, left_after, peak_place
 from verification.report import page
+from verification.report.page import percent
 
 MODE_1, MODE_2 = "wallette-mode-1", "wallette-mode-2"
 CLAMPED: dict[str, Any] = {"support.1.fix": ["y", "rotation"]}
-"""The right plate moves along x and does not turn; as shipped it hangs on a hinge."""
+HINGED: dict[str, Any] = {"support.1.fix": ["y"]}
+"""The right plate moves along x: it does not turn, as mode 1 is shipped, or hangs on a hinge, as mode 2 is shipped."""
 AFFINE: dict[str, Any] = {"kinematics": {"units": "affine"}}
 PAPERS_RATE: dict[str, Any] = {"drive.rate": "1 mm/s"}
-SHIPPED, HELD, RATE = "as shipped", "plates do not turn", "1 mm/s"
-"""Labels of the runs that both failure modes have."""
+SHIPPED, HELD, HINGE, RATE = "as shipped", "plates do not turn", "right plate on a hinge", "1 mm/s"
+"""Labels of runs."""
 MILLI, MEGA = 1e3, 1e-6
 HEADER = (
     *("run", "peak [MPa]", "at [mm]", "left at twice that", "at the end [MPa]"),
@@ -49,7 +53,7 @@ def row_of(label: str, result: Result) -> list[str]:
         label,
         f"{mpa(result):.4f}",
         f"{peak_place(result) * MILLI:.4f}",
-        page.percent(left_after(result, 2.0)),
+        percent(left_after(result, 2.0)),
         f"{result.summary['final_stress_pa'] * MEGA:.4f}",
         *(f"{energy[name]:.1f}" for name in ("mode I", "mode II", "friction")),
         *(f"{shares[name]:.2f}" for name in ("head joints", "units", "bed joints")),
@@ -80,29 +84,32 @@ def crack_spread(result: Result) -> float:
 
 
 def rate_claim(shipped: Result, constant: Result, source: str) -> Claim:
-    """How far the paper's constant rate is from a quasi-static curve."""
+    """Whether the paper's constant rate is quasi-static, and how far it is from the accuracy shipped."""
     moved, off = mpa(constant) / mpa(shipped) - 1.0, apart(constant, shipped)
-    fine = abs(moved) < 0.01 and off < 0.02
+    ends, kinetic = (constant.summary[key] for key in ("reaction_mismatch_max", "kinetic_over_internal_max"))
+    fine = ends < MISMATCH and kinetic < KINETIC
     return Claim(
-        "A rate of 1 mm/s is slow enough",
-        f"5, {source}",
-        "peak within 1 %, curve within 2 % of the peak on average, of those of the accuracy shipped",
-        f"peak {100 * moved:+.2g} %, curve {page.percent(off)}",
+        "A rate of 1 mm/s, in quasi-static analyses",
+        f"2.1, {source}",
+        f"by what each run here is held to: ends within {percent(MISMATCH)} of the peak, kinetic energy < "
+        f"{percent(KINETIC)} of the internal one",
+        f"ends {percent(ends)}, kinetic {percent(kinetic)}. Beside the accuracy shipped: peak {100 * moved:+.2g} %, "
+        f"curve {percent(off)} of the peak apart on average",
         fine,
         "" if fine else "the plate runs ahead of cracks that open fast, and its force is too high meanwhile",
     )
 
 
-def plates_claim(shipped: Result, held: Result, why: str) -> Claim:
+def plates_claim(hinge: Result, held: Result, why: str) -> Claim:
     """What it matters whether the plates turn, which the paper does not say."""
-    spent = [energy_per_section(r)["fracture"] for r in (shipped, held)]
-    ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (shipped, held)]
+    spent = [energy_per_section(r)["fracture"] for r in (hinge, held)]
+    ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (hinge, held)]
     return Claim(
         "A displacement rate is set on one side of the wallette",
         "5",
         "peak, end and energy with a right plate that hangs on a hinge, and with one that does not turn",
-        f"peak {mpa(shipped):.4f} and {mpa(held):.4f} MPa, at the end {ends[0]:.4f} and {ends[1]:.4f} MPa, curves "
-        f"{page.percent(apart(held, shipped))} of the peak apart on average; energy {spent[0]:.1f} and "
+        f"peak {mpa(hinge):.4f} and {mpa(held):.4f} MPa, at the end {ends[0]:.4f} and {ends[1]:.4f} MPa, curves "
+        f"{percent(apart(held, hinge))} of the peak apart on average; energy {spent[0]:.1f} and "
         f"{spent[1]:.1f} N/m",
         None,
         why,

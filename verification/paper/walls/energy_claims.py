@@ -18,14 +18,14 @@ Both = Mapping[str, Series]
 WINDOW, SMOOTH = 5e-6, 0.10
 """m, and the largest share of the peak by which a smooth curve falls within it. The tension law of the shipped joints
 falls by 10 % within 5 um, and half of what they carry at the peak is shear, which falls by 5 %."""
-ROLE, DRASTIC = 0.1, 1.5
+ROLE, DRASTIC = 0.1, 2.0
 RESIDUAL = 0.02
 """A higher residual is one by more than this share, well above what half the loading error moves it by."""
 
 
 def first_mode_claims(found: Mapping[str, Both]) -> list[Claim]:
-    """Failure mode 1, for each way of holding the plates: the joints' energies."""
-    return [role_claim(found), *(smooth_claim(hold, both) for hold, both in found.items())]
+    """Failure mode 1, for each way of holding the plates, the shipped one first: the joints' energies."""
+    return [role_claim(found), smooth_claim(found)]
 
 
 def role_claim(found: Mapping[str, Both]) -> Claim:
@@ -44,22 +44,26 @@ def role_claim(found: Mapping[str, Both]) -> Claim:
     )
 
 
-def smooth_claim(hold: str, both: Both) -> Claim:
-    """No late drop at higher energies."""
-    falls = {f"{kind} x {f:g}": steepest_fall(s[f], WINDOW) for kind, s in both.items() for f in (1, 2, 4)}
-    higher = [fall for name, fall in falls.items() if not name.endswith("x 1")]
+def smooth_claim(found: Mapping[str, Both]) -> Claim:
+    """No late drop at higher energies, with the plates as shipped; how it is with others stands beside it."""
+    told = {hold: _falls(both) for hold, both in found.items()}
+    shipped, *others = told
+    worst = {hold: max(fall for name, fall in told[hold].items() if not name.endswith("x 1")) for hold in told}
+    fine = worst[shipped] < SMOOTH
     return Claim(
-        f"Smooth convergence to residual stresses for higher GI and GII: {hold}",
+        "Smooth convergence to residual stresses for higher GI and GII",
         "6, Fig. 17",
-        f"mode 1, energies x 2 and x 4: no fall of > {percent(SMOOTH)} of the peak within {WINDOW * 1e6:g} um after "
-        "the peak",
-        "; ".join(f"{name}: {percent(fall)}" for name, fall in falls.items()),
-        max(higher) < SMOOTH,
-        ""
-        if max(higher) < SMOOTH
-        else "the plate turns: one half of the wall parts first and the other carries on, until it parts too and the "
-        "stress falls once more. Halving the loading error moves no peak by 1 % and keeps that fall: it is the hinge",
+        f"mode 1, {shipped}, energies x 2 and x 4: no fall of > {percent(SMOOTH)} of the peak within "
+        f"{WINDOW * 1e6:g} um after the peak",
+        "; ".join(f"{name}: {percent(fall)}" for name, fall in told[shipped].items())
+        + "".join(f". {hold}: up to {percent(worst[hold])}, one half of the wall parts first" for hold in others),
+        fine,
+        "" if fine else "the stress falls once more, late",
     )
+
+
+def _falls(both: Both) -> dict[str, float]:
+    return {f"{kind} x {f:g}": steepest_fall(s[f], WINDOW) for kind, s in both.items() for f in (1, 2, 4)}
 
 
 def second_mode_claims(found: Mapping[str, Both]) -> list[Claim]:
@@ -70,25 +74,24 @@ def second_mode_claims(found: Mapping[str, Both]) -> list[Claim]:
 
 
 def drastic_claim(found: Mapping[str, Both]) -> Claim:
-    """Twice the tensile energy of the units."""
-    half = {name: [fall_to(both["GI"][f], 0.5) * MILLI for f in (1, 2, 4)] for name, both in found.items()}
-    grown = [values[1] / values[0] for values in half.values()]
+    """Twice the tensile energy of the units, beside twice their shear energy: the paper calls the first drastic."""
+    moved = {name: [apart(both[kind][2], both[kind][1]) for kind in ("GI", "GII")] for name, both in found.items()}
+    half = {name: [fall_to(both["GI"][f], 0.5) * MILLI for f in (1, 2)] for name, both in found.items()}
     spent = {name: [energy_per_section(both["GI"][f])["fracture"] for f in (1, 2)] for name, both in found.items()}
     shown = [
-        f"{n}: {h[0]:.3f}, {h[1]:.3f}, {h[2]:.3f} mm; {spent[n][0]:.1f}, {spent[n][1]:.1f} N/m" for n, h in half.items()
+        f"{n}: {percent(m[0])} and {percent(m[1])}; half the peak {half[n][0]:.3f} and {half[n][1]:.3f} mm past it "
+        f"({half[n][1] / half[n][0]:.1f} times), fracture energy {spent[n][0]:.1f} and {spent[n][1]:.1f} N/m"
+        for n, m in moved.items()
     ]
-    fine = min(grown) > DRASTIC
+    fine = all(tension > DRASTIC * shear for tension, shear in moved.values())
     return Claim(
         "A drastic change of the response once the units have twice the GI of the interface",
         "6, Fig. 18a",
-        f"mode 2: the displacement past the peak to half of it grows by more than {DRASTIC:g} times at twice GI",
-        f"x 1, 2, 4, and fracture energy x 1, 2: {'. '.join(shown)}",
+        f"mode 2: twice GI moves the curve more than {DRASTIC:g} times as far, on average, as twice GII does, of which "
+        "the paper has higher residual stresses alone",
+        f"of the peak, twice GI and twice GII: {'. '.join(shown)}",
         fine,
-        ""
-        if fine
-        else f"at least {min(grown):.2f} times. The energy grows by less than the units' share of the section: a "
-        "change "
-        "in proportion, not another response",
+        "" if fine else "both move it alike",
     )
 
 

@@ -15,6 +15,8 @@ HEADS_GONE, ALL_AT_PEAK = 0.114, 0.214
 """MPa. Least peak: head joints gone, bed joints at full cohesion; greatest: all joints at their peaks at once."""
 BY_HAND = 16.4
 """N/m of section: fracture energy of one stepped crack, by hand."""
+ALIKE = 0.1
+"""Share of the stress at the end that something else than bed joints may carry."""
 BEDS = 3 * 125.0 / 492.0
 """Area of the bed joints in one stepped crack over the section: half a unit between each two courses."""
 
@@ -66,20 +68,19 @@ def units_claim(result: Result) -> Claim:
     )
 
 
-def residual_claims(shipped: Result, held: Result) -> list[Claim]:
+def residual_claims(shipped: Result, hinge: Result) -> list[Claim]:
     """What is carried at the end, and the energy that it took."""
-    ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (shipped, held)]
-    sheared = [(c := crack_path(r)).stress_carried(c.bed) * MEGA for r in (shipped, held)]
-    alike = all(abs(a / b - 1.0) < 0.05 for a, b in zip(ends, sheared, strict=True)) and min(ends) > 0.0
-    spent = [energy_per_section(r)["fracture"] for r in (shipped, held)]
+    ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (shipped, hinge)]
+    sheared = [(c := crack_path(r)).stress_carried(c.bed) * MEGA for r in (shipped, hinge)]
+    alike = all(abs(a / b - 1.0) < ALIKE for a, b in zip(ends, sheared, strict=True)) and min(ends) > 0.0
+    spent = [energy_per_section(r)["fracture"] for r in (shipped, hinge)]
     near = all(abs(s / BY_HAND - 1.0) < 0.1 for s in spent)
     return [
         Claim(
             "The mechanism yields a residual stress, from shear of the bed joints",
             "5.1, Fig. 10",
-            "stress at the end > 0, and within 5 % of the shear in the broken bed joints over the section",
-            f"{ends[0]:.4f} MPa, bed joints {sheared[0]:.4f} MPa; plates that do not turn: {ends[1]:.4f}, "
-            f"{sheared[1]:.4f}",
+            f"stress at the end > 0, and within {percent(ALIKE)} of the shear of broken bed joints over the section",
+            f"{ends[0]:.4f} MPa, bed joints {sheared[0]:.4f} MPa; on a hinge: {ends[1]:.4f}, {sheared[1]:.4f}",
             alike,
             "" if alike else "something else carries load",
         ),
@@ -88,7 +89,7 @@ def residual_claims(shipped: Result, held: Result) -> list[Claim]:
             "Table 3, by hand",
             f"fracture energy of one stepped crack within 10 % of {BY_HAND} N/m of section; friction comes on top",
             f"{spent[0]:.1f} N/m and {energy_per_section(shipped)['friction']:.1f} N/m of friction at "
-            f"{float(shipped.history.rows['displacement'][-1]) * MILLI:.2g} mm; plates that do not turn: "
+            f"{float(shipped.history.rows['displacement'][-1]) * MILLI:.2g} mm; on a hinge: "
             f"{spent[1]:.1f} N/m",
             near,
             "" if near else "more or less than one stepped crack",
