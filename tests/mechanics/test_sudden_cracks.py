@@ -1,4 +1,4 @@
-"""Sudden cracks are found and told, no damping chooses what they break, and the drive is bounded from the first slip."""
+"""Sudden cracks are found and told, no damping chooses what they break; the drive is bounded from the first slip on."""
 
 import numpy as np
 import pytest

@@ -6,13 +6,15 @@ converged in its own way. A drive at a rate is therefore held while the wall com
 drive to an accuracy damps what it did not expect as heavily; then all of them give one answer, that of no swing.
 """
 
+from typing import Any
+
 from masonry import laboratory, scene
 from verification.case import Case, Check, Findings, at_most
 from verification.rigs.scenes import path_of
 
 SCENE = path_of("shear-wall-late-crack")
 FINE = {"drive.accuracy": "0.1 %"}
-OTHERS = {
+OTHERS: dict[str, dict[str, Any]] = {
     "accuracy 1 %": {},
     "accuracy 0.3 %": {"drive.accuracy": "0.3 %"},
     **{f"rate, xi = {xi}": {"drive.steps": 200_000, "solver.damping": xi} for xi in (0.1, 0.4, 0.8, 0.95)},
