@@ -38,7 +38,7 @@ def run() -> Findings:
             runs.append(run_text(scene_of('"rigid"', "exponential", step, finer, one_group=True)))
         identity(found, words, runs[0], ("elastic_blocks",))
         found.note(f"{words}, half the step", runs[1])
-        two_sums(found, words, *runs, EXPECTED)
+        two_sums(found, words, runs, EXPECTED)
     return found
 
 

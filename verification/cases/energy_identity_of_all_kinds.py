@@ -44,7 +44,7 @@ def run() -> Findings:
     ]
     identity(found, "rigid, no damping", runs[0], ("elastic_blocks", "damping"))
     found.note("rigid, no damping, half the step", runs[1])
-    two_sums(found, "rigid, no damping", *runs, EXPECTED)
+    two_sums(found, "rigid, no damping", runs, EXPECTED)
     return found
 
 

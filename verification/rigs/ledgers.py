@@ -1,5 +1,7 @@
 """A small wall in which every term of the energy ledger is at work, and what is asked of the ledger."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from masonry import energy
@@ -92,11 +94,11 @@ def planted(findings: Findings, text: str) -> None:
         )  # fmt: skip
 
 
-def two_sums(findings: Findings, words: str, coarse: Result, fine: Result, expected: float) -> None:
-    """What the laws book as spent against the work taken less the energy stored: equal as the step, here halved,
-    vanishes; `expected` is their difference over the first at the finer step.
+def two_sums(findings: Findings, words: str, runs: Sequence[Result], expected: float) -> None:
+    """What the laws book as spent against the work taken less the energy stored: equal as the step,
+    halved from the first run to the second, vanishes; `expected` is their difference over the first at the finer step.
     """
-    off = [balance.mismatch(result) for result in (coarse, fine)]
+    off = [balance.mismatch(result) for result in runs]
     findings.checks += [
         Check(f"{words}: the two sums of the dissipation, over the first", "1", off[1], 0.0, "closed form",
               3.0 * expected, expected, "of first order in the step, by what a contact slips in one", 1.0),
