@@ -1,7 +1,7 @@
 """Strengths that are drawn, and sizes of cells: their mean, spread and sum are those that were asked for.
 
-    lognormal    value(z) of a standard normal z: mean and mean square by Gauss-Hermite quadrature over z, which is exact
-                 for them to rounding: m and m^2 (1 + v^2);   the median is m/sqrt(1 + v^2)
+    lognormal    value(z) of a standard normal z: mean and mean square by Gauss-Hermite quadrature over z, exact for
+                 them to rounding: m and m^2 (1 + v^2);   the median is m/sqrt(1 + v^2)
     draws        a set of J joints: mean of the normals within 3/sqrt(J) of 0, mean square within 3 sqrt(2/J) of 1
     cells        areas proportional to the sizes given, and adding up to the unit; equal ones without sizes
 

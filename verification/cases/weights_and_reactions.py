@@ -24,7 +24,8 @@ from verification.rigs import rig, shapes
 from verification.rigs.free_motion import glued
 
 KN, KS, GRAVITY = 2e9, 8e8, np.array([1.0, -2.0, -9.81])
-STONE = Material(density=1900.0, young_modulus=5e8, poisson_ratio=0.0)
+YOUNG = 5e8
+STONE = Material(density=1900.0, young_modulus=YOUNG, poisson_ratio=0.0)
 SIDES, HEIGHTS = (0.2, 0.1), (0.05, 0.06, 0.08)
 AREA = SIDES[0] * SIDES[1]
 TRACTION = np.array([1e3, -5e2, -2e4])
@@ -79,7 +80,7 @@ def upright(found: Findings, kind: str) -> None:
     terms = at_rest(found, f"{kind}, upright", model)
     load, weight = TRACTION[2] * AREA, WEIGHTS[:, 2]
     foot = load + weight[::-1].cumsum()[::-1]
-    own = (foot - 0.5 * weight) * HEIGHTS[1:] / (STONE.young_modulus * AREA) if kind == "affine" else np.zeros(2)
+    own = (foot - 0.5 * weight) * HEIGHTS[1:] / (YOUNG * AREA) if kind == "affine" else np.zeros(2)
     low = foot[0] / (KN * AREA) + 0.5 * own[0]
     high = low + 0.5 * own[0] + foot[1] / (KN * AREA) + 0.5 * own[1]
     work = weight @ [low, high] + load * (high + 0.5 * own[1])
