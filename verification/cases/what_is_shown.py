@@ -98,8 +98,8 @@ def of_a_frame(found: Findings) -> None:
     for name, unit, values, wanted, scale in pairs:
         worst = values[int(np.argmax(np.abs(values - wanted)))]
         found.checks.append(
-            Check(f"frame: {name}, where it is furthest off", unit, float(worst), float(wanted), "closed form", 3e-12,
-                  1e-12, "what the settled compression still swings by, and rounding", scale)
+            Check(f"frame: {name}, where it is furthest off", unit, float(worst), float(wanted), "closed form", 1e-12,
+                  4e-13, "what the settled compression still swings by, and rounding", scale)
         )  # fmt: skip
     view = front_view(blocks.points)
     for words, opening, width in (("open", 3e-6, 5e-6), ("pressed", -3e-6, 4e-6)):
