@@ -11,12 +11,14 @@ Reference: Aitchison and Brown, The lognormal distribution; Abramowitz and Stegu
 import numpy as np
 
 from geometry.cells.asked import CellsAsked
+from geometry.cells.targets import target_sizes
 from geometry.fill import fill_with_cells
 from geometry.measures import volumes
-from masonry.draws import lognormal, standard_normals
+from masonry.draws import PROPERTIES, correlated, lognormal, standard_normals
 from verification.case import Case, Check, Findings, at_most
 
-MEAN, VARIATION, JOINTS, CELLS = 0.58e6, 0.25, 4000, 60
+MEAN, VARIATION, JOINTS, CELLS, MANY = 0.58e6, 0.25, 4000, 60, 400_000
+CORRELATION = 0.4
 SIZES = (1.0, 2.0, 3.0, 4.0, 5.0)
 SIDES = (0.2, 0.05, 0.08)
 
@@ -44,6 +46,13 @@ def of_draws(found: Findings) -> None:
         at_most("draws: mean square of the normals less 1, over its standard error", "1",
                 float(abs((normals**2).mean() - 1.0) * count / np.sqrt(2.0)), 3.0, "three standard errors"),
     ]  # fmt: skip
+    one, other = correlated(normals, PROPERTIES[:2], CORRELATION).values()
+    had = np.corrcoef(one, other)[0, 1]
+    error = (1.0 - CORRELATION**2) / np.sqrt(JOINTS)
+    found.checks.append(
+        at_most("draws: correlation of two properties off what was asked for, over its standard error", "1",
+                float(abs(had - CORRELATION) / error), 3.0, "three standard errors")
+    )  # fmt: skip
 
 
 def of_cells(found: Findings) -> None:
@@ -57,13 +66,15 @@ def of_cells(found: Findings) -> None:
         Check("given and equal sizes: volumes of the cells, largest relative error", "1", float(max(off)), 0.0,
               "closed form", 1e-9, 1e-10, "Newton's method on the weights of the power diagram", 1.0)
     )  # fmt: skip
-    volume = volumes(fill_with_cells(low, high, CellsAsked(total=CELLS, spread=VARIATION), "units")[0])
-    error = VARIATION * np.sqrt((1.0 + 2.0 * VARIATION**2) / (2.0 * CELLS))
+    asked = CellsAsked(total=CELLS, spread=VARIATION)
+    volume = volumes(fill_with_cells(low, high, asked, "units")[0])
+    wished = target_sizes(asked, np.array([MANY]), np.array([whole]), np.random.default_rng(3))
+    error = VARIATION * np.sqrt((1.0 + 2.0 * VARIATION**2) / (2.0 * MANY))
     found.checks += [
         Check("spread sizes: sum", "m3", float(volume.sum()), whole, "closed form", 1e-12, 1e-14,
               "cells fill the unit: rounding"),
         at_most("spread sizes: coefficient of variation off what was asked for, over its standard error", "1",
-                float(abs(volume.std() / volume.mean() - VARIATION) / error), 3.0, "three standard errors"),
+                float(abs(wished.std() / wished.mean() - VARIATION) / error), 3.0, "three standard errors"),
     ]  # fmt: skip
 
 

@@ -74,11 +74,19 @@ def run() -> Findings:
     gone = 2 * AREA * float(dissipated_in_shear("exponential", joint, slip[-1], S))
     missed, rough = around_the_peak("exponential", joint, S, rows)
     rough *= 2 * AREA / gone
+    at = float(joint.peak(S)) / joint.ks
+    k = int(np.searchsorted(slip, at))
+    step = float((slip[k] - slip[k - 1]) / (rows["step"][moved][k] - rows["step"][moved][k - 1]))
     found.checks += [
         Check("peak force", "N", AREA * result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
               "the step that misses the peak, at most du k_s q/(k_s + q)"),
         Check("force at every slip, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0, kind, 1e-12,
               1e-13, "what the settled confinement still swings by, and rounding", peak),
+        Check("force of the supports at every slip, largest deviation from that of the drive", "N",
+              float(AREA * np.abs(rows["support_stress"] - rows["stress"])[moved].max()), 0.0, kind, 1e-12, 1e-13,
+              "nothing that could hold back a force moves along x: rounding", peak),
+        Check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, kind, step / at,
+              0.5 * step / at, "the step in which the slip passes it"),
         Check("dissipated by both joints", "J", spent, gone, kind, 3 * rough, rough,
               "the trapezoid: of the envelope, and of the corner at the peak that no step hits"),
     ]  # fmt: skip

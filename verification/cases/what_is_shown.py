@@ -17,7 +17,9 @@ import numpy as np
 from masonry import energy
 from masonry.contact_stress import contact_stress
 from masonry.cracks import crack_lines, front_view
+from masonry.model import Model
 from masonry.vtkhdf import TO_VTK
+from masonry.watch import corner_displacements
 from verification.case import Case, Check, Findings
 from verification.cases import triplet
 from verification.closed_forms import Joint, shear
@@ -45,6 +47,18 @@ def of_strains(found: Findings) -> None:
         model = rig.make(shapes.setup(blocks, [kind, kind], mesh_size=0.1))
         rig.put(model, rig.positions(model), rig.linear_field(model, np.zeros(3), GRADIENT))
         compare(found, kind, energy.observe(model).stress[1], wanted)
+        if kind == "affine":
+            corners(found, kind, model, GRADIENT)
+
+
+def corners(found: Findings, kind: str, model: Model, gradient: np.ndarray) -> None:
+    """Displacement of all corners of blocks whose points x move by gradient @ x."""
+    place = model.blocks.points
+    off = np.abs(corner_displacements(model, None) - place @ gradient.T).max()
+    found.checks.append(
+        Check(f"{kind}: displacement of the corners, largest deviation", "m", float(off), 0.0, "closed form", 1e-12,
+              1e-14, ROUNDING, float(np.abs(place @ gradient.T).max()))
+    )  # fmt: skip
 
 
 def of_contacts(found: Findings) -> None:
@@ -56,6 +70,9 @@ def of_contacts(found: Findings) -> None:
     joints = model.joints
     model.contacts[4][:] = joints.area[:, None] * (joints.normal @ STRESS)
     compare(found, "rigid", contact_stress(model)[0], STRESS)
+    turn = 0.5 * (GRADIENT - GRADIENT.T)
+    rig.put(model, rig.positions(model), rig.linear_field(model, np.zeros(3), turn))
+    corners(found, "rigid", model, turn)
 
 
 def compare(found: Findings, kind: str, had: np.ndarray, wanted: np.ndarray) -> None:
