@@ -5,6 +5,7 @@
                         order xx yy zz yz xz xy, and xx yy zz xy yz xz in the file for ParaView
     fields of a frame   a block that slid under compression: displacement of corners, opening -s/kn, slip u,
                         stresses -s and tau(u), damage 1 - exp(-(u - tau_m/ks) c0/G_II)
+    areas of a summary  damaged from 5 % on, broken from 95 % on: all of both joints, or nothing
     width of a crack    of faces that opened by 3 um and slid by 4 um: 5 um; closed ones show their slip alone
 
 Reference: by hand; eqs (8), (17) of the paper; Love 1927, art. 123.
@@ -128,10 +129,25 @@ def of_a_frame(found: Findings) -> None:
         )  # fmt: skip
 
 
+def of_a_summary(found: Findings) -> None:
+    """Areas that count as damaged (5 % and more) and broken (95 %), on both sides of each threshold."""
+    joint, s = Joint(), triplet.S
+    both = 2.0 * triplet.AREA
+    for damage, broken, damaged in ((0.04, 0.0, 0.0), (0.06, 0.0, both), (0.94, 0.0, both), (0.96, both, both)):
+        slip = float(joint.peak(s) / joint.ks - np.log1p(-damage) * joint.mode_2_energy(s) / joint.c0)
+        few = {"drive.displacement": f"{slip!r} m", "drive.steps": 4000, "solver.rows": 20}
+        summary = found.note(f"triplet, damage {damage:g}", run_text(triplet.SCENE, few)).summary
+        for name, wanted in (("broken", broken), ("damaged", damaged)):
+            found.checks.append(
+                Check(f"{name} area at a damage of {damage:g}", "m2", sum(summary[f"{name}_area_m2"].values()), wanted,
+                      "closed form", 1e-13, 1e-15, "a sum of areas: rounding", both)
+            )  # fmt: skip
+
+
 def run() -> Findings:
     """All of the above."""
     found = Findings()
-    for part in (of_strains, of_contacts, in_order, of_a_frame):
+    for part in (of_strains, of_contacts, in_order, of_a_frame, of_a_summary):
         part(found)
     return found
 
