@@ -25,6 +25,7 @@ from verification.case import Case, Check, Findings
 from verification.cases import triplet
 from verification.closed_forms import Joint, shear
 from verification.rigs import rig, shapes
+from verification.rigs.free_motion import glued
 from verification.rigs.scene_text import run as run_text
 
 COMPONENTS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
@@ -32,6 +33,7 @@ NAMES = ("xx", "yy", "zz", "yz", "xz", "xy")
 IN_PARAVIEW = ("xx", "yy", "zz", "xy", "yz", "xz")
 GRADIENT = 1e-5 * np.array([[3.0, 0.7, -1.1], [0.2, -2.0, 0.5], [1.9, -0.4, 1.3]])
 STRESS = 1e6 * np.array([[-0.9, 0.1, 0.25], [0.1, 0.4, -0.15], [0.25, -0.15, 0.7]])
+GLUE = glued(2e11, 8e10)
 SIZE = np.array([0.2, 0.1, 0.08])
 ROUNDING = "sums of some products: rounding"
 
@@ -45,7 +47,7 @@ def of_strains(found: Findings) -> None:
         blocks = shapes.skewed(
             shapes.stack([0.08, 0.08]), np.array([[1.0, 0.3, 0.0], [0.0, 1.0, 0.2], [0.1, 0.0, 1.0]])
         )
-        model = rig.make(shapes.setup(blocks, [kind, kind], mesh_size=0.1))
+        model = rig.make(shapes.setup(blocks, [kind, kind], mesh_size=0.1), GLUE)
         rig.put(model, rig.positions(model), rig.linear_field(model, np.zeros(3), GRADIENT))
         compare(found, kind, energy.observe(model).stress[1], wanted)
         if kind == "affine":
@@ -67,7 +69,7 @@ def of_contacts(found: Findings) -> None:
     low = np.zeros(3)
     sides = [sign * SIZE * axis for axis in np.eye(3) for sign in (-1.0, 1.0)]
     blocks = shapes.boxes([(low + shift, low + shift + SIZE) for shift in (np.zeros(3), *sides)])
-    model = rig.make(shapes.setup(blocks, ["rigid"] * 7))
+    model = rig.make(shapes.setup(blocks, ["rigid"] * 7), GLUE)
     joints = model.joints
     model.contacts[4][:] = joints.area[:, None] * (joints.normal @ STRESS)
     compare(found, "rigid", contact_stress(model)[0], STRESS)
