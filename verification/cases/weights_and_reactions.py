@@ -55,7 +55,7 @@ def at_rest(found: Findings, words: str, model: Model) -> dict[str, float]:
 
 
 def oblique(found: Findings, kind: str) -> None:
-    """Reactions along x, y and z, and Clapeyron's theorem."""
+    """Reactions along x, y and z, their moments about the middle of the joint, and Clapeyron's theorem."""
     model = column(kind, np.ones(3))
     before = energy.velocities(model)
     rig.march(model, 1)
@@ -72,6 +72,16 @@ def oblique(found: Findings, kind: str) -> None:
             Check(f"{kind}: reaction below block {upper} along {axis}", "N", float(value), float(reference),
                   "closed form", 1e-12, 1e-13, STATICS)
             for axis, value, reference in zip("xyz", had, wanted, strict=True)
+        ]  # fmt: skip
+        foot = np.array([0.5 * SIDES[0], 0.5 * SIDES[1], sum(HEIGHTS[:upper])])
+        turning = np.cross(model.joints.point[below] - foot, -model.contacts[4][below]).sum(axis=0)
+        places = [(sum(HEIGHTS[: b + 1]) - 0.5 * HEIGHTS[b], WEIGHTS[b - 1]) for b in range(upper, 3)]
+        places.append((sum(HEIGHTS), TRACTION * AREA))
+        upset = -np.sum([np.cross([0.0, 0.0, level - foot[2]], force) for level, force in places], axis=0)
+        found.checks += [
+            Check(f"{kind}: moment of the reaction below block {upper} about {axis}", "N m", float(turning[k]),
+                  float(upset[k]), "closed form", 1e-12, 1e-13, STATICS)
+            for k, axis in enumerate("xy")
         ]  # fmt: skip
     stored = terms["elastic_blocks"] + terms["elastic_contacts"]
     found.checks.append(
