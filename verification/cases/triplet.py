@@ -17,7 +17,7 @@ from verification.rigs.scene_text import joint_table
 from verification.rigs.scene_text import run as run_text
 from verification.rigs.single_shear import around_the_peak
 
-AREA, S = 0.2 * 0.05, 0.5e6
+AREA, S, LAST = 0.2 * 0.05, 0.5e6, 1e-3
 SCENE = (
     """
 law = "exponential"
@@ -103,6 +103,8 @@ def run() -> Findings:
               "nothing that could hold back a force moves along x: rounding", peak),
         Check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, kind, step / at,
               0.5 * step / at, "the step in which the slip passes it"),
+        Check("displacement at the end", "m", float(slip[-1]), LAST, kind, 1e-12, 1e-13,
+              "what the scene asks for; a sum of 20,000 steps: rounding"),
         Check("dissipated by both joints", "J", spent, gone, kind, 3 * rough, rough,
               "the trapezoid: of the envelope, and of the corner at the peak that no step hits"),
     ]  # fmt: skip
