@@ -97,8 +97,8 @@ def overlapping(found: Findings) -> None:
     overlap = Overlap(rig.make(shapes.setup(shapes.stack([0.05, 0.1]), ["rigid"] * 2), GLUE))
     overlap.look(np.full(4, -1e-6))
     found.checks.append(
-        Check("closure of a joint over the thinner block", "1", overlap.largest, 1e-6 / 0.05, "closed form", 1e-12, 1e-15,
-              ROUNDING)
+        Check("closure of a joint over the thinner block", "1", overlap.largest, 1e-6 / 0.05, "closed form", 1e-12,
+              1e-15, ROUNDING)
     )  # fmt: skip
 
 
