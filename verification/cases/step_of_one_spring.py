@@ -53,6 +53,8 @@ def run() -> Findings:
         scaled = blocks(Stepping("scaled", damping=damping, step_fraction=FRACTION))
         share = moving(scaled) * scaled.dt / 2.0 * np.sqrt(1.0 + damping)
         ratios[f"scaled masses, xi = {damping:g}: w dt/2 sqrt(1 + xi)"] = share, FRACTION
+    printed = blocks(Stepping("real", "equation-11", FRACTION, 0.0))
+    ratios["eq. (11) by name, 2 f sqrt(m/k), over the limit"] = printed.dt / LIMIT, FRACTION * np.sqrt(2.0)
     found.checks += [
         Check(name, "1", float(value), wanted, "closed form", 1e-12, 1e-15, "one spring: rounding")
         for name, (value, wanted) in ratios.items()

@@ -3,6 +3,7 @@
     fields of a frame   a block that slid under compression: displacement of corners, opening -s/kn, slip u,
                         stresses -s and tau(u), damage 1 - exp(-(u - tau_m/ks) c0/G_II)
     areas of a summary  damaged from 5 % on, broken from 95 % on: all of both joints, or nothing
+    table of cycles     an elastic joint pulled twice: openings, stresses and places of the turns
     width of a crack    of faces that opened by 3 um and slid by 4 um: 5 um; closed ones show their slip alone
 
 Reference: by hand; eqs (8), (17) of the paper.
@@ -18,6 +19,36 @@ from verification.cases import triplet
 from verification.closed_forms import Joint, shear
 from verification.rigs.scene_text import run as run_text
 
+KN, PULLS = 150e9, (20e-6, 30e-6)
+PULLED = f"""title = "A joint pulled twice"
+law = "elastic"
+kinematics = "rigid"
+[specimen]
+kind = "boxes"
+section = "0.02 m^2"
+box = [
+  {{name = "low", origin = ["0 m", "0 m", "0 m"], size = ["0.2 m", "0.1 m", "0.05 m"], unit = 0}},
+  {{name = "top", origin = ["0 m", "0 m", "0.05 m"], size = ["0.2 m", "0.1 m", "0.05 m"], unit = 1}},
+]
+[material.units]
+density = "1900 kg/m^3"
+[contact.unit_unit]
+normal_stiffness = "{KN!r} Pa/m"
+shear_stiffness = "70 GPa/m"
+[[support]]
+on = "low"
+fix = "all"
+[[support]]
+on = "top"
+fix = ["x", "y", "rotation"]
+[drive]
+on = "top"
+direction = "z"
+history = ["{PULLS[0]!r} m", "0 m", "{PULLS[1]!r} m", "0 m"]
+steps = 4000
+[solver]
+rows = 200
+"""
 ROUNDING = "sums of some products: rounding"
 
 
@@ -71,10 +102,28 @@ def of_a_summary(found: Findings) -> None:
             )  # fmt: skip
 
 
+def of_cycles(found: Findings) -> None:
+    """An elastic joint pulled twice and let go: widest opening, greatest stress, farthest place, nothing spent."""
+    cycles = found.note("two cycles", run_text(PULLED)).summary["cycles"]
+    found.checks.append(Check("cycles", "1", len(cycles), len(PULLS), "closed form", 1e-14, 0.0, "a count: exact"))
+    for number, (cycle, pull) in enumerate(zip(cycles, PULLS, strict=False), start=1):
+        for key, unit, wanted, scale in (
+            ("widest_opening_m", "m", pull, pull),
+            ("farthest_m", "m", pull, pull),
+            ("highest_stress_pa", "Pa", KN * pull, KN * pull),
+            ("stiffness_pa_per_m", "Pa/m", KN, KN),
+            ("dissipated_j", "J", 0.0, 1e-3),
+        ):
+            found.checks.append(
+                Check(f"cycle {number}: {key}", unit, cycle[key], wanted, "closed form", 1e-12, 1e-14,
+                      "the drive turns at a step, and a row is taken there: rounding", scale)
+            )  # fmt: skip
+
+
 def run() -> Findings:
-    """Frames and cracks, and summaries."""
+    """Frames and cracks, summaries, and cycles."""
     found = Findings()
-    for part in (of_a_frame, of_a_summary):
+    for part in (of_a_frame, of_a_summary, of_cycles):
         part(found)
     return found
 
