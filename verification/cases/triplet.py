@@ -61,17 +61,17 @@ rows = 600
 
 
 def at_every_step(found: Findings) -> None:
-    """A short run with a row at every step: the peak is that of its largest row, and so is its displacement."""
-    every = {"settle.steps": 2000, "drive.displacement": "0.03 mm", "drive.steps": 2000, "solver.rows": 4000}
-    result = found.note("triplet, a row a step", run_text(SCENE, every))
-    rows = result.history.rows
+    """A short run with few rows finds the peak of the same run with a row at every step, and its displacement."""
+    short = {"settle.steps": 2000, "drive.displacement": "0.03 mm", "drive.steps": 2000}
+    rows = found.note("triplet, a row a step", run_text(SCENE, short | {"solver.rows": 4000})).history.rows
+    few = found.note("triplet, few rows", run_text(SCENE, short | {"solver.rows": 20})).summary
     highest = int(np.argmax(rows["stress"]))
     for name, key, unit, column in (
         ("peak stress", "peak_stress_pa", "Pa", "stress"),
         ("displacement at the peak", "displacement_at_peak_m", "m", "displacement"),
     ):
         found.checks.append(
-            Check(f"{name}, of the row that is highest", unit, result.summary[key], float(rows[column][highest]),
+            Check(f"{name}, of the row that is highest", unit, few[key], float(rows[column][highest]),
                   "closed form", 1e-12, 1e-15, "the same step")
         )  # fmt: skip
 
