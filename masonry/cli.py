@@ -28,6 +28,7 @@ from masonry.shell import (
     USAGE,
     Parser,
     complain,
+    flush_errors,
     have_streams,
     leaving_on,
     let_go_of_output,
@@ -136,6 +137,8 @@ def main(arguments: list[str] | None = None) -> int:
         if error.errno != errno.ENAMETOOLONG:
             raise
         return complain(f"'{error.filename}': no file can have a name as long as this; give a shorter one", USAGE)
+    finally:
+        flush_errors()
 
 
 def _geometry_error() -> type[Exception]:

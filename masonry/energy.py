@@ -57,7 +57,7 @@ def unbalanced(model: Model, before: list[np.ndarray]) -> float:
     force = load = 0.0
     for (kind, body), old in zip(present(model), before, strict=True):
         if body.load is not None:
-            load += float(np.abs(body.load[:, :3]).sum())
+            load += float(np.abs(body.load[:, :3])[body.pace[:, :3] > 0.0].sum())
         force += float(np.abs(model.masses[kind] * (body.v - old))[:, :3].sum()) / model.dt
     return force / load if load > 0.0 else 0.0
 

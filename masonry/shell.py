@@ -36,6 +36,15 @@ def complain(message: str | Sequence[str], code: int) -> int:
     return code
 
 
+def flush_errors() -> None:
+    """Write what standard error still holds; where it takes nothing, drop it, or Python tries again at its end and
+    leaves with a code of its own (120)."""
+    try:
+        sys.stderr.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
+
+
 def leave(number: int, frame: Any) -> NoReturn:
     """What a signal does that asks to end: all that is half-done is put away, and the exit code names the signal."""
     raise SystemExit(128 + number)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from masonry.results import Result
+from verification import balance
 
 KINDS = ("closed form", "limit analysis", "same discretisation", "refined model", "converged run", "invariance")
 """What a reference can be; an experiment is validation, not verification, and is not among them."""
@@ -15,6 +16,11 @@ BOUND = "bound"
 ROUNDING = 1e-14
 LOOSE = 100.0
 """A check that passes with this factor to spare has a tolerance that would let a mistake through."""
+SPREAD = 10.0
+"""How many times the expected error a tolerance may be; what rounding alone decides, up to ROUNDS, may be more."""
+ROUNDS = 1e-11
+UNEXPECTED = 3.0
+"""An error that is so many times the expected one, and holds, is worse than expected."""
 MEASURES = {
     "steps": "steps",
     "kinetic_over_internal": "kinetic_over_internal_max",
@@ -77,6 +83,20 @@ class Check:
         """Passes by more than LOOSE times; what rounding alone decides is not asked for more."""
         return not self.is_bound and self.holds and self.tolerance > LOOSE * max(abs(self.error), ROUNDING)
 
+    @property
+    def ill_set(self) -> bool:
+        """The tolerance does not follow from the expected error: below it, or more than SPREAD times as much."""
+        if self.is_bound:
+            return False
+        return self.tolerance < self.expected or self.tolerance > max(SPREAD * (1 + 1e-9) * self.expected, ROUNDS)
+
+    @property
+    def worse(self) -> bool:
+        """Holds, but by an error that is more than UNEXPECTED times the expected one: the method is not what it was."""
+        if self.is_bound or not self.holds:
+            return False
+        return abs(self.error) > UNEXPECTED * (1 + 1e-9) * max(self.expected, ROUNDS)
+
 
 def at_most(quantity: str, unit: str, value: float, most: float, reason: str) -> Check:
     """A bound, such as what a scene must have done to be worth anything: "the weakest joint has cracked"."""
@@ -108,7 +128,7 @@ class Plot:
 class Findings:
     """What a case found: checks, plots, remarks, and the ledgers of the runs it made.
 
-    imbalance  name of a run -> largest |energy residual| over external work of all its rows
+    imbalance  name of a run -> largest |energy residual| over external work of all its rows, added up by `balance`
     seconds    name of a run -> seconds of stepping
     measures   name of a run -> its steps, kinetic over internal energy, and unbalanced force after settling
     """
@@ -122,7 +142,7 @@ class Findings:
 
     def note(self, name: str, result: Result) -> Result:
         """Keep the ledger and the time of a run of the solver; every run of a case goes through here."""
-        self.imbalance[name] = float(result.summary["energy_imbalance"])
+        self.imbalance[name] = balance.open_by(result)
         self.seconds[name] = float(result.summary["seconds_run"])
         self.measures[name] = {words: result.summary.get(key) for words, key in MEASURES.items()}
         return result

@@ -18,14 +18,19 @@ T = TypeVar("T")
 
 @cache
 def modules() -> dict[str, ModuleType]:
-    """Name of a case -> its module, in the order of the catalogue's rows. Raises ValueError where two share a name."""
+    """Name of a case -> its module, in the order of the catalogue's rows.
+
+    Raises ValueError where two share a name, and for a module without a CASE, which would be missing and nobody knew.
+    """
     found: dict[str, ModuleType] = {}
     for entry in pkgutil.walk_packages(cases.__path__, f"{cases.__name__}."):
         module = importlib.import_module(entry.name)
-        if isinstance(case := getattr(module, "CASE", None), Case):
-            if case.name in found:
-                raise ValueError(f"two cases are called '{case.name}': {found[case.name].__name__}, {entry.name}")
-            found[case.name] = module
+        case = getattr(module, "CASE", None)
+        if not isinstance(case, Case):
+            raise ValueError(f"{entry.name} holds no case: it must end with CASE = Case(...)")
+        if case.name in found:
+            raise ValueError(f"two cases are called '{case.name}': {found[case.name].__name__}, {entry.name}")
+        found[case.name] = module
     return dict(sorted(found.items(), key=lambda item: (*_row(item[1].CASE.row), item[0])))
 
 

@@ -30,8 +30,20 @@ class Outcome:
         return max(self.findings.checks, key=lambda c: c.used, default=None)
 
     @property
+    def proves(self) -> bool:
+        return self.status == "PASS"
+
+    @property
     def too_loose(self) -> list[Check]:
         return [check for check in self.findings.checks if check.too_loose]
+
+    @property
+    def ill_set(self) -> list[Check]:
+        return [check for check in self.findings.checks if check.ill_set]
+
+    @property
+    def worse(self) -> list[Check]:
+        return [check for check in self.findings.checks if check.worse]
 
 
 def judge(findings: Findings) -> tuple[str, str]:

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 
 from masonry.errors import visible
 from masonry.progress import duration
-from verification.case import LOOSE, Case, Check
+from verification.case import LOOSE, UNEXPECTED, Case, Check
 from verification.comparison import Change
 from verification.outcome import IMBALANCE, Outcome
 
@@ -73,6 +73,7 @@ def verdict(outcomes: Sequence[Outcome], seconds: float) -> str:
     words = [f"{count['PASS']} of {len(outcomes)} cases hold ({checks} numbers)"]
     words += [f"{n} {word}" for word, n in (("fail", count["FAIL"]), ("in error", count["ERROR"])) if n]
     words += [f"{count['NOT BUILT']} not built"] if count["NOT BUILT"] else []
+    words += [] if count["PASS"] else ["so nothing is proven"]
     return f"{', '.join(words)}; {duration(seconds)}."
 
 
@@ -81,6 +82,16 @@ def notes(outcomes: Sequence[Outcome]) -> dict[str, list[str]]:
     found = {
         "Does not hold": [sentence for o in outcomes for sentence in failures(o)],
         f"Too loose (passes by more than {LOOSE:.0f} times)": loose(outcomes),
+        f"Worse than expected (holds, but by more than {UNEXPECTED:.0f} times the error that it should have)": [
+            f"{o.case.name}: {c.quantity} is off by {abs(c.error):.1e}, expected {c.expected:.0e}"
+            for o in outcomes
+            for c in o.worse
+        ],
+        "Tolerance that does not follow from the expected error": [
+            f"{o.case.name}: {c.quantity}: tolerance {c.tolerance:.0e}, expected {c.expected:.0e}"
+            for o in outcomes
+            for c in o.ill_set
+        ],
         "Not built": [f"{o.case.name}: {o.reason}" for o in outcomes if o.status == "NOT BUILT"],
     }
     return {heading: sentences for heading, sentences in found.items() if sentences}

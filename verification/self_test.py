@@ -18,7 +18,7 @@ def findings() -> Iterator[Finding]:
     """Of each part, as it is done: name, whether all is well, and lines that say what came out."""
     for case in CASES:
         outcome = run_case(case)
-        yield case.name, outcome.holds, failures(outcome) if not outcome.holds else [_passed(outcome)]
+        yield case.name, outcome.proves, [_passed(outcome)] if outcome.proves else failures(outcome) or [outcome.reason]
     yield _speed()
 
 

@@ -11,13 +11,16 @@ import pytest
 
 from tests.faults.samples import SHORT, disk
 
+BUFFERED = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
+"""As in a shell: what could not be written stays in a buffer, and Python tries it again as it ends."""
+
 SCENE = [sys.executable, "-m", "masonry", "run", "couplet", *SHORT]
 
 
 def shell(words: list[str], after: str, **more) -> subprocess.CompletedProcess:
     """A command from a shell, with what stands after it there."""
     quoted = " ".join(f"'{word}'" for word in words)
-    return subprocess.run(["bash", "-c", f"{quoted} {after}"], capture_output=True, text=True, **more)
+    return subprocess.run(["bash", "-c", f"{quoted} {after}"], capture_output=True, text=True, env=BUFFERED, **more)
 
 
 @pytest.mark.parametrize("after", [">&-", "2>&-", "2>/dev/full", ">&- 2>&-"])

@@ -6,6 +6,8 @@ from verification.catalogue import catalogue
 from verification.worker import run_case
 
 CASES = catalogue()
+NOT_BUILT = {"paper-experiments", "rocking-block", "stressed-block-turned-by-90-degrees"}
+"""What the solver, or the paper, lacks; no other case may come to say so."""
 
 
 @pytest.mark.parametrize(
@@ -13,5 +15,7 @@ CASES = catalogue()
 )
 def test_the_case_holds(name):
     outcome = run_case(CASES[name])
-    assert outcome.status in ("PASS", "NOT BUILT"), outcome.reason
+    assert outcome.status == ("NOT BUILT" if name in NOT_BUILT else "PASS"), outcome.reason
     assert not outcome.too_loose, [check.quantity for check in outcome.too_loose]
+    assert not outcome.ill_set, [check.quantity for check in outcome.ill_set]
+    assert not outcome.worse, [check.quantity for check in outcome.worse]

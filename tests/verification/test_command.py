@@ -35,6 +35,22 @@ def test_the_quick_cases_hold_and_what_is_not_built_is_said(capsys):
     assert "[1/2] joint-in-shear" in said.err
 
 
+def test_no_case_and_cases_that_are_not_built_prove_nothing(monkeypatch, capsys):
+    assert verify("large-turns") == 1
+    assert "so nothing is proven" in capsys.readouterr().out
+    monkeypatch.setattr(catalogue, "catalogue", lambda: {"slow": case(samples.holds, "slow", quick=False)})
+    assert verify() == 1
+    assert "0 of 0 cases hold (0 numbers), so nothing is proven" in capsys.readouterr().out
+
+
+def test_what_is_worse_than_expected_and_a_tolerance_from_nowhere_are_said(monkeypatch, capsys):
+    monkeypatch.setattr(catalogue, "catalogue", lambda: {"rough": case(samples.rough, "rough")})
+    assert verify() == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "Worse than expected" in said and "rough: peak is off by 5.0e-04, expected 1e-04" in said
+    assert "Tolerance that does not follow" in said and "rough: wide one: tolerance 5e-03, expected 1e-04" in said
+
+
 def test_a_failure_says_where_what_it_found_and_what_it_should_be(capsys):
     assert verify("--full") == 1
     said = " ".join(capsys.readouterr().out.split())

@@ -78,6 +78,15 @@ def test_every_case_of_the_catalogue_is_named_and_placed_as_the_report_needs_it(
         assert catalogue.formula(found), f"{name}: say the formula in the docstring of its module"
 
 
+def test_a_module_without_a_case_is_an_error_and_does_not_vanish(monkeypatch, tmp_path):
+    (tmp_path / "without_its_case.py").write_text('"""Lost its last lines."""\n', encoding="utf-8")
+    monkeypatch.setattr(catalogue.cases, "__path__", [*catalogue.cases.__path__, str(tmp_path)])
+    catalogue.modules.cache_clear()
+    with pytest.raises(ValueError, match="without_its_case holds no case"):
+        catalogue.modules()
+    catalogue.modules.cache_clear()
+
+
 def test_rows_stand_in_the_order_of_the_catalogue():
     rows = ["A10", "2.2", "A9", "2.1", "A9b"]
     assert sorted(rows, key=catalogue._row) == ["2.1", "2.2", "A9", "A9b", "A10"]

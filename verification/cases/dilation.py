@@ -124,5 +124,6 @@ CASE = Case(
     "One contact that dilates",
     area="Contact laws",
     run=run,
+    quick=True,
     no_ladders="one contact point, driven by displacement: exact at any setting",
 )

@@ -15,7 +15,7 @@ Reference: by hand, the sum of v(n+1/2) - v(n-1/2) = F dt/m times v.
 """
 
 from verification.case import Case, Findings
-from verification.rigs.ledgers import identity, scene_of, two_sums
+from verification.rigs.ledgers import identity, planted, scene_of, two_sums
 from verification.rigs.scene_text import run as run_text
 
 SOLVERS = {
@@ -23,10 +23,14 @@ SOLVERS = {
     "real masses, damped": 'masses = "real"\ndamping = 0.8',
 }
 
+EXPECTED = 1.5e-4
+"""Difference of the two sums of the dissipation at the finer step, over the first."""
+
 
 def run() -> Findings:
     """Two ways of stepping, each at two steps; the ledger of the coarser."""
     found = Findings()
+    planted(found, CASE.scene)
     for words, solver in SOLVERS.items():
         runs = []
         for finer in (2, 4):
@@ -34,7 +38,7 @@ def run() -> Findings:
             runs.append(run_text(scene_of('"rigid"', "exponential", step, finer, one_group=True)))
         identity(found, words, runs[0], ("elastic_blocks",))
         found.note(f"{words}, half the step", runs[1])
-        two_sums(found, words, *runs)
+        two_sums(found, words, runs, EXPECTED)
     return found
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from geometry.fan import mesh_by_fans
 from geometry.joints import find_joints
+from geometry.shapes import from_faces
 from verification.case import Case, Check, Findings
 from verification.rigs import shapes
 
@@ -34,9 +35,47 @@ def moments(findings: Findings, words: str, point: np.ndarray, area: np.ndarray,
     ]  # fmt: skip
 
 
+def partly(findings: Findings) -> None:
+    """Area and middle of each joint of a wall in running bond, and of two squares, one of them turned."""
+    joints = find_joints(shapes.wall(2, 2, (0.2, 0.1, 0.08)))
+    bed, head, kind = 0.1 * 0.1, 0.1 * 0.08, "closed form"
+    wanted = {
+        (0, 1): (head, (0.2, 0.05, 0.04)),
+        (2, 3): (head, (0.3, 0.05, 0.12)),
+        (0, 2): (bed, (0.15, 0.05, 0.08)),
+        (1, 2): (bed, (0.25, 0.05, 0.08)),
+        (1, 3): (bed, (0.35, 0.05, 0.08)),
+    }
+    pair = list(zip(joints.block_a.tolist(), joints.block_b.tolist(), strict=True))
+    findings.checks.append(
+        Check("running bond: joints", "1", len(set(pair)), len(wanted), kind, 1e-14, 0.0, "a count: exact")
+    )
+    for (a, b), (area, middle) in wanted.items():
+        own = np.array([p == (a, b) for p in pair])
+        size = float(joints.area[own].sum())
+        off = np.abs(joints.area[own] @ joints.point[own] / area - middle).max()
+        findings.checks += [
+            Check(f"running bond: joint of {a} and {b}", "m2", size, area, kind, 1e-12, 1e-15, ROUNDING),
+            Check(f"running bond: middle of the joint of {a} and {b}, off by", "m", float(off), 0.0, kind, 1e-12, 1e-15,
+                  ROUNDING, 0.1),
+        ]  # fmt: skip
+    side, quarter = 0.1, np.sqrt(0.5)
+    two = shapes.stack([side, side], (side, side))
+    centre = np.array([side / 2, side / 2, 0.0])
+    turn = np.array([[quarter, -quarter, 0.0], [quarter, quarter, 0.0], [0.0, 0.0, 1.0]])
+    upper = [(face - centre) @ turn.T + centre for face in shapes.faces_of(two, 1)]
+    blocks = from_faces([shapes.faces_of(two, 0), upper], [0, 1], [0, 0], ("units",))
+    octagon = 2.0 * (np.sqrt(2.0) - 1.0) * side**2
+    findings.checks.append(
+        Check("a square on a turned one", "m2", float(find_joints(blocks).area.sum()), octagon, kind, 1e-12, 1e-15,
+              ROUNDING)
+    )  # fmt: skip
+
+
 def run() -> Findings:
-    """Rules of points on a rectangle, nodes of two meshes, and a triangle."""
+    """Rules of points on a rectangle, nodes of two meshes, a triangle, and faces that overlap in part."""
     found = Findings()
+    partly(found)
     blocks = shapes.stack([0.05, 0.05], SIDES)
     for n in (2, 3, 4, 9):
         joints = find_joints(blocks, rule="vertex", points_per_edge=n)

@@ -127,7 +127,7 @@ def beams(found: Findings) -> None:
             float(np.log2(errors[-2] / errors[-1])),
             2.0,
             "closed form",
-            3e-11,
+            1e-11,
             1e-12,
             "the midpoint rule of x^2 is in error by exactly 1/(4 n^2); rounding is multiplied by 1/error = 1000",
         )  # fmt: skip

@@ -44,5 +44,6 @@ CASE = Case(
     "One contact in tension, elastic unloading",
     area="Contact laws",
     run=run,
+    quick=True,
     no_ladders="one contact point, driven by displacement: exact at any setting",
 )

@@ -17,7 +17,7 @@ from verification.rigs.scene_text import joint_table
 from verification.rigs.scene_text import run as run_text
 from verification.rigs.single_shear import around_the_peak
 
-AREA, S = 0.2 * 0.05, 0.5e6
+AREA, S, LAST = 0.2 * 0.05, 0.5e6, 1e-3
 SCENE = (
     """
 law = "exponential"
@@ -60,6 +60,22 @@ rows = 600
 )
 
 
+def at_every_step(found: Findings) -> None:
+    """A short run with few rows finds the peak of the same run with a row at every step, and its displacement."""
+    short = {"settle.steps": 2000, "drive.displacement": "0.03 mm", "drive.steps": 2000}
+    rows = found.note("triplet, a row a step", run_text(SCENE, short | {"solver.rows": 4000})).history.rows
+    few = found.note("triplet, few rows", run_text(SCENE, short | {"solver.rows": 20})).summary
+    highest = int(np.argmax(rows["stress"]))
+    for name, key, unit, column in (
+        ("peak stress", "peak_stress_pa", "Pa", "stress"),
+        ("displacement at the peak", "displacement_at_peak_m", "m", "displacement"),
+    ):
+        found.checks.append(
+            Check(f"{name}, of the row that is highest", unit, few[key], float(rows[column][highest]),
+                  "closed form", 1e-12, 1e-13, "the same step: rounding of sums")
+        )  # fmt: skip
+
+
 def run() -> Findings:
     """Force on the middle unit, and what both joints dissipate."""
     found, joint, kind = Findings(), Joint(), "closed form"
@@ -74,14 +90,25 @@ def run() -> Findings:
     gone = 2 * AREA * float(dissipated_in_shear("exponential", joint, slip[-1], S))
     missed, rough = around_the_peak("exponential", joint, S, rows)
     rough *= 2 * AREA / gone
+    at = float(joint.peak(S)) / joint.ks
+    k = int(np.searchsorted(slip, at))
+    step = float((slip[k] - slip[k - 1]) / (rows["step"][moved][k] - rows["step"][moved][k - 1]))
     found.checks += [
         Check("peak force", "N", AREA * result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
               "the step that misses the peak, at most du k_s q/(k_s + q)"),
         Check("force at every slip, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0, kind, 1e-12,
               1e-13, "what the settled confinement still swings by, and rounding", peak),
+        Check("force of the supports at every slip, largest deviation from that of the drive", "N",
+              float(AREA * np.abs(rows["support_stress"] - rows["stress"])[moved].max()), 0.0, kind, 1e-12, 1e-13,
+              "nothing that could hold back a force moves along x: rounding", peak),
+        Check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, kind, step / at,
+              0.5 * step / at, "the step in which the slip passes it"),
+        Check("displacement at the end", "m", float(slip[-1]), LAST, kind, 1e-12, 1e-13,
+              "what the scene asks for; a sum of 20,000 steps: rounding"),
         Check("dissipated by both joints", "J", spent, gone, kind, 3 * rough, rough,
               "the trapezoid: of the envelope, and of the corner at the peak that no step hits"),
     ]  # fmt: skip
+    at_every_step(found)
     some = slice(None, None, 20)
     lines = (
         Line("triplet", 1e3 * slip, 1e-3 * force),

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from masonry.progress import duration
 from verification import printout
-from verification.case import LOOSE, Check
+from verification.case import LOOSE, UNEXPECTED, Check
 from verification.catalogue import formula
 from verification.outcome import IMBALANCE, Outcome
 from verification.records import records_of
@@ -129,8 +129,13 @@ def _check(check: Check) -> list[str | page.Cell]:
             "-",
             page.Cell(check.reason, "text"),
         ]
-    note = f"too loose: passes by more than {LOOSE:.0f} times" if check.too_loose else ""
-    kind = "bad" if not check.holds else "warn" if check.too_loose else "ok"
+    notes = {
+        f"too loose: passes by more than {LOOSE:.0f} times": check.too_loose,
+        f"worse than expected: more than {UNEXPECTED:.0f} times that error": check.worse,
+        "the tolerance does not follow from the expected error": check.ill_set,
+    }
+    note = "; ".join(words for words, so in notes.items() if so)
+    kind = "bad" if not check.holds else "warn" if note else "ok"
     return [
         check.quantity,
         page.Cell(f"{check.value:.7g}{unit}", "number"),
@@ -163,6 +168,7 @@ INTRODUCTION = (
     "from an independent finite element model, or because turning, mirroring or renumbering a problem must not change "
     "its answer. The error of each number is signed and relative. Its tolerance follows from the error that the method "
     "should have (“expected”), and is a few times as large; a case that passes by more than a hundred times is marked "
-    "as too loose, since it would let a mistake through. A bound, such as what a scene must have cracked to be worth "
-    "anything, holds or does not. “Worst error” is the one that comes nearest to its tolerance."
+    "as too loose, since it would let a mistake through, and an error of more than three times the expected one as "
+    "well. A bound, such as what a scene must have cracked to be worth anything, holds or does not. “Worst error” is "
+    "the one that comes nearest to its tolerance."
 )

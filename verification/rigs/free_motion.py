@@ -8,6 +8,7 @@ import numpy as np
 from masonry import energy
 from masonry.laws.build import build
 from masonry.model import Model
+from verification import balance
 from verification.case import Findings
 from verification.rigs import rig
 from verification.rigs.one_contact import TABLE_1
@@ -45,7 +46,7 @@ def follow(
     The ledger is taken some `rows` times; what is missing in it, over the largest of its terms, is kept in `findings`.
     """
     seen, gaps, scale, begun = [np.copy(look(model))], [], 0.0, time.perf_counter()
-    first = energy.ledger(model, energy.observe(model), energy.velocities(model))["imbalance"]
+    first = balance.residual(energy.ledger(model, energy.observe(model), energy.velocities(model)))
     between = max(1, steps // every // rows)
     for k in range(1, steps // every + 1):
         rig.march(model, every - 1)
@@ -54,7 +55,7 @@ def follow(
         seen.append(np.copy(look(model)))
         if k % between == 0:
             terms = energy.ledger(model, energy.observe(model), before)
-            gaps.append(terms["imbalance"] - first)
+            gaps.append(balance.residual(terms) - first)
             scale = max(scale, *(abs(terms[key]) for key in ("external_work", "kinetic", "contact_work")))
     findings.imbalance[name] = float(np.abs(gaps).max() / scale)
     findings.seconds[name] = time.perf_counter() - begun

@@ -19,6 +19,8 @@ from verification.rigs.shapes import Setup
 STONE = Material(density=1900.0, young_modulus=5e9, poisson_ratio=0.2)
 GLUE = (Elastic(), Interface(normal_stiffness=2e11, shear_stiffness=8e10))
 REAL = Stepping(masses="real", damping=0.0)
+SMALL = 2.0**-20
+"""m, a displacement at which contacts that never yield are far from it."""
 
 
 def make(
@@ -93,8 +95,8 @@ def put(model: Model, what: dict[str, np.ndarray], vector: np.ndarray) -> None:
         first += values.size
 
 
-def forces(model: Model, displacement: np.ndarray, dead_load: float = 0.0) -> np.ndarray:
-    """(n,) force on every free freedom at rest in this position, by one compiled step without damping; elastic only."""
+def kick(model: Model, displacement: np.ndarray, dead_load: float = 0.0) -> np.ndarray:
+    """(n,) velocity after one compiled step from rest in this position, without damping; elastic only."""
     put(model, positions(model), displacement)
     velocity = {kind: body.v for kind, body in present(model)}
     put(model, velocity, np.zeros(len(displacement)))
@@ -102,10 +104,24 @@ def forces(model: Model, displacement: np.ndarray, dead_load: float = 0.0) -> np
     model.damping = None if damping is None else 0.0
     march(model, 1, dead_load)
     model.damping = damping
-    pace = np.concatenate([body.pace.ravel() for _, body in present(model)])
-    kick = gather(velocity)
+    found = gather(velocity)
     put(model, velocity, np.zeros(len(displacement)))
-    return np.divide(kick, pace, out=np.zeros_like(kick), where=pace > 0)
+    return found
+
+
+def forces(model: Model, displacement: np.ndarray, dead_load: float = 0.0) -> np.ndarray:
+    """(n,) force on every free freedom at rest in this position; elastic only."""
+    pace = np.concatenate([body.pace.ravel() for _, body in present(model)])
+    found = kick(model, displacement, dead_load)
+    return np.divide(found, pace, out=np.zeros_like(found), where=pace > 0)
+
+
+def acceleration_matrix(model: Model) -> np.ndarray:
+    """(f, f) -M^-1 K of the f free freedoms, as the compiled step has it: no mass is read from the model."""
+    moves = np.flatnonzero(free(model))
+    columns = [kick(model, SMALL * unit)[moves] / (SMALL * model.dt) for unit in np.eye(len(free(model)))[moves]]
+    put(model, positions(model), np.zeros(len(free(model))))
+    return np.stack(columns, axis=1)
 
 
 def stiffness_matrix(model: Model) -> np.ndarray:

@@ -1,0 +1,56 @@
+"""The energy balance of a run, added up here from the terms of its ledger: the program's own sum is only compared.
+
+external work = damping + kinetic + elastic energy of the blocks + work taken by the contacts        (an identity)
+work taken by the contacts = stored + fracture I + fracture II + friction                            (O(dt))
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from masonry.results import Result
+
+TAKEN = ("damping", "kinetic", "elastic_blocks", "contact_work")
+SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
+SAME = 1e-13
+"""Of the largest term: how far two sums of the same terms may differ, in whatever order they are added up."""
+Terms = Mapping[str, np.ndarray | float]
+
+
+def residual(terms: Terms) -> np.ndarray:
+    """J, external work less all that took it; numbers or rows."""
+    return np.asarray(terms["external_work"]) - sum(np.asarray(terms[name]) for name in TAKEN)
+
+
+def largest(terms: Terms) -> float:
+    """J, the largest of the terms at any row: what rounding is relative to."""
+    return max(float(np.abs(terms[name]).max()) for name in ("external_work", *TAKEN))
+
+
+def honest(terms: Terms) -> bool:
+    """Whether the program's own `imbalance` is the sum of its terms, at every row."""
+    apart = np.abs(np.asarray(terms["imbalance"]) - residual(terms)).max()
+    return bool(apart <= SAME * largest(terms))
+
+
+def open_by(result: Result) -> float:
+    """Largest residual of all rows over the largest external work; infinite where the run tells another one.
+
+    Where nothing does work from outside, over the largest of the terms.
+    """
+    rows = result.history.rows
+    work, size = float(np.abs(rows["external_work"]).max()), largest(rows)
+    gap = float(np.abs(residual(rows)).max())
+    share = gap / (work or size) if gap else 0.0
+    told = float(result.summary["energy_imbalance"])
+    agrees = honest(rows) and (work == 0.0 or abs(told - share) <= SAME * size / work)
+    return share if agrees else np.inf
+
+
+def mismatch(result: Result) -> float:
+    """What the laws book as spent against the work that contacts took less what they store, over the first; at the
+    end of a run."""
+    rows = result.history.rows
+    spent = sum(float(rows[name][-1]) for name in SPENT)
+    taken = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
+    return abs(taken - spent) / abs(spent) if spent else 0.0
