@@ -1,5 +1,6 @@
 """What the command line says about a scene and about a result, aligned for a person."""
 
+import math
 import textwrap
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,8 @@ MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-
 """Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference
 between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
 how far contacts close over the size of their blocks."""
+SLID = 0.2
+"""Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
 ROUNDING, BELOW_0 = 1e-11, 1e-5
 """Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
 of the steps."""
@@ -145,6 +148,8 @@ def trust(summary: dict[str, Any]) -> str:
         doubts.append(
             f"contacts close by up to {overlap:.2g} of a block's size: the normal stiffness is too low for this load"
         )
+    if (slip := summary.get("slip_max") or 0.0) > SLID * (summary.get("slip_limit") or math.inf):
+        doubts.append(f"contacts slid by up to {slip:.2g} of their joints, and their areas stay those of the beginning")
     doubts += summary.get("warnings") or []
     slow = (
         ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),

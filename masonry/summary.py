@@ -85,6 +85,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
         "rotation_max_rad": outcome.rotation_max,
         "overlap_max": outcome.overlap_max,
+        "slip_max": outcome.slip_max,
+        "slip_limit": scene.solver.slip_limit,
         "section_m2": assembly.specimen.section,
         "interrupted": outcome.interrupted,
         "stopped": outcome.stopped,

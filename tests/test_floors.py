@@ -39,7 +39,8 @@ FLOORS = {
     "run": Floor(
         "masonry.timeloop masonry.fixed_pace masonry.pace masonry.paces masonry.cyclic_pace masonry.varying_loads"
         " masonry.cycles masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
-        " masonry.overlap masonry.contact_stress masonry.energy masonry.history masonry.progress masonry.checkpoint"
+        " masonry.overlap masonry.slide masonry.collision masonry.corners"
+        " masonry.contact_stress masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.loop masonry.outcome masonry.compiled_step masonry.keeper masonry.model_state masonry.state_file"
         " masonry.remember masonry.lock masonry.hdf5"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
