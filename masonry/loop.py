@@ -23,7 +23,7 @@ from masonry.watch import Watch, frame_of
 
 FOUND = (
     *("peak_force", "displacement_at_peak", "lowest_force", "displacement_at_lowest", "widest"),
-    *("rotation_max", "unbalanced", "overlap_max", "slip_max", "steps", "log"),
+    *("rotation_max", "unbalanced", "overlap_max", "slip_max", "met", "steps", "log"),
 )
 """What an outcome has besides the history before the run is over."""
 REMEMBERED = ("place", "done", "frames_done", "highest_row")
@@ -115,6 +115,7 @@ class Loop:
         self.watch.check_energies(step, terms)
         self.slide.look(step, view.seen)
         self.collision.look(step, view.seen[:, 0], self.watch.rotation)
+        self.outcome.met = self.collision.words
         self.outcome.slip_max = self.slide.largest
         if step <= self.settle:
             self.outcome.unbalanced = energy.unbalanced(model, before)
@@ -161,6 +162,7 @@ class Loop:
             "watch": self.watch.state(),
             "overlap": self.overlap.state(),
             "slide": self.slide.state(),
+            "collision": self.collision.state(),
         }
 
     def restore(self, state: State) -> None:
@@ -176,6 +178,7 @@ class Loop:
         self.watch.restore(state["watch"])
         self.overlap.restore(state["overlap"])
         self.slide.restore(state["slide"])
+        self.collision.restore(state["collision"])
 
 
 def _kept(frame: Frame) -> State:

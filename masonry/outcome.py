@@ -13,8 +13,8 @@ from masonry.history import History
 class Outcome:
     """What the loop found besides the rows: the peak seen at any step, and the lowest force; the largest rotation, the
     times, the force that was still unbalanced when the dead loads had settled, over the dead loads, how far a contact
-    closed, over the extent of its thinner block, how far one slid, over the extent of its joint, and the widest opening
-    at each row (m).
+    closed, over the extent of its thinner block, how far one slid, over the extent of its joint, which blocks without a
+    joint lie on each other, and the widest opening at each row (m).
     """
 
     history: History
@@ -28,6 +28,7 @@ class Outcome:
     unbalanced: float = 0.0
     overlap_max: float = 0.0
     slip_max: float = 0.0
+    met: str = ""
     widest: list[float] = field(default_factory=list)
     steps: int = 0
     interrupted: bool = False

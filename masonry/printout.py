@@ -150,6 +150,8 @@ def trust(summary: dict[str, Any]) -> str:
         )
     if (slip := summary.get("slip_max") or 0.0) > SLID * (summary.get("slip_limit") or math.inf):
         doubts.append(f"contacts slid by up to {slip:.2g} of their joints, and their areas stay those of the beginning")
+    if summary.get("met"):
+        doubts.append(f"{summary['met']}: nothing holds them apart")
     doubts += summary.get("warnings") or []
     slow = (
         ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),

@@ -86,6 +86,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "rotation_max_rad": outcome.rotation_max,
         "overlap_max": outcome.overlap_max,
         "slip_max": outcome.slip_max,
+        "met": outcome.met,
         "slip_limit": scene.solver.slip_limit,
         "section_m2": assembly.specimen.section,
         "interrupted": outcome.interrupted,

@@ -61,7 +61,8 @@ FLOORS = {
         " masonry.import*"
         " masonry.quality_lines masonry.geometry_picture masonry.picture_frame"
         " masonry.condition_marks masonry.mark_drawing"
-        " masonry.summary masonry.effort masonry.laboratory masonry.running masonry.asked masonry.origin masonry.sweep",
+        " masonry.summary masonry.effort masonry.laboratory masonry.running masonry.asked masonry.origin masonry.sweep"
+        " masonry.comparison",
         sees="scene run model equations errors geometry",
     ),
     "verification": Floor("verification", sees="verification scene run model equations errors geometry"),

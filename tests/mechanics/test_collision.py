@@ -15,6 +15,7 @@ from masonry.cli import main
 from masonry.collision import Collision
 from masonry.corners import own_corners
 from masonry.errors import Stopped
+from masonry.printout import trust
 from tests.geometry.test_solids import box as solid_box
 from tests.geometry.test_solids import tube
 from tests.mechanics.scenes import MATERIAL, box, listed, load, specimen, tables
@@ -95,14 +96,11 @@ def crossing():
 
 
 def pushed(model, shift, turn=0.0, opening=0.0):
-    """Look with the last block shifted (m) and turned about y (rad); whether that is a collision."""
-    body, closed = model.bodies[0], np.full(len(model.group), opening)
+    """Look with the last block shifted (m) and turned about y (rad); whether it lies on the one across."""
+    body, look = model.bodies[0], Collision(model, {})
     body.q[3, :3], body.q[3, 4] = shift, turn
-    try:
-        Collision(model, {}).look(0, closed, abs(turn))
-    except Stopped:
-        return True
-    return False
+    look.look(0, np.full(len(model.group), opening), abs(turn))
+    return look.words != ""
 
 
 def test_blocks_that_touch_along_an_edge_may_close_like_contacts_but_no_further():
@@ -153,3 +151,24 @@ def test_corners_that_blocks_share_are_parted():
     for f in range(12):
         np.testing.assert_array_equal(own.face(f), blocks.face(f))
     assert own_corners(own) is own
+
+
+def test_blocks_that_touched_along_an_edge_lie_on_each_other_a_little_with_a_doubt_and_no_further():
+    model = crossing()
+    look, closed = Collision(model, {"corner": np.array([3])}), np.zeros(len(model.group))
+    for depth in (2e-5, 9.9e-4):  # 1 % of 100 mm is 1 mm
+        model.bodies[0].q[3, :3] = -depth, 0.0, -depth
+        look.look(7, closed, 0.0)
+        assert "(unit 0) and 'corner' meet" in look.words and "from step 7 on" in look.words
+    again = Collision(model, {})
+    again.restore(look.state())
+    assert again.words == look.words
+    model.bodies[0].q[3, :3] = -1.1e-3, 0.0, -1.1e-3
+    for one in (look, again):
+        with pytest.raises(Stopped, match="meet around"):
+            one.look(8, closed, 0.0)
+
+
+def test_the_doubt_is_told():
+    said = trust({"met": "block 1 and block 2 meet around (0, 0, 0) m, where they have no joint, from step 9 on"})
+    assert "from step 9 on: nothing holds them apart" in said
