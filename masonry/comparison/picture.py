@@ -10,7 +10,7 @@ from masonry.plot import plain, tidy
 from masonry.results import load_history
 
 COLOURS = dict(
-    zip(KINDS, ("#7f7f7f", "#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#e377c2", "#8c564b", "#ff7f0e"), strict=True)
+    zip(KINDS, ("#17becf", "#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#e377c2", "#8c564b", "#ff7f0e"), strict=True)
 )
 """A colour for each kind of variant; several of a kind differ by their dashes."""
 DASHES = ("-", "--", ":", "-.")

@@ -3,11 +3,13 @@
 import csv
 import io
 import json
+import textwrap
 from collections.abc import Sequence
 from typing import Any
 
 from masonry.comparison.study import FIGURES, Figure
 from masonry.errors import visible
+from masonry.printout import WIDTH
 from masonry.progress import duration
 
 Row = dict[str, Any]
@@ -23,7 +25,9 @@ def text(rows: Sequence[Row]) -> str:
     lines = [heads, *(_words(row) for row in rows)]
     widths = [max(len(line[k]) for line in lines) for k in range(len(heads))]
     shown = ["  ".join(f"{word:<{width}}" for word, width in zip(line, widths, strict=True)).rstrip() for line in lines]
-    return "\n".join([*shown, "", sentence(rows)])
+    lost = [f"{row['variant']}: {row['trust']}, {row['trust_sentence']}" for row in rows if row["status"] != "OK"]
+    below = [line for words in (sentence(rows), *lost) for line in textwrap.wrap(visible(words), WIDTH)]
+    return "\n".join([*shown, "", *below])
 
 
 def _words(row: Row) -> list[str]:
@@ -92,7 +96,7 @@ def _told(row: Row, base: Row, figure: Figure) -> str:
 
 
 def _listed(rows: Sequence[Row]) -> str:
-    return "; ".join(f"{row['variant']} ({row['trust']}: {row['trust_sentence']})" for row in rows)
+    return ", ".join(f"{row['variant']} ({row['trust']})" for row in rows)
 
 
 def as_csv(rows: Sequence[Row]) -> str:
