@@ -13,9 +13,10 @@ from masonry import laboratory
 from masonry.assembly import assemble
 from masonry.cli import main
 from masonry.collision import Collision
-from masonry.corners import own_corners
+from masonry.corners import Corners, own_corners
 from masonry.errors import Stopped
 from masonry.printout import trust
+from masonry.watch import corner_displacements
 from tests.geometry.test_solids import box as solid_box
 from tests.geometry.test_solids import tube
 from tests.mechanics.scenes import MATERIAL, box, listed, load, specimen, tables
@@ -172,3 +173,29 @@ def test_blocks_that_touched_along_an_edge_lie_on_each_other_a_little_with_a_dou
 def test_the_doubt_is_told():
     said = trust({"met": "block 1 and block 2 meet around (0, 0, 0) m, where they have no joint, from step 9 on"})
     assert "from step 9 on: nothing holds them apart" in said
+
+
+@pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
+def test_corners_move_as_pictures_show_them(kinematics):
+    model = assemble(load(slider(1.0, kinematics))).model
+    rng, (rigid, affine, tets) = np.random.default_rng(3), model.bodies
+    for body in (rigid, affine):
+        if body is not None:
+            body.q[...] = 1e-3 * rng.standard_normal(body.q.shape)
+    if tets is not None:
+        model.contacts[3][...] = rng.standard_normal(model.contacts[3].shape)
+    corners = Corners(model)
+    moved = corner_displacements(corners.model, corners.nearest)[corners.points]
+    np.testing.assert_allclose(corners.moved()[0].transpose(1, 2, 0), moved, atol=1e-15)
+
+
+def test_candidates_are_neighbours_and_a_face_that_turns_with_its_block_still_parts_them():
+    model = assemble(load(slider(0.1))).model
+    look, closed = Collision(model, {}), np.zeros(len(model.group))
+    look.look(0, closed, 0.0)
+    assert len(look.pairs) == 0  # the stop is 0.1 mm away and nothing has moved
+    model.bodies[0].q[1:, 4] = 0.02  # both turn alike: their boxes overlap by 1.9 mm, and their faces do not
+    moved, gradient = look.corners.moved()
+    look.look(1, closed, 0.02)
+    assert look.pairs.tolist() == [[1, 2]]
+    assert len(look._not_parted(look.corners.place + moved, gradient, np.array([1e-6]))) == 0

@@ -96,3 +96,13 @@ def test_extents_do_not_depend_on_the_order_of_blocks_and_units():
 
     for order in ([0, 1, 2, 3], [1, 2, 0, 3], [3, 0, 1, 2]):
         np.testing.assert_allclose(stack(order), np.tile([0.05, 0.2], (8, 1)))
+
+
+def test_a_slip_across_is_measured_by_the_width():
+    model = assemble(load("couplet")).model
+    slide, seen = Slide(model, 0.25), np.tile([0.0, 0.01, -1.0, 0.0], (len(model.group), 1))
+    for axis, length in ((0, 0.2), (1, 0.05)):
+        slide.largest = 0.0
+        model.contacts[3][model.contacts[0][:, 1]] = 0.01 * np.eye(3)[axis]
+        slide.look(0, seen)
+        assert slide.largest == pytest.approx(0.01 / length)
