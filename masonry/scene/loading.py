@@ -61,8 +61,8 @@ def _rotation(value: Any, info: ValidationInfo) -> float:
 def _slip(value: Any) -> float:
     """A share, or a percentage: 0.25 or "25 %"."""
     if isinstance(value, str) and value.rstrip().endswith("%"):
-        return convert(value.rstrip()[:-1], "number", "slip_limit", "(0, 1000]") / 100
-    return convert(value, "number", "slip_limit", "(0, 10]")
+        return convert(value.rstrip()[:-1], "number", "slip_limit", "(0, 100000]") / 100
+    return convert(value, "number", "slip_limit", "(0, 1000]")
 
 
 DriveHistory = Annotated[
