@@ -1,6 +1,7 @@
 """Blocks that take up the same space: convex ones found by the separating axis theorem; refused with a message."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import islice
 
 import numpy as np
 
@@ -24,18 +25,29 @@ def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None, tolerance
     pairs = overlapping_boxes(low + depth / 2, high - depth / 2)
     is_box = np.abs(volumes(blocks) / np.prod(high - low, axis=1) - 1) < 1e-12
     convex = np.ones(blocks.count, dtype=bool) if is_box.all() else are_convex(blocks, depth)
-    sure, both = is_box[pairs].all(axis=1), convex[pairs].all(axis=1)
+    sure = is_box[pairs].all(axis=1)
     overlapping = [tuple(pair) for pair in pairs[sure][:1]]
-    for a, b in _not_separated_by_faces(blocks, pairs[both & ~sure], depth):
-        if _penetration(blocks, a, b) > depth:
-            overlapping.append((a, b))
-            break
-    for a, b in pairs[~both]:
-        if share_space(solid(blocks, a), solid(blocks, b), depth):
-            overlapping.append((a, b))
-            break
+    overlapping += islice(overlapping_pairs(blocks, pairs[~sure], depth, convex), 1)
     if overlapping:
         raise GeometryError(_message(blocks, names, low, high, *min(overlapping)))
+
+
+def overlapping_pairs(
+    blocks: Blocks, pairs: np.ndarray, depth: np.ndarray | float, convex: np.ndarray
+) -> Iterator[tuple[int, int]]:
+    """Those of the pairs (N, 2) that overlap by more than a depth (N,) m, in order; convex (B,), as are_convex."""
+    depth = np.broadcast_to(depth, len(pairs))
+    both = convex[pairs].all(axis=1)
+    apart = np.zeros(len(pairs), dtype=bool)
+    apart[both] = widest_gaps(blocks, pairs[both])[0] >= -depth[both]
+    for n in np.flatnonzero(~apart):
+        a, b = map(int, pairs[n])
+        if both[n]:
+            deep = _penetration(blocks, a, b) > depth[n]
+        else:
+            deep = share_space(solid(blocks, a), solid(blocks, b), float(depth[n]))
+        if deep:
+            yield a, b
 
 
 def _require_thick(blocks: Blocks, names: Sequence[str] | None, size: np.ndarray, depth: float) -> None:
@@ -50,10 +62,13 @@ def _require_thick(blocks: Blocks, names: Sequence[str] | None, size: np.ndarray
         )
 
 
-def _not_separated_by_faces(blocks: Blocks, pairs: np.ndarray, depth: float) -> np.ndarray:
-    """The pairs of which neither block has a face with the whole other block in front of it."""
+def widest_gaps(blocks: Blocks, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(N,) m the widest gap that a face of one block leaves to the whole other one, below 0 where no face parts them;
+    and (N,) the number of that face.
+    """
+    widest, facing = np.full(len(pairs), -np.inf), np.zeros(len(pairs), dtype=np.int64)
     if len(pairs) == 0:
-        return pairs
+        return widest, facing
     _, face_normal, face_centroid = face_areas_normals_centroids(blocks)
     faces = np.arange(len(face_normal))
     face, _ = pad(faces[:, None], blocks.block_face_start, faces)
@@ -61,13 +76,14 @@ def _not_separated_by_faces(blocks: Blocks, pairs: np.ndarray, depth: float) -> 
     normal = face_normal[face]
     offset = np.einsum("bfi,bfi->bf", normal, face_centroid[face])
     corners, _ = pad(blocks.points, blocks.face_start[blocks.block_face_start], blocks.face_points)
-    separated = np.zeros(len(pairs), dtype=bool)
     for begin in range(0, len(pairs), CHUNK):
-        part = slice(begin, begin + CHUNK)
-        for a, b in (pairs[part].T, pairs[part, ::-1].T):
+        for a, b in (pairs[begin : begin + CHUNK].T, pairs[begin : begin + CHUNK, ::-1].T):
             gap = np.einsum("pfi,pki->pfk", normal[a], corners[b]).min(axis=2) - offset[a]
-            separated[part] |= gap.max(axis=1) >= -depth
-    return pairs[~separated]
+            best = gap.argmax(axis=1)
+            wider = np.flatnonzero(gap.max(axis=1) > widest[begin : begin + CHUNK])
+            widest[begin + wider] = gap[wider, best[wider]]
+            facing[begin + wider] = face[a[wider], best[wider]]
+    return widest, facing
 
 
 def _penetration(blocks: Blocks, a: int, b: int) -> float:

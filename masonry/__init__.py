@@ -12,9 +12,10 @@
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
     from pathlib import Path
 
+    from masonry.comparison.sensitivity import Sensitivity
     from masonry.printout import Report
     from masonry.results import Result
     from masonry.scene import Scene
@@ -57,6 +58,28 @@ def run(scene: "Scene", threads: int = 1, progress: "Callable[[int, int, str], N
 
     with telling(progress, scene.name) as tell:
         return run_scene(scene, threads, tell)
+
+
+def sensitivity(
+    scene: "Scene",
+    out: "str | Path | None" = None,
+    only: "Sequence[str]" = (),
+    quick: bool = False,
+    workers: int | None = None,
+    tell: "Callable[[str], None] | None" = None,
+) -> "Sensitivity":
+    """Run a scene with other damping, pace, coupling, kinematics, unloading, plates, cells and seeds, side by side.
+
+    out      folder of results; without it the next free results/SCENE-sensitivity-N
+    only     kinds of variants; all that make sense for the scene where none is named
+    quick    one variant of each kind, and none of the slow kinds
+    workers  processes (default: all processors); tell is called with a line for each run that ends
+    What comes back prints as `masonry sensitivity` does; `.rows` are dictionaries. Processes are started afresh, so a
+    script needs `if __name__ == "__main__":`. Raises SceneError or GeometryError before anything runs.
+    """
+    from masonry.comparison.sensitivity import sensitivity as compare
+
+    return compare(scene, out, only, quick, workers, tell)
 
 
 def load_result(folder: "str | Path") -> "Result":

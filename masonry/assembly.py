@@ -76,7 +76,9 @@ def assemble(scene: Scene) -> Assembly:
     plan = plan_of(scene, built.dt)
     sign = scene.drive.sign if scene.drive else 1.0
     gauges = gauges_of(scene, specimen, joints, layout)
-    recording = Recording(specimen.section, sign, s.rows, s.rotation_limit, gauges, s.frames)
+    recording = Recording(
+        specimen.section, sign, s.rows, s.rotation_limit, gauges, s.frames, s.slip_limit, specimen.sets
+    )
     return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn)
 
 

@@ -3,9 +3,9 @@
 Exit codes: 0 done, 2 something wrong with the scene or the words, 3 stopped because the numbers could no longer be
 trusted, 130 interrupted, 143 terminated, 129 hung up. Nothing that computes is imported before it is needed.
 
-`masonry verify` and `masonry paper` stand on a floor above this one, `masonry sweep` in a room of its own. Their
-modules are known here by name alone, and looked up when the command is called: an entry point would do the same, but be
-found only after reinstalling, and cost each other command a search through all that is installed.
+`masonry verify` and `masonry paper` stand on a floor above this one, `masonry sweep` and `masonry sensitivity` in rooms
+of their own. Their modules are known here by name alone, and looked up when the command is called: an entry point would
+do the same, but be found only after reinstalling, and cost each other command a search through all that is installed.
 """
 
 import argparse
@@ -39,6 +39,7 @@ APART = {
     "movie": ("masonry.movie_command", "film a folder of results: cracks beside the curve"),
     "law": ("masonry.law_command", "which laws there are, and what one of them does"),
     "sweep": ("masonry.sweep.command", "run a scene many times over: grid, list or Latin hypercube"),
+    "sensitivity": ("masonry.comparison.command", "run a scene in several ways: what does the answer rest on?"),
     "verify": ("verification.command", "run cases with known answers: are the numbers right?"),
     "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),
 }

@@ -7,6 +7,7 @@ from dataclasses import fields
 import numpy as np
 
 from masonry import energy
+from masonry.collision import Collision
 from masonry.compiled_step import advance_model
 from masonry.fixed_pace import Chunk
 from masonry.history import UNITS, Frame
@@ -18,11 +19,12 @@ from masonry.outcome import Outcome, Recording
 from masonry.overlap import Overlap
 from masonry.paces import Pace
 from masonry.remember import State, attributes, put_back
+from masonry.slide import Slide
 from masonry.watch import Watch, frame_of
 
 FOUND = (
     *("peak_force", "displacement_at_peak", "lowest_force", "displacement_at_lowest", "widest"),
-    *("rotation_max", "unbalanced", "overlap_max", "steps", "log"),
+    *("rotation_max", "unbalanced", "overlap_max", "slip_max", "met", "steps", "log"),
 )
 """What an outcome has besides the history before the run is over."""
 REMEMBERED = ("place", "done", "frames_done", "highest_row")
@@ -42,6 +44,8 @@ class Loop:
         self.watch = Watch(model, recording.rotation_limit)
         self.overlap = Overlap(model)
         self.law_area = LawArea(model)
+        self.slide = Slide(model, recording.slip_limit)
+        self.collision = Collision(model, recording.sets)
         self.frames: list[Frame] = []
         self.peak_frame: Frame | None = None
         self.highest_row = -np.inf
@@ -112,6 +116,10 @@ class Loop:
         )
         terms = energy.ledger(model, view, before)
         self.watch.check_energies(step, terms)
+        self.slide.look(step, view.seen)
+        self.collision.look(step, view.seen[:, 0], self.watch.rotation)
+        self.outcome.met = self.collision.words
+        self.outcome.slip_max = self.slide.largest
         if step <= self.settle:
             self.outcome.unbalanced = energy.unbalanced(model, before)
         place = self.along(self.place)
@@ -160,6 +168,8 @@ class Loop:
             "watch": self.watch.state(),
             "overlap": self.overlap.state(),
             "law_area": self.law_area.state(),
+            "slide": self.slide.state(),
+            "collision": self.collision.state(),
         }
 
     def restore(self, state: State) -> None:
@@ -175,6 +185,8 @@ class Loop:
         self.watch.restore(state["watch"])
         self.overlap.restore(state["overlap"])
         self.law_area.restore(state["law_area"])
+        self.slide.restore(state["slide"])
+        self.collision.restore(state["collision"])
 
 
 def _kept(frame: Frame) -> State:

@@ -1,6 +1,9 @@
 """What is recorded of a run, and what comes of it."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+
+import numpy as np
 
 from masonry.events import Event
 from masonry.gauges import Gauge
@@ -11,8 +14,9 @@ from masonry.history import History
 class Outcome:
     """What the loop found besides the rows: the peak seen at any step, and the lowest force; the largest rotation, the
     times, the force that was still unbalanced when the dead loads had settled, over the dead loads, how far a contact
-    closed, over the extent of its thinner block, the most energy of mode II of a contact over what its law has, the
-    widest opening at each row (m), and the sudden cracks.
+    closed, over the extent of its thinner block, the most energy of mode II of a contact over what its law has, how far
+    one slid, over the extent of its joint, which blocks without a joint lie on each other, the widest opening at each
+    row (m), and the sudden cracks.
     """
 
     history: History
@@ -26,6 +30,8 @@ class Outcome:
     unbalanced: float = 0.0
     overlap_max: float = 0.0
     mode_2_over_law: float = 0.0
+    slip_max: float = 0.0
+    met: str = ""
     widest: list[float] = field(default_factory=list)
     steps: int = 0
     interrupted: bool = False
@@ -38,7 +44,7 @@ class Outcome:
 @dataclass(frozen=True)
 class Recording:
     """How forces become stresses (section, m2; sign of the drive), how often to look, which gauges to read then,
-    and how many frames to keep, about."""
+    how many frames to keep, about, the slip that stops a run, and the sets of blocks by name, to blame them."""
 
     section: float
     sign: float = 1.0
@@ -46,3 +52,5 @@ class Recording:
     rotation_limit: float = 0.02
     gauges: tuple[Gauge, ...] = ()
     frames: int = 24
+    slip_limit: float = 0.25
+    sets: Mapping[str, np.ndarray] = field(default_factory=dict)

@@ -1,5 +1,6 @@
 """What the command line says about a scene and about a result, aligned for a person."""
 
+import math
 import textwrap
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,8 @@ RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
 """Limits: what sudden cracks release over all energy lost; over the external work, what damping gives, and takes."""
 TAKEN = 0.02
 """Share by which a contact may take more energy of mode II than the area under its law's curve."""
+SLID = 0.2
+"""Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
 ROUNDING, BELOW_0 = 1e-11, 1e-5
 """Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
 of the steps."""
@@ -167,6 +170,10 @@ def trust(summary: dict[str, Any]) -> str:
             f"a contact took {taken:.3g} times the energy of mode II that its law has: take smaller steps, or look at "
             "the law where it is your own"
         )
+    if (slip := summary.get("slip_max") or 0.0) > SLID * (summary.get("slip_limit") or math.inf):
+        doubts.append(f"contacts slid by up to {slip:.2g} of their joints, and their areas stay those of the beginning")
+    if summary.get("met"):
+        doubts.append(f"{summary['met']}: nothing holds them apart")
     doubts += summary.get("warnings") or []
     released = summary.get("released_over_dissipated") or 0.0
     if released > RELEASED:

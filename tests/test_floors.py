@@ -39,8 +39,8 @@ FLOORS = {
     "run": Floor(
         "masonry.timeloop masonry.fixed_pace masonry.pace masonry.paces masonry.cyclic_pace masonry.varying_loads"
         " masonry.cycles masonry.events masonry.rest masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
-        " masonry.overlap masonry.law_area masonry.contact_stress masonry.energy masonry.history masonry.progress"
-        " masonry.checkpoint"
+        " masonry.overlap masonry.slide masonry.collision masonry.corners masonry.law_area masonry.contact_stress"
+        " masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.loop masonry.outcome masonry.compiled_step masonry.keeper masonry.model_state masonry.state_file"
         " masonry.remember masonry.lock masonry.hdf5"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
@@ -61,7 +61,8 @@ FLOORS = {
         " masonry.import*"
         " masonry.quality_lines masonry.contact_remarks masonry.geometry_picture masonry.picture_frame"
         " masonry.condition_marks masonry.mark_drawing"
-        " masonry.summary masonry.effort masonry.laboratory masonry.running masonry.asked masonry.origin masonry.sweep",
+        " masonry.summary masonry.effort masonry.laboratory masonry.running masonry.asked masonry.origin masonry.sweep"
+        " masonry.comparison",
         sees="scene run model equations errors geometry",
     ),
     "verification": Floor("verification", sees="verification scene run model equations errors geometry"),

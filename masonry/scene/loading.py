@@ -58,6 +58,13 @@ def _rotation(value: Any, info: ValidationInfo) -> float:
     return convert(value, kind, info.field_name or "", allowed)
 
 
+def _slip(value: Any) -> float:
+    """A share, or a percentage: 0.25 or "25 %"."""
+    if isinstance(value, str) and value.rstrip().endswith("%"):
+        return convert(value.rstrip()[:-1], "number", "slip_limit", "(0, 100000]") / 100
+    return convert(value, "number", "slip_limit", "(0, 1000]")
+
+
 DriveHistory = Annotated[
     History | None,
     BeforeValidator(lambda value: histories.read(value, "length")),
@@ -176,6 +183,7 @@ class Solver(Table):
     step_fraction: Fraction = 0.9
     damping: Damping = 0.8
     rotation_limit: Annotated[float, BeforeValidator(_rotation)] = 0.02
+    slip_limit: Annotated[float, BeforeValidator(_slip)] = 0.25
     rows: Rows = 1000
     frames: Frames = 24
 

@@ -1,0 +1,86 @@
+"""`masonry sensitivity`: one scene run in several ways that should not matter, side by side in one table and picture.
+
+Exit codes: 0 the table is there; 2 something wrong with the words or the scene, and nothing was run; 3 the scene as it
+is did not come to its end; 130 interrupted, 143 terminated: what is done stays, and the same command goes on.
+"""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from masonry.errors import SceneError, visible
+from masonry.processors import processors
+from masonry.shell import INTERRUPTED, OK, STOPPED, Parser
+
+if TYPE_CHECKING:
+    from masonry.scene import Scene
+
+EPILOG = "What is varied and what the table says: docs/sensitivity.md."
+
+
+def parser() -> Parser:
+    """The words that the command knows."""
+    words = Parser(
+        prog="masonry sensitivity",
+        description="Run a scene again with other damping, pace, coupling, kinematics, unloading, softening variable, "
+        "plates, cells and seeds: what does the answer rest on?",
+        epilog=EPILOG,
+    )
+    words.add_argument("scene", metavar="SCENE", help="a scene file, or the name of a packaged scene")
+    words.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", dest="overrides", help="change a key in all runs"
+    )
+    words.add_argument("--only", metavar="KINDS", help="kinds of variants, with commas: pace,plates (default: all)")
+    words.add_argument("--quick", action="store_true", help="one variant of each kind, and none of the slow kinds")
+    words.add_argument("--list", action="store_true", help="say what each run would set, and run nothing")
+    words.add_argument("--out", type=Path, metavar="DIR", help="folder (default results/SCENE-sensitivity-N)")
+    words.add_argument("--overwrite", action="store_true", help="replace the table of another scene in DIR")
+    words.add_argument("--workers", type=int, default=processors(), metavar="N", help="processes (default: processors)")
+    words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
+    return words
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
+    words = parser().parse_args(arguments)
+    if words.workers < 1:
+        raise SceneError(f"--workers {words.workers}: 1 or more")
+    only = [kind.strip() for kind in words.only.split(",")] if words.only is not None else []
+
+    from masonry import scene
+    from masonry.comparison.sensitivity import CSV, PICTURE, sensitivity
+
+    loaded = scene.load(words.scene, words.overrides)
+    if words.list:
+        print(_listing(loaded, only, words.quick))
+        return OK
+    tell = None if words.quiet else _tell
+    try:
+        found = sensitivity(loaded, words.out, only, words.quick, words.workers, tell, words.overwrite)
+    except KeyboardInterrupt:
+        _tell("masonry: interrupted; what is done stays, and the same command goes on from there")
+        return INTERRUPTED
+    if tell:
+        print(f"{found}\n")
+        print("\n".join(visible(f"{found.folder / name}") for name in (CSV, "sensitivity.json", PICTURE)))
+    if found.rows[0]["status"] != "OK":
+        _tell(f"masonry: the scene as it is: {found.rows[0]['trust_sentence']}")
+        return STOPPED
+    return OK
+
+
+def _listing(loaded: "Scene", only: list[str], quick: bool) -> str:
+    from masonry.assembly import assemble
+    from masonry.comparison.variants import variants
+
+    chosen = variants(assemble(loaded), only, quick)
+    kinds, names = (max(map(len, words)) for words in ((v.kind for v in chosen), (v.name for v in chosen)))
+    lines = []
+    for variant in chosen:
+        settings = ", ".join(f"{key} = {value!r}" for key, value in variant.settings.items())
+        lines.append(visible(f"{variant.kind:<{kinds}}  {variant.name:<{names}}  {settings}").rstrip())
+    return "\n".join(lines)
+
+
+def _tell(line: str) -> None:
+    print(visible(line), file=sys.stderr, flush=True)

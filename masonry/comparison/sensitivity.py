@@ -1,0 +1,79 @@
+"""A scene's sensitivity to choices that should not matter: run, written, and kept for a Python user."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from masonry.assembly import assemble
+from masonry.comparison import table
+from masonry.comparison.study import DOING, TABLE, begin, study
+from masonry.comparison.variants import variants
+from masonry.errors import SceneError
+from masonry.folder import WholeFiles
+from masonry.lock import sole
+from masonry.processors import processors
+from masonry.scene import Scene
+from masonry.tally import Tell
+
+PICTURE, CSV = "sensitivity.png", "sensitivity.csv"
+
+
+@dataclass(frozen=True, repr=False)
+class Sensitivity:
+    """What came of a scene and its variants; it prints as `masonry sensitivity` does.
+
+    folder  of the runs, the table (sensitivity.csv, sensitivity.json) and the picture (sensitivity.png)
+    rows    a dictionary for each run, the scene as it is first: see `study`
+    """
+
+    folder: Path
+    rows: list[dict[str, Any]]
+
+    def __repr__(self) -> str:
+        return table.text(self.rows)
+
+
+def sensitivity(
+    scene: Scene,
+    out: str | Path | None = None,
+    only: Sequence[str] = (),
+    quick: bool = False,
+    workers: int | None = None,
+    tell: Tell | None = None,
+    overwrite: bool = False,
+) -> Sensitivity:
+    """Run a scene in several ways, in processes side by side, and compare them.
+
+    out      folder, else the next free results/SCENE-sensitivity-N; what is done of this scene there is kept
+    only     kinds of variants, such as ["pace", "plates"]; all that make sense where none is named
+    quick    one variant of each kind, without those that cost several times the base
+    workers  processes (default: all processors); tell is called with a line for each run that ends
+    Raises SceneError or GeometryError before anything runs. A variant that cannot be built, or is stopped, is a row.
+    """
+    chosen = variants(assemble(scene), only, quick)
+    if workers is not None and workers < 1:
+        raise SceneError(f"{workers} workers: 1 or more")
+    folder = begin(scene, None if out is None else Path(out), overwrite)
+    if tell is not None:
+        tell(f"{len(chosen)} runs, results in '{folder}'")
+    with sole(folder, DOING):
+        rows = study(scene, folder, chosen, workers or processors(), tell)
+        _write(scene, folder, rows)
+    return Sensitivity(folder, rows)
+
+
+def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]]) -> None:
+    """Table and picture, all or none; the picture is left out where no run left a curve."""
+    from masonry.comparison.picture import figure_of
+    from masonry.plot import write_png
+
+    try:
+        (folder / PICTURE).unlink(missing_ok=True)
+        with WholeFiles(folder) as files:
+            files.text(CSV, table.as_csv(rows))
+            files.text(TABLE, table.as_json(rows))
+            if any((folder / "runs" / row["key"] / "history.h5").is_file() for row in rows):
+                write_png(figure_of(scene.title or scene.name, folder, rows), files.new(PICTURE))
+    except OSError as error:
+        raise SceneError(f"cannot write results to '{folder}': {error.strerror or error}") from None

@@ -1,0 +1,141 @@
+"""A scene and its variants, run side by side: what came of each, and how far that is from the scene as it is."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from masonry.comparison.variants import Variant
+from masonry.errors import SceneError
+from masonry.folder import RESULTS, WholeFiles, claim, scene_name
+from masonry.lock import sole
+from masonry.printout import trust
+from masonry.scene import Scene, to_toml
+from masonry.sweep.engine import run_alone
+from masonry.sweep.job import Job
+from masonry.sweep.store import Row
+from masonry.sweep.work import OK
+from masonry.tally import Tell
+from masonry.text_files import json_of, text_of
+
+SCENE, TABLE = "scene.toml", "sensitivity.json"
+DOING = "compares variants of a scene in it"
+LARGEST = 100_000_000
+"""Bytes of a scene."""
+CARE = "with care"
+"""How the sentence of a run with doubts begins."""
+DISSIPATED = ("energy_j.fracture_mode_1", "energy_j.fracture_mode_2", "energy_j.friction")
+
+
+@dataclass(frozen=True)
+class Figure:
+    """What is compared: its key, its name and unit for people, and the factor from SI."""
+
+    key: str
+    name: str
+    unit: str
+    factor: float
+
+
+FIGURES = (
+    Figure("peak_stress_pa", "peak", "MPa", 1e-6),
+    Figure("displacement_at_peak_m", "at", "mm", 1e3),
+    Figure("final_stress_pa", "end", "MPa", 1e-6),
+    Figure("dissipated_j", "dissipated", "J", 1.0),
+)
+NOTHING = 1e-9
+"""Share of the base's largest value of the same unit, below which it is 0 and no deviation is told."""
+
+
+def study(
+    scene: Scene,
+    folder: Path,
+    chosen: Sequence[Variant],
+    workers: int,
+    tell: Tell | None = None,
+) -> list[dict[str, Any]]:
+    """Run a scene in each of the ways into a folder that `begin` has prepared; a row for each, the base first.
+
+    A row holds variant, kind, settings, status, trust (one word), trust_sentence, seconds, key of `folder/runs/KEY`,
+    the figures in SI and, as `KEY_deviation`, their relative deviations from the base; None where there is none.
+    Runs that are there already are not run again. For one who holds the folder (`lock.sole`).
+    """
+    jobs = [Job(folder / SCENE, variant.settings, variant.name) for variant in chosen]
+    ended = run_alone(jobs, folder, workers, tell)
+    found = [_row(variant, row, folder) for variant, row in zip(chosen, ended, strict=True)]
+    for row in found:
+        row |= _deviations(row, found[0])
+    return found
+
+
+def _row(variant: Variant, ended: Row, folder: Path) -> dict[str, Any]:
+    parts = [ended.get(key) for key in DISSIPATED]
+    word, sentence = _trust(ended, folder)
+    numbers: dict[str, Any] = {figure.key: ended.get(figure.key) for figure in FIGURES}
+    numbers["dissipated_j"] = sum(parts) if all(isinstance(part, float) for part in parts) else None
+    return {
+        "variant": variant.name,
+        "kind": variant.kind,
+        "settings": variant.settings,
+        "status": ended["status"],
+        "trust": word,
+        "trust_sentence": sentence,
+        **numbers,
+        "steps": ended.get("steps"),
+        "seconds": ended["seconds"],
+        "key": ended["key"],
+    }
+
+
+def _trust(ended: Row, folder: Path) -> tuple[str, str]:
+    """In a word, and in the sentence that the run's own summary would have."""
+    if ended["status"] != OK:
+        return ended["status"].lower(), ended["reason"]
+    sentence = trust(json_of(folder / "runs" / ended["key"] / "summary.json"))
+    return (CARE if sentence.startswith(CARE) else "sound"), sentence
+
+
+def _deviations(row: dict[str, Any], base: dict[str, Any]) -> dict[str, float | None]:
+    largest: dict[str, float] = {}
+    for figure in FIGURES:
+        largest[figure.unit] = max(largest.get(figure.unit, 0.0), abs(base[figure.key] or 0.0))
+    found: dict[str, float | None] = {}
+    for figure in FIGURES:
+        here, there = row[figure.key], base[figure.key]
+        told = None not in (here, there) and abs(there) > NOTHING * largest[figure.unit]
+        found[f"{figure.key}_deviation"] = here / there - 1.0 if told else None
+    return found
+
+
+def begin(scene: Scene, out: Path | None, overwrite: bool = False, results: Path = RESULTS) -> Path:
+    """The folder for a study of this scene, with the scene in it: `out`, or the next free `results/NAME-sensitivity-N`.
+
+    A study of the same scene that was not finished is gone on with. Raises SceneError where `out` holds anything else
+    (without `overwrite`), or cannot be written to.
+    """
+    text = to_toml(scene)
+    name = f"{scene_name(scene.name)}-sensitivity"
+    if out is None:
+        begun = [entry for entry in results.glob(f"{name}-*") if not (entry / TABLE).exists() and _holds(entry, text)]
+        folder = begun[-1] if begun else claim(name, results=results)
+    else:
+        if (out / SCENE).is_file() and not overwrite and not _holds(out, text):
+            raise SceneError(
+                f"--out '{out}' holds runs of another scene; name another folder, or add --overwrite to replace its"
+                " table"
+            )
+        folder = claim(name, out, overwrite=overwrite or _holds(out, text))
+    try:
+        with sole(folder, DOING), WholeFiles(folder) as files:
+            files.text(SCENE, text)
+    except OSError as error:
+        raise SceneError(f"cannot write results to '{folder}': {error.strerror or error}") from None
+    return folder
+
+
+def _holds(folder: Path, text: str) -> bool:
+    """Whether a folder was made for this very scene."""
+    try:
+        return (folder / SCENE).is_file() and text_of(folder / SCENE, LARGEST) == text
+    except SceneError:
+        return False

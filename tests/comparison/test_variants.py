@@ -1,0 +1,83 @@
+"""Which variants a scene gets: those that make sense for it, and no others."""
+
+import pytest
+
+from masonry.assembly import assemble
+from masonry.comparison.variants import KINDS, variants
+from masonry.errors import SceneError
+from masonry.scene import load
+from tests.mechanics.scenes import load as load_text
+from tests.mechanics.test_collision import slider
+
+
+def settings(scene, kind):
+    return [variant.settings for variant in variants(assemble(scene), [kind])[1:]]
+
+
+def test_every_variant_of_a_wallette_is_named_once_and_its_scene_takes_it():
+    scene = load("wallette-mode-1")
+    chosen = variants(assemble(scene))
+    assert chosen[0].name == "as it is" and chosen[0].settings == {}
+    assert len({variant.name for variant in chosen}) == len(chosen) == 11
+    assert {variant.kind for variant in chosen[1:]} == set(KINDS)
+    for variant in chosen[1:]:
+        assert scene.with_(variant.settings) != scene
+
+
+def test_a_drive_to_an_accuracy_gets_a_finer_one_and_a_constant_rate():
+    finer, rate = settings(load("couplet"), "pace")
+    assert finer == {"drive.accuracy": pytest.approx(0.01 / 3)} and rate == {"drive.steps": 20000}
+    assert settings(load("couplet"), "damping") == [{"drive.steps": 20000, "solver.damping": 0.4}]
+    coarser, _ = settings(load("couplet", {"drive.accuracy": "0.02 %"}), "pace")
+    assert coarser == {"drive.accuracy": pytest.approx(6e-4)}
+
+
+def test_a_drive_at_a_rate_gets_half_of_it_and_one_in_steps_twice_as_many():
+    assert settings(load("couplet", {"drive.rate": "0.2 mm/s"}), "pace") == [{"drive.rate": "0.0001 m/s"}]
+    in_steps = load("couplet", {"drive.steps": 500})
+    assert settings(in_steps, "pace") == [{"drive.steps": 1000}]
+    assert settings(in_steps, "damping") == [{"solver.damping": 0.4}, {"solver.damping": pytest.approx(0.9)}]
+    assert settings(load("couplet", {"drive.steps": 500, "solver.damping": 0}), "damping") == []
+
+
+def test_options_of_the_contacts_are_set_where_groups_have_another_one_and_the_strength_for_it():
+    mixed = {"contact.unit_unit.coupling": "independent"}
+    two = settings(load("wallette-mode-1", mixed), "coupling")
+    assert [set(given.values()) for given in two] == [{"combined"}, {"independent"}]
+    assert all(set(given) == {"contact.unit_unit.coupling", "contact.within_units.coupling"} for given in two)
+    dry = load_text(slider(1.0))  # brittle, without strength: nothing that unloads or softens
+    assert [settings(dry, kind) for kind in ("coupling", "unloading", "softening")] == [[], [], []]
+
+
+def test_kinematics_change_where_blocks_are_free_and_only_to_what_the_scene_has_numbers_for():
+    assert settings(load("wallette-mode-1"), "kinematics") == [{"kinematics.units": "affine"}]  # no mesh_size, no tets
+    assert [list(s.values()) for s in settings(load("couplet", {"kinematics": "affine"}), "kinematics")] == [
+        ["rigid"],
+        ["tets"],
+    ]
+
+
+def test_plates_turn_or_do_not_where_they_are_rigid_and_not_held_altogether():
+    assert settings(load("wallette-mode-1"), "plates") == [{"support.1.fix": ["y", "rotation"]}]
+    upright = load("wallette-mode-1", {"support.1.fix": ["y", "rotation"]})
+    assert settings(upright, "plates") == [{"support.1.fix": ["y"]}]
+    assert settings(load("wallette-mode-1", {"kinematics.plates": "affine"}), "plates") == []
+    assert settings(load("couplet"), "plates") == []
+
+
+def test_cells_get_other_seeds_and_a_grid_gets_cells():
+    assert [s["specimen.cells.seed"] for s in settings(load("wallette-mode-1-218"), "cells")] == [2, 3]
+    assert [s["specimen.mortar.cells.seed"] for s in settings(load("couplet-meso-coarse"), "cells")] == [2, 3]
+    grid = settings(load("wallette-mode-1"), "cells")
+    assert grid == [{"specimen.cells.total": 256, "specimen.cells.seed": seed} for seed in (1, 2)]
+    assert settings(load("couplet"), "cells") == []  # its units are whole
+
+
+def test_only_some_kinds_and_quick():
+    assembly = assemble(load("wallette-mode-1"))
+    assert {v.kind for v in variants(assembly, ["plates", "pace"])} == {"base", "plates", "pace"}
+    quick = variants(assembly, quick=True)
+    assert len({v.kind for v in quick}) == len(quick) and not {"cells", "kinematics"} & {v.kind for v in quick}
+    assert [v.kind for v in variants(assembly, ["cells"], quick=True)] == ["base", "cells"]
+    with pytest.raises(SceneError, match="--only paces: no such kind of variant; known here: .*did you mean 'pace'"):
+        variants(assembly, ["paces"])
