@@ -16,7 +16,7 @@ LITTLE = 0.1
 RATIO, SUDDEN = 0.2, 2.0
 """Viscosity over the critical one at the frequency of the expected motion: where all moves as expected, and where
 nothing does, so that a specimen with a sudden crack does not swing beyond where it comes to rest, and break there."""
-LEAST, MOST = 0.002, 0.3
+LEAST, MOST = 0.01, 0.3
 """Bounds of the share c dt / 2."""
 
 
@@ -43,8 +43,9 @@ class Guide:
         self.share = share
         self.model.damping = Guided(share, LITTLE)
 
-    def settle(self) -> None:
-        """The dead loads have come to rest: what they moved is not the drive's."""
+    def settle(self, displacement: float = 0.0) -> None:
+        """The specimen is at rest with the drive at `displacement` (m, signed): what moved it was not the drive."""
+        self.displacement = displacement
         for (_, _, place), last in zip(self.parts, self.last, strict=True):
             last[...] = place
 

@@ -1,5 +1,7 @@
 """How a run advances, chunk by chunk: a drive that is paced by its error."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from masonry.events import Events
@@ -37,8 +39,9 @@ STORED, FRACTURE, LAG, SWAY, ENDS, DRAG = 20.0, 5.0, 1.0, 7.0, 0.4, 0.5
 that was stored; energy by which the drive runs ahead, over the work of the drive; the root of kinetic over stored
 energy; the difference between the forces of the two ends, and the force that damping takes on average (its work over
 the way), over the largest force. Measured: benchmarks/test_controlled.py."""
-UNEXPECTED = 0.5
-"""Share of the kinetic energy that was not expected from which on the specimen moves by itself: a sudden crack."""
+UNEXPECTED, AT_REST, LOOKS, MOST = 0.5, 1e-7, 4, 600
+"""A sudden crack: share of the kinetic energy that was not expected, from which on the drive is held. It goes on when
+the kinetic energy was below AT_REST of the stored energy in so many looks, one an increment, or after so many looks."""
 PARTED = 1e-3
 """Of the most that was stored: what a specimen that came apart is taken to store, as its pieces still move."""
 FINE, BLUNT = 0.01, 0.4
@@ -50,7 +53,21 @@ DEFORMABLE = 0.5
 
 REMEMBERED = (
     *("speed", "moved", "made", "used", "target", "steps", "increments"),
-    *("most_stored", "stored", "broken", "most_force", "damped", "work", "elastic", "rest", "step"),
+    *(
+        "most_stored",
+        "stored",
+        "broken",
+        "most_force",
+        "damped",
+        "work",
+        "elastic",
+        "rest",
+        "step",
+        "held",
+        "calm",
+        "finished",
+        "cruise",
+    ),
 )
 """Numbers of a paced drive that the next increment depends on."""
 
@@ -82,28 +99,56 @@ class ControlledPace:
         self.elastic = True
         self.rest = np.zeros(len(model.group))
         self.step, self.events = 0, Events(model)
+        self.held = self.calm = 0
+        self.finished, self.begin, self.cruise = False, 0.0, 0.0
         self.looks: list[tuple[float, float, float, float]] = []
 
     def next(self) -> Chunk | None:
-        """The next increment; None when the displacement is made."""
+        """The next increment; None when the displacement is made and the specimen at rest."""
         waiting = self.settling.next()
         if waiting is not None:
             return waiting
-        left = self.goal - self.moved
-        if left <= 1e-12 * self.goal:
-            return None
-        steps = self.steps
-        rise = smooth(np.arange(1, steps + 1) / steps)
-        speed = np.concatenate([[self.speed], self.speed + (self.target - self.speed) * rise])
-        first, whole = speed[0] * self.dt, speed[:-1].sum() * self.dt
-        if left < 1.5 * whole:
-            speed[1:] *= (left - first) / (whole - first)
-            whole = left
-        self.made = whole
-        self.moved += whole
+        if self.goal - self.moved <= 1e-12 * self.goal and not self.turn():
+            return self.finish()
+        if self.held:
+            return self.hold()
+        left, cruise = self.goal - self.moved, self.steps * self.dt
+        if self.speed > 0.0 and left < (0.5 * (self.speed + self.target) + 0.5 * self.target) * cruise:
+            return self.stop(left)
+        self.cruise = self.target
+        return self.made_of(self.speed + (self.target - self.speed) * smooth(np.arange(self.steps + 1) / self.steps))
+
+    def stop(self, left: float) -> Chunk:
+        """The last increment of a way: as many steps as bring the speed down to rest at its end."""
+        steps = max(2, round(2.0 * left / (self.speed * self.dt)))
+        speed = self.speed * (1.0 - smooth(np.arange(steps + 1) / steps))
+        first, whole = speed[0] * self.dt, float(speed[:-1].sum()) * self.dt
+        speed[1:] *= (left - first) / (whole - first)
+        chunk = self.made_of(speed)
+        self.moved = self.goal
+        return replace(chunk, place=self.begin + self.sign * self.goal)
+
+    def made_of(self, speed: np.ndarray) -> Chunk:
+        """Book an increment of these speeds (n + 1,) m/s along the way."""
+        self.made = float(speed[:-1].sum()) * self.dt
+        self.moved += self.made
         self.speed = float(speed[-1])
         self.increments += 1
-        return Chunk(np.full(steps + 1, self.plan.dead_load[-1]), self.sign * speed, True)
+        return Chunk(np.full(len(speed), self.plan.dead_load[-1]), self.sign * speed, True)
+
+    def hold(self) -> Chunk:
+        """Some steps in which the drive comes to rest, or stays there."""
+        return self.made_of(self.speed * (1.0 - smooth(np.arange(self.steps + 1) / self.steps)))
+
+    def turn(self) -> bool:
+        """Whether there is another way to go."""
+        return False
+
+    def finish(self) -> Chunk | None:
+        """The end of the run: the drive is held until the specimen rests, so that the last row is an equilibrium."""
+        if not self.finished:
+            self.finished, self.held, self.calm = True, 1, 0
+        return self.hold() if self.held else None
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:
         """Each increment is a row, and is looked at there."""
@@ -122,18 +167,40 @@ class ControlledPace:
         self.most_stored = max(self.most_stored, stored, 1e-300)
         self.most_force = max(self.most_force, abs(force), 1e-300)
         self.work += abs(force) * self.made
-        self.learn(force)
-        if self.elastic or self.guide.trust > UNEXPECTED:
-            self.events.calm(self.step)
+        if self.held:
+            self.wait(force, abs(terms["kinetic"]) <= AT_REST * stored)
         else:
-            self.events.sudden(self.step)
+            self.go_on(force, support, seen, terms)
+        self.stored, self.broken, self.damped = stored, broken, terms["damping"]
+
+    def wait(self, force: float, at_rest: bool) -> None:
+        """The drive is held: let it go where the specimen has come to rest. What moved meanwhile is not the drive's."""
+        self.events.sudden(self.step)
+        self.calm = self.calm + 1 if at_rest else 0
+        self.held += 1
+        if self.calm >= LOOKS or self.held > MOST:
+            self.held = 0
+            self.target = min(self.target, 0.5 * (self.goal - self.moved) / (self.steps * self.dt))
+            self.settle(force)
+            self.events.calm(self.step)
+
+    def go_on(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+        """Choose the next speed, or hold the drive."""
+        stored = terms["elastic_blocks"] + terms["elastic_contacts"]
+        broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
+        self.learn(force)
         used = utilisation(self.model, seen, self.rest)
         self.elastic = self.elastic and used < 1.0 and broken <= INTACT * self.most_stored
         if self.elastic:
             factor = self.towards_damage(used)
         else:
             factor = self.through_damage(stored, broken, force, support, terms)
-        self.stored, self.broken, self.damped = stored, broken, terms["damping"]
+        if self.elastic or self.guide.trust > UNEXPECTED or abs(terms["kinetic"]) <= AT_REST * stored:
+            self.events.calm(self.step)
+        else:
+            self.events.sudden(self.step)
+            self.held = int(self.speed * self.steps * self.dt < self.goal - self.moved)
+            self.calm = 0
         self.steps = FEW if abs(terms["kinetic"]) <= STILL * stored else STEPS
         fastest = min(self.goal / (COARSEST * self.steps * self.dt), self.leap)
         self.target = float(np.clip(self.target * factor, self.slowest, fastest))
@@ -141,6 +208,10 @@ class ControlledPace:
     def learn(self, force: float) -> None:
         """Let the guide see where the drive has come to, and its force (N)."""
         self.guide.learn(self.sign * self.moved, self.sign * self.speed, force)
+
+    def settle(self, force: float) -> None:
+        """The specimen stands where it stands, and the drive exerts a force (N)."""
+        self.guide.settle(self.sign * self.moved)
 
     def towards_damage(self, used: float) -> float:
         """Factor of the speed while the contacts use a share `used` of their strength, which grows with the way."""
@@ -156,11 +227,12 @@ class ControlledPace:
         """Factor of the speed by what the last increment brought; forces of drive and support in N.
 
         The drive runs ahead of the specimen by about v / w, where w is the frequency of the expected motion, so the
-        force of the drive does work too early: F v / w = 2 sqrt(K W) of kinetic energy K (expected) and stored W.
+        force of the drive does work too early: F v / w = 2 sqrt(K W) of kinetic energy K (expected) and stored W, as
+        far as the drive has brought it.
         """
         change = abs(stored - self.stored) / self.most_stored
         fracture = (broken - self.broken) / self.most_stored
-        lag = 2.0 * np.sqrt(self.guide.kinetic * abs(stored)) / max(self.work, 1e-300)
+        lag = 2.0 * np.sqrt(self.guide.kinetic * min(abs(stored), self.work)) / max(self.work, 1e-300)
         sway = np.sqrt(abs(terms["kinetic"]) / max(abs(stored), PARTED * self.most_stored))
         curve = CURVE * min(self.plan.accuracy / FINE, 1.0)
         unit = max(self.unit, curve) if self.steps == FEW else self.unit

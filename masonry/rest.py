@@ -13,15 +13,16 @@ from masonry.remember import State, attributes, put_back
 
 JUMP, LEAST = 10.0, 1e-5
 """A sudden crack: kinetic energy over what is usual at this speed of the drive, and over the stored energy."""
-MEMORY, AFTERWARDS, LOOKS = 0.1, 0.5, 5
+MEMORY, AFTERWARDS, LOOKS = 0.02, 0.5, 5
 """Share of a look in what is usual; the same for so many looks after the drive was held, as a specimen that has cracked
 may swing otherwise."""
-STEPS, DECAY = 10, 0.4
-"""Steps from one braking to the next while the drive is held, and the share of the velocities that one leaves."""
-CALM, STILL, MOST = 3.0, 1e-6, 50_000
-"""The drive goes on when the kinetic energy is down to so many times the usual or to this share of the stored energy,
-or after so many steps."""
-REMEMBERED = ("usual", "held", "stored", "learning")
+STEPS, DECAY, LITTLE = 10, 0.7, 0.1
+"""While the drive is held: steps from one braking to the next, the share of the velocities that one leaves, and the
+most local damping, as much of it would make a crack creep."""
+STILL, BRAKINGS, MOST = 1e-7, 20, 50_000
+"""The drive goes on when the kinetic energy has been below this share of the stored energy for so many brakings, as
+a crack may creep on before it leaps, or after so many steps."""
+REMEMBERED = ("usual", "held", "stored", "learning", "still")
 
 
 class Rest:
@@ -34,9 +35,9 @@ class Rest:
     steps = STEPS
 
     def __init__(self, model: Model) -> None:
-        self.model, self.events = model, Events(model)
+        self.model, self.events, self.damping = model, Events(model), model.damping
         self.usual = self.stored = 0.0
-        self.held = self.learning = 0
+        self.held = self.learning = self.still = 0
 
     def look(self, step: int, speed: float, before: list[np.ndarray]) -> None:
         """The drive moves at `speed` (m/s) after a step; velocities one step earlier (energy.velocities)."""
@@ -45,18 +46,25 @@ class Rest:
         if self.held:
             brake(self.model, before, DECAY)
             self.events.sudden(step)
-            over = kinetic <= max(CALM * expected, STILL * self.stored) or self.held >= MOST
-            self.held = 0 if over else self.held + STEPS
+            self.still = self.still + 1 if kinetic <= STILL * self.stored else 0
+            over = self.still >= BRAKINGS or self.held >= MOST
+            self.hold(0 if over else self.held + STEPS)
             self.learning = LOOKS
         elif kinetic > max(JUMP * expected, LEAST * self.stored) and self.usual > 0.0 and not self.learning:
             self.events.sudden(step)
-            self.held = STEPS
+            self.hold(STEPS)
+            self.still = 0
         else:
             self.events.calm(step)
             if speed != 0.0:
                 share = AFTERWARDS if self.learning else MEMORY
                 self.usual += share * (kinetic / speed**2 - self.usual)
             self.learning = max(self.learning - 1, 0)
+
+    def hold(self, steps: int) -> None:
+        """The drive has been held for so many steps, or (0) moves; its damping follows."""
+        self.held = steps
+        self.model.damping = min(self.damping, LITTLE) if steps else self.damping
 
     def state(self) -> State:
         """What the next look depends on."""
@@ -66,6 +74,7 @@ class Rest:
         """Go on from there."""
         put_back(self, REMEMBERED, state)
         self.events.restore(state["events"])
+        self.hold(self.held)
 
 
 def brake(model: Model, before: list[np.ndarray], left: float) -> None:

@@ -36,7 +36,6 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     at_peak = rows["step"][settled][int(np.argmax(rows["stress"][settled]))] if settled.any() else 0
     after = settled & (rows["step"] >= min(plan.settle + plan.ramp, at_peak))
     peak = outcome.peak_force / assembly.specimen.section
-    mismatch = np.abs(rows["stress"] - rows["support_stress"])[after]
     internal, highest = rows["elastic_blocks"] + rows["contact_work"], peak
     if not goes_one_way(rows["displacement"]):  # on the way back work comes back, and the force may be negative
         internal, highest = (
@@ -53,7 +52,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     sudden = events.table(model, outcome.events, rows, SUDDEN * lost)
     released = sum(event["released_j"] for event in sudden)
     for event in sudden:
-        dynamic = dynamic & ((rows["step"] <= event["first_step"]) | (rows["step"] > event["last_step"]))
+        follows = (rows["step"] <= event["first_step"]) | (rows["step"] > event["last_step"])
+        after, dynamic = after & follows, dynamic & follows
+    mismatch = np.abs(rows["stress"] - rows["support_stress"])[after]
     ratio = rows["kinetic"][dynamic] / np.maximum(internal[dynamic], max(1e-6 * work, 1e-300))
     booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
     laws = {name: scene.contact[name].law for name in model.group_names}
