@@ -35,6 +35,7 @@ class Rest:
     steps = STEPS
 
     def __init__(self, model: Model) -> None:
+        assert isinstance(model.damping, float)
         self.model, self.events, self.damping = model, Events(model), model.damping
         self.usual = self.stored = 0.0
         self.held = self.learning = self.still = 0
