@@ -14,7 +14,7 @@ BRAKE = 0.2
 """Least change of the speed from one increment to the next: contacts that close make a soft specimen stiff at once."""
 CURVED = 100
 """Increments of a leg, at least, where all that moves is prescribed: they are cheap, and show the corners."""
-LEG = ("goal", "sign", "slowest", "leg", "passed", "farthest", "begin", "place", "force")
+LEG = ("goal", "sign", "slowest", "leg", "passed", "farthest", "begin", "end", "place", "force")
 """What changes from increment to increment: besides what any paced drive remembers."""
 
 
@@ -39,9 +39,9 @@ class CyclicPace(ControlledPace):
         if self.leg + 1 >= len(self.turns):
             return False
         self.passed += self.goal
-        self.begin, end = self.turns[self.leg : self.leg + 2]
+        self.begin, self.end = self.turns[self.leg : self.leg + 2]
         self.leg += 1
-        self.goal, self.sign, self.moved = abs(end - self.begin), -1.0 if end < self.begin else 1.0, 0.0
+        self.goal, self.sign, self.moved = abs(self.end - self.begin), -1.0 if self.end < self.begin else 1.0, 0.0
         whole = self.goal / (self.steps * self.dt)
         self.slowest = self.goal / (STEPS * self.dt) / FINEST
         self.target = float(np.clip(RESTART * self.cruise, whole * FIRST, min(whole / COARSEST, self.leap)))

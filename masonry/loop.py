@@ -13,7 +13,7 @@ from masonry.fixed_pace import Chunk
 from masonry.history import UNITS, Frame
 from masonry.keeper import Keeper
 from masonry.kernels.step import reaction
-from masonry.law_area import LawArea
+from masonry.mode_2_area import LawArea
 from masonry.model import Model
 from masonry.outcome import Outcome, Recording
 from masonry.overlap import Overlap

@@ -42,7 +42,7 @@ the way), over the largest force. Measured: benchmarks/test_controlled.py."""
 UNEXPECTED, AT_REST, LOOKS, MOST = 0.5, 1e-7, 4, 600
 """A sudden crack: share of the kinetic energy that was not expected, from which on the drive is held. It goes on when
 the kinetic energy was below AT_REST of the stored energy in so many looks, one an increment, or after so many looks."""
-PARTED = 1e-3
+PARTED = 0.02
 """Of the most that was stored: what a specimen that came apart is taken to store, as its pieces still move."""
 FINE, BLUNT = 0.01, 0.4
 """Accuracies coarser than this one are taken for (accuracy / FINE) ** BLUNT of it: sudden cracks would be overrun."""
@@ -100,7 +100,7 @@ class ControlledPace:
         self.rest = np.zeros(len(model.group))
         self.step, self.events = 0, Events(model)
         self.held = self.calm = 0
-        self.finished, self.begin, self.cruise = False, 0.0, 0.0
+        self.finished, self.begin, self.end, self.cruise = False, 0.0, plan.displacement, 0.0
         self.looks: list[tuple[float, float, float, float]] = []
 
     def next(self) -> Chunk | None:
@@ -126,7 +126,7 @@ class ControlledPace:
         speed[1:] *= (left - first) / (whole - first)
         chunk = self.made_of(speed)
         self.moved = self.goal
-        return replace(chunk, place=self.begin + self.sign * self.goal)
+        return replace(chunk, place=self.end)
 
     def made_of(self, speed: np.ndarray) -> Chunk:
         """Book an increment of these speeds (n + 1,) m/s along the way."""
@@ -258,7 +258,7 @@ class ControlledPace:
             "increments": self.increments,
             "mean_lag": float(lag @ way / max(way.sum(), 1e-300)),
             "largest_lag": float(lag.max()),
-            "drag_at_peak": float(drag[max(peak - 1, 0) : peak + 2].max()),
+            "drag_at_peak": float(drag[max(peak - 1, 0) : peak + 1].max()),
         }
 
     def state(self) -> State:

@@ -39,7 +39,7 @@ FLOORS = {
     "run": Floor(
         "masonry.timeloop masonry.fixed_pace masonry.pace masonry.paces masonry.cyclic_pace masonry.varying_loads"
         " masonry.cycles masonry.events masonry.rest masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
-        " masonry.overlap masonry.slide masonry.collision masonry.corners masonry.law_area masonry.contact_stress"
+        " masonry.overlap masonry.slide masonry.collision masonry.corners masonry.mode_2_area masonry.contact_stress"
         " masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.loop masonry.outcome masonry.compiled_step masonry.keeper masonry.model_state masonry.state_file"
         " masonry.remember masonry.lock masonry.hdf5"

@@ -32,8 +32,17 @@ class Reference:
 
 
 def stress_and_energy(one: Trial) -> dict[str, float]:
-    """What most problems measure: peak stress (Pa) and dissipated energy (J)."""
-    return {"peak stress": one.value("peak"), "dissipated energy": one.value("dissipated")}
+    """What most problems measure: peak stress and stress at the end (Pa), and dissipated energy (J)."""
+    return {
+        "peak stress": one.value("peak"),
+        "end stress": one.value("final"),
+        "dissipated energy": one.value("dissipated"),
+    }
+
+
+OVER = {"end stress": "peak stress"}
+"""Quantity -> the one that its error is relative to, as it may be next to nothing; all others are relative to
+themselves."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +72,9 @@ class Problem:
     exact: Callable[[Trial], dict[str, float]] | None = None
     theory: Callable[[Trial], dict[str, float]] | None = None
     converged: str = RATE
-    units: Mapping[str, str] = field(default_factory=lambda: {"peak stress": "Pa", "dissipated energy": "J"})
+    units: Mapping[str, str] = field(
+        default_factory=lambda: {"peak stress": "Pa", "end stress": "Pa", "dissipated energy": "J"}
+    )
     shipped: tuple[str, str] = (ACCURACY, SHIPPED)
     kind: str = "closed form"
     specimen: Callable[[], Specimen] | None = None

@@ -18,7 +18,7 @@ def test_every_variant_of_a_wallette_is_named_once_and_its_scene_takes_it():
     scene = load("wallette-mode-1")
     chosen = variants(assemble(scene))
     assert chosen[0].name == "as it is" and chosen[0].settings == {}
-    assert len({variant.name for variant in chosen}) == len(chosen) == 11
+    assert len({variant.name for variant in chosen}) == len(chosen) == 12
     assert {variant.kind for variant in chosen[1:]} == set(KINDS)
     for variant in chosen[1:]:
         assert scene.with_(variant.settings) != scene
@@ -58,9 +58,9 @@ def test_kinematics_change_where_blocks_are_free_and_only_to_what_the_scene_has_
 
 
 def test_plates_turn_or_do_not_where_they_are_rigid_and_not_held_altogether():
-    assert settings(load("wallette-mode-1"), "plates") == [{"support.1.fix": ["y", "rotation"]}]
-    upright = load("wallette-mode-1", {"support.1.fix": ["y", "rotation"]})
-    assert settings(upright, "plates") == [{"support.1.fix": ["y"]}]
+    assert settings(load("wallette-mode-1"), "plates") == [{"support.1.fix": ["y"]}]
+    hinged = load("wallette-mode-1", {"support.1.fix": ["y"]})
+    assert settings(hinged, "plates") == [{"support.1.fix": ["y", "rotation"]}]
     assert settings(load("wallette-mode-1", {"kinematics.plates": "affine"}), "plates") == []
     assert settings(load("couplet"), "plates") == []
 

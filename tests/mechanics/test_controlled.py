@@ -34,7 +34,11 @@ def test_the_drive_makes_exactly_the_asked_displacement(kinematics, direction):
 
 def test_a_drive_of_several_block_lengths_arrives_and_is_not_taken_for_an_instability():
     """Its increments keep below the share of a block in a step that the watch calls a leap."""
-    tough = {"contact.unit_unit.fracture_energy_mode_2": "73000 N/m", "drive.displacement": "0.7 m"}
+    tough = {
+        "contact.unit_unit.fracture_energy_mode_2": "73000 N/m",
+        "drive.displacement": "0.7 m",
+        "solver.slip_limit": 10,
+    }
     result = laboratory.run(load("couplet", tough))
     assert result.history.rows["displacement"][-1] == pytest.approx(0.7, rel=1e-10)
     assert result.summary["peak_stress_pa"] == pytest.approx(0.87e6 + 1.01 * 0.5e6, rel=1e-3)
@@ -82,7 +86,9 @@ def test_while_elastic_a_guided_drive_meets_no_drag():
 def test_a_tighter_accuracy_takes_smaller_increments_and_says_so():
     done = [laboratory.run(load("wallette-mode-2", {"drive.accuracy": a})).summary for a in (0.05, 0.005)]
     assert done[1]["steps"] > 1.5 * done[0]["steps"]
-    assert done[1]["control"]["accuracy"] == 0.005 and done[1]["control"]["increments"] * STEPS == done[1]["steps"]
+    assert done[1]["control"]["accuracy"] == 0.005 and done[1]["control"]["increments"] * STEPS == pytest.approx(
+        done[1]["steps"], rel=0.01
+    )
     assert done[0]["dissipation_mismatch"] < 0.02 and done[1]["peak_stress_pa"] < done[0]["peak_stress_pa"] * 1.001
 
 
@@ -159,3 +165,14 @@ def test_a_specimen_that_came_apart_holds_up_the_drive_no_longer() -> None:
     row = int(np.argmax(done.rows["fracture_mode_1"] >= (1 - 1e-9) * done.rows["fracture_mode_1"][-1]))
     assert done.rows["displacement"][row] < 0.6 * done.rows["displacement"][-1]
     assert done.summary["steps"] - done.rows["step"][row] < done.rows["step"][row]
+
+
+def test_the_lag_is_the_force_over_the_way_that_a_spring_follows_late():
+    """A mass m on a spring k, driven at v, follows by v / w late: the force k u does k u v / w of work too early."""
+    mass, spring, v, u = 3.0, 700.0, 0.02, 0.4
+    pace = ControlledPace(assemble(load("wallette-mode-1")).model, controlled(10, 1.0, 0.01), 100)
+    pace.guide.kinetic, pace.made, pace.most_force, pace.most_stored = 0.5 * mass * v**2, 1e-3, spring * u, 56.0
+    pace.work = 0.5 * spring * u**2
+    pace.through_damage(pace.work, 0.0, spring * u, spring * u, dict.fromkeys(TERMS, 0.0))
+    late = v / np.sqrt(spring / mass)
+    assert pace.looks[-1][0] == pytest.approx(spring * u * late / pace.work, rel=1e-12)

@@ -6,7 +6,7 @@ import pytest
 
 from masonry import laboratory, scene
 from masonry.assembly import assemble
-from masonry.law_area import area
+from masonry.mode_2_area import area
 from masonry.printout import trust
 from verification.closed_forms import Joint, shear_area
 from verification.rigs.one_contact import law

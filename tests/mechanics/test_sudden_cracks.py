@@ -24,7 +24,7 @@ def dissipated(summary: dict) -> float:
 
 
 def test_what_a_sudden_crack_breaks_does_not_hang_on_the_local_damping():
-    """Without a hold the first dissipates 11.7 J and the second 8.8 J."""
+    """Without a hold the first dissipated 11.7 J and the second 8.8 J."""
     low, high = (run("shear-wall-late-crack", drive__steps=100_000, solver__damping=xi) for xi in (0.1, 0.8))
     assert dissipated(low) == pytest.approx(dissipated(high), rel=0.01)
     assert low["final_stress_pa"] == pytest.approx(high["final_stress_pa"], rel=0.02)
@@ -34,10 +34,11 @@ def test_what_a_sudden_crack_breaks_does_not_hang_on_the_local_damping():
 
 def test_a_sudden_crack_is_told_with_its_place_and_what_it_released():
     summary = run("shear-wall-late-crack")
-    (crack,) = summary["sudden_cracks"]
-    assert 1.3e-3 < crack["displacement_m"] < 1.5e-3 and "unit_unit" in crack["place"]
-    assert 0.0 < crack["released_j"] < 0.01 * dissipated(summary)
-    assert "contact" in sudden_text(summary) and "sudden" not in trust(summary), "a small one is told, not doubted"
+    small, large = summary["sudden_cracks"]
+    assert 1.3e-3 < small["displacement_m"] < large["displacement_m"] < 1.51e-3 and "unit_unit" in large["place"]
+    assert small["released_j"] < 0.005 * dissipated(summary) < 0.1 * dissipated(summary) < large["released_j"]
+    assert "2, the largest at 1.5 mm" in sudden_text(summary) and "sudden cracks released" in trust(summary)
+    assert summary["final_stress_pa"] == pytest.approx(0.1733e6, rel=0.02), "the run ends at rest, after the crack"
 
 
 def test_a_joint_without_tensile_strength_bounds_the_drive_before_any_fracture_energy_is_spent():

@@ -8,9 +8,9 @@
           |______________|
            ////////////// held: it bends and shears, so that the joint is not stressed evenly
 
-The history of shear is the slip beyond t_max/ks, where t_max = c0 - sigma tan(phi0) follows the normal stress that
-acts: points whose normal stress changes while they slip depend on the path, and a wide implicit step has an error of
-first order there. Halving the steps of the interface model changes its curve by 2e-7 of the peak.
+The share of the shear strength falls with the slip along the curve of the normal stress that acts: points whose normal
+stress changes while they slip depend on the path, and a wide implicit step has an error of first order there: 7.6e-5 of
+the peak with one step to each place, 1.9e-5 with 4, and 4.7e-6 with the 16 that are taken.
 """
 
 import numpy as np
@@ -70,8 +70,10 @@ def conditions(model: Model) -> None:
 def run() -> Findings:
     """Curve and nodes, before the first damage and until half of the strength above the residual is gone."""
     found = Findings()
-    allowed = Allowed(elastic=(1e-14, 1e-12), softening=(1e-6, 1e-5), nodes=(1e-6, 1e-5))
-    compare(found, "couplet of tets", lambda: assembled(SCENE), conditions, PLACES, allowed, move=1000, wait=1000)
+    allowed = Allowed(elastic=(1e-14, 1e-12), softening=(3e-6, 1e-5), nodes=(3e-6, 1e-5))
+    compare(
+        found, "couplet of tets", lambda: assembled(SCENE), conditions, PLACES, allowed, move=1000, wait=1000, parts=16
+    )
     return found
 
 

@@ -2,8 +2,8 @@
 
 The definition, point by point. D = dt + ds - dt ds shared by both modes (1 - D = wn ws), or each mode its own:
   tension   wn = envelope at the largest opening so far, kappa;  sigma = wn ws (fT/kappa) e for e > 0, kn e for e < 0
-  shear     |tau| <= t_res + wn ws (t_max - t_res);  ws falls with the slip beyond t_max/ks while the point slips, both
-            strengths at the sigma that acts;  unloading by ks
+  shear     |tau| <= t_res + wn ws (t_max - t_res), both strengths at the sigma that acts;  unloading by ks
+            ws follows the curve of that sigma, from where it has this ws, by the slip beyond the strength left before
   c_res     acts between faces that touch: torn faces that stand open by e lose it in the proportion D e/kappa
 sigma depends on ws and ws on sigma: both hold at once here, found by repeated substitution.
 """
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from verification.interface.envelopes import Law, shear_left, tension_left
+from verification.interface.envelopes import Law, shear_left, slip_of_share, tension_left
 
 Array = np.ndarray
 ROUNDS = 60
@@ -44,17 +44,17 @@ def traction(law: Law, history: History, normal: Array, jump: Array) -> tuple[Ar
     wn = np.where(e > history.widest, np.minimum(history.tension, tension_left(law, widest)), history.tension)
     trial = law.ks * (s - history.slip)
     size = np.sqrt(np.einsum("...i,...i->...", trial, trial))
-    total = np.sqrt(np.einsum("...i,...i->...", s, s))
     ws = np.broadcast_to(history.shear, e.shape)
     for _ in range(ROUNDS):
         before = ws
         sigma = normal_stress(law, widest, wn, ws, e)
         peak, residual = strengths(law, widest, wn, sigma, e)
         shared = wn if law.combined else 1.0
-        slips = size > residual + history.shear * shared * (peak - residual)
-        past = total - peak / law.ks
-        left = shear_left(law, np.maximum(past, 0.0), peak, residual, np.maximum(-sigma, 0.0))
-        falls = slips & (past > 0.0) & (peak > residual)
+        past = (size - residual - history.shear * shared * (peak - residual)) / law.ks
+        compression = np.maximum(-sigma, 0.0)
+        so_far = slip_of_share(law, history.shear, peak, residual, compression)
+        left = shear_left(law, so_far + np.maximum(past, 0.0), peak, residual, compression)
+        falls = (past > 0.0) & (peak > residual)
         ws = np.where(falls, np.minimum(history.shear, left), history.shear)
         if np.max(np.abs(ws - before), initial=0.0) < SETTLED:
             break

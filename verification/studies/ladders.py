@@ -3,12 +3,12 @@
 import importlib
 import math
 import pkgutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from verification import precision
 from verification.catalogue import modules
-from verification.ladder import ACCURACY, Point, Problem, Reference, changes_model, is_setting, richardson
+from verification.ladder import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
 from verification.studies import trial
 from verification.studies.trial import Trial
@@ -73,7 +73,8 @@ class Study:
             for quantity, reference in self.references.items():
                 value = values.get(quantity, math.nan)
                 kind = self.problem.kind if quantity in exact else reference.kind
-                entry = trial.record(one, quantity, value, exact.get(quantity, reference.value), kind)
+                wanted = exact.get(quantity, reference.value)
+                entry = trial.record(one, quantity, value, wanted, kind, self._scale(quantity, exact))
                 yield entry | {
                     "case": self.problem.name,
                     "unit": self.problem.units[quantity],
@@ -85,7 +86,13 @@ class Study:
     @property
     def doubts(self) -> dict[str, float]:
         """Quantity -> what its reference may be off by, relative."""
-        return {q: r.uncertainty / abs(r.value) if r.value else 0.0 for q, r in self.references.items()}
+        scales = {q: abs(self._scale(q, {})) for q in self.references}
+        return {q: r.uncertainty / scales[q] if scales[q] else 0.0 for q, r in self.references.items()}
+
+    def _scale(self, quantity: str, exact: Mapping[str, float]) -> float:
+        """What the error of a quantity is relative to."""
+        over = OVER.get(quantity, quantity)
+        return exact.get(over, self.references[over].value)
 
     @property
     def doubt(self) -> float:
