@@ -76,7 +76,7 @@ class FixedPace:
     def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
         """The drive is held by what the specimen stores."""
         if self.rest is not None:
-            self.rest.stored = terms["elastic_blocks"] + terms["elastic_contacts"]
+            self.rest.see(terms["elastic_blocks"] + terms["elastic_contacts"])
 
     def progress(self) -> tuple[int, int]:
         """Steps done, and all of them."""

@@ -168,7 +168,7 @@ class ControlledPace:
         self.most_force = max(self.most_force, abs(force), 1e-300)
         self.work += abs(force) * self.made
         if self.held:
-            self.wait(force, abs(terms["kinetic"]) <= AT_REST * stored)
+            self.wait(force, abs(terms["kinetic"]) <= AT_REST * max(stored, PARTED * self.most_stored))
         else:
             self.go_on(force, support, seen, terms)
         self.stored, self.broken, self.damped = stored, broken, terms["damping"]

@@ -22,7 +22,9 @@ most local damping, as much of it would make a crack creep."""
 STILL, BRAKINGS, MOST = 1e-7, 20, 50_000
 """The drive goes on when the kinetic energy has been below this share of the stored energy for so many brakings, as
 a crack may creep on before it leaps, or after so many steps."""
-REMEMBERED = ("usual", "held", "stored", "learning", "still")
+PARTED = 0.02
+"""Of the most that was stored: what a specimen that came apart is taken to store."""
+REMEMBERED = ("usual", "held", "stored", "most", "learning", "still")
 
 
 class Rest:
@@ -37,8 +39,13 @@ class Rest:
     def __init__(self, model: Model) -> None:
         assert isinstance(model.damping, float)
         self.model, self.events, self.damping = model, Events(model), model.damping
-        self.usual = self.stored = 0.0
+        self.usual = self.stored = self.most = 0.0
         self.held = self.learning = self.still = 0
+
+    def see(self, stored: float) -> None:
+        """The specimen stores so much (J) now; pieces that came apart are measured by what they stored together."""
+        self.most = max(self.most, stored)
+        self.stored = max(stored, PARTED * self.most)
 
     def look(self, step: int, speed: float, before: list[np.ndarray]) -> None:
         """The drive moves at `speed` (m/s) after a step; velocities one step earlier (energy.velocities)."""

@@ -98,7 +98,7 @@ def test_a_scene_that_is_stopped_leaves_the_table_and_its_own_code(tmp_path, cap
 def test_listing_runs_nothing_and_wrong_words_are_one_message(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert main(["sensitivity", "wallette-mode-1", "--list", "--quick"]) == 0
-    assert "plates     right plate upright" in capsys.readouterr().out
+    assert "plates     right plate free to turn" in capsys.readouterr().out
     assert os.listdir() == []
     for words in (
         ["nowhere"],

@@ -18,7 +18,7 @@ def test_every_variant_of_a_wallette_is_named_once_and_its_scene_takes_it():
     scene = load("wallette-mode-1")
     chosen = variants(assemble(scene))
     assert chosen[0].name == "as it is" and chosen[0].settings == {}
-    assert len({variant.name for variant in chosen}) == len(chosen) == 12
+    assert len({variant.name for variant in chosen}) == len(chosen) == 11
     assert {variant.kind for variant in chosen[1:]} == set(KINDS)
     for variant in chosen[1:]:
         assert scene.with_(variant.settings) != scene

@@ -107,18 +107,18 @@ def test_affine_units_glued_to_plates_follow_the_closed_form_in_series_with_thei
 
 
 def test_a_finer_accuracy_follows_a_steep_curve_over_the_plastic_slip_more_closely():
-    """The area above the residual, G_II (peak - residual) / c0, near the least G_II, where the curve is steepest."""
+    """The area above the residual, G_II (peak - residual) / c0; the curve is 0.6 times as steep as the springs."""
     joint = Joint()
     drop = joint.peak(0.5e6) - joint.residual(0.5e6)
     steep = {
         "law": "exponential",
         "contact.unit_unit.softening_variable": "plastic",
-        "contact.unit_unit.fracture_energy_mode_2": "13 N/m",
+        "contact.unit_unit.fracture_energy_mode_2": "20 N/m",
         "contact.unit_unit.fracture_energy_mode_2_slope": "0 N/m/MPa",
     }
     off = {}
     for accuracy in ("1 %", "0.1 %"):
         _, summary = curve("couplet", **steep, **{"drive.accuracy": accuracy})
         booked = summary["energy_j"]["fracture_mode_2"] / summary["section_m2"]
-        off[accuracy] = abs(booked / (13.0 * drop / joint.c0) - 1.0)
-    assert off["0.1 %"] < 0.6 * off["1 %"] < 1e-3
+        off[accuracy] = abs(booked / (20.0 * drop / joint.c0) - 1.0)
+    assert off["0.1 %"] < 0.3 * off["1 %"] < 3e-4

@@ -7,9 +7,6 @@ from masonry.assembly import assemble
 from masonry.effort import expected_rows
 from masonry.scene import load
 
-HINGE = {"support.1.fix": ["y"]}
-"""Upright, the grid of mode 1 swings as its beds slide, and takes up to five times the steps that are expected."""
-
 
 @pytest.mark.parametrize(
     ("name", "over"),
@@ -18,8 +15,9 @@ HINGE = {"support.1.fix": ["y"]}
         ("couplet", {"drive.accuracy": 0.003}),
         ("couplet", {"drive.accuracy": None, "drive.steps": 2000}),
         ("couplet-cyclic", {}),
-        ("wallette-mode-1", HINGE),
-        ("wallette-mode-1", HINGE | {"drive.accuracy": 0.05}),
+        ("wallette-mode-1", {}),
+        ("wallette-mode-1", {"drive.accuracy": 0.05}),
+        ("wallette-mode-2", {}),
         ("wallette-cyclic", {}),
     ],
 )
