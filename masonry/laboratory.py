@@ -10,6 +10,7 @@ from masonry.assembly import Assembly, assemble
 from masonry.contact_remarks import contact_remarks
 from masonry.effort import expected_seconds, expected_steps
 from masonry.errors import Stopped
+from masonry.import_scene import INVENTED
 from masonry.keeper import Keeper
 from masonry.kernels.freedom import Guided
 from masonry.laws.door import word_of
@@ -169,7 +170,18 @@ def warnings(assembly: Assembly) -> list[str]:
         nu = material.poisson_ratio
         if nu is not None and nu > LOCKING and assembly.scene.kinematics_of(name) == "tets":
             found.append(f"material.{name}: constant-strain tets lock at a Poisson ratio of {nu:g}: {locking_text(nu)}")
-    return [*found, *contact_remarks(assembly)]
+    return [*found, *contact_remarks(assembly), *_placeholders(assembly.scene)]
+
+
+def _placeholders(scene: Scene) -> list[str]:
+    """What an import made up, and nobody has replaced since."""
+    keys = [key for key, why in scene.assumptions.items() if why == INVENTED]
+    if not keys:
+        return []
+    return [
+        f"placeholders that `masonry import` made up: {', '.join(keys)}; put in your own, and take their lines out of "
+        "[assumptions]"
+    ]
 
 
 def locking_text(nu: float) -> str:

@@ -24,7 +24,7 @@ REPORT = {
     "freedoms": 576,
     "time_step_s": 1.25e-6,
     "limited_by": "contact group unit_unit, block 12",
-    "quality": {"shortest edge": "12 mm, 0.5 h; block 3 (units, unit 1) at (100, 25, 25) mm", "dropped joints": "none"},
+    "quality": {"shortest edge": "12 mm, 0.5 h; block 3 (units, unit 1) at (100, 25, 25) mm", "no joint": "none"},
     "steps": 20000,
     "expected_seconds": 130.0,
     "left_out": ["gravity", "a sentence that is long enough to be wrapped " * 4],

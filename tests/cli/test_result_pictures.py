@@ -225,7 +225,7 @@ def test_an_mp4_is_written_where_there_is_an_ffmpeg_and_refused_in_one_message_e
     assert frames.count_frames_and_secs(str(path))[0] == 3 + 3
     monkeypatch.setattr(film_file.shutil, "which", lambda name: None)
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
-    with pytest.raises(SceneError, match=r"pip install 'masonry-dem\[movie\]'"):
+    with pytest.raises(SceneError, match=r"pip install '\.\[movie\]'"):
         write_film(sample(), tmp_path / "other.mp4")
     assert [path.name for path in tmp_path.iterdir()] == ["wall.mp4"]
 
