@@ -1,5 +1,6 @@
 """How cracks are drawn: red where tension leads and blue where shear does, darker by damage, wider by opening."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +12,8 @@ from masonry.history import Frame
 if TYPE_CHECKING:
     from masonry.results import Result
 
+KINDS = {"shear": ("Blues", "shear leads"), "tension": ("Reds", "tension leads")}
+"""What a crack may be led by: its colours, and how that is said."""
 LEAST_DAMAGE = 0.05
 """Contacts with less damage are not drawn."""
 LEAST_OPENING = 1e-12
@@ -69,23 +72,29 @@ def crack_map(name: str) -> Any:
     return ListedColormap(colormaps[name](np.linspace(0.3, 0.95, 256)))
 
 
-def draw_scales(figure: Any, axes: list[Any]) -> None:
-    """Colour bars of damage, one for each kind of crack."""
+def kinds_of(cracks: Sequence[Any]) -> list[str]:
+    """Which of KINDS there are among the cracks of some frames."""
+    led = np.concatenate([lines.tension_led for lines in cracks]) if cracks else np.zeros(0, dtype=bool)
+    return [kind for kind, there in (("shear", not led.all()), ("tension", led.any())) if there]
+
+
+def draw_scales(figure: Any, axes: list[Any], kinds: Sequence[str]) -> None:
+    """Colour bars of damage, one for each kind of crack that there is."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    for name, word in (("Blues", "damage, shear leads"), ("Reds", "damage, tension leads")):
+    for name, word in (KINDS[kind] for kind in kinds):
         bar = ScalarMappable(Normalize(0.0, 1.0), crack_map(name))
-        figure.colorbar(bar, ax=axes, label=word, fraction=0.025, pad=0.01, aspect=30)
+        figure.colorbar(bar, ax=axes, label=f"damage, {word}", fraction=0.025, pad=0.01, aspect=30)
 
 
-def crack_keys(scale: float) -> list[Any]:
-    """Entries of a legend: the two kinds of cracks, and what width stands for which opening."""
+def crack_keys(scale: float, kinds: Sequence[str]) -> list[Any]:
+    """Entries of a legend: the kinds of cracks that there are, and what width stands for which opening."""
     from matplotlib.lines import Line2D
 
     keys = [
-        Line2D([], [], color=crack_map(colour)(0.9), linewidth=3.0, label=f"crack, {word} leads")
-        for colour, word in (("Reds", "tension"), ("Blues", "shear"))
+        Line2D([], [], color=crack_map(colour)(0.9), linewidth=3.0, label=f"crack, {word}")
+        for colour, word in (KINDS[kind] for kind in reversed(kinds))
     ]
     if scale > 0.0:
         shown = np.array([0.0, 0.5 * scale, scale])

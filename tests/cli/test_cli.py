@@ -100,6 +100,28 @@ def test_a_stopped_run_writes_what_it_has_and_exits_with_3(laboratory, tmp_path,
     said = capsys.readouterr().err.splitlines()
     assert said[0] == said[2] == "masonry: block 7 at step 1200: velocity is not finite"
     assert "results/couplet-1" in said[1]
+    stopped.result.summary["stopped"] = "velocity is not finite"
+    laboratory.run = raising(stopped)
+    assert main(["run", "couplet"]) == 3
+    out = " ".join(capsys.readouterr().out.split())
+    assert "cracks.png" in out and "peak stress" in out and "was stopped, so this is only its first part" in out
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["run", "couplet", "--law", "linear"], "--set law=VALUE; see `masonry run --help`"),
+        (["run", "couplet", "--overwrited"], "did you mean '--overwrite'?; see `masonry run --help`"),
+        (["picture", "couplet", "--steps=3"], "did you mean '--step'?; see `masonry picture --help`"),
+        (["check", "couplet", "--set", "cohesion=1 MPa"], "did you mean 'contact.unit_unit.cohesion'"),
+        (["check", "couplet", "--set", "rate=1 mm/s"], "did you mean 'drive.rate'?"),
+        (["check", "couplet", "--set", "density=1 kg/m^3"], "did you mean 'material.units.density'?"),
+        (["check", "couplet", "--set", "width=1 mm"], "did you mean 'specimen.width'?"),
+    ],
+)
+def test_a_word_that_is_not_known_names_the_place_where_it_belongs(words, said, capsys):
+    assert main(words) == 2
+    assert said in capsys.readouterr().err
 
 
 def test_an_interrupted_run_writes_what_it_has_and_exits_with_130(laboratory, tmp_path, capsys):
