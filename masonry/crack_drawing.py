@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 KINDS = {"shear": ("Blues", "shear leads"), "tension": ("Reds", "tension leads")}
 """What a crack may be led by: its colours, and how that is said."""
+DRY = "#3a7d34"
+"""The colour of joints without strength that slid or opened."""
 LEAST_DAMAGE = 0.05
 """Contacts with less damage are not drawn."""
 LEAST_OPENING = 1e-12
@@ -47,7 +49,7 @@ def draw_cracks(
     field = Deformation(Corners(result.specimen.blocks), frame)
     pieces = view.project(lines.displaced(result.joints, field, times))
     order = np.argsort(lines.damage, kind="stable")
-    colours = crack_colours(lines.damage, lines.tension_led)
+    colours = crack_colours(lines.damage, lines.tension_led, lines.dry)
     axes.add_collection(
         LineCollection(
             list(pieces[order]),
@@ -59,9 +61,12 @@ def draw_cracks(
     )
 
 
-def crack_colours(damage: np.ndarray, tension_led: np.ndarray) -> np.ndarray:
-    """(n, 4) colours of cracks by their damage (n,) and by what leads (n,)."""
-    return np.where(tension_led[:, None], crack_map("Reds")(damage), crack_map("Blues")(damage))
+def crack_colours(damage: np.ndarray, tension_led: np.ndarray, dry: np.ndarray) -> np.ndarray:
+    """(n, 4) colours of cracks by their damage (n,) and by what leads (n,); one for what moved without damage (n,)."""
+    from matplotlib.colors import to_rgba
+
+    damaged = np.where(tension_led[:, None], crack_map("Reds")(damage), crack_map("Blues")(damage))
+    return np.where(dry[:, None], to_rgba(DRY), damaged)
 
 
 def crack_map(name: str) -> Any:
@@ -73,9 +78,12 @@ def crack_map(name: str) -> Any:
 
 
 def kinds_of(cracks: Sequence[Any]) -> list[str]:
-    """Which of KINDS there are among the cracks of some frames."""
-    led = np.concatenate([lines.tension_led for lines in cracks]) if cracks else np.zeros(0, dtype=bool)
-    return [kind for kind, there in (("shear", not led.all()), ("tension", led.any())) if there]
+    """Which of KINDS there are among the cracks of some frames, and "dry" where joints moved without damage."""
+    if not cracks:
+        return []
+    led, dry = (np.concatenate([getattr(lines, name) for lines in cracks]) for name in ("tension_led", "dry"))
+    there = {"shear": (~led & ~dry).any(), "tension": (led & ~dry).any(), "dry": dry.any()}
+    return [kind for kind, is_there in there.items() if is_there]
 
 
 def draw_scales(figure: Any, axes: list[Any], kinds: Sequence[str]) -> None:
@@ -83,7 +91,7 @@ def draw_scales(figure: Any, axes: list[Any], kinds: Sequence[str]) -> None:
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    for name, word in (KINDS[kind] for kind in kinds):
+    for name, word in (KINDS[kind] for kind in kinds if kind in KINDS):
         bar = ScalarMappable(Normalize(0.0, 1.0), crack_map(name))
         figure.colorbar(bar, ax=axes, label=f"damage, {word}", fraction=0.025, pad=0.01, aspect=30)
 
@@ -94,8 +102,10 @@ def crack_keys(scale: float, kinds: Sequence[str]) -> list[Any]:
 
     keys = [
         Line2D([], [], color=crack_map(colour)(0.9), linewidth=3.0, label=f"crack, {word}")
-        for colour, word in (KINDS[kind] for kind in reversed(kinds))
+        for colour, word in (KINDS[kind] for kind in reversed(kinds) if kind in KINDS)
     ]
+    if "dry" in kinds:
+        keys.append(Line2D([], [], color=DRY, linewidth=3.0, label="moved without damage"))
     if scale > 0.0:
         shown = np.array([0.0, 0.5 * scale, scale])
         for opening, width in zip(shown, widths(shown, scale), strict=True):
