@@ -10,7 +10,6 @@ from masonry.assembly import Assembly, assemble
 from masonry.contact_remarks import contact_remarks
 from masonry.effort import expected_seconds, expected_steps
 from masonry.errors import Stopped
-from masonry.import_scene import INVENTED
 from masonry.keeper import Keeper
 from masonry.kernels.freedom import Guided
 from masonry.laws.door import word_of
@@ -18,6 +17,7 @@ from masonry.outcome import Outcome
 from masonry.quality_lines import quality_lines
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
+from masonry.scene.schema import INVENTED
 from masonry.summary import cells_text, summarise
 
 if TYPE_CHECKING:

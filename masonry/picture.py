@@ -75,8 +75,8 @@ def gallery(
     ratio = max((_ratio(drawing) for drawing in shown), default=1.0)
     width = 14.0 if len(panels) > 1 else 9.0
     height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
-    figure = ShownFigure(figsize=(width, height), layout="constrained")
-    figure.get_layout_engine().set(h_pad=0.08)  # inches, between the title and those of the panels
+    figure = ShownFigure(figsize=(width, height))
+    figure.set_layout_engine("constrained", h_pad=0.08)  # inches, between the title and those of the panels
     axes = list(np.atleast_1d(figure.subplots(rows, columns)).ravel())
     for spare in axes[len(panels) :]:
         spare.set_axis_off()

@@ -43,7 +43,9 @@ def parser() -> Parser:
         help="OLD.json: hold this run against older records; OLD.json NEW.json: two files, and run nothing",
     )
     words.add_argument(
-        "--missing", action="store_true", help="skip the cases that DIR/records.json (--out DIR) has of this version"
+        "--missing",
+        action="store_true",
+        help="skip what holds by DIR/records.json (--out DIR) of this version",
     )
     words.add_argument("--workers", type=int, default=runner.WORKERS, metavar="N", help="processes (default 2)")
     return words
@@ -88,12 +90,12 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _missing(cases: list[Case], folder: Path | None) -> list[Case]:
-    """Those without records of this version in the folder."""
+    """Those that do not hold by the records of this version in the folder, or have none."""
     if folder is None:
         raise SceneError("--missing skips what is in the records of a folder: name it with --out DIR")
     known = records.done(folder)
     missing = [case for case in cases if case.name not in known]
-    _tell(f"{len(cases) - len(missing)} of {len(cases)} cases have records of this version in '{folder}'")
+    _tell(f"{len(cases) - len(missing)} of {len(cases)} cases hold by the records of this version in '{folder}'")
     return missing
 
 

@@ -134,11 +134,12 @@ def merged(old: list[Record], new: list[Record]) -> list[Record]:
 
 
 def done(folder: Path) -> set[str]:
-    """The cases of this version and processor that have records in the folder. Raises SceneError as `load` does."""
+    """The cases that hold by their records in the folder, of this version and processor. Raises as `load`."""
     path, mine = folder / NAME, origin()
     same = ("version", "source_hash", "reference_hash", "processor")
     found = load(path) if path.exists() else []
-    return {r["case"] for r in found if r.get("chapter") == CASES and all(r.get(key) == mine[key] for key in same)}
+    held = [r for r in found if r.get("chapter") == CASES and r.get("status") in ("PASS", "NOT BUILT")]
+    return {r["case"] for r in held if all(r.get(key) == mine[key] for key in same)}
 
 
 def require_writable(folder: Path) -> None:

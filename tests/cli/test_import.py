@@ -10,9 +10,9 @@ from geometry.joints import find_joints
 from geometry.measures import volumes
 from masonry import laboratory
 from masonry.cli import main
-from masonry.import_scene import INVENTED
 from masonry.printout import trust
 from masonry.scene import load
+from masonry.scene.schema import INVENTED
 from tests.geometry import step_files as files
 
 

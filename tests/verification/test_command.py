@@ -127,10 +127,13 @@ def test_ctrl_c_keeps_what_is_done_and_the_same_words_with_missing_go_on(tmp_pat
     assert "Sample holds" in (out / "verify.html").read_text(encoding="utf-8")
     done.append(1)
     assert verify("--full", "--out", str(out), "--missing") == 0
-    assert "1 of 2 cases have records" in capsys.readouterr().err
+    assert "1 of 2 cases hold by the records" in capsys.readouterr().err
     assert [r["case"] for r in json.loads((out / "records.json").read_text())] == ["first", "second"]
     assert verify("--full", "--out", str(out), "--missing") == 0
     assert main(["verify", "--missing"]) == 2
+    known["second"] = case(samples.off, "second")
+    assert verify("second", "--out", str(out)) == 1
+    assert verify("--full", "--out", str(out), "--missing") == 1, "a case that failed is run again"
 
 
 def test_nothing_is_written_where_nothing_was_done(tmp_path, monkeypatch):
