@@ -5,7 +5,8 @@
 # make docs     the documentation, as a site that opens without a network: site/index.html
 # make lint     style and types only
 # make clean    removes what the others made, results/ excepted
-# Each sets up .venv first where that is needed, and on Debian the libraries that gmsh lacks (.ci/setup).
+# Each sets up .venv first where that is needed, and on Debian the libraries that gmsh lacks (.ci/setup). `make run`
+# installs what a run needs; the others install the tools of tests and documentation as well.
 
 SCENE ?= wallette-mode-1
 ARGS ?=
@@ -15,7 +16,7 @@ PY := .venv/bin/python
 
 .PHONY: run test bench report docs lint clean
 
-run: .venv/.ready
+run: .venv/.core
 	@.venv/bin/masonry run $(SCENE) $(ARGS)
 
 test: lint
@@ -43,12 +44,18 @@ clean:
 	rm -rf .venv build site jupyter_execute docs/_generated *.egg-info bench.json .pytest_cache .mypy_cache .ruff_cache .hypothesis .benchmarks
 	find geometry masonry verification tests benchmarks -name __pycache__ -prune -exec rm -rf {} +
 
-# The stamp holds the folder that .venv was made in: a copied, moved or broken .venv is made again.
-sound := $(shell [ "$$(cat .venv/.ready 2>/dev/null)" = "$$(pwd -P)" ] \
-	&& $(PY) -c 'import importlib.util as u, sys; sys.exit(not u.find_spec("numba"))' 2>/dev/null && echo yes)
-ifneq ($(sound),yes)
+# A stamp holds the folder that .venv was made in: a copied, moved or broken .venv is made again.
+runs := $(shell $(PY) -c 'import importlib.util as u, sys; sys.exit(not u.find_spec("numba"))' 2>/dev/null && echo yes)
+stamped = $(shell [ "$$(cat .venv/$(1) 2>/dev/null)" = "$$(pwd -P)" ] && echo $(runs))
+ifneq ($(call stamped,.core),yes)
+.PHONY: .venv/.core
+endif
+ifneq ($(call stamped,.ready),yes)
 .PHONY: .venv/.ready
 endif
+
+.venv/.core: pyproject.toml .ci/setup .ci/apt
+	@.ci/setup core
 
 .venv/.ready: pyproject.toml .ci/setup .ci/apt
 	@.ci/setup

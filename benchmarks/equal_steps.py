@@ -3,7 +3,7 @@
 Made by `masonry run <scene> --set drive.steps=<steps> --set solver.damping=<damping>` with the keys of RIG; `pytest -m
 slow` makes some of it again. `steps` are those of the drive, after `settle`. The converged values are what the ladders
 of all dampings come to: within 0.1 % in the peak and 0.2 % in the dissipated energy. In the couplet all that moves
-along the shear is prescribed, so that damping has no say and the only error is that of the steps themselves.
+along the shear is prescribed, so that damping has no effect and the only error is that of the steps themselves.
 """
 
 from typing import Any

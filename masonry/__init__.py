@@ -37,31 +37,36 @@ def load(scene: "str | Path", overrides: Any = ()) -> "Scene":
     return load_scene(scene, overrides)
 
 
-def check(scene: "Scene") -> "Report":
-    """What a scene would run, without running it: sizes, time step, expected seconds, what is left out, warnings.
+def check(scene: "Scene | str | Path") -> "Report":
+    """What a scene would run, without running it: sizes, time step, expected seconds, what is not compiled, warnings.
 
+    scene  a scene, a file of one, or the name of a packaged one
     A dictionary that prints as `masonry check` does. Raises SceneError or GeometryError.
     """
     from masonry.laboratory import check as check_scene
 
-    return check_scene(scene)
+    return check_scene(_scene(scene))
 
 
-def run(scene: "Scene", threads: int = 1, progress: "Callable[[int, int, str], None] | bool | None" = None) -> "Result":
+def run(
+    scene: "Scene | str | Path", threads: int = 1, progress: "Callable[[int, int, str], None] | bool | None" = None
+) -> "Result":
     """Run a scene to its end. Raises SceneError or GeometryError before it starts, Stopped if it runs away.
 
+    scene     a scene, a file of one, or the name of a packaged one
     progress  True: say how far it is; False: say nothing; None: say it in a notebook only, where the line goes when
               the run ends; or a function of step, steps and a note
     """
     from masonry.laboratory import run as run_scene
     from masonry.notebook import telling
 
+    scene = _scene(scene)
     with telling(progress, scene.name) as tell:
         return run_scene(scene, threads, tell)
 
 
 def sensitivity(
-    scene: "Scene",
+    scene: "Scene | str | Path",
     out: "str | Path | None" = None,
     only: "Sequence[str]" = (),
     quick: bool = False,
@@ -70,6 +75,7 @@ def sensitivity(
 ) -> "Sensitivity":
     """Run a scene with other damping, pace, coupling, kinematics, unloading, plates, cells and seeds, side by side.
 
+    scene    a scene, a file of one, or the name of a packaged one
     out      folder of results; without it the next free results/SCENE-sensitivity-N
     only     kinds of variants; all that make sense for the scene where none is named
     quick    one variant of each kind, and none of the slow kinds
@@ -79,7 +85,7 @@ def sensitivity(
     """
     from masonry.comparison.sensitivity import sensitivity as compare
 
-    return compare(scene, out, only, quick, workers, tell)
+    return compare(_scene(scene), out, only, quick, workers, tell)
 
 
 def load_result(folder: "str | Path") -> "Result":
@@ -87,3 +93,10 @@ def load_result(folder: "str | Path") -> "Result":
     from masonry.results import load_history
 
     return load_history(folder)
+
+
+def _scene(scene: "Scene | str | Path") -> "Scene":
+    """A scene as it is, else the one of that file or packaged name. Raises SceneError."""
+    from masonry.scene import Scene
+
+    return scene if isinstance(scene, Scene) else load(scene)

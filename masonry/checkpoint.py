@@ -2,6 +2,7 @@
 
 scene.toml        the resolved scene, from the start
 run.json          threads, and seconds between two checkpoints
+HOW-TO-GO-ON.txt  the command that goes on, for who finds the folder
 state-000012.npz  the last two checkpoints (state_file.py); the older one stands in where the newer one is damaged
 """
 
@@ -33,6 +34,9 @@ class Checkpoints:
         self.clear()
         with WholeFiles(self.folder) as files:
             files.text("run.json", json.dumps(how) + "\n")
+            files.text(
+                "HOW-TO-GO-ON.txt", f"This run is not done. To go on with it:\n\n    masonry resume {self.results}\n"
+            )
             files.text("scene.toml", scene_toml)
 
     def how(self) -> dict[str, Any]:

@@ -64,7 +64,9 @@ def parser() -> Parser:
     run.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
     run.set_defaults(action=commands.run_scene)
     _add_resume(added)
-    check = added.add_parser("check", parents=[scene], help="say what a scene will cost and what it leaves out")
+    check = added.add_parser(
+        "check", parents=[scene], help="say what a scene will cost, and what of the program it does not use"
+    )
     check.set_defaults(action=commands.check_scene)
     export = added.add_parser("export", parents=[scene], help="write the blocks of a scene for other programs")
     export.add_argument("--to", type=Path, required=True, metavar="FILE", help="a .step, .msh or .vtu file")

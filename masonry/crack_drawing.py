@@ -1,5 +1,6 @@
 """How cracks are drawn: red where tension leads and blue where shear does, darker by damage, wider by opening."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +12,10 @@ from masonry.history import Frame
 if TYPE_CHECKING:
     from masonry.results import Result
 
+KINDS = {"shear": ("Blues", "shear leads"), "tension": ("Reds", "tension leads")}
+"""What a crack may be led by: its colours, and how that is said."""
+DRY = "#3a7d34"
+"""The colour of joints without strength that slid or opened."""
 LEAST_DAMAGE = 0.05
 """Contacts with less damage are not drawn."""
 LEAST_OPENING = 1e-12
@@ -44,7 +49,7 @@ def draw_cracks(
     field = Deformation(Corners(result.specimen.blocks), frame)
     pieces = view.project(lines.displaced(result.joints, field, times))
     order = np.argsort(lines.damage, kind="stable")
-    colours = crack_colours(lines.damage, lines.tension_led)
+    colours = crack_colours(lines.damage, lines.tension_led, lines.dry)
     axes.add_collection(
         LineCollection(
             list(pieces[order]),
@@ -56,9 +61,12 @@ def draw_cracks(
     )
 
 
-def crack_colours(damage: np.ndarray, tension_led: np.ndarray) -> np.ndarray:
-    """(n, 4) colours of cracks by their damage (n,) and by what leads (n,)."""
-    return np.where(tension_led[:, None], crack_map("Reds")(damage), crack_map("Blues")(damage))
+def crack_colours(damage: np.ndarray, tension_led: np.ndarray, dry: np.ndarray) -> np.ndarray:
+    """(n, 4) colours of cracks by their damage (n,) and by what leads (n,); one for what moved without damage (n,)."""
+    from matplotlib.colors import to_rgba
+
+    damaged = np.where(tension_led[:, None], crack_map("Reds")(damage), crack_map("Blues")(damage))
+    return np.where(dry[:, None], to_rgba(DRY), damaged)
 
 
 def crack_map(name: str) -> Any:
@@ -69,24 +77,35 @@ def crack_map(name: str) -> Any:
     return ListedColormap(colormaps[name](np.linspace(0.3, 0.95, 256)))
 
 
-def draw_scales(figure: Any, axes: list[Any]) -> None:
-    """Colour bars of damage, one for each kind of crack."""
+def kinds_of(cracks: Sequence[Any]) -> list[str]:
+    """Which of KINDS there are among the cracks of some frames, and "dry" where joints moved without damage."""
+    if not cracks:
+        return []
+    led, dry = (np.concatenate([getattr(lines, name) for lines in cracks]) for name in ("tension_led", "dry"))
+    there = {"shear": (~led & ~dry).any(), "tension": (led & ~dry).any(), "dry": dry.any()}
+    return [kind for kind, is_there in there.items() if is_there]
+
+
+def draw_scales(figure: Any, axes: list[Any], kinds: Sequence[str]) -> None:
+    """Colour bars of damage, one for each kind of crack that there is."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    for name, word in (("Blues", "damage, shear leads"), ("Reds", "damage, tension leads")):
+    for name, word in (KINDS[kind] for kind in kinds if kind in KINDS):
         bar = ScalarMappable(Normalize(0.0, 1.0), crack_map(name))
-        figure.colorbar(bar, ax=axes, label=word, fraction=0.025, pad=0.01, aspect=30)
+        figure.colorbar(bar, ax=axes, label=f"damage, {word}", fraction=0.025, pad=0.01, aspect=30)
 
 
-def crack_keys(scale: float) -> list[Any]:
-    """Entries of a legend: the two kinds of cracks, and what width stands for which opening."""
+def crack_keys(scale: float, kinds: Sequence[str]) -> list[Any]:
+    """Entries of a legend: the kinds of cracks that there are, and what width stands for which opening."""
     from matplotlib.lines import Line2D
 
     keys = [
-        Line2D([], [], color=crack_map(colour)(0.9), linewidth=3.0, label=f"crack, {word} leads")
-        for colour, word in (("Reds", "tension"), ("Blues", "shear"))
+        Line2D([], [], color=crack_map(colour)(0.9), linewidth=3.0, label=f"crack, {word}")
+        for colour, word in (KINDS[kind] for kind in reversed(kinds) if kind in KINDS)
     ]
+    if "dry" in kinds:
+        keys.append(Line2D([], [], color=DRY, linewidth=3.0, label="moved without damage"))
     if scale > 0.0:
         shown = np.array([0.0, 0.5 * scale, scale])
         for opening, width in zip(shown, widths(shown, scale), strict=True):

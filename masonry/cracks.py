@@ -99,6 +99,7 @@ class CrackLines:
     damage        (n,) area-weighted mean damage, 0 .. 1
     tension_led   (n,) damage by tension at least as large as by shear
     opening       (n,) m, area-weighted mean of how far the two faces moved apart or along each other
+    dry           (n,) moved for good without damage: see dry_joints.py; false until that is looked at
     """
 
     start: np.ndarray
@@ -107,6 +108,7 @@ class CrackLines:
     damage: np.ndarray
     tension_led: np.ndarray
     opening: np.ndarray
+    dry: np.ndarray
 
     def select(self, mask: np.ndarray) -> "CrackLines":
         return CrackLines(**{entry.name: getattr(self, entry.name)[mask] for entry in fields(self)})
@@ -153,6 +155,7 @@ def crack_lines(joints: Joints, frame: Frame, view: View) -> CrackLines:
         damage=mean(frame.damage[seen]),
         tension_led=mean(frame.damage_tension[seen]) >= mean(frame.damage_shear[seen]),
         opening=mean(np.hypot(np.maximum(frame.opening[seen], 0.0), frame.slip[seen])),
+        dry=np.zeros(int(fresh.sum()), dtype=bool),
     )
 
 

@@ -3,7 +3,9 @@
 import contextlib
 import math
 import os
+import shutil
 import signal
+import tempfile
 import threading
 import time
 from collections.abc import Callable, Generator, Sequence
@@ -33,14 +35,14 @@ def work(act: Act, tasks: Sequence[Any], workers: int, limit: float = math.inf) 
     limit    seconds after which a task is given up
     The processes end with the iterator, whatever they do: close it (`contextlib.closing`) where it is left early.
     """
-    crew = [_Worker(act) for _ in range(min(workers, len(tasks)))]
-    begun = 0
+    begun, scratch = 0, tempfile.mkdtemp(prefix="masonry-")  # what an ended worker left half-done goes with it
+    crew = [_Worker(act, scratch) for _ in range(min(workers, len(tasks)))]
     try:
         while True:
             for place, worker in enumerate(crew):
                 if worker.task is None and begun < len(tasks):
                     if not worker.process.is_alive():
-                        crew[place] = worker = _Worker(act)
+                        crew[place] = worker = _Worker(act, scratch)
                     worker.begin(begun, tasks[begun])
                     begun += 1
             busy = [worker for worker in crew if worker.task is not None]
@@ -55,15 +57,16 @@ def work(act: Act, tasks: Sequence[Any], workers: int, limit: float = math.inf) 
     finally:
         for worker in crew:
             worker.stop()
+        shutil.rmtree(scratch, ignore_errors=True)
 
 
 class _Worker:
     """A process of its own, started afresh (spawn: a fork would copy the threads of what is compiled)."""
 
-    def __init__(self, act: Act) -> None:
+    def __init__(self, act: Act, scratch: str) -> None:
         context = get_context("spawn")
         self.pipe, theirs = context.Pipe()
-        self.process: Any = context.Process(target=_serve, args=(theirs, act), daemon=True)
+        self.process: Any = context.Process(target=_serve, args=(theirs, act, scratch), daemon=True)
         self.process.start()
         theirs.close()
         self.task: int | None = None
@@ -107,13 +110,14 @@ class _Worker:
             self.process.join()
 
 
-def _serve(pipe: Connection, act: Act) -> None:
+def _serve(pipe: Connection, act: Act, scratch: str) -> None:
     """A worker's life: a task comes in, what became of it goes out, until the other side closes or is gone."""
     from threadpoolctl import threadpool_limits
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes of a terminal; the first one decides
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # for what is loaded later; the limits below are for what is there
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    os.environ["TMPDIR"] = tempfile.tempdir = scratch
+    threading.Thread(target=_end_with_parent, args=(scratch,), daemon=True).start()
     with contextlib.suppress(EOFError, BrokenPipeError), threadpool_limits(1):
         while True:
             task, begun = pipe.recv(), time.perf_counter()
@@ -124,9 +128,10 @@ def _serve(pipe: Connection, act: Act) -> None:
                 pipe.send(Lost(f"{type(error).__name__}: {error}", time.perf_counter() - begun))
 
 
-def _end_with_parent() -> None:
+def _end_with_parent(scratch: str) -> None:
     """Nobody waits for an answer when the first process was killed."""
     parent = parent_process()
     if parent is not None:
         wait([parent.sentinel])
+        shutil.rmtree(scratch, ignore_errors=True)
         os._exit(1)

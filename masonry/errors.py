@@ -52,6 +52,11 @@ def visible(text: str) -> str:
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
 
 
+def extra(name: str) -> str:
+    """How to install an optional part; the program is in no package index, so that it comes from its clone."""
+    return f"in the clone of masonry-dem: pip install '.[{name}]'"
+
+
 def nearest(word: str, known: Iterable[str]) -> str:
     """What is allowed, and the nearest of it, for the end of a message."""
     allowed = sorted(known)

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from masonry.crack_drawing import scale_of
+from masonry.crack_drawing import kinds_of, scale_of
 from masonry.curve_axes import curve_axes
 from masonry.errors import SceneError
 from masonry.picture import draw_keys, drawing_of, frame_axes, largest_move, magnification, panel_title
@@ -78,7 +78,7 @@ class Film:
         FigureCanvasAgg(figure)
         figure.suptitle(plain(self.result.title), fontsize=13, wrap=True)
         self._draw_curve(curve)
-        draw_keys(figure, [self.panel], [self.result.specimen.blocks], self.scale)
+        draw_keys(figure, [self.panel], [self.result.specimen.blocks], self.scale, kinds_of(self.cracks))
         self.draw(len(self.frames) - 1)
         if (engine := figure.get_layout_engine()) is not None:
             engine.execute(figure)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.whole_files import whole_file
-from masonry.errors import SceneError
+from masonry.errors import SceneError, extra
 
 if TYPE_CHECKING:
     from masonry.film import Film
@@ -102,6 +102,4 @@ def _ffmpeg() -> str:
 
         return str(get_ffmpeg_exe())
     except (ImportError, RuntimeError):
-        raise SceneError(
-            "an .mp4 needs ffmpeg: install it, or `pip install 'masonry-dem[movie]'`; a .gif needs nothing more"
-        ) from None
+        raise SceneError(f"an .mp4 needs ffmpeg: install it, or {extra('movie')}; a .gif needs nothing more") from None

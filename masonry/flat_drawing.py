@@ -1,5 +1,6 @@
 """A specimen from the front or from behind: its displaced outlines, group by colour, and its cracks on them."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -8,6 +9,7 @@ from geometry.blocks import Blocks
 from geometry.ragged import ranges
 from masonry.crack_drawing import LEAST_DAMAGE, draw_cracks
 from masonry.cracks import CrackLines, Outlines, back_view, crack_lines, front_view, outlines
+from masonry.dry_joints import moved_undamaged
 from masonry.history import Frame
 
 if TYPE_CHECKING:
@@ -39,7 +41,8 @@ class FlatDrawing:
     def cracks(self, frame: Frame) -> CrackLines:
         """The contacts to draw."""
         lines = crack_lines(self.result.joints, frame, self.view)
-        return lines.select(lines.damage > LEAST_DAMAGE)
+        lines = replace(lines, dry=moved_undamaged(self.result, frame)[lines.contact])
+        return lines.select((lines.damage > LEAST_DAMAGE) | lines.dry)
 
     def draw(self, axes: Any, frame: Frame, cracks: CrackLines, times: float, scale: float) -> None:
         """Draw a frame with displacements `times` larger, and its cracks; `scale` is the opening (m) of full width."""

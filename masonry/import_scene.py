@@ -6,6 +6,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.contact_groups import contact_group_name, contact_groups
+from masonry.scene.schema import INVENTED
 
 MATERIAL = """density = "1900 kg/m^3"
 # young_modulus = "10 GPa"        # for kinematics "affine" and "tets"
@@ -47,7 +48,6 @@ z = "-9.81 m/s^2"
 [settle]
 steps = 2000
 """
-INVENTED = "a placeholder that the import made up: put in your own"
 
 
 def scene_text(specimen: Specimen, joints: Joints, source: str, blocks_file: str, section_is_made_up: bool) -> str:

@@ -7,12 +7,13 @@ import tempfile
 from importlib import metadata
 from pathlib import Path
 
+from masonry.errors import extra as how_to_install
 from masonry.processors import processors
 
 APT = "apt-get install libgl1 libglu1-mesa libxrender1 libxcursor1 libxft2 libxinerama1 libfontconfig1 libgomp1"
 """What the wheel of gmsh and threads need from a bare Debian."""
 ON_DEBIAN = f"on Debian and Ubuntu: {APT}"
-AGAIN = "install masonry-dem again: pip install --force-reinstall masonry-dem"
+AGAIN = "install it again, in the clone of masonry-dem: pip install --force-reinstall ."
 COMPUTING = ("numpy", "scipy", "numba", "h5py", "pyarrow", "matplotlib", "gmsh")
 """Packages of compiled code, which may be there and yet not load."""
 DISTRIBUTION = "masonry-dem"
@@ -54,13 +55,13 @@ def threading_layer() -> Finding:
 def others(optional: bool) -> Finding:
     """Versions of the packages that are asked for besides those, or of the optional ones that users may want."""
     present, absent = [], []
-    for name, extra in _requirements():
-        if bool(extra) != optional or extra in TOOLS or name in COMPUTING:
+    for name, part in _requirements():
+        if bool(part) != optional or part in TOOLS or name in COMPUTING:
             continue
         try:
             present.append(f"{name} {metadata.version(name)}")
         except metadata.PackageNotFoundError:
-            absent.append(f"{name} (pip install 'masonry-dem[{extra}]')" if extra else name)
+            absent.append(f"{name} ({how_to_install(part)})" if part else name)
     words = ", ".join(present)
     if absent and not optional:
         return False, f"{', '.join(absent)} not installed; {AGAIN}"

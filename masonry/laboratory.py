@@ -17,6 +17,7 @@ from masonry.outcome import Outcome
 from masonry.quality_lines import quality_lines
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
+from masonry.scene.schema import INVENTED
 from masonry.summary import cells_text, summarise
 
 if TYPE_CHECKING:
@@ -169,7 +170,18 @@ def warnings(assembly: Assembly) -> list[str]:
         nu = material.poisson_ratio
         if nu is not None and nu > LOCKING and assembly.scene.kinematics_of(name) == "tets":
             found.append(f"material.{name}: constant-strain tets lock at a Poisson ratio of {nu:g}: {locking_text(nu)}")
-    return [*found, *contact_remarks(assembly)]
+    return [*found, *contact_remarks(assembly), *_placeholders(assembly.scene)]
+
+
+def _placeholders(scene: Scene) -> list[str]:
+    """What an import made up, and nobody has replaced since."""
+    keys = [key for key, why in scene.assumptions.items() if why == INVENTED]
+    if not keys:
+        return []
+    return [
+        f"placeholders that `masonry import` made up: {', '.join(keys)}; put in your own, and take their lines out of "
+        "[assumptions]"
+    ]
 
 
 def locking_text(nu: float) -> str:

@@ -25,6 +25,7 @@ SHOWING = tuple(
             "curve_axes.py",
             "picture.py",
             "crack_drawing.py",
+            "dry_joints.py",
             "picture_frame.py",
             "geometry_picture.py",
         ),
@@ -32,7 +33,17 @@ SHOWING = tuple(
         *("solid_drawing.py", "frame_choice.py", "frame_picture.py", "picture_command.py", "movie_command.py"),
         *("film.py", "film_file.py", "show.py", "stage.py", "fields.py", "joint_fields.py", "vtkhdf.py"),
         *("notebook.py", "painter.py", "figure.py", "scene/portrait.py"),
-        *("law_*.py", "one_contact.py", "progress.py", "tally.py", "crew.py", "sweep/*", "comparison/*"),
+        *(
+            "law_command.py",
+            "law_picture.py",
+            "law_portrait.py",
+            "one_contact.py",
+            "progress.py",
+            "tally.py",
+            "crew.py",
+            "sweep/*",
+            "comparison/*",
+        ),
     )
 )
 """Sources that a result does not depend on: an edit of these runs nothing again."""

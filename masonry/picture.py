@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.blocks import Blocks
-from masonry.crack_drawing import crack_keys, draw_scales, scale_of
+from masonry.crack_drawing import crack_keys, draw_scales, kinds_of, scale_of
 from masonry.flat_drawing import FlatDrawing, group_colours
 from masonry.frame_choice import at_peak
 from masonry.history import Frame
@@ -75,7 +75,8 @@ def gallery(
     ratio = max((_ratio(drawing) for drawing in shown), default=1.0)
     width = 14.0 if len(panels) > 1 else 9.0
     height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
-    figure = ShownFigure(figsize=(width, height), layout="constrained")
+    figure = ShownFigure(figsize=(width, height))
+    figure.set_layout_engine("constrained", h_pad=0.08)  # inches, between the title and those of the panels
     axes = list(np.atleast_1d(figure.subplots(rows, columns)).ravel())
     for spare in axes[len(panels) :]:
         spare.set_axis_off()
@@ -90,7 +91,7 @@ def gallery(
         frame_axes(one)
         title = panel_title(result, name, frame, larger, narrow=columns > 2)
         one.set_title(title, fontsize=10 if columns > 2 else 11)
-    draw_keys(figure, axes, [result.specimen.blocks for _, result, _ in panels], scale)
+    draw_keys(figure, axes, [result.specimen.blocks for _, result, _ in panels], scale, kinds_of(cracks))
     return figure
 
 
@@ -120,8 +121,10 @@ def panel_title(result: "Result", name: str, frame: Frame, times: float, narrow:
     if len(rows.get("stress", ())):
         stress = without_noise(float(np.interp(frame.step, rows["step"], rows["stress"])), rows["stress"])
         words += f", stress {stress * MEGA:.3g} MPa"
-        words += "" if narrow else f", {100 * share_of_way(rows, frame):.3g} % of the way"
-    return f"{words}\ndisplacements drawn {times:g} times"
+        words += "\n" if narrow else f"\n{100 * share_of_way(rows, frame):.3g} % of the way, "
+    else:
+        words += "\n"
+    return f"{words}displacements drawn {times:g} times"
 
 
 def share_of_way(rows: dict[str, np.ndarray], frame: Frame) -> float:
@@ -131,16 +134,16 @@ def share_of_way(rows: dict[str, np.ndarray], frame: Frame) -> float:
     return float(np.interp(frame.step, rows["step"], way) / way[-1]) if way[-1] > 0.0 else 1.0
 
 
-def draw_keys(figure: Any, axes: list[Any], drawn: list[Blocks], scale: float) -> None:
-    """Colour bars of damage, and a legend of crack kinds, crack openings and block groups."""
+def draw_keys(figure: Any, axes: list[Any], drawn: list[Blocks], scale: float, kinds: Sequence[str]) -> None:
+    """Colour bars of damage, and a legend of crack kinds, crack openings and block groups; of kinds that occur."""
     from matplotlib.patches import Patch
 
-    draw_scales(figure, axes)
+    draw_scales(figure, axes, kinds)
     colours: dict[str, str] = {}
     for blocks in drawn:
         shown = zip(blocks.groups, group_colours(blocks.groups), strict=True)
         colours |= {name: colour for g, (name, colour) in enumerate(shown) if g in blocks.group}
     keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
-    keys += crack_keys(scale)
+    keys += crack_keys(scale, kinds)
     columns = -(-len(keys) // -(-len(keys) // max(int(figure.get_figwidth() / KEY_WIDTH), 1)))
     figure.legend(handles=keys, loc="outside lower center", ncols=columns, frameon=False, fontsize=10)

@@ -152,7 +152,7 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_a
     if peak_row(rows) < len(stress) - 1:
         right = displacement[-1] >= displacement.mean()
         axes.annotate(
-            f"residual {without_noise(float(stress[-1]), stress):.3g} {unit}",
+            f"at the end {without_noise(float(stress[-1]), stress):.3g} {unit}",
             (displacement[-1], stress[-1]),
             xytext=(-4 if right else 4, 30 if stress[-1] >= 0 and not late else -38),
             textcoords="offset points",

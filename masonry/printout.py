@@ -63,7 +63,7 @@ def check_rows(report: dict[str, Any]) -> Rows:
         ("steps", [f"{report['steps']}"]),
         ("expected time", [f"about {duration(report['expected_seconds'])}"]),
         ("compiled in", report["compiled"] or ["nothing beyond contacts"]),
-        ("left out", report["left_out"] or ["nothing"]),
+        ("not used", report["left_out"] or ["nothing"]),
         ("warnings", report["warnings"] or ["none"]),
     ]
 
@@ -119,13 +119,20 @@ def accuracy_text(summary: dict[str, Any]) -> str:
     """What a drive to an accuracy was asked for, and by what it can be seen how far it came."""
     control = summary["control"]
     asked = f"{100 * control['accuracy']:g} % asked"
-    damping = f"damping took {_percent(summary['damping_over_external'])} of the work"
+    damping = damping_words(summary["damping_over_external"])
     if not any((summary.get("energy_j") or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
         return f"{asked}; no contact was damaged; {damping}"
     return (
         f"{asked}; after the first damage the drive ran ahead of the specimen by {_percent(control['mean_lag'])} of "
         f"the work done on average, by {_percent(control['largest_lag'])} at most; {damping}"
     )
+
+
+def damping_words(share: float) -> str:
+    """What damping took of the work of the drive; or gave, where it pulls along what lags behind."""
+    if share >= -BELOW_0:
+        return f"damping took {_percent(share)} of the work"
+    return f"damping gave {_percent(-share)} of the work, by pulling along what lagged behind the drive"
 
 
 def sudden_text(summary: dict[str, Any]) -> str:
@@ -150,6 +157,8 @@ def trust(summary: dict[str, Any]) -> str:
     doubts = []
     if summary.get("interrupted"):
         doubts.append("the run was interrupted, so this is only its first part")
+    if summary.get("stopped"):
+        doubts.append("the run was stopped, so this is only its first part")
     imbalance = summary.get("energy_imbalance")
     if imbalance is None:
         doubts.append("the energy balance is not known")

@@ -19,9 +19,11 @@ def quality_lines(assembly: Assembly) -> dict[str, str]:
         where = _place(assembly, found.flattest_tet.blocks)
         lines["flattest tet"] = f"radius ratio {found.flattest_tet.value:.3g} (regular: 1), {where}"
     joints = assembly.joints
-    dropped = [f"{joints.dropped} without area"] if joints.dropped else []
-    dropped += [f"{joints.repeated} there twice"] if joints.repeated else []
-    lines["dropped joints"] = ", ".join(dropped) or "none"
+    ignored = (
+        [f"{joints.dropped} pairs of faces meet in a line or a corner only, as they should"] if joints.dropped else []
+    )
+    ignored += [f"{joints.repeated} joints were there twice and count once"] if joints.repeated else []
+    lines["no joint"] = "; ".join(ignored) or "none"
     lines["cost of the worst"] = _cost(assembly)
     return lines
 

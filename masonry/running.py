@@ -129,21 +129,25 @@ class _Run:
         except Stopped as error:
             if error.result is None:
                 raise
-            self._save(error.result)
+            paths = self._save(error.result)
             self.kept.clear()
+            self._print(paths, error.result)
             return complain([f"{error}", f"masonry: the results up to there are in '{self.out}'"], STOPPED)
         paths = self._save(result)
         interrupted = result.summary.get("interrupted")
         if not interrupted:
             self.kept.clear()
-        if not self.quiet:
-            from masonry.printout import paths_text, summary_text
-
-            print(f"{paths_text(paths)}\n\n{summary_text(result.summary)}")
+        self._print(paths, result)
         if interrupted:
             words = f"interrupted; the results up to there are in '{self.out}'"
             return complain(f"{words}; {self._how_to_go_on()}" if self.kept.states() else words, self.asked.code)
         return OK
+
+    def _print(self, paths: dict[str, Path], result: Any) -> None:
+        if not self.quiet:
+            from masonry.printout import paths_text, summary_text
+
+            print(f"{paths_text(paths)}\n\n{summary_text(result.summary)}", flush=True)
 
     def _result(self, label: str) -> Any:
         from masonry import laboratory

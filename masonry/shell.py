@@ -2,6 +2,7 @@
 
 import argparse
 import contextlib
+import difflib
 import os
 import re
 import signal
@@ -21,6 +22,18 @@ LONGEST_WORD, LONGEST_LINE, HEAD, TAIL = 500, 1600, 1000, 500
 
 class Parser(argparse.ArgumentParser):
     """Says what is wrong in one line, as every other error of masonry."""
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
+        """As argparse does it, but a command itself says which of its words it does not know, and where its help is."""
+        found, unknown = super().parse_known_args(args, namespace)
+        if unknown:
+            word = unknown[0].partition("=")[0]
+            close = difflib.get_close_matches(word, self._option_string_actions, 1, 0.7)
+            hint = f"; did you mean '{close[0]}'?" if close else ""
+            if not close and "--set" in self._option_string_actions and re.fullmatch(r"--\w[\w.-]*", word):
+                hint = f"; a key of the scene is changed by --set {word[2:]}=VALUE"
+            self.error(f"unrecognized arguments: {' '.join(unknown)}{hint}")
+        return found, unknown
 
     def error(self, message: str) -> NoReturn:
         self.exit(complain(f"{message}; see `{self.prog} --help`", USAGE))

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from geometry.whole_files import whole_file
-from masonry.errors import SceneError, nearest
+from masonry.errors import SceneError, extra, nearest
 from masonry.frame_choice import choose
 from masonry.picture import VIEWS, magnification
 from masonry.stage import FIELDS, Stage
@@ -89,7 +89,7 @@ def _pyvista() -> Any:
     try:
         import pyvista
     except ImportError:
-        raise SceneError("show() needs PyVista: pip install 'masonry-dem[view]'") from None
+        raise SceneError(f"show() needs PyVista; {extra('view')}") from None
     if not _has_display():
         from vtkmodules.vtkCommonCore import vtkLogger
 

@@ -15,6 +15,7 @@ from geometry.tiles import tiles
 from masonry.crack_drawing import LEAST_DAMAGE, crack_colours, widths
 from masonry.cracks import front_view
 from masonry.deformation import Corners, Deformation
+from masonry.dry_joints import moved_undamaged
 from masonry.face_drawing import FaceDrawing
 from masonry.history import Frame
 from masonry.solid_view import Piece, oblique_sight, visible_pieces
@@ -28,12 +29,14 @@ ALONG = 0.9
 
 @dataclass(frozen=True)
 class JointCracks:
-    """The damaged contacts (n,): their numbers, damage, and how far the faces moved apart or along each other, m."""
+    """The contacts to draw (n,): numbers, damage, how far the faces moved apart or along each other (m), and whether
+    they did so for good without damage."""
 
     contact: np.ndarray
     damage: np.ndarray
     tension_led: np.ndarray
     opening: np.ndarray
+    dry: np.ndarray
 
 
 class SolidDrawing:
@@ -56,9 +59,10 @@ class SolidDrawing:
 
     def cracks(self, frame: Frame) -> JointCracks:
         """The contacts to draw."""
-        c = np.flatnonzero(frame.damage > LEAST_DAMAGE)
+        dry = moved_undamaged(self.result, frame)
+        c = np.flatnonzero((frame.damage > LEAST_DAMAGE) | dry)
         parted = np.hypot(np.maximum(frame.opening[c], 0.0), frame.slip[c])
-        return JointCracks(c, frame.damage[c], frame.damage_tension[c] >= frame.damage_shear[c], parted)
+        return JointCracks(c, frame.damage[c], frame.damage_tension[c] >= frame.damage_shear[c], parted, dry[c])
 
     def draw(self, axes: Any, frame: Frame, cracks: JointCracks, times: float, scale: float) -> None:
         """Draw a frame with displacements `times` larger, and its cracks; `scale` is the opening (m) of full width."""
@@ -67,7 +71,7 @@ class SolidDrawing:
         owner, corner = ranges(self.start[cracks.contact], np.diff(self.start)[cracks.contact])
         first, second = field.sides(self.result.joints, cracks.contact[owner], self.tile[corner])
         moved = self.tile[corner] + 0.5 * times * (first + second)
-        colours, wide = crack_colours(cracks.damage, cracks.tension_led), widths(cracks.opening, scale)
+        colours, wide = crack_colours(cracks.damage, cracks.tension_led, cracks.dry), widths(cracks.opening, scale)
         starts = np.searchsorted(owner, np.arange(len(cracks.contact) + 1))
         order = np.argsort(cracks.damage, kind="stable").tolist()
         for k in order:

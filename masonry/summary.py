@@ -44,7 +44,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         )
     work = float(np.abs(rows["external_work"]).max())
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
-    begun = min(int(np.searchsorted(rows["step"], plan.settle)), len(rows["step"]) - 1)
+    begun = min(int(np.searchsorted(rows["step"], plan.settle)), len(rows["step"]) - 1)  # it may end while settling
     spent = sum(float(rows[key][-1]) for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
     driven = float(np.abs(rows["external_work"][begun:] - rows["external_work"][begun]).max(initial=0.0))
     taken = float((rows["damping"] + rows["kinetic"])[-1] - (rows["damping"] + rows["kinetic"])[begun])

@@ -104,12 +104,14 @@ class Watch:
         for turn, kind in turns:
             self.rotation = max(self.rotation, float(turn.max()))
             if turn.max() > self.rotation_limit:
+                more = min(2.0 * self.rotation_limit, 1.5)
                 block = int(self.model.layout.members[kind][int(np.argmax(turn))])
                 where = ", ".join(f"{x:.4g}" for x in self.model.layout.centroid[block])
                 raise Stopped(
                     f"step {step}: {kind} block {block} at ({where}) m has turned by {turn.max():.3g} rad, more than "
-                    f"solver.rotation_limit = {self.rotation_limit:g}; displacements are linear in rotations here, "
-                    "with an error of half their square"
+                    f"solver.rotation_limit = {self.rotation_limit:g}. Displacements are linear in rotations here: a "
+                    f"turn of {more:g} rad leaves an error of {50.0 * more**2:.2g} %. To accept that: --set "
+                    f"solver.rotation_limit={more:g}"
                 )
 
 

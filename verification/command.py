@@ -7,11 +7,13 @@ moved), 2 wrong words, 130 interrupted.
 import json
 import sys
 import time
+from argparse import Namespace
 from pathlib import Path
 
 from masonry.errors import SceneError
-from masonry.shell import Parser
+from masonry.shell import Parser, complain
 from verification import catalogue, printout, records, runner
+from verification.case import Case
 from verification.comparison import compare, last_version
 from verification.outcome import Outcome
 
@@ -40,6 +42,11 @@ def parser() -> Parser:
         metavar="RECORDS",
         help="OLD.json: hold this run against older records; OLD.json NEW.json: two files, and run nothing",
     )
+    words.add_argument(
+        "--missing",
+        action="store_true",
+        help="skip what holds by DIR/records.json (--out DIR) of this version",
+    )
     words.add_argument("--workers", type=int, default=runner.WORKERS, metavar="N", help="processes (default 2)")
     return words
 
@@ -63,9 +70,16 @@ def main(arguments: list[str] | None = None) -> int:
     cases = catalogue.chosen(words.cases, known) or [c for c in known.values() if words.full or c.quick]
     old = records.load(words.compare[0]) if words.compare else []
     if words.out:
-        records.save([], words.out)  # a folder that cannot be written to is found out now
+        records.require_writable(words.out)
+    if words.missing:
+        cases = _missing(cases, words.out)
+        if not cases:
+            return HOLDS
     begun = time.perf_counter()
-    outcomes = runner.run(cases, words.workers, _tell)
+    try:
+        outcomes = runner.run(cases, words.workers, _tell)
+    except runner.Cut as cut:
+        return _cut(words, cut, len(cases), time.perf_counter() - begun)
     code = _say(words.format, outcomes, time.perf_counter() - begun)
     if words.out:
         _write(words.out, outcomes, time.perf_counter() - begun)
@@ -73,6 +87,28 @@ def main(arguments: list[str] | None = None) -> int:
         new = [r for o in outcomes for r in records.records_of(o)]
         code = max(code, _compare(words.format, old, new))
     return code
+
+
+def _missing(cases: list[Case], folder: Path | None) -> list[Case]:
+    """Those that do not hold by the records of this version in the folder, or have none."""
+    if folder is None:
+        raise SceneError("--missing skips what is in the records of a folder: name it with --out DIR")
+    known = records.done(folder)
+    missing = [case for case in cases if case.name not in known]
+    _tell(f"{len(cases) - len(missing)} of {len(cases)} cases hold by the records of this version in '{folder}'")
+    return missing
+
+
+def _cut(words: Namespace, cut: runner.Cut, count: int, seconds: float) -> int:
+    """Say and keep what was done by the time that the run was told to end."""
+    if cut.done:
+        _say(words.format, cut.done, seconds)
+        if words.out:
+            _write(words.out, cut.done, seconds)
+    which = " ".join(["--full"] if words.full else words.cases)
+    again = f"masonry verify {f'{which} ' if which else ''}--out {words.out} --missing"
+    go_on = f"go on with: {again}" if words.out else "their numbers are above; with --out DIR they are kept in a file"
+    return complain(f"interrupted; {len(cut.done)} of {count} cases are done; {go_on}", cut.code)
 
 
 def _tell(line: str) -> None:

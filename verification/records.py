@@ -133,6 +133,30 @@ def merged(old: list[Record], new: list[Record]) -> list[Record]:
     return kept + new
 
 
+def done(folder: Path) -> set[str]:
+    """The cases that hold by their records in the folder, of this version and processor. Raises as `load`."""
+    path, mine = folder / NAME, origin()
+    same = ("version", "source_hash", "reference_hash", "processor")
+    found = load(path) if path.exists() else []
+    held = [r for r in found if r.get("chapter") == CASES and r.get("status") in ("PASS", "NOT BUILT")]
+    return {r["case"] for r in held if all(r.get(key) == mine[key] for key in same)}
+
+
+def require_writable(folder: Path) -> None:
+    """Raise SceneError where records could not be saved to the folder; nothing is left there that was not."""
+    existed, probe = folder.exists(), folder / f".writable-{os.getpid()}"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        probe.touch()
+        probe.unlink()
+        if not existed:
+            folder.rmdir()
+    except OSError as error:
+        raise SceneError(f"cannot write records to '{folder}': {error.strerror or error}") from None
+    if (folder / NAME).exists():
+        load(folder / NAME)
+
+
 def save(new: list[Record], folder: Path) -> Path:
     """Put records beside those that are in the folder already: whole or not at all. Returns the path."""
     path = folder / NAME

@@ -5,6 +5,7 @@ from contextlib import closing
 from typing import Any
 
 from masonry.crew import Lost, work
+from masonry.shell import INTERRUPTED
 from masonry.tally import Tally, Tell
 from verification.case import Case, Findings
 from verification.outcome import Outcome
@@ -15,8 +16,16 @@ LIMIT = 1200.0
 """Seconds after which a case is given up."""
 
 
+class Cut(Exception):
+    """A run of cases that was told to end: what is done by then, and the exit code."""
+
+    def __init__(self, done: list[Outcome], code: int) -> None:
+        super().__init__(f"{len(done)} cases are done")
+        self.done, self.code = done, code
+
+
 def run(cases: Sequence[Case], workers: int = WORKERS, tell: Tell | None = None, limit: float = LIMIT) -> list[Outcome]:
-    """The outcome of every case, in the order given; never raises but at Ctrl-C.
+    """The outcome of every case, in the order given. Raises Cut where it is told to end, by Ctrl-C or a signal.
 
     workers  processes; 0 runs all cases in this one
     tell     is called with a line for each case that ends
@@ -29,14 +38,19 @@ def run(cases: Sequence[Case], workers: int = WORKERS, tell: Tell | None = None,
         done[outcome.case.name] = outcome
         tally.ended(outcome.case.name, outcome.status, outcome.seconds)
 
-    if workers <= 0:
-        for case in cases:
-            keep(run_case(case))
-    else:
-        longest_first = sorted(cases, key=lambda case: case.quick)  # so that no worker idles at the end
-        with closing(work(answer, longest_first, workers, limit)) as ends:
-            for number, end in ends:
-                keep(_outcome(longest_first[number], end))
+    try:
+        if workers <= 0:
+            for case in cases:
+                keep(run_case(case))
+        else:
+            longest_first = sorted(cases, key=lambda case: case.quick)  # so that no worker idles at the end
+            with closing(work(answer, longest_first, workers, limit)) as ends:
+                for number, end in ends:
+                    keep(_outcome(longest_first[number], end))
+    except KeyboardInterrupt:
+        raise Cut(list(done.values()), INTERRUPTED) from None
+    except SystemExit as leaving:
+        raise Cut(list(done.values()), leaving.code if isinstance(leaving.code, int) else INTERRUPTED) from None
     return [done[case.name] for case in cases]
 
 

@@ -104,6 +104,9 @@ def _text(found: ErrorDetails, loc: Keys, name: str, raw: Any) -> str:
     if kind == "value_error":
         return str(ctx["error"])
     if kind in UNKNOWN:
+        there = _elsewhere(name, raw) if len(loc) == 1 else []
+        if there:
+            return f"not a key of the whole scene; did you mean {' or '.join(map(repr, there[:MOST]))}?"
         return f"unknown key; {_choice(name, list(_fields(loc, raw)))}"
     if kind in MISSING:
         return f"missing{_hint(loc, name, raw)}"
@@ -122,6 +125,26 @@ def _hint(loc: Keys, name: str, raw: Any) -> str:
     field = _fields(loc, raw).get(name)
     given = next((mark for mark in getattr(field, "metadata", ()) if isinstance(mark, Given)), None)
     return f"; {name} is {KINDS[given.kind].words}, for example {written(given.kind)}" if given else ""
+
+
+def _elsewhere(name: str, raw: Any) -> list[str]:
+    """The keys of this name that stand in a table, dotted; of several groups those that have it already."""
+    found = []
+    for table in Scene.model_fields:
+        below = raw.get(table)
+        if table in ("contact", "material"):
+            groups = (
+                [group for group, keys in below.items() if isinstance(keys, dict)] if isinstance(below, dict) else []
+            )
+            groups = [group for group in groups if name in _fields((table, group, name), raw)]
+            found += [f"{table}.{group}.{name}" for group in [g for g in groups if name in below[g]] or groups]
+            continue
+        kind = below.get("kind") if isinstance(below, dict) else None
+        inside = (table, str(kind), name) if table == "specimen" else (table, name)
+        number = ("0",) if isinstance(below, list) else ()
+        if name in _fields(inside, raw):
+            found.append(".".join((table, *number, name)))
+    return found
 
 
 def _choice(name: str, allowed: list[str]) -> str:

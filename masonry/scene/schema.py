@@ -16,6 +16,9 @@ from masonry.scene.own_specimen import AnySpecimen
 from masonry.scene.scatter import Scatter, require_contacts
 from masonry.scene.types import AccelerationVector, KeyedError, Law, Motion, Strength, Table
 
+INVENTED = "a placeholder that the import made up: put in your own"
+"""What `masonry import` notes in [assumptions] of a key that the file does not hold."""
+
 
 def _by_group(value: Any) -> Any:
     """One kinematics for all groups, or a table of them."""

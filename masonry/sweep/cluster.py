@@ -7,7 +7,7 @@ from collections.abc import Callable, Generator, Sequence
 from typing import Any
 
 from masonry.crew import Lost
-from masonry.errors import SceneError
+from masonry.errors import SceneError, extra
 
 PATIENCE = 5.0
 """Seconds for a scheduler to answer."""
@@ -24,7 +24,7 @@ def _client(scheduler: str) -> Any:
         from dask.distributed import Client
         from distributed.comm import get_address_host_port
     except ImportError:
-        raise SceneError("--scheduler needs Dask: pip install 'masonry-dem[cluster]'") from None
+        raise SceneError(f"--scheduler needs Dask; {extra('cluster')}") from None
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # it logs a traceback for what is said below
     try:
         get_address_host_port(scheduler)  # a client that was never one says so when it is forgotten

@@ -1,4 +1,4 @@
-"""sweep.png: the curves of all runs in one picture, coloured by what was varied where that is one thing."""
+"""sweep.png: the curves of all runs in one picture, coloured by what was varied."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -52,8 +52,9 @@ def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Ro
 
 
 def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:
-    """Name and values of the one column that was varied, in SI if it has a unit; of keys that change together (a row of
-    a list, a multiple of another) the first. No name where several were varied.
+    """Name and values of the column that was varied, in SI if it has a unit; of keys that change together (a row of a
+    list, a multiple of another) the first. Where several were varied, all of them, as they were given, for up to ten
+    combinations; of more the column with the most values. No name where nothing was varied.
     """
     rows, columns = swept(planned), {}
     names = list(dict.fromkeys(name for row in rows for name in row))
@@ -65,7 +66,13 @@ def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:
         return "", []
     first = max(varied, key=lambda name: len(set(map(str, varied[name]))))
     together = {tuple(map(str, pairs)) for pairs in zip(*varied.values(), strict=True)}
-    return (first, varied[first]) if len(together) == len(set(map(str, varied[first]))) else ("", [])
+    if len(together) == len(set(map(str, varied[first]))):
+        return first, varied[first]
+    if len(together) > FEW:
+        return f"{first} (other keys vary too)", varied[first]
+    given = dict.fromkeys(key for run in planned for key in run.values)
+    keys = [key for key in given if len({str(row.get(key)) for row in rows}) > 1]
+    return ", ".join(keys), [", ".join(str(row.get(key)) for key in keys) for row in rows]
 
 
 def _colours(values: list[Any]) -> tuple[list[Any], Any]:

@@ -24,7 +24,7 @@ REPORT = {
     "freedoms": 576,
     "time_step_s": 1.25e-6,
     "limited_by": "contact group unit_unit, block 12",
-    "quality": {"shortest edge": "12 mm, 0.5 h; block 3 (units, unit 1) at (100, 25, 25) mm", "dropped joints": "none"},
+    "quality": {"shortest edge": "12 mm, 0.5 h; block 3 (units, unit 1) at (100, 25, 25) mm", "no joint": "none"},
     "steps": 20000,
     "expected_seconds": 130.0,
     "left_out": ["gravity", "a sentence that is long enough to be wrapped " * 4],
@@ -100,6 +100,28 @@ def test_a_stopped_run_writes_what_it_has_and_exits_with_3(laboratory, tmp_path,
     said = capsys.readouterr().err.splitlines()
     assert said[0] == said[2] == "masonry: block 7 at step 1200: velocity is not finite"
     assert "results/couplet-1" in said[1]
+    stopped.result.summary["stopped"] = "velocity is not finite"
+    laboratory.run = raising(stopped)
+    assert main(["run", "couplet"]) == 3
+    out = " ".join(capsys.readouterr().out.split())
+    assert "cracks.png" in out and "peak stress" in out and "was stopped, so this is only its first part" in out
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["run", "couplet", "--law", "linear"], "--set law=VALUE; see `masonry run --help`"),
+        (["run", "couplet", "--overwrited"], "did you mean '--overwrite'?; see `masonry run --help`"),
+        (["picture", "couplet", "--steps=3"], "did you mean '--step'?; see `masonry picture --help`"),
+        (["check", "couplet", "--set", "cohesion=1 MPa"], "did you mean 'contact.unit_unit.cohesion'"),
+        (["check", "couplet", "--set", "rate=1 mm/s"], "did you mean 'drive.rate'?"),
+        (["check", "couplet", "--set", "density=1 kg/m^3"], "did you mean 'material.units.density'?"),
+        (["check", "couplet", "--set", "width=1 mm"], "did you mean 'specimen.width'?"),
+    ],
+)
+def test_a_word_that_is_not_known_names_the_place_where_it_belongs(words, said, capsys):
+    assert main(words) == 2
+    assert said in capsys.readouterr().err
 
 
 def test_an_interrupted_run_writes_what_it_has_and_exits_with_130(laboratory, tmp_path, capsys):

@@ -54,7 +54,7 @@ def test_a_missing_package_is_a_problem_and_a_missing_optional_one_is_not(monkey
     monkeypatch.setattr(installed.metadata, "version", without("pandas"))
     assert installed.others(optional=False)[0]
     good, words = installed.others(optional=True)
-    assert good and "not installed: pandas (pip install 'masonry-dem[notebook]')" in words
+    assert good and "not installed: pandas (in the clone of masonry-dem: pip install '.[notebook]')" in words
 
 
 def test_a_cache_that_cannot_be_written_to_is_a_problem(monkeypatch, tmp_path):

@@ -10,7 +10,9 @@ from geometry.joints import find_joints
 from geometry.measures import volumes
 from masonry import laboratory
 from masonry.cli import main
+from masonry.printout import trust
 from masonry.scene import load
+from masonry.scene.schema import INVENTED
 from tests.geometry import step_files as files
 
 
@@ -53,6 +55,11 @@ def test_a_wall_is_imported_checked_and_run(wall, tmp_path, capsys):
     assert report["blocks"] == 12 and list(report["contacts"]) == ["unit_unit"]
     assert summary["steps"] == 100 and abs(summary["energy_imbalance"]) < 1e-9
     assert set(load(out).assumptions) >= {"material.units", "contact.unit_unit", "law", "support", "drive"}
+    made_up = "made up: material.units, contact.unit_unit, law, support, drive; put in your own"
+    assert made_up in trust(summary) and made_up in report["warnings"][-1]
+    own = out.read_text().replace(INVENTED, "measured by us")
+    out.write_text(own)
+    assert "made up" not in trust(run_100_steps(out)[1])
 
 
 def test_groups_by_name_and_by_colour_make_materials_and_contacts(wall, tmp_path, capsys):

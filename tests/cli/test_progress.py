@@ -123,4 +123,5 @@ def test_a_run_without_damage_says_so_and_rounding_reads_as_0():
     damaged = CONTROL | {"energy_j": {"fracture_mode_1": 0.0, "fracture_mode_2": 1e-3}, "damping_over_external": 2e-3}
     assert "after the first damage the drive ran ahead" in accuracy_text(damaged)
     assert "damping took 0.2 % of the work" in accuracy_text(damaged)
-    assert "damping took -3 %" in accuracy_text(CONTROL | {"damping_over_external": -0.03})
+    assert "damping gave 0.38 % of the work, by pulling" in accuracy_text(damaged | {"damping_over_external": -3.8e-3})
+    assert "damping gave 3 %" in accuracy_text(CONTROL | {"damping_over_external": -0.03})

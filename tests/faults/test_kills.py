@@ -5,6 +5,7 @@ import signal
 
 import pytest
 
+from masonry.cli import main
 from tests.faults.samples import half_done, resume, run
 from verification.faults.compare import differences
 from verification.faults.kills import MOMENTS, kill_and_resume, leave_alone
@@ -38,6 +39,16 @@ def test_a_run_that_dies_again_and_again_still_comes_to_the_same_bits(alone, tmp
         process.end()
     assert resume(tmp_path / "out") == 0
     assert differences(alone, tmp_path / "out") == []
+
+
+def test_what_a_killed_run_leaves_names_the_command_that_goes_on(tmp_path, monkeypatch, capsys):
+    kept = half_done(tmp_path / "out", monkeypatch)
+    command = f"masonry resume {tmp_path / 'out'}"
+    assert command in (kept.folder / "HOW-TO-GO-ON.txt").read_text(encoding="utf-8")
+    for path in (tmp_path / "out").glob("*.*"):
+        path.unlink()
+    assert main(["plot", str(tmp_path / "out")]) == 2
+    assert command in capsys.readouterr().err
 
 
 def test_a_run_killed_before_its_first_checkpoint_begins_anew_by_resume(alone, tmp_path, monkeypatch, capsys):

@@ -109,3 +109,13 @@ def test_a_check_prints_as_the_command_does_and_is_a_dictionary(capsys):
     assert main(["check", "couplet"]) == 0
     assert capsys.readouterr().out == f"{report!r}\n"
     assert "<td" in report._repr_html_() and "&lt;" not in report._repr_html_()
+
+
+def test_a_name_or_a_path_is_as_good_as_a_scene(tmp_path):
+    path = tmp_path / "short.toml"
+    path.write_text('base = "couplet"\n[drive]\nsteps = 50\n[settle]\nsteps = 50\n', encoding="utf-8")
+    whole = masonry.run(masonry.load(path)).summary["peak_stress_pa"]
+    assert masonry.run(path).summary["peak_stress_pa"] == masonry.run(str(path)).summary["peak_stress_pa"] == whole
+    assert masonry.check("couplet") == masonry.check(masonry.load("couplet"))
+    with pytest.raises(SceneError, match="did you mean 'couplet'"):
+        masonry.run("cuplet")

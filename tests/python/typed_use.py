@@ -17,7 +17,7 @@ def use(folder: Path) -> float:
     assert_type(scene, Scene)
     assert_type(scene.with_({"solver.rows": 40}, confinement="0.1 MPa"), Scene)
     assert_type(masonry.scenes(), dict[str, str])
-    blocks: int = masonry.check(scene)["blocks"]
+    blocks: int = masonry.check(scene)["blocks"] + masonry.check("couplet")["blocks"]
     result = masonry.run(scene, progress=lambda step, steps, note: None)
     assert_type(result, Result)
     assert_type(result.peak, Peak)

@@ -1,16 +1,20 @@
 """Pictures show what happened, where it happened, and nothing where nothing happened."""
 
 import dataclasses
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from matplotlib import image
 
-from masonry.crack_drawing import THICK, THIN, crack_keys, scale_of, widths
+import masonry
+from masonry.crack_drawing import THICK, THIN, crack_keys, kinds_of, scale_of, widths
 from masonry.cracks import crack_lines, front_view, outlines
 from masonry.deformation import Corners, Deformation
-from masonry.picture import frames_to_draw, magnification
+from masonry.flat_drawing import FlatDrawing
+from masonry.picture import cracks_figure, frames_to_draw, magnification
 from masonry.plot import peak_point
+from masonry.solid_drawing import SolidDrawing
 from tests.results.sample import HEIGHT, LENGTH, joints_of, opened, sample, wall, with_tets
 
 
@@ -149,7 +153,7 @@ def test_a_crack_is_drawn_as_wide_as_it_is_open_and_the_key_says_what_width_is_w
     assert not lines.opening[~parted].any()
     scale = scale_of(lines.opening)
     assert scale == pytest.approx(4e-4)
-    keys = {key.get_label(): key.get_linewidth() for key in crack_keys(scale)}
+    keys = {key.get_label(): key.get_linewidth() for key in crack_keys(scale, ["shear"])}
     np.testing.assert_allclose(widths(lines.opening[parted], scale), THIN + 0.85 * (THICK - THIN))
     assert (keys["not opened"], keys["opened or slid 0.4 mm"]) == pytest.approx((THIN, THICK))
     assert keys["opened or slid 0.2 mm"] == pytest.approx(0.5 * (THIN + THICK))
@@ -166,4 +170,38 @@ def test_sliding_widens_a_crack_as_much_as_opening_and_pressing_together_does_no
 def test_where_nothing_opened_no_width_stands_for_an_opening():
     assert scale_of(np.zeros(3)) == scale_of(np.zeros(0)) == scale_of(np.full(3, 2e-18)) == 0.0
     np.testing.assert_allclose(widths(np.zeros(3), 0.0), THIN)
-    assert len(crack_keys(0.0)) == 2
+
+
+def test_the_key_lists_the_kinds_of_cracks_that_occur_and_no_others():
+    led, none = np.array([True, True]), np.array([False, False])
+    cracks = [SimpleNamespace(tension_led=words, dry=none) for words in (led, ~led)]
+    assert kinds_of(cracks) == ["shear", "tension"] and kinds_of(cracks[:1]) == ["tension"]
+    assert kinds_of([SimpleNamespace(tension_led=led, dry=led)]) == ["dry"]
+    assert kinds_of([]) == [] and crack_keys(0.0, []) == []
+    assert [key.get_label() for key in crack_keys(0.0, ["shear"])] == ["crack, shear leads"]
+    sound, cracked = cracks_figure(sample(damaged=False)), cracks_figure(sample())
+    assert len(cracked.axes) - len(sound.axes) == 2, "no bars of damage where there is none"
+
+
+DRY = {"law": "brittle", "drive.displacement": "0.1 mm", "drive.accuracy": "5 %"} | {
+    f"contact.unit_unit.{key}": value
+    for key, value in (("cohesion", "0 Pa"), ("tensile_strength", "0 Pa"), ("tan_residual_friction_angle", 1.01))
+}
+
+
+def test_a_dry_joint_that_slid_is_drawn_as_wide_as_it_slid_and_an_elastic_one_is_not(tmp_path):
+    slid = masonry.run(masonry.load("couplet", DRY))
+    drawing = FlatDrawing(slid)
+    frame = slid.history.frames[-1]
+    assert not frame.damage.any()
+    cracks = drawing.cracks(frame)
+    assert cracks.dry.all() and kinds_of([cracks]) == ["dry"]
+    np.testing.assert_allclose(cracks.opening, 0.1e-3, rtol=1e-3)
+    length = np.linalg.norm(cracks.end - cracks.start, axis=1).sum()
+    assert length == pytest.approx(0.2, rel=1e-12), "all of the joint"
+    assert SolidDrawing(slid).cracks(frame).dry.all()
+    stuck = min(slid.history.frames, key=lambda frame: abs(frame.slip.max() - 1e-6))
+    elastic = dataclasses.replace(stuck, slip=np.abs(stuck.shear_stress) / 70e9, opening=stuck.normal_stress / 150e9)
+    assert not len(drawing.cracks(elastic).damage)
+    slid.scene_toml = "title = 'nothing is known of its stiffness'"
+    assert not len(FlatDrawing(slid).cracks(frame).damage)

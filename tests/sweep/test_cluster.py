@@ -60,7 +60,7 @@ def test_a_scheduler_that_does_not_answer_is_said_in_words(tmp_path, monkeypatch
 
 def test_without_dask_the_extra_is_named(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "dask.distributed", SimpleNamespace())
-    with pytest.raises(SceneError, match=r"pip install 'masonry-dem\[cluster\]'"):
+    with pytest.raises(SceneError, match=r"pip install '\.\[cluster\]'"):
         engine.run(jobs("0.1 MPa"), tmp_path, scheduler="tcp://127.0.0.1:9")
 
 

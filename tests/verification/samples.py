@@ -1,6 +1,7 @@
 """Cases of the kinds that a harness meets: one that holds, one that fails, and those that end in other ways."""
 
 import os
+import tempfile
 import time
 
 from masonry import laboratory, scene
@@ -52,6 +53,10 @@ def mistaken() -> Findings:
 
 def dying() -> Findings:
     os._exit(7)
+
+
+def littering() -> Findings:
+    raise RuntimeError(tempfile.mkdtemp())
 
 
 def endless() -> Findings:

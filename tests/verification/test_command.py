@@ -105,3 +105,38 @@ def test_records_and_page_are_written_and_a_later_run_is_compared_with_them(tmp_
     assert verify("joint-in-shear", "--compare", str(moved)) == 1
     assert main(["verify", "--compare", str(path), str(moved)]) == 1
     assert "Moved" in capsys.readouterr().out
+
+
+def pressed(done):
+    """A case at which somebody presses Ctrl-C, if `done` is still empty."""
+    if not done:
+        raise KeyboardInterrupt
+    return samples.holds()
+
+
+def test_ctrl_c_keeps_what_is_done_and_the_same_words_with_missing_go_on(tmp_path, monkeypatch, capsys):
+    done: list[int] = []
+    known = {"first": case(samples.holds, "first"), "second": case(lambda: pressed(done), "second")}
+    monkeypatch.setattr(catalogue, "catalogue", lambda: known)
+    out = tmp_path / "new" / "folder"
+    assert verify("--full", "--out", str(out)) == 130
+    said = capsys.readouterr()
+    assert "first" in said.out and "1 of 1 cases hold" in said.out
+    assert f"1 of 2 cases are done; go on with: masonry verify --full --out {out} --missing" in said.err
+    assert [r["case"] for r in json.loads((out / "records.json").read_text())] == ["first"]
+    assert "Sample holds" in (out / "verify.html").read_text(encoding="utf-8")
+    done.append(1)
+    assert verify("--full", "--out", str(out), "--missing") == 0
+    assert "1 of 2 cases hold by the records" in capsys.readouterr().err
+    assert [r["case"] for r in json.loads((out / "records.json").read_text())] == ["first", "second"]
+    assert verify("--full", "--out", str(out), "--missing") == 0
+    assert main(["verify", "--missing"]) == 2
+    known["second"] = case(samples.off, "second")
+    assert verify("second", "--out", str(out)) == 1
+    assert verify("--full", "--out", str(out), "--missing") == 1, "a case that failed is run again"
+
+
+def test_nothing_is_written_where_nothing_was_done(tmp_path, monkeypatch):
+    monkeypatch.setattr(catalogue, "catalogue", lambda: {"first": case(lambda: pressed([]), "first")})
+    assert verify("--out", str(tmp_path / "new")) == 130
+    assert not (tmp_path / "new").exists()

@@ -90,3 +90,10 @@ def test_a_module_without_a_case_is_an_error_and_does_not_vanish(monkeypatch, tm
 def test_rows_stand_in_the_order_of_the_catalogue():
     rows = ["A10", "2.2", "A9", "2.1", "A9b"]
     assert sorted(rows, key=catalogue._row) == ["2.1", "2.2", "A9", "A9b", "A10"]
+
+
+def test_workers_leave_nothing_in_the_temporary_directory(tmp_path, monkeypatch):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    ends = runner.run([case(samples.littering), case(samples.endless)], 2, limit=8.0)
+    assert [end.status for end in ends] == ["ERROR", "ERROR"] and not list(tmp_path.iterdir())
+    assert str(tmp_path) in ends[0].reason

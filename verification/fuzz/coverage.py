@@ -7,7 +7,7 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, extra
 from verification.fuzz import seeds
 from verification.fuzz.kind import Kind, all_kinds, kind_of
 
@@ -25,7 +25,7 @@ def search(kind: Kind, seconds: int) -> int:
         able = ", ".join(name for name, known in all_kinds().items() if known.target)
         raise SceneError(f"--atheris {kind.name}: only for readers in Python: {able}")
     if importlib.util.find_spec("atheris") is None:
-        raise SceneError("--atheris needs the package atheris: pip install 'masonry-dem[fuzz]'")
+        raise SceneError(f"--atheris needs the package atheris; {extra('fuzz')}")
     folder = Path(tempfile.mkdtemp(prefix="masonry-atheris-"))
     corpus = folder / "corpus"
     corpus.mkdir()

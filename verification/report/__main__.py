@@ -49,7 +49,7 @@ def main(arguments: list[str] | None = None) -> int:
     def tell(text: str) -> None:
         print(f"{time.perf_counter() - begun:5.0f} s  {text}", flush=True)
 
-    records.save([], words.out)  # a folder that cannot be written to is found out now
+    records.require_writable(words.out)
     chapters = []
     if not words.only or CASES in words.only:
         wanted = [case for case in catalogue.catalogue().values() if case.quick or not words.quick]

@@ -1,0 +1,66 @@
+"""sweep.png says which curve is which: a colour for each combination of few, else for each value of one key."""
+
+import pytest
+from matplotlib.figure import Figure
+
+from masonry.sweep import picture
+from masonry.sweep.job import Job
+from masonry.sweep.plan import Planned
+from masonry.sweep.work import OK
+
+
+def planned(*runs):
+    return [Planned(Job("couplet"), dict(values), {}) for values in runs]
+
+
+def grid(first, second):
+    return planned(*({"confinement": a, "solver.damping": b} for a in first for b in second))
+
+
+def test_few_combinations_of_two_keys_have_a_colour_and_a_name_each(tmp_path, monkeypatch):
+    runs = grid(["0.1 MPa", "0.2 MPa", "0.3 MPa"], [0.7, 0.8])
+    rows = [{"key": f"{n}", "status": OK} for n in range(6)]
+    for row in rows:
+        folder = tmp_path / "runs" / row["key"]
+        folder.mkdir(parents=True)
+        (folder / "curve.csv").write_text("displacement [m],stress [Pa]\n0,0\n1,1\n")
+    drawn: list[Figure] = []
+    monkeypatch.setattr(picture, "write_png", lambda figure, path: drawn.append(figure))
+    monkeypatch.setattr(picture, "WholeFiles", Quiet)
+    picture.draw(tmp_path, "two keys", runs, rows)
+    axes = drawn[0].axes[0]
+    assert len({tuple(line.get_color()) for line in axes.lines}) == 6
+    legend = axes.get_legend()
+    assert legend.get_title().get_text() == "confinement, solver.damping"
+    assert [text.get_text() for text in legend.get_texts()][:2] == ["0.1 MPa, 0.7", "0.1 MPa, 0.8"]
+
+
+class Quiet:
+    """Files that nobody writes."""
+
+    def __init__(self, folder):
+        pass
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        pass
+
+    def new(self, name):
+        return name
+
+
+@pytest.mark.parametrize(
+    ("runs", "label", "different"),
+    [
+        (grid(["1 kPa"], [0.7, 0.8]), "solver.damping", 2),
+        (planned({"confinement": "1 kPa", "law": "a"}, {"confinement": "2 kPa", "law": "b"}), "confinement [Pa]", 2),
+        (grid(["1 kPa", "2 kPa", "3 kPa"], [0.5, 0.6, 0.7, 0.8]), "solver.damping (other keys vary too)", 4),
+        (grid(["1 kPa"], [0.7]), "", 0),
+    ],
+    ids=["one key", "together", "many", "none"],
+)
+def test_the_colour_shows_the_key_that_varies(runs, label, different):
+    name, values = picture.coloured_by(runs)
+    assert name == label and len(set(values)) == different
