@@ -18,8 +18,10 @@ from masonry.model import Model
 from masonry.outcome import Outcome, Recording
 from masonry.overlap import Overlap
 from masonry.paces import Pace
+from masonry.reactions import Standing, WorkOfLoads
 from masonry.remember import State, attributes, put_back
 from masonry.slide import Slide
+from masonry.varying_loads import VaryingPace
 from masonry.watch import Watch, frame_of
 
 FOUND = (
@@ -27,7 +29,8 @@ FOUND = (
     *("rotation_max", "unbalanced", "overlap_max", "slip_max", "met", "steps", "log"),
 )
 """What an outcome has besides the history before the run is over."""
-REMEMBERED = ("place", "done", "frames_done", "highest_row")
+REMEMBERED = ("place", "done", "frames_done", "highest_row", "share")
+LOADS_DID = ("done", "settled", "moved", "shares")
 
 
 class Loop:
@@ -38,7 +41,7 @@ class Loop:
     ) -> None:
         self.model, self.pace, self.settle, self.recording = model, pace, settle, recording
         self.threads, self.outcome = threads, outcome
-        self.place = 0.0
+        self.place = self.share = 0.0
         self.done = self.frames_done = 0
         self.rows: list[list[float]] = []
         self.watch = Watch(model, recording.rotation_limit)
@@ -46,6 +49,7 @@ class Loop:
         self.law_area = LawArea(model)
         self.slide = Slide(model, recording.slip_limit)
         self.collision = Collision(model, recording.sets)
+        self.work_of_loads = WorkOfLoads(recording.surroundings)
         self.frames: list[Frame] = []
         self.peak_frame: Frame | None = None
         self.highest_row = -np.inf
@@ -86,6 +90,7 @@ class Loop:
             advance_model(self.model, chunk, self.threads, 0, count - 1, gauge)
         before = energy.velocities(self.model)
         advance_model(self.model, chunk, self.threads, count - 1, 1, gauge[count - 1 :])
+        self.share = min(float(chunk.dead_load[-1]), 1.0)
         self.watch.check(done + count)
         path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
         self.place = float(path[-1]) if chunk.place is None else chunk.place
@@ -106,6 +111,12 @@ class Loop:
     def along(self, place: float) -> float:
         """A place of the drive (m) along its direction, for one along an axis."""
         return self.recording.sign * place + 0.0
+
+    def shares(self) -> list[float]:
+        """The share of each dead load now."""
+        varying = self.pace.shares[:, self.done] if isinstance(self.pace, VaryingPace) else ()
+        loads = self.recording.surroundings.loads
+        return [self.share * (1.0 if load.varies is None else float(varying[load.varies])) for load in loads]
 
     def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
         model, area = self.model, self.recording.section
@@ -133,13 +144,17 @@ class Loop:
         self.law_area.look(view.seen[:, 2])
         self.outcome.widest.append(float(view.seen[:, 0].max(initial=0.0)))
         self.outcome.overlap_max = self.overlap.largest
+        self.work_of_loads.look(model, self.shares(), step <= self.settle)
         higher = stress > self.highest_row and step > 0
         if frame_due or higher:
+            standing = self.recording.surroundings.standing(model, step, place, self.shares())
             frame = frame_of(model, view, step, place, self.watch.nearest)
             if frame_due:
                 self.frames.append(frame)
+                self.outcome.standing["end"] = standing
             if higher:
                 self.peak_frame, self.highest_row = frame, stress
+                self.outcome.standing["peak"] = standing
 
     def finish(self) -> None:
         """Columns from rows; the frame at the peak among the others, oldest first."""
@@ -149,6 +164,8 @@ class Loop:
         frames = {frame.step: frame for frame in self.frames}
         if self.peak_frame is not None:
             frames[self.peak_frame.step] = self.peak_frame
+        self.outcome.work_of_loads = self.work_of_loads.done, self.work_of_loads.settled
+        self.outcome.standing = {k: v for k in ("peak", "end") if (v := self.outcome.standing.get(k)) is not None}
         self.outcome.control = self.pace.report()
         self.outcome.events = [] if self.pace.events is None else self.pace.events.found
         self.outcome.mode_2_over_law = self.law_area.most_taken()
@@ -164,6 +181,8 @@ class Loop:
             "frames": [_kept(frame) for frame in self.frames],
             "peak_frame": None if peak is None else _kept(peak),
             "found": attributes(self.outcome, FOUND),
+            "standing": {when: _kept(standing) for when, standing in self.outcome.standing.items()},
+            "work_of_loads": attributes(self.work_of_loads, LOADS_DID),
             "pace": self.pace.state(),
             "watch": self.watch.state(),
             "overlap": self.overlap.state(),
@@ -177,6 +196,8 @@ class Loop:
         peak = state["peak_frame"]
         put_back(self, REMEMBERED, state)
         put_back(self.outcome, FOUND, state["found"])
+        put_back(self.work_of_loads, LOADS_DID, state["work_of_loads"])
+        self.outcome.standing = {when: Standing(**kept) for when, kept in state["standing"].items()}
         self.earlier = state["seconds"]
         self.rows = state["rows"].tolist()
         self.frames = [Frame(**frame) for frame in state["frames"]]
@@ -189,5 +210,5 @@ class Loop:
         self.collision.restore(state["collision"])
 
 
-def _kept(frame: Frame) -> State:
-    return {entry.name: getattr(frame, entry.name) for entry in fields(frame)}
+def _kept(kept: Frame | Standing) -> State:
+    return {entry.name: getattr(kept, entry.name) for entry in fields(kept)}

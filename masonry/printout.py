@@ -20,6 +20,8 @@ TAKEN = 0.02
 """Share by which a contact may take more energy of mode II than the area under its law's curve."""
 SLID = 0.2
 """Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
+TOLD = 0.1
+"""Share of the work of the drive from which on the work of a dead load is printed."""
 ROUNDING, BELOW_0 = 1e-11, 1e-5
 """Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
 of the steps."""
@@ -89,6 +91,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         ("final stress", [_number(summary, "final_stress_pa", 1e-6, "MPa")]),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *((name, [gauge_text(readings)]) for name, readings in (summary.get("gauges") or {}).items()),
+        *([("work of dead loads", [words])] if (words := loads_text(summary)) else []),
         ("energy imbalance", [_number(summary, "energy_imbalance", 1.0, "of the external work")]),
         ("reaction mismatch", [_number(summary, "reaction_mismatch_max", 100.0, "% of the peak")]),
         ("kinetic / internal", [_kinetic(summary)]),
@@ -113,6 +116,13 @@ def gauge_text(readings: dict[str, float]) -> str:
     """What a gauge showed."""
     at_peak, final = (_number(readings, key, 1e3, "mm") for key in ("at_peak_m", "final_m"))
     return f"{at_peak} at the peak, {final} at the end"
+
+
+def loads_text(summary: dict[str, Any]) -> str:
+    """What dead loads did after settling, where that is not little beside the work of the drive; else nothing."""
+    drive, loads = summary.get("work_of_drive_j") or 0.0, summary.get("work_of_loads_after_settling_j") or {}
+    told = [f"{name} {work:.3g} J" for name, work in loads.items() if work and abs(work) > TOLD * abs(drive)]
+    return f"{', '.join(told)} (the drive {drive:.3g} J); a load that is lifted does negative work" if told else ""
 
 
 def accuracy_text(summary: dict[str, Any]) -> str:

@@ -13,6 +13,7 @@ from masonry.kernels.sources import source_hash
 from masonry.loads import Controlled
 from masonry.outcome import Outcome
 from masonry.own_sources import own_sources
+from masonry.reactions import balance
 from masonry.scene import Scene
 
 ENERGY_TERMS = (
@@ -44,7 +45,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         )
     work = float(np.abs(rows["external_work"]).max())
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
-    begun = int(np.searchsorted(rows["step"], plan.settle))
+    begun = min(int(np.searchsorted(rows["step"], plan.settle)), len(rows["step"]) - 1)
+    after_settling = np.subtract(*outcome.work_of_loads)
+    settled_at = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1
     spent = sum(float(rows[key][-1]) for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
     driven = float(np.abs(rows["external_work"][begun:] - rows["external_work"][begun]).max(initial=0.0))
     taken = float((rows["damping"] + rows["kinetic"])[-1] - (rows["damping"] + rows["kinetic"])[begun])
@@ -85,6 +88,10 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "displacement_at_lowest_m": outcome.displacement_at_lowest,
         "cycles": table(rows, np.array(outcome.widest)),
         "gauges": _readings(assembly, outcome),
+        "reactions": _reactions(assembly, outcome),
+        "work_of_drive_j": float(rows["external_work"][-1] - rows["external_work"][settled_at] - after_settling.sum()),
+        "work_of_loads_j": _work_of_loads(assembly, outcome.work_of_loads[0]),
+        "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),
         "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and after.any() else 0.0,
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
@@ -126,6 +133,21 @@ def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, dict[str, float
         }
         for gauge in assembly.recording.gauges
     }
+
+
+def _reactions(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
+    """At the peak and at the end: what supports, drive and dead loads exert."""
+    scene, outer = assembly.scene, assembly.recording.surroundings
+    on = {f"support.{k}": support.on for k, support in enumerate(scene.support)}
+    if scene.drive is not None:
+        on["drive"] = scene.drive.on
+    holds, loads = tuple((one.name, on[one.name]) for one in outer.holds), tuple(one.name for one in outer.loads)
+    return {when: balance(holds, loads, standing) for when, standing in outcome.standing.items()}
+
+
+def _work_of_loads(assembly: Assembly, work: np.ndarray) -> dict[str, float]:
+    """By load: J."""
+    return {load.name: float(done) for load, done in zip(assembly.recording.surroundings.loads, work, strict=True)}
 
 
 def first_damage(rows: dict[str, np.ndarray]) -> float:
