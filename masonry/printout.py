@@ -131,7 +131,9 @@ def accuracy_text(summary: dict[str, Any]) -> str:
     asked = f"{100 * control['accuracy']:g} % asked"
     damping = f"damping took {_percent(summary['damping_over_external'])} of the work"
     if not any((summary.get("energy_j") or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
-        return f"{asked}; no contact was damaged; {damping}"
+        moved = summary.get("joints_opened_or_slid") or 0
+        what = "no contact was damaged" if not moved else f"{moved} joint{'s'[: moved > 1]} opened or slid"
+        return f"{asked}; {what}; {damping}"
     return (
         f"{asked}; after the first damage the drive ran ahead of the specimen by {_percent(control['mean_lag'])} of "
         f"the work done on average, by {_percent(control['largest_lag'])} at most; {damping}"

@@ -1,6 +1,7 @@
 """The numbers of summary.json, from an assembly and the outcome of its run."""
 
 from dataclasses import asdict
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ from geometry.cells.asked import CellReport
 from masonry import __version__, events
 from masonry.assembly import Assembly
 from masonry.cycles import at_peak, goes_one_way, table
+from masonry.joint_resultants import unit_joints
 from masonry.kernels.sources import source_hash
 from masonry.loads import Controlled
 from masonry.outcome import Outcome
@@ -101,6 +103,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
         "released_over_dissipated": released / lost if sudden else 0.0,
+        "joints_opened_or_slid": _opened_or_slid(assembly),
         "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
         "rotation_max_rad": outcome.rotation_max,
@@ -168,6 +171,15 @@ def cells_text(report: CellReport) -> str:
 def _joined(words: dict[str, str]) -> str:
     """One word where all agree, else all that occur: "elastic + exponential"."""
     return " + ".join(sorted(set(words.values())))
+
+
+def _opened_or_slid(assembly: Assembly) -> int:
+    """Joints between units of which a contact has opened beyond its elastic limit, or slid, at any time."""
+    state = assembly.model.state
+    there = state.opening_max is not None
+    moved = (state.intact_n < 1.0) | np.any(state.slip != 0.0, axis=1) if there else np.zeros(0, dtype=bool)
+    found = unit_joints(assembly.specimen.blocks, assembly.joints)
+    return sum(bool(moved[found.contact[a:b]].any()) for a, b in pairwise(found.start)) if there else 0
 
 
 def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict[str, float]:
