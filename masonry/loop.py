@@ -9,6 +9,7 @@ import numpy as np
 from masonry import energy
 from masonry.collision import Collision
 from masonry.compiled_step import advance_model
+from masonry.cycles import reached
 from masonry.fixed_pace import Chunk
 from masonry.history import UNITS, Frame
 from masonry.keeper import Keeper
@@ -29,7 +30,9 @@ FOUND = (
     *("rotation_max", "unbalanced", "overlap_max", "slip_max", "met", "steps", "log"),
 )
 """What an outcome has besides the history before the run is over."""
-REMEMBERED = ("place", "done", "frames_done", "highest_row", "share")
+REMEMBERED = ("place", "done", "frames_done", "highest_row", "share", "heights")
+ALIKE = 1e-4
+"""Share by which one row must be higher than another for both to be kept as the peak, that is, ten at most."""
 LOADS_DID = ("done", "settled", "moved", "shares")
 
 
@@ -52,6 +55,8 @@ class Loop:
         self.work_of_loads = WorkOfLoads(recording.surroundings)
         self.frames: list[Frame] = []
         self.peak_frame: Frame | None = None
+        self.near_peak: list[tuple[float, Frame, Standing]] = []
+        self.heights = np.zeros((0, 2))
         self.highest_row = -np.inf
         self.earlier, self.begun = 0.0, time.perf_counter()
 
@@ -102,11 +107,27 @@ class Loop:
         force = gauge * self.recording.sign
         k, low = int(np.argmax(force)), int(np.argmin(force))
         if force[k] > self.outcome.peak_force:
-            self.outcome.peak_force = float(force[k])
-            self.outcome.displacement_at_peak = self.along(float(path[k]))
+            self.rise(force[: k + 1], path[: k + 1])
         if force[low] < self.outcome.lowest_force:
             self.outcome.lowest_force = float(force[low])
             self.outcome.displacement_at_lowest = self.along(float(path[low]))
+
+    def rise(self, force: np.ndarray, path: np.ndarray) -> None:
+        """A higher peak, the last of these forces: it counts as reached where the first was near to it."""
+        top = np.maximum.accumulate(np.concatenate([[self.outcome.peak_force], force]))
+        new = np.flatnonzero(np.diff(top) > 0.0)
+        seen = np.concatenate([self.heights, np.column_stack([force[new], path[new]])])
+        self.outcome.peak_force = float(force[-1])
+        self.heights = seen[seen[:, 0] >= reached(self.outcome.peak_force)]
+        self.outcome.displacement_at_peak = self.along(float(self.heights[0, 1]))
+
+    def keep_peak(self, stress: float, frame: Frame, standing: Standing) -> None:
+        """Keep the frame of a row that is higher than all before, as long as it may be the first near to the peak;
+        of frames that differ by next to nothing the first."""
+        if not self.near_peak or stress > self.near_peak[-1][0] * (1.0 + ALIKE):
+            self.near_peak.append((stress, frame, standing))
+        self.near_peak = [kept for kept in self.near_peak if kept[0] >= reached(stress)] or [(stress, frame, standing)]
+        self.highest_row, self.peak_frame, self.outcome.standing["peak"] = stress, *self.near_peak[0][1:]
 
     def along(self, place: float) -> float:
         """A place of the drive (m) along its direction, for one along an axis."""
@@ -153,8 +174,7 @@ class Loop:
                 self.frames.append(frame)
                 self.outcome.standing["end"] = standing
             if higher:
-                self.peak_frame, self.highest_row = frame, stress
-                self.outcome.standing["peak"] = standing
+                self.keep_peak(stress, frame, standing)
 
     def finish(self) -> None:
         """Columns from rows; the frame at the peak among the others, oldest first."""
@@ -180,6 +200,7 @@ class Loop:
             "rows": np.array(self.rows),
             "frames": [_kept(frame) for frame in self.frames],
             "peak_frame": None if peak is None else _kept(peak),
+            "near_peak": [[stress, _kept(frame), _kept(standing)] for stress, frame, standing in self.near_peak],
             "found": attributes(self.outcome, FOUND),
             "standing": {when: _kept(standing) for when, standing in self.outcome.standing.items()},
             "work_of_loads": attributes(self.work_of_loads, LOADS_DID),
@@ -202,6 +223,7 @@ class Loop:
         self.rows = state["rows"].tolist()
         self.frames = [Frame(**frame) for frame in state["frames"]]
         self.peak_frame = None if peak is None else Frame(**peak)
+        self.near_peak = [(height, Frame(**frame), Standing(**acts)) for height, frame, acts in state["near_peak"]]
         self.pace.restore(state["pace"])
         self.watch.restore(state["watch"])
         self.overlap.restore(state["overlap"])

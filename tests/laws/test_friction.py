@@ -5,6 +5,7 @@ import pytest
 
 from masonry import laboratory, scene
 from masonry.errors import SceneError
+from masonry.frame_choice import choose
 from masonry.laws.build import build
 from masonry.laws.mechanism import evolve, quiet, stored
 from masonry.laws.state import Memory
@@ -27,6 +28,16 @@ def test_the_triplet_slides_on_both_joints_at_the_force_of_coulomb(triplet):
     slid = 1e-3 - MU * 0.5e6 / KS
     assert triplet.energies["friction"] == pytest.approx(2 * MU * confined * slid, rel=1e-6)
     assert triplet.energies["fracture_mode_1"] == triplet.energies["fracture_mode_2"] == 0.0
+
+
+def test_the_peak_of_a_plateau_is_where_it_begins(triplet):
+    begins = MU * 0.5e6 / KS
+    assert triplet.summary["displacement_at_peak_m"] == pytest.approx(begins, rel=0.02)
+    rows = triplet.history.rows
+    first = rows["displacement"][np.argmax(rows["stress"] >= 0.999 * rows["stress"].max())]
+    frame = choose(triplet, "peak").frame
+    assert frame.displacement == pytest.approx(first, rel=1e-12)
+    assert triplet.summary["reactions"]["peak"]["displacement_m"] == pytest.approx(first, rel=1e-12)
 
 
 def test_joints_that_slid_are_counted_and_nothing_is_called_undamaged(triplet):
