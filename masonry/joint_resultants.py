@@ -5,12 +5,15 @@ A joint is all contact of two units in one plane. Blocks of one unit (its divisi
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
 from geometry.ragged import ranges
-from masonry.reactions import Standing
+
+if TYPE_CHECKING:
+    from masonry.reactions import Standing
 
 SAME_DIRECTION, SAME_PLANE = 1e-4, 1e-5
 """Normals, and places of a plane over the size of the specimen, that differ by less belong to one joint."""
@@ -51,7 +54,7 @@ def unit_joints(blocks: Blocks, joints: Joints) -> UnitJoints:
     return UnitJoints(kinds[:, :2].astype(int), contact[order], start, sign)
 
 
-def resultants(blocks: Blocks, joints: Joints, standings: Mapping[str, Standing]) -> dict[str, np.ndarray]:
+def resultants(blocks: Blocks, joints: Joints, standings: Mapping[str, "Standing"]) -> dict[str, np.ndarray]:
     """A table, column by column: `moment` and COLUMNS, a row for each joint at each moment.
 
     The force (N) is what the unit of the higher number does to the other; the normal points from the lower to the

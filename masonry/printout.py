@@ -86,9 +86,9 @@ def summary_text(summary: dict[str, Any]) -> str:
 def summary_rows(summary: dict[str, Any]) -> Rows:
     """The same, row by row."""
     return [
-        ("peak stress", [_number(summary, "peak_stress_pa", 1e-6, "MPa")]),
+        ("peak stress", [stress_text(summary, "peak_stress_pa")]),
         ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
-        ("final stress", [_number(summary, "final_stress_pa", 1e-6, "MPa")]),
+        ("final stress", [stress_text(summary, "final_stress_pa")]),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *((name, [gauge_text(readings)]) for name, readings in (summary.get("gauges") or {}).items()),
         *([("work of dead loads", [words])] if (words := loads_text(summary)) else []),
@@ -101,6 +101,15 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
         ("trust", [trust(summary)]),
     ]
+
+
+def stress_text(summary: dict[str, Any], key: str) -> str:
+    """A stress, and the force that it stands for, with the section between them."""
+    stress, section = summary.get(key), summary.get("section_m2")
+    words = _number(summary, key, 1e-6, "MPa")
+    if stress is None or section is None:
+        return words
+    return f"{words} (force {1e-3 * stress * section:.4g} kN over a section of {section:.4g} m2)"
 
 
 def cycles_text(cycles: list[dict[str, Any]]) -> str:

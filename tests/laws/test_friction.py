@@ -46,6 +46,13 @@ def test_joints_that_slid_are_counted_and_nothing_is_called_undamaged(triplet):
     assert "2 joints opened or slid" in words and "no contact was damaged" not in words
 
 
+def test_a_section_of_your_own_turns_the_force_into_the_stress_of_both_joints(triplet):
+    both = laboratory.run(scene.load("triplet-dry", {"specimen.section": "0.06 m^2"})).summary
+    assert both["peak_force_n"] == triplet.summary["peak_force_n"]
+    assert both["peak_stress_pa"] == pytest.approx(MU * 0.5e6, rel=1e-9)
+    assert "0.325 MPa (force 19.5 kN over a section of 0.06 m2)" in summary_text(both)
+
+
 def test_a_joint_that_only_sticks_is_neither_opened_nor_slid():
     stuck = laboratory.run(scene.load("triplet-dry", {"drive.displacement": "0.01 mm"}))
     assert stuck.summary["joints_opened_or_slid"] == 0 and "no contact was damaged" in summary_text(stuck.summary)
