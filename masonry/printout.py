@@ -86,9 +86,7 @@ def summary_text(summary: dict[str, Any]) -> str:
 def summary_rows(summary: dict[str, Any]) -> Rows:
     """The same, row by row."""
     return [
-        ("peak stress", [stress_text(summary, "peak_stress_pa")]),
-        ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
-        ("final stress", [stress_text(summary, "final_stress_pa")]),
+        *(_rest_rows(summary) if _has_no_drive(summary) else _peak_rows(summary)),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *((name, [gauge_text(readings)]) for name, readings in (summary.get("gauges") or {}).items()),
         *([("work of dead loads", [words])] if (words := loads_text(summary)) else []),
@@ -100,6 +98,32 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         ("steps", [str(summary.get("steps", "not known"))]),
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
         ("trust", [trust(summary)]),
+    ]
+
+
+def _has_no_drive(summary: dict[str, Any]) -> bool:
+    end = (summary.get("reactions") or {}).get("end")
+    return end is not None and "drive" not in end
+
+
+def _peak_rows(summary: dict[str, Any]) -> Rows:
+    return [
+        ("peak stress", [stress_text(summary, "peak_stress_pa")]),
+        ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
+        ("final stress", [stress_text(summary, "final_stress_pa")]),
+    ]
+
+
+def _rest_rows(summary: dict[str, Any]) -> Rows:
+    """Of a scene without a drive: how far the dead loads have settled, and what the supports bear at the end."""
+    acts = [
+        f"{name} ({one['on']}): {', '.join(f'{force:.4g}' for force in one['force_n'])} N"
+        for name, one in summary["reactions"]["end"].items()
+        if isinstance(one, dict) and "on" in one
+    ]
+    return [
+        ("settling", [_number(summary, "unbalanced_after_settling", 1.0, "of the dead loads still unbalanced")]),
+        ("reactions x, y, z", acts or ["no supports"]),
     ]
 
 

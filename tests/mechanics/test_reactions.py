@@ -77,6 +77,8 @@ def test_the_normal_force_of_a_joint_acts_where_statics_has_it():
     assert (table["unit_a"][row], table["unit_b"][row]) == (0, 1)
     force = [table[f"force_{axis}"][row] for axis in "xyz"]
     assert force == pytest.approx([1e3, 0.0, -1e4], rel=1e-9, abs=1e-6), "what the block does to the base"
+    words = repr(result)
+    assert "support.0 (base): -1000, " in words and ", 1e+04 N" in words and "peak stress" not in words
     off = 1e3 * 0.4 / 1e4
     assert table["place_x"][row] == pytest.approx(0.1 + off, rel=1e-9)
     assert table["place_z"][row] == pytest.approx(0.1, rel=1e-12)
