@@ -20,6 +20,7 @@ from masonry.held import require_held
 from masonry.laws import build as law_build
 from masonry.outcome import Recording
 from masonry.plan import plan_of
+from masonry.reactions import Surroundings
 from masonry.scatter import Drawn, draw, laws_of
 from masonry.scene import Scene
 from masonry.size_guard import require_sane_size
@@ -77,7 +78,8 @@ def assemble(scene: Scene) -> Assembly:
     sign = scene.drive.sign if scene.drive else 1.0
     gauges = gauges_of(scene, specimen, joints, layout)
     recording = Recording(
-        specimen.section, sign, s.rows, s.rotation_limit, gauges, s.frames, s.slip_limit, specimen.sets
+        *(specimen.section, sign, s.rows, s.rotation_limit, gauges, s.frames, s.slip_limit, specimen.sets),
+        Surroundings(conditions),
     )
     return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn)
 

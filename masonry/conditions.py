@@ -27,12 +27,13 @@ def conditions_of(
         chosen, faces = select(specimen, joints, support.on, where)
         axes = tuple(AXES[f] for f in support.fix if f in AXES)
         hold = Hold(chosen, axes, _turns(support.fix), faces, f"support.{k}")
-        _add(conditions.supported, held_freedoms(blocks, layout, hold))
+        conditions.held_by[hold.name] = held_freedoms(blocks, layout, hold)
+        _add(conditions.supported, conditions.held_by[hold.name])
     _add(conditions.prescribed, conditions.supported)
     if scene.drive is not None:
         chosen, faces = select(specimen, joints, scene.drive.on, "drive.on")
         hold = Hold(chosen, (scene.drive.axis,), (), faces, "drive")
-        driven = held_freedoms(blocks, layout, hold)
+        driven = conditions.held_by["drive"] = held_freedoms(blocks, layout, hold)
         conditions.driven = loads.drive_freedoms(driven, scene.drive.axis)
         if any((driven[kind] & conditions.supported[kind])[:, scene.drive.axis].any() for kind in KINDS):
             raise SceneError(f"drive.on = '{scene.drive.on}': a support holds it in the direction of the drive")
@@ -44,14 +45,19 @@ def conditions_of(
         if faces is None:
             raise SceneError(f"{where} = '{traction.on}': a traction acts on a face, for example '{traction.on}.z+'")
         push, path = loads.Push(faces, np.array(traction.stress)), traction.path
+        load: dict[str, np.ndarray | None] = dict.fromkeys(KINDS)
+        loads.add_traction(blocks, layout, load, push)
+        conditions.each_load[f"traction.{k}"] = load
         if path is None:
-            loads.add_traction(blocks, layout, conditions.load, push)
+            loads.add_load(layout, conditions.load, load)
         else:
-            conditions.varying.append(dict.fromkeys(KINDS))
-            loads.add_traction(blocks, layout, conditions.varying[-1], push)
+            conditions.varying.append(load)
     if scene.gravity is not None:
         density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
-        loads.add_gravity(layout, conditions.load, density, np.array(scene.gravity))
+        weight: dict[str, np.ndarray | None] = dict.fromkeys(KINDS)
+        loads.add_gravity(layout, weight, density, np.array(scene.gravity))
+        conditions.each_load["gravity"] = weight
+        loads.add_load(layout, conditions.load, weight)
     return conditions
 
 

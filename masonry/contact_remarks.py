@@ -5,6 +5,7 @@ from math import inf
 import numpy as np
 
 from masonry.assembly import Assembly
+from masonry.laws.build import properties_of
 from masonry.laws.interface import Interface
 from masonry.scene.contact import Contact
 from masonry.scene.loading import Drive
@@ -16,7 +17,8 @@ def contact_remarks(assembly: Assembly) -> list[str]:
     model, found = assembly.model, []
     for name, interface in zip(model.group_names, model.groups[1], strict=True):
         given = assembly.scene.contact[name]
-        if interface.tensile_strength is not None and np.ndim(interface.tensile_strength) == 0:
+        reads = "tensile_strength" in properties_of(given.law)
+        if reads and interface.tensile_strength is not None and np.ndim(interface.tensile_strength) == 0:
             found += _of_tension(name, given, interface, smallest_block(model))
         if interface.tan_dilation is not None:
             found += _of_dilation(name, given, interface, way_of(assembly.scene.drive))

@@ -8,6 +8,8 @@ HOME = 1e-9
 """Share of the farthest way within which the drive counts as back at its start."""
 TOUCH = 1e-4
 """The same for a place where the drive turns or ends: a step may just miss the start there."""
+AT_PEAK = 1e-3
+"""On a plateau the place of the highest value is chance: the peak counts as reached within this share of it."""
 SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
 
 
@@ -86,9 +88,19 @@ def _between(values: np.ndarray, begin: float, end: float) -> float:
     return float(at[1] - at[0])
 
 
+def peak_row(rows: dict[str, np.ndarray]) -> int:
+    """The first row at which the stress, positive along the drive, is within AT_PEAK of the highest of all rows."""
+    return int(np.argmax(rows["stress"] >= reached(float(rows["stress"].max()))))
+
+
+def reached(peak: float) -> float:
+    """The least value that counts as the peak."""
+    return peak - AT_PEAK * abs(peak)
+
+
 def at_peak(rows: dict[str, np.ndarray], values: np.ndarray, displacement: float) -> float:
-    """A value (one a row) at the peak: between the rows round its displacement (m), or in the row of the greatest
-    stress where the drive turns back and passes the same place more than once."""
+    """A value (one a row) at the peak: between the rows round its displacement (m), or in the row of the peak
+    where the drive turns back and passes the same place more than once."""
     if goes_one_way(rows["displacement"]):
         return float(np.interp(displacement, rows["displacement"], values))
-    return float(values[int(np.argmax(rows["stress"]))])
+    return float(values[peak_row(rows)])

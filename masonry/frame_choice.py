@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from masonry.cycles import peak_row
 from masonry.errors import SceneError
 from masonry.history import Frame
-from masonry.plot import peak_row, without_noise
+from masonry.plot import without_noise
 
 if TYPE_CHECKING:
     from masonry.results import Result
@@ -60,7 +61,7 @@ def choose(result: "Result", step: str | int | float = "peak") -> Chosen:
 
 
 def at_peak(result: "Result") -> Frame:
-    """The frame nearest to the row of the greatest stress; the last one where there are no rows."""
+    """The frame nearest to the row of the peak (cycles.peak_row); the last one where there are no rows."""
     rows, frames = result.history.rows, result.history.frames
     if not len(rows.get("stress", ())):
         return frames[-1]

@@ -10,6 +10,7 @@ from masonry.assembly import Assembly, assemble
 from masonry.contact_remarks import contact_remarks
 from masonry.effort import expected_seconds, expected_steps
 from masonry.errors import Stopped
+from masonry.joint_resultants import resultants
 from masonry.keeper import Keeper
 from masonry.kernels.freedom import Guided
 from masonry.laws.door import word_of
@@ -63,6 +64,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
             *left_out(assembly),
             *outcome.log,
         ],
+        resultants=resultants(assembly.specimen.blocks, assembly.joints, outcome.standing),
     )
 
 

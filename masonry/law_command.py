@@ -110,7 +110,9 @@ def _about(name: str, contact: Any, shape: Any) -> list[tuple[str, list[str]]]:
     own = None if name in law_names() else outside_law(name)
     module = module_of(name)
     above_0 = [key for field, key in module.PARAMETERS.items() if field not in shape._field_defaults]
-    keys = ["normal_stiffness", "shear_stiffness", *properties_of(name), "residual_cohesion", "tan_residual_friction"]
+    read = properties_of(name)
+    residual = ("residual_cohesion", "tan_residual_friction") if "cohesion" in read else ()
+    keys = ["normal_stiffness", "shear_stiffness", *read, *residual]
     return [
         ("law", [f"{name}, of {'masonry' if own is None else own.origin}: {_first_line(module)}"]),
         ("parameters", [_parameter(contact, key) for key in (keys if name != "elastic" else keys[:2])]),

@@ -24,7 +24,8 @@ class Push:
 class Conditions:
     """Per kind: masks of what supports and drive prescribe, dead loads (None where there are none); flat indices of the
     driven freedoms and of those that support against the drive; masks of what supports alone hold; loads of tractions
-    that vary, one entry each, by kind, at a share of 1.
+    that vary, one entry each, by kind, at a share of 1. And by name: masks of what each support and the drive hold, and
+    each dead load at a share of 1, those that vary included.
     """
 
     prescribed: dict[str, np.ndarray]
@@ -33,6 +34,8 @@ class Conditions:
     support: dict[str, np.ndarray | None] = field(default_factory=dict)
     supported: dict[str, np.ndarray] = field(default_factory=dict)
     varying: list[dict[str, np.ndarray | None]] = field(default_factory=list)
+    held_by: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
+    each_load: dict[str, dict[str, np.ndarray | None]] = field(default_factory=dict)
 
 
 def no_conditions(layout: Layout) -> Conditions:
@@ -77,6 +80,13 @@ def _of(load: dict, kind: str, layout: Layout) -> np.ndarray:
     if load[kind] is None:
         load[kind] = np.zeros((layout.rows(kind), FREEDOMS[kind]))
     return load[kind]
+
+
+def add_load(layout: Layout, total: dict, more: dict) -> None:
+    """Add one dead load to the sum of them."""
+    for kind in KINDS:
+        if more[kind] is not None:
+            _of(total, kind, layout)[:] += more[kind]
 
 
 def drive_freedoms(mask: dict[str, np.ndarray], axis: int) -> dict[str, np.ndarray | None]:

@@ -8,6 +8,7 @@ import numpy as np
 from masonry.events import Event
 from masonry.gauges import Gauge
 from masonry.history import History
+from masonry.reactions import Standing, Surroundings
 
 
 @dataclass
@@ -16,7 +17,8 @@ class Outcome:
     times, the force that was still unbalanced when the dead loads had settled, over the dead loads, how far a contact
     closed, over the extent of its thinner block, the most energy of mode II of a contact over what its law has, how far
     one slid, over the extent of its joint, which blocks without a joint lie on each other, the widest opening at each
-    row (m), and the sudden cracks.
+    row (m), the sudden cracks, the forces from outside and of the contacts at the frames of the peak and of the end,
+    and the work (J) of each dead load, (L,) in all and while they settled.
     """
 
     history: History
@@ -38,13 +40,16 @@ class Outcome:
     stopped: str = ""
     control: dict[str, float] = field(default_factory=dict)
     events: list[Event] = field(default_factory=list)
+    standing: dict[str, Standing] = field(default_factory=dict)
+    work_of_loads: tuple[np.ndarray, np.ndarray] = field(default_factory=lambda: (np.zeros(0), np.zeros(0)))
     log: list[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class Recording:
     """How forces become stresses (section, m2; sign of the drive), how often to look, which gauges to read then,
-    how many frames to keep, about, the slip that stops a run, and the sets of blocks by name, to blame them."""
+    how many frames to keep, about, the slip that stops a run, the sets of blocks by name, to blame them, and what acts
+    from outside."""
 
     section: float
     sign: float = 1.0
@@ -54,3 +59,4 @@ class Recording:
     frames: int = 24
     slip_limit: float = 0.25
     sets: Mapping[str, np.ndarray] = field(default_factory=dict)
+    surroundings: Surroundings = field(default_factory=Surroundings)

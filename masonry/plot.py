@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from masonry.curve_axes import CurveAxes, curve_axes
+from masonry.cycles import peak_row
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -67,11 +68,6 @@ def plain(title: str) -> str:
 def without_noise(value: float, values: np.ndarray) -> float:
     """A value as it is written beside others; 0, never -0, where it is but their rounding."""
     return value if abs(value) > NOISE * float(np.abs(values).max(initial=0.0)) else 0.0
-
-
-def peak_row(rows: dict[str, np.ndarray]) -> int:
-    """The row of the greatest stress, positive along the drive, as the peak of the summary."""
-    return int(np.argmax(rows["stress"]))
 
 
 def peak_point(result: "Result") -> Peak:

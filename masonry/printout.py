@@ -20,6 +20,8 @@ TAKEN = 0.02
 """Share by which a contact may take more energy of mode II than the area under its law's curve."""
 SLID = 0.2
 """Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
+TOLD = 0.1
+"""Share of the work of the drive from which on the work of a dead load is printed."""
 ROUNDING, BELOW_0 = 1e-11, 1e-5
 """Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
 of the steps."""
@@ -84,11 +86,10 @@ def summary_text(summary: dict[str, Any]) -> str:
 def summary_rows(summary: dict[str, Any]) -> Rows:
     """The same, row by row."""
     return [
-        ("peak stress", [_number(summary, "peak_stress_pa", 1e-6, "MPa")]),
-        ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
-        ("final stress", [_number(summary, "final_stress_pa", 1e-6, "MPa")]),
+        *(_rest_rows(summary) if _has_no_drive(summary) else _peak_rows(summary)),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *((name, [gauge_text(readings)]) for name, readings in (summary.get("gauges") or {}).items()),
+        *([("work of dead loads", [words])] if (words := loads_text(summary)) else []),
         ("energy imbalance", [_number(summary, "energy_imbalance", 1.0, "of the external work")]),
         ("reaction mismatch", [_number(summary, "reaction_mismatch_max", 100.0, "% of the peak")]),
         ("kinetic / internal", [_kinetic(summary)]),
@@ -98,6 +99,41 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
         ("trust", [trust(summary)]),
     ]
+
+
+def _has_no_drive(summary: dict[str, Any]) -> bool:
+    end = (summary.get("reactions") or {}).get("end")
+    return end is not None and "drive" not in end
+
+
+def _peak_rows(summary: dict[str, Any]) -> Rows:
+    return [
+        ("peak stress", [stress_text(summary, "peak_stress_pa")]),
+        ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
+        ("final stress", [stress_text(summary, "final_stress_pa")]),
+    ]
+
+
+def _rest_rows(summary: dict[str, Any]) -> Rows:
+    """Of a scene without a drive: how far the dead loads have settled, and what the supports bear at the end."""
+    acts = [
+        f"{name} ({one['on']}): {', '.join(f'{force:.4g}' for force in one['force_n'])} N"
+        for name, one in summary["reactions"]["end"].items()
+        if isinstance(one, dict) and "on" in one
+    ]
+    return [
+        ("settling", [_number(summary, "unbalanced_after_settling", 1.0, "of the dead loads still unbalanced")]),
+        ("reactions x, y, z", acts or ["no supports"]),
+    ]
+
+
+def stress_text(summary: dict[str, Any], key: str) -> str:
+    """A stress, and the force that it stands for, with the section between them."""
+    stress, section = summary.get(key), summary.get("section_m2")
+    words = _number(summary, key, 1e-6, "MPa")
+    if stress is None or section is None:
+        return words
+    return f"{words} (force {1e-3 * stress * section:.4g} kN over a section of {section:.4g} m2)"
 
 
 def cycles_text(cycles: list[dict[str, Any]]) -> str:
@@ -115,13 +151,22 @@ def gauge_text(readings: dict[str, float]) -> str:
     return f"{at_peak} at the peak, {final} at the end"
 
 
+def loads_text(summary: dict[str, Any]) -> str:
+    """What dead loads did after settling, where that is not little beside the work of the drive; else nothing."""
+    drive, loads = summary.get("work_of_drive_j") or 0.0, summary.get("work_of_loads_after_settling_j") or {}
+    told = [f"{name} {work:.3g} J" for name, work in loads.items() if work and abs(work) > TOLD * abs(drive)]
+    return f"{', '.join(told)} (the drive {drive:.3g} J); a load that is lifted does negative work" if told else ""
+
+
 def accuracy_text(summary: dict[str, Any]) -> str:
     """What a drive to an accuracy was asked for, and by what it can be seen how far it came."""
     control = summary["control"]
     asked = f"{100 * control['accuracy']:g} % asked"
     damping = damping_words(summary["damping_over_external"])
     if not any((summary.get("energy_j") or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
-        return f"{asked}; no contact was damaged; {damping}"
+        moved = summary.get("joints_opened_or_slid") or 0
+        what = "no contact was damaged" if not moved else f"{moved} joint{'s'[: moved > 1]} opened or slid"
+        return f"{asked}; {what}; {damping}"
     return (
         f"{asked}; after the first damage the drive ran ahead of the specimen by {_percent(control['mean_lag'])} of "
         f"the work done on average, by {_percent(control['largest_lag'])} at most; {damping}"

@@ -14,6 +14,7 @@ from masonry.errors import SceneError
 from masonry.finite import finite_rows, is_finite, without_nan
 from masonry.folder import WholeFiles
 from masonry.history import History
+from masonry.joint_resultants import resultants_csv
 from masonry.text_files import json_of, toml_of
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     from masonry.painter import Painter
     from masonry.plot import Peak
 
-NUMBERS = ("summary.json", "curve.csv", "history.h5", "scene.toml", "run.log")
+NUMBERS = ("summary.json", "curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log")
 """Files of a run without its pictures and fields."""
 PICTURES = {"curve.png": "plot", "cracks.png": "picture"}
 """And what draws each of its pictures."""
@@ -39,6 +40,7 @@ class Result:
     mesh          tets, None where every block is rigid or affine
     scene_toml    the resolved scene: enough to run it again
     log           what the run had to say, one sentence each
+    resultants    column by column, what each joint between units carries at the peak and at the end
     """
 
     summary: dict[str, Any]
@@ -50,6 +52,7 @@ class Result:
     mesh: TetMesh | None = None
     scene_toml: str = ""
     log: list[str] = field(default_factory=list)
+    resultants: dict[str, np.ndarray] = field(default_factory=dict)
 
     @property
     def title(self) -> str:
@@ -104,8 +107,8 @@ class Result:
             joint_fields.write_joints(grids.new("joints.vtkhdf"), result)
         if painter is None or not painter.has_drawn():
             result.save_pictures(folder)
-        names = "summary.json curve.csv curve.png cracks.png fields.vtkhdf joints.vtkhdf history.h5 scene.toml run.log"
-        return {name: folder / name for name in names.split()}
+        fields_of = ("fields.vtkhdf", "joints.vtkhdf")
+        return {name: folder / name for name in (*NUMBERS[:3], *PICTURES, *fields_of, *NUMBERS[3:])}
 
     def save_numbers(self, folder: Path) -> dict[str, Path]:
         """Write the files of numbers and words only, all or none; returns file name -> path. `load_history` reads them.
@@ -116,6 +119,7 @@ class Result:
         with WholeFiles(folder) as files:
             archive.write(files.new("history.h5"), result)
             files.text("curve.csv", csv_text(result.history.rows))
+            files.text("resultants.csv", resultants_csv(result.resultants))
             files.text("scene.toml", result.scene_toml)
             files.text("run.log", "".join(line + "\n" for line in result.log))
             files.text("summary.json", json.dumps(result.summary, indent=2, allow_nan=False, default=_plain) + "\n")

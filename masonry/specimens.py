@@ -22,6 +22,12 @@ from masonry.scene.specimen import kinds
 
 def specimen_of(scene: Scene) -> Specimen:
     """The blocks of a scene, with named sets; raises GeometryError for what cannot be built."""
+    found, section = _specimen_of(scene), scene.specimen.section
+    return found if section is None else replace(found, section=section)
+
+
+def _specimen_of(scene: Scene) -> Specimen:
+    """With the section that is the specimen's own."""
     spec = scene.specimen
     parts = (spec, getattr(spec, "mortar", None))
     forms = {cells.form for part in parts if (cells := getattr(part, "cells", None))}
@@ -54,8 +60,7 @@ def _built(spec: Any) -> Specimen:
             return couplet(*size, _filling(spec), mortar, spec.plates)
         return prism(spec.units, *size, _filling(spec), mortar, spec.plates)
     if spec.kind == "file":
-        found = blocks_from(spec.path)[0]
-        return found if spec.section is None else replace(found, section=spec.section)
+        return blocks_from(spec.path)[0]
     if spec.kind == "boxes":
         return boxes([(b.name, b.origin, b.size, b.group, b.unit, b.divisions) for b in spec.box], spec.section)
     wall: dict[str, Any] = {

@@ -1,6 +1,7 @@
 """The numbers of summary.json, from an assembly and the outcome of its run."""
 
 from dataclasses import asdict
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -9,10 +10,12 @@ from geometry.cells.asked import CellReport
 from masonry import __version__, events
 from masonry.assembly import Assembly
 from masonry.cycles import at_peak, goes_one_way, table
+from masonry.joint_resultants import unit_joints
 from masonry.kernels.sources import source_hash
 from masonry.loads import Controlled
 from masonry.outcome import Outcome
 from masonry.own_sources import own_sources
+from masonry.reactions import balance
 from masonry.scene import Scene
 
 ENERGY_TERMS = (
@@ -45,6 +48,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     work = float(np.abs(rows["external_work"]).max())
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
     begun = min(int(np.searchsorted(rows["step"], plan.settle)), len(rows["step"]) - 1)  # it may end while settling
+    after_settling = np.subtract(*outcome.work_of_loads)
+    settled_at = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1
     spent = sum(float(rows[key][-1]) for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
     driven = float(np.abs(rows["external_work"][begun:] - rows["external_work"][begun]).max(initial=0.0))
     taken = float((rows["damping"] + rows["kinetic"])[-1] - (rows["damping"] + rows["kinetic"])[begun])
@@ -85,6 +90,10 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "displacement_at_lowest_m": outcome.displacement_at_lowest,
         "cycles": table(rows, np.array(outcome.widest)),
         "gauges": _readings(assembly, outcome),
+        "reactions": _reactions(assembly, outcome),
+        "work_of_drive_j": float(rows["external_work"][-1] - rows["external_work"][settled_at] - after_settling.sum()),
+        "work_of_loads_j": _work_of_loads(assembly, outcome.work_of_loads[0]),
+        "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),
         "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and dynamic.any() else 0.0,
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
@@ -94,6 +103,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
         "released_over_dissipated": released / lost if sudden else 0.0,
+        "joints_opened_or_slid": _opened_or_slid(assembly),
         "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
         "rotation_max_rad": outcome.rotation_max,
@@ -128,6 +138,21 @@ def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, dict[str, float
     }
 
 
+def _reactions(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
+    """At the peak and at the end: what supports, drive and dead loads exert."""
+    scene, outer = assembly.scene, assembly.recording.surroundings
+    on = {f"support.{k}": support.on for k, support in enumerate(scene.support)}
+    if scene.drive is not None:
+        on["drive"] = scene.drive.on
+    holds, loads = tuple((one.name, on[one.name]) for one in outer.holds), tuple(one.name for one in outer.loads)
+    return {when: balance(holds, loads, standing) for when, standing in outcome.standing.items()}
+
+
+def _work_of_loads(assembly: Assembly, work: np.ndarray) -> dict[str, float]:
+    """By load: J."""
+    return {load.name: float(done) for load, done in zip(assembly.recording.surroundings.loads, work, strict=True)}
+
+
 def first_damage(rows: dict[str, np.ndarray]) -> float:
     """The step of the first row with damage; infinite without any."""
     damaged = rows["fracture_mode_1"] + rows["fracture_mode_2"] > 0.0
@@ -146,6 +171,15 @@ def cells_text(report: CellReport) -> str:
 def _joined(words: dict[str, str]) -> str:
     """One word where all agree, else all that occur: "elastic + exponential"."""
     return " + ".join(sorted(set(words.values())))
+
+
+def _opened_or_slid(assembly: Assembly) -> int:
+    """Joints between units of which a contact has opened beyond its elastic limit, or slid, at any time."""
+    state = assembly.model.state
+    there = state.opening_max is not None
+    moved = (state.intact_n < 1.0) | np.any(state.slip != 0.0, axis=1) if there else np.zeros(0, dtype=bool)
+    found = unit_joints(assembly.specimen.blocks, assembly.joints)
+    return sum(bool(moved[found.contact[a:b]].any()) for a, b in pairwise(found.start)) if there else 0
 
 
 def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict[str, float]:

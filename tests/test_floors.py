@@ -42,7 +42,7 @@ FLOORS = {
         " masonry.overlap masonry.slide masonry.collision masonry.corners masonry.mode_2_area masonry.contact_stress"
         " masonry.energy masonry.history masonry.progress masonry.checkpoint"
         " masonry.loop masonry.outcome masonry.compiled_step masonry.keeper masonry.model_state masonry.state_file"
-        " masonry.remember masonry.lock masonry.hdf5"
+        " masonry.remember masonry.lock masonry.hdf5 masonry.reactions masonry.joint_resultants"
         " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
         " masonry.curve_table masonry.finite masonry.printout masonry.notebook masonry.figure masonry.painter"
         " masonry.processors masonry.quantity"

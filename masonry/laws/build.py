@@ -60,7 +60,13 @@ def refusal(shape: Any, interface: Interface, compressions: Sequence[float]) -> 
 
 def properties_of(law: str) -> tuple[str, ...]:
     """The strengths and the parameters of its own that a law reads, under the scene's names."""
-    return () if law == "elastic" else (*STRENGTHS, *module_of(law).PARAMETERS.values())
+    return () if law == "elastic" else (*strengths_of(module_of(law)), *module_of(law).PARAMETERS.values())
+
+
+def strengths_of(file: Any) -> tuple[str, ...]:
+    """The strengths that the law of a file reads: all of them, unless it names its own."""
+    found: tuple[str, ...] = getattr(file, "STRENGTHS", STRENGTHS)
+    return found
 
 
 def made(group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)) -> tuple[Any, Interface]:
@@ -70,7 +76,10 @@ def made(group: str, properties: Mapping[str, Any], compressions: Sequence[float
     stiffness = {key: properties[key] for key in ("normal_stiffness", "shear_stiffness")}
     if name == "elastic":
         return _shape_class(name)(), Interface(**stiffness)
-    _require(where, name, properties, STRENGTHS)
+    strengths = strengths_of(file)
+    _require(where, name, properties, strengths)
+    if strengths != STRENGTHS:
+        properties = _without_the_rest(properties, strengths)
     shape_class: Any = _shape_class(name)
     optional = shape_class._field_defaults
     _require(where, name, properties, [key for field, key in file.PARAMETERS.items() if field not in optional])
@@ -85,6 +94,12 @@ def made(group: str, properties: Mapping[str, Any], compressions: Sequence[float
             dilation_cutoff=_dilation_cutoff(properties, shape, interface, max(compressions))
         )
     return shape, interface
+
+
+def _without_the_rest(properties: Mapping[str, Any], strengths: Sequence[str]) -> dict[str, Any]:
+    """The properties of a law that reads some strengths only: the others are 0, and nothing is left to an option."""
+    kept = ("law", "normal_stiffness", "shear_stiffness", *strengths)
+    return {**{key: 0.0 for key in STRENGTHS}, **{key: properties[key] for key in kept}, "coupling": "independent"}
 
 
 def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence[str]) -> None:

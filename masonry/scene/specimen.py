@@ -11,9 +11,10 @@ from masonry.scene.types import Area, Count, Gap, KeyedError, Length, Number, Po
 
 
 class SpecimenTable(Table):
-    """What all specimens have."""
+    """What all specimens have; `section`, if given, takes the place of the specimen's own."""
 
     kind: str
+    section: Area | None = None
     contact_points: Literal["gauss", "vertex"] = "gauss"
     points_per_edge: PointsPerEdge = PerAxis()
     points_per_face: PointsPerFace | None = None
@@ -141,11 +142,10 @@ class BoxesSpec(SpecimenTable):
 
 
 class FileSpec(SpecimenTable):
-    """Blocks from a file that `masonry import` wrote; `section`, if given, takes the place of the file's."""
+    """Blocks from a file that `masonry import` wrote."""
 
     kind: Literal["file"]
     path: Annotated[str, Field(min_length=1)]
-    section: Area | None = None
 
 
 Specimen = Annotated[

@@ -33,7 +33,7 @@ def said(capsys, *words: str) -> str:
 
 def test_the_list_names_every_law_and_where_it_comes_from(package, capsys):
     rows = [re.split(r"\s{2,}", line)[:2] for line in said(capsys).splitlines()]
-    ours = ("brittle", "elastic", "exponential", "linear", "polynomial")
+    ours = ("brittle", "elastic", "exponential", "friction", "linear", "polynomial")
     assert rows == [*([name, "masonry"] for name in ours), ["bilinear", "my-masonry 0.1"]]
 
 
@@ -111,7 +111,7 @@ def test_the_ways_of_a_portrait_go_back_and_forth():
         assert path.tau.min() < 0.0 and np.all(np.diff(path.fracture) >= -1e-9)
 
 
-LAWS = ("brittle", "elastic", "exponential", "linear", "polynomial")
+LAWS = ("brittle", "elastic", "exponential", "friction", "linear", "polynomial")
 NOTHING = {
     "stress": "0 Pa",
     "stiffness": "0 Pa/m",
@@ -149,7 +149,7 @@ def test_a_law_is_drawn_at_every_zero_that_a_scene_may_hold(name, monkeypatch):
         for path in (found.tension, *found.shear.values()):
             assert np.isfinite(np.array(path)).all() and np.ptp(path.slip) + np.ptp(path.opening) > 0.0, changes
         torn_by_nothing = not contact.tensile_strength or (contact.tan_friction and not contact.cohesion)  # at the apex
-        assert (found.mode_1 is None) == (name == "elastic" or bool(torn_by_nothing))
+        assert (found.mode_1 is None) == (name in ("elastic", "friction") or bool(torn_by_nothing))
     assert drawn > 9
     law_figure(name, found)
 

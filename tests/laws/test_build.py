@@ -32,7 +32,7 @@ def refusal(name, compressions=(0.0,), **changes) -> str:
 
 
 def test_the_laws_are_found_in_their_folder():
-    assert law_names() == ("brittle", "elastic", "exponential", "linear", "polynomial")
+    assert law_names() == ("brittle", "elastic", "exponential", "friction", "linear", "polynomial")
 
 
 @pytest.mark.parametrize("missing", ["tensile_strength", "cohesion", "tan_friction"])

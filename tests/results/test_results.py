@@ -17,6 +17,7 @@ from tests.results.sample import sample, with_tets
 FILES = {
     "summary.json",
     "curve.csv",
+    "resultants.csv",
     "curve.png",
     "cracks.png",
     "fields.vtkhdf",

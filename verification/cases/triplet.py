@@ -60,18 +60,23 @@ rows = 600
 )
 
 
+NEAR = 1e-3
+"""Share of the peak within which it counts as reached, on the elastic way up to it."""
+
+
 def at_every_step(found: Findings) -> None:
     """A short run with few rows finds the peak of the same run with a row at every step, and its displacement."""
     short = {"settle.steps": 2000, "drive.displacement": "0.03 mm", "drive.steps": 2000}
     rows = found.note("triplet, a row a step", run_text(SCENE, short | {"solver.rows": 4000})).history.rows
     few = found.note("triplet, few rows", run_text(SCENE, short | {"solver.rows": 20})).summary
     highest = int(np.argmax(rows["stress"]))
-    for name, key, unit, column in (
-        ("peak stress", "peak_stress_pa", "Pa", "stress"),
-        ("displacement at the peak", "displacement_at_peak_m", "m", "displacement"),
+    near = int(np.argmax(rows["stress"] >= (1.0 - NEAR) * rows["stress"].max()))
+    for name, key, unit, column, row in (
+        ("peak stress", "peak_stress_pa", "Pa", "stress", highest),
+        ("displacement at the peak", "displacement_at_peak_m", "m", "displacement", near),
     ):
         found.checks.append(
-            Check(f"{name}, of the row that is highest", unit, few[key], float(rows[column][highest]),
+            Check(f"{name}, of the row that has it", unit, few[key], float(rows[column][row]),
                   "closed form", 1e-12, 1e-13, "the same step: rounding of sums")
         )  # fmt: skip
 
@@ -90,7 +95,7 @@ def run() -> Findings:
     gone = 2 * AREA * float(dissipated_in_shear("exponential", joint, slip[-1], S))
     missed, rough = around_the_peak("exponential", joint, S, rows)
     rough *= 2 * AREA / gone
-    at = float(joint.peak(S)) / joint.ks
+    at = (1.0 - NEAR) * float(joint.peak(S)) / joint.ks
     k = int(np.searchsorted(slip, at))
     step = float((slip[k] - slip[k - 1]) / (rows["step"][moved][k] - rows["step"][moved][k - 1]))
     found.checks += [
@@ -102,7 +107,7 @@ def run() -> Findings:
               float(AREA * np.abs(rows["support_stress"] - rows["stress"])[moved].max()), 0.0, kind, 1e-12, 1e-13,
               "nothing that could hold back a force moves along x: rounding", peak),
         Check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, kind, step / at,
-              0.5 * step / at, "the step in which the slip passes it"),
+              0.5 * step / at, "the step in which the force comes within 0.1 % of the peak"),
         Check("displacement at the end", "m", float(slip[-1]), LAST, kind, 1e-12, 1e-13,
               "what the scene asks for; a sum of 20,000 steps: rounding"),
         Check("dissipated by both joints", "J", spent, gone, kind, 3 * rough, rough,
