@@ -19,12 +19,12 @@ may swing otherwise."""
 STEPS, DECAY, LITTLE = 10, 0.7, 0.1
 """While the drive is held: steps from one braking to the next, the share of the velocities that one leaves, and the
 most local damping, as much of it would make a crack creep."""
-STILL, BRAKINGS, MOST = 1e-7, 20, 50_000
+STILL, BRAKINGS, MOST = 1e-7, 20, 30_000
 """The drive goes on when the kinetic energy has been below this share of the stored energy for so many brakings, as
-a crack may creep on before it leaps, or after so many steps."""
+a crack may creep on before it leaps. It is held for so many steps in all: what falls over never comes to rest."""
 PARTED = 0.02
 """Of the most that was stored: what a specimen that came apart is taken to store."""
-REMEMBERED = ("usual", "held", "stored", "most", "learning", "still")
+REMEMBERED = ("usual", "held", "stored", "most", "learning", "still", "waited")
 
 
 class Rest:
@@ -40,7 +40,7 @@ class Rest:
         assert isinstance(model.damping, float)
         self.model, self.events, self.damping = model, Events(model), model.damping
         self.usual = self.stored = self.most = 0.0
-        self.held = self.learning = self.still = 0
+        self.held = self.learning = self.still = self.waited = 0
 
     def see(self, stored: float) -> None:
         """The specimen stores so much (J) now; pieces that came apart are measured by what they stored together."""
@@ -55,15 +55,21 @@ class Rest:
             brake(self.model, before, DECAY)
             self.events.sudden(step)
             self.still = self.still + 1 if kinetic <= STILL * self.stored else 0
-            over = self.still >= BRAKINGS or self.held >= MOST
+            self.waited += STEPS
+            over = self.still >= BRAKINGS or self.waited >= MOST
             self.hold(0 if over else self.held + STEPS)
             self.learning = LOOKS
-        elif kinetic > max(JUMP * expected, LEAST * self.stored) and self.usual > 0.0 and not self.learning:
+        elif (
+            kinetic > max(JUMP * expected, LEAST * self.stored)
+            and self.usual > 0.0
+            and not self.learning
+            and self.waited < MOST
+        ):
             self.events.sudden(step)
             self.hold(STEPS)
             self.still = 0
         else:
-            self.events.calm(step)
+            (self.events.sudden if self.learning else self.events.calm)(step)  # the start of the drive is felt as well
             if speed != 0.0:
                 share = AFTERWARDS if self.learning else MEMORY
                 self.usual += share * (kinetic / speed**2 - self.usual)

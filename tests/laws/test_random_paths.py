@@ -164,11 +164,10 @@ def test_on_a_closed_path_no_jump_is_left_as_the_steps_get_shorter(name, options
     if name == "brittle":
         return
     chosen_law = chosen(name, options, {**values, **ENOUGH})
-    coarse, fine = (
-        np.linalg.norm(np.diff(walk(chosen_law, closed(points, steps)).stress, axis=0, prepend=0.0), axis=1).max()
-        for steps in (400, 1600)
-    )
-    assert fine <= 0.3 * coarse + 1e-3
+    walks = [walk(chosen_law, closed(points, steps)) for steps in (400, 1600)]
+    coarse, fine = (np.linalg.norm(np.diff(w.stress, axis=0, prepend=0.0), axis=1).max() for w in walks)
+    elastic = KN * np.linalg.norm(np.diff(walks[1].path, axis=0), axis=1).max()
+    assert fine <= 0.3 * coarse + 0.1 * elastic, "faces that part within a step leave a share of its elastic stress"
 
 
 @every_law_and_option

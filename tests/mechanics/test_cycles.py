@@ -112,8 +112,8 @@ def test_increments_reach_every_turning_point_whatever_the_energies_say():
         if chunk.place is not None:
             assert place == pytest.approx(chunk.place, abs=1e-14) and chunk.speed[-1] == 0.0
             visited.append(chunk.place)
-        force, *energies = (float(x) for x in rng.lognormal(0, 3, 7))
-        seen = rng.lognormal(0, 3, (len(assembly.model.group), 4))
+        force, *energies = (float(x) for x in rng.lognormal(0, 1, 7))
+        seen = rng.lognormal(0, 1, (len(assembly.model.group), 4))
         pace.look(force, 0.9 * force, seen, dict(zip(TERMS, energies, strict=True)))
     assert tuple(visited) == turns
     assert pace.progress() == (1_000_000, 1_000_000)

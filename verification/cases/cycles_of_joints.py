@@ -45,7 +45,7 @@ def run() -> Findings:
         (
             *("couplet, back and forth", couplet_of_tets),
             through(60 * UM, -60 * UM, 120 * UM, step=4 * UM),
-            Allowed(elastic=(1e-14, 1e-12), softening=(2e-6, 2e-5), nodes=(1e-6, 1e-5)),
+            Allowed(elastic=(1e-14, 1e-12), softening=(4e-6, 2e-5), nodes=(1e-6, 1e-5)),
         ),
         (
             *("two courses, pulled and pushed", wallette_of_two_courses),
@@ -54,7 +54,7 @@ def run() -> Findings:
         ),
     ):
         make = partial(assembled, scene.SCENE)
-        compare(found, name, make, scene.conditions, places, allowed, move=3000, wait=1000)
+        compare(found, name, make, scene.conditions, places, allowed, move=3000, wait=1000, parts=8)
     return found
 
 

@@ -34,7 +34,7 @@ def run() -> Findings:
     smooth = Allowed(elastic=(1e-9, 1e-8), softening=(1e-5, 5e-5), nodes=(1e-7, 1e-6))
     kinked = Allowed(elastic=(1e-9, 1e-8), softening=(3e-5, 1e-4), nodes=(1e-6, 1e-5))
     for name, text in VARIANTS.items():
-        allowed, parts = (kinked, 8) if name == "linear" else (smooth, 1)
+        allowed, parts = {"linear": (kinked, 8), "polynomial": (kinked, 16)}.get(name, (smooth, 1))
         make = partial(assembled, text)
         compare(found, f"two courses, {name}", make, conditions, PLACES, allowed, 3000, 1000, parts)
     return found
