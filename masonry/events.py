@@ -41,6 +41,10 @@ class Events:
         self.found.append(Event(self.step, step, self._damped() - self.damped, contact))
         self.going_on = True
 
+    def anything_spent(self) -> bool:
+        """Whether any contact has dissipated energy so far."""
+        return bool(self.spent.any())
+
     def _spent(self) -> np.ndarray:
         """(C,) J that each contact has dissipated."""
         spent = self.model.state.spent

@@ -59,12 +59,7 @@ class Rest:
             over = self.still >= BRAKINGS or self.waited >= MOST
             self.hold(0 if over else self.held + STEPS)
             self.learning = LOOKS
-        elif (
-            kinetic > max(JUMP * expected, LEAST * self.stored)
-            and self.usual > 0.0
-            and not self.learning
-            and self.waited < MOST
-        ):
+        elif self.leaps(kinetic, expected):
             self.events.sudden(step)
             self.hold(STEPS)
             self.still = 0
@@ -74,6 +69,12 @@ class Rest:
                 share = AFTERWARDS if self.learning else MEMORY
                 self.usual += share * (kinetic / speed**2 - self.usual)
             self.learning = max(self.learning - 1, 0)
+
+    def leaps(self, kinetic: float, expected: float) -> bool:
+        """Whether so much kinetic energy (J) is a sudden crack where so much is expected; not before anything broke."""
+        if self.learning or self.waited >= MOST or self.usual == 0.0:
+            return False
+        return kinetic > max(JUMP * expected, LEAST * self.stored) and self.events.anything_spent()
 
     def hold(self, steps: int) -> None:
         """The drive has been held for so many steps, or (0) moves; its damping follows."""

@@ -15,7 +15,6 @@ from masonry.results import Result
 from verification.case import Case, Check, Findings, Line, Plot, at_most
 
 BASE = {
-    "support.1.fix": ["y"],  # on its hinge: upright plates let two courses swing against each other
     "specimen.courses": 2,
     "specimen.divisions": [2, 1],
     "drive.displacement": "0.15 mm",
