@@ -156,7 +156,8 @@ ENOUGH = {"fracture_energy_mode_2": 2000.0, "fracture_energy_mode_1": 20.0}
 @settings(unhurried, max_examples=11)
 @given(points=corners(), values=numbers)
 def test_on_a_closed_path_no_jump_is_left_as_the_steps_get_shorter(name, options, points, values):
-    """A quarter of the step, a quarter of the largest jump: opening, slip both ways, changing compression.
+    """A quarter of the step, a quarter of the largest jump, unless this is no more than elastic: opening, slip both
+    ways, changing compression.
 
     Strength without fracture energy is lost at once: brittle contacts, and faces without tensile strength that part.
     """
@@ -166,8 +167,8 @@ def test_on_a_closed_path_no_jump_is_left_as_the_steps_get_shorter(name, options
     chosen_law = chosen(name, options, {**values, **ENOUGH})
     walks = [walk(chosen_law, closed(points, steps)) for steps in (400, 1600)]
     coarse, fine = (np.linalg.norm(np.diff(w.stress, axis=0, prepend=0.0), axis=1).max() for w in walks)
-    elastic = KN * np.linalg.norm(np.diff(walks[1].path, axis=0), axis=1).max()
-    assert fine <= 0.3 * coarse + 0.1 * elastic, "faces that part within a step leave a share of its elastic stress"
+    step = np.linalg.norm(np.diff(walks[1].path, axis=0), axis=1).max()
+    assert fine <= max(0.3 * coarse, (KN + KS) * step), "or it is what springs make of the step"
 
 
 @every_law_and_option
