@@ -7,6 +7,9 @@ import numpy as np
 from masonry.model import Model
 from masonry.remember import State
 
+PARTED = 0.02
+"""Of the most that was stored: what a specimen that came apart is taken to store, as its pieces still move."""
+
 
 class Event(NamedTuple):
     """One sudden crack: its first and last step, the energy (J) that damping took between them, and the contact that

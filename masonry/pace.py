@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from masonry.events import Events
+from masonry.events import PARTED, Events
 from masonry.fixed_pace import Chunk, FixedPace
 from masonry.guide import Guide
 from masonry.loads import Controlled, Program, smooth
@@ -42,8 +42,6 @@ the way), over the largest force. Measured: benchmarks/test_controlled.py."""
 UNEXPECTED, AT_REST, LOOKS, MOST = 0.5, 1e-7, 4, 600
 """A sudden crack: share of the kinetic energy that was not expected, from which on the drive is held. It goes on when
 the kinetic energy was below AT_REST of the stored energy in so many looks, one an increment, or after so many looks."""
-PARTED = 0.02
-"""Of the most that was stored: what a specimen that came apart is taken to store, as its pieces still move."""
 FINE, BLUNT = 0.01, 0.4
 """Accuracies coarser than this one are taken for (accuracy / FINE) ** BLUNT of it: sudden cracks would be overrun."""
 

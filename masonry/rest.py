@@ -7,7 +7,7 @@ beyond where it comes to rest, and breaks there as well. So all such runs share 
 import numpy as np
 
 from masonry import energy
-from masonry.events import Events
+from masonry.events import PARTED, Events
 from masonry.model import Model
 from masonry.remember import State, attributes, put_back
 
@@ -22,8 +22,6 @@ most local damping, as much of it would make a crack creep."""
 STILL, BRAKINGS, MOST = 1e-7, 20, 30_000
 """The drive goes on when the kinetic energy has been below this share of the stored energy for so many brakings, as
 a crack may creep on before it leaps. It is held for so many steps in all: what falls over never comes to rest."""
-PARTED = 0.02
-"""Of the most that was stored: what a specimen that came apart is taken to store."""
 REMEMBERED = ("usual", "held", "stored", "most", "learning", "still", "waited")
 
 
@@ -64,7 +62,10 @@ class Rest:
             self.hold(STEPS)
             self.still = 0
         else:
-            (self.events.sudden if self.learning else self.events.calm)(step)  # the start of the drive is felt as well
+            if self.learning:  # what the drive's new start is felt as belongs to the crack before it
+                self.events.sudden(step)
+            else:
+                self.events.calm(step)
             if speed != 0.0:
                 share = AFTERWARDS if self.learning else MEMORY
                 self.usual += share * (kinetic / speed**2 - self.usual)

@@ -9,7 +9,7 @@ import numpy as np
 from geometry.cells.asked import CellReport
 from masonry import __version__, events
 from masonry.assembly import Assembly
-from masonry.cycles import at_peak, goes_one_way, table
+from masonry.cycles import SPENT, at_peak, goes_one_way, table
 from masonry.joint_resultants import unit_joints
 from masonry.kernels.sources import source_hash
 from masonry.loads import Controlled
@@ -47,10 +47,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         )
     work = float(np.abs(rows["external_work"]).max())
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
-    begun = min(int(np.searchsorted(rows["step"], plan.settle)), len(rows["step"]) - 1)  # it may end while settling
     after_settling = np.subtract(*outcome.work_of_loads)
-    settled_at = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1
-    spent = sum(float(rows[key][-1]) for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
+    begun = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1  # the last row of the settling
+    spent = sum(float(rows[key][-1]) for key in SPENT)
     driven = float(np.abs(rows["external_work"][begun:] - rows["external_work"][begun]).max(initial=0.0))
     taken = float((rows["damping"] + rows["kinetic"])[-1] - (rows["damping"] + rows["kinetic"])[begun])
     lost = spent + max(taken, 0.0)
@@ -91,7 +90,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "cycles": table(rows, np.array(outcome.widest)),
         "gauges": _readings(assembly, outcome),
         "reactions": _reactions(assembly, outcome),
-        "work_of_drive_j": float(rows["external_work"][-1] - rows["external_work"][settled_at] - after_settling.sum()),
+        "work_of_drive_j": float(rows["external_work"][-1] - rows["external_work"][begun] - after_settling.sum()),
         "work_of_loads_j": _work_of_loads(assembly, outcome.work_of_loads[0]),
         "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),
         "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and dynamic.any() else 0.0,
