@@ -12,9 +12,9 @@ import time
 from pathlib import Path
 
 from benchmarks.growing import Wall, items
-from masonry import timeloop
-from masonry.assembly import assemble
-from masonry.laboratory import result_of
+from masonry.assembly.assemble import assemble
+from masonry.laboratory.laboratory import result_of
+from masonry.timeloop import timeloop
 
 GIANTS = {"rigid": (Wall(56, 56), 1000), "tets": (Wall(100, 52, mesh="fan"), 100)}
 """The wall and the steps that it takes."""

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from masonry import compiled_step, scene
-from masonry.assembly import Assembly
-from masonry.fixed_pace import Chunk
+from masonry import scene
+from masonry.assembly.assemble import Assembly
+from masonry.loading.scheduled import Chunk
+from masonry.timeloop import compiled_step
 
 STEPS = 20_000
 """Steps of the run that set-up and output are compared with."""

@@ -8,9 +8,9 @@ import pytest
 
 from masonry.laws.elastic import Elastic
 from masonry.laws.interface import Interface
-from verification.by_hand import specimens, trial
-from verification.by_hand.interleaved import against, require
-from verification.by_hand.twin import Twin
+from verification.reference_step import specimens, trial
+from verification.reference_step.interleaved import against, require
+from verification.reference_step.twin import Twin
 
 ROUNDS, STEPS = 400, 10
 DEEP = 1e-6

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from benchmarks.equal_steps import CONVERGED, LADDER, RIG
-from masonry import laboratory
+from masonry.laboratory import laboratory
 from masonry.scene import load
 
 SHIPPED_DAMPING = 0.8

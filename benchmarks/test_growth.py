@@ -8,9 +8,9 @@ import tracemalloc
 import pytest
 
 from benchmarks.growing import STEPS, Wall, growth, items, stepper
-from masonry import laboratory
-from masonry.assembly import assemble
-from verification.by_hand.interleaved import in_turn
+from masonry.assembly.assemble import assemble
+from masonry.laboratory import laboratory
+from verification.reference_step.interleaved import in_turn
 
 LINEAR = 1.2
 """Largest exponent that passes for linear on a shared machine; the square root of the number more would be 1.5."""

@@ -11,15 +11,15 @@ import numpy as np
 import pytest
 
 from masonry import scene
-from masonry.assembly import assemble
-from masonry.kernels.freedom import Guided
+from masonry.assembly.assemble import assemble
+from masonry.kinematics.motion import Guided
 from masonry.laws.brittle import Brittle
 from masonry.laws.elastic import Elastic
 from masonry.laws.interface import Interface
 from masonry.scene.source import packaged
-from verification.by_hand import specimens, trial
-from verification.by_hand.interleaved import against, in_turn, require
-from verification.by_hand.twin import Twin
+from verification.reference_step import specimens, trial
+from verification.reference_step.interleaved import against, in_turn, require
+from verification.reference_step.twin import Twin
 
 STEPS, ROUNDS = 10, 400
 LIMIT = 1.03

@@ -11,10 +11,10 @@ import pytest
 from numba.core.runtime import _nrt_python, rtsys
 
 from masonry import scene
-from masonry.assembly import assemble
-from verification.by_hand import specimens, trial
-from verification.by_hand.interleaved import require
-from verification.by_hand.twin import Twin
+from masonry.assembly.assemble import assemble
+from verification.reference_step import specimens, trial
+from verification.reference_step.interleaved import require
+from verification.reference_step.twin import Twin
 
 
 def shipped():
@@ -69,8 +69,8 @@ def test_the_arrays_of_a_step_are_hardly_larger_than_by_hand(figure, item):
 
 COMPILE = """
 import json, time
-from verification.by_hand import specimens, trial
-from verification.by_hand.twin import Twin
+from verification.reference_step import specimens, trial
+from verification.reference_step.twin import Twin
 model = trial.model_of(*specimens.wall(4, 4))
 pairs = trial.model_of(*specimens.bricks((2, 1, 1), (1, 1, 1)), kind="tets")
 Twin(pairs, "elastic", damped=False, booked=False).stepping(1)()  # what the compiler does only once

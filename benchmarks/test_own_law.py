@@ -10,11 +10,11 @@ import pytest
 
 from masonry.laws.exponential import Exponential
 from masonry.laws.linear import Linear
-from masonry.laws.outside import outside_law
+from masonry.laws.plugins import outside_law
 from masonry.laws.polynomial import Polynomial
 from tests.laws.own_package import files_of_page, install, law_with_if, on_the_path
-from verification.by_hand import specimens, trial
-from verification.by_hand.interleaved import in_turn, require
+from verification.reference_step import specimens, trial
+from verification.reference_step.interleaved import in_turn, require
 
 OURS = {
     "exponential": Exponential(5.0, 15.0),

@@ -34,7 +34,7 @@ total(np.zeros(3))
 FIRST_STEP = """
 import numpy as np
 from masonry import laboratory, scene, compiled_step
-from masonry.fixed_pace import Chunk
+from masonry.loading.scheduled import Chunk
 assembly = laboratory.assemble(scene.load("couplet", ["drive.steps=1000"]))
 compiled_step.compile_for(assembly.model, 1)
 chunk = Chunk(assembly.plan.dead_load[:2], assembly.plan.speed[:2], row=False)
@@ -44,7 +44,7 @@ COLD = """
 import sys, time
 import numba, numpy as np
 from masonry import laboratory, scene, compiled_step
-from masonry.assembly import assemble
+from masonry.assembly.assemble import assemble
 
 def loop(force, u, sides, stiffness):
     for c in range(len(sides)):

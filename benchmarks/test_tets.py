@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from verification.by_hand import specimens, trial
-from verification.by_hand.interleaved import in_turn, require
-from verification.by_hand.twin import Twin
+from verification.reference_step import specimens, trial
+from verification.reference_step.interleaved import in_turn, require
+from verification.reference_step.twin import Twin
 
 SIZES = {
     "10k": ((2, 2, 2), 5, 200, (35.0, 17.5), (19.0, 9.5), 1.35),

@@ -2,7 +2,7 @@
 
 import time
 
-from masonry import laboratory
+from masonry.laboratory import laboratory
 from masonry.scene import load
 
 STUDY = [f"wallette-mode-{mode}-{cells}" for mode in (1, 2) for cells in (218, 335, 540)] + ["wallette-mode-1"]

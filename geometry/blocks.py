@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from geometry.cells.asked import CellReport
+    from geometry.cells.request import CellReport
 
 
 class GeometryError(ValueError):

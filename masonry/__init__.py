@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from masonry.comparison.sensitivity import Sensitivity
-    from masonry.printout import Report
-    from masonry.results import Result
+    from masonry.laboratory.text import Report
+    from masonry.results.data import Result
     from masonry.scene import Scene
 
 __version__ = "0.1.0"
@@ -43,7 +43,7 @@ def check(scene: "Scene | str | Path") -> "Report":
     scene  a scene, a file of one, or the name of a packaged one
     A dictionary that prints as `masonry check` does. Raises SceneError or GeometryError.
     """
-    from masonry.laboratory import check as check_scene
+    from masonry.laboratory.laboratory import check as check_scene
 
     return check_scene(_scene(scene))
 
@@ -57,8 +57,8 @@ def run(
     progress  True: say how far it is; False: say nothing; None: say it in a notebook only, where the line goes when
               the run ends; or a function of step, steps and a note
     """
-    from masonry.laboratory import run as run_scene
-    from masonry.notebook import telling
+    from masonry.laboratory.laboratory import run as run_scene
+    from masonry.laboratory.notebook import telling
 
     scene = _scene(scene)
     with telling(progress, scene.name) as tell:
@@ -90,7 +90,7 @@ def sensitivity(
 
 def load_result(folder: "str | Path") -> "Result":
     """Read the result of an earlier run from its folder. Raises SceneError if the folder is not one of results."""
-    from masonry.results import load_history
+    from masonry.results.data import load_history
 
     return load_history(folder)
 

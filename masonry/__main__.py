@@ -2,6 +2,6 @@
 
 import sys
 
-from masonry.cli import main
+from masonry.cli.main import main
 
 sys.exit(main())

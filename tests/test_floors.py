@@ -22,7 +22,7 @@ class Floor(NamedTuple):
 
 
 FLOORS = {
-    "kept": Floor("geometry.compiled", sees="", packages="numba"),
+    "kept": Floor("geometry.jit_cache", sees="", packages="numba"),
     "geometry": Floor("geometry", sees="geometry kept"),
     "errors": Floor("masonry.errors masonry.plugins", sees="errors", packages=""),
     "equations": Floor(
@@ -31,45 +31,45 @@ FLOORS = {
         packages="numpy numba llvmlite",
     ),
     "model": Floor(
-        "masonry.model masonry.bodies masonry.stiffness masonry.contact_groups masonry.loads masonry.arrays"
-        " masonry.holds masonry.one_contact masonry.step_cost masonry.draws masonry.gauges masonry.cycling",
+        "masonry.model.model masonry.model.layout masonry.model.stable_step masonry.model.contact_groups masonry.model.loads masonry.model.arrays"
+        " masonry.model.supports masonry.model.one_contact masonry.model.step_cost masonry.model.draws masonry.model.gauges masonry.loading.schedule",
         sees="model equations errors geometry",
         packages="numpy numba llvmlite",
     ),
     "run": Floor(
-        "masonry.timeloop masonry.fixed_pace masonry.pace masonry.paces masonry.cyclic_pace masonry.varying_loads"
-        " masonry.cycles masonry.events masonry.rest masonry.guide masonry.utilisation masonry.watch masonry.snap_back"
-        " masonry.overlap masonry.slide masonry.collision masonry.corners masonry.mode_2_area masonry.contact_stress"
-        " masonry.energy masonry.history masonry.progress masonry.checkpoint"
-        " masonry.loop masonry.outcome masonry.compiled_step masonry.keeper masonry.model_state masonry.state_file"
-        " masonry.remember masonry.lock masonry.hdf5 masonry.reactions masonry.joint_resultants"
-        " masonry.results masonry.archive masonry.folder masonry.fields masonry.crew masonry.tally"
-        " masonry.curve_table masonry.finite masonry.printout masonry.notebook masonry.figure masonry.painter"
-        " masonry.processors masonry.quantity"
-        " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation"
-        " masonry.dry_joints"
-        " masonry.vtkhdf masonry.joint_fields masonry.frame_choice masonry.frame_picture"
-        " masonry.hysteresis masonry.flat_drawing masonry.solid_drawing masonry.solid_view masonry.face_drawing"
-        " masonry.text_files masonry.open_archive masonry.whole_result"
-        " masonry.film masonry.film_file masonry.show masonry.stage",
+        "masonry.timeloop.timeloop masonry.loading.scheduled masonry.loading.adaptive masonry.loading.dispatch masonry.loading.cyclic_adaptive masonry.loading.varying_loads"
+        " masonry.loading.cycles masonry.monitors.events masonry.loading.rest masonry.loading.predictor masonry.monitors.utilisation masonry.monitors.stability masonry.monitors.snap_back"
+        " masonry.monitors.overlap masonry.monitors.slide masonry.monitors.collision masonry.monitors.corners masonry.monitors.mode_2_area masonry.monitors.contact_stress"
+        " masonry.monitors.energy masonry.history masonry.runtime.progress masonry.timeloop.checkpoint"
+        " masonry.timeloop.loop masonry.timeloop.recording masonry.timeloop.compiled_step masonry.timeloop.checkpointer masonry.timeloop.model_state masonry.runtime.state_file"
+        " masonry.runtime.state masonry.runtime.lock masonry.runtime.hdf5 masonry.timeloop.reactions masonry.results.joint_resultants"
+        " masonry.results.data masonry.results.archive masonry.runtime.folder masonry.results.fields masonry.runtime.processes masonry.runtime.tally"
+        " masonry.results.table masonry.runtime.finite masonry.laboratory.text masonry.laboratory.notebook masonry.pictures.figure masonry.pictures.painter"
+        " masonry.runtime.processors masonry.quantity"
+        " masonry.pictures.curve masonry.pictures.curve_axes masonry.pictures.crack_picture masonry.pictures.crack_style masonry.pictures.cracks masonry.results.deformation"
+        " masonry.results.dry_joints"
+        " masonry.results.vtkhdf masonry.results.joint_fields masonry.results.frames masonry.pictures.frame_picture"
+        " masonry.pictures.hysteresis masonry.pictures.front masonry.pictures.oblique masonry.pictures.hidden_surfaces masonry.pictures.faces"
+        " masonry.runtime.text_files masonry.runtime.open_archive masonry.results.validate"
+        " masonry.movies.movie masonry.movies.movie_file masonry.movies.viewer masonry.movies.scene_3d",
         sees="run model equations errors geometry kept",
     ),
     "scene": Floor(
-        "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.installed"
-        " masonry.scene* masonry.picture_command masonry.movie_command"
-        " masonry.assembly masonry.plan masonry.scatter masonry.specimens masonry.conditions masonry.held"
-        " masonry.gauge_places masonry.size_guard masonry.block_files masonry.own_s* masonry.law_*"
+        "masonry masonry.__main__ masonry.cli.main masonry.cli.commands masonry.runtime.shell masonry.cli.doctor masonry.cli.installed"
+        " masonry.scene* masonry.cli.picture_command masonry.cli.movie_command"
+        " masonry.assembly.assemble masonry.assembly.schedule masonry.assembly.scatter masonry.assembly.specimens masonry.assembly.conditions masonry.assembly.restraint"
+        " masonry.assembly.gauge_places masonry.assembly.size_limits masonry.assembly.block_files masonry.own_s* masonry.law_*"
         " masonry.import*"
-        " masonry.quality_lines masonry.contact_remarks masonry.geometry_picture masonry.picture_frame"
-        " masonry.condition_marks masonry.mark_drawing"
-        " masonry.summary masonry.effort masonry.laboratory masonry.running masonry.asked masonry.origin masonry.sweep"
+        " masonry.laboratory.quality masonry.laboratory.contact_remarks masonry.drawings.geometry_picture masonry.drawings.picture_frame"
+        " masonry.drawings.condition_marks masonry.drawings.mark_drawing"
+        " masonry.laboratory.summary masonry.laboratory.cost masonry.laboratory.laboratory masonry.cli.run masonry.runtime.interrupts masonry.laboratory.provenance masonry.sweep"
         " masonry.comparison",
         sees="scene run model equations errors geometry",
     ),
     "verification": Floor("verification", sees="verification scene run model equations errors geometry"),
     "tests": Floor("tests benchmarks", sees="tests verification scene run model equations errors geometry kept"),
 }
-GMSH = ("geometry.gmsh_model", "tests", "tests.*")
+GMSH = ("geometry.meshes.gmsh_session", "tests", "tests.*")
 
 
 class Import(NamedTuple):
@@ -141,7 +141,7 @@ def offences(module: str, source: str, is_package: bool = False) -> list[str]:
             elif other not in floor.sees.split():
                 found.append(f"{says} of floor '{other}'; floor '{own}' sees only: {floor.sees or 'nothing'}")
         elif package == "gmsh" and not any(fnmatchcase(module, allowed) for allowed in GMSH):
-            found.append(f"{says}; only geometry/gmsh_model.py imports gmsh")
+            found.append(f"{says}; only geometry/meshes/gmsh_session.py imports gmsh")
         elif floor.packages is not None and package not in (*sys.stdlib_module_names, *floor.packages.split()):
             found.append(f"{says}; floor '{own}' uses only the standard library {floor.packages}".rstrip())
     return found
@@ -168,15 +168,15 @@ def test_every_folder_of_modules_is_a_package_so_that_it_is_installed() -> None:
         ("geometry.blocks", "import masonry.errors"),
         ("geometry.blocks", "def f():\n    from masonry import errors"),
         ("geometry.blocks", "from masonry import anything"),
-        ("geometry.joints", "import gmsh"),
-        ("masonry.laws.door", "from .. import scene"),
-        ("masonry.laws.door", "from ..scene import Scene"),
-        ("masonry.laws.door", "from geometry.blocks import Blocks"),
+        ("geometry.joints.find", "import gmsh"),
+        ("masonry.laws.dispatch", "from .. import scene"),
+        ("masonry.laws.dispatch", "from ..scene import Scene"),
+        ("masonry.laws.dispatch", "from geometry.blocks import Blocks"),
         ("masonry.kernels.step", "import scipy.sparse"),
         ("masonry.kernels.step", "import importlib\nimportlib.import_module('h5py')"),
-        ("masonry.model", "if True:\n    import masonry.timeloop as loop"),
-        ("masonry.timeloop", "from masonry.scene import Scene"),
-        ("masonry.cli", "from verification import report"),
+        ("masonry.model.model", "if True:\n    import masonry.timeloop.timeloop as loop"),
+        ("masonry.timeloop.timeloop", "from masonry.scene import Scene"),
+        ("masonry.cli.main", "from verification import report"),
         ("verification.report", "import tests.test_floors"),
         ("verification.report", "from benchmarks import anything"),
         ("masonry.utils", "import math"),
@@ -190,10 +190,10 @@ def test_an_import_that_goes_up_is_found(module: str, source: str) -> None:
     ("module", "source"),
     [
         ("masonry.laws", "from .door import beside\nfrom . import state\nimport numba, math"),
-        ("masonry.model", "from geometry import blocks\nfrom masonry.laws import door"),
-        ("masonry.timeloop", "from masonry import __version__, model\nimport rich"),
+        ("masonry.model.model", "from geometry import blocks\nfrom masonry.laws import door"),
+        ("masonry.timeloop.timeloop", "from masonry import __version__, model\nimport rich"),
         ("masonry.scene.schema", "import pydantic\nfrom masonry.quantity import parse"),
-        ("geometry.gmsh_model", "def mesh():\n    import gmsh"),
+        ("geometry.meshes.gmsh_session", "def mesh():\n    import gmsh"),
     ],
 )
 def test_an_import_that_goes_down_is_let_through(module: str, source: str) -> None:

@@ -11,7 +11,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from masonry.errors import SceneError
-from masonry.shell import Parser, complain
+from masonry.runtime.shell import Parser, complain
 from verification import catalogue, printout, records, runner
 from verification.case import Case
 from verification.comparison import compare, last_version

@@ -1,6 +1,6 @@
 """Ladders: one knob of a problem climbed from coarse to fine, to see which error a setting has and what it costs.
 
-A module of `verification.precision`, or the module of a case, holds PROBLEMS: tuples of `Problem`.
+A module of `verification.convergence`, or the module of a case, holds PROBLEMS: tuples of `Problem`.
 """
 
 import math
@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 from geometry.blocks import Specimen
-from verification.studies.trial import THREADS, Trial
+from verification.timed_run import THREADS, Trial
 
 Rungs = dict[str, dict[str, Any]]
 """Label of a rung -> the keys of the scene that it sets; the finest last."""

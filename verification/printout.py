@@ -4,7 +4,7 @@ import textwrap
 from collections.abc import Iterable, Sequence
 
 from masonry.errors import visible
-from masonry.progress import duration
+from masonry.runtime.progress import duration
 from verification.case import LOOSE, UNEXPECTED, Case, Check
 from verification.comparison import Change
 from verification.outcome import IMBALANCE, Outcome

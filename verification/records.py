@@ -12,9 +12,9 @@ from typing import Any
 
 from masonry import __version__
 from masonry.errors import SceneError
-from masonry.folder import WholeFiles
-from masonry.kernels.sources import source_hash
-from masonry.text_files import JSON_LARGEST, json_in, text_of
+from masonry.jit.sources import source_hash
+from masonry.runtime.folder import WholeFiles
+from masonry.runtime.text_files import JSON_LARGEST, json_in, text_of
 from verification.outcome import Outcome
 
 NAME = "records.json"

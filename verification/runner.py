@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from contextlib import closing
 from typing import Any
 
-from masonry.crew import Lost, work
-from masonry.shell import INTERRUPTED
-from masonry.tally import Tally, Tell
+from masonry.runtime.processes import Lost, work
+from masonry.runtime.shell import INTERRUPTED
+from masonry.runtime.tally import Tally, Tell
 from verification.case import Case, Findings
 from verification.outcome import Outcome
 from verification.worker import answer, run_case

@@ -17,10 +17,11 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.peers.worker import Absent, Worker
-from masonry import compiled_step, scene
-from masonry.assembly import assemble
-from masonry.fixed_pace import Chunk
-from verification.by_hand.interleaved import in_turn
+from masonry import scene
+from masonry.assembly.assemble import assemble
+from masonry.loading.scheduled import Chunk
+from masonry.timeloop import compiled_step
+from verification.reference_step.interleaved import in_turn
 
 ROUNDS = 15
 

@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Iterator
 from typing import Any
 
-from masonry.cli import APART, parser
+from masonry.cli.main import APART, parser
 
 PAGE, MARK = "reference/commands", "<!-- commands -->"
 WIDTH = 84

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import masonry
-from masonry.geometry_picture import draw_geometry
+from masonry.drawings.geometry_picture import draw_geometry
 from masonry.scene import load, packaged
 
 PAGE, MARK, PICTURES = "gallery", "<!-- scenes -->", "_generated"

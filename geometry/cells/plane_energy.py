@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from geometry.compiled import compiled
+from geometry.jit_cache import compiled
 
 MOST = 64
 """Corners that a cell may have while it is cut."""

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from geometry.compiled import compiled
+from geometry.jit_cache import compiled
 
 MOST_FACES = 128
 """Planes that may cut one cell, those that later cuts remove among them."""

@@ -3,7 +3,7 @@
 import numpy as np
 
 from geometry.blocks import GeometryError
-from geometry.cells.asked import CellsAsked
+from geometry.cells.request import CellsAsked
 
 MOST_CELLS = 200_000
 MOST_RATIO = 1e6

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from masonry.errors import SceneError, visible
-from masonry.processors import processors
-from masonry.shell import INTERRUPTED, OK, STOPPED, Parser
+from masonry.runtime.processors import processors
+from masonry.runtime.shell import INTERRUPTED, OK, STOPPED, Parser
 
 if TYPE_CHECKING:
     from masonry.scene import Scene
@@ -70,7 +70,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _listing(loaded: "Scene", only: list[str], quick: bool) -> str:
-    from masonry.assembly import assemble
+    from masonry.assembly.assemble import assemble
     from masonry.comparison.variants import variants
 
     chosen = variants(assemble(loaded), only, quick)

@@ -6,8 +6,8 @@ from typing import Any
 
 from masonry.comparison.variants import KINDS
 from masonry.errors import SceneError
-from masonry.plot import plain, tidy
-from masonry.results import load_history
+from masonry.pictures.curve import plain, tidy
+from masonry.results.data import load_history
 
 COLOURS = dict(
     zip(KINDS, ("#17becf", "#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#e377c2", "#8c564b", "#ff7f0e"), strict=True)
@@ -20,7 +20,7 @@ def figure_of(title: str, folder: Path, rows: Sequence[dict[str, Any]]) -> Any:
     """A figure of 1320 x 780 pixels at 120 dpi. Raises SceneError where the numbers of a run cannot be read."""
     from matplotlib.figure import Figure
 
-    from masonry.curve_axes import curve_axes
+    from masonry.pictures.curve_axes import curve_axes
 
     figure = Figure(figsize=(11, 6.5), layout="constrained")
     axes = figure.subplots()

@@ -5,16 +5,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from masonry.assembly import assemble
+from masonry.assembly.assemble import assemble
 from masonry.comparison import table
 from masonry.comparison.study import DOING, TABLE, begin, study
 from masonry.comparison.variants import variants
 from masonry.errors import SceneError
-from masonry.folder import WholeFiles
-from masonry.lock import sole
-from masonry.processors import processors
+from masonry.runtime.folder import WholeFiles
+from masonry.runtime.lock import sole
+from masonry.runtime.processors import processors
+from masonry.runtime.tally import Tell
 from masonry.scene import Scene
-from masonry.tally import Tell
 
 PICTURE, CSV = "sensitivity.png", "sensitivity.csv"
 
@@ -66,7 +66,7 @@ def sensitivity(
 def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]]) -> None:
     """Table and picture, all or none; the picture is left out where no run left a curve."""
     from masonry.comparison.picture import figure_of
-    from masonry.plot import write_png
+    from masonry.pictures.curve import write_png
 
     try:
         (folder / PICTURE).unlink(missing_ok=True)

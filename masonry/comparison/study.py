@@ -7,16 +7,16 @@ from typing import Any
 
 from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
-from masonry.folder import RESULTS, WholeFiles, claim, scene_name
-from masonry.lock import sole
-from masonry.printout import trust
+from masonry.laboratory.text import trust
+from masonry.runtime.folder import RESULTS, WholeFiles, claim, scene_name
+from masonry.runtime.lock import sole
+from masonry.runtime.tally import Tell
+from masonry.runtime.text_files import json_of, text_of
 from masonry.scene import Scene, to_toml
 from masonry.sweep.engine import run_alone
 from masonry.sweep.job import Job
 from masonry.sweep.store import Row
 from masonry.sweep.work import OK
-from masonry.tally import Tell
-from masonry.text_files import json_of, text_of
 
 SCENE, TABLE = "scene.toml", "sensitivity.json"
 DOING = "compares variants of a scene in it"

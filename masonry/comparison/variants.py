@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from masonry.assembly import Assembly
-from masonry.effort import expected_steps
+from masonry.assembly.assemble import Assembly
 from masonry.errors import SceneError, nearest
+from masonry.laboratory.cost import expected_steps
 from masonry.scene import Scene
 
 FINER, LEAST = 3.0, 1e-4

@@ -5,22 +5,10 @@ from math import sqrt
 from numba import prange
 from numba.extending import register_jitable
 
-from masonry.kernels.compiler import jit, jit_parallel
-from masonry.kernels.lanes import (
-    below,
-    eight,
-    gather,
-    local,
-    or_zero,
-    put_rows,
-    put_where,
-    some,
-    take,
-    unless,
-    width_of,
-)
+from masonry.jit.compiler import jit, jit_parallel
 from masonry.laws.mechanism import evolve, quiet, stored
 from masonry.laws.state import Memory
+from masonry.simd import below, eight, gather, local, or_zero, put_rows, put_where, some, take, unless, width_of
 
 
 @register_jitable

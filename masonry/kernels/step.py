@@ -5,9 +5,9 @@ Compiled for exactly the types that a scene uses: an absent part is None and lea
 
 from numba.extending import overload
 
+from masonry.jit.compiler import jit
 from masonry.kernels import contact
-from masonry.kernels.compiler import jit
-from masonry.kinematics.door import move, place
+from masonry.kinematics.dispatch import move, place
 
 
 @jit

@@ -9,9 +9,9 @@ import numpy as np
 from numba import prange
 from numba.extending import register_jitable
 
-from masonry.kernels.compiler import jit
-from masonry.kernels.freedom import advance, keep
-from masonry.kernels.lanes import FOUR, four, numbers, pack, part, plus, put, put_row, take, take_row
+from masonry.jit.compiler import jit
+from masonry.kinematics.motion import advance, keep
+from masonry.simd import FOUR, four, numbers, pack, part, plus, put, put_row, take, take_row
 
 
 class Affine(NamedTuple):

@@ -10,8 +10,8 @@ import numpy as np
 from numba import prange
 from numba.extending import register_jitable
 
-from masonry.kernels.freedom import advance, keep
-from masonry.kernels.lanes import EIGHT, eight, numbers, pack, part, plus, put, put_row, take, take_row
+from masonry.kinematics.motion import advance, keep
+from masonry.simd import EIGHT, eight, numbers, pack, part, plus, put, put_row, take, take_row
 
 
 class Rigid(NamedTuple):

@@ -6,9 +6,10 @@ import numpy as np
 from numba import prange
 from numba.extending import register_jitable
 
-from masonry.kernels.compiler import jit
-from masonry.kernels.freedom import advance, keep
-from masonry.kernels.lanes import (
+from masonry.jit.compiler import jit
+from masonry.kinematics.affine import hooke
+from masonry.kinematics.motion import advance, keep
+from masonry.simd import (
     EIGHT,
     FOUR,
     eight,
@@ -24,7 +25,6 @@ from masonry.kernels.lanes import (
     take_slopes,
     total,
 )
-from masonry.kinematics.affine import hooke
 
 
 class Tets(NamedTuple):

@@ -13,8 +13,8 @@ from numba.core.errors import NumbaError
 from numba.extending import register_jitable
 
 from masonry.errors import SceneError
-from masonry.kernels.lanes.each import by_lane, single, width_in
-from masonry.kernels.sources import is_ours
+from masonry.jit.sources import is_ours
+from masonry.simd.each import by_lane, single, width_in
 
 Curve = Callable[..., Any]
 

@@ -7,8 +7,8 @@ has slid: this is what pictures show of it.
 
 from typing import NamedTuple
 
-from masonry.kernels.lanes import choose, filled, larger, smaller, some
 from masonry.laws.state import Answer, Memory
+from masonry.simd import choose, filled, larger, smaller, some
 
 
 class Friction(NamedTuple):

@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 from numba.extending import register_jitable
 
-from masonry.kernels.lanes import choose, filled, larger
 from masonry.laws.snap_back import Refusal, lost_in_shear, refuse_in_shear
+from masonry.simd import choose, filled, larger
 
 
 class Linear(NamedTuple):

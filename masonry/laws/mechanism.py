@@ -3,7 +3,7 @@
 from numba.extending import overload
 
 from masonry.laws import softening
-from masonry.laws.door import beside
+from masonry.laws.dispatch import beside
 
 
 def _of(shape_class: type, name: str):

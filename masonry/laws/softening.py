@@ -9,9 +9,9 @@ from math import inf
 
 from numba.extending import register_jitable
 
-from masonry.kernels.lanes import choose, filled, larger, or_zero, smaller, some
-from masonry.laws.door import shear_intact, tension_area, tension_intact
+from masonry.laws.dispatch import shear_intact, tension_area, tension_intact
 from masonry.laws.state import Answer, Memory, grown
+from masonry.simd import choose, filled, larger, or_zero, smaller, some
 
 SECANTS, LEAST_SLOPE = 4, 1e-3
 """Looks at a curve over the plastic slip in a step, and how near to a snap-back the secants still go by it."""

@@ -11,9 +11,9 @@ from masonry.errors import SceneError
 from masonry.quantity import parse
 from masonry.scene.errors import explain
 from masonry.scene.overrides import Overrides, apply
-from masonry.scene.own_keys import law_there
 from masonry.scene.schema import Scene
 from masonry.scene.source import Source, packaged, read, titles
+from masonry.scene.tables.own_keys import law_there
 
 __all__ = ["Scene", "changed", "load", "packaged", "titles", "to_toml"]
 

@@ -8,15 +8,15 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from masonry.errors import Findings, SceneError
-from masonry.own_specimens import own_specimen_names
 from masonry.quantity import KINDS, written
 from masonry.scene.lines import split_key
-from masonry.scene.own_keys import contact_class
-from masonry.scene.own_specimen import specimen_class
 from masonry.scene.schema import Scene
 from masonry.scene.source import Source
-from masonry.scene.specimen import kinds
-from masonry.scene.types import Given, KeyedError
+from masonry.scene.tables.own_keys import contact_class
+from masonry.scene.tables.own_specimen import specimen_class
+from masonry.scene.tables.specimen import kinds
+from masonry.scene.tables.specimen_plugins import own_specimen_names
+from masonry.scene.tables.types import Given, KeyedError
 from masonry.scene.variant import Keys
 
 MOST = 5

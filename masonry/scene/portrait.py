@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from masonry.notebook import html_table
-from masonry.printout import Rows, aligned
+from masonry.laboratory.notebook import html_table
+from masonry.laboratory.text import Rows, aligned
 from masonry.scene.schema import Scene
 
 READABLE = {"m": ((1e-3, "mm"),), "Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"))}

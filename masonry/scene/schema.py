@@ -8,13 +8,13 @@ from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
 from masonry.errors import SceneError
 from masonry.history import UNITS
-from masonry.scene.contact import Material
-from masonry.scene.gauge import Curve, Gauge
-from masonry.scene.loading import Drive, Settle, Solver, Support, Traction
-from masonry.scene.own_keys import AnyContact
-from masonry.scene.own_specimen import AnySpecimen
-from masonry.scene.scatter import Scatter, require_contacts
-from masonry.scene.types import AccelerationVector, KeyedError, Law, Motion, Strength, Table
+from masonry.scene.tables.contact import Material
+from masonry.scene.tables.gauge import Curve, Gauge
+from masonry.scene.tables.loading import Drive, Settle, Solver, Support, Traction
+from masonry.scene.tables.own_keys import AnyContact
+from masonry.scene.tables.own_specimen import AnySpecimen
+from masonry.scene.tables.scatter import Scatter, require_contacts
+from masonry.scene.tables.types import AccelerationVector, KeyedError, Law, Motion, Strength, Table
 
 INVENTED = "a placeholder that the import made up: put in your own"
 """What `masonry import` notes in [assumptions] of a key that the file does not hold."""

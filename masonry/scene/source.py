@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError
+from masonry.runtime.text_files import decoded, toml_of
 from masonry.scene.lines import line_numbers
 from masonry.scene.variant import Keys, overlay
-from masonry.text_files import decoded, toml_of
 
 LARGEST = 5_000_000
 DEEPEST = 8

@@ -6,8 +6,8 @@ import time
 from collections.abc import Callable, Generator, Sequence
 from typing import Any
 
-from masonry.crew import Lost
 from masonry.errors import SceneError, extra
+from masonry.runtime.processes import Lost
 
 PATIENCE = 5.0
 """Seconds for a scheduler to answer."""
@@ -42,7 +42,7 @@ def _client(scheduler: str) -> Any:
 
 
 def work_on(scheduler: str, act: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[tuple[int, Any]]:
-    """As `masonry.crew.work`, on a cluster. A worker that dies has its task done by another, three times at most.
+    """As `masonry.runtime.processes.work`, on a cluster. A worker that dies has its task done by another, three times at most.
 
     Raises SceneError as `require`, and where the scheduler goes away.
     """

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, visible
-from masonry.processors import processors
-from masonry.shell import INTERRUPTED, OK, Parser
+from masonry.runtime.processors import processors
+from masonry.runtime.shell import INTERRUPTED, OK, Parser
 from masonry.sweep.folder import COPY, DOING, folder_for
 from masonry.sweep.read import Sweep, read
 
@@ -59,8 +59,8 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any, tell: Any) -> int:
-    from masonry.folder import WholeFiles
-    from masonry.lock import sole
+    from masonry.runtime.folder import WholeFiles
+    from masonry.runtime.lock import sole
     from masonry.sweep.engine import run_alone
     from masonry.sweep.picture import PICTURE, draw
     from masonry.sweep.table import TABLE, table_of, write_table

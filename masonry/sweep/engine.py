@@ -6,15 +6,15 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
-from masonry.crew import Lost, work
 from masonry.errors import SceneError
-from masonry.lock import sole
+from masonry.runtime.lock import sole
+from masonry.runtime.processes import Lost, work
+from masonry.runtime.tally import Tally, Tell
 from masonry.sweep.folder import DOING
 from masonry.sweep.job import Job
 from masonry.sweep.names import names
 from masonry.sweep.store import Row, Store
 from masonry.sweep.work import ERROR, Ended, compute
-from masonry.tally import Tally, Tell
 
 WORKERS = 2
 
@@ -22,7 +22,7 @@ WORKERS = 2
 def run(
     jobs: Sequence[Job], folder: Path, workers: int = WORKERS, tell: Tell | None = None, scheduler: str | None = None
 ) -> list[Row]:
-    """One row a job, in order; each run that ends leaves `folder/runs/KEY/` for `masonry.results.load_history`.
+    """One row a job, in order; each run that ends leaves `folder/runs/KEY/` for `masonry.results.data.load_history`.
 
     workers    processes on this machine, with one thread each
     tell       is called with a line for each run that ends

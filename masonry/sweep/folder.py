@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError
-from masonry.folder import RESULTS, claim, scene_name
-from masonry.lock import LOCK
+from masonry.runtime.folder import RESULTS, claim, scene_name
+from masonry.runtime.lock import LOCK
 from masonry.sweep.read import Sweep, read_toml
 from masonry.sweep.table import TABLE
 

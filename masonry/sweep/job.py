@@ -7,8 +7,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from masonry.kernels.sources import ALL, source_hash
-from masonry.origin import SHOWING, file_of_blocks, other_sources
+from masonry.jit.sources import ALL, source_hash
+from masonry.laboratory.provenance import SHOWING, file_of_blocks, other_sources
 
 
 @dataclass(frozen=True)

@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.folder import WholeFiles
-from masonry.plot import MEGA, MILLI, plain, write_png
+from masonry.pictures.curve import MEGA, MILLI, plain, write_png
+from masonry.results.validate import MOST
+from masonry.runtime.folder import WholeFiles
+from masonry.runtime.text_files import text_of
 from masonry.sweep.plan import Planned
 from masonry.sweep.store import Row
 from masonry.sweep.table import swept
 from masonry.sweep.work import OK
-from masonry.text_files import text_of
-from masonry.whole_result import MOST
 
 PICTURE = "sweep.png"
 LARGEST = 1 << 30

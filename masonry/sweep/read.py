@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, nearest
-from masonry.text_files import text_of, toml_of
+from masonry.runtime.text_files import text_of, toml_of
 
 PARTS = ("list", "grid", "latin_hypercube")
 WORDS = ("scene", "settings", *PARTS)

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError
-from masonry.folder import WholeFiles
+from masonry.runtime.folder import WholeFiles
+from masonry.runtime.text_files import json_of
 from masonry.sweep.work import OK, STATUSES, Ended
-from masonry.text_files import json_of
 
 Row = dict[str, Any]
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError
-from masonry.folder import WholeFiles
+from masonry.runtime.folder import WholeFiles
 from masonry.sweep.plan import Planned
 from masonry.sweep.points import si
 from masonry.sweep.store import Row

@@ -51,7 +51,8 @@ def compute(toml: str) -> Ended:
 
 
 def _run(toml: str) -> Any:
-    from masonry import laboratory, scene
+    from masonry import scene
+    from masonry.laboratory import laboratory
 
     with TemporaryDirectory(prefix="masonry-") as folder:
         path = Path(folder) / "scene.toml"

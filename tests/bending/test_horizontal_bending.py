@@ -4,8 +4,9 @@ from functools import cache
 
 import numpy as np
 
-from masonry import laboratory, scene
-from masonry.results import Result
+from masonry import scene
+from masonry.laboratory import laboratory
+from masonry.results.data import Result
 from verification.paper.bending.by_hand import bending_spec, wall_of
 from verification.paper.bending.crack import flexural_crack
 

@@ -77,7 +77,7 @@ def used(tmp_path_factory) -> tuple[Copy, Ran]:
 
 def test_a_second_process_compiles_nothing_whatever_was_edited_that_is_not_compiled(used):
     copy, first = used
-    for file in ("masonry/model.py", "masonry/laboratory.py", "geometry/joints.py"):
+    for file in ("masonry/model/model.py", "masonry/laboratory/laboratory.py", "geometry/joints/find.py"):
         copy.edit(file, r"\Z", "# a remark\n")
     assert copy.run() == Ran([], first.stress, tools=False)
 

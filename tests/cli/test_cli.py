@@ -11,9 +11,9 @@ import pytest
 import masonry
 from geometry.blocks import GeometryError
 from masonry import scene
-from masonry.cli import main
+from masonry.cli.main import main
 from masonry.errors import SceneError, Stopped
-from masonry.processors import processors
+from masonry.runtime.processors import processors
 from tests.results.sample import sample
 
 REPORT = {
@@ -39,7 +39,7 @@ def laboratory(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(scene, "load", lambda name, overrides: (name, list(overrides)))
     monkeypatch.setattr(scene, "to_toml", lambda loaded: '[specimen]\nkind = "couplet"\n[contact]\n')
-    fake = types.ModuleType("masonry.laboratory")
+    fake = types.ModuleType("masonry.laboratory.laboratory")
     fake.calls = []
 
     def run(loaded, *, threads, progress, keeper):
@@ -47,7 +47,7 @@ def laboratory(monkeypatch, tmp_path):
         return sample()
 
     fake.run, fake.check = run, lambda loaded: REPORT
-    monkeypatch.setitem(sys.modules, "masonry.laboratory", fake)
+    monkeypatch.setitem(sys.modules, "masonry.laboratory.laboratory", fake)
     monkeypatch.setattr(masonry, "laboratory", fake, raising=False)
     return fake
 
@@ -221,7 +221,7 @@ def python(code, *arguments, **options):
 @pytest.mark.parametrize("words", ["list", "--help", "run --help", "--version", "run"])
 def test_commands_that_do_not_compute_import_nothing_heavy(words):
     code = (
-        "import sys; from masonry.cli import main; main(sys.argv[1:]);"
+        "import sys; from masonry.cli.main import main; main(sys.argv[1:]);"
         "heavy = {'numba', 'gmsh', 'scipy', 'matplotlib', 'h5py', 'pint', 'rich'} & set(sys.modules);"
         "sys.exit(f'imported {heavy}' if heavy else 0)"
     )
@@ -232,7 +232,7 @@ def test_commands_that_do_not_compute_import_nothing_heavy(words):
 def test_plot_needs_neither_numba_nor_gmsh_nor_pyplot(tmp_path):
     sample().save(tmp_path)
     code = (
-        "import sys; from masonry.cli import main; assert main(['plot', sys.argv[1]]) == 0;"
+        "import sys; from masonry.cli.main import main; assert main(['plot', sys.argv[1]]) == 0;"
         "heavy = {'numba', 'gmsh', 'scipy', 'matplotlib.pyplot'} & set(sys.modules);"
         "sys.exit(f'imported {heavy}' if heavy else 0)"
     )

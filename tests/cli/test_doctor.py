@@ -6,9 +6,9 @@ from importlib import metadata
 
 import pytest
 
-from masonry import doctor, installed
-from masonry.cli import main
-from masonry.doctor import diagnose
+from masonry.cli import doctor, installed
+from masonry.cli.doctor import diagnose
+from masonry.cli.main import main
 from verification import self_test
 from verification.case import Case, Check, Findings
 

@@ -1,7 +1,7 @@
 import pytest
 
-from geometry.mesh_files import read_mesh
-from masonry.cli import main
+from geometry.files.mesh_files import read_mesh
+from masonry.cli.main import main
 
 
 @pytest.mark.parametrize("suffix", [".step", ".msh", ".vtu"])

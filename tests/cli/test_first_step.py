@@ -9,7 +9,7 @@ import pytest
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from geometry.joints import connected
+from geometry.joints.find import connected
 from masonry import quantity
 
 LATER = "gmsh matplotlib vtk pyvista meshio skfem h5py pint rich scipy.spatial scipy.sparse scipy.optimize scipy.stats"

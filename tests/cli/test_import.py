@@ -5,15 +5,15 @@ import time
 import numpy as np
 import pytest
 
-from geometry.block_file import load_blocks
-from geometry.joints import find_joints
-from geometry.measures import volumes
-from masonry import laboratory
-from masonry.cli import main
-from masonry.printout import trust
+from geometry.files.blocks_h5 import load_blocks
+from geometry.joints.find import find_joints
+from geometry.polyhedra.measures import volumes
+from masonry.cli.main import main
+from masonry.laboratory import laboratory
+from masonry.laboratory.text import trust
 from masonry.scene import load
 from masonry.scene.schema import INVENTED
-from tests.geometry import step_files as files
+from tests.geometry.files import step_files as files
 
 
 def imported(path, out, *words):

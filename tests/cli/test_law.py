@@ -6,17 +6,18 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
-from masonry import law_command, law_portrait
-from masonry.cli import main
+from masonry.cli import law_command
+from masonry.cli.main import main
+from masonry.drawings.law_picture import law_figure
 from masonry.errors import SceneError
-from masonry.law_picture import law_figure
-from masonry.law_portrait import COMPRESSIONS, portrait
-from masonry.laws.build import build
-from masonry.scene.contact import Contact
+from masonry.laws.factory import build
+from masonry.model import law_portrait
+from masonry.model.law_portrait import COMPRESSIONS, portrait
+from masonry.scene.tables.contact import Contact
 from tests.laws.own_package import files_of_page, install, on_the_path
-from verification import closed_forms
-from verification.closed_forms import Joint
-from verification.rigs.one_contact import law
+from verification.fixtures.one_contact import law
+from verification.references import closed_forms
+from verification.references.closed_forms import Joint
 
 
 @pytest.fixture

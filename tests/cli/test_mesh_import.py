@@ -3,16 +3,17 @@
 import numpy as np
 import pytest
 
-from geometry.block_file import load_blocks
 from geometry.blocks import Specimen
-from geometry.boxes import boxes
-from geometry.export import export
-from geometry.joints import find_joints
-from geometry.mesher import mesh_blocks
-from geometry.tet_meshes import gathered
-from masonry import laboratory, scene
-from masonry.assembly import assemble
-from masonry.cli import main
+from geometry.files.blocks_h5 import load_blocks
+from geometry.files.export import export
+from geometry.joints.find import find_joints
+from geometry.meshes.tet_meshes import gathered
+from geometry.meshes.tetrahedralise import mesh_blocks
+from geometry.specimens.boxes import boxes
+from masonry import scene
+from masonry.assembly.assemble import assemble
+from masonry.cli.main import main
+from masonry.laboratory import laboratory
 
 HEIGHTS = (0.05, 0.06, 0.05)
 ELASTIC = ["material.units.young_modulus=5 GPa", "material.units.poisson_ratio=0.2"]

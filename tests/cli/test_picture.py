@@ -6,16 +6,16 @@ import time
 import numpy as np
 import pytest
 
-from geometry.grid import divide
-from geometry.joints import find_joints
-from geometry.shapes import concatenate, from_boxes
-from masonry.assembly import joined
-from masonry.cli import main
-from masonry.condition_marks import marks, parts_of
-from masonry.geometry_picture import draw_geometry, geometry_figure, sight_of
-from masonry.picture_frame import _apart
+from geometry.joints.find import find_joints
+from geometry.polyhedra.construct import concatenate, from_boxes
+from geometry.polyhedra.grid import divide
+from masonry.assembly.assemble import joined
+from masonry.cli.main import main
+from masonry.drawings.condition_marks import marks, parts_of
+from masonry.drawings.geometry_picture import draw_geometry, geometry_figure, sight_of
+from masonry.drawings.picture_frame import _apart
+from masonry.pictures.hidden_surfaces import covered_shares, front_sight, hidden, oblique_sight, visible_pieces
 from masonry.scene import load
-from masonry.solid_view import covered_shares, front_sight, hidden, oblique_sight, visible_pieces
 
 PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -65,7 +65,7 @@ def test_a_picture_that_fails_leaves_the_old_one(tmp_path, monkeypatch):
         path.write_bytes(b"half")
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("masonry.geometry_picture.write_png", fail)
+    monkeypatch.setattr("masonry.drawings.geometry_picture.write_png", fail)
     with pytest.raises(KeyboardInterrupt):
         draw_geometry(load("couplet"), out)
     assert [path.name for path in tmp_path.iterdir()] == ["wall.png"] and out.read_bytes() == b"old"

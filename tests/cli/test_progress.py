@@ -4,8 +4,8 @@ import io
 
 import pytest
 
-from masonry.printout import accuracy_text, summary_text, trust
-from masonry.progress import Progress, duration
+from masonry.laboratory.text import accuracy_text, summary_text, trust
+from masonry.runtime.progress import Progress, duration
 from tests.results.sample import SUMMARY
 
 

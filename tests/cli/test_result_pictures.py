@@ -9,15 +9,15 @@ import pytest
 from matplotlib import image
 from PIL import Image
 
-from masonry import film_file
-from masonry.cli import main
+from masonry.cli.main import main
 from masonry.errors import SceneError
-from masonry.film import Film
-from masonry.film_file import write_film
-from masonry.frame_choice import choose
-from masonry.frame_picture import draw_frame
-from masonry.picture import drawing_of, frames_to_draw, magnification, panel_title, share_of_way
-from masonry.results import NUMBERS, load_history
+from masonry.movies import movie_file as film_file
+from masonry.movies.movie import Film
+from masonry.movies.movie_file import write_film
+from masonry.pictures.crack_picture import drawing_of, frames_to_draw, magnification, panel_title, share_of_way
+from masonry.pictures.frame_picture import draw_frame
+from masonry.results.data import NUMBERS, load_history
+from masonry.results.frames import choose
 from tests.results.sample import HEIGHT, LENGTH, sample, with_tets
 from tests.results.test_pictures import blue, red
 

@@ -2,11 +2,11 @@
 
 import pytest
 
-from geometry.block_file import load_blocks
-from geometry.measures import volumes
+from geometry.files.blocks_h5 import load_blocks
+from geometry.polyhedra.measures import volumes
 from masonry import scene
-from masonry.assembly import joined
-from masonry.cli import main
+from masonry.assembly.assemble import joined
+from masonry.cli.main import main
 
 
 @pytest.mark.parametrize("suffix", [".step", ".msh", ".vtu"])

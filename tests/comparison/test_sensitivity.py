@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import masonry
-from masonry.cli import main
+from masonry.cli.main import main
 from masonry.comparison import table
 from masonry.comparison.picture import figure_of
 from masonry.comparison.study import _deviations

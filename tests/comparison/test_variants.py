@@ -2,12 +2,12 @@
 
 import pytest
 
-from masonry.assembly import assemble
+from masonry.assembly.assemble import assemble
 from masonry.comparison.variants import KINDS, variants
 from masonry.errors import SceneError
 from masonry.scene import load
-from tests.mechanics.scenes import load as load_text
-from tests.mechanics.test_collision import slider
+from tests.monitors.test_collision import slider
+from tests.scenes import load as load_text
 
 
 def settings(scene, kind):

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from masonry import scene
-from masonry.laboratory import run
-from verification import closed_forms
-from verification.closed_forms import Joint
+from masonry.laboratory.laboratory import run
+from verification.references import closed_forms
+from verification.references.closed_forms import Joint
 
 LAWS = ("linear", "polynomial", "exponential")
 COMPRESSIONS = {"0.1 MPa": (0.1e6, 2.1), "0.5 MPa": (0.5e6, 2.1 + 0.8 * 4 / 9), "1.0 MPa": (1.0e6, 2.9)}

@@ -2,7 +2,8 @@
 
 import pytest
 
-from masonry import laboratory, scene
+from masonry import scene
+from masonry.laboratory import laboratory
 
 T_MAX, T_RES = 0.971e6, 0.073e6
 

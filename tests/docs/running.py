@@ -6,8 +6,8 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from masonry import laboratory
-from masonry.cli import APART, main, parser
+from masonry.cli.main import APART, main, parser
+from masonry.laboratory import laboratory
 from masonry.scene import load
 from masonry.sweep.plan import plan
 from masonry.sweep.read import read

@@ -2,7 +2,7 @@
 
 import pytest
 
-from masonry.folder import RESULTS
+from masonry.runtime.folder import RESULTS
 from tests.faults.samples import run
 
 

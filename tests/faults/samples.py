@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from masonry.asked import Asked
-from masonry.checkpoint import Checkpoints
-from masonry.cli import main
+from masonry.cli.main import main
+from masonry.runtime.interrupts import Asked
+from masonry.timeloop.checkpoint import Checkpoints
 
 SHORT = [*("--set", "settle.steps=100"), *("--set", "drive.steps=2000"), *("--set", "solver.rows=40")]
 LONG = [*("--set", "drive.steps=40000"), *("--set", "solver.rows=300")]

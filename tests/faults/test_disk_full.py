@@ -5,8 +5,8 @@ import resource
 
 import pytest
 
-from masonry import checkpoint
-from masonry.checkpoint import Checkpoints
+from masonry.timeloop import checkpoint
+from masonry.timeloop.checkpoint import Checkpoints
 from tests.faults.samples import ALWAYS, LONG, disk, half_done, remount, resume, run
 from verification.faults.compare import differences
 from verification.faults.process import Process
@@ -68,7 +68,7 @@ def test_whatever_fails_as_a_checkpoint_is_written_the_one_before_stays(at, tmp_
 
 
 def test_results_that_cannot_be_written_leave_the_checkpoint(alone, tmp_path, monkeypatch, capsys):
-    from masonry.results import Result
+    from masonry.results.data import Result
 
     half_done(tmp_path / "out", monkeypatch)
     with monkeypatch.context() as patched:

@@ -5,7 +5,7 @@ import signal
 
 import pytest
 
-from masonry.cli import main
+from masonry.cli.main import main
 from tests.faults.samples import half_done, resume, run
 from verification.faults.compare import differences
 from verification.faults.kills import MOMENTS, kill_and_resume, leave_alone

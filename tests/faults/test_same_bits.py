@@ -7,14 +7,15 @@ from random import Random
 import numpy as np
 import pytest
 
-from masonry import laboratory, model_state
-from masonry.assembly import assemble
-from masonry.checkpoint import Checkpoints
+from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError
-from masonry.keeper import Keeper
+from masonry.laboratory import laboratory
 from masonry.scene import load as load_scene
-from tests.mechanics.scenes import load
-from tests.mechanics.test_loop import couplet
+from masonry.timeloop import model_state
+from masonry.timeloop.checkpoint import Checkpoints
+from masonry.timeloop.checkpointer import Keeper
+from tests.scenes import load
+from tests.timeloop.test_loop import couplet
 
 SHORT = {"settle": 200, "displacement": "0.03 mm"}
 WAVE = {"on": "top.z+", "stress": {"z": "-0.5 MPa"}, "history": "1 + 0.2 * sin(40 pi t / 1 s)", "duration": "1 s"}

@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from masonry.asked import listening
+from masonry.runtime.interrupts import listening
 from tests.faults.samples import LONG, ended_after, resume, run
 from verification.faults.compare import differences
 from verification.faults.process import Process, states

@@ -43,7 +43,7 @@ def test_a_mistake_keeps_its_exit_code_where_nobody_hears_it():
 RUN = """
 import sys
 import masonry
-from geometry.compiled import NOT_KEPT
+from geometry.jit_cache import NOT_KEPT
 result = masonry.run(masonry.load("couplet", ["law=elastic", "settle.steps=100", "drive.steps=600", "solver.rows=10"]))
 said = any("could not be kept" in line for line in result.log)
 print(result.history.rows["stress"].tolist(), len(NOT_KEPT) > 0, said)

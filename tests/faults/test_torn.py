@@ -5,7 +5,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from masonry import state_file
+from masonry.runtime import state_file
 from tests.faults.samples import half_done, resume
 from verification.faults.compare import differences
 

@@ -7,7 +7,7 @@ import threading
 import pytest
 
 from masonry.errors import SceneError
-from masonry.lock import LOCK, sole
+from masonry.runtime.lock import LOCK, sole
 from tests.faults.samples import LONG, forbid_writing, half_done, read_only, resume, run
 from verification.faults.compare import differences
 from verification.faults.process import Process, states
@@ -66,7 +66,7 @@ def test_a_folder_that_cannot_be_written_to_is_said_in_one_line_before_anything_
         half_done(folder / "out", monkeypatch)
         before = {path.name: path.read_bytes() for path in (folder / "out" / "checkpoint").iterdir()}
         forbid_writing(folder if not os.geteuid() else folder / "out")
-        monkeypatch.setattr("masonry.laboratory.run", lambda *_, **__: pytest.fail("it was computed"))
+        monkeypatch.setattr("masonry.laboratory.laboratory.run", lambda *_, **__: pytest.fail("it was computed"))
         assert act(folder / "out") == 2
         said = capsys.readouterr().err
         assert said.count("\n") == 1 and f"cannot write results to '{folder / 'out'}'" in said

@@ -12,15 +12,15 @@ import h5py
 import numpy as np
 import pytest
 
-from geometry.block_file import load_blocks, save_blocks
 from geometry.blocks import GeometryError
-from masonry.cli import main
+from geometry.files.blocks_h5 import load_blocks, save_blocks
+from masonry.cli.main import main
 from masonry.errors import Findings, SceneError, visible
-from masonry.results import load_history
+from masonry.results.data import load_history
+from masonry.runtime.text_files import json_of
 from masonry.sweep.read import read
-from masonry.text_files import json_of
 from verification import records
-from verification.fuzz import made_up, seeds
+from verification.fuzz.inputs import made_up, seeds
 
 SWEEP = 'scene = "couplet"\n[grid]\n"drive.steps" = [1]\n'
 
@@ -191,8 +191,8 @@ def test_a_tessellation_that_is_none_is_not_repeated(tmp_path, capsys):
 def test_a_reader_whose_asker_was_killed_takes_its_folder_away_and_ends(tmp_path):
     code = (
         "import sys; sys.path.insert(0, sys.argv[1])\n"
-        "from geometry.guard import guarded\n"
-        "guarded('tests.geometry.bad_readers', 'sleep', sys.argv[2])\n"
+        "from geometry.files.sandbox import guarded\n"
+        "guarded('tests.geometry.files.bad_readers', 'sleep', sys.argv[2])\n"
     )
     (tmp_path / "a.step").write_text("x")
     house = str(Path(__file__).resolve().parents[2])

@@ -23,7 +23,7 @@ def room(tmp_path, monkeypatch):
     """A room that leaves this process as it was."""
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
     for name, most in (("BLOCKS", 100), ("CONTACT_POINTS", 5000), ("TETS", 5000)):
-        monkeypatch.setattr(f"masonry.size_guard.{name}", most)
+        monkeypatch.setattr(f"masonry.assembly.size_limits.{name}", most)
     monkeypatch.setattr("masonry.sweep.engine.work", no_runs)
     there = os.getcwd()
     yield Room(tmp_path, ())
@@ -41,9 +41,9 @@ def test_a_bad_scene_ends_in_one_message(room):
 
 @pytest.mark.parametrize("name", sorted(FEW))
 def test_a_bad_file_of_another_program_ends_in_one_message(name, room, monkeypatch):
-    from verification.fuzz import reading
+    from verification.fuzz.inputs import reading
 
-    monkeypatch.setattr("geometry.guard.begin", lambda task, folder, alive: reading.Forked(task, folder))
+    monkeypatch.setattr("geometry.files.sandbox.begin", lambda task, folder, alive: reading.Forked(task, folder))
     _try_some(name, FEW[name], room)
 
 
@@ -78,7 +78,7 @@ def _clumsy(draw, folder: Path) -> Attempt:
     ],
 )
 def test_a_clumsy_program_is_found_out(act, words, room, monkeypatch):
-    monkeypatch.setattr("masonry.cli.main", act)
+    monkeypatch.setattr("masonry.cli.main.main", act)
     monkeypatch.setattr("verification.fuzz.trial.MEMORY", 0 if words == "memory" else 1 << 40)
     trial = tried(Kind("clumsy", "", 1, _clumsy), None, 0, room)
     assert any(words in fault for fault in trial.faults), trial.faults

@@ -6,7 +6,7 @@ from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
 from geometry.blocks import Blocks
-from geometry.shapes import from_faces
+from geometry.polyhedra.construct import from_faces
 
 
 def _rotate(blocks, degrees, axis=(1.0, 2.0, 0.5), shift=(0.3, -0.2, 0.7)):

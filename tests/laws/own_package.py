@@ -8,9 +8,10 @@ from contextlib import contextmanager
 from importlib import invalidate_caches
 from pathlib import Path
 
-from masonry import own_specimens, plugins
-from masonry.laws import outside
-from masonry.scene import own_keys, own_specimen
+from masonry import plugins
+from masonry.laws import plugins as outside
+from masonry.scene.tables import own_keys, own_specimen
+from masonry.scene.tables import specimen_plugins as own_specimens
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "own-laws.md"
 BLOCK = re.compile(r"^```\{code-block\} \w+\n:caption: ([\w.]+)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)

@@ -2,11 +2,11 @@
 
 import pytest
 
-from masonry.cli import main
+from masonry.cli.main import main
 from masonry.errors import SceneError
 from masonry.scene import load
 from tests.laws.own_package import files_of_page, install, on_the_path
-from verification.rigs.one_contact import along, law, walk
+from verification.fixtures.one_contact import along, law, walk
 
 KNEE = {"contact.unit_unit.opening_at_knee": "8 um", "contact.unit_unit.share_at_knee": 0.3}
 GOOD = files_of_page()["bilinear.py"]

@@ -7,8 +7,8 @@ import pytest
 
 from masonry.errors import SceneError
 from masonry.laws import law_names
-from masonry.laws.build import build
-from verification.rigs.one_contact import TABLE_1, along, law, walk
+from masonry.laws.factory import build
+from verification.fixtures.one_contact import TABLE_1, along, law, walk
 
 ENERGIES = {
     "linear": ["fracture_energy_mode_1", "fracture_energy_mode_2"],

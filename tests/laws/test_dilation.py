@@ -5,8 +5,8 @@ from math import atan, tan
 import numpy as np
 import pytest
 
-from verification.closed_forms import LAWS, Joint, dissipated_in_shear, shear
-from verification.rigs.one_contact import along, contact, law, walk
+from verification.fixtures.one_contact import along, contact, law, walk
+from verification.references.closed_forms import LAWS, Joint, dissipated_in_shear, shear
 
 UM = 1e-6
 PSI = 0.1

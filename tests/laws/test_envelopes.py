@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from verification import closed_forms
-from verification.closed_forms import LAWS, Joint
-from verification.rigs.one_contact import along, law, walk
+from verification.fixtures.one_contact import along, law, walk
+from verification.references import closed_forms
+from verification.references.closed_forms import LAWS, Joint
 
 COMPRESSIONS = (0.0, 0.1e6, 0.5e6, 1.0e6)
 OPTIONS = [{}, {"coupling": "independent"}, {"unloading": "elastic"}]

@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 
-from masonry import laboratory, scene
+from masonry import scene
 from masonry.errors import SceneError
-from masonry.frame_choice import choose
-from masonry.laws.build import build
+from masonry.laboratory import laboratory
+from masonry.laboratory.text import summary_text
+from masonry.laws.factory import build
 from masonry.laws.mechanism import evolve, quiet, stored
 from masonry.laws.state import Memory
-from masonry.printout import summary_text
+from masonry.results.frames import choose
 
 KN, KS, MU = 30e9, 12e9, 0.65
 GIVEN = {"law": "friction", "normal_stiffness": KN, "shear_stiffness": KS, "tan_friction": MU}

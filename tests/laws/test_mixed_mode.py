@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from verification.closed_forms import LAWS, Joint, shear, tension
-from verification.rigs.one_contact import along, law, walk
+from verification.fixtures.one_contact import along, law, walk
+from verification.references.closed_forms import LAWS, Joint, shear, tension
 
 UM = 1e-6
 KN, KS = 150e9, 70e9

@@ -9,14 +9,14 @@ from hypothesis import strategies as st
 
 from masonry import plugins
 from masonry.errors import SceneError
-from masonry.law_portrait import portrait
-from masonry.laws.build import build
-from masonry.one_contact import follow
+from masonry.laws.factory import build
+from masonry.model.law_portrait import portrait
+from masonry.model.one_contact import follow
 from masonry.scene import load, to_toml
 from masonry.sweep.job import Job
 from tests.laws.own_package import files_of_page, install, law_by_slip, law_with_if, on_the_path
 from tests.laws.test_random_paths import corners, legs, numbers, require_dissipation, unhurried
-from verification.rigs.one_contact import TABLE_1, along, law, walk
+from verification.fixtures.one_contact import TABLE_1, along, law, walk
 
 KNEE = {"opening_at_knee": 8e-6, "share_at_knee": 0.3}
 GIVEN = {"contact.unit_unit.opening_at_knee": "8 um", "contact.unit_unit.share_at_knee": 0.3}

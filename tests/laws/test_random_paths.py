@@ -7,8 +7,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from verification.closed_forms import LAWS, Joint, shear_area
-from verification.rigs.one_contact import Walk, contact, law, walk
+from verification.fixtures.one_contact import Walk, contact, law, walk
+from verification.references.closed_forms import LAWS, Joint, shear_area
 
 KN, KS = 150e9, 70e9
 NAMES = ("unloading", "softening_variable", "coupling", "dilation_angle")

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from masonry.kernels.lanes.room import aligned
-from verification import closed_forms
-from verification.closed_forms import LAWS, Joint
-from verification.rigs.one_contact import COUNT, along, law, walk
+from masonry.simd.alignment import aligned
+from verification.fixtures.one_contact import COUNT, along, law, walk
+from verification.references import closed_forms
+from verification.references.closed_forms import LAWS, Joint
 
 SHARES = np.linspace(0.6, 1.4, COUNT)
 """Of the strengths of Table 1, from the first contact to the ninth."""

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from verification.closed_forms import LAWS, Joint, dissipated_in_shear, shear
-from verification.rigs.one_contact import along, law, walk
+from verification.fixtures.one_contact import along, law, walk
+from verification.references.closed_forms import LAWS, Joint, dissipated_in_shear, shear
 
 UM = 1e-6
 PERFECT = {"residual_cohesion": 0.87e6, "tan_residual_friction": 1.01}

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from verification.closed_forms import LAWS, Joint, dissipated_in_tension, tension, unloaded
-from verification.rigs.one_contact import along, law, walk
+from verification.fixtures.one_contact import along, law, walk
+from verification.references.closed_forms import LAWS, Joint, dissipated_in_tension, tension, unloaded
 
 UM = 1e-6
 CYCLE = np.array([0.0, 20.0, 0.0, -8.0, 0.0, 20.0, 40.0]) * UM

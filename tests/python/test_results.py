@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import masonry
-from masonry.curve_table import Table, csv_text, table_of
+from masonry.results.table import Table, csv_text, table_of
 from tests.results.sample import sample
 
 PNG = b"\x89PNG\r\n\x1a\n"
@@ -69,7 +69,7 @@ def test_peak_and_energies_are_those_of_the_summary():
     result.summary |= {"peak_stress_pa": 190001.0, "displacement_at_peak_m": 4e-5, "energy_j": {"friction": 2.5}}
     assert result.peak.stress == 190001.0 and result.peak.displacement == 4e-5
     assert result.energies == {"friction": 2.5}
-    assert result.trust == masonry.printout.trust(result.summary)
+    assert result.trust == masonry.laboratory.text.trust(result.summary)
 
 
 @pytest.mark.parametrize("draw", ["plot", "picture"])

@@ -102,7 +102,7 @@ def test_the_names_of_packaged_scenes_come_with_their_titles():
 
 
 def test_a_check_prints_as_the_command_does_and_is_a_dictionary(capsys):
-    from masonry.cli import main
+    from masonry.cli.main import main
 
     report = masonry.check(masonry.load("couplet"))
     assert report["blocks"] == 2 and dict(report)["contact_points"] == 4

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from verification.closed_forms import Joint, shear
+from verification.references.closed_forms import Joint, shear
 
 TUTORIAL = Path(__file__).resolve().parents[2] / "docs" / "tutorial.md"
 LOOK = """

@@ -6,8 +6,8 @@ from typing import assert_type
 from matplotlib.figure import Figure
 
 import masonry
-from masonry.plot import Peak
-from masonry.results import Result
+from masonry.pictures.curve import Peak
+from masonry.results.data import Result
 from masonry.scene import Scene
 
 

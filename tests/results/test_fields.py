@@ -4,10 +4,10 @@ import h5py
 import numpy as np
 import pytest
 
-from geometry.measures import face_areas_normals_centroids
-from geometry.polygons import areas_normals_centroids, pad
-from masonry.fields import BlockGrid, write_blocks
-from masonry.joint_fields import JointGrid, mode_of, write_joints
+from geometry.polyhedra.measures import face_areas_normals_centroids
+from geometry.polyhedra.polygons import areas_normals_centroids, pad
+from masonry.results.fields import BlockGrid, write_blocks
+from masonry.results.joint_fields import JointGrid, mode_of, write_joints
 from tests.results.sample import opened, sample, with_tets
 
 GRIDS = {"fields": (BlockGrid, write_blocks), "joints": (JointGrid, write_joints)}

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import masonry
-from masonry.fields import BlockGrid
-from masonry.joint_fields import JointGrid
+from masonry.results.fields import BlockGrid
+from masonry.results.joint_fields import JointGrid
 
 
 @pytest.fixture(scope="module")

@@ -7,8 +7,8 @@ from contextlib import closing
 
 import pytest
 
-from masonry.painter import Painter, painter
-from masonry.results import PICTURES
+from masonry.pictures.painter import Painter, painter
+from masonry.results.data import PICTURES
 from tests.results.sample import sample
 
 
@@ -50,7 +50,7 @@ def test_a_painter_without_an_order_goes_at_once():
 
 
 def test_a_painter_whose_run_was_killed_goes_as_well():
-    code = "import os, masonry.painter as p; hired = p.Painter(); print(hired.process, flush=True); os.kill(os.getpid(), 9)"
+    code = "import os, masonry.pictures.painter as p; hired = p.Painter(); print(hired.process, flush=True); os.kill(os.getpid(), 9)"
     killed = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, timeout=60)
     assert killed.returncode == -9 and killed.stdout.strip().isdecimal()  # its output ended: nobody holds it any more
 
@@ -63,7 +63,7 @@ def test_none_is_hired_where_all_is_loaded_already():
 
 def test_the_command_hires_a_painter_which_it_can_only_before_anything_heavy_is_loaded(tmp_path):
     code = (
-        "import sys; from masonry import painter; from masonry.cli import main;"
+        "import sys; from masonry import painter; from masonry.cli.main import main;"
         "begin = painter.Painter.begin;"
         "painter.Painter.begin = lambda self, folder: (print('painted'), begin(self, folder));"
         "main(['run', 'couplet', '--quiet', '--out', 'r', '--set', 'drive.displacement=0.01 mm'])"

@@ -8,13 +8,13 @@ import pytest
 from matplotlib import image
 
 import masonry
-from masonry.crack_drawing import THICK, THIN, crack_keys, kinds_of, scale_of, widths
-from masonry.cracks import crack_lines, front_view, outlines
-from masonry.deformation import Corners, Deformation
-from masonry.flat_drawing import FlatDrawing
-from masonry.picture import cracks_figure, frames_to_draw, magnification
-from masonry.plot import peak_point
-from masonry.solid_drawing import SolidDrawing
+from masonry.pictures.crack_style import THICK, THIN, crack_keys, kinds_of, scale_of, widths
+from masonry.pictures.cracks import crack_lines, front_view, outlines
+from masonry.results.deformation import Corners, Deformation
+from masonry.pictures.front import FlatDrawing
+from masonry.pictures.crack_picture import cracks_figure, frames_to_draw, magnification
+from masonry.pictures.curve import peak_point
+from masonry.pictures.oblique import SolidDrawing
 from tests.results.sample import HEIGHT, LENGTH, joints_of, opened, sample, wall, with_tets
 
 

@@ -7,11 +7,11 @@ import h5py
 import numpy as np
 import pytest
 
-from masonry import picture
+from masonry.pictures import crack_picture as picture
 from masonry.errors import SceneError
-from masonry.folder import claim
+from masonry.runtime.folder import claim
 from masonry.history import UNITS
-from masonry.results import load_history
+from masonry.results.data import load_history
 from tests.results.sample import sample, with_tets
 
 FILES = {
@@ -86,7 +86,7 @@ def test_every_row_of_the_history_file_has_its_unit(tmp_path):
 
 
 def test_a_failure_in_the_middle_leaves_no_file_and_no_rest(tmp_path, monkeypatch):
-    monkeypatch.setattr("masonry.results.csv_text", lambda rows: 1 / 0)
+    monkeypatch.setattr("masonry.results.data.csv_text", lambda rows: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         sample().save(tmp_path)
     assert list(tmp_path.iterdir()) == []

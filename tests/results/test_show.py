@@ -7,8 +7,8 @@ import pytest
 from matplotlib import image
 
 from masonry.errors import SceneError
-from masonry.show import add_slider, show
-from masonry.stage import FIELDS, Stage
+from masonry.movies.viewer import add_slider, show
+from masonry.movies.scene_3d import FIELDS, Stage
 from tests.results.sample import sample, with_tets
 from tests.results.test_pictures import blue, red
 

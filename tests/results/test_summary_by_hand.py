@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from masonry import laboratory
-from verification.rigs.ledgers import scene_of
-from verification.rigs.scene_text import loaded
+from masonry.laboratory import laboratory
+from verification.checks.ledgers import scene_of
+from verification.fixtures.scene_text import loaded
 
 
 SETTLE, DRIVE = 800, 3000

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from masonry.frame_choice import choose
-from masonry.picture import panel_title
-from masonry.plot import curve_figure
+from masonry.results.frames import choose
+from masonry.pictures.crack_picture import panel_title
+from masonry.pictures.curve import curve_figure
 from tests.results.sample import sample
 
 

@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from geometry import layers
 from geometry.blocks import GeometryError
-from geometry.cells.asked import CellsAsked
-from geometry.shapes import from_boxes
-from masonry import laboratory
+from geometry.cells.request import CellsAsked
+from geometry.polyhedra.construct import from_boxes
+from geometry.specimens import layers
+from masonry.assembly.specimens import specimen_of
 from masonry.errors import SceneError
-from masonry.printout import check_text
+from masonry.laboratory import laboratory
+from masonry.laboratory.text import check_text
 from masonry.scene import load
-from masonry.specimens import specimen_of
 
 MESO = "couplet-meso-coarse"
 

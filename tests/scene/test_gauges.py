@@ -4,10 +4,10 @@ import h5py
 import numpy as np
 import pytest
 
-from masonry import laboratory
-from masonry.curve_axes import curve_axes
 from masonry.errors import SceneError
-from masonry.results import csv_text, load_history
+from masonry.laboratory import laboratory
+from masonry.pictures.curve_axes import curve_axes
+from masonry.results.data import csv_text, load_history
 from masonry.scene import load, to_toml
 
 GAUGE = {"name": "slip", "at": "top", "direction": "x", "relative_to": {"x": "middle", "y": "50 mm", "z": "0 mm"}}

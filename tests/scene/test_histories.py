@@ -5,11 +5,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from masonry.cycling import passage
 from masonry.errors import SceneError
+from masonry.loading.schedule import passage
 from masonry.scene import load, to_toml
-from masonry.scene.expression import read
-from masonry.scene.history import timed
+from masonry.scene.tables.expression import read
+from masonry.scene.tables.history import timed
 
 SINE = "0.1 mm * sin(2 pi t / 1 s) * ramp(t / 4 s)"
 T = np.linspace(0.0, 4.0, 101)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from masonry import laboratory
+from masonry.laboratory import laboratory
 from masonry.scene import load, packaged
 
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from masonry import laboratory
-from masonry.conditions import select
+from masonry.assembly.conditions import select
 from masonry.errors import SceneError
+from masonry.laboratory import laboratory
 from masonry.scene import load
 
 SHORT = {"drive.steps": 50, "settle.steps": 20, "solver.rows": 2}

@@ -5,9 +5,9 @@ import re
 import numpy as np
 import pytest
 
-from masonry import laboratory
-from masonry.assembly import assemble, joined
+from masonry.assembly.assemble import assemble, joined
 from masonry.errors import SceneError
+from masonry.laboratory import laboratory
 from masonry.scene import load, to_toml
 
 

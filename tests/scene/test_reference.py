@@ -9,8 +9,8 @@ from typing import Any, get_args
 import pytest
 from pydantic import BaseModel
 
-from masonry import laboratory
 from masonry.history import UNITS
+from masonry.laboratory import laboratory
 from masonry.laws import law_names
 from masonry.scene import load
 from masonry.scene.schema import Scene

@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
-from masonry import laboratory, scene
-from masonry.assembly import assemble
+from masonry import scene
+from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError
-from masonry.printout import check_text
+from masonry.laboratory import laboratory
+from masonry.laboratory.text import check_text
 
 JOINTS = {
     "scatter.seed": 3,

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from masonry.errors import SceneError
 from masonry.scene import load, packaged, to_toml
-from masonry.scene.contact import interpolate
+from masonry.scene.tables.contact import interpolate
 
 BOXES = """
 title = "Two boxes"

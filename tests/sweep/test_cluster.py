@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from masonry.cli import main
+from masonry.cli.main import main
 from masonry.errors import SceneError
 from masonry.sweep import engine
 from masonry.sweep.cluster import work_on

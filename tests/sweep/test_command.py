@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from pyarrow import parquet
 
-from masonry.cli import main
+from masonry.cli.main import main
 from tests.docs.pages import blocks
 from tests.sweep.samples import marks, text, untimed
 

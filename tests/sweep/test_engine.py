@@ -5,8 +5,8 @@ import json
 import pytest
 
 from masonry.errors import SceneError
-from masonry.lock import sole
-from masonry.results import load_history
+from masonry.results.data import load_history
+from masonry.runtime.lock import sole
 from masonry.sweep import engine
 from masonry.sweep.folder import DOING
 from masonry.sweep.job import SHOWING, Job
@@ -128,7 +128,7 @@ def test_no_run_loads_a_source_that_only_shows(tmp_path):
     )
     loaded = subprocess.run([sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True)
     files = [name.replace(".", "/") + ".py" for name in loaded.stdout.split() if name.startswith("masonry.")]
-    assert "masonry/timeloop.py" in files
+    assert "masonry/timeloop/timeloop.py" in files
     assert not [file for file in files for pattern in SHOWING if fnmatchcase(file, pattern)]
 
 

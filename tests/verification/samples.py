@@ -4,8 +4,9 @@ import os
 import tempfile
 import time
 
-from masonry import laboratory, scene
+from masonry import scene
 from masonry.errors import SceneError
+from masonry.laboratory import laboratory
 from verification.case import Case, Check, Findings, Line, Plot, RequiredFeature
 
 FRICTION = "c0 + sigma tan(phi0) holds at every step, so rounding alone is left"

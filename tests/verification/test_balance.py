@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from masonry import laboratory, scene
+from masonry import scene
+from masonry.laboratory import laboratory
 from verification import balance
 from verification.case import Findings
 from verification.outcome import judge

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from verification.closed_forms import (
+from verification.references.closed_forms import (
     LAWS,
     Joint,
     affine_couplet_compliance,

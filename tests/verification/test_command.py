@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from masonry.cli import main
+from masonry.cli.main import main
 from tests.verification import samples
 from tests.verification.samples import case
 from verification import catalogue

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from verification.closed_forms import Joint, dissipated_in_shear, shear
-from verification.cyclic_forms import Sheared, followed, legs
+from verification.references.closed_forms import Joint, dissipated_in_shear, shear
+from verification.references.cyclic_forms import Sheared, followed, legs
 
 JOINT, COMPRESSION = Joint(), 0.5e6
 LAWS = ("linear", "polynomial", "exponential")

@@ -6,15 +6,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from verification import closed_forms
-from verification.cases import wallette_of_two_courses
-from verification.interface import newton
-from verification.interface.envelopes import Law
-from verification.interface.mesh import grids
-from verification.interface.model import Model, model
-from verification.interface.points import History, tangent, traction, unharmed
-from verification.rigs.scene_text import assembled
-from verification.rigs.twin import twin
+from verification.cases.fracture import wallette_of_two_courses
+from verification.checks.paired_run import twin
+from verification.fixtures.scene_text import assembled
+from verification.references import closed_forms
+from verification.references.interface import newton
+from verification.references.interface.envelopes import Law
+from verification.references.interface.mesh import grids
+from verification.references.interface.model import Model, model
+from verification.references.interface.points import History, tangent, traction, unharmed
 
 ROOT = Path(__file__).resolve().parents[2]
 LAWS = ("linear", "polynomial", "exponential")
@@ -43,7 +43,10 @@ def imported(path: Path) -> set[str]:
 
 
 def test_the_interface_model_imports_nothing_of_the_solver_directly_or_through_others():
-    waiting, seen = [f"verification.interface.{p.stem}" for p in (ROOT / "verification/interface").glob("*.py")], set()
+    waiting, seen = (
+        [f"verification.references.interface.{p.stem}" for p in (ROOT / "verification/interface").glob("*.py")],
+        set(),
+    )
     assert len(waiting) >= 6
     while waiting:
         name = waiting.pop()
@@ -52,7 +55,9 @@ def test_the_interface_model_imports_nothing_of_the_solver_directly_or_through_o
         if name in seen or not path.exists():
             continue
         seen.add(name)
-        assert name.startswith("verification.interface") or name == "verification", f"{name} is not of the model"
+        assert name.startswith("verification.references.interface") or name == "verification", (
+            f"{name} is not of the model"
+        )
         waiting += imported(path)
 
 

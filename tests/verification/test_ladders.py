@@ -6,12 +6,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from verification.cases import eccentric_tension
+from verification import timed_run as trial
+from verification.cases.fracture import eccentric_tension
 from verification.catalogue import modules
+from verification.convergence import oscillator
 from verification.ladder import Point, Reference, front, richardson, time_to
-from verification.precision import oscillator
 from verification.studies import error_against_run_time as chapter
-from verification.studies import left_out, threads, trial
+from verification.studies import left_out, threads
 from verification.studies.ladders import Study, problems
 from verification.studies.ladders_of_cases import gaps, table
 from verification.studies.parts import PARTS

@@ -11,9 +11,9 @@ import pytest
 from matplotlib import image
 from matplotlib.figure import Figure
 
-from verification.report import page
+from verification.html import page
+from verification.html.page import Chapter, Link, Verdict, escape, table, without_dead_links
 from verification.report.__main__ import found, write
-from verification.report.page import Chapter, Link, Verdict, escape, table, without_dead_links
 from verification.stability.cells import Cell, Grid
 from verification.stability.references import sheared
 from verification.studies import couplet, energy_balance, stability

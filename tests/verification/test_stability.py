@@ -7,10 +7,11 @@ import re
 import numpy as np
 import pytest
 
-from masonry import laboratory, scene
+from masonry import scene
 from masonry.errors import SceneError
-from masonry.printout import trust
-from verification.report.page import Chapter
+from masonry.laboratory import laboratory
+from masonry.laboratory.text import trust
+from verification.html.page import Chapter
 from verification.stability import motion, suite
 from verification.stability.cells import GOOD, KINDS, POOR, STATUSES, Cell, Exact, Grid
 from verification.stability.drawing import heat_map, length, written
@@ -18,7 +19,7 @@ from verification.stability.references import sheared
 from verification.stability.running import judged
 from verification.stability.scenes import CHAIN, COUPLET, joint_of
 from verification.studies import stability
-from verification.studies.trial import Trial
+from verification.timed_run import Trial
 
 SOUND = {"energy_imbalance": 0.0, "reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
 

@@ -5,8 +5,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from masonry import laboratory, scene
-from masonry.results import Result
+from masonry import scene
+from masonry.laboratory import laboratory
+from masonry.results.data import Result
 
 HEAD_JOINTS_GONE, ALL_JOINTS_AT_PEAK = 0.114e6, 0.214e6
 

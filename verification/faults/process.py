@@ -15,8 +15,15 @@ POLL = 0.001
 PATIENCE = 900.0
 """Seconds after which a process is taken to hang."""
 LOADED = (
-    *("masonry.cli", "masonry.running", "masonry.laboratory", "masonry.archive", "masonry.fields", "masonry.plot"),
-    *("masonry.picture", "masonry.origin", "h5py", "scipy.spatial"),
+    *(
+        "masonry.cli.main",
+        "masonry.cli.run",
+        "masonry.laboratory.laboratory",
+        "masonry.results.archive",
+        "masonry.results.fields",
+        "masonry.pictures.curve",
+    ),
+    *("masonry.pictures.crack_picture", "masonry.laboratory.provenance", "h5py", "scipy.spatial"),
 )
 """Modules that each process finds loaded: a hundred of them then start in no time."""
 
@@ -38,7 +45,7 @@ def _act(words: list[str], cwd: str, said: str, before: Callable[[], None] | Non
     os.environ["OMP_WAIT_POLICY"] = "passive"  # threads that wait give way: there may be more of them than processors
     if before is not None:
         before()
-    from masonry.cli import main
+    from masonry.cli.main import main
 
     sys.exit(main(words))
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from geometry.blocks import GeometryError
 from masonry.errors import SceneError
-from masonry.shell import USAGE, Parser, complain
+from masonry.runtime.shell import USAGE, Parser, complain
 from verification.fuzz.campaign import compiled, run, shared_out, tasks_of
 from verification.fuzz.kind import all_kinds, kind_of
 from verification.fuzz.table import faults_text, table_text, verdict

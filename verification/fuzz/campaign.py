@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing
 from pathlib import Path
 
-from masonry.crew import Lost, work
+from masonry.runtime.processes import Lost, work
 from verification.fuzz.kind import Kind
 from verification.fuzz.trial import HANG, Trial
 from verification.fuzz.worker import Task, act, warm

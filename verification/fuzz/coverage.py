@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from masonry.errors import SceneError, extra
-from verification.fuzz import seeds
+from verification.fuzz.inputs import seeds
 from verification.fuzz.kind import Kind, all_kinds, kind_of
 
 MODULES = ["geometry", "masonry", "tomllib"]
@@ -53,8 +53,8 @@ def search(kind: Kind, seconds: int) -> int:
 
 def _seeds(name: str) -> tuple[bytes, ...]:
     """Sound files of this kind."""
+    from verification.fuzz.inputs.trees import toml
     from verification.fuzz.kinds import quantity, sweep
-    from verification.fuzz.trees import toml
 
     known: dict[str, Callable[[], tuple[bytes, ...]]] = {
         "tess": seeds.tess,

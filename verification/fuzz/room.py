@@ -93,7 +93,7 @@ class Room:
 
 def made(root: Path) -> Room:
     """A room for this process, which it cannot leave: HOME and TMPDIR are in it, caches where they are shared."""
-    from masonry.kernels.compiler import cache_root
+    from masonry.jit.compiler import cache_root
 
     caches = cache_root()
     fonts = Path(os.environ.get("MPLCONFIGDIR") or caches / "matplotlib")

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
-from masonry.shell import STOPPED, USAGE
+from masonry.runtime.shell import STOPPED, USAGE
 from verification.fuzz.campaign import HUNG
 from verification.fuzz.kind import all_kinds
 from verification.fuzz.trial import Trial

@@ -11,10 +11,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from random import Random
 
-from masonry.shell import OK, STOPPED, USAGE
+from masonry.runtime.shell import OK, STOPPED, USAGE
 from verification.fuzz import memory
+from verification.fuzz.inputs.odd import FORGED, LEAK
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import FORGED, LEAK
 from verification.fuzz.room import Room, differences, listing
 
 MEMORY = 3 << 30
@@ -69,7 +69,7 @@ def tried(kind: Kind, draw: Random, number: int, room: Room) -> Trial:
 
 
 def _call(attempt: Attempt) -> int:
-    from masonry.cli import main
+    from masonry.cli.main import main
 
     try:
         return main(attempt.words)

@@ -8,10 +8,10 @@ from pathlib import Path
 from random import Random
 from typing import Any, NamedTuple
 
-from masonry import size_guard
+from masonry.assembly import size_limits as size_guard
 from masonry.quantity import parse
 from masonry.sweep import engine
-from verification.fuzz import reading
+from verification.fuzz.inputs import reading
 from verification.fuzz.kind import kind_of
 from verification.fuzz.room import Room, made
 from verification.fuzz.trial import MEMORY, Trial, tried
@@ -19,7 +19,7 @@ from verification.fuzz.trial import MEMORY, Trial, tried
 ADDRESSES = 4 * MEMORY
 """Bytes that a process may ask for; what it takes of them is measured."""
 BLOCKS, CONTACT_POINTS, TETS = 300, 20_000, 20_000
-"""Sizes that scenes may have here, in the place of those of `masonry.size_guard`: what is large takes its time."""
+"""Sizes that scenes may have here, in the place of those of `masonry.assembly.size_limits`: what is large takes its time."""
 
 
 class Task(NamedTuple):
@@ -39,7 +39,7 @@ def act(task: Task) -> Trial:
 
 def warm(scene: str) -> None:
     """Have compiled what a scene compiles before its first step: the cells of its units."""
-    from masonry import laboratory
+    from masonry.laboratory import laboratory
     from masonry.scene import load
 
     laboratory.check(load(scene, {"specimen.cells.total": 12}))
@@ -61,6 +61,6 @@ def prepared(root: Path) -> Room:
 
 def no_runs(act: Any, tasks: Sequence[Any], workers: int, limit: float) -> Generator[tuple[int, Any]]:
     """A sweep whose runs are not done already ends with a row that says so."""
-    from masonry.crew import Lost
+    from masonry.runtime.processes import Lost
 
     yield from ((number, Lost("no runs here", 0.0)) for number in range(len(tasks)))

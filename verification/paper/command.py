@@ -8,8 +8,8 @@ import time
 from pathlib import Path
 
 from masonry.errors import SceneError
-from masonry.folder import RESULTS, WholeFiles
-from masonry.shell import Parser
+from masonry.runtime.folder import RESULTS, WholeFiles
+from masonry.runtime.shell import Parser
 from verification.paper import catalogue, gathering, page
 from verification.paper.experiment import Shown
 

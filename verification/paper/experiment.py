@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from masonry import __version__
-from masonry.kernels.compiler import source_hash
-from masonry.results import Result, load_history
+from masonry.jit.compiler import source_hash
+from masonry.results.data import Result, load_history
+from verification.html.page import Chapter, Verdict
 from verification.paper.misprints import Misprint
-from verification.report.page import Chapter, Verdict
 
 ACCURACY = "drive.accuracy"
 PERCENT, QUICK_PERCENT = 1.0, 4.0

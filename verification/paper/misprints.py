@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from verification.report.page import Cell, table
+from verification.html.page import Cell, table
 
 HEADER = ("where", "as printed", "what that comes to", "as built")
 

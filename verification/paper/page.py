@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
-from masonry.progress import duration
+from masonry.runtime.progress import duration
+from verification.html import cover
+from verification.html.page import Cell, Chapter, Link, Verdict, heading, paragraph, table
 from verification.paper.experiment import Claim, Shown
 from verification.paper.misprints import misprint_table
-from verification.report import cover
-from verification.report.page import Cell, Chapter, Link, Verdict, heading, paragraph, table
 
 TITLE = "The paper, whole"
 GROUP = "The paper"

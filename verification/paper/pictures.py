@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from masonry.results import Result
-from verification.report.figures import COLOURS, sheet
+from masonry.results.data import Result
+from verification.html.figures import COLOURS, sheet
 
 MILLI, MEGA = 1e3, 1e-6
 MOST_POINTS = 500
@@ -56,7 +56,7 @@ def cracks(results: Mapping[str, Result], columns: int = 2, at_peak: bool = Fals
     at_peak  draw each at the peak of its curve as well
     back     seen from behind
     """
-    from masonry.picture import frames_to_draw, gallery
+    from masonry.pictures.crack_picture import frames_to_draw, gallery
 
     panels: list[tuple[str, Result, Any]] = []
     for name, result in results.items():

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from verification.html import figures, page
 from verification.paper.variations import Variation
-from verification.report import figures, page
 
 MATTERS, FELT = 0.10, 0.5
 """A share above which an assumption matters; percent below which nothing is felt of it."""

@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
-from masonry import laboratory, scene
+from masonry import scene
+from masonry.laboratory import laboratory
 
 
 class Variation(NamedTuple):

@@ -7,12 +7,13 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from masonry.folder import WholeFiles
+from masonry.runtime.folder import WholeFiles
 from verification import catalogue, records, runner, studies
+from verification.html import cover
+from verification.html.page import Chapter
 from verification.paper import gathering, page
 from verification.paper.catalogue import catalogue as paper
-from verification.report import cases, cover
-from verification.report.page import Chapter
+from verification.report import cases
 
 Tell = Callable[[str], None]
 OUT = Path("results")

@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 
-from masonry.progress import duration
+from masonry.runtime.progress import duration
 from verification import printout
 from verification.case import LOOSE, UNEXPECTED, Check
 from verification.catalogue import formula
+from verification.html import figures, page
 from verification.outcome import IMBALANCE, Outcome
 from verification.records import records_of
-from verification.report import figures, page
 
 KINDS = {"PASS": "ok", "FAIL": "bad", "ERROR": "bad", "NOT BUILT": "stop"}
 AREAS = (

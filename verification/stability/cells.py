@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from verification.studies.trial import Trial
+from verification.timed_run import Trial
 
 GOOD, POOR = 0.01, 0.05
 """Errors up to which a cell is right, and beyond which one that says nothing is wrong."""

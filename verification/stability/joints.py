@@ -1,6 +1,6 @@
 """Joints at their limits: stiffness, confinement, fracture energies down to and below the snap-back limit."""
 
-from verification.closed_forms import Joint
+from verification.references.closed_forms import Joint
 from verification.stability.cells import Cell, Grid
 from verification.stability.references import sheared, sheared_over_plastic_slip, torn
 from verification.stability.scenes import COUPLET, JOINT, PAIR, Knobs, joint_of, pascals, slid

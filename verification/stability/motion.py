@@ -5,14 +5,15 @@ from typing import Any
 
 import numpy as np
 
-from masonry import compiled_step, scene
-from masonry.assembly import assemble
-from masonry.fixed_pace import Chunk
-from masonry.loads import Program
+from masonry import scene
+from masonry.assembly.assemble import assemble
+from masonry.loading.scheduled import Chunk
+from masonry.model.loads import Program
+from masonry.timeloop import compiled_step
 from verification.stability.cells import Cell, Exact, Grid
 from verification.stability.references import torn
 from verification.stability.scenes import CHAIN, Knobs, chain_of, joint_of
-from verification.studies.trial import Trial
+from verification.timed_run import Trial
 
 BLOCKS = 6
 LONG = chain_of((0.1,) * BLOCKS)

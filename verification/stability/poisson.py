@@ -1,9 +1,9 @@
 """Poisson's ratio towards one half, where constant-strain tets lock in bending but not in uniform strain."""
 
+from verification import timed_run as trial
 from verification.stability.cells import Cell, Compare, Exact, Grid
 from verification.stability.scenes import CHAIN, JOINT, Knobs, chain_of, pascals
-from verification.studies import trial
-from verification.studies.trial import Trial
+from verification.timed_run import Trial
 
 YOUNG, EDGE, PUSH, STIFF = 16.7e9, 0.1, 1e-6, 1e15
 """Pa; m; m of the drive; Pa/m of the joints, so stiff that next to nothing gives way but the block between them."""

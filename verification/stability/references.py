@@ -3,10 +3,10 @@
 import math
 
 from masonry import scene
-from verification import closed_forms
+from verification.references import closed_forms
 from verification.stability.cells import Exact
 from verification.stability.scenes import joint_of
-from verification.studies.trial import Trial
+from verification.timed_run import Trial
 
 
 def sheared(one: Trial) -> dict[str, Exact]:

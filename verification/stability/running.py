@@ -4,10 +4,10 @@ import math
 from pathlib import Path
 from typing import Any
 
-from masonry.printout import trust
+from masonry.laboratory.text import trust
+from verification import timed_run as trial
 from verification.stability.cells import GOOD, POOR, Cell, Grid, Outcome
-from verification.studies import trial
-from verification.studies.trial import Trial
+from verification.timed_run import Trial
 
 CARE = "with care: "
 

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry import scene
-from verification.closed_forms import Joint
+from verification.references.closed_forms import Joint
 
 HERE = Path(__file__).parent
 COUPLET, PAIR, CHAIN = "couplet", str(HERE / "pair.toml"), str(HERE / "chain.toml")

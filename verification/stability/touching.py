@@ -3,12 +3,12 @@
 import numpy as np
 
 from geometry.blocks import Blocks
-from geometry.joints import find_joints
-from geometry.shapes import from_faces
+from geometry.joints.find import find_joints
+from geometry.polyhedra.construct import from_faces
 from verification.stability.cells import Cell, Exact, Grid
 from verification.stability.references import sheared
 from verification.stability.scenes import PAIR, Knobs, box
-from verification.studies.trial import Trial
+from verification.timed_run import Trial
 
 LOW, TOP = box("low", (0.0, 0.0, 0.0), (1.0,) * 3, 0), box("top", (0.0, 0.0, 1.0), (1.0,) * 3, 1)
 HELD: list[Knobs] = [{"on": "low", "fix": "all"}, {"on": "top", "fix": ["y", "rotation"]}]

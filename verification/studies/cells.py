@@ -6,17 +6,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from geometry.bond import lay
-from geometry.cells.asked import CellReport, CellsAsked
 from geometry.cells.domain import box_domain
 from geometry.cells.power import tessellate
 from geometry.cells.power_blocks import cell_volumes, to_blocks
-from geometry.fill import fill_with_cells
-from geometry.joints import find_joints
-from geometry.mesher import mesh_blocks
-from geometry.quality import radius_ratios
+from geometry.cells.request import CellReport, CellsAsked
+from geometry.joints.find import find_joints
+from geometry.joints.quality import radius_ratios
+from geometry.meshes.tetrahedralise import mesh_blocks
+from geometry.specimens.bond import lay
+from geometry.specimens.filling import fill_with_cells
 from masonry import scene
-from verification.report import page
+from verification.html import page
 
 ORDER = 45
 SEEDS = 3

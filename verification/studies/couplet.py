@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from masonry import scene
-from verification import closed_forms
-from verification.report import figures, page
-from verification.studies import trial
-from verification.studies.trial import Trial
+from verification import timed_run as trial
+from verification.html import figures, page
+from verification.references import closed_forms
+from verification.timed_run import Trial
 
 ORDER = 10
 LAWS = ("linear", "polynomial", "exponential")

@@ -2,8 +2,8 @@
 
 from collections.abc import Callable
 
-from verification.report import page
-from verification.studies import trial
+from verification import timed_run as trial
+from verification.html import page
 
 ORDER = 90
 CLOSES, AGREES, TOLERABLE, FAST = 1e-9, 1e-3, 1e-2, 0.05

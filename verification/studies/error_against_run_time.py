@@ -2,9 +2,9 @@
 
 from collections.abc import Callable, Sequence
 
-from masonry.progress import duration
+from masonry.runtime.progress import duration
+from verification.html import figures, page
 from verification.ladder import Point, Problem, Reference, front, is_setting, time_to
-from verification.report import figures, page
 from verification.studies import ladders_of_cases, threads
 from verification.studies.ladders import Study, problems
 

@@ -6,19 +6,19 @@ import pkgutil
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from verification import precision
+from verification import convergence as precision
+from verification import timed_run as trial
 from verification.catalogue import modules
 from verification.ladder import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
-from verification.studies import trial
-from verification.studies.trial import Trial
+from verification.timed_run import Trial
 
 Lines = dict[str, list[tuple[float, float, str]]]
 """Knob -> (seconds, error, rung) of each run that came through."""
 
 
 def problems() -> Iterator[Problem]:
-    """All of `verification.precision`, the shipped scenes first, then those that a case brings in its PROBLEMS."""
+    """All of `verification.convergence`, the shipped scenes first, then those that a case brings in its PROBLEMS."""
     names = sorted((e.name for e in pkgutil.iter_modules(precision.__path__)), key=lambda name: name != FIRST)
     for name in names:
         yield from importlib.import_module(f"{precision.__name__}.{name}").PROBLEMS

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from verification.catalogue import modules
-from verification.report import page
+from verification.html import page
 from verification.studies.ladders import problems
 
 

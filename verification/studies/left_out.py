@@ -5,9 +5,10 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from masonry import laboratory, scene
+from masonry import scene
+from masonry.laboratory import laboratory
+from verification.html import page
 from verification.records import origin
-from verification.report import page
 from verification.studies.parts import PARTS, STEPS, Part, few_steps, march, put_in_the_state_of
 
 ORDER = 40

@@ -10,15 +10,15 @@ from typing import Any
 
 import numpy as np
 
-from masonry.arrays import in_rows, memory_of, own_memory
-from masonry.assembly import Assembly, assemble
-from masonry.compiled_step import advance_model
-from masonry.fixed_pace import Chunk
-from masonry.kernels.freedom import Guided
-from masonry.loads import Program
-from masonry.model import Model
-from verification.precision.joint_in_tension import SCENE as PULLED
-from verification.studies import trial
+from masonry.assembly.assemble import Assembly, assemble
+from masonry.kinematics.motion import Guided
+from masonry.loading.scheduled import Chunk
+from masonry.model.arrays import in_rows, memory_of, own_memory
+from masonry.model.loads import Program
+from masonry.model.model import Model
+from masonry.timeloop.compiled_step import advance_model
+from verification import timed_run as trial
+from verification.convergence.joint_in_tension import SCENE as PULLED
 
 STEPS = 4000
 WALL: dict[str, Any] = {

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from verification.report import page
+from verification.html import page
 from verification.stability import suite
 from verification.stability.cells import Grid, Outcome
 from verification.stability.drawing import heat_map, written

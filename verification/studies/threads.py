@@ -4,11 +4,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from verification import timed_run as trial
+from verification.html import page
 from verification.records import Record
-from verification.report import page
-from verification.studies import trial
 from verification.studies.ladders import Study
-from verification.studies.trial import THREADS, Trial
+from verification.timed_run import THREADS, Trial
 
 
 def apart(runs: Mapping[str, Trial]) -> dict[str, float]:

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from masonry import scene
-from verification.closed_forms import Joint, dissipated_in_shear, shear, shear_area, shear_work
 from verification.paper import page
 from verification.paper.catalogue import catalogue
 from verification.paper.couplets import beds, energies, failure, laws, measures, mortar, printed
 from verification.paper.couplets.laws import CONFINEMENTS, LAWS, joint, name
 from verification.paper.experiment import Claim, Done, Section, Shown
+from verification.references.closed_forms import Joint, dissipated_in_shear, shear, shear_area, shear_work
 
 SLIP = np.linspace(0.0, 1e-3, 20001)
 AREA = 0.01

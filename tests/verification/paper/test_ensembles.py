@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from masonry import laboratory, scene
-from masonry.cracks import CrackLines
+from masonry import scene
+from masonry.laboratory import laboratory
+from masonry.pictures.cracks import CrackLines
 from verification.paper.ensembles import claims
 from verification.paper.ensembles.realisations import POINTS, Ensemble, Wall, wall
 from verification.paper.experiments import scatter

@@ -4,11 +4,11 @@ from functools import cache
 from pathlib import Path
 from random import Random
 
-from geometry.joints import find_joints
-from masonry.import_scene import scene_text
-from verification.fuzz import hdf5, seeds, texts
+from geometry.joints.find import find_joints
+from masonry.importing.scene_file import scene_text
+from verification.fuzz.inputs import hdf5, seeds, texts
+from verification.fuzz.inputs.odd import one_of
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import one_of
 
 
 def make(draw: Random, folder: Path) -> Attempt:

@@ -7,11 +7,11 @@ from random import Random
 
 import numpy as np
 
+from masonry.runtime.state_file import write
 from masonry.scene import load, to_toml
-from masonry.state_file import write
+from verification.fuzz.inputs.odd import one_of
+from verification.fuzz.inputs.texts import changed_bytes, changed_text
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import one_of
-from verification.fuzz.texts import changed_bytes, changed_text
 
 RUN = b'{"threads": 1, "checkpoint_every": 300.0}\n'
 

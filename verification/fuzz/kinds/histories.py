@@ -3,9 +3,9 @@
 from pathlib import Path
 from random import Random
 
+from verification.fuzz.inputs.odd import QUANTITIES, TEXTS, one_of
+from verification.fuzz.inputs.texts import changed_text
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import QUANTITIES, TEXTS, one_of
-from verification.fuzz.texts import changed_text
 
 SEEDS = (
     "0.1 mm * sin(2 pi t / 1 s) * ramp(t / 4 s)",
@@ -34,7 +34,7 @@ def target(data: bytes) -> None:
     """An expression of these letters, worked out at some times."""
     import numpy as np
 
-    from masonry.scene.expression import read
+    from masonry.scene.tables.expression import read
     from verification.fuzz.target import refused
 
     def worked_out(text: str) -> None:

@@ -3,8 +3,8 @@
 from pathlib import Path
 from random import Random
 
-from verification.fuzz import seeds
-from verification.fuzz.foreign import importing
+from verification.fuzz.inputs import seeds
+from verification.fuzz.inputs.foreign import importing
 from verification.fuzz.kind import Attempt, Kind
 
 

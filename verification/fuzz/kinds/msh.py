@@ -3,10 +3,10 @@
 from pathlib import Path
 from random import Random
 
-from verification.fuzz import seeds
-from verification.fuzz.foreign import importing
+from verification.fuzz.inputs import seeds
+from verification.fuzz.inputs.foreign import importing
+from verification.fuzz.inputs.odd import one_of
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import one_of
 
 
 def make(draw: Random, folder: Path) -> Attempt:

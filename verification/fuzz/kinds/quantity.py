@@ -3,9 +3,9 @@
 from pathlib import Path
 from random import Random
 
+from verification.fuzz.inputs.odd import QUANTITIES, TEXTS, one_of
+from verification.fuzz.inputs.texts import changed_text
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import QUANTITIES, TEXTS, one_of
-from verification.fuzz.texts import changed_text
 
 SEEDS = (
     "0.87 MPa",

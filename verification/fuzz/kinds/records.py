@@ -4,9 +4,9 @@ import json
 from pathlib import Path
 from random import Random
 
-from verification.fuzz import texts, trees
+from verification.fuzz.inputs import texts, trees
+from verification.fuzz.inputs.odd import one_of, paths
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import one_of, paths
 
 RECORD = {
     "version": "1.0",

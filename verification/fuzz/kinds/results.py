@@ -4,9 +4,9 @@ import json
 from pathlib import Path
 from random import Random
 
-from verification.fuzz import hdf5, made_up, texts, trees
+from verification.fuzz.inputs import hdf5, made_up, texts, trees
+from verification.fuzz.inputs.odd import one_of, paths
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import one_of, paths
 
 
 def make(draw: Random, folder: Path) -> Attempt:

@@ -4,9 +4,9 @@ import tomllib
 from pathlib import Path
 from random import Random
 
-from verification.fuzz import seeds, texts, trees
+from verification.fuzz.inputs import seeds, texts, trees
+from verification.fuzz.inputs.odd import one_of
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import one_of
 
 
 def make(draw: Random, folder: Path) -> Attempt:

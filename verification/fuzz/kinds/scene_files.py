@@ -3,9 +3,9 @@
 from pathlib import Path
 from random import Random
 
-from verification.fuzz import seeds, texts
+from verification.fuzz.inputs import seeds, texts
+from verification.fuzz.inputs.odd import one_of, paths
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import one_of, paths
 
 HUGE = 5_000_001
 

@@ -3,10 +3,10 @@
 from pathlib import Path
 from random import Random
 
-from verification.fuzz import seeds
-from verification.fuzz.foreign import importing
+from verification.fuzz.inputs import seeds
+from verification.fuzz.inputs.foreign import importing
+from verification.fuzz.inputs.odd import TEXTS, one_of
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import TEXTS, one_of
 
 
 def make(draw: Random, folder: Path) -> Attempt:
@@ -45,8 +45,8 @@ def _circle(draw: Random, content: bytes) -> bytes:
 
 def target(data: bytes) -> None:
     """What is read of a STEP file besides its shapes."""
-    from geometry.step_labels import labels
-    from geometry.step_records import length_unit, records
+    from geometry.files.step_labels import labels
+    from geometry.files.step_reader import length_unit, records
     from verification.fuzz.target import refused
 
     entities = records(data.decode("latin-1"))

@@ -4,9 +4,9 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-from verification.fuzz import texts, trees
+from verification.fuzz.inputs import texts, trees
+from verification.fuzz.inputs.odd import one_of, paths
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import one_of, paths
 
 COHESION, MODE_1 = "contact.unit_unit.cohesion", "contact.unit_unit.fracture_energy_mode_1"
 SEEDS: tuple[dict[str, Any], ...] = (

@@ -3,10 +3,10 @@
 from pathlib import Path
 from random import Random
 
-from verification.fuzz import seeds
-from verification.fuzz.foreign import importing
+from verification.fuzz.inputs import seeds
+from verification.fuzz.inputs.foreign import importing
+from verification.fuzz.inputs.odd import one_of
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import one_of
 
 
 def make(draw: Random, folder: Path) -> Attempt:
@@ -32,7 +32,7 @@ def _flat(draw: Random, content: bytes) -> bytes:
 
 def target(data: bytes) -> None:
     """A tessellation of these bytes."""
-    from geometry.tess import read_tess
+    from geometry.files.tess import read_tess
     from verification.fuzz.target import with_file
 
     with_file(data, ".tess", lambda path: read_tess(path, thickness=0.1))

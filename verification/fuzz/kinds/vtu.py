@@ -5,10 +5,10 @@ import zlib
 from pathlib import Path
 from random import Random
 
-from verification.fuzz import seeds
-from verification.fuzz.foreign import importing
+from verification.fuzz.inputs import seeds
+from verification.fuzz.inputs.foreign import importing
+from verification.fuzz.inputs.odd import one_of
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import one_of
 
 LAUGHS = "".join(f'<!ENTITY l{n} "{f"&l{n - 1};" * 10 if n else "ha"}">' for n in range(10))
 BOMB = 300_000_000

@@ -3,8 +3,8 @@
 from pathlib import Path
 from random import Random
 
+from verification.fuzz.inputs.odd import NUMBERS, QUANTITIES, TEXTS, one_of, paths
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.odd import NUMBERS, QUANTITIES, TEXTS, one_of, paths
 
 SCENES = ("couplet", "wallette-mode-1", "bending-0")
 KEYS = (

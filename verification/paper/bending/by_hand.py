@@ -19,7 +19,7 @@ import numpy as np
 
 from masonry.errors import SceneError
 from masonry.scene import Scene
-from masonry.scene.specimen import BendingSpec
+from masonry.scene.tables.specimen import BendingSpec
 
 
 @dataclass(frozen=True)

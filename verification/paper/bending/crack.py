@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from masonry.results import Result
-from masonry.scene.specimen import BendingSpec
+from masonry.results.data import Result
+from masonry.scene.tables.specimen import BendingSpec
 from verification.paper.walls.crack_path import CrackPath, crack_path
 
 CRACKED = 0.5

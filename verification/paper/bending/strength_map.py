@@ -4,12 +4,12 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from masonry import scene
+from verification.html import page
+from verification.html.figures import COLOURS, sheet
 from verification.paper.bending.by_hand import Wall, bending_spec, wall_of
 from verification.paper.bending.crack import FlexuralCrack, flexural_crack
 from verification.paper.bending.runs import ASSUMED, SCENES, STRENGTHS, label
 from verification.paper.experiment import Done
-from verification.report import page
-from verification.report.figures import COLOURS, sheet
 
 MARK = {"stepped": ("s", COLOURS[0]), "mixed": ("D", COLOURS[4]), "straight": ("|", COLOURS[1])}
 CAPTION = (

@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 from typing import Any
 
+from verification.html import page
 from verification.paper.couplets.checked import unknown
 from verification.paper.couplets.measures import plateau
 from verification.paper.couplets.mortar import CAREFUL, HIGH, LOW, SIZES, name
 from verification.paper.experiment import Claim, Done, Run
-from verification.report import page
 
 HEADER = ("bed", "assumed", "varied to", *(f"{what}, {c}" for c in (LOW, HIGH) for what in ("peak", "plateau")))
 

@@ -2,13 +2,13 @@
 
 from typing import Any
 
-from verification.closed_forms import Joint
+from verification.html import page
 from verification.paper.couplets.checked import checked
 from verification.paper.couplets.laws import CONFINEMENTS, words
 from verification.paper.couplets.measures import Cracks, cracks, plateau
 from verification.paper.couplets.mortar import CAPACITY, CAREFUL, HIGH, LOW, SIZES, name, plateau_of_law
 from verification.paper.experiment import Claim, Done, Run
-from verification.report import page
+from verification.references.closed_forms import Joint
 
 SHIPPED, WEAK, RATIOS = 4, 1, (1, 2, 3)
 """Strengths and energies of the bed over those of its interfaces: as shipped, in the weakest, in all that are tried."""

@@ -1,11 +1,11 @@
 """What the cells of a bed of mortar do to a couplet: their springs, size, seed, and how stiff they are themselves."""
 
-from verification.closed_forms import Joint
 from verification.paper.couplets.checked import checked
 from verification.paper.couplets.laws import CONFINEMENTS, words
 from verification.paper.couplets.measures import initial_stiffness, spread, work_to
 from verification.paper.couplets.mortar import HIGH, LOW, OF_BRICK, SEEDS, SEMI_RIGID, SIZES, name
 from verification.paper.experiment import Claim, Done
+from verification.references.closed_forms import Joint
 
 SIZE, RIGID, BED = 0.05, 0.05, 0.15
 """Tolerances: of peaks by size and seed of the cells, of stiff blocks, of a stiffness."""

@@ -1,11 +1,12 @@
 """The energies that the laws take, against those given; and energies too small to work, which are refused."""
 
-from masonry import laboratory, scene
+from masonry import scene
 from masonry.errors import SceneError
-from verification.closed_forms import Joint, dissipated_in_tension, shear_area
+from masonry.laboratory import laboratory
 from verification.paper.couplets.checked import checked
 from verification.paper.couplets.laws import CONFINEMENTS, LAWS, joint, name, words
 from verification.paper.experiment import Claim, Done
+from verification.references.closed_forms import Joint, dissipated_in_tension, shear_area
 
 GIVEN, CLOSED = 0.05, 0.01
 """Tolerances of an energy: against the one given, and against the closed form."""

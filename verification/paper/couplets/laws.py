@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from verification.closed_forms import Floats, Joint, shear
 from verification.paper.couplets.checked import checked, unknown
 from verification.paper.couplets.measures import driven, spread, work_to
 from verification.paper.experiment import Claim, Done
+from verification.references.closed_forms import Floats, Joint, shear
 
 CONFINEMENTS = {"0.1 MPa": 0.1e6, "0.5 MPa": 0.5e6, "1.0 MPa": 1.0e6}
 BETA = {"0.1 MPa": 2.1, "0.5 MPa": 2.1 + 0.8 * 4.0 / 9.0, "1.0 MPa": 2.9}

@@ -4,12 +4,12 @@ from typing import Any
 
 import numpy as np
 
-from verification.closed_forms import Joint, shear
 from verification.paper.couplets.checked import checked, unknown
 from verification.paper.couplets.laws import CONFINEMENTS, words
 from verification.paper.couplets.measures import Rows, driven, mean_late, plateau, strength_line
 from verification.paper.couplets.setups import OTHERS
 from verification.paper.experiment import ACCURACY, Claim, Done, Run
+from verification.references.closed_forms import Joint, shear
 
 SIZES = {"coarse": "couplet-meso-coarse", "medium": "couplet-meso-medium"}
 SEEDS = (1, 2, 3)

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from verification.closed_forms import Floats, Joint
 from verification.paper.misprints import Misprint
+from verification.references.closed_forms import Floats, Joint
 
 SIGMA, ANOTHER = 0.1e6, 1.0e6
 """Compressions (Pa) at which the equations are looked at."""

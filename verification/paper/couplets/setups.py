@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 from typing import Any
 
-from verification.closed_forms import Joint, affine_couplet_compliance
 from verification.paper.couplets.checked import checked
 from verification.paper.couplets.laws import CONFINEMENTS, words
 from verification.paper.couplets.measures import apart, strength_line
 from verification.paper.experiment import Claim, Done, Run
+from verification.references.closed_forms import Joint, affine_couplet_compliance
 
 UNIT, SHEAR_MODULUS, GLUE = (0.2, 0.05), 16.7e9 / 2.4, (2e12, 1e12)
 """Length and height (m) of a unit; its G (Pa); kn and ks (Pa/m) of what glues it to a plate."""

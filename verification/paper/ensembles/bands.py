@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
+from verification.html.figures import COLOURS, sheet
 from verification.paper.ensembles.realisations import Ensemble
-from verification.report.figures import COLOURS, sheet
 
 MILLI, MEGA = 1e3, 1e-6
 

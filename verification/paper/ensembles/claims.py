@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from verification.html.page import percent
 from verification.paper.ensembles.realisations import Ensemble
 from verification.paper.experiment import Claim
-from verification.report.page import percent
 
 WIDE = 0.1
 """Of the mean peak: a band that one test, or one run, cannot stand for."""

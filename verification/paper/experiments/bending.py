@@ -4,8 +4,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from masonry import scene
-from masonry.assembly import joined
-from masonry.geometry_picture import geometry_figure
+from masonry.assembly.assemble import joined
+from masonry.drawings.geometry_picture import geometry_figure
+from verification.html import page
 from verification.paper.bending import claims, patterns, strength_map
 from verification.paper.bending.runs import (
     ASSUMED,
@@ -20,7 +21,6 @@ from verification.paper.bending.runs import (
 )
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
 from verification.paper.pictures import Line, cracks, curves
-from verification.report import page
 
 QUICK = {ACCURACY: "3 %"}
 """At 4 % the two ends of the stepped wall differ by 2.1 % for a moment."""

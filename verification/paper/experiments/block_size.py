@@ -2,13 +2,13 @@
 
 from collections.abc import Iterator
 
+from verification.html import page
 from verification.paper import pictures
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
 from verification.paper.sizes.claims import claims
 from verification.paper.sizes.families import BRITTLE, FIRST, HELD, SECOND, SIZES, Cells, Family, gathered
 from verification.paper.sizes.pictures import mean_curves, peaks_figure, spread_table
 from verification.paper.walls.common import CLAMPED, MODE_1, MODE_2, quick_enough
-from verification.report import page
 
 SEEDS = 5
 SEED = "specimen.cells.seed"

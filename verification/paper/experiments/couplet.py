@@ -3,15 +3,15 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from masonry.results import Result
-from verification.closed_forms import Joint, shear, tension
+from masonry.results.data import Result
+from verification.html.figures import COLOURS
+from verification.html.page import paragraph, picture
 from verification.paper import pictures
 from verification.paper.couplets import contact_points, energies, laws, printed, setups
 from verification.paper.couplets.laws import CONFINEMENTS, LAWS, joint, name
 from verification.paper.experiment import Done, Experiment, Run, Section
 from verification.paper.pictures import MEGA, MILLI, Line
-from verification.report.figures import COLOURS
-from verification.report.page import paragraph, picture
+from verification.references.closed_forms import Joint, shear, tension
 
 PULLED = {
     "confinement": "0 MPa",

@@ -2,12 +2,12 @@
 
 from typing import Any
 
-from masonry.results import Result
+from masonry.results.data import Result
+from verification.html import page
 from verification.paper import pictures
 from verification.paper.experiment import Done, Experiment, Run, Section
 from verification.paper.walls.common import CLAMPED, HINGED, MODE_1, MODE_2, quick_enough, table_of_runs
 from verification.paper.walls.energy_claims import first_mode_claims, second_mode_claims
-from verification.report import page
 
 KEYS = {"GI": "fracture_energy_mode_1", "GII": "fracture_energy_mode_2"}
 JOINTS, UNITS = "contact.unit_unit", "contact.within_units"

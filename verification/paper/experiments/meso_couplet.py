@@ -3,7 +3,8 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from verification.closed_forms import Joint, shear
+from verification.html.figures import COLOURS
+from verification.html.page import paragraph, picture
 from verification.paper import pictures
 from verification.paper.couplets import assumed, beds, cells, failure, mortar
 from verification.paper.couplets.laws import CONFINEMENTS
@@ -11,8 +12,7 @@ from verification.paper.couplets.measures import strength_line
 from verification.paper.couplets.mortar import SEMI_RIGID, SIZES, known, name
 from verification.paper.experiment import Done, Experiment, Run, Section
 from verification.paper.pictures import MEGA, MILLI, Line
-from verification.report.figures import COLOURS
-from verification.report.page import paragraph, picture
+from verification.references.closed_forms import Joint, shear
 
 
 def runs(quick: bool) -> dict[str, Run]:

@@ -4,6 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from verification.html import page
+from verification.html.page import percent
 from verification.paper.ensembles.bands import MEGA, bands, frequencies
 from verification.paper.ensembles.claims import (
     averaging_claim,
@@ -15,8 +17,6 @@ from verification.paper.ensembles.claims import (
 )
 from verification.paper.ensembles.realisations import Ensemble, ensemble
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
-from verification.report import page
-from verification.report.page import percent
 
 SCENES = {"failure mode 1": "wallette-mode-1", "failure mode 2": "wallette-mode-2"}
 VARIATION = {"unit_unit": 0.3, "within_units": 0.2}

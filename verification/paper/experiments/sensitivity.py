@@ -4,10 +4,10 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from verification.html import page
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
 from verification.paper.tornado import PANELS, pictures, verdict
 from verification.paper.variations import Variation, assumed, options
-from verification.report import page
 
 CAREFUL = {ACCURACY: "0.7 %"}
 PACE: dict[str, dict[str, Any]] = {

@@ -3,8 +3,10 @@
 import numpy as np
 
 from masonry import scene
-from masonry.assembly import joined
-from masonry.geometry_picture import geometry_figure
+from masonry.assembly.assemble import joined
+from masonry.drawings.geometry_picture import geometry_figure
+from verification.html import page
+from verification.html.page import percent
 from verification.paper import pictures
 from verification.paper.experiment import Claim, Done, Experiment, Run, Section
 from verification.paper.walls.common import (
@@ -31,8 +33,6 @@ from verification.paper.walls.stepped_crack import (
     residual_claims,
     units_claim,
 )
-from verification.report import page
-from verification.report.page import percent
 
 DILATION = "contact.unit_unit.dilation_angle"
 ANGLES = (0, 2, 4)

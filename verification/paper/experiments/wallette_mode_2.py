@@ -2,7 +2,9 @@
 
 from collections.abc import Mapping
 
-from masonry.results import Result
+from masonry.results.data import Result
+from verification.html import page
+from verification.html.page import percent
 from verification.paper import pictures
 from verification.paper.experiment import Claim, Done, Experiment, Run, Section
 from verification.paper.walls.common import (
@@ -24,8 +26,6 @@ from verification.paper.walls.common import (
 from verification.paper.walls.crack_path import crack_path
 from verification.paper.walls.curve_shape import energy_per_section, fall_to, left_after, stress_at
 from verification.paper.walls.straight_crack import ALL_AT_PEAK, path_claims, peak_claim, sliding_claim
-from verification.report import page
-from verification.report.page import percent
 
 BY_HAND = 8.0
 """N/m of section: fracture energy of one straight crack, all of it in tension."""

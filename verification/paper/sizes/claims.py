@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from verification.html.page import percent
 from verification.paper.experiment import Claim
 from verification.paper.sizes.families import (
     BRITTLE,
@@ -21,7 +22,6 @@ from verification.paper.sizes.spread import spread_of
 from verification.paper.walls.common import MILLI, mpa
 from verification.paper.walls.curve_shape import energy_per_section
 from verification.paper.walls.straight_crack import STRAIGHT
-from verification.report.page import percent
 
 
 def claims(found: Mapping[str, Found], quick: bool) -> list[Claim]:

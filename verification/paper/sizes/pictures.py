@@ -6,14 +6,14 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from masonry.results import Result
+from masonry.results.data import Result
+from verification.html import page
+from verification.html.figures import COLOURS, sheet
 from verification.paper.pictures import Line
 from verification.paper.sizes.families import SECTIONS, Found, displacements, mean_curve, peaks
 from verification.paper.sizes.spread import spread_of
 from verification.paper.walls.common import MEGA, MILLI
 from verification.paper.walls.crack_path import crack_path
-from verification.report import page
-from verification.report.figures import COLOURS, sheet
 
 
 def mean_curves(found: Found) -> list[Line]:

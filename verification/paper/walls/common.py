@@ -4,14 +4,14 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from masonry.printout import KINETIC
-from masonry.results import Result
+from masonry.laboratory.text import KINETIC
+from masonry.results.data import Result
+from verification.html import page
+from verification.html.page import percent
 from verification.paper.experiment import PERCENT, Claim, Done, Run
 from verification.paper.soundness import MISMATCH
 from verification.paper.walls.crack_path import crack_path
 from verification.paper.walls.curve_shape import apart, energy_per_section, left_after, peak_place
-from verification.report import page
-from verification.report.page import percent
 
 MODE_1, MODE_2 = "wallette-mode-1", "wallette-mode-2"
 CLAMPED: dict[str, Any] = {"support.1.fix": ["y", "rotation"]}

@@ -4,13 +4,13 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from masonry.results import Result
+from masonry.results.data import Result
+from verification.html.page import percent
 from verification.paper.experiment import Claim
 from verification.paper.walls.common import MEGA, MILLI, mpa, where
 from verification.paper.walls.crack_path import crack_path
 from verification.paper.walls.curve_shape import apart, energy_per_section, fall_to, steepest_fall, tail
 from verification.paper.walls.straight_crack import STRAIGHT
-from verification.report.page import percent
 
 Series = Mapping[float, Result]
 Both = Mapping[str, Series]

@@ -4,12 +4,12 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from masonry.results import Result
+from masonry.results.data import Result
+from verification.html.page import percent
 from verification.paper.experiment import Claim
 from verification.paper.walls.common import MEGA, MILLI
 from verification.paper.walls.crack_path import crack_path
 from verification.paper.walls.curve_shape import energy_per_section
-from verification.report.page import percent
 
 HEADS_GONE, ALL_AT_PEAK = 0.114, 0.214
 """MPa. Least peak: head joints gone, bed joints at full cohesion; greatest: all joints at their peaks at once."""

@@ -1,0 +1,1 @@
+"""Files of blocks: CAD, meshes, tessellations, our own format."""

@@ -1,0 +1,135 @@
+"""The native file of a specimen, .blocks.h5: what was imported or built, bit for bit.
+
+HDF5 in h5py's default file version. `about` is a JSON text in bytes: format, version, names of groups and sets,
+section and shape. `blocks/` and (with tets) `mesh/` hold the arrays of the geometry floor, `sets/0`, `sets/1`, ...
+block numbers.
+Arrays lie open in the file, int64 or float64, neither packed nor linked: a file can only claim what it holds.
+"""
+
+import json
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import Blocks, GeometryError, Specimen, TetMesh
+from geometry.files.atomic import require_file, whole_file
+from geometry.polyhedra.validate import require_sound, require_sound_mesh
+
+FORMAT, VERSION = "masonry blocks", 1
+LARGEST = 4 * 2**30
+"""Bytes of a file that is read."""
+LONGEST_TEXT = 2**24
+"""Bytes of `about`."""
+
+
+def save_blocks(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> None:
+    """Write a specimen, and the tets inside it; the file appears whole or not at all. GeometryError if it cannot."""
+    import h5py
+
+    about = {
+        "format": FORMAT,
+        "version": VERSION,
+        "groups": list(specimen.blocks.groups),
+        "sets": list(specimen.sets),
+        "section": float(specimen.section),
+        "shape": specimen.shape,
+    }
+    with whole_file(path) as place, h5py.File(place, "w") as file:
+        file.create_dataset("about", data=np.frombuffer(json.dumps(about).encode(), dtype=np.uint8))
+        _write(file.create_group("blocks"), specimen.blocks)
+        sets = file.create_group("sets")
+        for number, members in enumerate(specimen.sets.values()):
+            sets.create_dataset(str(number), data=np.asarray(members, dtype=np.int64))
+        if mesh is not None:
+            _write(file.create_group("mesh"), mesh)
+
+
+def load_blocks(path: Path) -> tuple[Specimen, TetMesh | None]:
+    """What save_blocks wrote. Everything is checked; GeometryError, with one message, for any other file."""
+    import h5py
+
+    require_file(path, LARGEST)
+    try:
+        with h5py.File(path, "r") as file:
+            return _read(file)
+    except GeometryError as error:
+        raise GeometryError(f"'{path}': {error}") from None
+    except (OSError, RuntimeError, KeyError, ValueError, TypeError, OverflowError, RecursionError) as error:
+        raise GeometryError(f"'{path}' is damaged, or no file of blocks ({error})") from None
+
+
+def _read(file: Any) -> tuple[Specimen, TetMesh | None]:
+    about = _about(file)
+    blocks = Blocks(groups=tuple(about["groups"]), **_arrays(_member(file, "blocks"), Blocks))
+    require_sound(blocks)
+    sets = {}
+    for number, name in enumerate(about["sets"]):
+        members = _array(_member(file, "sets"), str(number))
+        if members.ndim != 1 or members.dtype.kind != "i" or np.any((members < 0) | (members >= blocks.count)):
+            raise GeometryError(f"set '{name}' names blocks that do not exist")
+        sets[name] = members
+    mesh = None
+    if "mesh" in file:
+        mesh = TetMesh(**_arrays(_member(file, "mesh"), TetMesh))
+        require_sound_mesh(blocks, mesh)
+    return Specimen(blocks, sets, float(about["section"]), about["shape"]), mesh
+
+
+def _about(file: Any) -> dict[str, Any]:
+    text = _array(file, "about")
+    if text.dtype != np.uint8 or text.ndim != 1 or len(text) > LONGEST_TEXT:
+        raise GeometryError("no file of blocks: 'about' is no text")
+    about = json.loads(text.tobytes().decode())
+    if not isinstance(about, dict) or about.get("format") != FORMAT:
+        raise GeometryError("no file of blocks")
+    if about.get("version") != VERSION:
+        raise GeometryError(f"version {about.get('version')!r} of the file is unknown; this program reads {VERSION}")
+    for name in ("groups", "sets"):
+        if not isinstance(about.get(name), list) or not all(isinstance(word, str) for word in about[name]):
+            raise GeometryError(f"the names of the {name} are no list of words")
+        if len(set(about[name])) != len(about[name]):
+            raise GeometryError(f"two of the {name} have the same name")
+    section = about.get("section")
+    if not isinstance(section, float) or not np.isfinite(section) or section <= 0:
+        raise GeometryError(f"the section is {section!r}, it must be an area above 0 m2")
+    if not isinstance(about.get("shape"), str):
+        raise GeometryError("the shape is no word")
+    return about
+
+
+def _write(group: Any, value: Blocks | TetMesh) -> None:
+    for entry in fields(value):
+        content = getattr(value, entry.name)
+        if isinstance(content, np.ndarray):
+            group.create_dataset(entry.name, data=content.astype(float if content.dtype.kind == "f" else np.int64))
+
+
+def _arrays(group: Any, kind: type) -> dict[str, np.ndarray]:
+    return {entry.name: _array(group, entry.name) for entry in fields(kind) if entry.name != "groups"}
+
+
+def _member(group: Any, name: str) -> Any:
+    """What stands under a name in the file itself, not behind a link to elsewhere."""
+    import h5py
+
+    if not isinstance(group, h5py.Group) or name not in group:
+        raise GeometryError(f"'{name}' is missing")
+    if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+        raise GeometryError(f"'{name}' is a link; only what is in the file itself is read")
+    return group[name]
+
+
+def _array(group: Any, name: str) -> np.ndarray:
+    """An array of plain numbers that lies open in the file."""
+    import h5py
+
+    data = _member(group, name)
+    if not isinstance(data, h5py.Dataset) or data.dtype not in (np.float64, np.int64, np.uint8) or data.shape is None:
+        raise GeometryError(f"'{name}' is no array of numbers")
+    if data.chunks is not None or data.external is not None or data.is_virtual:
+        raise GeometryError(f"'{name}' is packed or lies in another file")
+    if data.id.get_storage_size() != data.nbytes:
+        raise GeometryError(f"'{name}' claims {data.nbytes} bytes and holds {data.id.get_storage_size()}")
+    return np.asarray(data[()])

@@ -1,0 +1,139 @@
+"""Files from elsewhere are read in a process of their own, so that a damaged or hostile one can do no harm here.
+
+The reader gets limited memory, processor time and output, no standard input and an empty folder to work in. What comes
+back is plain arrays. A crash, an abort or a time-out of it becomes one GeometryError. A reader whose asker was killed
+takes its folder away and ends.
+"""
+
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import Blocks, GeometryError, TetMesh
+from geometry.files.atomic import require_file
+from geometry.files.imported import Imported
+
+LARGEST = 500_000_000  # bytes of a file
+MEMORY = 4 << 30  # bytes
+SECONDS = 600
+START, PER_MEGABYTE = 15, 60  # s of processor time, so that a small file cannot take long
+PATIENCE = 10  # times as long by the clock, where others are at work
+ANSWER, COMPLAINT = "answer.npz", "complaint.txt"
+SAID, LACKS_MEMORY = 3, 4
+BLOCKS = ("points", "face_start", "face_points", "block_face_start", "unit", "group")
+MESH = ("nodes", "node_start", "tets", "tet_start")
+
+
+def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Imported:
+    """What `module.reader(path, **words)` returns, called in a process of its own; words must be plain JSON values.
+
+    Raises GeometryError with the reader's message, or one that says how the reader ended; also for a file that is
+    missing, empty or larger than 500 MB.
+    """
+    path = Path(path).absolute()
+    seconds = min(SECONDS, START + PER_MEGABYTE * require_file(path, LARGEST) // 1_000_000)
+    patience = min(SECONDS, PATIENCE * seconds)
+    theirs, ours = os.pipe()
+    with open(ours, "wb"), open(theirs, "rb"), tempfile.TemporaryDirectory(prefix="masonry-") as folder:
+        child = begin(json.dumps([module, reader, str(path), words, seconds]), Path(folder), theirs)
+        try:
+            code = child.wait(patience)
+        except subprocess.TimeoutExpired:
+            raise GeometryError(f"'{path.name}': reading it was stopped after {patience} s; is it damaged?") from None
+        finally:
+            if child.poll() is None:
+                child.kill()
+                child.wait()
+        return _answer(Path(folder), code, path.name, seconds)
+
+
+def begin(task: str, folder: Path, alive: int) -> Any:
+    """Start the reader in this folder, as a subprocess.Popen; `alive` is the end of a pipe whose other end is here."""
+    house = str(Path(__file__).resolve().parents[1])
+    surroundings = {**os.environ, "PYTHONPATH": house, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+    surroundings["HOME"] = str(folder)  # the CAD kernel's libraries leave settings there
+    return subprocess.Popen(
+        [sys.executable, "-m", "geometry.files.sandbox", task, str(alive)],
+        cwd=folder,
+        env=surroundings,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+        pass_fds=(alive,),
+    )
+
+
+def _answer(folder: Path, code: int, name: str, seconds: int) -> Imported:
+    if code == SAID:
+        raise GeometryError((folder / COMPLAINT).read_text(encoding="utf-8")[:4000])
+    if code == LACKS_MEMORY:
+        raise GeometryError(f"'{name}': reading it takes more than {MEMORY >> 30} GB of memory; is it damaged?")
+    if code == -signal.SIGXCPU:
+        raise GeometryError(f"'{name}': reading it takes more than {seconds} s of processor time; is it damaged?")
+    if code != 0:
+        how = signal.Signals(-code).name if code < 0 else f"exit code {code}"
+        raise GeometryError(f"'{name}' cannot be read: the reader crashed on it ({how}); it is damaged or too large")
+    with np.load(folder / ANSWER, allow_pickle=False) as found:
+        words = json.loads(bytes(found["words"]).decode())
+        blocks = Blocks(**{key: found[key] for key in BLOCKS}, groups=tuple(words["groups"]))
+        mesh = TetMesh(**{key: found[key] for key in MESH}) if MESH[0] in found else None
+        colours = found.get("colours", None)
+    return Imported(blocks, tuple(words["names"]), colours, mesh, tuple(words["notes"]))
+
+
+def serve(task: str) -> int:
+    """The reader's side: limits, the call, the answer as a file in the working folder; returns the exit code."""
+    module, reader, path, words, seconds = json.loads(task)
+    for limit, most in (
+        (resource.RLIMIT_AS, MEMORY),
+        (resource.RLIMIT_CPU, seconds),
+        (resource.RLIMIT_CORE, 0),
+        (resource.RLIMIT_FSIZE, MEMORY),
+    ):
+        hard = resource.getrlimit(limit)[1]
+        resource.setrlimit(limit, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
+    try:
+        _save(getattr(import_module(module), reader)(Path(path), **words))
+    except MemoryError:
+        return LACKS_MEMORY
+    except Exception as error:  # whatever a reader trips over must end in one message
+        known = isinstance(error, GeometryError)
+        text = str(error) if known else f"'{Path(path).name}' cannot be read: {type(error).__name__}: {error}"[:500]
+        Path(COMPLAINT).write_text(text, encoding="utf-8", errors="replace")
+        return SAID
+    return 0
+
+
+def _save(found: Imported) -> None:
+    words = {"names": found.names, "notes": found.notes, "groups": found.blocks.groups}
+    arrays = {key: getattr(found.blocks, key) for key in BLOCKS}
+    if found.mesh is not None:
+        arrays |= {key: getattr(found.mesh, key) for key in MESH}
+    if found.colours is not None:
+        arrays["colours"] = found.colours
+    text = json.dumps(words, ensure_ascii=False).encode("utf-8", "replace")
+    np.savez(ANSWER, words=np.frombuffer(text, dtype=np.uint8), **arrays)
+
+
+def _end_with_asker(alive: int) -> None:
+    """Nothing comes through the pipe; it ends when the process that asks is gone, and nobody waits for an answer."""
+    os.read(alive, 1)
+    shutil.rmtree(os.getcwd(), ignore_errors=True)
+    os._exit(1)
+
+
+if __name__ == "__main__":
+    threading.Thread(target=_end_with_asker, args=(int(sys.argv[2]),), daemon=True).start()
+    sys.exit(serve(sys.argv[1]))

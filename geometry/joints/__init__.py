@@ -1,0 +1,1 @@
+"""Where blocks touch: joints, contact points, their areas and quality."""

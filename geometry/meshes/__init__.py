@@ -1,0 +1,1 @@
+"""Tets inside blocks, and contact points on their nodes."""

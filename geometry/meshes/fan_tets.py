@@ -1,0 +1,66 @@
+"""Blocks filled with tets one by one, for other programs: nothing is moved, and neighbours need not match."""
+
+import numpy as np
+
+from geometry.blocks import Blocks, TetMesh
+from geometry.joints.find import find_joints
+from geometry.meshes.tet_meshes import gathered
+from geometry.polyhedra.indexing import ranges
+from geometry.polyhedra.measures import centroids, face_areas_normals_centroids, volumes
+
+NOTHING = 1e-12
+"""Of a block's volume: tets smaller than this are left out."""
+
+
+def fan_tets(blocks: Blocks, which: np.ndarray) -> TetMesh:
+    """Tets in the blocks which (B,): from the centroid of the block to the centroid of a face and an edge of it.
+
+    Triangles have no centre of their own. Blocks that are not seen whole from their centroid are meshed by gmsh, with
+    edges as long as the cube root of their volume. Raises GeometryError where gmsh does.
+    """
+    volume = volumes(blocks)
+    fans = _fans(blocks, np.asarray(which, dtype=bool))
+    owner = np.repeat(np.arange(blocks.count), np.diff(fans.tet_start))
+    share = np.linalg.det(fans.nodes[fans.tets[:, 1:]] - fans.nodes[fans.tets[:, :1]]) / 6 / volume[owner]
+    failed = np.unique(owner[share < -NOTHING])
+    kept = share > NOTHING
+    fans = TetMesh(
+        fans.nodes, fans.node_start, fans.tets[kept], np.searchsorted(owner[kept], np.arange(blocks.count + 1))
+    )
+    if len(failed) == 0:
+        return fans
+    from geometry.meshes.tetrahedralise import mesh_blocks
+
+    joints = find_joints(blocks)
+    parts = {b: (fans, b) for b in np.flatnonzero(which).tolist()}
+    for b in failed.tolist():
+        alone = np.arange(blocks.count) == b
+        parts[b] = mesh_blocks(blocks, alone, float(np.cbrt(volume[b])), joints)[0], b
+    return gathered(blocks.count, parts)
+
+
+def _fans(blocks: Blocks, wanted: np.ndarray) -> TetMesh:
+    faces = np.flatnonzero(wanted[blocks.face_block()])
+    size = np.diff(blocks.face_start)[faces]
+    owner = blocks.face_block()[faces]
+    middle = face_areas_normals_centroids(blocks)[2][faces]
+    # points of all tets: corners of the faces, then face centroids, then block centroids; unique within a block
+    of, corner = ranges(blocks.face_start[faces], size)
+    place = np.concatenate([blocks.points[blocks.face_points[corner]], middle, centroids(blocks)])
+    block = np.concatenate([owner[of], owner, np.arange(blocks.count)])
+    _, first, number = np.unique(np.column_stack([block, place]), axis=0, return_index=True, return_inverse=True)
+    number = number.ravel()
+    here = np.arange(len(of))
+    start = np.cumsum(size) - size
+    after = start[of] + (here - start[of] + 1) % size[of]
+    fanned = size[of] > 3
+    apex = np.where(fanned, len(of) + of, start[of])
+    kept = fanned | (here == start[of] + 1)
+    centre = len(of) + len(faces) + owner[of]
+    tets = number[np.stack([centre, apex, here, after], axis=1)[kept]]
+    used, tets = np.unique(tets, return_inverse=True)
+    nodes, node_block = place[first][used], block[first][used]
+    every = np.arange(blocks.count + 1)
+    return TetMesh(
+        nodes, np.searchsorted(node_block, every), tets.reshape(-1, 4), np.searchsorted(owner[of][kept], every)
+    )

@@ -1,0 +1,1 @@
+"""Polygons and polyhedra: measures, clipping, convexity, overlap."""

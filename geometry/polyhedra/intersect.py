@@ -1,0 +1,107 @@
+"""Blocks that need not be convex: whether they are, and what of one lies inside another."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from geometry.polyhedra.measures import face_areas_normals_centroids
+from geometry.polyhedra.polygons import areas_normals_centroids
+
+
+@dataclass(frozen=True)
+class Solid:
+    """One block by itself: convex faces, their outward normals, and all their triangles (T, 3, 3)."""
+
+    faces: list[np.ndarray]
+    normals: np.ndarray
+    triangles: np.ndarray
+
+
+def solid(blocks: Blocks, block: int) -> Solid:
+    """The block with this number."""
+    faces = [blocks.face(f) for f in blocks.faces_of(block)]
+    normals = np.array([areas_normals_centroids(face[None])[1][0] for face in faces])
+    triangles = [np.stack([face[0], face[k], face[k + 1]]) for face in faces for k in range(1, len(face) - 1)]
+    return Solid(faces, normals, np.array(triangles))
+
+
+def are_convex(blocks: Blocks, width: float) -> np.ndarray:
+    """(B,) whether no corner of the block stands out of the plane of any of its faces by more than width (m)."""
+    _, normal, centroid = face_areas_normals_centroids(blocks)
+    start = blocks.face_start[blocks.block_face_start]
+    convex = np.ones(blocks.count, dtype=bool)
+    for b in range(blocks.count):
+        faces = slice(blocks.block_face_start[b], blocks.block_face_start[b + 1])
+        corners = blocks.points[np.unique(blocks.face_points[start[b] : start[b + 1]])]
+        offset = np.einsum("fi,fi->f", normal[faces], centroid[faces])
+        convex[b] = (corners @ normal[faces].T - offset).max() <= width
+    return convex
+
+
+def share_space(one: Solid, two: Solid, depth: float) -> bool:
+    """Whether two solids have more in common than faces, edges and corners that touch within depth (m).
+
+    Every face of each is cut along the planes of the other's faces. A piece is then wholly inside the other solid,
+    outside or on its surface, and so is the middle of it. Two faces on each other that look the same way have matter
+    of both solids behind them.
+    """
+    return _enters(one, two, depth) or _enters(two, one, depth)
+
+
+def _enters(one: Solid, two: Solid, depth: float) -> bool:
+    for face, normal in zip(one.faces, one.normals, strict=True):
+        pieces = [face]
+        for other, across in zip(two.faces, two.normals, strict=True):
+            if np.all(face.min(axis=0) <= other.max(axis=0)) and np.all(other.min(axis=0) <= face.max(axis=0)):
+                pieces = [part for piece in pieces for part in _cut(piece, across, other[0], depth)]
+        for piece in pieces:
+            middle = areas_normals_centroids(piece[None])[2][0]
+            touching = _faces_at(two, middle, depth)
+            if len(touching) == 0 and is_inside(two, middle):
+                return True
+            if len(touching) and np.any(two.normals[touching] @ normal > 0.999):
+                return True
+    return False
+
+
+def _cut(polygon: np.ndarray, normal: np.ndarray, origin: np.ndarray, depth: float) -> list[np.ndarray]:
+    """The two parts of a convex polygon on both sides of a plane; one, if the other is thinner than depth."""
+    height = (polygon - origin) @ normal
+    if height.max() <= depth or height.min() >= -depth:
+        return [polygon]
+    following, next_height = np.roll(polygon, -1, axis=0), np.roll(height, -1)
+    parts = []
+    for sign in (1.0, -1.0):
+        corners = []
+        for k in range(len(polygon)):
+            if sign * height[k] >= 0:
+                corners.append(polygon[k])
+            if height[k] * next_height[k] < 0:
+                corners.append(polygon[k] + height[k] / (height[k] - next_height[k]) * (following[k] - polygon[k]))
+        parts.append(np.array(corners))
+    return parts
+
+
+def _faces_at(block: Solid, point: np.ndarray, depth: float) -> np.ndarray:
+    """Numbers of the faces that pass the point within depth."""
+    found = []
+    for f, (face, normal) in enumerate(zip(block.faces, block.normals, strict=True)):
+        arm = point - face
+        if abs(float(arm[0] @ normal)) <= depth:
+            edge = np.roll(face, -1, axis=0) - face
+            inward = np.cross(normal, edge)
+            if np.all(np.einsum("ki,ki->k", arm, inward) >= -depth * np.linalg.norm(edge, axis=1)):
+                found.append(f)
+    return np.array(found, dtype=np.int64)
+
+
+def is_inside(block: Solid, point: np.ndarray) -> bool:
+    """Whether the point is inside the block: the solid angles of all its triangles add up to 4 pi (Van Oosterom)."""
+    a, b, c = (block.triangles[:, k] - point for k in range(3))
+    la, lb, lc = (np.linalg.norm(v, axis=1) for v in (a, b, c))
+    top = np.einsum("ti,ti->t", a, np.cross(b, c))
+    dot = (np.einsum("ti,ti->t", *pair) for pair in ((a, b), (b, c), (c, a)))
+    ab, bc, ca = dot
+    angle = 2 * np.arctan2(top, la * lb * lc + ab * lc + bc * la + ca * lb)
+    return bool(abs(angle.sum()) > 2 * np.pi)

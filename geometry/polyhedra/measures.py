@@ -1,0 +1,78 @@
+"""Volumes, centroids and second moments of blocks, exact for any polyhedron with planar faces (sums of signed tets)."""
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from geometry.polyhedra.indexing import ranges
+from geometry.polyhedra.polygons import areas_normals_centroids, pad
+
+
+def _tets(blocks: Blocks, origin: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Tets between origin (B, 3) of each block and its faces' triangles: block (T,), arms (T, 3, 3), volume (T,)."""
+    count = np.diff(blocks.face_start) - 2
+    face, second = ranges(blocks.face_start[:-1] + 1, count)
+    corner = np.stack([blocks.face_start[face], second, second + 1], axis=1)
+    block = blocks.face_block()[face]
+    arm = blocks.points[blocks.face_points[corner]] - origin[block][:, None]
+    return block, arm, np.einsum("ti,ti->t", arm[:, 0], np.cross(arm[:, 1], arm[:, 2])) / 6
+
+
+def _first_corners(blocks: Blocks) -> np.ndarray:
+    return blocks.points[blocks.face_points[blocks.face_start[blocks.block_face_start[:-1]]]]
+
+
+def _sum_by_block(blocks: Blocks, block: np.ndarray, values: np.ndarray) -> np.ndarray:
+    columns = values.reshape(len(values), -1).T
+    total = np.stack([np.bincount(block, column, blocks.count) for column in columns], axis=1)
+    return total.reshape(blocks.count, *values.shape[1:])
+
+
+def volumes(blocks: Blocks) -> np.ndarray:
+    """(B,) m3."""
+    block, _, volume = _tets(blocks, _first_corners(blocks))
+    return _sum_by_block(blocks, block, volume)
+
+
+def centroids(blocks: Blocks) -> np.ndarray:
+    """(B, 3) m."""
+    return _volumes_centroids(blocks)[1]
+
+
+def _volumes_centroids(blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
+    origin = _first_corners(blocks)
+    block, arm, part = _tets(blocks, origin)
+    moment = _sum_by_block(blocks, block, part[:, None] * arm.sum(axis=1) / 4)
+    volume = _sum_by_block(blocks, block, part)
+    return volume, origin + moment / volume[:, None]
+
+
+def second_moments(blocks: Blocks) -> np.ndarray:
+    """(B, 3, 3) m5, the integral of r r^T over each block, r from its centroid."""
+    return moments(blocks)[2]
+
+
+def moments(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """volumes, centroids and second_moments at the price of the last."""
+    volume, centroid = _volumes_centroids(blocks)
+    block, arm, part = _tets(blocks, centroid)
+    total = arm.sum(axis=1)
+    outer = np.einsum("tci,tcj->tij", arm, arm) + np.einsum("ti,tj->tij", total, total)
+    return volume, centroid, _sum_by_block(blocks, block, part[:, None, None] * outer / 20)
+
+
+def face_areas_normals_centroids(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Area (F,) m2, outward unit normal (F, 3), centroid (F, 3) m of every face."""
+    return areas_normals_centroids(pad(blocks.points, blocks.face_start, blocks.face_points)[0])
+
+
+def bounds(blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
+    """Lowest and highest coordinates of each block, both (B, 3) m."""
+    start = blocks.face_start[blocks.block_face_start[:-1]]
+    corners = blocks.points[blocks.face_points]
+    return np.minimum.reduceat(corners, start), np.maximum.reduceat(corners, start)
+
+
+def extent(blocks: Blocks) -> float:
+    """Longest side of the box round all blocks, m: what relative tolerances refer to."""
+    corners = blocks.points[blocks.face_points]
+    return float(np.max(np.ptp(corners, axis=0))) if len(corners) else 1.0

@@ -1,0 +1,1 @@
+"""Specimens that the program builds: couplet, prism, wallette, walls, bending."""

@@ -1,0 +1,160 @@
+"""From a scene to a model: specimen, joints, mesh, laws, conditions, and the program of loading."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from geometry.blocks import Blocks, Joints, Specimen, TetMesh
+from geometry.joints import find as joint_search
+from geometry.meshes.tet_meshes import within
+from geometry.polyhedra import overlaps
+from masonry.assembly.block_files import blocks_from
+from masonry.assembly.conditions import conditions_of
+from masonry.assembly.gauge_places import gauges_of
+from masonry.assembly.restraint import require_held
+from masonry.assembly.scatter import Drawn, draw, laws_of
+from masonry.assembly.schedule import plan_of
+from masonry.assembly.size_limits import require_sane_size
+from masonry.assembly.specimens import is_outside, specimen_of
+from masonry.errors import SceneError, nearest
+from masonry.laws import factory as law_build
+from masonry.loading.predictor import LITTLE
+from masonry.model import loads, model
+from masonry.model.contact_groups import contact_group_name
+from masonry.model.layout import Material, lay_out
+from masonry.scene import Scene
+from masonry.timeloop.reactions import Surroundings
+from masonry.timeloop.recording import Recording
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """All that a run needs, built from a scene; `joints` in the order of the model's contacts."""
+
+    scene: Scene
+    specimen: Specimen
+    joints: Joints
+    mesh: TetMesh | None
+    model: model.Model
+    plan: loads.Program | loads.Controlled
+    recording: Recording
+    drawn: list[Drawn]
+
+
+def assemble(scene: Scene) -> Assembly:
+    """Build the model of a scene; raises SceneError or GeometryError with one clear message."""
+    specimen, joints = joined(scene)
+    blocks = specimen.blocks
+    _require_groups(scene, blocks.groups)
+    _require_contact_groups(scene, specimen, joints)
+    mesh, joints = meshed(scene, blocks, joints)
+    kinds = {g: scene.kinematics_of(g) for g in blocks.groups}
+    names, group, joints = model.sort_by_group(blocks, joints)
+    materials = {
+        g: Material(m.density, m.young_modulus, m.poisson_ratio)
+        for g, m in scene.material.items()
+        if g in blocks.groups
+    }
+    layout = lay_out(blocks, kinds, mesh)
+    conditions = conditions_of(scene, specimen, layout, joints, materials)
+    require_held(specimen, joints, layout, conditions, loaded=bool(scene.traction) or scene.gravity is not None)
+    for varying in conditions.varying:
+        require_held(specimen, joints, layout, replace(conditions, load=varying), loaded=True)
+    compressions = sorted({0.0, scene.confinement or 0.0})
+    given = {name: scene.contact[name].properties(scene.turns_back) for name in names}
+    laws = {name: law_build.build(name, given[name], compressions) for name in names}
+    drawn = _draws(scene, blocks, joints, names, group)
+    laws |= {d.group: laws_of(d, given[d.group], compressions) for d in drawn}
+    s = scene.solver
+    stepping = model.Stepping(
+        s.masses, s.time_step, s.step_fraction, LITTLE if scene.is_controlled else s.damping, scene.is_controlled
+    )
+    if s.time_step == "equation-11" and s.masses == "scaled":
+        raise SceneError(
+            'solver.time_step = "equation-11" needs solver.masses = "real": scaled masses have one bound of their own'
+        )
+    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout)
+    plan = plan_of(scene, built.dt)
+    sign = scene.drive.sign if scene.drive else 1.0
+    gauges = gauges_of(scene, specimen, joints, layout)
+    recording = Recording(
+        *(specimen.section, sign, s.rows, s.rotation_limit, gauges, s.frames, s.slip_limit, specimen.sets),
+        Surroundings(conditions),
+    )
+    return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn)
+
+
+def joined(scene: Scene) -> tuple[Specimen, Joints]:
+    """The blocks of a scene and the joints between them."""
+    require_sane_size(scene)
+    specimen, spec = specimen_of(scene), scene.specimen
+    if spec.kind == "file" or is_outside(spec.kind):  # the others were looked at as they were built
+        overlaps.check_overlaps(specimen.blocks)
+    joints = joint_search.find_joints(
+        specimen.blocks, spec.contact_points, spec.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
+    )
+    return specimen, joints
+
+
+def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None, Joints]:
+    """Tets in the blocks that a scene wants to have them, those of its file first, and the joints with points there."""
+    wanted = np.array([scene.kinematics_of(g) == "tets" for g in blocks.groups])[blocks.group]
+    if not wanted.any():
+        return None, joints
+    if scene.specimen.kind == "file" and (own := blocks_from(scene.specimen.path)[1]) is not None:
+        from geometry.meshes.nonmatching import surface_joints
+
+        mesh = within(own, wanted)
+        if np.all(wanted == (np.diff(mesh.tet_start) > 0)):
+            return mesh, surface_joints(blocks, joints, mesh)
+    if scene.specimen.mesh == "fan":
+        from geometry.meshes.fan import mesh_by_fans
+
+        return mesh_by_fans(blocks, wanted, joints)
+    from geometry.meshes.tetrahedralise import mesh_blocks
+
+    if scene.specimen.mesh_size is None:
+        raise SceneError(
+            "specimen.mesh_size: missing; kinematics 'tets' needs it where the file holds no tets of its own: "
+            "mesh_size = '25 mm', or mesh = 'fan'"
+        )
+    return mesh_blocks(blocks, wanted, scene.specimen.mesh_size, joints)
+
+
+def _draws(scene: Scene, blocks: Blocks, joints: Joints, names: tuple[str, ...], group: np.ndarray) -> list[Drawn]:
+    """What the scene's scatter comes to, group by group; joints sorted by group (C,)."""
+    if scene.scatter is None:
+        return []
+    bounds = np.searchsorted(group, np.arange(len(names) + 1))
+    return [
+        draw(scene.scatter, scene.contact, name, blocks, joints, slice(bounds[g], bounds[g + 1]))
+        for g, name in enumerate(names)
+        if name in scene.scatter.groups
+    ]
+
+
+def _require_groups(scene: Scene, groups: tuple[str, ...]) -> None:
+    for group in groups:
+        if group not in scene.material:
+            raise SceneError(f"[material.{group}] is missing: the specimen has blocks of group '{group}'")
+    for group in scene.material:
+        if group not in groups:
+            raise SceneError(f"[material.{group}]: the specimen has no blocks of this group; {nearest(group, groups)}")
+    for group in scene.kinematics:
+        if group != "default" and group not in groups:
+            raise SceneError(f"kinematics.{group}: the specimen has no blocks of this group; {nearest(group, groups)}")
+
+
+def _require_contact_groups(scene: Scene, specimen: Specimen, joints: Joints) -> None:
+    """Every group that occurs has a table; every table names a group that this specimen can have."""
+    occurring = model.contact_groups(specimen.blocks, joints)[0]
+    for name in occurring:
+        if name not in scene.contact:
+            raise SceneError(
+                f"[contact.{name}] is missing: the specimen has such contacts; {nearest(name, scene.contact)}"
+            )
+    groups = specimen.blocks.groups
+    possible = {contact_group_name(g, h, same) for g in groups for h in groups for same in (True, False)}
+    for name in scene.contact:
+        if name not in possible:
+            raise SceneError(f"[contact.{name}]: no such contacts in this specimen; {nearest(name, possible)}")

@@ -1,0 +1,105 @@
+"""From a scene's words to the freedoms they mean: supports, drive, tractions, gravity, and what they select."""
+
+import re
+
+import numpy as np
+
+from geometry.blocks import GeometryError, Joints, Specimen
+from geometry.joints import boundary
+from masonry.errors import SceneError, nearest
+from masonry.model import loads
+from masonry.model.layout import KINDS, Layout, Material
+from masonry.model.supports import Hold, held_freedoms
+from masonry.quantity import parse
+from masonry.scene import Scene
+
+AXES = {"x": 0, "y": 1, "z": 2}
+PLANE = re.compile(r"\s*(blocks at\s+)?([xyz])\s*=\s*(\S.*)")
+
+
+def conditions_of(
+    scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, materials: dict[str, Material]
+) -> loads.Conditions:
+    """Supports, drive and dead loads on the freedoms."""
+    blocks, conditions = specimen.blocks, loads.no_conditions(layout)
+    for k, support in enumerate(scene.support):
+        where = f"support.{k}.on"
+        chosen, faces = select(specimen, joints, support.on, where)
+        axes = tuple(AXES[f] for f in support.fix if f in AXES)
+        hold = Hold(chosen, axes, _turns(support.fix), faces, f"support.{k}")
+        conditions.held_by[hold.name] = held_freedoms(blocks, layout, hold)
+        _add(conditions.supported, conditions.held_by[hold.name])
+    _add(conditions.prescribed, conditions.supported)
+    if scene.drive is not None:
+        chosen, faces = select(specimen, joints, scene.drive.on, "drive.on")
+        hold = Hold(chosen, (scene.drive.axis,), (), faces, "drive")
+        driven = conditions.held_by["drive"] = held_freedoms(blocks, layout, hold)
+        conditions.driven = loads.drive_freedoms(driven, scene.drive.axis)
+        if any((driven[kind] & conditions.supported[kind])[:, scene.drive.axis].any() for kind in KINDS):
+            raise SceneError(f"drive.on = '{scene.drive.on}': a support holds it in the direction of the drive")
+        conditions.support = loads.drive_freedoms(conditions.supported, scene.drive.axis)
+        _add(conditions.prescribed, driven)
+    for k, traction in enumerate(scene.traction):
+        where = f"traction.{k}.on"
+        _, faces = select(specimen, joints, traction.on, where)
+        if faces is None:
+            raise SceneError(f"{where} = '{traction.on}': a traction acts on a face, for example '{traction.on}.z+'")
+        push, path = loads.Push(faces, np.array(traction.stress)), traction.path
+        load: dict[str, np.ndarray | None] = dict.fromkeys(KINDS)
+        loads.add_traction(blocks, layout, load, push)
+        conditions.each_load[f"traction.{k}"] = load
+        if path is None:
+            loads.add_load(layout, conditions.load, load)
+        else:
+            conditions.varying.append(load)
+    if scene.gravity is not None:
+        density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
+        weight: dict[str, np.ndarray | None] = dict.fromkeys(KINDS)
+        loads.add_gravity(layout, weight, density, np.array(scene.gravity))
+        conditions.each_load["gravity"] = weight
+        loads.add_load(layout, conditions.load, weight)
+    return conditions
+
+
+def _turns(fix: tuple[str, ...]) -> tuple[int, ...]:
+    """The axes that blocks may not turn about."""
+    return tuple(k for axis, k in AXES.items() if "rotation" in fix or f"rotation {axis}" in fix)
+
+
+def _add(masks: dict[str, np.ndarray], more: dict[str, np.ndarray]) -> None:
+    """Freedoms that are held besides those that already are."""
+    for kind in KINDS:
+        masks[kind] |= more[kind]
+
+
+def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[np.ndarray, np.ndarray | None]:
+    """Blocks of a selector, and its faces if it names some: "top", "top.z+", "z = 0 mm", "blocks at z = 0 mm"."""
+    name, face = word, None
+    if word not in specimen.sets and (plane := PLANE.fullmatch(word)):
+        return _in_plane(specimen, joints, plane, f"{where} = '{word}'")
+    if word not in specimen.sets and word[-1:] in "+-" and "." in word:
+        name, _, face = word.rpartition(".")
+    if name not in specimen.sets:
+        face_too = f"or a face of one, such as '{min(specimen.sets, default='bottom')}.z+'"
+        raise SceneError(f"{where} = '{word}' selects nothing; {nearest(name, specimen.sets)}, {face_too}")
+    chosen = specimen.sets[name]
+    if face is None:
+        return chosen, None
+    try:
+        return chosen, boundary.outer_faces(specimen.blocks, joints, chosen, face)
+    except GeometryError as error:
+        raise SceneError(f"{where} = '{word}': {error}") from None
+
+
+def _in_plane(
+    specimen: Specimen, joints: Joints, plane: re.Match[str], where: str
+) -> tuple[np.ndarray, np.ndarray | None]:
+    """Outer faces in a plane and their blocks; or all blocks with a face in it."""
+    blocks_only, axis, level = plane[1] is not None, AXES[plane[2]], parse(plane[3], "length", where)
+    try:
+        if blocks_only:
+            return np.unique(specimen.blocks.face_block()[boundary.faces_in_plane(specimen.blocks, axis, level)]), None
+        faces = boundary.free_faces_in_plane(specimen.blocks, joints, axis, level)
+    except GeometryError as error:
+        raise SceneError(f"{where}: {error}") from None
+    return np.unique(specimen.blocks.face_block()[faces]), faces

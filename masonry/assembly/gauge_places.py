@@ -1,0 +1,104 @@
+"""From a scene's words to the places that its gauges look at: selectors, points and lines through the specimen."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from geometry.blocks import Joints, Specimen, TetMesh
+from geometry.joints.boundary import surface_nodes
+from geometry.polyhedra.line_cuts import Pieces, pieces
+from geometry.polyhedra.measures import extent, face_areas_normals_centroids
+from geometry.polyhedra.polygons import pad
+from masonry.assembly.conditions import select
+from masonry.errors import SceneError
+from masonry.model.gauges import Gauge, Place, gauge
+from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
+from masonry.scene import Scene
+from masonry.scene.tables.gauge import Coordinates
+
+TOUCH = 1e-7
+"""Of the specimen's extent: what a point or a line lies in, it may miss by so much."""
+
+
+def gauges_of(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout) -> tuple[Gauge, ...]:
+    """The gauges of a scene; raises SceneError for a place where there is nothing."""
+    found = []
+    for k, asked in enumerate(scene.gauge):
+        at = _place(specimen, joints, layout, asked.at, f"gauge.{k}.at")
+        base = asked.relative_to
+        still = None if base is None else _place(specimen, joints, layout, base, f"gauge.{k}.relative_to")
+        found.append(gauge(asked.name, layout, at, still, "xyz".index(asked.direction[-1]), asked.sign))
+    return tuple(found)
+
+
+def _place(specimen: Specimen, joints: Joints, layout: Layout, where: str | Coordinates, key: str) -> Place:
+    if isinstance(where, Coordinates):
+        return _on_line(specimen, layout, where, key)
+    chosen, faces = select(specimen, joints, where, key)
+    blocks = specimen.blocks
+    if faces is None:
+        point, share, owner = layout.centroid[chosen], layout.volume[chosen], chosen
+    else:
+        area, _, centre = face_areas_normals_centroids(blocks)
+        point, share, owner = centre[faces], area[faces], blocks.face_block()[faces]
+    meshed = layout.kind[owner] == KINDS.index("tets")
+    node, node_share = np.zeros(0, dtype=np.int64), np.zeros(0)
+    if layout.mesh is not None and meshed.any():
+        if faces is None:
+            node, node_share = _nodes_of(layout.mesh, owner[meshed])
+        else:
+            node, node_share = surface_nodes(layout.mesh, blocks, faces[meshed])
+    whole = share[~meshed].sum() + node_share.sum()
+    return Place(owner[~meshed], point[~meshed], share[~meshed] / whole, node, node_share / whole)
+
+
+def _nodes_of(mesh: TetMesh, chosen: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes of meshed blocks, and the volume (m3) of each: a quarter of its tets."""
+    own = np.repeat(np.isin(np.arange(len(mesh.tet_start) - 1), chosen), np.diff(mesh.tet_start))
+    volume = np.where(own, tet_volumes(mesh), 0.0) / 4
+    share = np.bincount(mesh.tets.ravel(), np.repeat(volume, 4), minlength=len(mesh.nodes))
+    node = np.flatnonzero(share > 0.0)
+    return node, share[node]
+
+
+def _on_line(specimen: Specimen, layout: Layout, where: Coordinates, key: str) -> Place:
+    """The mean over what blocks hold of a line, or at a point; half of each where two blocks meet there."""
+    blocks, mesh = specimen.blocks, layout.mesh
+    corners = blocks.points[blocks.face_points]
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    place = [
+        float(0.5 * (low + high)[i]) if value == "middle" else None if value is None else float(value)
+        for i, value in enumerate(where)
+    ]
+    width = TOUCH * extent(blocks)
+    _, normal, centre = face_areas_normals_centroids(blocks)
+    level = np.einsum("fi,fi->f", normal, centre)
+    planes, _ = pad(np.column_stack([normal, level]), blocks.block_face_start, np.arange(len(level)))
+    found = pieces(planes[:, :, :3], planes[:, :, 3], place, width)
+    solid = layout.kind[found.body] != KINDS.index("tets")
+    if len(found.body) == 0:
+        raise SceneError(f"{key}: no block lies at {_said(place)}; the specimen reaches over {_said(low, high)}")
+    node, node_share = np.zeros(0, dtype=np.int64), np.zeros(0)
+    if mesh is not None and not solid.all():
+        node, node_share = _between_nodes(mesh, place, width)
+        node_share = node_share * found.share[~solid].sum()
+    return Place(found.body[solid], found.middle[solid], found.share[solid], node, node_share)
+
+
+def _said(*places: Sequence[float | None]) -> str:
+    """Coordinates in words: "x = 1 mm", or "x 1 to 2 mm" from the first place to the second."""
+    word = " " if len(places) > 1 else " = "
+    numbers = [[f"{c * 1e3:.6g}" for c in ends if c is not None] for ends in zip(*places, strict=True)]
+    return ", ".join(f"{axis}{word}{' to '.join(text)} mm" for axis, text in zip("xyz", numbers, strict=True) if text)
+
+
+def _between_nodes(mesh: TetMesh, place: list[float | None], width: float) -> tuple[np.ndarray, np.ndarray]:
+    """The nodes of the tets that a line or a point lies in, and the share of each; adds up to 1."""
+    gradient, corner = tet_gradients(mesh), mesh.nodes[mesh.tets]
+    steep = np.linalg.norm(gradient, axis=2)
+    normal = -gradient / steep[:, :, None]
+    level = np.einsum("tki,tki->tk", normal, np.roll(corner, 1, axis=1))
+    found: Pieces = pieces(normal, level, place, width)
+    arm = found.middle[:, None] - corner[found.body]
+    share = 1.0 + np.einsum("nki,nki->nk", gradient[found.body], arm)
+    return mesh.tets[found.body].ravel(), (found.share[:, None] * share).ravel()

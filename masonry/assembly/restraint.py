@@ -1,0 +1,118 @@
+"""Is every part of a specimen held? A part that a dead load can move as a whole would fall for ever."""
+
+import numpy as np
+
+from geometry.blocks import Joints, Specimen
+from geometry.joints import find as joint_search
+from masonry.errors import SceneError
+from masonry.model.layout import KINDS, Layout
+from masonry.model.loads import Conditions
+
+LOOSE = 1e-9
+"""Share of the largest (squared) below which a motion counts as not held, and of the loads below which as idle."""
+
+
+def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions: Conditions, loaded: bool) -> None:
+    """Every connected part must be held by a support, against every motion in which a dead load does work.
+
+    Raises SceneError naming a block of the part. `loaded`: whether there are dead loads at all.
+    """
+    part = joint_search.connected(specimen.blocks, joints)
+    size = float(np.ptp(layout.centroid, axis=0).max() + np.cbrt(layout.volume.max()))
+    for p in np.unique(part):
+        member = part == p
+        rows, load = _rigid_motions(layout, conditions, member, size)
+        if len(rows) == 0:
+            _refuse(
+                specimen, layout, member, "are held by nothing; add a [[support]], or close the gap to the neighbours"
+            )
+        if not _supported(layout, conditions, member):
+            _refuse(specimen, layout, member, "are driven, but held by no [[support]]; add one, or close the gap to it")
+        if not loaded:
+            continue
+        squares, vectors = np.linalg.eigh(rows.T @ rows)
+        directions, held = vectors.T, squares > LOOSE * squares.max()
+        work = np.abs(directions[~held] @ load)
+        if np.any(work > LOOSE * max(np.abs(load).max(), 1e-300)):
+            mode = directions[~held][int(np.argmax(work))]
+            way = f"along {'xyz'[int(np.argmax(np.abs(mode[:3])))]}"
+            if np.abs(mode[3:]).max() > np.abs(mode[:3]).max():
+                way = f"from turning about {'xyz'[int(np.argmax(np.abs(mode[3:])))]}"
+            _refuse(specimen, layout, member, f"are not held {way}, where the dead loads push; add it to a [[support]]")
+
+
+def _supported(layout: Layout, conditions: Conditions, member: np.ndarray) -> bool:
+    """Whether a support, and not only the drive, holds some freedom of a part."""
+    return any(
+        bool((conditions.supported[kind] & member[_owner(layout, kind)][:, None]).any())
+        for kind in KINDS
+        if layout.rows(kind)
+    )
+
+
+def _owner(layout: Layout, kind: str) -> np.ndarray:
+    """The block of each row of freedoms of a kind."""
+    members = layout.members[kind]
+    return np.repeat(members, np.diff(_row_start(layout))) if kind == "tets" else members
+
+
+def _rigid_motions(
+    layout: Layout, conditions: Conditions, member: np.ndarray, size: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """(n, 6) what six rigid motions (turns of 1/size) do to the held freedoms; (6,) work of the dead loads on them.
+
+    Held turns and strains are taken times the size: all rows are then lengths, and the answer is the same in any unit.
+    """
+    held, load = [np.zeros((0, 6))], np.zeros(6)
+    for kind in KINDS:
+        if layout.rows(kind) == 0:
+            continue
+        owner = _owner(layout, kind)
+        motion = _motion_of_rows(layout, kind, owner, size)
+        motion[~member[owner]] = 0.0
+        alike = motion.copy()
+        alike[:, 3:] *= size
+        held.append(alike[conditions.prescribed[kind] & member[owner][:, None]])
+        dead = conditions.load[kind]
+        if dead is not None:
+            load += np.einsum("ri,rim->m", dead, motion)
+    return np.concatenate(held), load
+
+
+def _row_start(layout: Layout) -> np.ndarray:
+    assert layout.mesh is not None
+    last = np.append(layout.members["tets"], len(layout.kind))
+    return layout.mesh.node_start[last]
+
+
+def _motion_of_rows(layout: Layout, kind: str, owner: np.ndarray, size: float) -> np.ndarray:
+    """(rows, freedoms, 6): each freedom under a unit move along, and a turn of 1/size about, x, y and z.
+
+    Turns are about the middle of the specimen, wherever that stands.
+    """
+    place = layout.mesh.nodes if kind == "tets" and layout.mesh is not None else layout.centroid[owner]
+    axes, identity, arm = layout.axes[owner], np.eye(3), place - layout.centroid.mean(axis=0)
+    moves = np.concatenate([np.broadcast_to(identity, (len(owner), 3, 3)), _cross(arm) / size], axis=2)
+    if kind == "tets":
+        return moves
+    none = np.zeros((len(owner), 3, 3))
+    if kind == "rigid":
+        return np.concatenate([moves, np.concatenate([none, axes.transpose(0, 2, 1) / size], axis=2)], axis=1)
+    spin = np.cross(identity[:, None, :], identity[None, :, :])  # spin[m, k] = e_m x e_k, so H_ik = spin[m, k, i]
+    strain = np.einsum("mki,ckj->cijm", spin, axes).reshape(len(owner), 9, 3) / size
+    return np.concatenate([moves, np.concatenate([np.zeros((len(owner), 9, 3)), strain], axis=2)], axis=1)
+
+
+def _cross(place: np.ndarray) -> np.ndarray:
+    """(n, 3, 3): column m is e_m x place."""
+    return np.cross(np.eye(3)[None, :, :], place[:, None, :]).transpose(0, 2, 1)
+
+
+def _refuse(specimen: Specimen, layout: Layout, member: np.ndarray, why: str) -> None:
+    block = int(np.flatnonzero(member)[0])
+    blocks = specimen.blocks
+    where = ", ".join(f"{x:.4g}" for x in layout.centroid[block])
+    raise SceneError(
+        f"block {block} (group '{blocks.groups[blocks.group[block]]}', unit {blocks.unit[block]}) at ({where}) m "
+        f"and what it touches {why}"
+    )

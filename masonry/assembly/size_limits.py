@@ -1,0 +1,84 @@
+"""Sizes are capped before anything is built: a slip of a unit must not fill the memory or run for a year."""
+
+from math import prod
+from typing import Any
+
+from geometry.polyhedra.measures import volumes
+from masonry.assembly.block_files import blocks_from
+from masonry.assembly.specimens import is_outside, outside_specimen
+from masonry.errors import SceneError
+from masonry.scene import Scene
+from masonry.scene.tables.points import DENSITIES
+from masonry.scene.tables.specimen import Specimen
+
+BLOCKS, CONTACT_POINTS, TETS = 5e5, 5e6, 5e6
+"""The most that a scene may ask for; about 10 GB of memory each."""
+TETS_PER_CUBE = 8.0
+"""Tets in a cube of the mesh size (6 to 7 were measured)."""
+TETS_PER_FAN = 45
+"""Tets in a block that is filled with a fan (12 in a box, 36 to 44 in a cell of space)."""
+
+
+def require_sane_size(scene: Scene) -> None:
+    """Refuse a scene whose estimated size is beyond what a machine can hold; says which key to change."""
+    spec = scene.specimen
+    blocks, volume = blocks_and_volume(spec)
+    _require(
+        blocks, BLOCKS, "blocks", "specimen.divisions" if getattr(spec, "cells", None) is None else "specimen.cells"
+    )
+    _require_few_points(spec, blocks, volume)
+    meshed = "tets" in scene.kinematics.values()
+    if meshed and spec.mesh == "fan":
+        _require(TETS_PER_FAN * blocks, TETS, "tets", "specimen.mesh")
+    elif meshed and spec.mesh_size is not None:
+        edge = min(spec.mesh_size, volume ** (1 / 3))
+        _require(TETS_PER_CUBE * volume / edge**3 if edge**3 > 0 else float("inf"), TETS, "tets", "specimen.mesh_size")
+
+
+def blocks_and_volume(spec: Any) -> tuple[float, float]:
+    """About how many blocks a specimen has, and the volume (m3) of its units."""
+    if spec.kind == "file" or is_outside(spec.kind):
+        blocks = (blocks_from(spec.path)[0] if spec.kind == "file" else outside_specimen(spec)).blocks
+        return blocks.count, float(volumes(blocks).sum())
+    if spec.kind == "boxes":
+        return sum(prod(box.divisions) for box in spec.box), sum(prod(box.size) for box in spec.box)
+    if spec.kind in ("wallette", "bending"):
+        units, depth = spec.courses * spec.units_per_course, spec.thickness
+        volume = units * spec.unit_length * spec.thickness * spec.unit_height
+        return _blocks(spec, units, volume, depth), volume
+    units, depth = getattr(spec, "units", 2), spec.width
+    volume = units * spec.length * spec.width * spec.height
+    beds = 0.0
+    if spec.mortar is not None:
+        beds = _blocks(spec.mortar, units - 1, (units - 1) * spec.length * spec.width * spec.mortar.thickness, depth)
+    return _blocks(spec, units, volume, depth) + beds, volume
+
+
+def _blocks(table: Any, units: int, volume: float, depth: float) -> float:
+    """About how many blocks a grid or cells in so many units make, of this volume (m3) in all and depth (m)."""
+    cells = table.cells
+    if cells is None:
+        return float(units * prod(table.divisions))
+    if cells.size is not None:
+        one = cells.size**3 if cells.form == "space" else cells.size**2 * depth
+        return volume / one if one > 0 else float("inf")
+    return float(cells.total or units * cells.per_unit)
+
+
+def _require_few_points(spec: Specimen, blocks: float, volume: float) -> None:
+    """Three faces of each block lie in a joint."""
+    key = next(key for key in DENSITIES if getattr(spec, key) is not None)
+    if spec.points_per_edge is not None:
+        x, y, z = spec.points_per_edge
+        points = x * y + y * z + z * x
+    elif spec.points_per_face is not None:
+        points = 3 * spec.points_per_face
+    else:
+        assert spec.contact_spacing is not None
+        points = 3 * max(1.0, 1.6 * (volume / blocks) ** (1 / 3) / spec.contact_spacing) ** 2
+    _require(blocks * points, CONTACT_POINTS, "contact points", f"specimen.{key}")
+
+
+def _require(count: float, most: float, what: str, key: str) -> None:
+    if not count <= most:
+        raise SceneError(f"{key}: this would make about {count:.2g} {what}; at most {most:.0e} are allowed")

@@ -1,0 +1,84 @@
+"""From a scene's words to a specimen: blocks with named sets."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any
+
+from geometry.blocks import Specimen
+from geometry.cells.request import CellsAsked
+from geometry.specimens.bending import bending
+from geometry.specimens.boxes import boxes
+from geometry.specimens.couplet import couplet
+from geometry.specimens.prism import prism
+from geometry.specimens.wallette import wallette
+from masonry.assembly.block_files import blocks_from
+from masonry.jit.sources import source_hash
+from masonry.scene import Scene
+from masonry.scene.tables.own_specimen import parameters_of
+from masonry.scene.tables.specimen import kinds
+from masonry.scene.tables.specimen_plugins import built
+
+
+def specimen_of(scene: Scene) -> Specimen:
+    """The blocks of a scene, with named sets; raises GeometryError for what cannot be built."""
+    found, section = _specimen_of(scene), scene.specimen.section
+    return found if section is None else replace(found, section=section)
+
+
+def _specimen_of(scene: Scene) -> Specimen:
+    """With the section that is the specimen's own."""
+    spec = scene.specimen
+    parts = (spec, getattr(spec, "mortar", None))
+    forms = {cells.form for part in parts if (cells := getattr(part, "cells", None))}
+    if not forms:
+        return _built(spec)
+    from masonry.jit.compiler import REST, once
+
+    with once(f"{'-'.join(sorted(forms))}-{source_hash(('geometry/cells',))}", REST):
+        return _built(spec)
+
+
+def is_outside(kind: str) -> bool:
+    """Whether another package brings this kind of specimen."""
+    return kind not in kinds()
+
+
+@lru_cache(maxsize=2)
+def outside_specimen(spec: Any) -> Specimen:
+    """The specimen of another package; raises GeometryError for what it cannot build, or does not build soundly."""
+    return built(spec.kind, parameters_of(spec))
+
+
+def _built(spec: Any) -> Specimen:
+    if is_outside(spec.kind):
+        return outside_specimen(spec)
+    if spec.kind == "couplet" or spec.kind == "prism":
+        mortar = (spec.mortar.thickness, _filling(spec.mortar)) if spec.mortar else None
+        size = (spec.length, spec.width, spec.height)
+        if spec.kind == "couplet":
+            return couplet(*size, _filling(spec), mortar, spec.plates)
+        return prism(spec.units, *size, _filling(spec), mortar, spec.plates)
+    if spec.kind == "file":
+        return blocks_from(spec.path)[0]
+    if spec.kind == "boxes":
+        return boxes([(b.name, b.origin, b.size, b.group, b.unit, b.divisions) for b in spec.box], spec.section)
+    wall: dict[str, Any] = {
+        key: getattr(spec, key)
+        for key in ("courses", "units_per_course", "unit_length", "unit_height", "thickness", "joint_thickness")
+    }
+    wall |= {"divisions": _filling(spec), "bond": spec.bond, "unit_width": spec.unit_width}
+    if spec.kind == "wallette":
+        return wallette(**wall, plates=spec.plates)
+    rollers = ("support_distance", "load_distance", "roller_width", "bottom_plate")
+    return bending(**wall, **{key: getattr(spec, key) for key in rollers})
+
+
+def _filling(table: Any) -> Sequence[int] | CellsAsked:
+    """Blocks along each axis, or the cells that a table asks for."""
+    divisions: Sequence[int] = table.divisions
+    if (cells := table.cells) is None:
+        return divisions
+    plain = ("total", "per_unit", "size", "spread", "sizes", "sites", "seed", "regularise")
+    given = {key: getattr(cells, key) for key in plain}
+    return CellsAsked(**given, space=cells.form == "space", laguerre=cells.kind == "laguerre")

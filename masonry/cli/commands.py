@@ -1,0 +1,109 @@
+"""What each command of `masonry` does, from its words to calls of the laboratory; returns the exit code."""
+
+import argparse
+
+from masonry.errors import SceneError, visible
+from masonry.runtime.shell import OK
+
+
+def run_scene(words: argparse.Namespace) -> int:
+    """`masonry run`."""
+    from masonry.cli.run import run
+
+    return run(words)
+
+
+def resume_run(words: argparse.Namespace) -> int:
+    """`masonry resume`."""
+    from masonry.cli.run import resume
+
+    return resume(words)
+
+
+def check_scene(words: argparse.Namespace) -> int:
+    """`masonry check`."""
+    from masonry import scene
+    from masonry.laboratory import laboratory
+    from masonry.laboratory.text import check_text
+
+    print(check_text(laboratory.check(scene.load(words.scene, words.overrides))))
+    return OK
+
+
+def export_scene(words: argparse.Namespace) -> int:
+    """`masonry export`: with tets where the scene has them."""
+    from geometry.files.export import export, require_suffix
+    from masonry import scene
+    from masonry.assembly.assemble import joined, meshed
+
+    require_suffix(words.to)
+    loaded = scene.load(words.scene, words.overrides)
+    specimen, joints = joined(loaded)
+    export(words.to, specimen, meshed(loaded, specimen.blocks, joints)[0])
+    print(visible(f"{words.to}: {specimen.blocks.count} blocks"))
+    return OK
+
+
+def import_blocks(words: argparse.Namespace) -> int:
+    """`masonry import`: a scene and a file of blocks, and a table of what was found."""
+    from masonry.importing import importing
+    from masonry.importing.report import report_text
+    from masonry.laboratory.text import aligned
+    from masonry.quantity import parse
+
+    wishes = importing.Wishes(
+        unit=None if words.unit is None else parse(_one(words.unit), "length", "--unit", "[1e-9, 1e5]"),
+        tolerance=parse(words.tolerance, "length", "--tolerance", "[1e-9, 1]"),
+        thickness=None if words.thickness is None else parse(words.thickness, "length", "--thickness", "[1e-9, 1e5]"),
+        facet=None if words.facet is None else parse(words.facet, "length", "--facet", "[1e-9, 1e5]"),
+        groups=[_group(text) for text in words.group],
+        section=None if words.section is None else parse(words.section, "area", "--section", "[1e-12, 1e8]"),
+        open_gaps=words.open_gaps,
+    )
+    report = importing.import_file(words.file, words.out, wishes, words.overwrite)
+    print(aligned(report_text(report)))
+    return OK
+
+
+def list_scenes(words: argparse.Namespace) -> int:
+    """`masonry list`: name and title of every packaged scene."""
+    from masonry.scene.source import titles
+
+    found = titles()
+    margin = max(map(len, found), default=0) + 2
+    for name, title in found.items():
+        print(f"{name:<{margin}}{title}".rstrip())
+    return OK
+
+
+def plot_results(words: argparse.Namespace) -> int:
+    """`masonry plot`: curve.png and cracks.png again, from summary.json and history.h5."""
+    from masonry.laboratory.text import paths_text
+    from masonry.results.data import load_history
+
+    result = load_history(words.folder)
+    try:
+        paths = result.save_pictures(words.folder)
+    except OSError as error:
+        raise SceneError(f"cannot write pictures to '{words.folder}': {error.strerror or error}") from None
+    print(paths_text(paths))
+    return OK
+
+
+def doctor(words: argparse.Namespace) -> int:
+    """`masonry doctor`: 0 if all is fine, 1 if something is missing or wrong."""
+    from masonry.cli.doctor import diagnose
+
+    return OK if diagnose(words.quick, lambda line: print(line, flush=True)) else 1
+
+
+def _one(unit: str) -> str:
+    """A unit by itself means one of it."""
+    return unit if unit[:1].isdigit() else f"1 {unit}"
+
+
+def _group(text: str) -> tuple[str, str]:
+    pattern, equals, group = text.rpartition("=")
+    if not equals or not pattern or not group or "." in group or not group.isprintable():
+        raise SceneError(f"--group '{text}': write PATTERN=GROUP, for example 'brick*=units'; no dot in a group")
+    return pattern, group

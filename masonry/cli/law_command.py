@@ -1,0 +1,185 @@
+"""`masonry law`: which laws there are and where they come from; of one, its parameters, energies and portrait."""
+
+import inspect
+from pathlib import Path
+from typing import Any, get_args
+
+from masonry.errors import SceneError, nearest
+from masonry.laws import law_names
+from masonry.laws.plugins import all_law_names, outside_law
+from masonry.plugins import plugins
+from masonry.runtime.shell import OK, Parser
+
+COUPLET, GROUP = "couplet", "contact.unit_unit"
+SHOWN = {
+    "stress": (1e-6, "MPa"),
+    "stiffness": (1e-9, "GPa/m"),
+    "length": (1e3, "mm"),
+    "energy": (1.0, "N/m"),
+    "energy per stress": (1e6, "N/m/MPa"),
+    "angle": (57.29577951308232, "deg"),
+}
+"""Factor and unit in which a kind of quantity is shown; others in SI."""
+AGREE = 0.01
+"""How far `tension_area` may be off the integral of `tension_intact`."""
+
+
+def parser() -> Parser:
+    """The words that the command knows."""
+    words = Parser(prog="masonry law", description="List the laws, or show what one does. More: docs/own-laws.md.")
+    words.add_argument("name", nargs="?", metavar="NAME", help="a law; without it, all are listed")
+    words.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="KEY=VALUE",
+        dest="changes",
+        help="a key of the contact; the others are those of the couplet (Table 1 of the paper) and the law's examples",
+    )
+    words.add_argument(
+        "--plot", nargs="?", const="", metavar="FILE.png", help="draw its portrait (default law-NAME.png)"
+    )
+    return words
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command; returns the exit code. Raises SceneError with one message."""
+    words = parser().parse_args(arguments)
+    if words.name is None:
+        if words.changes or words.plot is not None:
+            raise SceneError("masonry law: --set and --plot go with the NAME of a law")
+        print("\n".join(_list()))
+        return OK
+    contact = _contact(words.name, words.changes)
+    from masonry.laws.factory import build
+    from masonry.model.law_portrait import COMPRESSIONS, portrait
+
+    shape, interface = build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS))
+    found = portrait(shape, interface)
+    from masonry.laboratory.text import aligned
+
+    print(aligned([*_about(words.name, contact, shape), *_energies(contact, found)]))
+    if words.plot is not None:
+        from masonry.drawings.law_picture import draw_law
+
+        print(draw_law(words.name, found, Path(words.plot or f"law-{words.name}.png")))
+    return OK
+
+
+def _list() -> list[str]:
+    """A line for each law: name, where it comes from, what it is or what is wrong with it."""
+    from masonry.laws.factory import module_of
+
+    rows = [(name, "masonry", _first_line(module_of(name))) for name in law_names()]
+    for name, several in plugins("masonry.laws").items():
+        origin = " and ".join(one.origin for one in several)
+        try:
+            if name in law_names():
+                raise SceneError("not used: masonry has a law of this name; give it another name in the entry point")
+            rows.append((name, origin, _first_line(module_of(name))))
+        except SceneError as error:
+            rows.append((name, origin, f"DOES NOT WORK: {error}"))
+    margins = [max(len(row[k]) for row in rows) + 2 for k in (0, 1)]
+    return [f"{name:<{margins[0]}}{origin:<{margins[1]}}{words}" for name, origin, words in rows]
+
+
+def _first_line(module: Any) -> str:
+    return (inspect.getdoc(module) or "").partition("\n")[0]
+
+
+def _contact(name: str, changes: list[str]) -> Any:
+    """The contact of the couplet with this law, its examples and the changes."""
+    from masonry.scene import load
+
+    own = None if name in law_names() else outside_law(name)
+    if own is None and name not in law_names():
+        raise SceneError(f"there is no law '{name[:60]}'; {nearest(name, all_law_names())}")
+    example = {} if own is None else {f"{GROUP}.{key}": value for key, value in own.example.items()}
+    given = {}
+    for text in changes:
+        key, equals, value = (part.strip() for part in text.partition("="))
+        if not equals or not key.isidentifier():
+            raise SceneError(f"--set {text[:80]}: write KEY=VALUE with a key of a contact: --set cohesion='0.6 MPa'")
+        given[f"{GROUP}.{key}"] = value
+    return load(COUPLET, {"law": name, **example, **given}).contact["unit_unit"]
+
+
+def _about(name: str, contact: Any, shape: Any) -> list[tuple[str, list[str]]]:
+    from masonry.laws.factory import module_of, properties_of
+
+    own = None if name in law_names() else outside_law(name)
+    module = module_of(name)
+    above_0 = [key for field, key in module.PARAMETERS.items() if field not in shape._field_defaults]
+    read = properties_of(name)
+    residual = ("residual_cohesion", "tan_residual_friction") if "cohesion" in read else ()
+    keys = ["normal_stiffness", "shear_stiffness", *read, *residual]
+    return [
+        ("law", [f"{name}, of {'masonry' if own is None else own.origin}: {_first_line(module)}"]),
+        ("parameters", [_parameter(contact, key) for key in (keys if name != "elastic" else keys[:2])]),
+        ("refuses", [_refuses(getattr(module, "refuse", None), above_0)]),
+    ]
+
+
+def _refuses(refuse: Any, above_0: list[str]) -> str:
+    """What a law refuses, in the words of its function; without one, what is out of range, as for every law."""
+    if refuse is None:
+        more = f", or not above 0: {', '.join(above_0)}" if above_0 else ""
+        return f"only what is out of the range of its key (docs/scene.md){more}"
+    return (
+        (inspect.getdoc(refuse) or "some values")
+        .partition("\n")[0]
+        .removesuffix(".")
+        .removesuffix(": a Refusal or None")
+    )
+
+
+def _parameter(contact: Any, key: str) -> str:
+    value = getattr(contact, key)
+    factor, unit = SHOWN.get(_kind(type(contact), key), (1.0, ""))
+    return f"{key} = {'not given' if value is None else f'{value * factor:.6g} {unit}'.rstrip()}"
+
+
+def _kind(table: Any, key: str) -> str:
+    """The kind of quantity that a key of a contact holds."""
+    from masonry.scene.tables.types import Given
+
+    def marks(annotation: Any) -> list[Any]:
+        return [mark for part in get_args(annotation) for mark in ([part] if isinstance(part, Given) else marks(part))]
+
+    field = table.model_fields.get(key)
+    found = [*field.metadata, *marks(field.annotation)] if field is not None else []
+    return next((mark.kind for mark in found if isinstance(mark, Given)), "number")
+
+
+def _energies(contact: Any, found: Any) -> list[tuple[str, list[str]]]:
+    """What was measured, against what is given."""
+    from masonry.laws.factory import properties_of
+
+    rows = []
+    read = properties_of(contact.law)
+    mode_1, mode_2, slope = (
+        getattr(contact, key) if key in read else None
+        for key in ("fracture_energy_mode_1", "fracture_energy_mode_2", "fracture_energy_mode_2_slope")
+    )
+    if found.mode_1 is not None:
+        rows.append(("G_I, measured", [_energy(found.mode_1, mode_1)]))
+        if abs(found.mode_1.booked - found.mode_1.whole) > AGREE * found.mode_1.whole:
+            rows.append(
+                (
+                    "WARNING",
+                    [
+                        f"the law books {found.mode_1.booked:.4g} N/m where the curve takes {found.mode_1.whole:.4g}: "
+                        "its tension_area is not the integral of its tension_intact"
+                    ],
+                )
+            )
+    lines = []
+    for compression, energy in found.mode_2.items():
+        given = None if mode_2 is None else mode_2 + (slope or 0.0) * compression
+        lines.append(f"at {compression * 1e-6:g} MPa: {_energy(energy, given)}")
+    return [*rows, ("G_II, measured", lines)] if lines else rows
+
+
+def _energy(energy: Any, given: float | None) -> str:
+    compared = "" if given is None else f"; given: {given:.4g}"
+    return f"{energy.beyond:.4g} N/m beyond the peak, {energy.whole:.4g} with the elastic part{compared}"

@@ -1,0 +1,182 @@
+"""The command `masonry`: words from a shell to calls of the laboratory.
+
+Exit codes: 0 done, 2 something wrong with the scene or the words, 3 stopped because the numbers could no longer be
+trusted, 130 interrupted, 143 terminated, 129 hung up. Nothing that computes is imported before it is needed.
+
+`masonry verify` and `masonry paper` stand on a floor above this one, `masonry sweep` and `masonry sensitivity` in rooms
+of their own. Their modules are known here by name alone, and looked up when the command is called: an entry point would
+do the same, but be found only after reinstalling, and cost each other command a search through all that is installed.
+"""
+
+import argparse
+import errno
+import importlib
+import io
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+from masonry import __version__
+from masonry.cli import commands
+from masonry.errors import SceneError, Stopped
+from masonry.runtime.processors import processors
+from masonry.runtime.shell import (
+    ENDING,
+    INTERRUPTED,
+    OK,
+    STOPPED,
+    USAGE,
+    Parser,
+    complain,
+    flush_errors,
+    have_streams,
+    leaving_on,
+    let_go_of_output,
+)
+
+APART = {
+    "picture": ("masonry.cli.picture_command", "draw the cracks of results at a moment, or the specimen of a scene"),
+    "movie": ("masonry.cli.movie_command", "film a folder of results: cracks beside the curve"),
+    "law": ("masonry.cli.law_command", "which laws there are, and what one of them does"),
+    "sweep": ("masonry.sweep.command", "run a scene many times over: grid, list or Latin hypercube"),
+    "sensitivity": ("masonry.comparison.command", "run a scene in several ways: what does the answer rest on?"),
+    "verify": ("verification.command", "run cases with known answers: are the numbers right?"),
+    "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),
+}
+"""Commands of other rooms and floors: module with a `main` that takes the words after the command, and help."""
+
+
+def parser() -> Parser:
+    """All commands and their options."""
+    main = Parser(prog="masonry", description="A laboratory for masonry by the discrete element method.")
+    main.add_argument("--version", action="version", version=f"masonry {__version__}")
+    added = main.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    scene = Parser(add_help=False)
+    scene.add_argument("scene", metavar="SCENE", help="a scene file, or the name of a packaged scene")
+    scene.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", dest="overrides", help="change a key of the scene"
+    )
+    run = added.add_parser("run", parents=[scene], help="run a scene and write its results")
+    run.add_argument("--out", type=Path, metavar="DIR", help="folder for the results (default results/SCENE-N)")
+    run.add_argument("--overwrite", action="store_true", help="replace results that are in DIR already")
+    run.add_argument("--threads", type=_threads, default=1, metavar="N", help=f"threads, 1 (default) to {processors()}")
+    run.add_argument("--checkpoint-every", metavar="TIME", help="such as 10min, or never (default 5min; first after 1)")
+    run.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
+    run.set_defaults(action=commands.run_scene)
+    _add_resume(added)
+    check = added.add_parser(
+        "check", parents=[scene], help="say what a scene will cost, and what of the program it does not use"
+    )
+    check.set_defaults(action=commands.check_scene)
+    export = added.add_parser("export", parents=[scene], help="write the blocks of a scene for other programs")
+    export.add_argument("--to", type=Path, required=True, metavar="FILE", help="a .step, .msh or .vtu file")
+    export.set_defaults(action=commands.export_scene)
+    _add_import(added)
+    added.add_parser("list", help="list the packaged scenes").set_defaults(action=commands.list_scenes)
+    plot = added.add_parser("plot", help="draw the pictures of a folder of results again")
+    plot.add_argument("folder", type=Path, metavar="DIR")
+    plot.set_defaults(action=commands.plot_results)
+    for name, (_, words) in APART.items():
+        added.add_parser(name, help=words, add_help=False)
+    doctor = added.add_parser("doctor", help="look whether this machine has what a run needs, and computes right")
+    doctor.add_argument("--quick", action="store_true", help="leave out the self-test, which takes ten seconds")
+    doctor.set_defaults(action=commands.doctor)
+    return main
+
+
+def _add_resume(added: Any) -> None:
+    """`masonry resume` and its options."""
+    words = added.add_parser("resume", help="go on with a run that was interrupted or killed")
+    words.add_argument("folder", type=Path, metavar="DIR", help="the folder of its results")
+    words.add_argument("--threads", type=_threads, metavar="N", help="threads; default: as the run was begun")
+    words.add_argument("--checkpoint-every", metavar="TIME", help="such as 10min; default: as the run was begun")
+    words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
+    words.set_defaults(action=commands.resume_run)
+
+
+def _add_import(added: Any) -> None:
+    """`masonry import` and its options."""
+    words = added.add_parser("import", help="make blocks and a scene of a CAD file, a Neper file or a mesh")
+    words.add_argument("file", type=Path, metavar="FILE", help=".step .stp .iges .igs .brep .tess .msh .vtu")
+    words.add_argument("--out", type=Path, required=True, metavar="SCENE.toml", help="the scene to write")
+    words.add_argument("--unit", metavar="UNIT", help="what 1 in the file stands for, such as mm; STEP says so itself")
+    words.add_argument("--tolerance", default="0.1 mm", metavar="LENGTH", help="gaps and overlaps up to it are mended")
+    words.add_argument("--thickness", metavar="LENGTH", help="of a plane .tess file, along y")
+    words.add_argument("--facet", metavar="LENGTH", help="how far flat facets may be off curved faces")
+    words.add_argument("--group", action="append", default=[], metavar="PATTERN=GROUP", help="'brick*=units', by name")
+    words.add_argument("--section", metavar="AREA", help="force over this area is the reported stress")
+    words.add_argument("--open-gaps", action="store_true", help="leave gaps larger than the tolerance as they are")
+    words.add_argument("--overwrite", action="store_true", help="replace SCENE.toml and its blocks")
+    words.set_defaults(action=commands.import_blocks)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command; returns the exit code."""
+    have_streams()
+    os.environ["MPLBACKEND"] = "agg"  # a command draws files; what is set for a notebook may not exist here
+    if isinstance(sys.stdout, io.TextIOWrapper):  # a letter that the terminal does not know is shown as its code
+        sys.stdout.reconfigure(errors="backslashreplace")
+    try:
+        code = _act(arguments)
+        sys.stdout.flush()
+        return code
+    except SceneError as error:
+        return complain(error.lines, USAGE)
+    except _geometry_error() as error:
+        return complain(str(error), USAGE)
+    except Stopped as error:
+        return complain(str(error), STOPPED)
+    except MemoryError as error:
+        return complain(f"not enough memory: {error}; look at the sizes of the scene", STOPPED)
+    except KeyboardInterrupt:
+        return complain("interrupted before there were results", INTERRUPTED)
+    except BrokenPipeError:
+        let_go_of_output()
+        return OK
+    except OSError as error:
+        if error.filename is None and error.errno in (errno.ENOSPC, errno.EIO, errno.EBADF):
+            let_go_of_output()
+            return complain(f"cannot write, to standard output or to a file: {error.strerror}", USAGE)
+        if error.errno != errno.ENAMETOOLONG:
+            raise
+        return complain(f"'{error.filename}': no file can have a name as long as this; give a shorter one", USAGE)
+    finally:
+        flush_errors()
+
+
+def _geometry_error() -> type[Exception]:
+    """Looked up when there is an error: it brings numpy with it."""
+    from geometry.blocks import GeometryError
+
+    return GeometryError
+
+
+def _act(arguments: list[str] | None) -> int:
+    given = sys.argv[1:] if arguments is None else arguments
+    try:
+        with leaving_on(*ENDING):
+            if given and given[0] in APART:
+                return int(_apart(given[0]).main(given[1:]))
+            words = parser().parse_args(given)
+            return int(words.action(words))
+    except SystemExit as leaving:
+        return leaving.code if isinstance(leaving.code, int) else USAGE
+
+
+def _apart(command: str) -> Any:
+    """The module of a command that is not made here."""
+    module = APART[command][0]
+    try:
+        return importlib.import_module(module)
+    except ModuleNotFoundError as error:
+        if error.name not in (module, module.partition(".")[0]):
+            raise
+        raise SceneError(f"'{command}' needs the package {module.partition('.')[0]}, which is not installed") from None
+
+
+def _threads(text: str) -> int:
+    most = processors()
+    if not text.isdecimal() or not 1 <= int(text) <= most:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of threads from 1 to {most}, the processors here")
+    return int(text)

@@ -1,0 +1,39 @@
+"""`masonry movie`: a film of a folder of results, cracks beside the curve.
+
+Exit codes: 0 written, 2 something wrong with the words or the folder, 130 interrupted; nothing is written then.
+"""
+
+from pathlib import Path
+
+from masonry.cli.picture_command import VIEWS, scale
+from masonry.errors import visible
+from masonry.runtime.shell import OK, Parser
+
+
+def parser() -> Parser:
+    """The words that the command knows."""
+    words = Parser(
+        prog="masonry movie",
+        description="Film a folder of results: the cracks beside the curve, one picture for each frame that was kept.",
+        epilog="More frames: `masonry run SCENE --set solver.frames=100`.",
+    )
+    words.add_argument("folder", type=Path, metavar="DIR", help="a folder of results")
+    words.add_argument("--to", type=Path, metavar="FILE", help=".gif or .mp4 (default DIR/movie.gif)")
+    words.add_argument("--fps", type=int, default=6, metavar="N", help="frames a second (default 6)")
+    words.add_argument("--view", choices=VIEWS, default="front", help="default front")
+    words.add_argument("--scale", type=scale, metavar="N", help="displacements drawn N times (default: so they show)")
+    return words
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
+    from masonry.movies.movie_file import write_film
+    from masonry.results.data import load_history
+    from masonry.runtime.progress import Progress
+
+    words = parser().parse_args(arguments)
+    result = load_history(words.folder)
+    with Progress(label="movie") as progress:
+        path = write_film(result, words.to or words.folder / "movie.gif", words.fps, words.view, words.scale, progress)
+    print(visible(f"{path}"))
+    return OK

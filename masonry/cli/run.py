@@ -1,0 +1,211 @@
+"""`masonry run` and `masonry resume`: one run from the shell, with its lock, checkpoints, results and exit code."""
+
+import argparse
+import math
+from pathlib import Path
+from typing import Any
+
+from masonry.errors import SceneError, Stopped
+from masonry.pictures.painter import Painter, painter
+from masonry.runtime.interrupts import Asked, listening
+from masonry.runtime.processors import processors
+from masonry.runtime.shell import OK, STOPPED, complain
+
+EVERY = 300.0
+"""Seconds between two checkpoints where nothing is said."""
+NEVER = ("0", "never")
+
+
+def run(words: argparse.Namespace) -> int:
+    """`masonry run`: everything that the run got to is written, whatever ended it."""
+    with painter() as hired:  # before anything heavy is loaded
+        return _begin(words, hired)
+
+
+def _begin(words: argparse.Namespace, hired: Painter | None) -> int:
+    from masonry import scene
+    from masonry.runtime.folder import claimed, scene_name
+    from masonry.timeloop.checkpoint import Checkpoints
+
+    every = _every(words.checkpoint_every, EVERY)
+    with listening() as asked:
+        loaded = scene.load(words.scene, words.overrides)
+        with claimed(words.scene, words.out, overwrite=words.overwrite) as out:
+            kept = Checkpoints(out)
+            try:
+                kept.sweep_up()
+                kept.clear()
+                if math.isfinite(every):
+                    kept.begin(scene.to_toml(loaded), {"threads": words.threads, "checkpoint_every": every})
+            except OSError as error:
+                raise _cannot_write(out, error) from None
+            going = _Run(loaded, kept, words.threads, every, asked, words.quiet, hired)
+            return going.carry_out(scene_name(words.scene))
+
+
+def resume(words: argparse.Namespace) -> int:
+    """`masonry resume`: go on from the last checkpoint to the end, with the bits that the run would have had."""
+    from masonry import scene
+    from masonry.runtime.lock import sole
+    from masonry.timeloop.checkpoint import Checkpoints
+
+    kept = Checkpoints(words.folder)
+    if not kept.scene.is_file():
+        return _nothing_to_resume(words.folder)
+    with listening() as asked, sole(words.folder, "resumes the run in it"):
+        if not kept.scene.is_file():  # done by another process meanwhile
+            return _nothing_to_resume(words.folder)
+        kept.sweep_up()
+        how = kept.how()
+        begun = how.get("threads")
+        threads = words.threads or (min(begun, processors()) if isinstance(begun, int) and begun > 0 else 1)
+        before = how.get("checkpoint_every")
+        every = _every(words.checkpoint_every, before if isinstance(before, float) and before > 0 else EVERY)
+        loaded = scene.load(kept.scene)
+        going = _Run(loaded, kept, threads, every, asked, words.quiet)
+        going.find_checkpoint()
+        return going.carry_out(loaded.name)
+
+
+class _Run:
+    """One run of a scene into a folder that this process holds."""
+
+    def __init__(
+        self, scene: Any, kept: Any, threads: int, every: float, asked: Asked, quiet: bool, hired: Painter | None = None
+    ) -> None:
+        from masonry.laboratory.provenance import origin_of
+        from masonry.scene import to_toml
+        from masonry.timeloop.checkpointer import Keeper
+
+        self.scene, self.kept, self.threads, self.asked, self.quiet = scene, kept, threads, asked, quiet
+        self.hired = hired
+        self.new = True
+        self.out: Path = kept.results
+        self.origin = origin_of(to_toml(scene))
+        self.keeper = Keeper(kept if math.isfinite(every) else None, self.origin, every, asked, _tell)
+
+    def find_checkpoint(self) -> None:
+        """Have the keeper go on from the newest checkpoint that is whole, if the run got to one."""
+        from masonry.laboratory.provenance import require_same
+
+        self.new = False
+        saved, wrong = self.kept.newest()
+        for line in wrong:
+            _tell(line + ("; the one before it is taken" if saved else ""))
+        if saved is None and wrong:
+            raise SceneError(
+                f"no checkpoint in '{self.kept.folder}' can be read; run the scene again: masonry run {self.kept.scene}"
+                " --out ANOTHER"
+            )
+        if saved is not None:
+            self.keeper.saved = saved
+            self.keeper.remarks = require_same(saved["origin"], self.origin, self.out)
+            for line in self.keeper.remarks:
+                _tell(line)
+        elif not self.quiet:
+            _tell("it did not get to its first checkpoint: begins anew")
+
+    def carry_out(self, label: str) -> int:
+        """Run, write, say; the exit code."""
+        try:
+            return self._carry_out(label)
+        except KeyboardInterrupt:
+            self._leave_nothing_begun()
+            if not self.kept.scene.is_file():
+                return complain("interrupted before there were results", self.asked.code)
+            return complain(f"ended at once; {self._how_to_go_on()}", self.asked.code)
+        except BaseException:
+            self._leave_nothing_begun()
+            raise
+
+    def _leave_nothing_begun(self) -> None:
+        """A new run that did not get anywhere leaves nothing to go on from."""
+        if self.new and not self.kept.states():
+            self.kept.clear()
+
+    def _carry_out(self, label: str) -> int:
+        try:
+            result = self._result(label)
+        except Stopped as error:
+            if error.result is None:
+                raise
+            paths = self._save(error.result)
+            self.kept.clear()
+            self._print(paths, error.result)
+            return complain([f"{error}", f"masonry: the results up to there are in '{self.out}'"], STOPPED)
+        paths = self._save(result)
+        interrupted = result.summary.get("interrupted")
+        if not interrupted:
+            self.kept.clear()
+        self._print(paths, result)
+        if interrupted:
+            words = f"interrupted; the results up to there are in '{self.out}'"
+            return complain(f"{words}; {self._how_to_go_on()}" if self.kept.states() else words, self.asked.code)
+        return OK
+
+    def _print(self, paths: dict[str, Path], result: Any) -> None:
+        if not self.quiet:
+            from masonry.laboratory.text import paths_text, summary_text
+
+            print(f"{paths_text(paths)}\n\n{summary_text(result.summary)}", flush=True)
+
+    def _result(self, label: str) -> Any:
+        from masonry.laboratory import laboratory
+        from masonry.runtime.progress import Progress
+
+        if self.quiet:
+            return laboratory.run(self.scene, threads=self.threads, progress=None, keeper=self.keeper)
+        with Progress(label=label) as progress:
+            return laboratory.run(self.scene, threads=self.threads, progress=progress, keeper=self.keeper)
+
+    def _save(self, result: Any) -> dict[str, Path]:
+        try:
+            paths: dict[str, Path] = result.save(self.out, self.hired)
+            return paths
+        except OSError as error:
+            more = f"; once it can, {self._how_to_go_on()}" if self.kept.states() else ""
+            raise _cannot_write(self.out, error, more) from None
+
+    def _how_to_go_on(self) -> str:
+        return f"resume with: masonry resume {self.out}"
+
+
+def _nothing_to_resume(folder: Path) -> int:
+    """Why there is nothing to go on from: it is done, or it cannot be."""
+    from masonry.runtime.text_files import json_of
+
+    if not folder.is_dir():
+        raise SceneError(f"'{folder}' is not a folder of results; `masonry run` writes one")
+    try:
+        summary = json_of(folder / "summary.json")
+        stopped, interrupted = summary.get("stopped"), summary.get("interrupted")
+    except (SceneError, AttributeError):
+        raise SceneError(
+            f"'{folder}' holds neither results nor a checkpoint; `masonry run SCENE --out {folder}` begins a run"
+        ) from None
+    if stopped:
+        raise SceneError(
+            f"the run in '{folder}' was stopped for good, as its numbers could no longer be trusted: {stopped}; change"
+            " the scene and run it again"
+        )
+    if interrupted:
+        raise SceneError(f"the run in '{folder}' was interrupted and kept no checkpoint; run its scene.toml again")
+    print(f"the run in '{folder}' is finished")
+    return OK
+
+
+def _every(text: str | None, usual: float) -> float:
+    """Seconds between two checkpoints, infinite for never. Raises SceneError."""
+    from masonry.quantity import parse
+
+    if text is None:
+        return usual
+    return math.inf if text in NEVER else parse(text, "time", "--checkpoint-every", "(0, 1e9] s")
+
+
+def _cannot_write(out: Path, error: OSError, more: str = "") -> SceneError:
+    return SceneError(f"cannot write results to '{out}': {error.strerror or error}{more}")
+
+
+def _tell(line: str) -> None:
+    complain(line, OK)

@@ -1,0 +1,103 @@
+"""The specimen of a scene as a picture: units and cells, groups, supports, loads, named sets, axes in mm."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import Blocks, Joints, Specimen
+from geometry.files.atomic import whole_file
+from masonry.assembly.assemble import joined
+from masonry.drawings.condition_marks import Mark, marks
+from masonry.drawings.mark_drawing import COLOURS, draw_mark, stands_left
+from masonry.drawings.picture_frame import draw_axes, draw_sets
+from masonry.errors import SceneError
+from masonry.pictures.curve import plain, write_png
+from masonry.pictures.faces import UNIT_EDGE, FaceDrawing
+from masonry.pictures.front import group_colours
+from masonry.pictures.hidden_surfaces import Sight, front_sight, oblique_sight, visible_pieces
+from masonry.scene import Scene
+
+WIDTH = 11.0
+"""Of the picture, inches."""
+
+
+def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
+    """Write the picture (.png) of a scene's specimen, whole or not at all; returns the path.
+
+    view: "front", or "iso" from the front, the right and above; by default iso where the drive moves across the front.
+    Raises SceneError for a path that is no .png or cannot be written, and for a scene that cannot be built.
+    """
+    path = Path(path)
+    if path.suffix != ".png":
+        raise SceneError(f"--out '{path}': the picture is a .png file; nearest: '{path.stem or 'picture'}.png'")
+    specimen, joints = joined(scene)
+    figure = geometry_figure(scene, specimen, joints, view)
+    with whole_file(path) as beside:
+        write_png(figure, beside)
+    return path
+
+
+def sight_of(scene: Scene, specimen: Specimen, view: str | None) -> Sight:
+    """The projection of a view by its name, or the one that shows the drive."""
+    front = front_sight(specimen.blocks.points)
+    if view is None:
+        across = scene.drive is not None and abs(front.toward[scene.drive.axis]) > 0.5
+        view = "iso" if across else "front"
+    return front if view == "front" else oblique_sight()
+
+
+def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str | None = None) -> Any:
+    """A matplotlib figure."""
+    from matplotlib.figure import Figure
+
+    sight = sight_of(scene, specimen, view)
+    blocks = specimen.blocks
+    size = float(np.ptp(sight.project(blocks.points), axis=0).max())
+    listed = marks(scene, specimen, joints)
+    figure = Figure(figsize=(WIDTH, WIDTH), layout="constrained")
+    axes = figure.subplots()
+    _title(figure, scene, specimen)
+    pieces = visible_pieces(blocks, joints, sight)
+    faces = FaceDrawing(blocks, sight)
+    for piece in pieces:
+        faces.add_piece(piece)
+    faces.draw(axes)
+    for mark in listed:
+        draw_mark(axes, specimen, mark, pieces, sight, size)
+    draw_sets(axes, specimen, pieces, sight, size)
+    draw_axes(axes, blocks, sight, left_taken=any(stands_left(specimen, mark) for mark in listed))
+    rows = _draw_list(figure, blocks, listed)
+    axes.margins(0.02)
+    low, high = axes.dataLim.min, axes.dataLim.max
+    drawn = (WIDTH - 1.2) * float((high[1] - low[1]) / (high[0] - low[0]))
+    figure.set_size_inches(WIDTH, min(max(drawn, 1.5), 10.0) + 1.5 + 0.2 * rows)
+    return figure
+
+
+def _title(figure: Any, scene: Scene, specimen: Specimen) -> None:
+    figure.suptitle(plain(scene.title or scene.name), fontsize=13, wrap=True)
+    figure.axes[0].set_title(f"{specimen.shape}: {_blocks(specimen.blocks.count)}", fontsize=10, color="0.3")
+
+
+def _blocks(count: int) -> str:
+    return f"{count} block{'s' * (count > 1)}"
+
+
+def _draw_list(figure: Any, blocks: Blocks, listed: list[Mark]) -> int:
+    """Groups, and a line for each support, drive and traction, below the picture; how many rows that takes."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    used = np.unique(blocks.group)
+    keys: list[Any] = [
+        Patch(facecolor=colour, edgecolor=UNIT_EDGE, label=f"{name}, {_blocks(int((blocks.group == number).sum()))}")
+        for number, (name, colour) in enumerate(zip(blocks.groups, group_colours(blocks.groups), strict=True))
+        if number in used
+    ]
+    for mark in listed:
+        symbol = "^" if mark.kind == "support" else ">"
+        keys.append(Line2D([], [], marker=symbol, ls="", color=COLOURS[mark.kind], label=plain(mark.words)))
+    columns = 1 if max(len(key.get_label()) for key in keys) > 60 else 2
+    figure.legend(handles=keys, loc="outside lower left", ncols=columns, frameon=False, fontsize=9)
+    return -(-len(keys) // columns)

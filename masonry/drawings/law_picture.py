@@ -1,0 +1,68 @@
+"""The portrait of a law as a picture: traction against separation, shear against slip, and the energies spent."""
+
+from pathlib import Path
+from typing import Any
+
+from geometry.files.atomic import whole_file
+from masonry.errors import SceneError
+from masonry.model.law_portrait import Portrait
+from masonry.pictures.curve import plain, write_png
+
+COLOURS = ("#4a90c2", "#1f3b5c", "#b2182b")
+FRACTURE, FRICTION = "#d7301f", "#e07b00"
+MILLI, MEGA = 1e3, 1e-6
+
+
+def draw_law(name: str, found: Portrait, path: Path) -> Path:
+    """Write the picture (.png), whole or not at all; returns the path. Raises SceneError where it cannot be written."""
+    if path.suffix != ".png":
+        raise SceneError(f"--plot '{path}': the picture is a .png file; nearest: '{path.stem or 'law'}.png'")
+    with whole_file(path) as beside:
+        write_png(law_figure(name, found), beside)
+    return path
+
+
+def law_figure(name: str, found: Portrait) -> Any:
+    """A matplotlib figure: curves above, energies below; tension to the left, shear to the right."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(11, 8), layout="constrained")
+    panels = figure.subplots(2, 2, height_ratios=[3, 2], sharex="col")
+    figure.suptitle(plain(f"law {name}"), fontsize=13)
+    for axes in panels.flat:
+        axes.grid(color="0.9", linewidth=0.8)
+        axes.set_axisbelow(True)
+        axes.spines[["top", "right"]].set_visible(False)
+    _draw_tension(panels[0, 0], panels[1, 0], found)
+    _draw_shear(panels[0, 1], panels[1, 1], found)
+    return figure
+
+
+def _draw_tension(curve: Any, spent: Any, found: Portrait) -> None:
+    path = found.tension
+    curve.set_title("opened, closed until the faces press, opened again", fontsize=10, color="0.3")
+    curve.plot(path.opening * MILLI, path.sigma * MEGA, color=COLOURS[1], linewidth=1.8)
+    curve.axhline(0.0, color="0.5", linewidth=0.8)
+    curve.set_ylabel("normal stress, tension positive [MPa]")
+    spent.plot(path.opening * MILLI, path.fracture, color=FRACTURE, label="fracture, mode I")
+    spent.plot(path.opening * MILLI, path.stored, color="0.55", linewidth=1.0, label="stored")
+    spent.set_ylabel("energy [N/m]")
+    spent.set_xlabel("opening [mm]")
+    spent.legend(frameon=False, fontsize=9)
+
+
+def _draw_shear(curve: Any, spent: Any, found: Portrait) -> None:
+    curve.set_title("slid, back beyond the start, and on", fontsize=10, color="0.3")
+    for (compression, path), colour in zip(found.shear.items(), COLOURS, strict=True):
+        label = f"{compression * MEGA:g} MPa"
+        curve.plot(path.slip * MILLI, path.tau * MEGA, color=colour, linewidth=1.6, label=label)
+        spent.plot(path.slip * MILLI, path.fracture, color=colour, linewidth=1.4)
+        spent.plot(path.slip * MILLI, path.friction, "--", color=colour, linewidth=1.0)
+    curve.axhline(0.0, color="0.5", linewidth=0.8)
+    curve.set_ylabel("shear stress [MPa]")
+    curve.legend(title="compression", frameon=False, fontsize=9)
+    spent.plot([], [], color="0.3", label="fracture, mode II")
+    spent.plot([], [], "--", color="0.3", label="friction")
+    spent.set_ylabel("energy [N/m]")
+    spent.set_xlabel("slip [mm]")
+    spent.legend(frameon=False, fontsize=9)

@@ -1,0 +1,127 @@
+"""Round the picture of a specimen: axes in mm, and the names of its sets beside it."""
+
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import Blocks, Specimen
+from masonry.pictures.curve import plain
+from masonry.pictures.hidden_surfaces import Piece, Sight
+
+MOST_SETS = 24
+"""More names than this are not written into the picture."""
+OUT = 0.055
+"""How far the edges with coordinates stand from the specimen, over its size."""
+AWAY = 0.21
+"""How far names stand from the specimen, over the size of the picture."""
+
+
+def draw_sets(axes: Any, specimen: Specimen, pieces: list[Piece], sight: Sight, size: float) -> None:
+    """Names of the sets to the left and the right, each with a line to a visible face of it."""
+    owner = specimen.blocks.face_block()
+    block = np.array([owner[piece.face] for piece in pieces], dtype=np.int64)
+    middle = np.array([sight.project(piece.corners).mean(axis=0) for piece in pieces])
+    flat = sight.project(specimen.blocks.points)
+    low, high = flat.min(axis=0), flat.max(axis=0)
+    centre = (low + high) / 2
+    sides: dict[bool, list[tuple[float, str, np.ndarray]]] = {False: [], True: []}
+    for name, members in list(specimen.sets.items())[:MOST_SETS]:
+        own = middle[np.isin(block, members)]
+        if len(own) == 0 or name in specimen.blocks.groups:  # groups are told by colour
+            continue
+        to_right = bool(own[:, 0].mean() >= centre[0])
+        if abs(own[:, 0].mean() - centre[0]) < 0.05 * size:
+            to_right = len(sides[True]) <= len(sides[False])
+        nearest = own[np.argmax(own[:, 0] if to_right else -own[:, 0])]
+        row = own[np.abs(own[:, 0] - nearest[0]) <= 0.02 * size]
+        anchor = row[np.argmin(np.abs(row[:, 1] - own[:, 1].mean()))]
+        sides[to_right].append((float(anchor[1]), name, anchor))
+    for to_right, entries in sides.items():
+        levels = _apart([entry[0] for entry in sorted(entries, key=_level)], 0.05 * size)
+        x = high[0] + AWAY * size if to_right else low[0] - AWAY * size
+        for level, (_, name, anchor) in zip(levels, sorted(entries, key=_level), strict=True):
+            axes.annotate(
+                plain(name),
+                anchor,
+                (x, level),
+                ha="left" if to_right else "right",
+                va="center",
+                fontsize=9,
+                zorder=9,
+                color="0.15",
+                arrowprops={"arrowstyle": "-", "color": "0.45", "lw": 0.7, "shrinkB": 0},
+            )
+            axes.plot(*anchor, "o", ms=3, color="0.3", zorder=9)
+            axes.update_datalim([(x + (0.2 if to_right else -0.2) * size, level)])
+
+
+def _level(entry: tuple[float, str, np.ndarray]) -> tuple[float, str]:
+    return entry[0], entry[1]
+
+
+def _apart(levels: list[float], least: float) -> list[float]:
+    """Rising levels moved up and down until neighbours are apart by `least`, their middle kept."""
+    if not levels:
+        return []
+    moved = [levels[0]]
+    for level in levels[1:]:
+        moved.append(max(level, moved[-1] + least))
+    shift = (sum(levels) - sum(moved)) / len(levels)
+    return [level + shift for level in moved]
+
+
+def draw_axes(axes: Any, blocks: Blocks, sight: Sight, left_taken: bool = False) -> None:
+    """Coordinates in mm: the axes of a front view, or three edges of the box round the specimen with marks on them.
+
+    left_taken: arrows stand where the upright edge would be; that of the other side is drawn.
+    """
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.margins(0.04)
+    if sight.front:
+        names = ["xyz"[int(np.argmax(np.abs(way)))] for way in (sight.right, sight.up)]
+        axes.set_xlabel(f"{names[0]} [mm]")
+        axes.set_ylabel(f"{names[1]} [mm]")
+        flat = sight.project(blocks.points)
+        for spine, across, low, high in zip(("bottom", "left"), "xy", flat.min(axis=0), flat.max(axis=0), strict=True):
+            ticks = _ticks(low, high, 6)
+            axes.set(**{f"{across}ticks": ticks * 1e-3, f"{across}ticklabels": [f"{tick:.4g}" for tick in ticks]})
+            axes.spines[spine].set_bounds(low, high)
+        axes.spines[["top", "right"]].set_visible(False)
+        return
+    axes.set_axis_off()
+    low, high = blocks.points.min(axis=0), blocks.points.max(axis=0)
+    upright = ([high[0], high[1], low[2]], [2.0, 0.0, 0.0]) if left_taken else (low, [-1.0, 0.0, 0.0])
+    edges = ((low, [0.0, -1.0, 0.0]), ([high[0], low[1], low[2]], [1.0, 0.0, 0.0]), upright)
+    for axis, (start, outward) in enumerate(edges):
+        _draw_edge(axes, sight, np.array(start), np.array(outward), axis, low, high)
+
+
+def _ticks(low: float, high: float, most: int) -> np.ndarray:
+    """Round coordinates in mm between two in m."""
+    from matplotlib.ticker import MaxNLocator
+
+    ticks = np.asarray(MaxNLocator(most).tick_values(low * 1e3, high * 1e3))
+    return np.asarray(ticks[(ticks >= low * 1e3 - 1e-6) & (ticks <= high * 1e3 + 1e-6)])
+
+
+def _draw_edge(
+    axes: Any, sight: Sight, start: np.ndarray, outward: np.ndarray, axis: int, low: np.ndarray, high: np.ndarray
+) -> None:
+    """One edge of the box, shifted a little outward (twice as far by a vector of length 2), with ticks and numbers."""
+    size, away = float(np.max(high - low)), OUT * np.linalg.norm(outward)
+    out = sight.project(outward)
+    out = out / np.linalg.norm(out)
+    span = high[axis] - low[axis]
+    ticks = _ticks(low[axis], high[axis], max(1, min(7, round(9 * span / size))))
+    ticks = ticks[-1:] if span < 0.05 * size else ticks
+    along = np.eye(3)[axis]
+    ends = np.array([sight.project(start + s * span * along) + away * size * out for s in (0.0, 1.0)])
+    axes.plot(*ends.T, color="0.3", lw=0.9)
+    for tick in ticks:
+        at = sight.project(start + (tick * 1e-3 - low[axis]) * along) + away * size * out
+        axes.plot(*np.array([at, at + 0.012 * size * out]).T, color="0.3", lw=0.9)
+        axes.annotate(f"{tick:.4g}", at + 0.03 * size * out, ha="center", va="center", fontsize=8, color="0.2")
+    name = ends.mean(axis=0) + (0.08, 0.12)[axis] * size * out if axis < 2 else ends[1] + (0.0, 0.05 * size)
+    axes.annotate(f"{'xyz'[axis]} [mm]", name, ha="center", va="center", fontsize=9)
+    axes.update_datalim([name + 0.03 * size * out])

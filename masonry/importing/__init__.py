@@ -1,0 +1,1 @@
+"""From a file of solids or of a mesh to blocks and a scene."""

@@ -1,0 +1,174 @@
+"""`masonry import`: a file of solids or of a mesh becomes a file of blocks and a scene that can be run at once."""
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import Joints, Specimen
+from geometry.files.atomic import whole_file
+from geometry.files.blocks_h5 import save_blocks
+from geometry.files.imported import Imported
+from geometry.files.sandbox import guarded
+from geometry.joints.find import find_joints
+from geometry.joints.heal import Mended, mend
+from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids
+from geometry.polyhedra.overlaps import check_overlaps
+from geometry.polyhedra.validate import require_near, require_sound
+from masonry.errors import SceneError, nearest
+from masonry.importing.scene_file import scene_text
+
+READERS = {
+    **dict.fromkeys((".step", ".stp", ".iges", ".igs", ".brep"), ("geometry.files.cad", "read_cad")),
+    ".tess": ("geometry.files.tess", "read_tess"),
+    **dict.fromkeys((".msh", ".vtu"), ("geometry.files.mesh_files", "read_mesh")),
+}
+TOLERANCE = 1e-4  # m
+SUFFIX = ".blocks.h5"
+LONGEST_NAME = 200  # letters, what a scene allows
+SECTIONS = 1e-12, 1e8  # m2, what a scene allows
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """What the user says of a file: unit, tolerance of gaps, thickness of plane cells, chord height of facets (all m),
+    groups, section (m2)."""
+
+    unit: float | None = None
+    tolerance: float = TOLERANCE
+    thickness: float | None = None
+    facet: float | None = None
+    groups: Sequence[tuple[str, str]] = ()
+    section: float | None = None
+    open_gaps: bool = False
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was imported: the specimen, its joints, what was mended, and sentences of the reader."""
+
+    specimen: Specimen
+    joints: Joints
+    mended: Mended | None
+    names: tuple[str, ...]
+    notes: tuple[str, ...]
+    paths: tuple[Path, Path]
+
+
+def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False) -> Report:
+    """Read source, mend it, and write the scene `out` with its blocks beside it.
+
+    Raises SceneError or GeometryError with one message; then nothing is written.
+    """
+    reader = READERS.get(source.suffix.lower())
+    if reader is None:
+        raise SceneError(f"'{source}': {source.suffix or 'a file without suffix'} is not read; {nearest('', READERS)}")
+    target = out.parent / (out.name.removesuffix(".toml") + SUFFIX)
+    _require_free(source, out, target, overwrite)
+    words: dict[str, Any] = {} if wishes.unit is None else {"unit": wishes.unit}
+    is_cad = reader[0] == "geometry.files.cad"
+    if is_cad and wishes.facet is not None:
+        words["facet"] = wishes.facet
+    if wishes.thickness is not None:
+        if source.suffix.lower() != ".tess":
+            raise SceneError(f"--thickness: only plane .tess files need it, not '{source}'")
+        words["thickness"] = wishes.thickness
+    found = guarded(*reader, source, **words)
+    require_near(found.blocks)
+    names = tuple(name or f"solid {number}" for number, name in enumerate(found.names, start=1))
+    found = grouped(found, names, wishes.groups)
+    mended = mend(found.blocks, wishes.tolerance, names, wishes.open_gaps) if is_cad else None
+    blocks = mended.blocks if mended else found.blocks
+    if mended is None:
+        check_overlaps(blocks, names)
+    require_sound(blocks)
+    section = _section(blocks, wishes.section)
+    if not SECTIONS[0] <= section <= SECTIONS[1]:
+        raise SceneError(
+            f"'{source}': its faces in the lowest plane have {section:.3g} m^2, allowed: {SECTIONS[0]:g} to "
+            f"{SECTIONS[1]:g} m^2; say by --unit what 1 in the file stands for"
+        )
+    specimen = Specimen(blocks, _sets(blocks, found.names), section, "file")
+    joints = find_joints(blocks)
+    text = scene_text(specimen, joints, _readable(source.name), target.name, wishes.section is None)
+    with whole_file(out) as place:
+        place.write_text(text, encoding="utf-8")
+        save_blocks(target, specimen, found.mesh)
+    return Report(specimen, joints, mended, names, found.notes, (out, target))
+
+
+def _require_free(source: Path, out: Path, target: Path, overwrite: bool) -> None:
+    if out.suffix != ".toml":
+        raise SceneError(f"--out '{out}': must be the name of a scene, for example '{source.stem}.toml'")
+    if _readable(out.name) != out.name or len(out.stem) > LONGEST_NAME:
+        raise SceneError(f"--out '{out}': no name of a scene; give one in UTF-8, at most {LONGEST_NAME} letters long")
+    if not os.path.isdir(out.parent):
+        raise SceneError(f"--out '{out}': the folder '{out.parent}' does not exist")
+    there = [str(path) for path in (out, target) if os.path.lexists(path)]
+    if there and not overwrite:
+        raise SceneError(f"'{there[0]}' exists already; --overwrite replaces it")
+    if folders := [str(path) for path in (out, target) if os.path.isdir(path)]:
+        raise SceneError(f"'{folders[0]}' is a folder; give another --out")
+
+
+def _readable(name: str) -> str:
+    """A name that may hold bytes which are no text, as text."""
+    return name.encode("utf-8", "replace").decode()
+
+
+def grouped(found: Imported, names: Sequence[str], rules: Sequence[tuple[str, str]]) -> Imported:
+    """The blocks in the groups of the first rule that fits their name or colour ("#c04020"); else in the file's own."""
+    blocks, own = found.blocks, [found.blocks.groups[g] for g in found.blocks.group]
+    painted = [""] * blocks.count if found.colours is None else [_hex(colour) for colour in found.colours]
+    used = set()
+    for b, (name, colour) in enumerate(zip(names, painted, strict=True)):
+        for pattern, wanted in reversed(rules):
+            if fnmatchcase(name, pattern) or (colour and fnmatchcase(colour, pattern.lower())):
+                own[b] = wanted
+                used.add(pattern)
+    for pattern, wanted in rules:
+        if pattern not in used:
+            known = sorted({*names, *filter(None, painted)})[:20]
+            raise SceneError(
+                f"--group '{pattern}={wanted}': no solid has such a name or colour; {nearest(pattern, known)}"
+            )
+    groups = tuple(dict.fromkeys(own))
+    number = np.array([groups.index(name) for name in own], dtype=np.int64)
+    return replace(found, blocks=replace(blocks, group=number, groups=groups))
+
+
+def _hex(colour: np.ndarray) -> str:
+    if not np.isfinite(colour).all():
+        return ""
+    return "#" + "".join(f"{round(255 * float(part)):02x}" for part in np.clip(colour, 0, 1))
+
+
+def _sets(blocks, names: Sequence[str]) -> dict[str, np.ndarray]:
+    """Blocks of each name and of each group, those that reach the bottom and the top, and all; groups come first."""
+    low, high = bounds(blocks)
+    near = 1e-6 * extent(blocks)
+    sets = {
+        "all": np.arange(blocks.count),
+        "bottom": np.flatnonzero(low[:, 2] <= low[:, 2].min() + near),
+        "top": np.flatnonzero(high[:, 2] >= high[:, 2].max() - near),
+    }
+    members: dict[str, list[int]] = {}
+    for b, name in enumerate(names):
+        members.setdefault(name, []).append(b)
+    sets |= {name: np.array(numbers) for name, numbers in members.items() if name}
+    return sets | {name: np.flatnonzero(blocks.group == g) for g, name in enumerate(blocks.groups)}
+
+
+def _section(blocks, section: float | None) -> float:
+    """m2, as asked, or the area of the faces in the lowest plane; else that of the box round all, seen from above."""
+    if section is not None:
+        return section
+    area, normal, centroid = face_areas_normals_centroids(blocks)
+    low, high = (corner for corner in bounds(blocks))
+    at_bottom = (normal[:, 2] < -1 + 1e-9) & (centroid[:, 2] <= low[:, 2].min() + 1e-6 * extent(blocks))
+    span = high.max(axis=0) - low.min(axis=0)
+    return float(area[at_bottom].sum()) or float(span[0] * span[1])

@@ -1,0 +1,1 @@
+"""Compilation: the cache of compiled steps, and the sources that its key depends on."""

@@ -1,0 +1,117 @@
+"""How the step is compiled, and where what was compiled is kept.
+
+Numba serves a changed law stale from its cache when only another file changed: so the folder of the step is named after
+a hash of every source file that can be compiled into it. What else is compiled (cells in geometry) calls nothing of
+another file, and stays where it is when a law changes. What holds a law of another package is kept apart: law_cache.py.
+"""
+
+import contextlib
+import fcntl
+import hashlib
+import os
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numba
+
+from geometry.jit_cache import NOT_KEPT
+from masonry.jit.law_cache import LawCache, hash_of_laws, outside_classes
+from masonry.jit.sources import COMPILED, source_hash
+
+KEPT = 5
+"""Cache folders of older sources that are kept."""
+OTHERS = "cells"
+"""The cache folder of what does not depend on laws, kernels and kinematics."""
+
+
+def cache_root() -> Path:
+    """Where compiled steps are kept: $MASONRY_CACHE, or the user's cache folder."""
+    chosen = os.environ.get("MASONRY_CACHE")
+    if chosen:
+        return Path(chosen)
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "masonry-dem"
+
+
+def _folders() -> tuple[str, str]:
+    """Where the step of these sources is kept, and where the rest is; "" (Numba's own choice) where nothing can be."""
+    root = cache_root()
+    mode = "-plain" if os.environ.get("MASONRY_LANES") == "0" else ""
+    folder, rest = root / f"{source_hash(COMPILED)}{mode}", root / OTHERS
+    try:
+        for path in (folder, rest):
+            path.mkdir(parents=True, exist_ok=True)
+        os.utime(folder)
+        older = sorted((p for p in root.iterdir() if p.is_dir() and p != rest), key=lambda p: p.stat().st_mtime)
+        for stale in older[:-KEPT]:
+            shutil.rmtree(stale, ignore_errors=True)
+    except OSError:
+        return "", ""
+    return str(folder), str(rest)
+
+
+STEP, REST = _folders()
+numba.config.CACHE_DIR = REST or numba.config.CACHE_DIR
+if "NUMBA_THREADING_LAYER_PRIORITY" not in os.environ:
+    numba.config.THREADING_LAYER_PRIORITY = ["omp", "tbb", "workqueue"]
+"""Measured on two cores: OpenMP begins a parallel loop in 2 us, TBB in 16, Numba's own in 130; a step has several."""
+
+OPTIONS = {"error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper": True}
+"""`contract` alone fuses multiply and add, and keeps NaN tests and the order of sums. Nobody calls these from C."""
+
+
+def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any]:
+    """A decorator that compiles, and keeps what it compiled in a folder of these sources."""
+    decorate = numba.njit(**OPTIONS | options)
+
+    def compiled(function: Any) -> Any:
+        numba.config.CACHE_DIR = folder or numba.config.CACHE_DIR
+        try:
+            dispatcher = decorate(function)
+            if keep:
+                dispatcher._cache = LawCache(function)
+            return dispatcher
+        finally:
+            numba.config.CACHE_DIR = REST or numba.config.CACHE_DIR
+
+    return compiled
+
+
+jit = _kept(STEP)
+jit_parallel = _kept(f"{STEP}/threads", parallel=True) if STEP else _kept("", keep=False, parallel=True)
+"""Numba's cache does not tell the two ways to compile one function apart: in one folder, whichever came first is served
+for both.
+"""
+
+
+@contextlib.contextmanager
+def once(name: str, folder: str = STEP) -> Iterator[None]:
+    """Compile within: of all processes that need what has this name, one goes in alone, and the others wait and then
+    find it in the cache; when one came through, there is no more waiting. A process that dies lets the next one in.
+
+    folder  STEP or REST, whichever keeps what is compiled; "" where nothing is kept, and each compiles for itself
+    """
+    done = Path(folder) / f"{name}.compiled"
+    if not folder or done.exists():
+        yield
+        return
+    with contextlib.ExitStack() as held:
+        try:
+            lock = held.enter_context(open(done.with_suffix(".lock"), "w", encoding="utf-8"))
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if done.exists():
+                fcntl.flock(lock, fcntl.LOCK_UN)
+        except OSError:  # nothing can be kept here: each compiles for itself
+            lock = None
+        yield
+        if lock is not None and not NOT_KEPT:
+            with contextlib.suppress(OSError):
+                done.touch()
+
+
+def kind_of(arguments: tuple[Any, ...]) -> str:
+    """A name for the types of some arguments: what is compiled for one kind serves all of it."""
+    kinds = [numba.typeof(argument) for argument in arguments]
+    laws = hash_of_laws(frozenset(outside_classes(kinds)))
+    return hashlib.sha256(f"{kinds}{laws}".encode()).hexdigest()[:16]

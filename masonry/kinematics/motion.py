@@ -1,0 +1,141 @@
+"""One freedom: damping, leapfrog, and the work of each force by the trapezoid (eqs 1 and 3)."""
+
+from typing import NamedTuple
+
+from numba import types
+from numba.extending import overload, register_jitable
+
+from masonry.simd import choose, filled, put, take, total
+
+
+class Guided(NamedTuple):
+    """Damping of what moves otherwise than expected.
+
+    share  c dt / 2, for a viscosity of c times the mass against the unexpected part of the velocity
+    xi     of a little local damping, eq. (3), of all motion
+    """
+
+    share: float
+    xi: float
+
+
+def resist(damping, pace, force, velocity, now, before):
+    """What damping adds to the force on a freedom that is expected to move at `before`, and at `now` after the step.
+
+    None: nothing. A number: local damping -xi |F| sign(v), eq. (3). Guided: the rest of the velocity, v - expected,
+    decays by (1 - share) / (1 + share) a step, and the expected part follows the drive without any force. Leapfrog with
+    a viscosity taken at the middle of the step is stable as without, so the bound is that of the local part.
+    """
+    if damping is None:
+        return 0.0
+    if isinstance(damping, Guided):
+        return _guided(damping.share, damping.xi, pace, force, velocity, now, before)
+    return _local(damping, force, velocity)
+
+
+@register_jitable
+def _local(xi, force, velocity):
+    """sign(0) = 0: with the printed sgn(0) = +1 a body at rest would answer +F and -F differently (errata)."""
+    size = xi * abs(force)
+    return choose(velocity > 0.0, -size, choose(velocity < 0.0, size, filled(0.0, size)))
+
+
+@register_jitable
+def _guided(share, xi, pace, force, velocity, now, before):
+    driving = force + _local(xi, force, velocity)
+    after = now + ((velocity - before) * (1.0 - share) + pace * driving) / (1.0 + share)
+    return (after - velocity) / pace - force
+
+
+@overload(resist)
+def _resist(damping, pace, force, velocity, now, before):
+    if isinstance(damping, (types.NoneType, types.Omitted)):
+        return lambda damping, pace, force, velocity, now, before: filled(0.0, force)
+    if getattr(damping, "instance_class", None) is Guided:
+        return lambda damping, pace, force, velocity, now, before: _guided(
+            damping.share, damping.xi, pace, force, velocity, now, before
+        )
+    return lambda damping, pace, force, velocity, now, before: _local(damping, force, velocity)
+
+
+def share_of(array, at, like, factor):
+    """A factor times what an array holds from index `at` on, as many as `like` has; 0 where the array is absent."""
+    return 0.0 if array is None else factor * take(array, at, like)
+
+
+@overload(share_of)
+def _share_of(array, at, like, factor):
+    if isinstance(array, types.Array):
+        return lambda array, at, like, factor: factor * take(array, at, like)
+    return lambda array, at, like, factor: 0.0
+
+
+def dead_load(body, at, like, share):
+    """The load on a freedom at a share of it; what the share exceeds 1 by is that of the load that varies besides."""
+    if body.change is None:
+        return share_of(body.load, at, like, share)
+    return min(share, 1.0) * take(body.load, at, like) + max(share - 1.0, 0.0) * take(body.change, at, like)
+
+
+@overload(dead_load)
+def _dead_load(body, at, like, share):
+    if isinstance(dict(zip(body.fields, body.types, strict=True))["change"], types.Array):
+        return lambda body, at, like, share: (
+            min(share, 1.0) * take(body.load, at, like) + max(share - 1.0, 0.0) * take(body.change, at, like)
+        )
+    return lambda body, at, like, share: share_of(body.load, at, like, share)
+
+
+@register_jitable
+def book(done, held, half_step_move, contact, hold, load):
+    """Add a trapezoid's half-sums of forces times the move to the works done so far: of the contacts, of damping, and
+    of reactions and dead loads.
+    """
+    by_hold = hold * half_step_move
+    return (
+        done[0] + contact * half_step_move,
+        done[1] + choose(held, 0.0, by_hold),
+        done[2] + choose(held, by_hold, 0.0) + load * half_step_move,
+    )
+
+
+@register_jitable
+def advance(body, at, contact, inner, dt, damping, clock, done):
+    """Freedoms of a row from `at` on, one or several: total force, damping or reaction, and the kick of eq. (1).
+
+    contact, inner  force of the contacts and of the block's own stiffness now: numbers or lanes
+    clock           share of the dead load that acts now and one step before; speed of the drive after and before
+    done            works (J) of contacts, damping, and what acts from outside, so far; returned with this step's
+    """
+    load = dead_load(body, at, contact, clock[0])
+    pace, velocity = take(body.pace, at, contact), take(body.v, at, contact)
+    sum_of_forces = contact + inner + load
+    now, before = (
+        share_of(body.guess, at, contact, clock[2]),
+        share_of(body.guess, at, contact, clock[3]),
+    )
+    held = pace == 0.0
+    hold = choose(held, -sum_of_forces, resist(damping, pace, sum_of_forces, velocity, now, before))
+    contacts = contact + take(body.contact, at, contact)
+    holds = hold + take(body.hold, at, contact)
+    loads = load + dead_load(body, at, contact, clock[1])
+    done = book(done, held, 0.5 * dt * velocity, contacts, holds, loads)
+    put(body.contact, at, contact)
+    put(body.hold, at, hold)
+    put(body.v, at, at_rest_or(velocity + pace * (sum_of_forces + hold)))
+    return done
+
+
+@register_jitable
+def at_rest_or(velocity):
+    """Velocities that damping has brought below 1e-100 m/s are rest: denormal numbers would slow the step tenfold."""
+    return choose(abs(velocity) < 1e-100, filled(0.0, velocity), velocity)
+
+
+@register_jitable
+def keep(work, b, done):
+    """Add the works of a block's freedoms to its account, where one is kept."""
+    if work is not None:
+        work[b, 0] += total(done[0])
+        work[b, 1] += total(done[1])
+        work[b, 2] += total(done[2])

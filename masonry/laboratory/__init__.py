@@ -1,0 +1,1 @@
+"""Run a scene, or look at it first, and say in words what came of it."""

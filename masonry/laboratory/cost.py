@@ -1,0 +1,71 @@
+"""What a run will take, before it is made: about how many steps, rows of its curve, and seconds."""
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.loading.adaptive import DEFORMABLE, FEW, SETTLING, STEPS
+from masonry.loading.schedule import Cyclic
+from masonry.model.loads import Controlled
+
+PRESCRIBED = 110
+"""Increments of a way or a leg where the drive prescribes all that moves: few steps each, whatever the accuracy."""
+WAY, CRACKS = 9000, 220.0
+"""Steps of a drive that goes one way, and over the accuracy besides. Measured, as what follows: walls and couplets of
+the paper, with rigid blocks and others, at 0.1 to 5 %: from 0.4 times as many to 1.6 times in single cases."""
+LEG, WIDER = 3000, 200.0
+"""Steps of each leg of a drive that turns back; and over the accuracy, for coming to places where it has not been, as
+far on one side as the farthest place of all."""
+NANOSECONDS = {"contact": 13.0, "side": 4.0, "block": 60.0, "tet": 20.0, "node": 30.0, "step": 2000.0}
+"""Rough cost of each part of a step on one 2.5 GHz core; `masonry check` says "about"."""
+ROW, ROW_OF_CONTACT = 2.5e5, 400.0
+"""The same for a row of the curve, and for each contact in it."""
+
+
+def expected_steps(assembly: Assembly) -> int:
+    """All steps of a fixed program; about how many there will be of a drive that is paced by its error."""
+    plan = assembly.plan
+    return plan.settle + round(_paced(assembly, plan)) if isinstance(plan, Controlled) else plan.steps
+
+
+def expected_seconds(assembly: Assembly) -> float:
+    """Rough stepping time from the parts' costs, without the compile."""
+    m, steps = assembly.model, expected_steps(assembly)
+    nodes = 0 if assembly.mesh is None else len(assembly.mesh.nodes)
+    tets = 0 if assembly.mesh is None else len(assembly.mesh.tets)
+    blocks = len(m.layout.members["rigid"]) + 2 * len(m.layout.members["affine"])
+    each = {"contact": len(m.group), "side": 2 * len(m.group), "block": blocks, "tet": tets, "node": nodes, "step": 1}
+    step = sum(NANOSECONDS[key] * count for key, count in each.items())
+    return 1e-9 * (steps * step + expected_rows(assembly) * (ROW + ROW_OF_CONTACT * len(m.group)))
+
+
+def expected_rows(assembly: Assembly) -> int:
+    """Rows of the curve: to an accuracy, each increment writes one."""
+    plan, rows = assembly.plan, assembly.recording.rows
+    if not isinstance(plan, Controlled):
+        return min(rows, plan.steps) + len(plan.marks)
+    settling = min(max(1, rows // SETTLING), plan.settle)
+    return settling + round(_paced(assembly, plan) / (FEW if drive_prescribes_all(assembly) else STEPS))
+
+
+def _paced(assembly: Assembly, plan: Controlled) -> float:
+    """Steps after the settling."""
+    turns = np.array(plan.turns if isinstance(plan, Cyclic) else (plan.displacement,))
+    if drive_prescribes_all(assembly):
+        return PRESCRIBED * FEW * len(turns)
+    if isinstance(plan, Cyclic):
+        reached = [np.maximum(side, 0.0).max() for side in (turns, -turns)]
+        return LEG * len(turns) + WIDER / plan.accuracy * sum(reached) / max(reached)
+    deformable = any(len(assembly.model.layout.members[kind]) for kind in ("affine", "tets"))
+    return WAY + CRACKS / (plan.accuracy * (DEFORMABLE if deformable else 1.0))
+
+
+def drive_prescribes_all(assembly: Assembly) -> bool:
+    """Whether nothing is left to swing: blocks are free to shift across the drive at most, and no joint dilates."""
+    model, drive = assembly.model, assembly.scene.drive
+    if drive is None or any(interface.tan_dilation is not None for interface in model.groups[1]):
+        return False
+    across = [i for i in range(3) if i != drive.axis]
+    swinging = {kind: np.array(mass > 0.0) for kind, mass in model.masses.items()}
+    for kind in ("rigid", "affine"):
+        swinging[kind][:, across] = False
+    return not any(free.any() for free in swinging.values())

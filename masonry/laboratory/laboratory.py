@@ -1,0 +1,196 @@
+"""Run a scene, or look at it first: what a Python user and the command line both call."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly, assemble
+from masonry.errors import Stopped
+from masonry.kinematics.motion import Guided
+from masonry.laboratory.contact_remarks import contact_remarks
+from masonry.laboratory.cost import expected_seconds, expected_steps
+from masonry.laboratory.quality import quality_lines
+from masonry.laboratory.summary import cells_text, summarise
+from masonry.laws.dispatch import word_of
+from masonry.results.data import Result
+from masonry.results.joint_resultants import resultants
+from masonry.scene import Scene, to_toml
+from masonry.scene.schema import INVENTED
+from masonry.timeloop import timeloop
+from masonry.timeloop.checkpointer import Keeper
+from masonry.timeloop.recording import Outcome
+
+if TYPE_CHECKING:
+    from masonry.laboratory.text import Report
+
+Progress = Callable[[int, int, str], None]
+
+
+def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper: Keeper | None = None) -> Result:
+    """Run a scene to its end; `progress(step, steps, note)` is called between chunks.
+
+    Raises SceneError or GeometryError before anything is computed, Stopped (with `.result`, the rows up to the last
+    trusted one) when the numbers can no longer be trusted. Ctrl-C ends the run; the result says so.
+
+    keeper  writes checkpoints, goes on from one, and says when to end, in place of Ctrl-C
+    """
+    if progress is not None:
+        progress(0, 0, "building the specimen")
+    assembly = assemble(scene)
+    outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress, keeper)
+    result = result_of(assembly, outcome)
+    if outcome.stopped:
+        stop = Stopped(outcome.stopped)
+        stop.result = result
+        raise stop
+    return result
+
+
+def result_of(assembly: Assembly, outcome: Outcome) -> Result:
+    """What is kept of a run."""
+    return Result(
+        summary={**summarise(assembly, outcome), "warnings": warnings(assembly)},
+        history=outcome.history,
+        specimen=assembly.specimen,
+        joints=assembly.joints,
+        joint_group=assembly.model.group,
+        joint_groups=assembly.model.group_names,
+        mesh=assembly.mesh,
+        scene_toml=to_toml(assembly.scene),
+        log=[
+            *(f"cells: {cells_text(c)}" for c in assembly.specimen.cells),
+            *(f"scatter: {line}" for line in scatter_lines(assembly)),
+            *left_out(assembly),
+            *outcome.log,
+        ],
+        resultants=resultants(assembly.specimen.blocks, assembly.joints, outcome.standing),
+    )
+
+
+def check(scene: Scene) -> "Report":
+    """What a scene would run: sizes, time step and what limits it, expected steps and time, what it leaves out."""
+    assembly = assemble(scene)
+    model = assembly.model
+    counts = np.bincount(model.group, minlength=len(model.group_names))
+    found: dict[str, Any] = {
+        "blocks": assembly.specimen.blocks.count,
+        "cells": [cells_text(report) for report in assembly.specimen.cells],
+        "scatter": scatter_lines(assembly),
+        "contacts": {name: int(n) for name, n in zip(model.group_names, counts, strict=True)},
+        "contact_points": len(model.group),
+        "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
+        "freedoms": model.freedoms,
+        "time_step_s": model.dt,
+        "limited_by": model.limited_by,
+        "quality": quality_lines(assembly),
+        "steps": expected_steps(assembly),
+        "expected_seconds": expected_seconds(assembly),
+        "left_out": left_out(assembly),
+        "compiled": compiled(assembly),
+        "warnings": warnings(assembly),
+    }
+    from masonry.laboratory.text import Report
+
+    return Report(found)
+
+
+def scatter_lines(assembly: Assembly) -> list[str]:
+    """What was drawn, a line for each property that scatters."""
+    return [line for drawn in assembly.drawn for line in drawn.lines()]
+
+
+def left_out(assembly: Assembly) -> list[str]:
+    """What this scene does not use, and the step compiled for it therefore does not contain."""
+    m, out = assembly.model, []
+    for kind, body in zip(("rigid blocks", "affine blocks", "tets"), m.bodies, strict=True):
+        if body is None:
+            out.append(f"{kind}: no such loops, no such freedoms")
+    if all(body is None or body.load is None for body in m.bodies):
+        out.append("dead loads (gravity, traction): no load arrays, no work of theirs")
+    elif not m.varying:
+        out.append("loads that vary: dead loads stay as they are")
+    if m.damping is None:
+        out.append("damping")
+    if all(drive is None for drive in m.drives):
+        out.append("drive")
+    if all(body is None or body.guess is None for body in m.bodies):
+        out.append("expected motion: a drive at a rate or in steps has no use for it")
+    for name, interface in zip(m.group_names, m.groups[1], strict=True):
+        lacks = []
+        if interface.tensile_strength is None:
+            lacks = ["strength", "softening", "history"]
+        else:
+            lacks += ["dilation"] if interface.tan_dilation is None else []
+            lacks += ["plastic opening"] if interface.elastic_unloading is None else []
+            lacks += ["shared loss of tension and cohesion"] if interface.combined is None else []
+        if lacks:
+            out.append(f"contacts {name}: no {', no '.join(lacks)}")
+    if not assembly.drawn:
+        out.append("scatter: all contacts of a group have the same properties")
+    if all(body is None or getattr(body, "axes", None) is None for body in m.bodies):
+        out.append("turned principal axes")
+    return out
+
+
+def compiled(assembly: Assembly) -> list[str]:
+    """What the step does contain."""
+    m = assembly.model
+    names = [f"{len(v)} {k} blocks" for k, v in m.layout.members.items() if len(v)]
+    laws = [f"{n}: {word_of(s)} law" for n, s in zip(m.group_names, m.groups[0], strict=True)]
+    return [*names, *laws, damping_text(m.damping), "energy ledger"]
+
+
+def damping_text(damping: float | Guided | None) -> str:
+    """The damping of a step in words."""
+    if isinstance(damping, Guided):
+        return f"viscous damping of the unexpected motion, local damping {damping.xi:g}"
+    return f"local damping {damping:g}" if damping else "no damping"
+
+
+LOCKING = 0.3
+"""Poisson's ratio up to which constant-strain tets are hardly stiffer than at 0."""
+LOCKED = (
+    (0.3, (0.113, 0.169, 0.036)),
+    (0.4, (0.131, 0.22, 0.107)),
+    (0.45, (0.157, 0.304, 0.229)),
+    (0.49, (0.213, 0.722, 0.922)),
+    (0.499, (0.242, 2.92, 6.53)),
+    (0.4999, (0.236, 10.3, 58.9)),
+)
+"""Poisson's ratio, and by how much tets, four across, are too stiff there: a cube in shear, a cantilever four times as
+long as high in bending, a cube pressed between rough stiff plates; against quadratic tets on the same mesh."""
+
+
+def warnings(assembly: Assembly) -> list[str]:
+    """What the user should know before running."""
+    found = []
+    m = assembly.model
+    if m.dt > m.bound * (1 + 1e-12):
+        found.append(f"the time step {m.dt:.3g} s is above the proven bound {m.bound:.3g} s: the run may be stopped")
+    for name, material in assembly.scene.material.items():
+        nu = material.poisson_ratio
+        if nu is not None and nu > LOCKING and assembly.scene.kinematics_of(name) == "tets":
+            found.append(f"material.{name}: constant-strain tets lock at a Poisson ratio of {nu:g}: {locking_text(nu)}")
+    return [*found, *contact_remarks(assembly), *_placeholders(assembly.scene)]
+
+
+def _placeholders(scene: Scene) -> list[str]:
+    """What an import made up, and nobody has replaced since."""
+    keys = [key for key, why in scene.assumptions.items() if why == INVENTED]
+    if not keys:
+        return []
+    return [
+        f"placeholders that `masonry import` made up: {', '.join(keys)}; put in your own, and take their lines out of "
+        "[assumptions]"
+    ]
+
+
+def locking_text(nu: float) -> str:
+    """By how much tets are too stiff at a Poisson ratio: the figures of the next one in the table."""
+    shear, bending, pressed = next((excess for ratio, excess in LOCKED if ratio >= nu), LOCKED[-1][1])
+    times = [f"{100 * x:.0f} %" if x < 2.0 else f"{1 + x:.0f} times" for x in (shear, bending, pressed)]
+    return (
+        f"four across, they are too stiff by up to {times[0]} in shear, {times[1]} in bending, {times[2]} pressed "
+        "between plates; affine blocks do not lock"
+    )

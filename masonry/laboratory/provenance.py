@@ -1,0 +1,122 @@
+"""Where the bits of a run come from besides its model: its scene, its file of blocks, the sources, the packages."""
+
+import hashlib
+import os
+import platform
+import tomllib
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from geometry.blocks import GeometryError
+from geometry.files.atomic import require_file
+from geometry.files.blocks_h5 import LARGEST
+from masonry import __version__
+from masonry.errors import SceneError
+from masonry.jit.sources import ALL, source_hash
+
+SHOWING = tuple(
+    f"masonry/{name}"
+    for name in (
+        *("__main__.py", "cli.py", "commands.py", "shell.py", "doctor.py", "installed.py", "printout.py", "import*.py"),
+        *("asked.py", "running.py"),
+        *(
+            "plot.py",
+            "hysteresis.py",
+            "curve_axes.py",
+            "picture.py",
+            "crack_drawing.py",
+            "dry_joints.py",
+            "picture_frame.py",
+            "geometry_picture.py",
+        ),
+        *("solid_view.py", "condition_marks.py", "mark_drawing.py", "face_drawing.py", "flat_drawing.py"),
+        *("solid_drawing.py", "frame_choice.py", "frame_picture.py", "picture_command.py", "movie_command.py"),
+        *("film.py", "film_file.py", "show.py", "stage.py", "fields.py", "joint_fields.py", "vtkhdf.py"),
+        *("notebook.py", "painter.py", "figure.py", "scene/portrait.py"),
+        *(
+            "law_command.py",
+            "law_picture.py",
+            "law_portrait.py",
+            "one_contact.py",
+            "progress.py",
+            "tally.py",
+            "crew.py",
+            "sweep/*",
+            "comparison/*",
+        ),
+    )
+)
+"""Sources that a result does not depend on: an edit of these runs nothing again."""
+PROCESSOR = "the processor"
+PACKAGES = ("numpy", "scipy", "numba", "llvmlite", "gmsh")
+"""Packages that a number goes through on its way to a result."""
+
+
+def file_of_blocks(toml: str) -> bytes:
+    """Hash of what stands in the file that a scene takes its blocks from; nothing where there is none to read."""
+    path = tomllib.loads(toml)["specimen"].get("path")
+    if not path:
+        return b""
+    try:
+        require_file(path, LARGEST)
+        with open(path, "rb") as file:
+            return hashlib.file_digest(file, "sha256").digest()
+    except (OSError, GeometryError):
+        return b""
+
+
+def other_sources(toml: str) -> str:
+    """Hash of the packages that a scene has laws or its specimen from; nothing where all are ours."""
+    from masonry.laboratory.plugin_sources import own_sources
+
+    scene = tomllib.loads(toml)
+    laws = scene.get("law"), *(contact.get("law") for contact in scene["contact"].values())
+    return own_sources(laws, scene["specimen"]["kind"])
+
+
+def origin_of(toml: str) -> dict[str, str]:
+    """What a run of a resolved scene depends on, by a few words each."""
+    return {
+        "its scene": hashlib.sha256(toml.encode()).hexdigest()[:16],
+        "its file of blocks": file_of_blocks(toml).hex()[:16] or "none",
+        "the program": f"masonry {__version__}, sources {source_hash(ALL, SHOWING)}",
+        "the packages of its laws and specimen": other_sources(toml) or "none",
+        "the packages": ", ".join(f"{name} {_version(name)}" for name in PACKAGES),
+        "MASONRY_LANES": os.environ.get("MASONRY_LANES", "") or "not set",
+        PROCESSOR: _processor(),
+    }
+
+
+def require_same(begun: dict[str, str], here: dict[str, str], folder: Path) -> list[str]:
+    """Raise SceneError where a run was begun with something else than there is here: a mixture would be neither.
+
+    Another processor is let through: machines of a cluster differ, and the last bits at most with them. Returns what is
+    to be said of it.
+    """
+    differs = [
+        f"{what} ({begun.get(what)} then, {now} now)"
+        for what, now in here.items()
+        if begun.get(what) != now and what != PROCESSOR
+    ]
+    if differs:
+        raise SceneError(
+            f"the run in '{folder}' was begun with another state of {'; and of '.join(differs)}; go on with what it was"
+            f" begun with, or run it again: masonry run {folder / 'checkpoint' / 'scene.toml'} --out ANOTHER"
+        )
+    if begun.get(PROCESSOR) == here[PROCESSOR]:
+        return []
+    return [f"begun on another processor ({begun.get(PROCESSOR)}, here {here[PROCESSOR]}): last bits may differ"]
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "none"
+
+
+def _processor() -> str:
+    """Its kind as the compiler knows it: which instructions it has decides the last bits."""
+    from llvmlite import binding
+
+    return f"{platform.machine()} {binding.get_host_cpu_name()}"

@@ -1,0 +1,192 @@
+"""The numbers of summary.json, from an assembly and the outcome of its run."""
+
+from dataclasses import asdict
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from geometry.cells.request import CellReport
+from masonry import __version__
+from masonry.assembly.assemble import Assembly
+from masonry.jit.sources import source_hash
+from masonry.laboratory.plugin_sources import own_sources
+from masonry.loading.cycles import SPENT, at_peak, goes_one_way, table
+from masonry.model.loads import Controlled
+from masonry.monitors import events
+from masonry.results.joint_resultants import unit_joints
+from masonry.scene import Scene
+from masonry.timeloop.reactions import balance
+from masonry.timeloop.recording import Outcome
+
+ENERGY_TERMS = (
+    *("external_work", "elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2"),
+    *("friction", "damping", "kinetic", "contact_work", "imbalance"),
+)
+BROKEN, DAMAGED = 0.95, 0.05
+SUDDEN = 1e-3
+"""Share of all energy lost, by cracks, friction and damping, from which on what a sudden crack released is told."""
+
+
+def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
+    """Keys in SI. Maxima are taken from the end of the drive's ramp, or from the peak where it comes first.
+
+    A drive to an accuracy is fast while all is elastic, which harms nothing: it counts from the first damage on. Rows
+    within sudden cracks do not count; what these released is told apart.
+    """
+    scene, model, rows = assembly.scene, assembly.model, outcome.history.rows
+    plan = assembly.plan
+    settled = rows["step"] > plan.settle
+    at_peak = rows["step"][settled][int(np.argmax(rows["stress"][settled]))] if settled.any() else 0
+    after = settled & (rows["step"] >= min(plan.settle + plan.ramp, at_peak))
+    peak = outcome.peak_force / assembly.specimen.section
+    internal, highest = rows["elastic_blocks"] + rows["contact_work"], peak
+    if not goes_one_way(rows["displacement"]):  # on the way back work comes back, and the force may be negative
+        internal, highest = (
+            np.maximum.accumulate(internal),
+            max(peak, -outcome.lowest_force / assembly.specimen.section),
+        )
+    work = float(np.abs(rows["external_work"]).max())
+    dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
+    after_settling = np.subtract(*outcome.work_of_loads)
+    begun = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1  # the last row of the settling
+    spent = sum(float(rows[key][-1]) for key in SPENT)
+    driven = float(np.abs(rows["external_work"][begun:] - rows["external_work"][begun]).max(initial=0.0))
+    taken = float((rows["damping"] + rows["kinetic"])[-1] - (rows["damping"] + rows["kinetic"])[begun])
+    lost = spent + max(taken, 0.0)
+    sudden = events.table(model, outcome.events, rows, SUDDEN * lost)
+    released = sum(event["released_j"] for event in sudden)
+    for event in outcome.events:
+        follows = (rows["step"] <= event.first) | (rows["step"] > event.last)
+        dynamic = dynamic & follows
+    mismatch = np.abs(rows["stress"] - rows["support_stress"])[dynamic]
+    ratio = rows["kinetic"][dynamic] / np.maximum(internal[dynamic], max(1e-6 * work, 1e-300))
+    booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
+    laws = {name: scene.contact[name].law for name in model.group_names}
+    kinematics = {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups}
+    return {
+        "scene": scene.name,
+        "law": _joined(laws),
+        "kinematics": _joined(kinematics),
+        "law_by_group": laws,
+        "kinematics_by_group": kinematics,
+        "blocks": assembly.specimen.blocks.count,
+        "cells": [asdict(report) for report in assembly.specimen.cells],
+        "scatter": {drawn.group: drawn.summary() for drawn in assembly.drawn},
+        "contacts": len(model.group),
+        "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
+        "freedoms": model.freedoms,
+        "steps": outcome.steps,
+        "control": outcome.control,
+        "seconds_run": outcome.seconds_run,
+        "seconds_compile": outcome.seconds_compile,
+        "time_step_s": model.dt,
+        "step_fraction": scene.solver.step_fraction,
+        "peak_stress_pa": peak,
+        "displacement_at_peak_m": outcome.displacement_at_peak,
+        "final_stress_pa": float(rows["stress"][-1]),
+        "peak_force_n": outcome.peak_force,
+        "lowest_stress_pa": outcome.lowest_force / assembly.specimen.section,
+        "displacement_at_lowest_m": outcome.displacement_at_lowest,
+        "cycles": table(rows, np.array(outcome.widest)),
+        "gauges": _readings(assembly, outcome),
+        "reactions": _reactions(assembly, outcome),
+        "work_of_drive_j": float(rows["external_work"][-1] - rows["external_work"][begun] - after_settling.sum()),
+        "work_of_loads_j": _work_of_loads(assembly, outcome.work_of_loads[0]),
+        "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),
+        "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and dynamic.any() else 0.0,
+        "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
+        "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
+        "energy_imbalance": float(np.abs(rows["imbalance"]).max() / work) if work > 0 else 0.0,
+        "dissipation_mismatch": abs(booked - spent) / abs(spent) if spent else 0.0,
+        "unbalanced_after_settling": outcome.unbalanced,
+        "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
+        "sudden_cracks": sudden,
+        "released_over_dissipated": released / lost if sudden else 0.0,
+        "joints_opened_or_slid": _opened_or_slid(assembly),
+        "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
+        "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
+        "rotation_max_rad": outcome.rotation_max,
+        "overlap_max": outcome.overlap_max,
+        "mode_2_over_law": outcome.mode_2_over_law,
+        "slip_max": outcome.slip_max,
+        "met": outcome.met,
+        "slip_limit": scene.solver.slip_limit,
+        "section_m2": assembly.specimen.section,
+        "interrupted": outcome.interrupted,
+        "stopped": outcome.stopped,
+        "version": __version__,
+        "source_hash": _sources(scene),
+    }
+
+
+def _sources(scene: Scene) -> str:
+    """Hash of our sources; behind a plus that of other packages, where the scene has a law or a specimen of them."""
+    own = own_sources((contact.law for contact in scene.contact.values()), scene.specimen.kind)
+    return f"{source_hash()}+{own}" if own else source_hash()
+
+
+def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, dict[str, float]]:
+    """By gauge: m at the peak (between the rows before and after it) and at the end."""
+    rows, peak = outcome.history.rows, outcome.displacement_at_peak
+    return {
+        gauge.name: {
+            "at_peak_m": at_peak(rows, rows[gauge.name], peak),
+            "final_m": float(rows[gauge.name][-1]),
+        }
+        for gauge in assembly.recording.gauges
+    }
+
+
+def _reactions(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
+    """At the peak and at the end: what supports, drive and dead loads exert."""
+    scene, outer = assembly.scene, assembly.recording.surroundings
+    on = {f"support.{k}": support.on for k, support in enumerate(scene.support)}
+    if scene.drive is not None:
+        on["drive"] = scene.drive.on
+    holds, loads = tuple((one.name, on[one.name]) for one in outer.holds), tuple(one.name for one in outer.loads)
+    return {when: balance(holds, loads, standing) for when, standing in outcome.standing.items()}
+
+
+def _work_of_loads(assembly: Assembly, work: np.ndarray) -> dict[str, float]:
+    """By load: J."""
+    return {load.name: float(done) for load, done in zip(assembly.recording.surroundings.loads, work, strict=True)}
+
+
+def first_damage(rows: dict[str, np.ndarray]) -> float:
+    """The step of the first row with damage; infinite without any."""
+    damaged = rows["fracture_mode_1"] + rows["fracture_mode_2"] > 0.0
+    return float(rows["step"][damaged][0]) if damaged.any() else np.inf
+
+
+def cells_text(report: CellReport) -> str:
+    """What a division into cells came to, in one line; h is the mean size of a cell."""
+    joint = "" if report.shortest_joint is None else f", shortest joint piece {report.shortest_joint:.2g} h"
+    return (
+        f"{report.count} of h = {report.h * 1e3:.3g} mm: shortest edge {report.shortest_over_mean:.2g} of the mean, "
+        f"{report.small_edges:.1%} small, sizes within {report.size_error:.1%}{joint}"
+    )
+
+
+def _joined(words: dict[str, str]) -> str:
+    """One word where all agree, else all that occur: "elastic + exponential"."""
+    return " + ".join(sorted(set(words.values())))
+
+
+def _opened_or_slid(assembly: Assembly) -> int:
+    """Joints between units of which a contact has opened beyond its elastic limit, or slid, at any time."""
+    state = assembly.model.state
+    there = state.opening_max is not None
+    moved = (state.intact_n < 1.0) | np.any(state.slip != 0.0, axis=1) if there else np.zeros(0, dtype=bool)
+    found = unit_joints(assembly.specimen.blocks, assembly.joints)
+    return sum(bool(moved[found.contact[a:b]].any()) for a, b in pairwise(found.start)) if there else 0
+
+
+def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict[str, float]:
+    """Area (m2) by contact group whose combined damage is at least the threshold at the end."""
+    damage = outcome.history.frames[-1].damage
+    model = assembly.model
+    return {
+        name: float(model.joints.area[(model.group == g) & (damage >= threshold)].sum())
+        for g, name in enumerate(model.group_names)
+    }

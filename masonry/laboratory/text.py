@@ -1,0 +1,296 @@
+"""What the command line says about a scene and about a result, aligned for a person."""
+
+import math
+import textwrap
+from pathlib import Path
+from typing import Any
+
+from masonry.errors import visible
+from masonry.runtime.progress import duration
+
+WIDTH = 110
+FEW_CYCLES = 6
+MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-9, 0.01, 0.01, 0.01
+"""Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference
+between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
+how far contacts close over the size of their blocks."""
+RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
+"""Limits: what sudden cracks release over all energy lost; over the external work, what damping gives, and takes."""
+TAKEN = 0.02
+"""Share by which a contact may take more energy of mode II than the area under its law's curve."""
+SLID = 0.2
+"""Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
+TOLD = 0.1
+"""Share of the work of the drive from which on the work of a dead load is printed."""
+ROUNDING, BELOW_0 = 1e-11, 1e-5
+"""Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
+of the steps."""
+
+
+Rows = list[tuple[str, list[str]]]
+"""A word and its lines, row by row."""
+
+
+class Report(dict[str, Any]):
+    """What `masonry.check` found, by key; it prints as `masonry check` does."""
+
+    def __repr__(self) -> str:
+        return check_text(self)
+
+    def _repr_html_(self) -> str:
+        from masonry.laboratory.notebook import html_table
+
+        return html_table("What this scene would run", check_rows(self))
+
+
+def check_text(report: dict[str, Any]) -> str:
+    """The report of `masonry.laboratory.laboratory.check` as lines."""
+    return aligned(check_rows(report))
+
+
+def check_rows(report: dict[str, Any]) -> Rows:
+    """The same, row by row."""
+    contacts = report["contacts"]
+    longest = max((len(name) for name in contacts), default=0)
+    return [
+        ("blocks", [f"{report['blocks']}"]),
+        *([("cells", report["cells"])] if report.get("cells") else []),
+        ("contacts", [f"{name:<{longest}}  {number}" for name, number in contacts.items()] or ["none"]),
+        *([("scatter", report["scatter"])] if report.get("scatter") else []),
+        ("contact points", [f"{report['contact_points']}"]),
+        ("tets", [f"{report['tets']}"]),
+        ("freedoms", [f"{report['freedoms']}"]),
+        ("time step", [f"{report['time_step_s']:.4g} s, limited by {report['limited_by']}"]),
+        *((word, [sentence]) for word, sentence in report["quality"].items()),
+        ("steps", [f"{report['steps']}"]),
+        ("expected time", [f"about {duration(report['expected_seconds'])}"]),
+        ("compiled in", report["compiled"] or ["nothing beyond contacts"]),
+        ("not used", report["left_out"] or ["nothing"]),
+        ("warnings", report["warnings"] or ["none"]),
+    ]
+
+
+def paths_text(paths: dict[str, Path]) -> str:
+    """Where to look after a run."""
+    names = {"curve": "curve.png", "crack picture": "cracks.png", "summary": "summary.json"}
+    rows = [(word, [str(paths[name])]) for word, name in names.items() if name in paths]
+    others = [name for name in paths if name not in names.values()]
+    return aligned([*rows, ("also there", [", ".join(others)])] if others else rows, wrap=False)
+
+
+def summary_text(summary: dict[str, Any]) -> str:
+    """The figures that matter, and a sentence on how far to trust them."""
+    return aligned(summary_rows(summary))
+
+
+def summary_rows(summary: dict[str, Any]) -> Rows:
+    """The same, row by row."""
+    return [
+        *(_rest_rows(summary) if _has_no_drive(summary) else _peak_rows(summary)),
+        *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
+        *((name, [gauge_text(readings)]) for name, readings in (summary.get("gauges") or {}).items()),
+        *([("work of dead loads", [words])] if (words := loads_text(summary)) else []),
+        ("energy imbalance", [_number(summary, "energy_imbalance", 1.0, "of the external work")]),
+        ("reaction mismatch", [_number(summary, "reaction_mismatch_max", 100.0, "% of the peak")]),
+        ("kinetic / internal", [_kinetic(summary)]),
+        *([("accuracy", [accuracy_text(summary)])] if summary.get("control") else []),
+        *([("sudden cracks", [sudden_text(summary)])] if summary.get("sudden_cracks") else []),
+        ("steps", [str(summary.get("steps", "not known"))]),
+        ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
+        ("trust", [trust(summary)]),
+    ]
+
+
+def _has_no_drive(summary: dict[str, Any]) -> bool:
+    end = (summary.get("reactions") or {}).get("end")
+    return end is not None and "drive" not in end
+
+
+def _peak_rows(summary: dict[str, Any]) -> Rows:
+    return [
+        ("peak stress", [stress_text(summary, "peak_stress_pa")]),
+        ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
+        ("final stress", [stress_text(summary, "final_stress_pa")]),
+    ]
+
+
+def _rest_rows(summary: dict[str, Any]) -> Rows:
+    """Of a scene without a drive: how far the dead loads have settled, and what the supports bear at the end."""
+    acts = [
+        f"{name} ({one['on']}): {', '.join(f'{force:.4g}' for force in one['force_n'])} N"
+        for name, one in summary["reactions"]["end"].items()
+        if isinstance(one, dict) and "on" in one
+    ]
+    return [
+        ("settling", [_number(summary, "unbalanced_after_settling", 1.0, "of the dead loads still unbalanced")]),
+        ("reactions x, y, z", acts or ["no supports"]),
+    ]
+
+
+def stress_text(summary: dict[str, Any], key: str) -> str:
+    """A stress, and the force that it stands for, with the section between them."""
+    stress, section = summary.get(key), summary.get("section_m2")
+    words = _number(summary, key, 1e-6, "MPa")
+    if stress is None or section is None:
+        return words
+    return f"{words} (force {1e-3 * stress * section:.4g} kN over a section of {section:.4g} m2)"
+
+
+def cycles_text(cycles: list[dict[str, Any]]) -> str:
+    """How many cycles there were, what they dissipated, and what is left of the stiffness; the first few in figures."""
+    spent = ", ".join(f"{cycle['dissipated_j']:.3g}" for cycle in cycles[:FEW_CYCLES])
+    more = ", ..." if len(cycles) > FEW_CYCLES else ""
+    first, last = (cycles[k]["stiffness_pa_per_m"] for k in (0, -1))
+    left = f"; stiffness of the last over the first: {last / first:.2g}" if first and last and len(cycles) > 1 else ""
+    return f"{len(cycles)}, dissipating {spent}{more} J{left}"
+
+
+def gauge_text(readings: dict[str, float]) -> str:
+    """What a gauge showed."""
+    at_peak, final = (_number(readings, key, 1e3, "mm") for key in ("at_peak_m", "final_m"))
+    return f"{at_peak} at the peak, {final} at the end"
+
+
+def loads_text(summary: dict[str, Any]) -> str:
+    """What dead loads did after settling, where that is not little beside the work of the drive; else nothing."""
+    drive, loads = summary.get("work_of_drive_j") or 0.0, summary.get("work_of_loads_after_settling_j") or {}
+    told = [f"{name} {work:.3g} J" for name, work in loads.items() if work and abs(work) > TOLD * abs(drive)]
+    return f"{', '.join(told)} (the drive {drive:.3g} J); a load that is lifted does negative work" if told else ""
+
+
+def accuracy_text(summary: dict[str, Any]) -> str:
+    """What a drive to an accuracy was asked for, and by what it can be seen how far it came."""
+    control = summary["control"]
+    asked = f"{100 * control['accuracy']:g} % asked"
+    damping = damping_words(summary["damping_over_external"])
+    if not any((summary.get("energy_j") or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
+        moved = summary.get("joints_opened_or_slid") or 0
+        what = "no contact was damaged" if not moved else f"{moved} joint{'s'[: moved > 1]} opened or slid"
+        return f"{asked}; {what}; {damping}"
+    return (
+        f"{asked}; after the first damage the drive ran ahead of the specimen by {_percent(control['mean_lag'])} of "
+        f"the work done on average, by {_percent(control['largest_lag'])} at most; {damping}"
+    )
+
+
+def damping_words(share: float) -> str:
+    """What damping took of the work of the drive; or gave, where it pulls along what lags behind."""
+    if share >= -BELOW_0:
+        return f"damping took {_percent(share)} of the work"
+    return f"damping gave {_percent(-share)} of the work, by pulling along what lagged behind the drive"
+
+
+def sudden_text(summary: dict[str, Any]) -> str:
+    """How many sudden cracks there were, what they released, and where and when the largest came."""
+    found = summary["sudden_cracks"]
+    largest = max(found, key=lambda event: event["released_j"])
+    what = "one" if len(found) == 1 else f"{len(found)}, the largest"
+    place = largest["place"] or "where a contact slipped or opened without a crack"
+    return (
+        f"{what} at {1e3 * largest['displacement_m']:.4g} mm, {place}; together they released "
+        f"{_percent(summary['released_over_dissipated'])} of all energy that was lost"
+    )
+
+
+def _percent(share: float, digits: int = 2) -> str:
+    """A share as a percentage, 0 where it is rounding."""
+    return f"{0.0 if -BELOW_0 < share < ROUNDING else 100 * share:.{digits}g} %"
+
+
+def trust(summary: dict[str, Any]) -> str:
+    """How far the numbers may be trusted, from the numbers themselves."""
+    doubts = []
+    if summary.get("interrupted"):
+        doubts.append("the run was interrupted, so this is only its first part")
+    if summary.get("stopped"):
+        doubts.append("the run was stopped, so this is only its first part")
+    imbalance = summary.get("energy_imbalance")
+    if imbalance is None:
+        doubts.append("the energy balance is not known")
+    elif abs(imbalance) > IMBALANCE:
+        doubts.append(f"the energy balance is open by {abs(imbalance):.2g} (should be under {IMBALANCE:g})")
+    mismatch = summary.get("dissipation_mismatch") or 0.0
+    if mismatch > DISSIPATION:
+        doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
+    if (summary.get("unbalanced_after_settling") or 0.0) > UNBALANCED:
+        share = summary["unbalanced_after_settling"]
+        doubts.append(f"the dead loads had not come to rest ({share:.2g} of them unbalanced): raise settle.steps")
+    if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
+        doubts.append(
+            f"contacts close by up to {overlap:.2g} of a block's size: the normal stiffness is too low for this load"
+        )
+    if (taken := summary.get("mode_2_over_law") or 0.0) > 1.0 + TAKEN:
+        doubts.append(
+            f"a contact took {taken:.3g} times the energy of mode II that its law has: take smaller steps, or look at "
+            "the law where it is your own"
+        )
+    if (slip := summary.get("slip_max") or 0.0) > SLID * (summary.get("slip_limit") or math.inf):
+        doubts.append(f"contacts slid by up to {slip:.2g} of their joints, and their areas stay those of the beginning")
+    if summary.get("met"):
+        doubts.append(f"{summary['met']}: nothing holds them apart")
+    doubts += summary.get("warnings") or []
+    released = summary.get("released_over_dissipated") or 0.0
+    if released > RELEASED:
+        doubts.append(
+            f"sudden cracks released {_percent(released)} of all energy that was lost: what came after them depends on"
+            " how their swing is damped, and `masonry sensitivity` shows by how much"
+        )
+    damping = summary.get("damping_over_external") or 0.0
+    if damping < -PUSHED:
+        doubts.append(f"damping did {_percent(-damping)} of the work instead of taking any: ask for a smaller accuracy")
+    control = summary.get("control") or {}
+    if control.get("drag_at_peak", 0.0) > control.get("accuracy", 1.0):
+        doubts.append(
+            f"damping took {_percent(control['drag_at_peak'])} of the force at the peak, which may be too high by as"
+            " much: ask for a smaller accuracy"
+        )
+    slow = (
+        ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),
+        ("kinetic_over_internal_max", KINETIC, "kinetic energy reaches {:.2g} of the internal"),
+    )
+    fast = []
+    for key, limit, words in slow:
+        value = summary.get(key)
+        if value is None:
+            doubts.append(f"{key} is not known")
+        elif value > limit:
+            fast.append(f"{words.format(value)} (should be under {limit:g})")
+    if damping > DAMPING:
+        fast.append(f"damping takes {damping:.2g} of the work (should be under {DAMPING:g})")
+    if fast:
+        doubts.append("not quasi-static: " + " and ".join(fast) + "; load more slowly")
+    if not doubts:
+        return (
+            "quasi-static and the energy balance closes: the numbers solve this model; whether the model is the wall "
+            "depends on the scene's assumptions."
+        )
+    return "with care: " + "; ".join(doubts) + "."
+
+
+def _number(summary: dict[str, Any], key: str, factor: float, unit: str) -> str:
+    value = summary.get(key)
+    return "not known" if value is None else f"{value * factor:.4g} {unit}"
+
+
+def _kinetic(summary: dict[str, Any]) -> str:
+    share = summary.get("kinetic_over_internal_max")
+    return "not known" if share is None else _percent(share, 4)
+
+
+def _seconds(summary: dict[str, Any], key: str) -> str:
+    value = summary.get(key)
+    return "not known" if value is None else duration(value)
+
+
+def aligned(rows: Rows, wrap: bool = True) -> str:
+    """Two columns: a word, and lines that are wrapped under each other."""
+    rows = [(visible(word), list(map(visible, entries))) for word, entries in rows]
+    margin = max(len(word) for word, _ in rows) + 2
+    lines = []
+    for word, entries in rows:
+        for number, entry in enumerate(entries):
+            head = f"{word if number == 0 else '':<{margin}}"
+            pieces = (textwrap.wrap(entry, WIDTH - margin) if wrap and len(entry) > WIDTH - margin else [entry]) or [""]
+            lines.append(head + pieces[0])
+            lines += [" " * margin + piece for piece in pieces[1:]]
+    return "\n".join(lines)

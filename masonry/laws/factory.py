@@ -1,0 +1,182 @@
+"""From the numbers of a scene to a law: what is missing, what contradicts itself, what would snap back."""
+
+import importlib
+from collections.abc import Mapping, Sequence
+from math import inf, tan
+from typing import Any
+
+from masonry.errors import SceneError, nearest
+from masonry.laws import law_names
+from masonry.laws.dispatch import beside, shear_intact
+from masonry.laws.interface import Interface
+from masonry.laws.plugins import all_law_names, outside_law
+from masonry.laws.snap_back import Refusal, lost_in_shear
+
+NEAREST, FARTHEST = 1e-18, 1e3
+"""m: slips between which a curve is asked where the cohesion has gone."""
+NOTHING = 1e-5
+"""Share of the cohesion below which a tensile strength counts as none."""
+STRENGTHS = ("tensile_strength", "cohesion", "tan_friction")
+
+
+def module_of(name: str) -> Any:
+    """The module of a law: of ours by its name, else as another package brings it."""
+    if name in law_names():
+        return importlib.import_module(f"masonry.laws.{name}")
+    if (found := outside_law(name)) is None:
+        raise SceneError(f"there is no law '{name}'; {nearest(name, all_law_names())}")
+    return found.module
+
+
+def _shape_class(name: str) -> type:
+    """The NamedTuple of a law file."""
+    file = module_of(name)
+    return next(
+        c for c in vars(file).values() if isinstance(c, type) and issubclass(c, tuple) and c.__module__ == file.__name__
+    )
+
+
+def build(group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)) -> tuple[Any, Interface]:
+    """(shape, interface) of a contact group; raises SceneError.
+
+    properties    SI values under the scene's names; None or absent where not given
+    compressions  Pa, the confining stresses at which snap-back in shear is looked for
+    """
+    shape, interface = made(group, properties, compressions)
+    refused = refusal(shape, interface, compressions)
+    if refused is not None:
+        raise SceneError(
+            f"contact.{group}.{refused.key} = {properties[refused.key]:g} (SI) does not work with law "
+            f"'{properties['law']}': it must be above {refused.wanted}; {refused.why}"
+        )
+    return shape, interface
+
+
+def refusal(shape: Any, interface: Interface, compressions: Sequence[float]) -> Refusal | None:
+    """What a law refuses of its parameters at some compressions (Pa), or None."""
+    refuse = beside(type(shape), "refuse")
+    return None if refuse is None else refuse(shape, interface, compressions)
+
+
+def properties_of(law: str) -> tuple[str, ...]:
+    """The strengths and the parameters of its own that a law reads, under the scene's names."""
+    return () if law == "elastic" else (*strengths_of(module_of(law)), *module_of(law).PARAMETERS.values())
+
+
+def strengths_of(file: Any) -> tuple[str, ...]:
+    """The strengths that the law of a file reads: all of them, unless it names its own."""
+    found: tuple[str, ...] = getattr(file, "STRENGTHS", STRENGTHS)
+    return found
+
+
+def made(group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)) -> tuple[Any, Interface]:
+    """`build` without a look whether the curves would snap back."""
+    name = properties["law"]
+    file, where = module_of(name), f"contact.{group}"
+    stiffness = {key: properties[key] for key in ("normal_stiffness", "shear_stiffness")}
+    if name == "elastic":
+        return _shape_class(name)(), Interface(**stiffness)
+    strengths = strengths_of(file)
+    _require(where, name, properties, strengths)
+    if strengths != STRENGTHS:
+        properties = _without_the_rest(properties, strengths)
+    shape_class: Any = _shape_class(name)
+    optional = shape_class._field_defaults
+    _require(where, name, properties, [key for field, key in file.PARAMETERS.items() if field not in optional])
+    given = {field: properties.get(key) for field, key in file.PARAMETERS.items()}
+    shape = shape_class(**{field: value for field, value in given.items() if value is not None})
+    for field, key in file.PARAMETERS.items():
+        if field not in optional and getattr(shape, field) <= 0.0:
+            raise SceneError(f"{where}.{key} = {getattr(shape, field):g}: law '{name}' needs a value above 0")
+    interface = _interface(where, properties, stiffness)
+    if interface.tan_dilation is not None:
+        interface = interface._replace(
+            dilation_cutoff=_dilation_cutoff(properties, shape, interface, max(compressions))
+        )
+    return shape, interface
+
+
+def _without_the_rest(properties: Mapping[str, Any], strengths: Sequence[str]) -> dict[str, Any]:
+    """The properties of a law that reads some strengths only: the others are 0, and nothing is left to an option."""
+    kept = ("law", "normal_stiffness", "shear_stiffness", *strengths)
+    return {**{key: 0.0 for key in STRENGTHS}, **{key: properties[key] for key in kept}, "coupling": "independent"}
+
+
+def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence[str]) -> None:
+    missing = [key for key in keys if properties.get(key) is None]
+    if missing:
+        spelled = [_SPELLING.get(key, key) for key in missing]
+        raise SceneError(
+            f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: "
+            f"{', '.join(all_law_names())}"
+        )
+
+
+_SPELLING = {"tan_friction": "friction_angle (or tan_friction_angle)"}
+
+
+def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) -> Interface:
+    residual_cohesion = p.get("residual_cohesion") or 0.0
+    tan_residual = p.get("tan_residual_friction")
+    tan_residual = p["tan_friction"] if tan_residual is None else tan_residual
+    if residual_cohesion > p["cohesion"]:
+        raise SceneError(
+            f"{where}.residual_cohesion: {residual_cohesion:g} Pa is more than cohesion {p['cohesion']:g} Pa"
+        )
+    if tan_residual > p["tan_friction"]:
+        raise SceneError(
+            f"{where}.residual_friction_angle is larger than friction_angle; strength never grows on sliding"
+        )
+    dilation = tan(p.get("dilation_angle") or 0.0)
+    if dilation > tan_residual:
+        raise SceneError(
+            f"{where}.dilation_angle is larger than the residual friction angle: sliding would then produce energy"
+        )
+    return Interface(
+        **stiffness,
+        tensile_strength=tensile_strength(p),
+        cohesion=p["cohesion"],
+        tan_friction=p["tan_friction"],
+        residual_cohesion=residual_cohesion,
+        tan_residual_friction=tan_residual,
+        tan_dilation=dilation or None,
+        elastic_unloading=1.0 if p.get("unloading") == "elastic" else None,
+        plastic_softening=1.0 if p.get("softening_variable") == "plastic" else None,
+        combined=None if p.get("coupling") == "independent" else 1.0,
+    )
+
+
+def tensile_strength(p: Mapping[str, Any]) -> float:
+    """Tensile strength (Pa) as the laws take it: not beyond the apex of the Coulomb line, c/tan(phi), and none where it
+    is next to nothing beside the cohesion.
+
+    Beyond the apex nothing holds a slip, though nothing is torn: shear strength would come back on the way home. And
+    cohesion goes with the opening over G_I/fT, which grows beyond all bounds as fT goes to nothing.
+    """
+    strength = p["tensile_strength"]
+    if strength < NOTHING * p["cohesion"]:
+        return 0.0
+    return min(strength, p["cohesion"] / p["tan_friction"]) if p["tan_friction"] > 0.0 else strength
+
+
+def _dilation_cutoff(p: Mapping[str, Any], shape: Any, interface: Interface, compression: float) -> float:
+    """Slip (m) at which dilation ends; where none is given, the slip at which the cohesion has gone.
+
+    "Gone" is 1 % left of the curve at a compression (Pa). A brittle contact loses it at once, so it does not dilate
+    unless a cut-off is given.
+    """
+    if p.get("dilation_cutoff") is not None:
+        return p["dilation_cutoff"]
+    peak = p["cohesion"] + compression * p["tan_friction"]
+    residual = peak - float(lost_in_shear(interface, compression))
+
+    def gone(slip: float) -> bool:
+        return bool(shear_intact(shape, interface, 1.0, slip, peak, residual, compression) <= 0.01)
+
+    if peak <= residual or not gone(FARTHEST):
+        return inf
+    low, high = 0.0, FARTHEST
+    while high - low > 1e-14 * high and high > NEAREST:
+        middle = (low * high) ** 0.5 if low > NEAREST else 0.5 * (low + high)
+        low, high = (low, middle) if gone(middle) else (middle, high)
+    return high if low > 0.0 else 0.0

@@ -1,0 +1,278 @@
+"""How a run advances, chunk by chunk: a drive that is paced by its error."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from masonry.loading.predictor import Guide
+from masonry.loading.scheduled import Chunk, FixedPace
+from masonry.model.loads import Controlled, Program, smooth
+from masonry.model.model import Model
+from masonry.monitors.events import PARTED, Events
+from masonry.monitors.stability import LEAP, smallest_block
+from masonry.monitors.utilisation import utilisation
+from masonry.runtime.state import State, attributes, put_back
+
+SETTLING = 10
+"""One in so many of the rows goes to the settling, which nobody looks at but for its end."""
+STEPS = 80
+"""Steps of an increment: about a period of the slowest swing of a wallette."""
+FEW, STILL = 4, 1e-12
+"""Steps of an increment where all that moves is prescribed, and kinetic over stored energy below which it is so."""
+CURVE = 0.05
+"""Accuracy of increments there at one of FINE or coarser: nothing lags, and only the curve is followed."""
+COARSEST, FINEST = 30, 40_000
+"""Increments in which the whole displacement is made, at least and at most."""
+FIRST, LEARNING = 1e-4, 4
+"""Share of the displacement that the first increment makes; increments before the speed may rise."""
+INTACT = 1e-6
+"""Nothing counts as damaged while fracture has taken less than this share of the stored energy."""
+RISE, FALL = 2.0, 0.1
+"""Most and least change of the speed from one increment to the next, while all is elastic."""
+APPROACH = 0.4
+"""Share of the way to the first damage, slip or opening that an increment may make, unless it is as short as the
+accuracy anyway."""
+FASTER, SLOWER = 1.3, 0.2
+"""Most and least change of the speed from then on."""
+STORED, FRACTURE, LAG, SWAY, ENDS, DRAG = 20.0, 5.0, 1.0, 7.0, 0.4, 0.5
+"""What an increment may bring, in accuracies: change of the stored energy and energy spent on fracture, over the most
+that was stored; energy by which the drive runs ahead, over the work of the drive; the root of kinetic over stored
+energy; the difference between the forces of the two ends, and the force that damping takes on average (its work over
+the way), over the largest force. Measured: benchmarks/test_controlled.py."""
+UNEXPECTED, AT_REST, LOOKS, MOST = 0.5, 1e-7, 4, 600
+"""A sudden crack: share of the kinetic energy that was not expected, from which on the drive is held. It goes on when
+the kinetic energy was below AT_REST of the stored energy in so many looks, one an increment, or after so many looks."""
+FINE, BLUNT = 0.01, 0.4
+"""Accuracies coarser than this one are taken for (accuracy / FINE) ** BLUNT of it: sudden cracks would be overrun."""
+
+DEFORMABLE = 0.5
+"""Of the accuracy: what is aimed at where units deform. In failure mode 1 the same bounds left 2.4 (affine) and 4.8 %
+(tets) of error in the dissipated energy at an accuracy of 1 %, against 0.7 % with rigid units."""
+
+REMEMBERED = (
+    *("speed", "moved", "made", "used", "target", "steps", "increments"),
+    *(
+        "most_stored",
+        "stored",
+        "broken",
+        "most_force",
+        "damped",
+        "work",
+        "elastic",
+        "rest",
+        "step",
+        "held",
+        "calm",
+        "finished",
+        "cruise",
+    ),
+)
+"""Numbers of a paced drive that the next increment depends on."""
+
+
+class ControlledPace:
+    """Smooth increments of the drive, as large as the accuracy allows.
+
+    Between two increments the speed changes by a quintic. How fast it becomes follows from what the last increment
+    brought: larger increments while elastic, smaller ones while cracking.
+    """
+
+    slower = SLOWER
+
+    def __init__(self, model: Model, plan: Controlled, rows: int) -> None:
+        self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Guide(model)
+        still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0)
+        self.settling = FixedPace(still, max(1, rows // SETTLING))
+        self.goal = abs(plan.displacement)
+        self.sign = -1.0 if plan.displacement < 0 else 1.0
+        self.unit = min(plan.accuracy, FINE * (plan.accuracy / FINE) ** BLUNT)
+        if len(model.layout.members["affine"]) or len(model.layout.members["tets"]):
+            self.unit *= DEFORMABLE
+        whole = self.goal / (STEPS * model.dt)
+        self.leap = 0.5 * LEAP * smallest_block(model) / model.dt
+        self.slowest, self.target, self.steps = whole / FINEST, whole * FIRST, STEPS
+        self.speed = self.moved = self.made = self.used = 0.0
+        self.most_stored = self.stored = self.broken = self.most_force = self.damped = self.work = 0.0
+        self.increments = 0
+        self.elastic = True
+        self.rest = np.zeros(len(model.group))
+        self.step, self.events = 0, Events(model)
+        self.held = self.calm = 0
+        self.finished, self.begin, self.end, self.cruise = False, 0.0, plan.displacement, 0.0
+        self.looks: list[tuple[float, float, float, float]] = []
+
+    def next(self) -> Chunk | None:
+        """The next increment; None when the displacement is made and the specimen at rest."""
+        waiting = self.settling.next()
+        if waiting is not None:
+            return waiting
+        if self.goal - self.moved <= 1e-12 * self.goal and not self.turn():
+            return self.finish()
+        if self.held:
+            return self.hold()
+        left, cruise = self.goal - self.moved, self.steps * self.dt
+        if self.speed > 0.0 and left < (0.5 * (self.speed + self.target) + 0.5 * self.target) * cruise:
+            return self.stop(left)
+        self.cruise = self.target
+        return self.made_of(self.speed + (self.target - self.speed) * smooth(np.arange(self.steps + 1) / self.steps))
+
+    def stop(self, left: float) -> Chunk:
+        """The last increment of a way: as many steps as bring the speed down to rest at its end."""
+        steps = max(2, round(2.0 * left / (self.speed * self.dt)))
+        speed = self.speed * (1.0 - smooth(np.arange(steps + 1) / steps))
+        first, whole = speed[0] * self.dt, float(speed[:-1].sum()) * self.dt
+        speed[1:] *= (left - first) / (whole - first)
+        chunk = self.made_of(speed)
+        self.moved = self.goal
+        return replace(chunk, place=self.end)
+
+    def made_of(self, speed: np.ndarray) -> Chunk:
+        """Book an increment of these speeds (n + 1,) m/s along the way."""
+        self.made = float(speed[:-1].sum()) * self.dt
+        self.moved += self.made
+        self.speed = float(speed[-1])
+        self.increments += 1
+        return Chunk(np.full(len(speed), self.plan.dead_load[-1]), self.sign * speed, True)
+
+    def hold(self) -> Chunk:
+        """Some steps in which the drive comes to rest, or stays there."""
+        return self.made_of(self.speed * (1.0 - smooth(np.arange(self.steps + 1) / self.steps)))
+
+    def turn(self) -> bool:
+        """Whether there is another way to go."""
+        return False
+
+    def finish(self) -> Chunk | None:
+        """The end of the run: the drive is held until the specimen rests, so that the last row is an equilibrium."""
+        if not self.finished:
+            self.finished, self.held, self.calm = True, 1, 0
+        return self.hold() if self.held else None
+
+    def feel(self, step: int, before: list[np.ndarray]) -> None:
+        """Each increment is a row, and is looked at there."""
+        self.step = step
+
+    def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+        """Choose the next speed by the forces of drive and support (N), what contacts show, and the ledger (J)."""
+        stored = terms["elastic_blocks"] + terms["elastic_contacts"]
+        broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
+        if self.increments == 0:
+            self.stored = self.most_stored = stored
+            self.rest = seen[:, 2].copy()
+            self.used = utilisation(self.model, seen, self.rest)
+            self.guide.settle()
+            return
+        self.most_stored = max(self.most_stored, stored, 1e-300)
+        self.most_force = max(self.most_force, abs(force), 1e-300)
+        self.work += abs(force) * self.made
+        if self.held:
+            self.wait(force, abs(terms["kinetic"]) <= AT_REST * max(stored, PARTED * self.most_stored))
+        else:
+            self.go_on(force, support, seen, terms)
+        self.stored, self.broken, self.damped = stored, broken, terms["damping"]
+
+    def wait(self, force: float, at_rest: bool) -> None:
+        """The drive is held: let it go where the specimen has come to rest. What moved meanwhile is not the drive's."""
+        self.events.sudden(self.step)
+        self.calm = self.calm + 1 if at_rest else 0
+        self.held += 1
+        if self.calm >= LOOKS or self.held > MOST:
+            self.held = 0
+            self.target = min(self.target, 0.5 * (self.goal - self.moved) / (self.steps * self.dt))
+            self.settle(force)
+            self.events.calm(self.step)
+
+    def go_on(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+        """Choose the next speed, or hold the drive."""
+        stored = terms["elastic_blocks"] + terms["elastic_contacts"]
+        broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
+        self.learn(force)
+        used = utilisation(self.model, seen, self.rest)
+        self.elastic = self.elastic and used < 1.0 and broken <= INTACT * self.most_stored
+        if self.elastic:
+            factor = self.towards_damage(used)
+        else:
+            factor = self.through_damage(stored, broken, force, support, terms)
+        if self.elastic or self.guide.trust > UNEXPECTED or abs(terms["kinetic"]) <= AT_REST * stored:
+            self.events.calm(self.step)
+        else:
+            self.events.sudden(self.step)
+            self.held = int(self.speed * self.steps * self.dt < self.goal - self.moved)
+            self.calm = 0
+        self.steps = FEW if abs(terms["kinetic"]) <= STILL * stored else STEPS
+        fastest = min(self.goal / (COARSEST * self.steps * self.dt), self.leap)
+        self.target = float(np.clip(self.target * factor, self.slowest, fastest))
+
+    def learn(self, force: float) -> None:
+        """Let the guide see where the drive has come to, and its force (N)."""
+        self.guide.learn(self.sign * self.moved, self.sign * self.speed, force)
+
+    def settle(self, force: float) -> None:
+        """The specimen stands where it stands, and the drive exerts a force (N)."""
+        self.guide.settle(self.sign * self.moved)
+
+    def towards_damage(self, used: float) -> float:
+        """Factor of the speed while the contacts use a share `used` of their strength, which grows with the way."""
+        left = self.made * max(1.0 - used, 0.0) / max(used - self.used, 1e-9)
+        self.used = used
+        way = max(APPROACH * left, self.unit * self.moved)
+        most = RISE if self.increments > LEARNING else 1.0
+        return float(np.clip(way / (self.steps * self.dt * self.target), FALL, most))
+
+    def through_damage(
+        self, stored: float, broken: float, force: float, support: float, terms: dict[str, float]
+    ) -> float:
+        """Factor of the speed by what the last increment brought; forces of drive and support in N.
+
+        The drive runs ahead of the specimen by about v / w, where w is the frequency of the expected motion, so the
+        force of the drive does work too early: F v / w = 2 sqrt(K W) of kinetic energy K (expected) and stored W, as
+        far as the drive has brought it.
+        """
+        change = abs(stored - self.stored) / self.most_stored
+        fracture = (broken - self.broken) / self.most_stored
+        lag = 2.0 * np.sqrt(self.guide.kinetic * min(abs(stored), self.work)) / max(self.work, 1e-300)
+        sway = np.sqrt(abs(terms["kinetic"]) / max(abs(stored), PARTED * self.most_stored))
+        curve = CURVE * min(self.plan.accuracy / FINE, 1.0)
+        unit = max(self.unit, curve) if self.steps == FEW else self.unit
+        brought = max(change / STORED, fracture / FRACTURE, 1e-12) / unit
+        ends = abs(force - support) / self.most_force
+        drag = abs(terms["damping"] - self.damped) / (self.most_force * self.made)
+        self.looks.append((float(lag), self.made, float(drag), abs(force)))
+        shares = (lag / LAG, sway / SWAY, ends / ENDS, drag / DRAG)
+        excess = max(np.sqrt(brought), *(share / self.unit for share in shares))
+        return float(np.clip(1.0 / excess, self.slower, FASTER))
+
+    def progress(self) -> tuple[int, int]:
+        """How far the displacement is made, in millionths."""
+        return int(1e6 * min(self.moved / self.goal, 1.0) + 1e-3), 1_000_000
+
+    def report(self) -> dict[str, float]:
+        """What was asked and achieved after the first damage: lags over the work done, their mean over the way, and the
+        share of the largest force that damping took where that force was reached."""
+        lag, way, drag, force = np.array(self.looks or [(0.0, 1.0, 0.0, 0.0)]).T
+        peak = int(np.argmax(force))
+        return {
+            "accuracy": self.plan.accuracy,
+            "increments": self.increments,
+            "mean_lag": float(lag @ way / max(way.sum(), 1e-300)),
+            "largest_lag": float(lag.max()),
+            "drag_at_peak": float(drag[max(peak - 1, 0) : peak + 1].max()),
+        }
+
+    def state(self) -> State:
+        """All that the next speed depends on."""
+        return {
+            **attributes(self, REMEMBERED),
+            "looks": np.array(self.looks).reshape(-1, 4),
+            "events": self.events.state(),
+            "settling": self.settling.state(),
+            "guide": self.guide.state(),
+        }
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        put_back(self, REMEMBERED, state)
+        self.looks = [(lag, way, drag, force) for lag, way, drag, force in state["looks"].tolist()]
+        self.events.restore(state["events"])
+        self.settling.restore(state["settling"])
+        self.guide.restore(state["guide"])

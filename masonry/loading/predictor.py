@@ -1,0 +1,86 @@
+"""What the specimen is expected to do next: what it did last, for as much displacement of the drive.
+
+Every free velocity is the drive's speed times a field (the displacement that the last increment brought, for a unit of
+the drive's) plus a rest, and only the rest is damped by viscosity. Steady loading then meets no drag and sends out no
+waves; what is damped is what follows from cracks. A little local damping besides ends swings, which the field follows.
+"""
+
+import numpy as np
+
+from masonry.kinematics.motion import Guided
+from masonry.model.model import Model
+from masonry.runtime.state import State, attributes, put_back
+
+LITTLE = 0.1
+"""xi of the local damping, eq. (3), that acts on all motion."""
+RATIO, SUDDEN = 0.2, 2.0
+"""Viscosity over the critical one at the frequency of the expected motion: where all moves as expected, and where
+nothing does, so that a specimen with a sudden crack does not swing beyond where it comes to rest, and break there."""
+LEAST, MOST = 0.01, 0.3
+"""Bounds of the share c dt / 2."""
+
+
+class Guide:
+    """Learns the field from increment to increment, and sets the viscosity of the model's damping.
+
+    kinetic  energy (J) of the expected motion at the last increment's end
+    trust    share of the kinetic energy that was expected
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.parts = [
+            (body, model.masses[kind], model.contacts[3][: len(body.v)] if kind == "tets" else body.q)
+            for kind, body in zip(model.masses, model.bodies, strict=True)
+            if body is not None
+        ]
+        self.last = [place.copy() for _, _, place in self.parts]
+        self.displacement = self.kinetic = 0.0
+        self.trust = 1.0
+        self._damp(0.05)
+
+    def _damp(self, share: float) -> None:
+        self.share = share
+        self.model.damping = Guided(share, LITTLE)
+
+    def settle(self, displacement: float = 0.0) -> None:
+        """The specimen is at rest with the drive at `displacement` (m, signed): what moved it was not the drive."""
+        self.displacement = displacement
+        for (_, _, place), last in zip(self.parts, self.last, strict=True):
+            last[...] = place
+
+    def learn(self, displacement: float, speed: float, force: float, stiffness: float | None = None) -> None:
+        """The drive has come to `displacement` (m, signed), moves at `speed` (m/s) and exerts `force` (N).
+
+        stiffness  N/m, where it is not the force over the displacement
+        """
+        rest = sum(float(np.sum(m * (body.v - speed * body.guess) ** 2)) for body, m, _ in self.parts)
+        foreseen = sum(float(np.sum(m * (speed * body.guess) ** 2)) for body, m, _ in self.parts)
+        self.trust = trust = foreseen / (foreseen + rest) if foreseen > 0.0 else 1.0
+        inertia = 0.0
+        for (body, m, place), last in zip(self.parts, self.last, strict=True):
+            body.guess[...] += trust * ((place - last) / (displacement - self.displacement) - body.guess)
+            body.guess[body.pace == 0.0] = 0.0
+            last[...] = place
+            inertia += float(np.sum(m * body.guess**2))
+        self.displacement = displacement
+        self.kinetic = 0.5 * inertia * speed**2
+        if inertia > 1e-20:  # kg: something moves with the drive, not round-off
+            secant = abs(force / displacement) if stiffness is None else stiffness
+            ratio = trust * RATIO + (1.0 - trust) * SUDDEN
+            wanted = ratio * np.sqrt(secant / inertia) * self.model.dt
+            self._damp(float(np.clip(wanted, LEAST, MOST)))
+
+    def state(self) -> State:
+        """Where all was at the end of the last increment, and the damping that followed; the field is the bodies'."""
+        return {
+            **attributes(self, ("displacement", "kinetic", "share", "trust")),
+            "last": [last.copy() for last in self.last],
+        }
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        put_back(self, ("displacement", "kinetic", "share", "trust"), state)
+        for last, saved in zip(self.last, state["last"], strict=True):
+            last[...] = saved
+        self._damp(self.share)

@@ -1,0 +1,112 @@
+"""A sudden crack in a run at a constant rate or in steps: the drive is held, and the specimen brought to rest.
+
+What a sudden crack breaks would else depend on the local damping of the run: with little of it the specimen swings
+beyond where it comes to rest, and breaks there as well. So all such runs share the viscosity that brakes this swing.
+"""
+
+import numpy as np
+
+from masonry.model.model import Model
+from masonry.monitors import energy
+from masonry.monitors.events import PARTED, Events
+from masonry.runtime.state import State, attributes, put_back
+
+JUMP, LEAST = 10.0, 1e-5
+"""A sudden crack: kinetic energy over what is usual at this speed of the drive, and over the stored energy."""
+MEMORY, AFTERWARDS, LOOKS = 0.02, 0.5, 5
+"""Share of a look in what is usual; the same for so many looks after the drive was held, as a specimen that has cracked
+may swing otherwise."""
+STEPS, DECAY, LITTLE = 10, 0.7, 0.1
+"""While the drive is held: steps from one braking to the next, the share of the velocities that one leaves, and the
+most local damping, as much of it would make a crack creep."""
+STILL, BRAKINGS, MOST = 1e-7, 20, 30_000
+"""The drive goes on when the kinetic energy has been below this share of the stored energy for so many brakings, as
+a crack may creep on before it leaps. It is held for so many steps in all: what falls over never comes to rest."""
+REMEMBERED = ("usual", "held", "stored", "most", "learning", "still", "waited")
+
+
+class Rest:
+    """Looks after each chunk of steps whether the specimen moves by itself, and if so holds the drive until it rests.
+
+    held   steps for which it has been held so far; 0 while it moves
+    steps  steps until the next braking
+    """
+
+    steps = STEPS
+
+    def __init__(self, model: Model) -> None:
+        assert isinstance(model.damping, float)
+        self.model, self.events, self.damping = model, Events(model), model.damping
+        self.usual = self.stored = self.most = 0.0
+        self.held = self.learning = self.still = self.waited = 0
+
+    def see(self, stored: float) -> None:
+        """The specimen stores so much (J) now; pieces that came apart are measured by what they stored together."""
+        self.most = max(self.most, stored)
+        self.stored = max(stored, PARTED * self.most)
+
+    def look(self, step: int, speed: float, before: list[np.ndarray]) -> None:
+        """The drive moves at `speed` (m/s) after a step; velocities one step earlier (energy.velocities)."""
+        kinetic = abs(energy.kinetic(self.model, before))
+        expected = self.usual * speed**2
+        if self.held:
+            brake(self.model, before, DECAY)
+            self.events.sudden(step)
+            self.still = self.still + 1 if kinetic <= STILL * self.stored else 0
+            self.waited += STEPS
+            over = self.still >= BRAKINGS or self.waited >= MOST
+            self.hold(0 if over else self.held + STEPS)
+            self.learning = LOOKS
+        elif self.leaps(kinetic, expected):
+            self.events.sudden(step)
+            self.hold(STEPS)
+            self.still = 0
+        else:
+            if self.learning:  # what the drive's new start is felt as belongs to the crack before it
+                self.events.sudden(step)
+            else:
+                self.events.calm(step)
+            if speed != 0.0:
+                share = AFTERWARDS if self.learning else MEMORY
+                self.usual += share * (kinetic / speed**2 - self.usual)
+            self.learning = max(self.learning - 1, 0)
+
+    def leaps(self, kinetic: float, expected: float) -> bool:
+        """Whether so much kinetic energy (J) is a sudden crack where so much is expected; not before anything broke."""
+        if self.learning or self.waited >= MOST or self.usual == 0.0:
+            return False
+        return kinetic > max(JUMP * expected, LEAST * self.stored) and self.events.anything_spent()
+
+    def hold(self, steps: int) -> None:
+        """The drive has been held for so many steps, or (0) moves; its damping follows."""
+        self.held = steps
+        self.model.damping = min(self.damping, LITTLE) if steps else self.damping
+
+    def state(self) -> State:
+        """What the next look depends on."""
+        return {**attributes(self, REMEMBERED), "events": self.events.state()}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        put_back(self, REMEMBERED, state)
+        self.events.restore(state["events"])
+        self.hold(self.held)
+
+
+def brake(model: Model, before: list[np.ndarray], left: float) -> None:
+    """Leave a share of each free velocity: an impulse, booked as a force of the damping in this step, so that the
+    energy balance stays closed."""
+    for (kind, body), old in zip(energy.present(model), before, strict=True):
+        impulse = (left - 1.0) * model.masses[kind] * body.v / model.dt
+        body.hold[...] += impulse
+        body.work[:, 1] += 0.5 * model.dt * _by_block(impulse * old, len(body.work))
+        body.v[...] = np.where(model.masses[kind] > 0.0, left * body.v, body.v)
+
+
+def _by_block(work: np.ndarray, blocks: int) -> np.ndarray:
+    """(B,) sums of a row each; nodes of tets are not told apart by block: the first account takes all of them."""
+    if len(work) == blocks:
+        return np.asarray(work.sum(axis=1))
+    accounts = np.zeros(blocks)
+    accounts[0] = work.sum()
+    return accounts

@@ -1,0 +1,73 @@
+"""Plans of drives that turn back: places over steps, and legs between turning points."""
+
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+
+from masonry.errors import SceneError
+from masonry.model.loads import Controlled, Program, rise, smooth
+
+FASTEST = 1.875
+"""The greatest slope of the quintic passage between two turning points, over its mean."""
+STILL = 1e-12
+"""Of the farthest place: a drive that moves by less in a step stands still."""
+
+
+@dataclass(frozen=True)
+class Cyclic(Controlled):
+    """A drive that is paced by its error (cyclic_pace.py) from one of its places (m, signed) to the next.
+
+    displacement  m, the first of them
+    """
+
+    turns: tuple[float, ...] = ()
+
+
+def cyclic(settle: int, turns: tuple[float, ...], accuracy: float) -> Cyclic:
+    """Dead loads rise over the first half of `settle`; then the drive visits the places to an accuracy."""
+    return Cyclic(rise(settle, settle), turns[0], accuracy, turns)
+
+
+def followed(dt: float, settle: int, places: np.ndarray, varying: np.ndarray | None = None) -> Program:
+    """Dead loads rise over the first half of `settle`; then the drive comes to places (n,) m, signed, one a step.
+
+    varying  (H, settle + n + 1) share of each varying load, at each step
+    The first step starts at rest and moves nothing, so `places` begins with 0.
+    """
+    count = len(places)
+    speed = np.zeros(settle + count + 1)
+    speed[settle + 1 : -1] = np.diff(places) / dt
+    return Program(rise(settle, settle + count), speed, settle, 0, varying, settle + 1 + landmarks(places))
+
+
+def landmarks(places: np.ndarray) -> np.ndarray:
+    """Which of places (n,) rows must not miss: those where the drive turns, and both between which it crosses its
+    start. Changes that are rounding count for nothing."""
+    made = np.diff(places)
+    moving = np.flatnonzero(np.abs(made) > STILL * float(np.abs(places).max()))
+    turned = np.flatnonzero(made[moving[1:]] * made[moving[:-1]] < 0.0)
+    crossed = np.flatnonzero((places[1:] > 0.0) != (places[:-1] > 0.0))
+    return np.unique(np.concatenate([moving[turned + 1], moving[turned] + 1, crossed, crossed + 1]))
+
+
+def passage(turns: tuple[float, ...], steps: int) -> np.ndarray:
+    """(steps,) m: from 0 through the turning points, at rest at each, by quintics; steps shared out by the ways."""
+    stops = np.array([0.0, *turns])
+    ways = np.abs(np.diff(stops))
+    at = np.round(np.concatenate([[0.0], np.cumsum(ways)]) / ways.sum() * (steps - 1))
+    if np.any(np.diff(at) < 1.0):
+        raise SceneError(
+            f"drive: {steps} steps are too few for {len(turns)} turning points; give more, or a lower rate"
+        )
+    k = np.arange(steps)
+    leg = np.minimum(np.searchsorted(at, k, side="right"), len(ways)) - 1
+    share = smooth((k - at[leg]) / (at[leg + 1] - at[leg]))
+    places: np.ndarray = (1.0 - share) * stops[leg] + share * stops[leg + 1]
+    return places
+
+
+def steps_at(rate: float, dt: float, turns: tuple[float, ...]) -> int:
+    """Steps of a passage whose greatest velocity is `rate` (m/s)."""
+    way = float(np.abs(np.diff(turns, prepend=0.0)).sum())
+    return 1 + ceil(min(FASTEST * way / (rate * dt), 1e18))

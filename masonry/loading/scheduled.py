@@ -1,0 +1,97 @@
+"""How a run advances, chunk by chunk: a program that is fixed beforehand."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from masonry.loading.rest import Rest
+from masonry.model.loads import Program
+from masonry.runtime.state import State
+
+LONGEST_CHUNK = 100
+"""Steps between two looks at the motion: an instability cannot grow into infinities unseen, nor a sudden crack far."""
+
+
+@dataclass(frozen=True)
+class Chunk:
+    """Some steps: share of the dead load (n + 1,) and speed of the drive (n + 1,) m/s, before and after each step.
+
+    row    whether a row of the history is due after it
+    place  m, signed: where the drive is after it, if that is known better than the sum of the speeds
+    """
+
+    dead_load: np.ndarray
+    speed: np.ndarray
+    row: bool
+    place: float | None = None
+
+    @property
+    def steps(self) -> int:
+        return len(self.speed) - 1
+
+
+class FixedPace:
+    """The chunks of a program, with a row every so many steps, and after each step that the program marks."""
+
+    def __init__(self, program: Program, rows: int, rest: Rest | None = None) -> None:
+        self.program, self.done, self.rest, self.speed = program, 0, rest, 0.0
+        self.events = None if rest is None else rest.events
+        self.every = max(1, program.steps // rows)
+
+    def next(self) -> Chunk | None:
+        """The next chunk; None at the end."""
+        steps = self.program.steps
+        if self.done >= steps:
+            return None
+        if self.rest is not None and self.rest.held:
+            return self.hold(self.rest.steps)
+        due = self.row_due()
+        first, self.done = self.done, min(due, self.done + LONGEST_CHUNK)
+        part = slice(first, self.done + 1)
+        return self.going_on(Chunk(self.program.dead_load[part], self.program.speed[part], self.done == due))
+
+    def hold(self, steps: int) -> Chunk:
+        """Some steps in which the drive rests, and the dead loads stay; the move that was due next is still made."""
+        return self.going_on(Chunk(np.full(steps + 1, self.program.dead_load[self.done]), np.zeros(steps + 1), False))
+
+    def going_on(self, chunk: Chunk) -> Chunk:
+        """The chunk, beginning with the speed that the one before it ended with."""
+        if chunk.speed[0] != self.speed:
+            chunk = replace(chunk, speed=np.concatenate([[self.speed], chunk.speed[1:]]))
+        self.speed = float(chunk.speed[-1])
+        return chunk
+
+    def row_due(self) -> int:
+        """The next step after which a row is due."""
+        marks = self.program.marks
+        k = int(np.searchsorted(marks, self.done, side="right"))
+        regular = min((self.done // self.every + 1) * self.every, self.program.steps)
+        return min(regular, int(marks[k])) if k < len(marks) else regular
+
+    def feel(self, step: int, before: list[np.ndarray]) -> None:
+        """The drive is held where the specimen moves by itself; `before`: velocities one step before this one."""
+        if self.rest is not None and self.done > self.program.settle:
+            self.rest.look(step, self.speed, before)
+
+    def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+        """The drive is held by what the specimen stores."""
+        if self.rest is not None:
+            self.rest.see(terms["elastic_blocks"] + terms["elastic_contacts"])
+
+    def progress(self) -> tuple[int, int]:
+        """Steps done, and all of them."""
+        return self.done, self.program.steps
+
+    def report(self) -> dict[str, float]:
+        """Nothing was asked, and nothing achieved."""
+        return {}
+
+    def state(self) -> State:
+        """How far it is."""
+        return {"done": self.done, "speed": self.speed, "rest": None if self.rest is None else self.rest.state()}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        self.done, self.speed = state["done"], state["speed"]
+        if self.rest is not None:
+            self.rest.restore(state["rest"])

@@ -1,0 +1,67 @@
+"""Loads that vary, each by a history of its own: straight from chunk to chunk, by one array of changes for all."""
+
+import numpy as np
+
+from masonry.loading.scheduled import Chunk, FixedPace
+from masonry.model.loads import Program
+from masonry.model.model import Model
+
+STRETCH = 200
+"""Steps between two knots, at most."""
+STRAIGHT = 1e-3
+"""Of the largest share of a history: how far it may leave the straight line between two knots."""
+
+
+def knots(shares: np.ndarray, settle: int) -> np.ndarray:
+    """Steps, rising, between which each of shares (H, n + 1) is taken for straight: at most STRETCH apart, and at the
+    end of the settling; one apart where the shares bend too much from step to step."""
+    last = shares.shape[1] - 1
+    at = np.unique(np.concatenate([[0], np.arange(settle, last, STRETCH), [last]]))
+    while True:
+        apart = np.zeros(last)
+        for share in shares:
+            most = float(np.abs(share).max()) or 1.0
+            line = np.interp(np.arange(last), at, share[at])
+            apart = np.maximum(apart, np.abs(share[:-1] - line) / most)
+        bent = (np.maximum.reduceat(apart, at[:-1]) > STRAIGHT) & (np.diff(at) > 1)
+        if not bent.any():
+            return at
+        at = np.union1d(at, (at[:-1] + at[1:])[bent] // 2)
+
+
+class VaryingPace(FixedPace):
+    """A fixed program in which the loads pass from their shares at the start of a chunk to those at its end.
+
+    Within a chunk each load changes in proportion to the steps, so the step itself needs no more than the loads at the
+    start and their change, however many histories there are. A chunk ends at the next knot of the histories at the
+    latest, and one that ends before, as a row is due, leaves the line from knot to knot as it is.
+    """
+
+    def __init__(self, model: Model, program: Program, shares: np.ndarray, rows: int) -> None:
+        super().__init__(program, rows)
+        self.knots = knots(shares, program.settle)
+        steps = np.arange(shares.shape[1])
+        self.shares = np.array([np.interp(steps, self.knots, share[self.knots]) for share in shares])
+        self.parts = []
+        for kind, body in zip(("rigid", "affine", "tets"), model.bodies, strict=True):
+            if body is not None and body.change is not None:
+                each = [np.zeros(body.load.shape) if one[kind] is None else one[kind] for one in model.varying]
+                self.parts.append((body, body.load.copy(), np.array(each)))
+
+    def next(self) -> Chunk | None:
+        """The next chunk; it sets the loads of the bodies for its steps. None at the end."""
+        steps, settle = self.program.steps, self.program.settle
+        if self.done >= steps:
+            return None
+        due = self.row_due()
+        knot = int(self.knots[np.searchsorted(self.knots, self.done, side="right")])
+        first, self.done = self.done, min(due, self.done + STRETCH, knot)
+        part = slice(first, self.done + 1)
+        begin, end = self.shares[:, first], self.shares[:, self.done]
+        for body, rest, each in self.parts:
+            body.load[...] = rest + np.tensordot(begin, each, 1)
+            body.change[...] = np.tensordot(end - begin, each, 1)
+        dead_load = self.program.dead_load[part]
+        if first >= settle:
+            dead_load = dead_load + np.linspace(0.0, 1.0, self.done - first + 1)
+        return Chunk(dead_load, self.program.speed[part], self.done == due)

@@ -1,0 +1,179 @@
+"""Flat arrays of a model: the sides of the contacts in the order of their bodies, the bodies, the contacts' memory."""
+
+import numpy as np
+
+from geometry.blocks import TetMesh
+from masonry.kinematics.affine import Affine
+from masonry.kinematics.rigid import Rigid
+from masonry.kinematics.tets import Tets
+from masonry.laws.interface import Interface
+from masonry.laws.state import ContactState, fresh
+from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
+from masonry.model.loads import Conditions
+from masonry.model.stable_step import BETWEEN
+from masonry.simd.alignment import BEHIND, aligned
+
+
+def number_sides(sides: tuple, first: dict[str, int], rows: dict[str, int]) -> tuple:
+    """Rows of u of both sides (C, 2), and per kind (start, code, arm) of the sides in the order of their bodies.
+
+    Under "between": nodes, shape functions and code of the sides whose points lie between tet nodes, in order of nodes.
+    """
+    count = len(sides[0].kind)
+    kind = np.concatenate([s.form for s in sides])
+    row = np.concatenate([s.row for s in sides])
+    arm = np.concatenate([s.arm for s in sides])
+    axes = np.concatenate([s.axes for s in sides])
+    code = np.concatenate([2 * np.arange(count), 2 * np.arange(count) + 1])
+    place = row.copy()
+    ordered = {}
+    for k, name in enumerate(KINDS):
+        which = np.flatnonzero(kind == k)
+        which = which[np.lexsort((code[which], row[which]))]
+        start = np.searchsorted(row[which], np.arange(rows[name] + 1))
+        arms = arm[which] if name == "affine" else np.einsum("cij,cj->ci", axes[which], arm[which])
+        ordered[name] = start.astype(np.uint32), code[which].astype(np.uint32), np.ascontiguousarray(arms)
+        if name != "tets":
+            place[which] = first[name] + np.arange(len(which))
+    between = np.flatnonzero(kind == BETWEEN)
+    if len(between):
+        corner, share = (np.concatenate([getattr(s, name) for s in sides])[between] for name in ("corner", "share"))
+        order = np.argsort(corner[:, 0], kind="stable")
+        place[between[order]] = first["between"] + np.arange(len(between))
+        ordered["between"] = corner[order], share[order], code[between[order]]
+    return aligned(place.reshape(2, count).T.astype(np.uint32)), ordered
+
+
+def bodies_of(
+    layout: Layout,
+    conditions: Conditions,
+    masses: dict,
+    dt: float,
+    lame: np.ndarray,
+    ordered: dict,
+    first: dict,
+    guided: bool,
+) -> tuple:
+    """(rigid, affine, tets), None where absent; guided bodies have room for their expected velocities."""
+    common = {}
+    for kind in KINDS:
+        held, load = conditions.prescribed[kind], conditions.load[kind]
+        varies = any(varying[kind] is not None for varying in conditions.varying)
+        zeros = [in_rows(np.zeros(held.shape)) for _ in range(3)]
+        pace = in_rows(np.where(held, 0.0, dt / np.where(masses[kind] > 0, masses[kind], np.inf)))
+        start, code, _ = ordered[kind]
+        common[kind] = {
+            **dict(zip(("v", "contact", "hold"), zeros, strict=True)),
+            **{
+                "pace": pace,
+                "start": start,
+                "code": code,
+                "load": in_rows(np.zeros(held.shape) if load is None else load) if varies or load is not None else None,
+                "change": in_rows(np.zeros(held.shape)) if varies else None,
+                "guess": in_rows(np.zeros(held.shape)) if guided else None,
+                "work": np.zeros((len(layout.members[kind]), 3)),
+            },
+        }
+    which = layout.members
+    axes = {
+        kind: None if np.array_equal(layout.axes[b], np.broadcast_to(np.eye(3), (len(b), 3, 3))) else layout.axes[b]
+        for kind, b in which.items()
+    }
+    rigid = affine = tets = None
+    if len(which["rigid"]):
+        q = in_rows(np.zeros((len(which["rigid"]), 6)))
+        rigid = Rigid(
+            q=q, arm=ordered["rigid"][2], first_point=np.uint32(first["rigid"]), axes=axes["rigid"], **common["rigid"]
+        )
+    if len(which["affine"]):
+        b = which["affine"]
+        affine = Affine(
+            q=in_rows(np.zeros((len(b), 12))),
+            arm=ordered["affine"][2],
+            stiffness=lame[b] * layout.volume[b, None],
+            first_point=np.uint32(first["affine"]),
+            axes=axes["affine"],
+            **common["affine"],
+        )
+    if layout.mesh is not None and len(which["tets"]):
+        between = _between(layout, layout.mesh, ordered["between"], first["between"]) if "between" in ordered else {}
+        tets = _tets(layout, layout.mesh, lame, {**common["tets"], **between})
+    return rigid, affine, tets
+
+
+def _tets(layout: Layout, mesh: TetMesh, lame: np.ndarray, common: dict) -> Tets:
+    b = layout.members["tets"]
+    last = np.append(b, len(mesh.node_start) - 1)
+    count = np.diff(mesh.tet_start[last])
+    group_start = np.concatenate([[0], np.cumsum(-(-count // 8))])
+    slot = np.arange(len(mesh.tets)) + np.repeat(8 * group_start[:-1] - mesh.tet_start[last[:-1]], count)
+    corner = np.repeat(np.repeat(mesh.node_start[b], 8 * np.diff(group_start))[:, None], 4, axis=1)
+    corner[slot] = mesh.tets
+    slope = np.zeros((len(corner), 9))
+    slope[slot] = (tet_gradients(mesh)[:, 1:] * np.sqrt(tet_volumes(mesh))[:, None, None]).reshape(-1, 9)
+    return Tets(
+        inner=in_rows(np.zeros((len(mesh.nodes), 3))),
+        node_start=mesh.node_start[last].astype(np.uint32),
+        group_start=group_start.astype(np.uint32),
+        corner=_side_by_side(corner).astype(np.uint32),
+        slope=_side_by_side(slope),
+        lame=np.ascontiguousarray(lame[b]),
+        **common,
+    )
+
+
+def _side_by_side(rows: np.ndarray) -> np.ndarray:
+    """(8 G, n) -> (G, n, 8)."""
+    return np.ascontiguousarray(rows.reshape(-1, 8, rows.shape[1]).transpose(0, 2, 1))
+
+
+def in_rows(values: np.ndarray) -> np.ndarray:
+    """The same numbers in rows that lie 4 or 8 apart, on boundaries of 64 bytes, so that a row is one vector."""
+    rows, used = values.shape
+    width = -(-used // 8) * 8 if used in (6, 8) else -(-used // 4) * 4
+    view = aligned(np.zeros((rows + BEHIND) * width)).reshape(-1, width)[:rows, :used]
+    view[...] = values
+    return view
+
+
+def _between(layout: Layout, mesh: TetMesh, sides: tuple, first: int) -> dict:
+    """Fields of Tets for the sides whose points lie between nodes, as number_sides gives them."""
+    corner, share, code = sides
+    last = np.append(layout.members["tets"], len(mesh.node_start) - 1)
+    order = np.argsort(corner.ravel(), kind="stable")
+    return {
+        "corner_between": corner.astype(np.uint32),
+        "share_between": np.ascontiguousarray(share),
+        "start_between": np.searchsorted(corner[:, 0], mesh.node_start[last]).astype(np.uint32),
+        "first_between": np.uint32(first),
+        "pull_start": np.searchsorted(corner.ravel()[order], np.arange(len(mesh.nodes) + 1)).astype(np.uint32),
+        "pull_code": np.repeat(code, 3)[order].astype(np.uint32),
+        "pull_share": share.ravel()[order],
+    }
+
+
+def memory_of(group: np.ndarray, interfaces: list[Interface]) -> ContactState:
+    """Fresh memory: intact, nothing opened beyond the elastic limit. A strength may differ from contact to contact."""
+    limit, stiffness = np.zeros(len(group)), np.zeros(len(group))
+    for g, interface in enumerate(interfaces):
+        strength = 0.0 if interface.tensile_strength is None else interface.tensile_strength
+        limit[group == g] = strength / interface.normal_stiffness
+        stiffness[group == g] = interface.normal_stiffness
+    return fresh(
+        limit,
+        stiffness,
+        dilates=any(i.tan_dilation is not None for i in interfaces),
+        gap=any(i.elastic_unloading is not None for i in interfaces),
+    )
+
+
+def own_memory(state: ContactState, interface: Interface) -> ContactState:
+    """A group's view of the memory: what its law does not use is None, and compiled away."""
+    if interface.tensile_strength is None:
+        return ContactState()
+    dilates = interface.tan_dilation is not None
+    return state._replace(
+        uplift=state.uplift if dilates else None,
+        gap=state.gap if interface.elastic_unloading is not None else None,
+        run=state.run if dilates else None,
+    )

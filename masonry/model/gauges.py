@@ -1,0 +1,68 @@
+"""Gauges: the displacement of a place, as a weighted sum of the freedoms of the model; read when a row is taken."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from masonry.model.layout import KINDS, Layout
+from masonry.model.model import Model
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a displacement is taken: the weighted mean over points of blocks and over tet nodes.
+
+    block, point, share  (n,), (n, 3) m, (n,): points of rigid and affine blocks
+    node, node_share     (m,), (m,): tet nodes; both shares together add up to 1
+    """
+
+    block: np.ndarray
+    point: np.ndarray
+    share: np.ndarray
+    node: np.ndarray
+    node_share: np.ndarray
+
+
+@dataclass(frozen=True)
+class Gauge:
+    """Name, and per kind of motion the rows, columns and weights of the freedoms that add up to the reading."""
+
+    name: str
+    terms: dict[str, tuple[np.ndarray, np.ndarray, np.ndarray]]
+
+    def read(self, model: Model) -> float:
+        """m, now."""
+        reading = 0.0
+        for kind, (row, column, weight) in self.terms.items():
+            moved = model.contacts[3] if kind == "tets" else model.bodies[KINDS.index(kind)].q
+            reading += float(weight @ moved[row, column])
+        return reading
+
+
+def gauge(name: str, layout: Layout, at: Place, relative_to: Place | None, axis: int, sign: float) -> Gauge:
+    """The displacement of `at` along an axis times `sign`, less that of `relative_to`."""
+    parts = [(at, sign), *([(relative_to, -sign)] if relative_to is not None else [])]
+    terms = {}
+    for kind in KINDS:
+        found = [_terms(layout, kind, place, axis, factor) for place, factor in parts]
+        row, column, weight = (np.concatenate([entry[k] for entry in found]) for k in range(3))
+        if len(row):
+            terms[kind] = row.astype(np.int64), column.astype(np.int64), weight
+    return Gauge(name, terms)
+
+
+def _terms(layout: Layout, kind: str, place: Place, axis: int, factor: float) -> tuple[np.ndarray, ...]:
+    """Rows, columns and weights of one place in the freedoms of one kind: u = t + turn x arm, or u = t + H arm."""
+    if kind == "tets":
+        return place.node, np.full(len(place.node), axis), factor * place.node_share
+    own = np.flatnonzero(layout.kind[place.block] == KINDS.index(kind))
+    block, share = place.block[own], factor * place.share[own]
+    arm = place.point[own] - layout.centroid[block]
+    if kind == "rigid":
+        arm = np.cross(arm, np.eye(3)[axis])
+    turned = np.einsum("nij,ni->nj", layout.axes[block], arm)
+    first = 3 if kind == "rigid" else 3 + 3 * axis
+    row = np.repeat(layout.local[block], 4)
+    column = np.tile([axis, first, first + 1, first + 2], len(own))
+    weight = share[:, None] * np.column_stack([np.ones(len(own)), turned])
+    return row, column, weight.ravel()

@@ -1,0 +1,189 @@
+"""Blocks + properties -> the flat arrays that the step runs on. Owns dtype (float64) and units (SI)."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from geometry.blocks import Blocks, Joints
+from masonry.kinematics.motion import Guided
+from masonry.laws.state import ContactState
+from masonry.model import stable_step as stiffness
+from masonry.model.arrays import bodies_of, in_rows, memory_of, number_sides, own_memory
+from masonry.model.contact_groups import contact_groups
+from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
+from masonry.model.loads import Conditions
+from masonry.model.step_cost import StepCost, step_cost
+from masonry.simd.alignment import aligned
+
+
+@dataclass(frozen=True)
+class Stepping:
+    """How time advances. masses: "scaled" (quasi-static) or "real"; time_step: "gershgorin", "equation-11", or seconds;
+    step_fraction: of the proven bound (of eq. (11): its frac); damping: xi of eq. (3); guided: damp what moves
+    otherwise than expected besides (guide.py)."""
+
+    masses: str = "scaled"
+    time_step: str | float = "gershgorin"
+    step_fraction: float = 0.9
+    damping: float = 0.8
+    guided: bool = False
+
+
+@dataclass
+class Model:
+    """All that a step reads and writes. See kernels/step.py for the meaning of groups, contacts, bodies, drives."""
+
+    blocks: Blocks
+    joints: Joints
+    layout: Layout
+    group_names: tuple[str, ...]
+    group: np.ndarray
+    state: ContactState
+    groups: tuple
+    contacts: tuple
+    bodies: tuple
+    drives: tuple
+    supports: tuple
+    masses: dict[str, np.ndarray]
+    damping: float | Guided | None
+    dt: float
+    bound: float
+    limited_by: str
+    cost: StepCost | None
+    varying: list[dict[str, np.ndarray | None]]
+    scaled: bool = True
+
+    @property
+    def freedoms(self) -> int:
+        return sum(body.v.size for body in self.bodies if body is not None)
+
+    def contact(self, c: int) -> str:
+        """A contact in words, to blame it in a message."""
+        a, b = self.joints.block_a[c], self.joints.block_b[c]
+        where = ", ".join(f"{x:.4g}" for x in self.joints.point[c])
+        return f"contact {c} ({self.group_names[self.group[c]]}) of blocks {a} and {b} at ({where}) m"
+
+
+def sort_by_group(blocks: Blocks, joints: Joints) -> tuple[tuple[str, ...], np.ndarray, Joints]:
+    """Names of the contact groups, the (C,) group of each contact, and the joints, sorted by group."""
+    names, group = contact_groups(blocks, joints)
+    order = np.argsort(group, kind="stable")
+    per_contact = ["block_a", "block_b", "node_a", "node_b", "point", "normal", "area", "patch"]
+    if joints.corner_a is not None:
+        per_contact += ["corner_a", "share_a", "corner_b", "share_b"]
+    values = {name: getattr(joints, name) for name in Joints.__dataclass_fields__}
+    values.update({name: np.ascontiguousarray(values[name][order]) for name in per_contact})
+    return names, group[order], Joints(**values)
+
+
+def build(
+    blocks: Blocks,
+    joints: Joints,
+    materials: dict[str, Material],
+    laws: dict[str, tuple],
+    stepping: Stepping,
+    conditions: Conditions,
+    layout: Layout,
+) -> Model:
+    """Arrays of a model. `joints` sorted by group (sort_by_group); laws: contact group -> (shape, Interface)."""
+    names, group = contact_groups(blocks, joints)
+    interfaces = [laws[name][1] for name in names]
+    sides = _side(layout, joints, "a"), _side(layout, joints, "b")
+    length = stiffness.lengths(
+        layout, np.concatenate([joints.block_a, joints.block_b]), np.concatenate([s.arm for s in sides])
+    )
+    sides = _with_length(sides[0], length[joints.block_a]), _with_length(sides[1], length[joints.block_b])
+    dilated = np.array([i.normal_stiffness * (1.0 + (i.tan_dilation or 0.0)) for i in interfaces])[group] * joints.area
+    shear = np.array([i.shear_stiffness for i in interfaces])[group] * joints.area
+    lame = _lame(blocks, layout, materials)
+    sums = {kind: np.zeros_like(conditions.prescribed[kind], dtype=float) for kind in KINDS}
+    stiffness.contact_row_sums(sums, sides, joints.normal, dilated, shear)
+    stiffness.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
+    stiffness.tet_row_sums(sums["tets"], layout, lame)
+    stiffness.unscale(sums, layout, length)
+
+    density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
+    real = real_masses(layout, density)
+    masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, dilated)
+    free = {kind: ~held for kind, held in conditions.prescribed.items()}
+    rows = {kind: layout.rows(kind) for kind in KINDS}
+    first = {"tets": 0, "rigid": rows["tets"]}
+    forms = np.concatenate([s.form for s in sides])
+    first["affine"] = first["rigid"] + int(np.sum(forms == KINDS.index("rigid")))
+    first["between"] = first["affine"] + int(np.sum(forms == KINDS.index("affine")))
+    side_rows, ordered = number_sides(sides, first, rows)
+    u = in_rows(np.zeros((first["between"] + int(np.sum(forms == stiffness.BETWEEN)), 3)))
+    bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first, stepping.guided)
+    state = memory_of(group, interfaces)
+    bounds = np.searchsorted(group, np.arange(len(names) + 1)).astype(np.uint32)
+    states = tuple(own_memory(state, i) for i in interfaces)
+    return Model(
+        blocks=blocks,
+        joints=joints,
+        layout=layout,
+        group_names=names,
+        group=group,
+        state=state,
+        groups=(tuple(laws[n][0] for n in names), tuple(interfaces), states, bounds),
+        contacts=(side_rows, aligned(joints.normal), aligned(joints.area), u, in_rows(np.zeros((len(group), 3)))),
+        bodies=bodies,
+        drives=tuple(_row_and_number(conditions.driven.get(kind), kind) for kind in KINDS),
+        supports=tuple(_row_and_number(conditions.support.get(kind), kind) for kind in KINDS),
+        masses={kind: np.where(conditions.prescribed[kind], 0.0, masses[kind]) for kind in KINDS},
+        damping=Guided(0.0, stepping.damping) if stepping.guided else stepping.damping or None,
+        dt=dt,
+        bound=bound,
+        limited_by=limited_by,
+        cost=step_cost(layout, sums, real, free, stepping.masses == "scaled"),
+        varying=conditions.varying,
+        scaled=stepping.masses == "scaled",
+    )
+
+
+def _row_and_number(freedoms: np.ndarray | None, kind: str) -> np.ndarray | None:
+    """(K, 2) of flat indices of freedoms."""
+    return None if freedoms is None else np.column_stack(np.divmod(freedoms, FREEDOMS[kind]))
+
+
+def _side(layout: Layout, joints: Joints, which: str) -> stiffness.Side:
+    block, node, corner, share = (getattr(joints, f"{name}_{which}") for name in ("block", "node", "corner", "share"))
+    kind = layout.kind[block]
+    row = np.where(kind == KINDS.index("tets"), node, layout.local[block])
+    axes = layout.axes[block]
+    arm = np.einsum("cji,cj->ci", axes, joints.point - layout.centroid[block])
+    return stiffness.Side(kind, row, arm, axes, np.ones((len(block), 3)), corner, share)
+
+
+def _with_length(side: stiffness.Side, length: np.ndarray) -> stiffness.Side:
+    return replace(side, length=length)
+
+
+def _lame(blocks: Blocks, layout: Layout, materials: dict[str, Material]) -> np.ndarray:
+    """(B, 2) Pa, zero for rigid blocks."""
+    lame = np.zeros((blocks.count, 2))
+    for g, name in enumerate(blocks.groups):
+        which = (blocks.group == g) & (layout.kind != KINDS.index("rigid"))
+        if which.any():
+            lame[which] = materials[name].lame()
+    return lame
+
+
+def _stepping(
+    layout: Layout, sums: dict, real: dict, conditions: Conditions, stepping: Stepping, kn: np.ndarray
+) -> tuple[dict, float, float, str]:
+    """Masses of motion, time step, its proven bound, and what limits it."""
+    xi = stepping.damping
+    free = {kind: ~held for kind, held in conditions.prescribed.items()}
+    if stepping.masses == "real":
+        bound, kind, row, i = stiffness.stable_step(sums, real, free, xi)
+        dt = stepping.step_fraction * bound
+        if stepping.time_step == "equation-11":
+            dt = stiffness.equation_11(layout, real, kn, stepping.step_fraction)
+        elif not isinstance(stepping.time_step, str):
+            dt = stepping.time_step
+        return real, dt, bound, layout.freedom(kind, row, i) if kind else "nothing: nothing can move"
+    dt = stiffness.step_that_keeps_the_mass(sums, real, free, stepping.step_fraction, xi)
+    if not isinstance(stepping.time_step, str):
+        dt = stepping.time_step
+    masses = stiffness.scaled_masses(sums, dt, stepping.step_fraction, xi)
+    return masses, dt, dt / stepping.step_fraction, "every freedom alike: masses are scaled to one bound"

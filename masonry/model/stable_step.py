@@ -1,0 +1,186 @@
+"""The proven stable time step: row sums of |K| (Gershgorin) over contacts, affine blocks and tets; eq. (11) by name.
+
+For a diagonal mass matrix w_max^2 <= max_i sum_j |K_ij| / m_i, so dt <= 2/w_max holds at dt = 2 min sqrt(m_i/S_i).
+Local damping lowers the limit: a freedom answers with up to (1 + xi) F, so dt is divided by sqrt(1 + xi).
+Turns and strains are scaled by a length along their axis, so that the sums add like to like.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
+
+CHUNK = 8192
+BETWEEN = len(KINDS)
+"""Form of a side whose point lies between tet nodes, in a triangle of them; the other forms are the kinds."""
+SOFTEST = 1e-3
+"""No row sum is taken smaller than this share of the block's largest (a freedom that nothing resists needs a mass)."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """One side of all contacts: kind of its body, row of its freedoms, arm from the centroid along the block's axes.
+
+    corner, share  (C, 3) nodes and shape functions of points between tet nodes, as in Joints; None where there are none
+    """
+
+    kind: np.ndarray
+    row: np.ndarray
+    arm: np.ndarray
+    axes: np.ndarray
+    length: np.ndarray
+    corner: np.ndarray | None = None
+    share: np.ndarray | None = None
+
+    @property
+    def form(self) -> np.ndarray:
+        """(C,) kind of the body, or BETWEEN."""
+        if self.corner is None:
+            return self.kind
+        return np.where(self.corner[:, 0] >= 0, BETWEEN, self.kind)
+
+    def columns(self, kind: int, which: np.ndarray) -> np.ndarray:
+        """(c, 3, n) displacement of the point for a unit of each freedom, turns and strains divided by their length."""
+        identity = np.broadcast_to(np.eye(3), (len(which), 3, 3))
+        if kind == BETWEEN:
+            assert self.share is not None
+            return np.einsum("cj,ik->cijk", self.share[which], np.eye(3)).reshape(len(which), 3, 9)
+        if KINDS[kind] == "tets":
+            return identity
+        if KINDS[kind] == "affine":
+            arm = self.arm[which] / self.length[which]
+            strain = np.einsum("im,ck->cimk", np.eye(3), arm).reshape(len(which), 3, 9)
+            return np.concatenate([identity, strain], axis=2)
+        axes = self.axes[which]
+        turned = np.einsum("cij,cj->ci", axes, self.arm[which])
+        turn = np.cross(axes.transpose(0, 2, 1), turned[:, None, :]).transpose(0, 2, 1)
+        turn = turn / across(self.length[which])[:, None]
+        return np.concatenate([identity, turn], axis=2)
+
+
+def lengths(layout: Layout, block: np.ndarray, arm: np.ndarray) -> np.ndarray:
+    """(B, 3) m along each axis of a block: the larger of its radius of gyration and the rms arm of its contacts."""
+    count = np.bincount(block, minlength=len(layout.kind))[:, None]
+    square = np.column_stack([np.bincount(block, arm[:, k] ** 2, minlength=len(layout.kind)) for k in range(3)])
+    return np.sqrt(np.maximum(square / np.maximum(count, 1), layout.moment / layout.volume[:, None]))
+
+
+def across(length: np.ndarray) -> np.ndarray:
+    """(n, 3) m: for each axis, the radius of gyration about it, from those along the two others."""
+    square = length**2
+    return np.sqrt(square.sum(axis=1, keepdims=True) - square)
+
+
+def contact_row_sums(
+    sums: dict[str, np.ndarray], sides: tuple[Side, Side], normal: np.ndarray, kn: np.ndarray, ks: np.ndarray
+) -> None:
+    """Add the contacts' share; kn, ks (C,) N/m are stiffnesses times area, kn with dilation included.
+
+    A point between nodes, u = sum of N_j u_j with N_j >= 0 that add up to 1, gives node i a row of N_i k (1 + sum N_j),
+    N_i times that of a point on a node: the bound needs no other proof.
+    """
+    a, b = sides
+    pair = a.form * (BETWEEN + 1) + b.form
+    for code in np.unique(pair):
+        chosen = np.flatnonzero(pair == code)
+        kinds = code // (BETWEEN + 1), code % (BETWEEN + 1)
+        for first in range(0, len(chosen), CHUNK):
+            which = chosen[first : first + CHUNK]
+            n = normal[which]
+            stiffness = np.einsum("c,ij->cij", ks[which], np.eye(3))
+            stiffness += np.einsum("c,ci,cj->cij", kn[which] - ks[which], n, n)
+            move_a, move_b = a.columns(kinds[0], which), b.columns(kinds[1], which)
+            move = np.concatenate([-move_a, move_b], axis=2)
+            row = np.abs(np.einsum("cki,ckl,clj->cij", move, stiffness, move, optimize=True)).sum(axis=2)
+            split = move_a.shape[2]
+            for side, kind, part in ((a, kinds[0], row[:, :split]), (b, kinds[1], row[:, split:])):
+                if kind == BETWEEN:
+                    assert side.corner is not None
+                    np.add.at(sums["tets"], side.corner[which], part.reshape(-1, 3, 3))
+                else:
+                    np.add.at(sums[KINDS[kind]], side.row[which], part)
+
+
+def affine_row_sums(sums: np.ndarray, layout: Layout, lame: np.ndarray, length: np.ndarray) -> None:
+    """Add the blocks' own stiffness, V sigma : H, to the rows of H; lame (b, 2) Pa of the affine blocks."""
+    which = layout.members["affine"]
+    if len(which) == 0:
+        return
+    d = np.eye(3)
+    axes = layout.axes[which]
+    # C_ijkl = lambda d_ij d_kl + mu (d_ik d_jl + d_il d_jk), j and l taken along the block's axes
+    bulk = np.einsum("cij,ckl->cijkl", axes, axes)
+    shear = np.einsum("ik,jl->ijkl", d, d)[None] + np.einsum("cil,ckj->cijkl", axes, axes)
+    stiffness = lame[:, 0, None, None, None, None] * bulk + lame[:, 1, None, None, None, None] * shear
+    own = length[which]
+    rows = (np.abs(stiffness) / own[:, None, None, None, :]).sum(axis=(3, 4)) / own[:, None, :]
+    sums[:, 3:] += rows.reshape(len(which), 9) * layout.volume[which][:, None]
+
+
+def tet_row_sums(sums: np.ndarray, layout: Layout, lame_of_block: np.ndarray) -> None:
+    """Add the tets' share; lame_of_block (B, 2) Pa."""
+    mesh = layout.mesh
+    if mesh is None:
+        return
+    gradients, volumes = tet_gradients(mesh), tet_volumes(mesh)
+    lame = np.repeat(lame_of_block, np.diff(mesh.tet_start), axis=0) * volumes[:, None]
+    for first in range(0, len(volumes), CHUNK):
+        g, moduli = gradients[first : first + CHUNK], lame[first : first + CHUNK]
+        outer = np.einsum("tai,tbj->taibj", g, g)
+        dots = np.einsum("tai,tbi->tab", g, g)
+        k = moduli[:, 0, None, None, None, None] * outer
+        k += moduli[:, 1, None, None, None, None] * outer.transpose(0, 1, 4, 3, 2)
+        k += np.einsum("t,tab,ij->taibj", moduli[:, 1], dots, np.eye(3))
+        rows = np.abs(k).sum(axis=(3, 4))
+        np.add.at(sums, mesh.tets[first : first + CHUNK], rows)
+
+
+def unscale(sums: dict[str, np.ndarray], layout: Layout, length: np.ndarray) -> None:
+    """Turn the sums of scaled freedoms into what their masses are compared with; floor what nothing resists."""
+    for kind in ("rigid", "affine"):
+        rows = sums[kind]
+        if len(rows):
+            np.maximum(rows, SOFTEST * rows.max(axis=1, keepdims=True), out=rows)
+            own = length[layout.members[kind]]
+            rows[:, 3:] *= across(own) ** 2 if kind == "rigid" else np.tile(own, 3) ** 2
+    if len(sums["tets"]):
+        np.maximum(sums["tets"], SOFTEST * sums["tets"].max(), out=sums["tets"])
+
+
+def stable_step(
+    sums: dict[str, np.ndarray], masses: dict[str, np.ndarray], free: dict[str, np.ndarray], damping: float
+) -> tuple[float, str, int, int]:
+    """(dt, kind, row, freedom): the proven bound in seconds and the freedom that sets it."""
+    best = (np.inf, "", 0, 0)
+    for kind in KINDS:
+        if not free[kind].any():
+            continue
+        step = np.where(free[kind], 2.0 * np.sqrt(masses[kind] / sums[kind] / (1.0 + damping)), np.inf)
+        row, i = np.unravel_index(np.argmin(step), step.shape)
+        if step[row, i] < best[0]:
+            best = (float(step[row, i]), kind, int(row), int(i))
+    return best
+
+
+def scaled_masses(
+    sums: dict[str, np.ndarray], dt: float, step_fraction: float, damping: float
+) -> dict[str, np.ndarray]:
+    """Masses (quasi-static) for which every freedom has its proven bound at dt/step_fraction."""
+    return {kind: rows * (1.0 + damping) * (dt / (2.0 * step_fraction)) ** 2 for kind, rows in sums.items()}
+
+
+def step_that_keeps_the_mass(
+    sums: dict[str, np.ndarray], masses: dict[str, np.ndarray], free: dict[str, np.ndarray], fraction: float, xi: float
+) -> float:
+    """The dt (s) at which scaled masses only redistribute the mass of what moves: their sum is the real one."""
+    unit = scaled_masses(sums, 1.0, fraction, xi)
+    real = sum(float(masses[kind][:, :3][free[kind][:, :3]].sum()) for kind in KINDS)
+    scaled = sum(float(unit[kind][:, :3][free[kind][:, :3]].sum()) for kind in KINDS)
+    return float(np.sqrt(real / scaled)) if scaled > 0 else 1.0
+
+
+def equation_11(layout: Layout, masses: dict[str, np.ndarray], stiffness: np.ndarray, fraction: float) -> float:
+    """Eq. (11) as printed: 2 frac sqrt(smallest nodal mass / largest contact stiffness). No safe bound (errata)."""
+    smallest = min(float(m[:, :3].min()) for m in masses.values() if len(m))
+    return float(2.0 * fraction * np.sqrt(smallest / stiffness.max()))

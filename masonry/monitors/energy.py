@@ -1,0 +1,92 @@
+"""The energy ledger: stored terms from the state, works by the trapezoid of each force, dissipation from the laws.
+
+Two independent sums meet here. `imbalance` closes external work, damping, kinetic energy, the blocks' elastic energy
+and the trapezoid work into the contacts: round-off for a correct step. The contacts' trapezoid work less their stored
+energy must equal what the laws booked as fracture and friction: equal only as far as the steps are small.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from masonry.kernels import contact
+from masonry.kinematics import affine, tets
+from masonry.model.layout import KINDS
+from masonry.model.model import Model
+
+
+@dataclass(frozen=True)
+class Observation:
+    """What contacts and blocks show at one moment: seen (C, 4) opening, slip, sigma, tau; stress (B, 6) Pa."""
+
+    seen: np.ndarray
+    stress: np.ndarray
+    elastic_contacts: float
+    elastic_blocks: float
+
+
+def observe(model: Model) -> Observation:
+    """Look at every contact and block without changing them."""
+    shapes, interfaces, states, bounds = model.groups
+    seen = np.zeros((len(model.group), 4))
+    stored = 0.0
+    for g in range(len(shapes)):
+        stored += contact.observe(shapes[g], interfaces[g], states[g], bounds[g], bounds[g + 1], *model.contacts, seen)
+    stress = np.zeros((model.blocks.count, 6))
+    _, affine_blocks, tet_blocks = model.bodies
+    elastic = 0.0
+    for kind, file, body in (("affine", affine, affine_blocks), ("tets", tets, tet_blocks)):
+        if body is None:
+            continue
+        which = model.layout.members[kind]
+        part = np.zeros((len(which), 6))
+        elastic += file.observe(body, part) if kind == "affine" else file.observe(body, model.contacts[3], part)
+        stress[which] = part / model.layout.volume[which, None]
+    return Observation(seen, stress, stored, elastic)
+
+
+def kinetic(model: Model, before: list[np.ndarray]) -> float:
+    """v(n-1/2) M v(n+1/2) / 2 (J), with which the balance closes to round-off; `before`: velocities a step earlier."""
+    pairs = zip(present(model), before, strict=True)
+    return 0.5 * sum(float(np.sum(model.masses[kind] * old * body.v)) for (kind, body), old in pairs)
+
+
+def unbalanced(model: Model, before: list[np.ndarray]) -> float:
+    """Sum of |force that accelerates| over the sum of |dead load| on the free movements; 0 without dead loads."""
+    force = load = 0.0
+    for (kind, body), old in zip(present(model), before, strict=True):
+        if body.load is not None:
+            load += float(np.abs(body.load[:, :3])[body.pace[:, :3] > 0.0].sum())
+        force += float(np.abs(model.masses[kind] * (body.v - old))[:, :3].sum()) / model.dt
+    return force / load if load > 0.0 else 0.0
+
+
+def velocities(model: Model) -> list[np.ndarray]:
+    """Copies of the velocities of the bodies that are there."""
+    return [body.v.copy() for _, body in present(model)]
+
+
+def present(model: Model) -> list[tuple[str, Any]]:
+    """Kind and body of the bodies that are there."""
+    return [(kind, body) for kind, body in zip(KINDS, model.bodies, strict=True) if body is not None]
+
+
+def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[str, float]:
+    """All terms (J) at this moment, under the names of history.UNITS."""
+    works = np.sum([body.work.sum(axis=0) for _, body in present(model)], axis=0)
+    contact_work, damping, external = -float(works[0]), -float(works[1]), float(works[2])
+    spent = model.joints.area @ model.state.spent
+    moving = kinetic(model, before)
+    return {
+        "external_work": external,
+        "elastic_blocks": view.elastic_blocks,
+        "elastic_contacts": view.elastic_contacts,
+        "fracture_mode_1": float(spent[0]),
+        "fracture_mode_2": float(spent[1]),
+        "friction": float(spent[2]),
+        "damping": damping,
+        "kinetic": moving,
+        "contact_work": contact_work,
+        "imbalance": external - damping - moving - view.elastic_blocks - contact_work,
+    }

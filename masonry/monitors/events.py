@@ -1,0 +1,91 @@
+"""Sudden cracks: moments in which a specimen moves by itself, as more energy is set free than the cracks take up."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from masonry.model.model import Model
+from masonry.runtime.state import State
+
+PARTED = 0.02
+"""Of the most that was stored: what a specimen that came apart is taken to store, as its pieces still move."""
+
+
+class Event(NamedTuple):
+    """One sudden crack: its first and last step, the energy (J) that damping took between them, and the contact that
+    dissipated most (-1: none did)."""
+
+    first: int
+    last: int
+    released: float
+    contact: int
+
+
+class Events:
+    """The sudden cracks of a run, and the one that goes on, if one does."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.found: list[Event] = []
+        self.going_on = False
+        self.calm(0)
+
+    def calm(self, step: int) -> None:
+        """The specimen follows its drive after this step."""
+        self.going_on, self.step = False, step
+        self.spent, self.damped = self._spent(), self._damped()
+
+    def sudden(self, step: int) -> None:
+        """It has moved by itself since the last look; a crack that goes on is one with what came before."""
+        if self.going_on:
+            self.found.pop()
+        grown = self._spent() - self.spent
+        contact = int(np.argmax(grown)) if grown.max(initial=0.0) > 0.0 else -1
+        self.found.append(Event(self.step, step, self._damped() - self.damped, contact))
+        self.going_on = True
+
+    def anything_spent(self) -> bool:
+        """Whether any contact has dissipated energy so far."""
+        return bool(self.spent.any())
+
+    def _spent(self) -> np.ndarray:
+        """(C,) J that each contact has dissipated."""
+        spent = self.model.state.spent
+        return np.zeros(0) if spent is None else self.model.joints.area * spent.sum(axis=1)
+
+    def _damped(self) -> float:
+        """J that damping has taken from all bodies."""
+        return -sum(float(body.work[:, 1].sum()) for body in self.model.bodies if body is not None)
+
+    def state(self) -> State:
+        """All of it."""
+        found = np.array(self.found, dtype=float).reshape(-1, 4)
+        return {
+            "found": found,
+            "going_on": self.going_on,
+            "step": self.step,
+            "spent": self.spent,
+            "damped": self.damped,
+        }
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        self.found = [Event(int(a), int(b), c, int(d)) for a, b, c, d in state["found"].tolist()]
+        self.going_on, self.step = state["going_on"], state["step"]
+        self.spent, self.damped = state["spent"], state["damped"]
+
+
+def table(model: Model, events: list[Event], rows: dict[str, np.ndarray], least: float) -> list[dict[str, Any]]:
+    """For the summary: the sudden cracks that released more than `least` (J), in the order in which they came."""
+    last = len(rows["step"]) - 1
+    return [
+        {
+            "displacement_m": float(rows["displacement"][min(int(np.searchsorted(rows["step"], event.last)), last)]),
+            "released_j": event.released,
+            "first_step": event.first,
+            "last_step": event.last,
+            "place": model.contact(event.contact) if event.contact >= 0 else "",
+        }
+        for event in events
+        if event.released > least
+    ]

@@ -1,0 +1,74 @@
+"""Where a law's curve snaps back under the compression that a run brings: looked at between chunks."""
+
+import numpy as np
+
+from masonry.errors import Stopped
+from masonry.laws.dispatch import word_of
+from masonry.laws.snap_back import given_mode_2_energy, least_mode_2_energy
+from masonry.model.model import Model
+from masonry.runtime.state import State
+
+
+class SnapBack:
+    """Stops a run in which a contact softens in shear under more compression than its law's energy is enough for.
+
+    Beyond that compression the strength would drop at once and take more energy than the fracture energy given. The
+    compression is looked at before and after the steps of a chunk in which a contact softens; the slope of the curve is
+    that at the share of the strength which was left before.
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        shapes, interfaces, _, bounds = model.groups
+        spans = [slice(int(a), int(b)) for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
+        self.spans = [
+            (g, span) for g, span in enumerate(spans) if least_mode_2_energy(shapes[g], interfaces[g], 0.0) is not None
+        ]
+        self.before = {g: (self._compression(span), self._intact(span)) for g, span in self.spans}
+
+    def check(self, step: int) -> None:
+        """Raise Stopped, naming the contact, if one has softened with too little energy since the last look."""
+        shapes, interfaces = self.model.groups[:2]
+        for g, span in self.spans:
+            compression, intact = self._compression(span), self._intact(span)
+            softened = intact < self.before[g][1]
+            most, left = np.maximum(compression, self.before[g][0]), self.before[g][1]
+            self.before[g] = compression, intact
+            if not softened.any():
+                continue
+            lacking = least_mode_2_energy(shapes[g], interfaces[g], most, left) - given_mode_2_energy(shapes[g], most)
+            lacking[~softened] = -np.inf
+            worst = int(np.argmax(lacking))
+            if lacking[worst] > 0.0:
+                self._stop(step, g, span.start + worst, float(most[worst]), float(lacking[worst]))
+
+    def state(self) -> State:
+        """By number of the group: compression and share left at the last look."""
+        return {str(g): list(before) for g, before in self.before.items()}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        self.before = {g: (state[str(g)][0], state[str(g)][1]) for g, _ in self.spans}
+
+    def _compression(self, span: slice) -> np.ndarray:
+        """(c,) Pa of a group's contacts, from the force that acts; 0 in tension."""
+        _, normal, area, _, force = self.model.contacts
+        return np.maximum(-np.einsum("ci,ci->c", force[span], normal[span]) / area[span], 0.0)
+
+    def _intact(self, span: slice) -> np.ndarray:
+        """(c,) share of the shear strength above the residual that is left."""
+        return self.model.state.intact_s[span].copy()
+
+    def _stop(self, step: int, g: int, contact: int, compression: float, lacking: float) -> None:
+        shape, bounds = self.model.groups[0][g], self.model.groups[3]
+        if np.ndim(shape.G_II) == 0:
+            wanted = f"above {shape.G_II + lacking:.4g} N/m"
+        else:
+            drawn = shape.G_II[contact - bounds[g]]
+            wanted = f"by more than {1.0 + lacking / drawn:.4g} times (drawn here: {drawn:.4g} N/m)"
+        raise Stopped(
+            f"step {step}: {self.model.contact(contact)} softens under a compression of {compression:.4g} Pa, where "
+            f"the curve of law '{word_of(shape)}' snaps back and takes more energy than given: raise "
+            f"contact.{self.model.group_names[g]}.fracture_energy_mode_2 {wanted}, or "
+            'choose law exponential with softening_variable = "displacement", which cannot snap back'
+        )

@@ -1,0 +1,190 @@
+"""What is looked at between chunks: is the motion still to be trusted, and what does the specimen look like."""
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from masonry.errors import Stopped
+from masonry.history import Frame
+from masonry.kinematics.tets import mean_turn
+from masonry.model.layout import KINDS
+from masonry.model.model import Model
+from masonry.monitors.contact_stress import contact_stress
+from masonry.monitors.energy import Observation
+from masonry.monitors.snap_back import SnapBack
+from masonry.runtime.state import State, attributes, put_back
+
+LEAP = 1e-2
+"""A freedom that moves by more than this share of the smallest block in one step is not a motion but an instability."""
+
+
+RINGING = 100.0
+"""Kinetic energy above this multiple of the external work is an instability: a stable step at 0.99 keeps below 50."""
+TORN_LEDGER = 0.2
+"""Share of the external work by which the two sums of the dissipation may differ before a run is stopped."""
+
+
+class Watch:
+    """Stops a run whose numbers can no longer be trusted, and names the block to blame."""
+
+    def __init__(self, model: Model, rotation_limit: float) -> None:
+        self.model = model
+        self.rotation_limit = rotation_limit
+        self.rotation = 0.0
+        self.work = 0.0
+        self.size = smallest_block(model)
+        self.affine = model.layout.members["affine"]
+        self.nearest = nearest_nodes(model)
+        self.tet_turn = np.zeros((len(model.layout.members["tets"]), 3))
+        self.snap_back = SnapBack(model)
+
+    def check(self, step: int) -> None:
+        """Raise Stopped if a velocity is not finite or leaps, a block has turned too far, or a law snaps back."""
+        speed, kind, row, i = self._fastest()
+        if speed * self.model.dt > LEAP * self.size:
+            self._stop_unstable(step, kind, row, i)
+        self._check_rotation(step)
+        self.snap_back.check(step)
+
+    def state(self) -> State:
+        """The largest turn and work so far, and what contacts were like at the last look."""
+        return {**attributes(self, ("rotation", "work")), "snap_back": self.snap_back.state()}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        put_back(self, ("rotation", "work"), state)
+        self.snap_back.restore(state["snap_back"])
+
+    def _fastest(self) -> tuple[float, str, int, int]:
+        """Speed (m/s; turns and strains times the block size), kind, row and freedom of what moves fastest."""
+        best = (-1.0, "", 0, 0)
+        for kind, body in zip(KINDS, self.model.bodies, strict=True):
+            if body is None:
+                continue
+            speed = np.abs(body.v) * np.array([1.0] * 3 + [self.size] * (body.v.shape[1] - 3))
+            speed = np.where(np.isfinite(speed), speed, np.inf)
+            row, i = np.unravel_index(int(np.argmax(speed)), speed.shape)
+            best = max(best, (float(speed[row, i]), kind, int(row), int(i)))
+        return best
+
+    def check_energies(self, step: int, terms: dict[str, float]) -> None:
+        """Raise Stopped if the energies of a row (J) can no longer be those of the specimen.
+
+        An instability that the softening feeds on may stay small; the ledger shows it.
+        """
+        self.work = max(self.work, abs(terms["external_work"]))
+        spent = terms["fracture_mode_1"] + terms["fracture_mode_2"] + terms["friction"]
+        torn = abs(terms["contact_work"] - terms["elastic_contacts"] - spent)
+        if self.work > 0.0 and (abs(terms["kinetic"]) > RINGING * self.work or torn > TORN_LEDGER * self.work):
+            self._stop_unstable(step, *self._fastest()[1:])
+
+    def _stop_unstable(self, step: int, kind: str, row: int, i: int) -> None:
+        model = self.model
+        why = (
+            f"The time step is {model.dt:.4g} s; the proven bound is {model.bound:.4g} s (limited by "
+            f'{model.limited_by}). Use time_step = "gershgorin" with step_fraction <= 1'
+        )
+        if model.dt <= model.bound:
+            why = (
+                "The time step is within its proven bound, so the drive is too fast (take more steps or a lower rate), "
+                "a load too large, or a contact too soft for this specimen"
+            )
+        raise Stopped(f"unstable at step {step}: {model.layout.freedom(kind, row, i)}, runs away. {why}")
+
+    def _check_rotation(self, step: int) -> None:
+        rigid, affine, tets = self.model.bodies
+        turns = []
+        if rigid is not None:
+            turns.append((np.abs(rigid.q[:, 3:]).max(axis=1), "rigid"))
+        if affine is not None:
+            h = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), self.model.layout.axes[self.affine])
+            turns.append((0.5 * np.abs(h - h.transpose(0, 2, 1)).max(axis=(1, 2)), "affine"))
+        if tets is not None:
+            mean_turn(tets, self.model.contacts[3], self.tet_turn)
+            turns.append((np.abs(self.tet_turn).max(axis=1), "tets"))
+        for turn, kind in turns:
+            self.rotation = max(self.rotation, float(turn.max()))
+            if turn.max() > self.rotation_limit:
+                more = min(2.0 * self.rotation_limit, 1.5)
+                block = int(self.model.layout.members[kind][int(np.argmax(turn))])
+                where = ", ".join(f"{x:.4g}" for x in self.model.layout.centroid[block])
+                raise Stopped(
+                    f"step {step}: {kind} block {block} at ({where}) m has turned by {turn.max():.3g} rad, more than "
+                    f"solver.rotation_limit = {self.rotation_limit:g}. Displacements are linear in rotations here: a "
+                    f"turn of {more:g} rad leaves an error of {50.0 * more**2:.2g} %. To accept that: --set "
+                    f"solver.rotation_limit={more:g}"
+                )
+
+
+def smallest_block(model: Model) -> float:
+    """Edge (m) of a cube of the volume of the smallest block."""
+    return float(np.cbrt(model.layout.volume.min()))
+
+
+def frame_of(model: Model, view: Observation, step: int, displacement: float, nearest: np.ndarray | None) -> Frame:
+    """The specimen now; nearest: as nearest_nodes, found once for a run."""
+    seen, state = view.seen, model.state
+    tets = model.bodies[2]
+    nodes = model.contacts[3][: len(tets.v)].copy() if tets is not None else np.zeros((0, 3))
+    stress = view.stress.copy()
+    if model.bodies[0] is not None:
+        stress[model.layout.members["rigid"]] = contact_stress(model)
+    return Frame(
+        step=step,
+        time=step * model.dt,
+        displacement=displacement,
+        corners=corner_displacements(model, nearest),
+        nodes=nodes,
+        opening=seen[:, 0].copy(),
+        slip=seen[:, 1].copy(),
+        normal_stress=seen[:, 2].copy(),
+        shear_stress=seen[:, 3].copy(),
+        damage_tension=1.0 - state.intact_n,
+        damage_shear=1.0 - state.intact_s,
+        stress=stress,
+    )
+
+
+def corner_displacements(model: Model, nearest: np.ndarray | None) -> np.ndarray:
+    """(P, 3) m at the corners of the blocks: exact for rigid and affine blocks, the nearest node for tets."""
+    blocks, layout = model.blocks, model.layout
+    block_of_point = block_of_points(blocks)
+    moved = np.zeros_like(blocks.points)
+    rigid, affine, _ = model.bodies
+    arm = blocks.points - layout.centroid[block_of_point]
+    kind, local = layout.kind[block_of_point], layout.local[block_of_point]
+    axes = layout.axes[block_of_point]
+    if rigid is not None:
+        p = np.flatnonzero(kind == 0)
+        turn = np.einsum("cij,cj->ci", axes[p], rigid.q[local[p], 3:])
+        moved[p] = rigid.q[local[p], :3] + np.cross(turn, arm[p])
+    if affine is not None:
+        p = np.flatnonzero(kind == 1)
+        h = affine.q[local[p], 3:].reshape(-1, 3, 3)
+        moved[p] = affine.q[local[p], :3] + np.einsum("cij,ckj,ck->ci", h, axes[p], arm[p])
+    if nearest is not None:
+        p = np.flatnonzero(kind == KINDS.index("tets"))
+        moved[p] = model.contacts[3][nearest[p]]
+    return moved
+
+
+def nearest_nodes(model: Model) -> np.ndarray | None:
+    """(P,) the node of its own block nearest to each corner of a block with tets, 0 elsewhere; None without tets."""
+    blocks, mesh = model.blocks, model.layout.mesh
+    if mesh is None:
+        return None
+    from scipy.spatial import cKDTree
+
+    p = np.flatnonzero(np.isin(block_of_points(blocks), model.layout.members["tets"]))
+    far = 10.0 * float(np.ptp(mesh.nodes, axis=0).max())  # a fourth axis on which other blocks are out of reach
+    own = np.repeat(np.arange(blocks.count), np.diff(mesh.node_start))
+    tree = cKDTree(np.column_stack([mesh.nodes, far * own]))
+    result = np.zeros(len(blocks.points), dtype=np.int64)
+    result[p] = tree.query(np.column_stack([blocks.points[p], far * block_of_points(blocks)[p]]))[1]
+    return result
+
+
+def block_of_points(blocks: Blocks) -> np.ndarray:
+    """(P,) the block that each corner belongs to."""
+    block = np.zeros(len(blocks.points), dtype=np.int64)
+    block[blocks.face_points] = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
+    return block

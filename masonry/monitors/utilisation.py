@@ -1,0 +1,27 @@
+"""How near the contacts are to leaving their elastic answer for the first time."""
+
+import numpy as np
+
+from masonry.model.model import Model
+
+
+def utilisation(model: Model, seen: np.ndarray, rest: np.ndarray) -> float:
+    """Largest share of its strength that a contact uses, in tension or in shear; at 1 it tears, slips or opens.
+
+    seen  (C, 4) as in energy.py
+    rest  (C,) Pa, normal stress under the dead loads alone: a joint without tensile strength opens when that has gone
+    """
+    _, interfaces, _, bounds = model.groups
+    most = 0.0
+    for g, interface in enumerate(interfaces):
+        if interface.tensile_strength is None:
+            continue
+        span = slice(bounds[g], bounds[g + 1])
+        sigma, tau = seen[span, 2:4].T
+        strength = interface.cohesion - sigma * interface.tan_friction
+        in_shear = np.where(tau > 0.0, np.divide(tau, strength, out=np.ones_like(tau), where=strength > 0.0), 0.0)
+        capacity = interface.tensile_strength - np.minimum(rest[span], 0.0)
+        gained = sigma - np.minimum(rest[span], 0.0)
+        in_tension = np.divide(gained, capacity, out=np.ones_like(sigma), where=capacity > 0.0)
+        most = max(most, float(in_shear.max(initial=0.0)), float(in_tension.max(initial=0.0)))
+    return min(most, 1.0)

@@ -1,0 +1,1 @@
+"""Movies of a run, and the specimen in 3D."""

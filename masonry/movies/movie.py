@@ -1,0 +1,105 @@
+"""A film of a run: its cracks beside its curve with a dot on it, frame by frame, in scales that stay the same."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from masonry.errors import SceneError
+from masonry.pictures.crack_picture import draw_keys, drawing_of, frame_axes, largest_move, magnification, panel_title
+from masonry.pictures.crack_style import kinds_of, scale_of
+from masonry.pictures.curve import plain
+from masonry.pictures.curve_axes import curve_axes
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+FLAT = 0.35
+"""Specimens whose height is a smaller share of their width stand above the curve, not beside it."""
+DOT, GONE, TO_COME = "#b2182b", "#1f3b5c", "#c3ccd6"
+
+
+class Film:
+    """A figure that shows one frame of a result after another.
+
+    view   as masonry.pictures.crack_picture.VIEWS
+    times  by how much displacements are drawn larger; by default so that the largest of all frames shows
+    Raises SceneError where there are no frames.
+    """
+
+    def __init__(self, result: "Result", view: str = "front", times: float | None = None) -> None:
+        frames = result.history.frames
+        if not frames:
+            raise SceneError("this result has no frames: its run ended before there was one; there is nothing to film")
+        self.result, self.frames = result, frames
+        self.drawing = drawing_of(result, view)
+        self.times = magnification(max(frames, key=largest_move), self.drawing.size) if times is None else times
+        self.cracks: list[Any] = [self.drawing.cracks(frame) for frame in frames]
+        self.scale = scale_of(np.concatenate([lines.opening for lines in self.cracks]))
+        self.limits = self._limits()
+        self.figure = self._figure()
+
+    def draw(self, number: int) -> None:
+        """Show frame `number`."""
+        frame = self.frames[number]
+        self.panel.clear()
+        self.drawing.draw(self.panel, frame, self.cracks[number], self.times, self.scale)
+        frame_axes(self.panel)
+        (left, bottom), (right, top) = self.limits
+        self.panel.set(xlim=(left, right), ylim=(bottom, top))
+        name = f"frame {number + 1} of {len(self.frames)}"
+        self.panel.set_title(panel_title(self.result, name, frame, self.times), fontsize=11)
+        rows = self.result.history.rows
+        if self.dot is not None:
+            gone = int(np.searchsorted(rows["step"], frame.step, side="right"))
+            self.gone.set_data(self.across[:gone], self.up[:gone])
+            self.dot.set_data([self.across[gone - 1]], [self.up[gone - 1]])
+
+    def _limits(self) -> np.ndarray:
+        """Lowest and highest place (2, 2) that a corner comes to in any frame, with some room round them."""
+        points = self.result.specimen.blocks.points
+        flat = [self.drawing.project(points + self.times * frame.corners) for frame in self.frames]
+        low, high = np.min(flat, axis=(0, 1)), np.max(flat, axis=(0, 1))
+        room = 0.03 * float(np.max(high - low))
+        return np.array([low - room, high + room])
+
+    def _figure(self) -> Any:
+        """The figure as it stays: title, keys, curve and layout; the panel of cracks is drawn frame by frame."""
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+
+        extent = self.limits[1] - self.limits[0]
+        ratio = float(extent[1] / extent[0])
+        if ratio < FLAT:
+            figure = Figure(figsize=(11.0, 10.0 * ratio + 5.0), layout="constrained")
+            self.panel, curve = figure.subplots(2, 1, height_ratios=[10.0 * ratio + 0.8, 3.0])
+        else:
+            figure = Figure(figsize=(13.0, min(max(7.0 * ratio + 1.8, 4.6), 9.0)), layout="constrained")
+            self.panel, curve = figure.subplots(1, 2, width_ratios=[3.0, 2.0])
+        FigureCanvasAgg(figure)
+        figure.suptitle(plain(self.result.title), fontsize=13, wrap=True)
+        self._draw_curve(curve)
+        draw_keys(figure, [self.panel], [self.result.specimen.blocks], self.scale, kinds_of(self.cracks))
+        self.draw(len(self.frames) - 1)
+        if (engine := figure.get_layout_engine()) is not None:
+            engine.execute(figure)
+        figure.set_layout_engine("none")
+        return figure
+
+    def _draw_curve(self, axes: Any) -> None:
+        """The whole curve, pale, and what moves over it."""
+        self.dot: Any = None
+        self.gone: Any = None
+        rows = self.result.history.rows
+        axes.grid(color="0.9", linewidth=0.8)
+        axes.set_axisbelow(True)
+        axes.spines[["top", "right"]].set_visible(False)
+        if not len(rows.get("displacement", ())):
+            axes.text(0.5, 0.5, "no rows were recorded", transform=axes.transAxes, ha="center")
+            return
+        drawn = curve_axes(self.result)
+        self.across, self.up = drawn.across, rows["stress"] * drawn.factor
+        axes.plot(self.across, self.up, color=TO_COME, linewidth=2.0)
+        (self.gone,) = axes.plot([], [], color=GONE, linewidth=2.0)
+        (self.dot,) = axes.plot([], [], "o", color=DOT, markersize=8)
+        axes.set(xlabel=drawn.label, ylabel=f"{drawn.name} [{drawn.unit}]")
+        axes.margins(y=0.08)

@@ -1,0 +1,105 @@
+"""A film of a run as a file: GIF by Pillow, which comes with matplotlib, MP4 by ffmpeg."""
+
+import shutil
+import subprocess
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from geometry.files.atomic import whole_file
+from masonry.errors import SceneError, extra
+
+if TYPE_CHECKING:
+    from masonry.movies.movie import Film
+    from masonry.results.data import Result
+
+SUFFIXES = (".gif", ".mp4")
+DPI = 96.0
+HOLD = 1.5
+"""Seconds that the last frame stays."""
+
+
+def write_film(
+    result: "Result",
+    path: Path | str,
+    fps: int = 6,
+    view: str = "front",
+    times: float | None = None,
+    progress: Callable[[int, int, str], None] | None = None,
+) -> Path:
+    """Write a .gif or .mp4 of all frames, whole or not at all; returns the path.
+
+    fps       frames a second, 1 to 60
+    view      "front", "back" or "iso"
+    times     by how much displacements are drawn larger
+    progress  called with (frames done, frames, a word)
+
+    Raises SceneError for another suffix, for a result without frames and where there is no ffmpeg for an .mp4;
+    GeometryError where the file cannot be written.
+    """
+    path = Path(path)
+    if path.suffix not in SUFFIXES:
+        raise SceneError(f"'{path}': a film is a .gif or .mp4 file; nearest: '{path.stem or 'movie'}.gif'")
+    if not 1 <= fps <= 60:
+        raise SceneError(f"{fps} frames a second: a film has 1 to 60")
+    write = _write_gif if path.suffix == ".gif" else partial(_write_mp4, ffmpeg=_ffmpeg())
+    from masonry.movies.movie import Film
+
+    with whole_file(path) as beside:
+        beside.touch()  # before there is anything to lose
+        film = Film(result, view, times)
+        try:
+            write(_shown(film, progress), film, beside, fps)
+        except subprocess.CalledProcessError as error:
+            raise SceneError(f"ffmpeg could not write '{path}' ({error}); a .gif needs no ffmpeg") from None
+    return path
+
+
+def _shown(film: "Film", progress: Callable[[int, int, str], None] | None) -> Iterator[None]:
+    """Show one frame after the other."""
+    whole = len(film.frames)
+    for number in range(whole):
+        film.draw(number)
+        yield
+        if progress is not None:
+            progress(number + 1, whole, f"frame {number + 1} of {whole}")
+
+
+def _write_gif(shown: Iterator[None], film: "Film", path: Path, fps: int) -> None:
+    from PIL import Image
+
+    film.figure.set_dpi(DPI)
+    pictures = []
+    for _ in shown:
+        film.figure.canvas.draw()
+        pictures.append(Image.fromarray(np.array(film.figure.canvas.buffer_rgba())[:, :, :3]))
+    times = [1000.0 / fps] * (len(pictures) - 1) + [1000.0 / fps + 1000.0 * HOLD]
+    pictures[0].save(path, save_all=True, append_images=pictures[1:], duration=times, loop=0)
+
+
+def _write_mp4(shown: Iterator[None], film: "Film", path: Path, fps: int, ffmpeg: str) -> None:
+    from matplotlib import rc_context
+    from matplotlib.animation import FFMpegWriter
+
+    with rc_context({"animation.ffmpeg_path": ffmpeg}):
+        writer = FFMpegWriter(fps=fps, codec="h264")
+        with writer.saving(film.figure, str(path), DPI):
+            for _ in shown:
+                writer.grab_frame()
+            for _ in range(round(HOLD * fps)):
+                writer.grab_frame()
+
+
+def _ffmpeg() -> str:
+    """The ffmpeg of the system, else that of imageio-ffmpeg."""
+    if found := shutil.which("ffmpeg"):
+        return found
+    try:
+        from imageio_ffmpeg import get_ffmpeg_exe
+
+        return str(get_ffmpeg_exe())
+    except (ImportError, RuntimeError):
+        raise SceneError(f"an .mp4 needs ffmpeg: install it, or {extra('movie')}; a .gif needs nothing more") from None

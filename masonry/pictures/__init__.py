@@ -1,0 +1,1 @@
+"""Curves and cracks as pictures."""

@@ -1,0 +1,149 @@
+"""cracks.png: the deformed specimen from the front, at the peak and at the end, with its damaged contacts."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from masonry.history import Frame
+from masonry.pictures.crack_style import crack_keys, draw_scales, kinds_of, scale_of
+from masonry.pictures.curve import MEGA, MILLI, plain, without_noise
+from masonry.pictures.front import FlatDrawing, group_colours
+from masonry.pictures.oblique import SolidDrawing
+from masonry.results.frames import at_peak
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+VISIBLE = 0.04
+"""The largest displacement is drawn as about this share of the specimen's size."""
+KEY_WIDTH = 2.0
+"""Inches of an entry of the legend."""
+VIEWS = ("front", "back", "iso")
+Drawing = FlatDrawing | SolidDrawing
+
+
+def drawing_of(result: "Result", view: str = "front") -> Drawing:
+    """What draws a result in one of VIEWS."""
+    return SolidDrawing(result) if view == "iso" else FlatDrawing(result, view == "back")
+
+
+def frames_to_draw(result: "Result") -> list[tuple[str, Frame]]:
+    """The frame nearest to the peak and the last one; one only where they are the same."""
+    frames = result.history.frames
+    if not frames:
+        return []
+    peak, last = at_peak(result), frames[-1]
+    return [("at the end", last)] if peak is last else [("at the peak", peak), ("at the end", last)]
+
+
+def magnification(frame: Frame, size: float) -> float:
+    """How many times displacements are drawn, to two digits; 1 where nothing moves."""
+    largest = largest_move(frame)
+    return float(f"{VISIBLE * size / largest:.2g}") if largest > 1e-12 * size else 1.0
+
+
+def largest_move(frame: Frame) -> float:
+    """The largest displacement (m) of a corner or a node along an axis."""
+    return float(max(np.abs(array).max(initial=0.0) for array in (frame.corners, frame.nodes)))
+
+
+def cracks_figure(result: "Result") -> Any:
+    """A figure of one panel a frame, side by side, or one above the other for long specimens."""
+    panels = frames_to_draw(result)
+    beside = _ratio(FlatDrawing(result)) > 0.3
+    figure = gallery([(name, result, frame) for name, frame in panels], 2 if beside else 1)
+    figure.suptitle(plain(result.title), fontsize=13, wrap=True)
+    return figure
+
+
+def gallery(
+    panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2, view: str = "front", times: float | None = None
+) -> Any:
+    """A figure of panels in rows: (name, result, one of its frames) each, with one key and one scale to them all.
+
+    view   "front", "back" as the tension face of a wall in bending, or "iso" from the front, the right and above
+    times  by how much displacements are drawn larger; by default so that they show, panel by panel
+    """
+    from masonry.pictures.figure import ShownFigure
+
+    columns = max(min(columns, len(panels)), 1)
+    rows = max(-(-len(panels) // columns), 1)
+    drawings = {id(result): drawing_of(result, view) for _, result, _ in panels}
+    shown = [drawings[id(result)] for _, result, _ in panels]
+    ratio = max((_ratio(drawing) for drawing in shown), default=1.0)
+    width = 14.0 if len(panels) > 1 else 9.0
+    height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
+    figure = ShownFigure(figsize=(width, height))
+    figure.set_layout_engine("constrained", h_pad=0.08)  # inches, between the title and those of the panels
+    axes = list(np.atleast_1d(figure.subplots(rows, columns)).ravel())
+    for spare in axes[len(panels) :]:
+        spare.set_axis_off()
+    if not panels:
+        axes[0].text(0.5, 0.5, "no frames were recorded", transform=axes[0].transAxes, ha="center")
+        return figure
+    cracks: list[Any] = [drawing.cracks(frame) for drawing, (_, _, frame) in zip(shown, panels, strict=True)]
+    scale = scale_of(np.concatenate([lines.opening for lines in cracks]))
+    for one, (name, result, frame), drawing, lines in zip(axes, panels, shown, cracks, strict=False):
+        larger = magnification(frame, drawing.size) if times is None else times
+        drawing.draw(one, frame, lines, larger, scale)
+        frame_axes(one)
+        title = panel_title(result, name, frame, larger, narrow=columns > 2)
+        one.set_title(title, fontsize=10 if columns > 2 else 11)
+    draw_keys(figure, axes, [result.specimen.blocks for _, result, _ in panels], scale, kinds_of(cracks))
+    return figure
+
+
+def frame_axes(axes: Any) -> None:
+    """Equal scales, a little room round what is drawn, and no lines round it."""
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.margins(0.03)
+    axes.set_axis_off()
+
+
+def _ratio(drawing: Drawing) -> float:
+    """Height over width of a specimen in a view."""
+    extent = np.ptp(drawing.project(drawing.result.specimen.blocks.points), axis=0)
+    return float(extent[1] / extent[0]) if extent[0] > 0 else 1.0
+
+
+def panel_title(result: "Result", name: str, frame: Frame, times: float, narrow: bool = False) -> str:
+    """Name, displacement, stress, share of the way, and by how much displacements are drawn larger.
+
+    narrow panels take one more line, without the share; a long name has a line to itself
+    """
+    between = "\n" if narrow or len(name) > 30 else " "
+    rows = result.history.rows
+    ways = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))
+    words = f"{name}:{between}displacement {without_noise(frame.displacement, ways) * MILLI:.4g} mm"
+    if len(rows.get("stress", ())):
+        stress = without_noise(float(np.interp(frame.step, rows["step"], rows["stress"])), rows["stress"])
+        words += f", stress {stress * MEGA:.3g} MPa"
+        words += "\n" if narrow else f"\n{100 * share_of_way(rows, frame):.3g} % of the way, "
+    else:
+        words += "\n"
+    return f"{words}displacements drawn {times:g} times"
+
+
+def share_of_way(rows: dict[str, np.ndarray], frame: Frame) -> float:
+    """How much of all that the drive goes, to and fro, lies before a frame; of the time where nothing is driven."""
+    way = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rows["displacement"])))])
+    way = way if way[-1] > 0.0 else rows["step"] - rows["step"][0]
+    return float(np.interp(frame.step, rows["step"], way) / way[-1]) if way[-1] > 0.0 else 1.0
+
+
+def draw_keys(figure: Any, axes: list[Any], drawn: list[Blocks], scale: float, kinds: Sequence[str]) -> None:
+    """Colour bars of damage, and a legend of crack kinds, crack openings and block groups; of kinds that occur."""
+    from matplotlib.patches import Patch
+
+    draw_scales(figure, axes, kinds)
+    colours: dict[str, str] = {}
+    for blocks in drawn:
+        shown = zip(blocks.groups, group_colours(blocks.groups), strict=True)
+        colours |= {name: colour for g, (name, colour) in enumerate(shown) if g in blocks.group}
+    keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
+    keys += crack_keys(scale, kinds)
+    columns = -(-len(keys) // -(-len(keys) // max(int(figure.get_figwidth() / KEY_WIDTH), 1)))
+    figure.legend(handles=keys, loc="outside lower center", ncols=columns, frameon=False, fontsize=10)

@@ -1,0 +1,114 @@
+"""How cracks are drawn: red where tension leads and blue where shear does, darker by damage, wider by opening."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from masonry.history import Frame
+from masonry.pictures.cracks import CrackLines, View
+from masonry.results.deformation import Corners, Deformation
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+KINDS = {"shear": ("Blues", "shear leads"), "tension": ("Reds", "tension leads")}
+"""What a crack may be led by: its colours, and how that is said."""
+DRY = "#3a7d34"
+"""The colour of joints without strength that slid or opened."""
+LEAST_DAMAGE = 0.05
+"""Contacts with less damage are not drawn."""
+LEAST_OPENING = 1e-12
+"""Openings (m) up to this one, far less than an atom, are but rounding."""
+THIN, THICK = 0.9, 4.6
+"""Widths of a line in points: where the faces have not moved apart, and where they did by the scale of the picture."""
+MILLI = 1e3
+
+
+def scale_of(openings: np.ndarray) -> float:
+    """The opening (m) that is drawn at full width: the largest of them, rounded up to one digit; 0 without any."""
+    largest = float(openings.max(initial=0.0))
+    if largest <= LEAST_OPENING:
+        return 0.0
+    power = 10.0 ** np.floor(np.log10(largest))
+    return float(power * np.ceil(largest / power * (1.0 - 1e-9)))
+
+
+def widths(openings: np.ndarray, scale: float) -> np.ndarray:
+    """Widths (points) of lines by the openings (m) of the cracks that they stand for."""
+    share = np.clip(openings / scale, 0.0, 1.0) if scale > 0.0 else np.zeros(len(openings))
+    return np.asarray(THIN + (THICK - THIN) * share)
+
+
+def draw_cracks(
+    axes: Any, result: "Result", lines: CrackLines, frame: Frame, view: View, times: float, scale: float
+) -> None:
+    """Draw the lines where they stand in a frame whose displacements are drawn `times` larger."""
+    from matplotlib.collections import LineCollection
+
+    field = Deformation(Corners(result.specimen.blocks), frame)
+    pieces = view.project(lines.displaced(result.joints, field, times))
+    order = np.argsort(lines.damage, kind="stable")
+    colours = crack_colours(lines.damage, lines.tension_led, lines.dry)
+    axes.add_collection(
+        LineCollection(
+            list(pieces[order]),
+            colors=colours[order],
+            linewidths=widths(lines.opening, scale)[order],
+            capstyle="round",
+            zorder=3.0,
+        )
+    )
+
+
+def crack_colours(damage: np.ndarray, tension_led: np.ndarray, dry: np.ndarray) -> np.ndarray:
+    """(n, 4) colours of cracks by their damage (n,) and by what leads (n,); one for what moved without damage (n,)."""
+    from matplotlib.colors import to_rgba
+
+    damaged = np.where(tension_led[:, None], crack_map("Reds")(damage), crack_map("Blues")(damage))
+    return np.where(dry[:, None], to_rgba(DRY), damaged)
+
+
+def crack_map(name: str) -> Any:
+    """A sequential colour map without its palest third, which would not show on the blocks."""
+    from matplotlib import colormaps
+    from matplotlib.colors import ListedColormap
+
+    return ListedColormap(colormaps[name](np.linspace(0.3, 0.95, 256)))
+
+
+def kinds_of(cracks: Sequence[Any]) -> list[str]:
+    """Which of KINDS there are among the cracks of some frames, and "dry" where joints moved without damage."""
+    if not cracks:
+        return []
+    led, dry = (np.concatenate([getattr(lines, name) for lines in cracks]) for name in ("tension_led", "dry"))
+    there = {"shear": (~led & ~dry).any(), "tension": (led & ~dry).any(), "dry": dry.any()}
+    return [kind for kind, is_there in there.items() if is_there]
+
+
+def draw_scales(figure: Any, axes: list[Any], kinds: Sequence[str]) -> None:
+    """Colour bars of damage, one for each kind of crack that there is."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    for name, word in (KINDS[kind] for kind in kinds if kind in KINDS):
+        bar = ScalarMappable(Normalize(0.0, 1.0), crack_map(name))
+        figure.colorbar(bar, ax=axes, label=f"damage, {word}", fraction=0.025, pad=0.01, aspect=30)
+
+
+def crack_keys(scale: float, kinds: Sequence[str]) -> list[Any]:
+    """Entries of a legend: the kinds of cracks that there are, and what width stands for which opening."""
+    from matplotlib.lines import Line2D
+
+    keys = [
+        Line2D([], [], color=crack_map(colour)(0.9), linewidth=3.0, label=f"crack, {word}")
+        for colour, word in (KINDS[kind] for kind in reversed(kinds) if kind in KINDS)
+    ]
+    if "dry" in kinds:
+        keys.append(Line2D([], [], color=DRY, linewidth=3.0, label="moved without damage"))
+    if scale > 0.0:
+        shown = np.array([0.0, 0.5 * scale, scale])
+        for opening, width in zip(shown, widths(shown, scale), strict=True):
+            word = f"opened or slid {opening * MILLI:.3g} mm" if opening else "not opened"
+            keys.append(Line2D([], [], color="0.35", linewidth=width, label=word))
+    return keys

@@ -1,0 +1,172 @@
+"""What a picture of cracks shows, as plain arrays: the view, the outlines of blocks, the contacts seen edge-on."""
+
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+
+from geometry.blocks import Blocks, Joints
+from masonry.history import Frame
+from masonry.results.deformation import Deformation
+
+EDGE_ON = 0.5
+"""Contacts whose normal makes a smaller cosine with the line of sight are seen edge-on."""
+
+
+@dataclass(frozen=True)
+class View:
+    """A view along one axis: axis numbers to the right and up, the unit vector toward the viewer, the size in m.
+
+    way  1.0, or -1.0 where coordinates grow to the left: seen from behind
+    """
+
+    right: int
+    up: int
+    toward: np.ndarray
+    size: float
+    way: float = 1.0
+
+    def project(self, points: np.ndarray) -> np.ndarray:
+        """(..., 2) of (..., 3)."""
+        return points[..., [self.right, self.up]] * (self.way, 1.0)
+
+
+def front_view(points: np.ndarray) -> View:
+    """The view onto the plane of the two largest extents of points (P, 3); x-z where they tie."""
+    extent = np.ptp(points, axis=0)
+    preference = np.array([2e-9, 0.0, 1e-9]) * extent.max()
+    right, up = sorted(np.argsort(-(extent + preference))[:2])
+    toward = np.cross(np.eye(3)[right], np.eye(3)[up])
+    return View(int(right), int(up), toward, float(extent.max()))
+
+
+def back_view(points: np.ndarray) -> View:
+    """The same plane from behind."""
+    front = front_view(points)
+    return replace(front, toward=-front.toward, way=-1.0)
+
+
+@dataclass(frozen=True)
+class Outlines:
+    """The faces toward the viewer, farthest first.
+
+    face   (n,) face numbers    layer  (n,) depth rank of each face, 0 the farthest
+    outer  for each face, per edge whether it bounds the unit (true) or lies between cells of one unit
+    """
+
+    face: np.ndarray
+    layer: np.ndarray
+    outer: list[np.ndarray]
+
+
+def outlines(blocks: Blocks, view: View, layers: int = 16) -> Outlines:
+    """The faces that look toward the viewer, in at most `layers` steps of depth."""
+    start = blocks.face_start[:-1]
+    corner = blocks.points[blocks.face_points]
+    follower = np.roll(np.arange(len(corner)), -1)
+    follower[blocks.face_start[1:] - 1] = start
+    area = 0.5 * np.add.reduceat(np.cross(corner, corner[follower]), start)
+    facing = area @ view.toward > 0.1 * np.linalg.norm(area, axis=1)
+    depth = np.add.reduceat(corner @ view.toward, start) / np.diff(blocks.face_start)
+    span = np.ptp(corner @ view.toward)
+    layer = np.round((depth - depth.min()) / span * (layers - 1)).astype(int) if span > 0 else np.zeros(len(depth), int)
+    face = np.flatnonzero(facing)
+    face = face[np.argsort(layer[face], kind="stable")]
+    return Outlines(face, layer[face], _outer_edges(blocks, face, view.size))
+
+
+def _outer_edges(blocks: Blocks, face: np.ndarray, size: float) -> list[np.ndarray]:
+    """An edge that two faces of one unit share is inner; every other one is outer."""
+    unit = blocks.unit[blocks.face_block()]
+    edges: list[list[tuple[object, ...]]] = []
+    seen: dict[tuple[object, ...], int] = {}
+    for f in face:
+        corners = [tuple(p) for p in np.round(blocks.face(f) / (1e-6 * size)).astype(np.int64).tolist()]
+        keys: list[tuple[object, ...]] = [
+            (int(unit[f]), *sorted((p, q))) for p, q in zip(corners, corners[1:] + corners[:1], strict=True)
+        ]
+        for key in keys:
+            seen[key] = seen.get(key, 0) + 1
+        edges.append(keys)
+    return [np.array([seen[key] == 1 for key in keys]) for keys in edges]
+
+
+@dataclass(frozen=True)
+class CrackLines:
+    """Contacts seen edge-on: one straight piece per row of contact points through the thickness.
+
+    start, end    (n, 3) m, where the piece stands before loading
+    contact       (n,) a contact point on it
+    damage        (n,) area-weighted mean damage, 0 .. 1
+    tension_led   (n,) damage by tension at least as large as by shear
+    opening       (n,) m, area-weighted mean of how far the two faces moved apart or along each other
+    dry           (n,) moved for good without damage: see dry_joints.py; false until that is looked at
+    """
+
+    start: np.ndarray
+    end: np.ndarray
+    contact: np.ndarray
+    damage: np.ndarray
+    tension_led: np.ndarray
+    opening: np.ndarray
+    dry: np.ndarray
+
+    def select(self, mask: np.ndarray) -> "CrackLines":
+        return CrackLines(**{entry.name: getattr(self, entry.name)[mask] for entry in fields(self)})
+
+    def displaced(self, joints: Joints, field: Deformation, magnification: float) -> np.ndarray:
+        """(n, 2, 3) m, both ends of each piece midway between the two displaced sides."""
+        ends = []
+        for point in (self.start, self.end):
+            first, second = field.sides(joints, self.contact, point)
+            ends.append(point + 0.5 * magnification * (first + second))
+        return np.stack(ends, axis=1)
+
+
+def crack_lines(joints: Joints, frame: Frame, view: View) -> CrackLines:
+    """Every contact patch seen edge-on, cut midway between neighbouring rows of its contact points."""
+    seen = np.flatnonzero(np.abs(joints.normal @ view.toward) < EDGE_ON)
+    along = np.cross(joints.normal[seen], view.toward)
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    patch = joints.patch[seen]
+    low, high = _patch_ends(joints, patch, along)
+    place = np.einsum("ij,ij->i", joints.point[seen], along)
+    order = np.lexsort((place, patch))
+    seen, along, patch, place, low, high = (a[order] for a in (seen, along, patch, place, low, high))
+    fresh = np.ones(len(seen), dtype=bool)
+    fresh[1:] = (patch[1:] != patch[:-1]) | (place[1:] - place[:-1] > 1e-6 * view.size)
+    row = np.cumsum(fresh) - 1
+    weight = joints.area[seen]
+    whole = np.bincount(row, weight)
+
+    def mean(values: np.ndarray) -> np.ndarray:
+        return np.bincount(row, weight * values) / whole
+
+    patch, along, low, high = patch[fresh], along[fresh], low[fresh], high[fresh]
+    middle = mean(place)
+    same = patch[1:] == patch[:-1]
+    between = 0.5 * (middle[1:] + middle[:-1])
+    begin, finish = low.copy(), high.copy()
+    begin[1:][same], finish[:-1][same] = between[same], between[same]
+    centre = np.stack([mean(joints.point[seen, axis]) for axis in range(3)], axis=1)
+    return CrackLines(
+        start=centre + (begin - middle)[:, None] * along,
+        end=centre + (finish - middle)[:, None] * along,
+        contact=seen[fresh],
+        damage=mean(frame.damage[seen]),
+        tension_led=mean(frame.damage_tension[seen]) >= mean(frame.damage_shear[seen]),
+        opening=mean(np.hypot(np.maximum(frame.opening[seen], 0.0), frame.slip[seen])),
+        dry=np.zeros(int(fresh.sum()), dtype=bool),
+    )
+
+
+def _patch_ends(joints: Joints, patch: np.ndarray, along: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Where the patch of each contact point ends along the unit vector `along` (n, 3): lowest and highest place."""
+    count = len(joints.patch_start) - 1
+    axis = np.zeros((count, 3))
+    axis[patch] = along
+    owner = np.repeat(np.arange(count), np.diff(joints.patch_start))
+    place = np.einsum("ij,ij->i", joints.patch_points, axis[owner])
+    low, high = np.full(count, np.inf), np.full(count, -np.inf)
+    np.minimum.at(low, owner, place)
+    np.maximum.at(high, owner, place)
+    return low[patch], high[patch]

@@ -1,0 +1,52 @@
+"""What a curve is drawn against and which force it shows: as the scene says, else stress against the drive's way."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from masonry.errors import SceneError
+from masonry.loading.cycles import at_peak
+from masonry.runtime.text_files import toml_of
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+UP = {"stress": ("stress", "MPa", 1e-6), "force": ("force", "kN", 1e-3)}
+"""What a curve may show: its name, its unit in pictures and the factor to that from SI."""
+
+
+@dataclass(frozen=True)
+class CurveAxes:
+    """Across: values (one a row) and label. Up: name, unit, and the factor from a stress in Pa."""
+
+    across: np.ndarray
+    label: str
+    name: str
+    unit: str
+    factor: float
+
+    def place(self, rows: dict[str, np.ndarray], displacement: float) -> float:
+        """Where a displacement (m) of the drive lies across."""
+        return at_peak(rows, self.across, displacement)
+
+
+def curve_axes(result: "Result") -> CurveAxes:
+    """The axes that the scene of a result asks for; time across where nothing is driven."""
+    asked, rows = _asked(result.scene_toml), result.history.rows
+    name, unit, factor = UP.get(str(asked.get("y")), UP["stress"])
+    if name == "force":
+        factor *= result.specimen.section
+    across = str(asked.get("x", "displacement"))
+    across = across if across in rows else "displacement"
+    if not rows["displacement"].any() and across == "displacement":
+        return CurveAxes(rows["time"], "time [s]", name, unit, factor)
+    return CurveAxes(rows[across] * 1e3, f"{across} [mm]", name, unit, factor)
+
+
+def _asked(scene_toml: str) -> dict[str, object]:
+    try:
+        curve = toml_of(scene_toml, "scene").get("curve", {})
+    except SceneError:
+        return {}
+    return curve if isinstance(curve, dict) else {}

@@ -1,0 +1,42 @@
+"""The cracks of a result at one moment, as a picture of one panel."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from geometry.files.atomic import whole_file
+from masonry.errors import SceneError, nearest
+from masonry.pictures.crack_picture import VIEWS, gallery
+from masonry.pictures.curve import plain, write_png
+from masonry.results.frames import choose
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+
+def draw_frame(
+    result: "Result",
+    path: Path | str,
+    step: str | int | float = "peak",
+    view: str = "front",
+    times: float | None = None,
+) -> str:
+    """Write the picture (.png) of the frame nearest to `step`, whole or not at all.
+
+    step   as masonry.results.frames.choose takes it
+    view   "front", "back" or "iso"
+    times  by how much displacements are drawn larger; by default so that they show
+
+    Returns a sentence where the frame is not just the one that was asked for, else nothing. Raises SceneError for what
+    cannot be drawn, and GeometryError where the file cannot be written.
+    """
+    path = Path(path)
+    if path.suffix != ".png":
+        raise SceneError(f"'{path}': the picture is a .png file; nearest: '{path.stem or 'picture'}.png'")
+    if view not in VIEWS:
+        raise SceneError(f"view '{view}'; {nearest(view, VIEWS)}")
+    chosen = choose(result, step)
+    figure = gallery([(chosen.name, result, chosen.frame)], 1, view, times)
+    figure.suptitle(plain(result.title), fontsize=13, wrap=True)
+    with whole_file(path) as beside:
+        write_png(figure, beside)
+    return chosen.note

@@ -1,0 +1,93 @@
+"""A specimen from the front or from behind: its displaced outlines, group by colour, and its cracks on them."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from geometry.polyhedra.indexing import ranges
+from masonry.history import Frame
+from masonry.pictures.crack_style import LEAST_DAMAGE, draw_cracks
+from masonry.pictures.cracks import CrackLines, Outlines, back_view, crack_lines, front_view, outlines
+from masonry.results.dry_joints import moved_undamaged
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+PLATE_COLOUR = "#c4c7cb"
+COLOURS = {"units": "#f2e2c9", "mortar": "#dfe8dc"}
+SPARE_COLOURS = ("#e6dff0", "#e3ecd2", "#f6dcdc", "#d8e8ea", "#f7f0c8")
+
+
+class FlatDrawing:
+    """Draws the frames of one result in one view."""
+
+    def __init__(self, result: "Result", back: bool = False) -> None:
+        points = result.specimen.blocks.points
+        self.result = result
+        self.view = back_view(points) if back else front_view(points)
+        self.outlines = outlines(result.specimen.blocks, self.view)
+
+    @property
+    def size(self) -> float:
+        """The largest extent of the specimen, m."""
+        return self.view.size
+
+    def project(self, points: np.ndarray) -> np.ndarray:
+        """(..., 2) of (..., 3)."""
+        return self.view.project(points)
+
+    def cracks(self, frame: Frame) -> CrackLines:
+        """The contacts to draw."""
+        lines = crack_lines(self.result.joints, frame, self.view)
+        lines = replace(lines, dry=moved_undamaged(self.result, frame)[lines.contact])
+        return lines.select((lines.damage > LEAST_DAMAGE) | lines.dry)
+
+    def draw(self, axes: Any, frame: Frame, cracks: CrackLines, times: float, scale: float) -> None:
+        """Draw a frame with displacements `times` larger, and its cracks; `scale` is the opening (m) of full width."""
+        blocks = self.result.specimen.blocks
+        _draw_blocks(axes, blocks, self.outlines, self.view.project(blocks.points + times * frame.corners))
+        draw_cracks(axes, self.result, cracks, frame, self.view, times, scale)
+
+
+def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -> None:
+    """Faces and their edges, layer by layer from the back; flat (P, 2) are the displaced corners."""
+    from matplotlib.collections import LineCollection, PolyCollection
+
+    colour = group_colours(blocks.groups)
+    owner = blocks.face_block()
+    sides = np.diff(blocks.face_start)
+    for layer in np.unique(shown.layer):
+        chosen = np.flatnonzero(shown.layer == layer)
+        face = shown.face[chosen]
+        index = ranges(blocks.face_start[face], sides[face])[1]
+        last = np.cumsum(sides[face]) - 1
+        after = np.arange(1, len(index) + 1)
+        after[last] = last + 1 - sides[face]
+        corners = flat[blocks.face_points[index]]
+        thick = np.stack([corners, corners[after]], axis=1)[np.concatenate([shown.outer[n] for n in chosen])]
+        polygons = np.split(corners, last[:-1] + 1)
+        if np.all(sides[face] == sides[face[0]]):  # drawn faster as one array
+            polygons = corners.reshape(len(face), -1, 2)
+        fills = [colour[g] for g in blocks.group[owner[face]].tolist()]
+        depth = 1.0 + 0.01 * float(layer)
+        axes.add_collection(
+            PolyCollection(polygons, facecolors=fills, edgecolors="#a09a90", linewidths=0.35, zorder=depth)
+        )
+        axes.add_collection(LineCollection(thick, colors="#4a4640", linewidths=1.0, zorder=depth + 0.005))
+
+
+def group_colours(groups: tuple[str, ...]) -> list[str]:
+    """A pale colour for each group, grey for plates."""
+    colours = []
+    spare = 0
+    for name in groups:
+        if "plate" in name:
+            colours.append(PLATE_COLOUR)
+        elif name in COLOURS:
+            colours.append(COLOURS[name])
+        else:
+            colours.append(SPARE_COLOURS[spare % len(SPARE_COLOURS)])
+            spare += 1
+    return colours

@@ -1,0 +1,173 @@
+"""Blocks seen from one side, as plain arrays: the projection, the faces that can be seen, the edges of units."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from geometry.blocks import Blocks, Joints
+from geometry.joints.find import patch_faces
+from geometry.polyhedra.measures import face_areas_normals_centroids
+from geometry.polyhedra.polygons import areas_normals_centroids, pad
+
+MOST_PLANES = 300
+"""Faces in more planes than this are drawn by the depth of their middles alone."""
+PIECES = 12
+"""Large faces are drawn in pieces, at most so many along an edge, so that their depth can be told."""
+
+
+@dataclass(frozen=True)
+class Sight:
+    """A parallel projection: unit vectors to the right, up and toward the viewer."""
+
+    right: np.ndarray
+    up: np.ndarray
+    toward: np.ndarray
+    front: bool
+
+    def project(self, points: np.ndarray) -> np.ndarray:
+        """(..., 2) of (..., 3)."""
+        return np.stack([points @ self.right, points @ self.up], axis=-1)
+
+
+def front_sight(points: np.ndarray) -> Sight:
+    """Onto the plane of the two largest extents of points (P, 3); x-z where they tie."""
+    size = np.ptp(points, axis=0)
+    right, up = sorted(np.argsort(-(size + np.array([2e-9, 0.0, 1e-9]) * size.max()))[:2])
+    axes = np.eye(3)
+    return Sight(axes[right], axes[up], np.cross(axes[right], axes[up]), True)
+
+
+def oblique_sight(azimuth: float = -55.0, elevation: float = 25.0) -> Sight:
+    """From the front, the right-hand side and above; degrees, as matplotlib counts them."""
+    a, e = np.radians(azimuth), np.radians(elevation)
+    toward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    right = np.array([-np.sin(a), np.cos(a), 0.0])
+    return Sight(right, np.cross(toward, right), toward, False)
+
+
+def covered_shares(blocks: Blocks, joints: Joints) -> np.ndarray:
+    """(F,) share of each face that lies in joints."""
+    polygon, _ = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
+    covered = np.zeros(len(blocks.face_start) - 1)
+    np.add.at(covered, patch_faces(blocks, joints), areas_normals_centroids(polygon)[0][:, None])
+    return covered / face_areas_normals_centroids(blocks)[0]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A face or a part of one: its corners (n, 3), and which of the edges from them bound the unit and the block."""
+
+    face: int
+    corners: np.ndarray
+    unit_edge: np.ndarray
+    block_edge: np.ndarray
+
+
+def visible_pieces(blocks: Blocks, joints: Joints, sight: Sight) -> list[Piece]:
+    """The faces toward the viewer that no joint covers wholly, in pieces, farthest first."""
+    _, normal, _ = face_areas_normals_centroids(blocks)
+    seen = np.flatnonzero((normal @ sight.toward > 1e-6) & (covered_shares(blocks, joints) < 1 - 1e-6))
+    corners = [blocks.face(f) for f in seen.tolist()]
+    if not corners:
+        return []
+    edge = np.median([np.linalg.norm(np.roll(c, -1, axis=0) - c, axis=1).max() for c in corners])
+    outer = unit_edges(blocks, seen, normal)
+    pieces = [
+        piece
+        for f, c, bounds in zip(seen.tolist(), corners, outer, strict=True)
+        for piece in _cut(f, c, bounds, 1.5 * float(edge))
+    ]
+    size = float(np.ptp(blocks.points, axis=0).max())
+    return _farthest_first(pieces, normal[[piece.face for piece in pieces]], sight, 1e-6 * size)
+
+
+def hidden(point: np.ndarray, pieces: list[Piece], sight: Sight, width: float) -> bool:
+    """Whether a point (3,) lies more than width (m) behind a piece as seen by the viewer."""
+    corners, _ = pad(*_joined(pieces))
+    _, normal, middle = areas_normals_centroids(corners)
+    edge = np.roll(corners, -1, axis=1) - corners
+    along = ((middle - point) * normal).sum(axis=1) / (normal @ sight.toward)
+    reached = point + along[:, None] * sight.toward
+    inside = np.einsum(
+        "nki,nki->nk", np.cross(edge, reached[:, None] - corners), np.broadcast_to(normal[:, None], corners.shape)
+    )
+    return bool(np.any((along > width) & np.all(inside >= -1e-12, axis=1)))
+
+
+def _joined(pieces: list[Piece]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    start = np.concatenate([[0], np.cumsum([len(piece.corners) for piece in pieces])])
+    return np.concatenate([piece.corners for piece in pieces]), start, np.arange(start[-1])
+
+
+def _farthest_first(pieces: list[Piece], normal: np.ndarray, sight: Sight, width: float) -> list[Piece]:
+    """By planes, so that what stands in front of a plane comes after it (Newell 1972); within a plane by depth.
+
+    Where neither of two planes comes first by this rule, and in a cycle, the depth of their middles decides.
+    """
+    middle = np.array([piece.corners.mean(axis=0) for piece in pieces])
+    depth = np.round(middle @ sight.toward, 12)
+    order = np.argsort(depth, kind="stable")
+    key = np.column_stack([np.round(normal, 6), np.round(np.einsum("ni,ni->n", middle, normal) / (10 * width))])
+    _, plane = np.unique(key, axis=0, return_inverse=True)
+    plane = plane.ravel()
+    count = int(plane.max()) + 1
+    if count > MOST_PLANES:
+        return [pieces[i] for i in order]
+    points, start, _ = _joined(pieces)
+    owner = np.repeat(plane, np.diff(start))
+    above, below = np.zeros((count, count)), np.zeros((count, count))
+    for q in range(count):
+        first = int(np.argmax(plane == q))
+        height = (points - middle[first]) @ normal[first]
+        above[:, q], below[:, q] = -np.inf, np.inf
+        np.maximum.at(above[:, q], owner, height)
+        np.minimum.at(below[:, q], owner, height)
+    before = (above <= width) | (-width <= below.T)  # p lies behind the plane of q, or q in front of that of p
+    before &= ~before.T
+    left = np.bincount(plane, depth) / np.bincount(plane)
+    drawn: list[int] = []
+    waiting = before.sum(axis=0).astype(float)
+    for _ in range(count):
+        ready = waiting == waiting.min()
+        chosen = int(np.argmin(np.where(ready, left, np.inf)))
+        drawn.append(chosen)
+        waiting -= before[chosen]
+        waiting[chosen] = np.inf
+    rank = np.argsort(drawn)
+    return [pieces[i] for i in order[np.argsort(rank[plane[order]], kind="stable")]]
+
+
+def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np.ndarray]:
+    """For each face, per edge: true unless a face of the same unit goes on beyond it in the same plane."""
+    size = float(np.ptp(blocks.points, axis=0).max())
+    unit, group = (values[blocks.face_block()] for values in (blocks.unit, blocks.group))
+    found: list[list[tuple[object, ...]]] = []
+    times: dict[tuple[object, ...], int] = {}
+    for f in faces.tolist():
+        corner = [tuple(p) for p in np.round(blocks.face(f) / (1e-6 * size)).astype(np.int64).tolist()]
+        plane = (int(unit[f]), int(group[f]), *np.round(normal[f], 3).tolist())
+        keys: list[tuple[object, ...]] = [
+            (plane, *sorted((p, q))) for p, q in zip(corner, corner[1:] + corner[:1], strict=True)
+        ]
+        for key in keys:
+            times[key] = times.get(key, 0) + 1
+        found.append(keys)
+    return [np.array([times[key] == 1 for key in keys]) for keys in found]
+
+
+def _cut(face: int, corners: np.ndarray, outer: np.ndarray, most: float) -> list[Piece]:
+    """A four-sided face in parts with edges no longer than `most` (m); any other face as it is."""
+    every = np.ones(len(corners), dtype=bool)
+    if len(corners) != 4:
+        return [Piece(face, corners, outer, every)]
+    length = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
+    m, n = (min(int(np.ceil(length[[k, k + 2]].max() / most)), PIECES) for k in (0, 1))
+    parts = []
+    for i in range(m):
+        for j in range(n):
+            s = np.array([i, i + 1, i + 1, i])[:, None] / m
+            t = np.array([j, j, j + 1, j + 1])[:, None] / n
+            part = (1 - t) * ((1 - s) * corners[0] + s * corners[1]) + t * ((1 - s) * corners[3] + s * corners[2])
+            at_end = np.array([j == 0, i == m - 1, j == n - 1, i == 0])
+            parts.append(Piece(face, part, outer & at_end, at_end))
+    return parts

@@ -1,0 +1,80 @@
+"""curve.png of a drive that turns back: the loops with their cycles told apart, the ledger, and each cycle's energy."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from masonry.loading.cycles import bounds
+from masonry.pictures.curve import LEDGER, draw_ledger, heading, tidy
+from masonry.pictures.curve_axes import CurveAxes, curve_axes
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+PARTS = ("fracture_mode_1", "fracture_mode_2", "friction")
+NAMED = 8
+"""Cycles up to which each has its line in the key; of more, some have."""
+ROOM = 1.25
+"""Height of the axes of the bars over the tallest one: two lines of words stand on it."""
+MILLI = 1e3
+
+
+def hysteresis_figure(result: "Result") -> Any:
+    """A figure of 1200 x 1080 pixels at 120 dpi: loops on top; ledger over the drive's way, and bars, below; their key
+    under both."""
+    from masonry.pictures.figure import ShownFigure
+
+    figure = ShownFigure(figsize=(10, 9), layout="constrained")
+    loops, ledger, bars = figure.subplot_mosaic([["loops", "loops"], ["ledger", "bars"]], height_ratios=[3, 2]).values()
+    heading(figure, result)
+    rows, drawn = result.history.rows, curve_axes(result)
+    for axes in (loops, ledger, bars):
+        tidy(axes)
+    _draw_loops(loops, rows, drawn)
+    way = MILLI * np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rows["displacement"])))])
+    draw_ledger(ledger, rows, way)
+    ledger.set_xlabel("way of the drive, back and forth [mm]")
+    ledger.set_ylabel("energy [J]")
+    figure.legend(*ledger.get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False, fontsize=9)
+    _draw_bars(bars, result.summary["cycles"])
+    return figure
+
+
+def _draw_loops(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes) -> None:
+    """Each cycle in a colour of its own, from light to dark; dots where the drive turns."""
+    from matplotlib import colormaps
+
+    ends = np.array(bounds(rows["displacement"]))
+    stress, count = rows["stress"] * drawn.factor, len(ends) - 1
+    shown = set(np.linspace(0, count - 1, min(count, NAMED)).round().astype(int))
+    for k in range(count):
+        part = slice(int(np.floor(ends[k])), int(np.ceil(ends[k + 1])) + 1)
+        colour = colormaps["viridis_r"](0.15 + 0.85 * (k + 1) / count)
+        label = f"cycle {k + 1}" if k in shown else None
+        axes.plot(drawn.across[part], stress[part], color=colour, linewidth=1.6, label=label)
+    way = np.sign(np.diff(rows["displacement"]))
+    moving = np.flatnonzero(way)
+    turns = moving[1:][way[moving[1:]] != way[moving[:-1]]]
+    axes.plot(drawn.across[turns], stress[turns], "o", color="#b2182b", markersize=4, label="turn")
+    axes.axhline(0.0, color="0.6", linewidth=0.8)
+    axes.axvline(0.0, color="0.6", linewidth=0.8)
+    axes.set_xlabel(drawn.label)
+    axes.set_ylabel(f"{drawn.name} at the drive [{drawn.unit}]")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+
+
+def _draw_bars(axes: Any, cycles: list[dict[str, Any]]) -> None:
+    """Energy dissipated in each cycle, by what took it."""
+    number, base = np.arange(1, len(cycles) + 1), np.zeros(len(cycles))
+    for part in PARTS:
+        colour = LEDGER[part][1]
+        height = np.array([cycle[f"{part}_j"] for cycle in cycles])
+        axes.bar(number, height, bottom=base, color=colour)
+        base += height
+    for k, cycle in enumerate(cycles[:NAMED]):
+        words = f"{cycle['dissipated_j']:.3g}" + ("" if cycle["closed"] else "\nnot closed")
+        axes.annotate(words, (number[k], base[k]), xytext=(0, 3), textcoords="offset points", ha="center", fontsize=9)
+    axes.set_ylim(0.0, ROOM * float(base.max()) or 1.0)
+    axes.set_xlabel("cycle")
+    axes.xaxis.get_major_locator().set_params(integer=True)
+    axes.set_ylabel("dissipated in the cycle [J]")

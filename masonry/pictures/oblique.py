@@ -1,0 +1,141 @@
+"""A specimen from the front, the right and above: its displaced faces, and its cracks where they come out on them.
+
+The damaged parts of the joints themselves are drawn first: they show where the faces before them have parted.
+"""
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.blocks import Blocks, Joints
+from geometry.joints.tributary_areas import tiles
+from geometry.polyhedra.indexing import ranges
+from geometry.polyhedra.measures import face_areas_normals_centroids
+from masonry.history import Frame
+from masonry.pictures.crack_style import LEAST_DAMAGE, crack_colours, widths
+from masonry.pictures.cracks import front_view
+from masonry.pictures.faces import FaceDrawing
+from masonry.pictures.hidden_surfaces import Piece, oblique_sight, visible_pieces
+from masonry.results.deformation import Corners, Deformation
+from masonry.results.dry_joints import moved_undamaged
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+ALONG = 0.9
+"""A face whose normal makes a larger cosine with that of a joint is the joint's own, not one that it comes out on."""
+
+
+@dataclass(frozen=True)
+class JointCracks:
+    """The contacts to draw (n,): numbers, damage, how far the faces moved apart or along each other (m), and whether
+    they did so for good without damage."""
+
+    contact: np.ndarray
+    damage: np.ndarray
+    tension_led: np.ndarray
+    opening: np.ndarray
+    dry: np.ndarray
+
+
+class SolidDrawing:
+    """Draws the frames of one result."""
+
+    def __init__(self, result: "Result") -> None:
+        blocks, joints = result.specimen.blocks, result.joints
+        self.result, self.sight = result, oblique_sight()
+        self.size = front_view(blocks.points).size
+        self.shape = Corners(blocks)
+        self.pieces = visible_pieces(blocks, joints, self.sight)
+        self.piece_block = blocks.face_block()[[piece.face for piece in self.pieces]]
+        self.start, self.tile = tiles(joints)
+        last = _last_beside(blocks, self.pieces, 1e-5 * self.size)
+        self.after = edges_on_faces(blocks, joints, self.start, self.tile, last, 1e-6 * self.size)
+
+    def project(self, points: np.ndarray) -> np.ndarray:
+        """(..., 2) of (..., 3)."""
+        return self.sight.project(points)
+
+    def cracks(self, frame: Frame) -> JointCracks:
+        """The contacts to draw."""
+        dry = moved_undamaged(self.result, frame)
+        c = np.flatnonzero((frame.damage > LEAST_DAMAGE) | dry)
+        parted = np.hypot(np.maximum(frame.opening[c], 0.0), frame.slip[c])
+        return JointCracks(c, frame.damage[c], frame.damage_tension[c] >= frame.damage_shear[c], parted, dry[c])
+
+    def draw(self, axes: Any, frame: Frame, cracks: JointCracks, times: float, scale: float) -> None:
+        """Draw a frame with displacements `times` larger, and its cracks; `scale` is the opening (m) of full width."""
+        faces = FaceDrawing(self.result.specimen.blocks, self.sight)
+        field = Deformation(self.shape, frame)
+        owner, corner = ranges(self.start[cracks.contact], np.diff(self.start)[cracks.contact])
+        first, second = field.sides(self.result.joints, cracks.contact[owner], self.tile[corner])
+        moved = self.tile[corner] + 0.5 * times * (first + second)
+        colours, wide = crack_colours(cracks.damage, cracks.tension_led, cracks.dry), widths(cracks.opening, scale)
+        starts = np.searchsorted(owner, np.arange(len(cracks.contact) + 1))
+        order = np.argsort(cracks.damage, kind="stable").tolist()
+        for k in order:
+            faces.add_polygon(moved[starts[k] : starts[k + 1]], colours[k])
+        lines: dict[int, list[tuple[np.ndarray, Any, float]]] = {}
+        for k in order:
+            part = moved[starts[k] : starts[k + 1]]
+            begin = int(self.start[cracks.contact[k]])
+            for side in range(len(part)):
+                if self.after[begin + side] >= 0:
+                    ends = part[[side, (side + 1) % len(part)]]
+                    lines.setdefault(int(self.after[begin + side]), []).append((ends, colours[k], float(wide[k])))
+        for number, piece in enumerate(self._moved(field, times)):
+            faces.add_piece(piece)
+            for line in lines.get(number, ()):
+                faces.add_line(*line)
+        faces.draw(axes)
+
+    def _moved(self, field: Deformation, times: float) -> list[Piece]:
+        """The faces toward the viewer where they are now."""
+        sizes = [len(piece.corners) for piece in self.pieces]
+        corners = np.concatenate([piece.corners for piece in self.pieces])
+        block = np.repeat(self.piece_block, sizes)
+        moved = corners + times * field.at(block, corners, np.full(len(block), -1))
+        parts = np.split(moved, np.cumsum(sizes)[:-1])
+        return [replace(piece, corners=part) for piece, part in zip(self.pieces, parts, strict=True)]
+
+
+def _last_beside(blocks: Blocks, pieces: list[Piece], width: float) -> np.ndarray:
+    """(F,) the last piece that follows those of a face in the same plane, -1 for faces of no piece.
+
+    Planes within width (m) are one. A line drawn after it is hidden by what stands before the plane, not by what is in
+    it.
+    """
+    _, normal, middle = face_areas_normals_centroids(blocks)
+    face = np.array([piece.face for piece in pieces], dtype=np.int64)
+    height = np.einsum("ni,ni->n", middle[face], normal[face])
+    other = (np.abs(np.diff(normal[face], axis=0)).max(axis=1) > 1e-5) | (np.abs(np.diff(height)) > width)
+    ends = np.append(np.flatnonzero(other), len(face) - 1)
+    last = np.full(len(normal), -1)
+    last[face] = ends[np.searchsorted(ends, np.arange(len(face)))]
+    return last
+
+
+def edges_on_faces(
+    blocks: Blocks, joints: Joints, start: np.ndarray, tile: np.ndarray, last: np.ndarray, width: float
+) -> np.ndarray:
+    """(E,) for the edge after each corner of a tile: the last piece of the visible faces that it is on, -1 if on none.
+
+    last   (F,) the last piece of each face in the order of drawing, -1 where none is seen
+    width  m, how far from a face counts as on it
+    """
+    sides = np.diff(start)
+    contact = np.repeat(np.arange(len(sides)), sides)
+    following = np.arange(1, len(tile) + 1)
+    following[start[1:] - 1] = start[:-1]
+    _, normal, middle = face_areas_normals_centroids(blocks)
+    after = np.full(len(tile), -1)
+    for block in (joints.block_a[contact], joints.block_b[contact]):
+        first, count = blocks.block_face_start[block], np.diff(blocks.block_face_start)[block]
+        edge, face = ranges(first, count)
+        seen = (last[face] >= 0) & (np.abs(np.einsum("ni,ni->n", normal[face], joints.normal[contact[edge]])) < ALONG)
+        edge, face = edge[seen], face[seen]
+        heights = [np.abs(np.einsum("ni,ni->n", tile[e] - middle[face], normal[face])) for e in (edge, following[edge])]
+        on = np.maximum(*heights) <= width
+        np.maximum.at(after, edge[on], last[face[on]])
+    return after

@@ -1,0 +1,153 @@
+"""history.h5: the rows, the frames and the specimen of a run, enough to draw its pictures again.
+
+Layout: `rows/<column>` with attribute `unit`; `frames/<field of Frame>` with one entry a frame; `specimen`, `joints`
+and (with tets) `mesh` with the fields of the geometry floor. h5py's default file version, which survives a killed
+process.
+"""
+
+from dataclasses import fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.blocks import Blocks, Joints, Specimen, TetMesh
+from masonry.runtime.hdf5 import new_file
+from masonry.history import Frame, History, unit_of
+from masonry.runtime.open_archive import require_plain
+from masonry.results.validate import require_whole_result
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+VERSION = 1
+FRAME_UNITS = {
+    "step": "1",
+    "time": "s",
+    "normal_stress": "Pa",
+    "shear_stress": "Pa",
+    "stress": "Pa",
+    "damage_tension": "1",
+    "damage_shear": "1",
+}
+"""Units of a frame's fields; the others are lengths in m."""
+
+
+def write(path: Path, result: "Result") -> None:
+    """Write history.h5. Raises OSError."""
+    import h5py
+
+    with new_file(path) as file:
+        file.attrs["format"] = "masonry history"
+        file.attrs["version"] = VERSION
+        file.create_dataset("scene", data=result.scene_toml, dtype=h5py.string_dtype())
+        file.create_dataset("log", data=np.array(result.log, dtype=object), dtype=h5py.string_dtype())
+        rows = file.create_group("rows")
+        for name, values in result.history.rows.items():
+            rows.create_dataset(name, data=values).attrs["unit"] = unit_of(name)
+        _write_frames(file.create_group("frames"), result.history.frames)
+        specimen = file.create_group("specimen")
+        specimen.attrs["section"] = result.specimen.section
+        specimen.attrs["shape"] = result.specimen.shape
+        _write_arrays(specimen.create_group("blocks"), result.specimen.blocks)
+        sets = specimen.create_group("sets")
+        for number, (name, members) in enumerate(result.specimen.sets.items()):
+            sets.create_dataset(str(number), data=np.asarray(members, dtype=np.int64)).attrs["name"] = name
+        joints = file.create_group("joints")
+        _write_arrays(joints, result.joints)
+        joints.attrs["groups"] = list(result.joint_groups)
+        joints.create_dataset("group", data=result.joint_group)
+        if result.mesh is not None:
+            _write_arrays(file.create_group("mesh"), result.mesh)
+
+
+def read(path: Path) -> dict[str, Any]:
+    """The fields of a Result but its summary. Raises OSError, RuntimeError, KeyError, TypeError, AttributeError or
+    ValueError (GeometryError among them) for a file that is damaged, or whose arrays do not fit together.
+    """
+    import h5py
+
+    with h5py.File(path, "r") as file:
+        require_plain(file, path)
+        if file.attrs.get("format") != "masonry history" or file.attrs["version"] > VERSION:
+            raise ValueError("not a history that this version can read")
+        specimen = file["specimen"]
+        sets = sorted(specimen["sets"].items(), key=lambda item: int(item[0]))
+        found = {
+            "history": History({name: data[()] for name, data in file["rows"].items()}, _read_frames(file["frames"])),
+            "specimen": Specimen(
+                blocks=_read_arrays(specimen["blocks"], Blocks),
+                sets={str(data.attrs["name"]): data[()] for _, data in sets},
+                section=float(specimen.attrs["section"]),
+                shape=str(specimen.attrs["shape"]),
+            ),
+            "joints": _read_arrays(file["joints"], Joints),
+            "joint_group": file["joints"]["group"][()],
+            "joint_groups": tuple(str(name) for name in file["joints"].attrs["groups"]),
+            "mesh": _read_arrays(file["mesh"], TetMesh) if "mesh" in file else None,
+            "scene_toml": file["scene"].asstr()[()],
+            "log": list(file["log"].asstr()[()]),
+        }
+    require_whole_result(**found)
+    return found
+
+
+def _write_arrays(group: Any, value: Blocks | Joints | TetMesh) -> None:
+    """Every array of a dataclass as a dataset, every other field as an attribute."""
+    for entry in fields(value):
+        content = getattr(value, entry.name)
+        if content is None:
+            continue
+        if isinstance(content, np.ndarray):
+            group.create_dataset(entry.name, data=content, **_packing(content.size))
+        else:
+            group.attrs[entry.name] = list(content) if isinstance(content, tuple) else content
+
+
+def _read_arrays(group: Any, kind: type) -> Any:
+    import h5py
+
+    if not isinstance(group, h5py.Group):
+        raise ValueError(f"'{group.name}' is no group of arrays")
+    content: dict[str, Any] = {}
+    for entry in fields(kind):
+        if entry.name in group:
+            content[entry.name] = group[entry.name][()]
+        elif entry.name == "groups":
+            content["groups"] = tuple(str(name) for name in group.attrs["groups"])
+        elif entry.name in group.attrs:
+            content[entry.name] = int(group.attrs[entry.name])
+    return kind(**content)
+
+
+def _write_frames(group: Any, frames: list[Frame]) -> None:
+    group.attrs["count"] = len(frames)
+    for entry in fields(Frame) if frames else ():
+        first = np.asarray(getattr(frames[0], entry.name))
+        packing = _packing(first.size)
+        shape = (len(frames), *first.shape)
+        if packing:
+            data = group.create_dataset(entry.name, shape=shape, dtype=first.dtype, chunks=(1, *first.shape), **packing)
+            for number, frame in enumerate(frames):
+                data[number] = getattr(frame, entry.name)
+        else:  # small ones in one go: each call of HDF5 costs as much as writing a thousand numbers
+            every = [getattr(frame, entry.name) for frame in frames]
+            data = group.create_dataset(entry.name, data=np.array(every, dtype=first.dtype).reshape(shape))
+        data.attrs["unit"] = FRAME_UNITS.get(entry.name, "m")
+
+
+def _read_frames(group: Any) -> list[Frame]:
+    count = int(group.attrs["count"])
+    if not count:
+        return []
+    whole = {entry.name: group[entry.name][()] for entry in fields(Frame)}
+    kinds = {"step": int, "time": float, "displacement": float}
+    return [
+        Frame(**{name: kinds[name](data[number]) if name in kinds else data[number] for name, data in whole.items()})
+        for number in range(count)
+    ]
+
+
+def _packing(size: int) -> dict[str, Any]:
+    """Compression for arrays that are large enough to gain from it."""
+    return {"compression": "gzip", "compression_opts": 1, "shuffle": True} if size > 512 else {}

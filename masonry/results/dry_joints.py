@@ -1,0 +1,38 @@
+"""Contacts that slid or opened for good without damage: joints that never had a strength, so that none was lost."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from masonry.errors import SceneError
+from masonry.history import Frame
+from masonry.quantity import convert
+from masonry.runtime.text_files import toml_of
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+SHARE = 0.01
+"""Of the largest opening or slip in the frame: what moved by less is not told."""
+LEAST = 1e-12
+"""Movements (m) up to this one are but rounding."""
+
+
+def moved_undamaged(result: "Result", frame: Frame) -> np.ndarray:
+    """(C,) which contacts have no damage, and yet slid or opened by more than their stress over their stiffness."""
+    normal, shear = (_stiffness(result, key) for key in ("normal_stiffness", "shear_stiffness"))
+    open_for_good = np.maximum(frame.opening, 0.0) - np.maximum(frame.normal_stress, 0.0) / normal
+    slid_for_good = frame.slip - np.abs(frame.shear_stress) / shear
+    largest = float(np.hypot(np.maximum(frame.opening, 0.0), frame.slip).max(initial=0.0))
+    with np.errstate(invalid="ignore"):
+        return (frame.damage == 0.0) & (np.fmax(open_for_good, slid_for_good) > max(SHARE * largest, LEAST))
+
+
+def _stiffness(result: "Result", key: str) -> np.ndarray:
+    """(C,) Pa/m of the resolved scene, by contact; not a number where it does not say."""
+    try:
+        groups = toml_of(result.scene_toml, "scene").get("contact", {})
+        known = [convert(groups[name][key], "stiffness", key) for name in result.joint_groups]
+    except (SceneError, ValueError, KeyError, TypeError, AttributeError):
+        return np.full(len(result.joint_group), np.nan)
+    return np.array(known)[result.joint_group]

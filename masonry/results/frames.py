@@ -1,0 +1,120 @@
+"""Which of the kept frames of a result is meant: that of the peak or the lowest stress, an end, or the nearest."""
+
+import difflib
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from masonry.loading.cycles import peak_row
+from masonry.errors import SceneError
+from masonry.history import Frame
+from masonry.pictures.curve import without_noise
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+WORDS = ("peak", "lowest", "last", "first")
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """A frame, what it is called in a title, and a sentence where it is not just what was asked for, else nothing."""
+
+    frame: Frame
+    name: str
+    note: str = ""
+
+
+def choose(result: "Result", step: str | int | float = "peak") -> Chosen:
+    """The frame nearest to what is asked.
+
+    step  "peak", "lowest" (the lowest stress, of a drive that turns back), "last", "first", a number of a step, or a
+          displacement of the drive: text with a unit ("0.05 mm"), or a float in m. Of several frames at a displacement
+          the first is meant.
+
+    Raises SceneError for other words, where there are no frames, and for "lowest" where no stress was below zero.
+    """
+    frames = result.history.frames
+    if not frames:
+        raise SceneError("this result has no frames: its run ended before there was one; nothing can be drawn of it")
+    if step == "last":
+        return Chosen(frames[-1], "at the end")
+    if step == "first":
+        return Chosen(frames[0], "at the start")
+    if step == "peak":
+        return _at_peak(result)
+    if step == "lowest":
+        return _at_lowest(result)
+    wanted, of_frames, exact = _measure(step, frames)
+    chosen = int(np.argmin(np.abs(of_frames - wanted)))
+    frame = frames[chosen]
+    if abs(of_frames[chosen] - wanted) <= exact:
+        return Chosen(frame, f"at step {frame.step}")
+    ways = np.array([kept.displacement for kept in frames])
+    note = (
+        f"no frame was kept at '{step}'; drawn is the nearest of {len(frames)}: step {frame.step}, displacement "
+        f"{without_noise(frame.displacement, ways) * 1e3:.4g} mm (a run keeps more with --set solver.frames=100)"
+    )
+    return Chosen(frame, f"at step {frame.step}, the nearest kept to {step}", note)
+
+
+def at_peak(result: "Result") -> Frame:
+    """The frame nearest to the row of the peak (cycles.peak_row); the last one where there are no rows."""
+    rows, frames = result.history.rows, result.history.frames
+    if not len(rows.get("stress", ())):
+        return frames[-1]
+    return _nearest(frames, rows["step"][peak_row(rows)])
+
+
+def _nearest(frames: list[Frame], step: float) -> Frame:
+    return min(frames, key=lambda frame: abs(frame.step - step))
+
+
+def _at_peak(result: "Result") -> Chosen:
+    if not len(result.history.rows.get("stress", ())):
+        return Chosen(
+            at_peak(result), "at the end", "this result has no rows, so its peak is not known; drawn is the end"
+        )
+    return Chosen(at_peak(result), "at the peak")
+
+
+def _at_lowest(result: "Result") -> Chosen:
+    rows = result.history.rows
+    stress = rows.get("stress", np.zeros(0))
+    if not stress.min(initial=0.0) < 0.0:
+        raise SceneError("step 'lowest': no stress below zero was recorded in this run")
+    row = int(np.argmin(stress))
+    frame = _nearest(result.history.frames, rows["step"][row])
+    if frame.step == rows["step"][row]:
+        return Chosen(frame, "at the lowest stress")
+    return Chosen(
+        frame,
+        "nearest kept to the lowest stress",
+        f"no frame was kept at the lowest stress, {stress[row] * 1e-6:.3g} MPa at step {rows['step'][row]:.0f}; drawn "
+        f"is the nearest of {len(result.history.frames)}: step {frame.step} (a run keeps more with --set "
+        "solver.frames=100)",
+    )
+
+
+def _measure(step: str | int | float, frames: list[Frame]) -> tuple[float, np.ndarray, float]:
+    """What is asked for, the same of each frame, and how near to it is as good as there."""
+    text = str(step).strip()
+    if text.isdecimal():
+        return float(text), np.array([frame.step for frame in frames], dtype=float), 0.0
+    at = step if isinstance(step, float) and math.isfinite(step) else _length(text)
+    return at, np.array([frame.displacement for frame in frames]), 1e-6 * max(abs(at), 1e-12)
+
+
+def _length(text: str) -> float:
+    from masonry.quantity import convert
+
+    try:
+        return convert(text, "length", "step", "[-1e5, 1e5]")
+    except ValueError:
+        close = difflib.get_close_matches(text, WORDS, 1, 0.4)
+        hint = f"; did you mean '{close[0]}'?" if close else ""
+        raise SceneError(
+            f"step '{text}': {', '.join(WORDS)}, the number of a step, or a displacement such as '0.05 mm'{hint}"
+        ) from None

@@ -1,0 +1,74 @@
+"""joints.vtkhdf: the surfaces of the joints and what happens on them at every frame, for ParaView.
+
+A cell is the part of a joint that one contact point stands for. It has opening, slip, stresses and damage by mode as
+numbers, and opening and slip as vectors too, for glyphs. Points move midway between the two faces.
+"""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from geometry.joints.tributary_areas import tiles
+from masonry.pictures.crack_style import LEAST_DAMAGE
+from masonry.results.deformation import Corners, Deformation
+from masonry.history import Frame
+from masonry.results.vtkhdf import VTK_POLYGON, Cells, Data, write
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+NUMBERS = ("opening", "slip", "normal_stress", "shear_stress", "damage", "damage_tension", "damage_shear")
+
+
+class JointGrid:
+    """The contact points of a result as tiles of their joints, and their data in a frame."""
+
+    def __init__(self, result: "Result") -> None:
+        self.joints = joints = result.joints
+        self.shape = Corners(result.specimen.blocks)
+        start, points = tiles(joints)
+        self.owner = np.repeat(np.arange(len(joints.area)), np.diff(start))
+        self.cells = Cells(
+            points=points,
+            connectivity=np.arange(len(points)),
+            offsets=start,
+            types=np.full(len(joints.area), VTK_POLYGON),
+            still={
+                "block_a": joints.block_a.astype(np.int32),
+                "block_b": joints.block_b.astype(np.int32),
+                "group": result.joint_group.astype(np.int32),
+                "normal": joints.normal.astype(np.float32),
+                "area": joints.area,
+            },
+        )
+
+    def point_data(self, frame: Frame) -> Data:
+        """`displacement` (points, 3) m: the mean of the two sides."""
+        first, second = Deformation(self.shape, frame).sides(self.joints, self.owner, self.cells.points)
+        return {"displacement": 0.5 * (first + second)}
+
+    def cell_data(self, frame: Frame) -> Data:
+        """The fields of the contacts: numbers (cells,), vectors (cells, 3) m, and `mode` as `mode_of` has it."""
+        joints = self.joints
+        every = np.arange(len(joints.area))
+        first, second = Deformation(self.shape, frame).sides(joints, every, joints.point)
+        along = np.einsum("ni,ni->n", second - first, joints.normal)
+        data: Data = {name: getattr(frame, name) for name in NUMBERS}
+        return data | {
+            "mode": mode_of(frame),
+            "opening_vector": frame.opening[:, None] * joints.normal,
+            "slip_vector": second - first - along[:, None] * joints.normal,
+        }
+
+
+def mode_of(frame: Frame) -> np.ndarray:
+    """(C,) 0 intact, 1 damaged with tension in the lead, 2 with shear in the lead."""
+    led = np.where(frame.damage_tension >= frame.damage_shear, 1.0, 2.0)
+    return np.where(frame.damage > LEAST_DAMAGE, led, 0.0)
+
+
+def write_joints(path: Path, result: "Result") -> None:
+    """Write the VTKHDF file; without frames it holds the joints only."""
+    grid = JointGrid(result)
+    write(path, grid.cells, result.history.frames, grid.point_data, grid.cell_data)

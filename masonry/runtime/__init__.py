@@ -1,0 +1,1 @@
+"""What every long program needs: text and HDF5 files, folders, locks, processes, progress, interrupts."""

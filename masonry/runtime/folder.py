@@ -1,0 +1,150 @@
+"""The folder that a run writes to: claimed by one run only, and filled with whole files or none."""
+
+import contextlib
+import os
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from types import TracebackType
+
+from masonry.errors import SceneError
+from masonry.runtime.lock import LOCK, sole
+
+RESULTS = Path("results")
+"""Where folders go that the user does not name."""
+
+
+def scene_name(scene: str) -> str:
+    """The name of a scene given by name or by path, fit for a folder: `my/wall 1.toml` -> `wall-1`."""
+    stem = Path(scene).stem if scene.endswith(".toml") else Path(scene).name
+    return re.sub(r"[^\w.+-]+", "-", stem).strip("-.") or "scene"
+
+
+def claim(scene: str, out: Path | None = None, *, overwrite: bool = False, results: Path = RESULTS) -> Path:
+    """The folder for this run: `out`, or the next free `results/<scene>-<n>`, made so that no two runs share it.
+
+    Raises SceneError if `out` is a file, holds something (without `overwrite`), or cannot be written to.
+    """
+    try:
+        folder = _next_free(results, scene_name(scene)) if out is None else _named(out, overwrite)
+        probe = folder / f".writable-{os.getpid()}"
+        probe.touch()
+        probe.unlink()
+    except OSError as error:
+        where = out if out is not None else results
+        raise SceneError(
+            f"cannot write results to '{where}': {error.strerror or error}; give --out a folder that you may write to"
+        ) from None
+    return folder
+
+
+@contextlib.contextmanager
+def claimed(scene: str, out: Path | None = None, *, overwrite: bool = False) -> Iterator[Path]:
+    """As `claim`, and no other process may write there for as long; a folder that was made and stays empty goes.
+
+    Raises SceneError as `claim` does, and where another process is at work in the folder.
+    """
+    existed = out is not None and out.exists()
+    if out is not None and existed and not out.is_dir():
+        raise SceneError(f"--out '{out}' is a file; results need a folder")
+    folder = claim(scene) if out is None else out
+    try:
+        with sole(folder, "runs a scene into it"):
+            sweep_up(folder)
+            with contextlib.suppress(OSError):  # there is none, or it holds more than what a killed process began
+                sweep_up(folder / "checkpoint")
+                (folder / "checkpoint").rmdir()
+            yield folder if out is None else claim(scene, out, overwrite=overwrite)
+    finally:
+        if not existed:
+            with contextlib.suppress(OSError):  # it holds something
+                folder.rmdir()
+
+
+def sweep_up(folder: Path) -> None:
+    """Remove what a killed process left unfinished in a folder; for who holds its lock."""
+    for left in folder.glob(".*-unfinished-*"):
+        if left.is_dir():
+            shutil.rmtree(left, ignore_errors=True)
+        else:
+            with contextlib.suppress(OSError):
+                left.unlink()
+
+
+def _next_free(results: Path, name: str) -> Path:
+    results.mkdir(parents=True, exist_ok=True)
+    taken = [re.fullmatch(re.escape(name) + r"-(\d+)", entry.name) for entry in results.iterdir()]
+    number = max((int(match[1]) for match in taken if match), default=0) + 1
+    while True:
+        folder = results / f"{name}-{number}"
+        try:
+            os.mkdir(folder)
+            return folder
+        except FileExistsError:
+            number += 1
+
+
+def _named(out: Path, overwrite: bool) -> Path:
+    if out.exists() and not out.is_dir():
+        raise SceneError(f"--out '{out}' is a file; results need a folder")
+    out.mkdir(parents=True, exist_ok=True)
+    there = {entry.name for entry in out.iterdir()} - {LOCK}
+    if not overwrite and (out / "checkpoint" / "scene.toml").is_file():
+        raise SceneError(
+            f"--out '{out}' holds a run that is not done: go on with `masonry resume {out}`, name a new folder, or add"
+            " --overwrite to begin anew"
+        )
+    if not overwrite and there:
+        raise SceneError(f"--out '{out}' is not empty; name a new folder, or add --overwrite to replace its results")
+    return out
+
+
+class WholeFiles:
+    """Writes several files so that each one appears whole or not at all.
+
+    Within the `with` block, `new(name)` gives a temporary path in the same folder to write to. At the end all of them
+    are flushed to the disk and take their names; if anything was raised, none does and the temporary files go.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._temporary: dict[str, Path] = {}
+
+    def new(self, name: str) -> Path:
+        """The path to write the file `name` to."""
+        self._temporary[name] = self.folder / f".{os.getpid()}-unfinished-{name}"
+        return self._temporary[name]
+
+    def text(self, name: str, content: str) -> None:
+        """Write a text file, UTF-8 with newlines as they are."""
+        self.new(name).write_text(content, encoding="utf-8", newline="\n")
+
+    def __enter__(self) -> "WholeFiles":
+        self.folder.mkdir(parents=True, exist_ok=True)
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        try:
+            if kind is None:
+                for path in self._temporary.values():
+                    _flush(path)
+                for name, path in self._temporary.items():
+                    os.replace(path, self.folder / name)
+                _flush(self.folder)
+        finally:
+            for path in self._temporary.values():
+                path.unlink(missing_ok=True)
+
+
+def _flush(path: Path) -> None:
+    """Have the disk hold what was written to a file or a folder."""
+    if path.is_dir() and os.name == "nt":
+        return
+    handle = os.open(path, os.O_RDONLY if os.name != "nt" else os.O_RDWR)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)

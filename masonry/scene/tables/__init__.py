@@ -1,0 +1,1 @@
+"""The tables of a scene file: what each may hold, checked and turned into SI units."""

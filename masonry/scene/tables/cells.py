@@ -1,0 +1,52 @@
+"""What a scene says of a division into cells: how many or how large, what sizes, what seeds."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, StrictBool, model_validator
+
+from masonry.scene.tables.types import CellCount, KeyedError, Length, Number, Position, RelativeSize, Spread, Table
+
+AMOUNTS = ("total", "per_unit", "size")
+
+
+class Cells(Table):
+    """Cells in place of a regular grid; exactly one of total, per_unit and size says how many.
+
+    form  "plane": of the plane x-z, each as deep as the unit; "space": in all three dimensions
+    """
+
+    total: CellCount | None = None
+    per_unit: CellCount | None = None
+    size: Length | None = None
+    kind: Literal["laguerre", "voronoi"] = "laguerre"
+    form: Literal["plane", "space"] = "plane"
+    spread: Spread = 0.0
+    sizes: Annotated[tuple[RelativeSize, ...], Field(min_length=1)] | None = None
+    sites: Annotated[tuple[tuple[Position, Position, Position], ...], Field(min_length=1)] | None = None
+    seed: Number = 0
+    regularise: StrictBool = True
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> "Cells":
+        given = [name for name in AMOUNTS if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise KeyedError(
+                given[1] if given else "total",
+                f"exactly one of {', '.join(AMOUNTS)} says how many cells, not {' and '.join(given) or 'none'}",
+            )
+        if self.kind == "voronoi" and (self.sizes is not None or self.spread > 0):
+            key = "spread" if self.sizes is None else "sizes"
+            raise KeyedError(key, "sizes of Voronoi cells fall out as they may; kind = 'laguerre' holds given ones")
+        if self.sizes is not None and self.spread > 0:
+            raise KeyedError("spread", "spread and sizes both say how large cells are; keep one of them")
+        if self.sizes is not None and self.per_unit is not None and len(self.sizes) != self.per_unit:
+            raise KeyedError("sizes", f"there are {len(self.sizes)} sizes for {self.per_unit} cells per unit")
+        if self.sites is not None and len(self.sites) != self.total:
+            raise KeyedError("sites", f"there are {len(self.sites)} sites; say so: total = {len(self.sites)}")
+        return self
+
+
+def exclude(table: Any) -> None:
+    """A part of a specimen is divided into a grid or into cells, not into both."""
+    if table.cells is not None and any(n > 1 for n in table.divisions):
+        raise KeyedError("cells", "divisions and cells exclude each other; leave divisions out")

@@ -1,0 +1,167 @@
+"""What a scene says of a group of contacts, and of the material of a group of blocks."""
+
+import math
+from itertools import pairwise
+from typing import Any, Literal
+
+from pydantic import (
+    SerializationInfo,
+    SerializerFunctionWrapHandler,
+    ValidationInfo,
+    model_serializer,
+    model_validator,
+)
+
+from masonry.quantity import convert
+from masonry.scene.tables.types import (
+    SOFTEST,
+    Angle,
+    Density,
+    Energy,
+    EnergySlope,
+    Exponent,
+    KeyedError,
+    Law,
+    Length,
+    Modulus,
+    Poisson,
+    ShearStiffness,
+    Stiffness,
+    Strength,
+    Table,
+    Tangent,
+    confinement_of,
+)
+
+
+class Material(Table):
+    """A group of blocks: kg/m3, Pa, 1. The elastic constants are needed for affine and tets only."""
+
+    density: Density
+    young_modulus: Modulus | None = None
+    poisson_ratio: Poisson | None = None
+
+
+class Contact(Table):
+    """A group of contacts, in SI. `law` is its own or the scene's; None stands for what the scene leaves out.
+
+    exponent_shear_table  ((confinement in Pa, exponent), ...) where the file gives exponent_shear by confinement
+    """
+
+    law: Law
+    normal_stiffness: Stiffness
+    shear_stiffness: ShearStiffness
+    tensile_strength: Strength | None = None
+    cohesion: Strength | None = None
+    friction_angle: Angle | None = None
+    tan_friction_angle: Tangent | None = None
+    residual_cohesion: Strength | None = None
+    residual_friction_angle: Angle | None = None
+    tan_residual_friction_angle: Tangent | None = None
+    fracture_energy_mode_1: Energy | None = None
+    fracture_energy_mode_2: Energy | None = None
+    fracture_energy_mode_2_slope: EnergySlope | None = None
+    exponent_tension: Exponent | None = None
+    exponent_shear: Exponent | None = None
+    exponent_shear_table: tuple[tuple[float, float], ...] | None = None
+    dilation_angle: Angle | None = None
+    dilation_cutoff: Length | None = None
+    unloading: Literal["secant", "elastic"] = "secant"
+    softening_variable: Literal["displacement", "plastic"] | None = None
+    coupling: Literal["combined", "independent"] = "combined"
+
+    @property
+    def own_keys(self) -> tuple[str, ...]:
+        """Keys that a law of another package adds (see own_keys.py)."""
+        return tuple(key for key in type(self).model_fields if key not in Contact.model_fields)
+
+    def properties(self, turns_back: bool = False) -> dict[str, Any]:
+        """SI values by name, as `laws.build.build` takes them; turns_back: whether loading does, where it matters."""
+        keys = (
+            *("law", "normal_stiffness", "shear_stiffness", "tensile_strength", "cohesion", "tan_friction"),
+            *("residual_cohesion", "tan_residual_friction", "fracture_energy_mode_1", "fracture_energy_mode_2"),
+            *("fracture_energy_mode_2_slope", "exponent_tension", "exponent_shear", "dilation_angle"),
+            *("dilation_cutoff", "unloading", "softening_variable", "coupling", *self.own_keys),
+        )
+        found = {key: getattr(self, key) for key in keys}
+        default = "plastic" if turns_back else "displacement"
+        return {**found, "softening_variable": self.softening_variable or default}
+
+    @property
+    def tan_friction(self) -> float | None:
+        return _tangent(self.tan_friction_angle, self.friction_angle)
+
+    @property
+    def tan_residual_friction(self) -> float | None:
+        return _tangent(self.tan_residual_friction_angle, self.residual_friction_angle)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _take_from_scene(cls, data: Any, info: ValidationInfo) -> Any:
+        """The scene's law where the group names none, and the shear exponent at the scene's confinement."""
+        if not isinstance(data, dict):
+            return data
+        if "exponent_shear_table" in data:
+            raise KeyedError("exponent_shear_table", "write the table as exponent_shear = {'0.1 MPa' = 2.1, ...}")
+        law = (info.context or {}).get("law")
+        data = data if "law" in data or law is None else {"law": law, **data}
+        if isinstance(given := data.get("exponent_shear"), dict):
+            try:
+                table = _read_table(given)
+                value = interpolate(table, confinement_of(info, "exponent_shear by confinement"))
+            except ValueError as error:
+                raise KeyedError("exponent_shear", str(error)) from None
+            data = {**data, "exponent_shear": value, "exponent_shear_table": table}
+        return data
+
+    @model_validator(mode="after")
+    def _is_complete(self) -> "Contact":
+        for plain, tangent in (
+            ("friction_angle", "tan_friction_angle"),
+            ("residual_friction_angle", "tan_residual_friction_angle"),
+        ):
+            if getattr(self, plain) is not None and getattr(self, tangent) is not None:
+                raise KeyedError(tangent, f"{plain} and {tangent} are two spellings of one property; keep one of them")
+        if 0.0 < self.shear_stiffness < SOFTEST:
+            raise KeyedError("shear_stiffness", f"must be 0, or in [{SOFTEST:g}, 1e22]")
+        if self.law == "elastic":
+            return self
+        if self.tan_friction is None:
+            raise KeyedError("friction_angle", f"missing for law {self.law}; give friction_angle or tan_friction_angle")
+        if self.shear_stiffness == 0.0:
+            raise KeyedError("shear_stiffness", f"must be more than 0 for law {self.law}; 0 is for law elastic only")
+        return self
+
+    @model_serializer(mode="wrap")
+    def _write(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo[Any]) -> dict[str, Any]:
+        """The law is left to the scene where it is the same, and the table by confinement is written as given."""
+        data: dict[str, Any] = handler(self)
+        if self.law == (info.context or {}).get("law"):
+            del data["law"]
+        data.pop("exponent_shear_table", None)
+        if self.exponent_shear_table is not None:
+            data["exponent_shear"] = {f"{stress!r} Pa": exponent for stress, exponent in self.exponent_shear_table}
+        return data
+
+
+def _tangent(tangent: float | None, angle: float | None) -> float | None:
+    return math.tan(angle) if tangent is None and angle is not None else tangent
+
+
+def _read_table(given: dict[Any, Any]) -> tuple[tuple[float, float], ...]:
+    """{"0.1 MPa" = 2.1, ...} -> ((Pa, exponent), ...), ascending."""
+    rows = sorted(
+        (convert(stress, "stress", "the confinement", "[0, inf)"), convert(value, "number", "the exponent", "(1, inf)"))
+        for stress, value in given.items()
+    )
+    if not rows or any(low == high for (low, _), (high, _) in pairwise(rows)):
+        raise ValueError("a table by confinement needs one or more rows, each at its own confinement")
+    return tuple(rows)
+
+
+def interpolate(table: tuple[tuple[float, float], ...], at: float) -> float:
+    """Linear between the rows (abscissa, value) of an ascending table, constant beyond its ends."""
+    for (x0, y0), (x1, y1) in pairwise(table):
+        if at < x1:
+            return y0 + (y1 - y0) * max(at - x0, 0.0) / (x1 - x0)
+    return table[-1][1]

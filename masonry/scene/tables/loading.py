@@ -1,0 +1,196 @@
+"""What a scene says of its supports, its loading and the explicit solver."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, PlainSerializer, ValidationInfo, model_validator
+
+from masonry.quantity import convert
+from masonry.scene.tables import history as histories
+from masonry.scene.tables.history import History, Timed, is_timed
+from masonry.scene.tables.types import (
+    Damping,
+    Direction,
+    Duration,
+    Fraction,
+    Frames,
+    Freedom,
+    KeyedError,
+    Length,
+    Rows,
+    Share,
+    Steps,
+    StressVector,
+    Table,
+    Velocity,
+)
+
+Selector = Annotated[str, Field(min_length=1)]
+BOUNDS = ("gershgorin", "equation-11")
+
+
+def _freedoms(value: Any) -> Any:
+    """ "all", one freedom or a list of them."""
+    if value == "all":
+        return ("x", "y", "z", "rotation")
+    return (value,) if isinstance(value, str) else value
+
+
+def _time_step(value: Any) -> str | float:
+    if isinstance(value, str) and (value in BOUNDS or not value[:1].isdigit()):
+        if value in BOUNDS:
+            return value
+        raise ValueError(f"'{value[:40]}' is not allowed; time_step is one of {', '.join(BOUNDS)}, or a time: '1e-6 s'")
+    return convert(value, "time", "time_step", "[1e-18, 1e9]")
+
+
+def _accuracy(value: Any) -> Any:
+    """A share, or a percentage: 0.01 or "1 %"."""
+    if not (isinstance(value, str) and value.rstrip().endswith("%")):
+        return value if value is None else convert(value, "number", "accuracy", "[1e-4, 0.2]")
+    try:
+        return convert(value.rstrip()[:-1], "number", "accuracy", "[0.01, 20]") / 100
+    except ValueError:
+        raise ValueError(f"{value[:40]!r} does not fit; accuracy must be in [0.01, 20] %") from None
+
+
+def _rotation(value: Any, info: ValidationInfo) -> float:
+    kind, allowed = ("angle", "(0, 90) deg") if isinstance(value, str) else ("number", "(0, 1.6)")
+    return convert(value, kind, info.field_name or "", allowed)
+
+
+def _slip(value: Any) -> float:
+    """A share, or a percentage: 0.25 or "25 %"."""
+    if isinstance(value, str) and value.rstrip().endswith("%"):
+        return convert(value.rstrip()[:-1], "number", "slip_limit", "(0, 100000]") / 100
+    return convert(value, "number", "slip_limit", "(0, 1000]")
+
+
+DriveHistory = Annotated[
+    History | None,
+    BeforeValidator(lambda value: histories.read(value, "length")),
+    PlainSerializer(lambda value: histories.written(value, "length"), when_used="unless-none"),
+]
+LoadHistory = Annotated[
+    History | None,
+    BeforeValidator(lambda value: histories.read(value, "number")),
+    PlainSerializer(lambda value: histories.written(value, "number"), when_used="unless-none"),
+]
+
+
+class Support(Table):
+    """Blocks or an outer face that are held in some directions."""
+
+    on: Selector
+    fix: Annotated[tuple[Freedom, ...], BeforeValidator(_freedoms), Field(min_length=1)]
+
+
+class Drive(Table):
+    """Blocks moved in one direction by `displacement` (m), or along a `history`: to an accuracy, at `rate` (m/s), in so
+    many `steps`, or in the time that the history takes."""
+
+    on: Selector
+    direction: Direction
+    displacement: Length | None = None
+    history: DriveHistory = None
+    duration: Duration | None = None
+    accuracy: Annotated[float | None, BeforeValidator(_accuracy)] = None
+    rate: Velocity | None = None
+    steps: Steps | None = None
+    ramp: Share = 0.3
+
+    @property
+    def axis(self) -> int:
+        return "xyz".index(self.direction[-1])
+
+    @property
+    def sign(self) -> float:
+        return -1.0 if self.direction[0] == "-" else 1.0
+
+    @property
+    def path(self) -> Timed | None:
+        """The displacement (m) over time, where the history has times."""
+        return histories.checked(self.history, self.duration, "length")
+
+    @property
+    def turns(self) -> tuple[float, ...]:
+        """The places (m, along the direction) that the drive visits one after the other."""
+        if self.history is None:
+            return (self.displacement or 0.0,)
+        path = self.path
+        return self.history if path is None else path.turning_points()  # type: ignore[return-value]
+
+    @property
+    def farthest(self) -> float:
+        """m, how far from its start the drive comes."""
+        return max(map(abs, self.turns))
+
+    @model_validator(mode="after")
+    def _has_one_way(self) -> "Drive":
+        if self.history is None and self.displacement is None:
+            raise KeyedError("displacement", "missing; give it, for example '20 mm', or a history that turns back")
+        if self.history is not None and self.displacement is not None:
+            raise KeyedError("displacement", "displacement and history exclude each other; keep one of them")
+        path = histories.checked(self.history, self.duration, "length")
+        if path is not None:
+            histories.require_a_start_at_0(path)
+        if path is not None and self.rate is not None:
+            raise KeyedError("rate", "a history with times has its own; leave it out, or give accuracy or steps")
+        return self
+
+    @model_validator(mode="after")
+    def _has_one_pace(self) -> "Drive":
+        given = [key for key in ("accuracy", "rate", "steps") if getattr(self, key) is not None]
+        if len(given) > 1:
+            raise KeyedError(given[-1], f"{' and '.join(given)} exclude each other; keep one of them")
+        own_time = self.history is not None and is_timed(self.history)
+        return self if given or own_time else self.model_copy(update={"accuracy": 0.01})
+
+
+class Traction(Table):
+    """A force per area (Pa, by direction) on an outer face: constant, or times the shares of a `history`."""
+
+    on: Selector
+    stress: StressVector
+    history: LoadHistory = None
+    duration: Duration | None = None
+
+    @property
+    def path(self) -> Timed | None:
+        """The share of the stress over time, where it varies."""
+        return histories.checked(self.history, self.duration, "number")
+
+    @model_validator(mode="after")
+    def _has_a_time(self) -> "Traction":
+        histories.checked(self.history, self.duration, "number")
+        return self
+
+
+class Settle(Table):
+    """Steps in which the dead loads rise and come to rest before the drive starts."""
+
+    steps: Steps
+
+
+class Solver(Table):
+    """The explicit step. time_step: the name of a bound, or seconds; step_fraction: of that bound."""
+
+    masses: Literal["scaled", "real"] = "scaled"
+    time_step: Annotated[
+        str | float,
+        BeforeValidator(_time_step),
+        PlainSerializer(lambda value: value if isinstance(value, str) else f"{value!r} s"),
+    ] = "gershgorin"
+    step_fraction: Fraction = 0.9
+    damping: Damping = 0.8
+    rotation_limit: Annotated[float, BeforeValidator(_rotation)] = 0.02
+    slip_limit: Annotated[float, BeforeValidator(_slip)] = 0.25
+    rows: Rows = 1000
+    frames: Frames = 24
+
+    @model_validator(mode="before")
+    @classmethod
+    def _paper_fraction(cls, data: Any) -> Any:
+        """Eq. (11) has its own default, frac = 0.1."""
+        if isinstance(data, dict) and data.get("time_step") == "equation-11":
+            return {"step_fraction": 0.1, **data}
+        return data

@@ -1,0 +1,159 @@
+"""What a scene says of its specimen: what is built, and of which size. Lengths in m, areas in m2."""
+
+from collections import Counter
+from typing import Annotated, Any, Literal, get_args
+
+from pydantic import Field, model_validator
+
+from masonry.scene.tables.cells import Cells, exclude
+from masonry.scene.tables.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
+from masonry.scene.tables.types import Area, Count, Gap, KeyedError, Length, Number, Position, Table
+
+
+class SpecimenTable(Table):
+    """What all specimens have; `section`, if given, takes the place of the specimen's own."""
+
+    kind: str
+    section: Area | None = None
+    contact_points: Literal["gauss", "vertex"] = "gauss"
+    points_per_edge: PointsPerEdge = PerAxis()
+    points_per_face: PointsPerFace | None = None
+    contact_spacing: Length | None = None
+    mesh: Literal["gmsh", "fan"] = "gmsh"
+    mesh_size: Length | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_density(cls, data: Any) -> Any:
+        return one_density(data)
+
+    @model_validator(mode="after")
+    def _has_corners(self) -> "SpecimenTable":
+        if self.contact_points == "vertex":
+            for key, number in (("points_per_edge", 2), ("points_per_face", 4)):
+                given = getattr(self, key)
+                if given is not None and fewest(given) < number:
+                    raise KeyedError(key, f"must be {number} or more with contact_points = 'vertex'")
+        return self
+
+
+class _Divided(Table):
+    """A grid of blocks (nx, ny, nz), or cells."""
+
+    divisions: tuple[Count, Count, Count] = (1, 1, 1)
+    cells: Cells | None = None
+
+    @model_validator(mode="after")
+    def _is_divided_once(self) -> "_Divided":
+        exclude(self)
+        return self
+
+
+class Mortar(_Divided):
+    """Layers of mortar made of blocks."""
+
+    thickness: Length
+
+
+class _Stack(SpecimenTable, _Divided):
+    """Units one above the other; length, width and height are those of one unit."""
+
+    length: Length
+    width: Length
+    height: Length
+    mortar: Mortar | None = None
+    plates: Length | None = None
+
+
+class CoupletSpec(_Stack):
+    """Two units."""
+
+    kind: Literal["couplet"]
+
+
+class PrismSpec(_Stack):
+    """Any number of units."""
+
+    kind: Literal["prism"]
+    units: Count = 3
+
+
+class _Wall(SpecimenTable):
+    """Courses of expanded units with zero-thickness joints."""
+
+    courses: Count
+    units_per_course: Count = 2
+    unit_length: Length
+    unit_height: Length
+    unit_width: Length | None = None
+    thickness: Length
+    joint_thickness: Gap = 0.0
+    bond: Literal["running", "stack", "header", "english", "flemish"] = "running"
+
+
+class WalletteSpec(_Wall):
+    """A plane wall between plates; divisions (nx, nz) of a whole unit."""
+
+    kind: Literal["wallette"]
+    divisions: tuple[Count, Count] = (1, 1)
+    cells: Cells | None = None
+    plates: Length | None = None
+
+    @model_validator(mode="after")
+    def _is_divided_once(self) -> "WalletteSpec":
+        exclude(self)
+        return self
+
+
+class BendingSpec(_Wall, _Divided):
+    """A wall between support rollers and load rollers."""
+
+    kind: Literal["bending"]
+    support_distance: Length = 0.025
+    load_distance: Length | None = None
+    roller_width: Length = 0.01
+    bottom_plate: Length | None = None
+
+
+class Box(Table):
+    """A cuboid, divided into a regular grid of blocks."""
+
+    name: Annotated[str, Field(min_length=1)]
+    origin: tuple[Position, Position, Position]
+    size: tuple[Length, Length, Length]
+    group: Annotated[str, Field(min_length=1)] = "units"
+    unit: Number = 0
+    divisions: tuple[Count, Count, Count] = (1, 1, 1)
+
+
+class BoxesSpec(SpecimenTable):
+    """Boxes that the user places; `section` turns a force into the reported stress."""
+
+    kind: Literal["boxes"]
+    box: Annotated[tuple[Box, ...], Field(min_length=1)]
+    section: Area
+
+    @model_validator(mode="after")
+    def _names_differ(self) -> "BoxesSpec":
+        name, times = Counter(box.name for box in self.box).most_common(1)[0]
+        if times > 1:
+            raise KeyedError("box", f"{times} boxes are named '{name}'; each needs a name of its own")
+        return self
+
+
+class FileSpec(SpecimenTable):
+    """Blocks from a file that `masonry import` wrote."""
+
+    kind: Literal["file"]
+    path: Annotated[str, Field(min_length=1)]
+
+
+Specimen = Annotated[
+    CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | BoxesSpec | FileSpec, Field(discriminator="kind")
+]
+
+
+def kinds() -> list[str]:
+    """The words that `kind` may be."""
+    union = get_args(Specimen)[0]
+    return [get_args(table.model_fields["kind"].annotation)[0] for table in get_args(union)]

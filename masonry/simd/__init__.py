@@ -1,0 +1,47 @@
+"""Several numbers at once: a Numba type for the processor's vectors, so that one formula serves one number or eight.
+
+`Lanes` are 4 or 8 doubles that add, multiply and compare like one; `choose` takes the place of `if`. With
+MASONRY_LANES=0 the functions of `memory.py` and `rows.py` hand out plain numbers one by one instead, and the same
+kernels, compiled for numbers, do the same work.
+"""
+
+from masonry.simd import exponential, functions  # noqa: F401  math learns of lanes
+from masonry.simd.arithmetic import PLAIN
+from masonry.simd.gather import gather, gather_corners, put_rows, scatter, take_slopes
+from masonry.simd.load_store import EIGHT, FOUR, eight, four, or_zero, put, put_where, take, width_of
+from masonry.simd.local import local
+from masonry.simd.rows import numbers, pack, part, plus, put_row, take_row
+from masonry.simd.select import below, choose, filled, larger, smaller, some, total, unless
+
+__all__ = [
+    "PLAIN",
+    "EIGHT",
+    "FOUR",
+    "eight",
+    "four",
+    "width_of",
+    "take",
+    "put",
+    "put_where",
+    "or_zero",
+    "below",
+    "choose",
+    "filled",
+    "larger",
+    "local",
+    "smaller",
+    "some",
+    "total",
+    "unless",
+    "gather",
+    "gather_corners",
+    "put_rows",
+    "scatter",
+    "take_slopes",
+    "numbers",
+    "pack",
+    "part",
+    "plus",
+    "put_row",
+    "take_row",
+]

@@ -1,0 +1,61 @@
+"""The compiled step of a model: made or loaded from the cache, and taken."""
+
+import contextlib
+import signal
+import threading
+from collections.abc import Iterator
+
+import numpy as np
+
+from masonry.jit.compiler import kind_of, once
+from masonry.kernels.step import advance
+from masonry.loading.scheduled import Chunk
+from masonry.model.model import Model
+from masonry.monitors import energy
+
+
+def compile_for(model: Model, threads: int) -> None:
+    """Compile (or load from the cache) the step for exactly this model, without taking one."""
+    parallel = True if threads > 1 else None
+    kind = parallel, model.damping, model.groups, model.contacts, model.bodies, model.drives
+    with once(kind_of(kind)), interrupt_afterwards():
+        advance_model(model, Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
+        energy.observe(model)
+
+
+@contextlib.contextmanager
+def interrupt_afterwards() -> Iterator[None]:
+    """Ctrl-C waits for the compiler, which cannot be interrupted cleanly, and counts when it is done.
+
+    Where somebody else looks after Ctrl-C, it stays so.
+    """
+    usual = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or usual is not signal.default_int_handler:
+        yield
+        return
+    pressed: list[int] = []
+    signal.signal(signal.SIGINT, lambda number, frame: pressed.append(number))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, usual)
+    if pressed:
+        raise KeyboardInterrupt
+
+
+def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, gauge: np.ndarray) -> None:
+    """Take some compiled steps of a chunk; gauge (steps,) N out: force of the drive after each."""
+    advance(
+        True if threads > 1 else None,
+        first,
+        steps,
+        model.dt,
+        model.damping,
+        chunk.dead_load,
+        chunk.speed,
+        model.groups,
+        model.contacts,
+        model.bodies,
+        model.drives,
+        gauge,
+    )

@@ -1,0 +1,62 @@
+"""What is recorded of a run, and what comes of it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from masonry.history import History
+from masonry.model.gauges import Gauge
+from masonry.monitors.events import Event
+from masonry.timeloop.reactions import Standing, Surroundings
+
+
+@dataclass
+class Outcome:
+    """What the loop found besides the rows: the peak seen at any step, and the lowest force; the largest rotation, the
+    times, the force that was still unbalanced when the dead loads had settled, over the dead loads, how far a contact
+    closed, over the extent of its thinner block, the most energy of mode II of a contact over what its law has, how far
+    one slid, over the extent of its joint, which blocks without a joint lie on each other, the widest opening at each
+    row (m), the sudden cracks, the forces from outside and of the contacts at the frames of the peak and of the end,
+    and the work (J) of each dead load, (L,) in all and while they settled.
+    """
+
+    history: History
+    peak_force: float = 0.0
+    displacement_at_peak: float = 0.0
+    lowest_force: float = 0.0
+    displacement_at_lowest: float = 0.0
+    seconds_run: float = 0.0
+    seconds_compile: float = 0.0
+    rotation_max: float = 0.0
+    unbalanced: float = 0.0
+    overlap_max: float = 0.0
+    mode_2_over_law: float = 0.0
+    slip_max: float = 0.0
+    met: str = ""
+    widest: list[float] = field(default_factory=list)
+    steps: int = 0
+    interrupted: bool = False
+    stopped: str = ""
+    control: dict[str, float] = field(default_factory=dict)
+    events: list[Event] = field(default_factory=list)
+    standing: dict[str, Standing] = field(default_factory=dict)
+    work_of_loads: tuple[np.ndarray, np.ndarray] = field(default_factory=lambda: (np.zeros(0), np.zeros(0)))
+    log: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Recording:
+    """How forces become stresses (section, m2; sign of the drive), how often to look, which gauges to read then,
+    how many frames to keep, about, the slip that stops a run, the sets of blocks by name, to blame them, and what acts
+    from outside."""
+
+    section: float
+    sign: float = 1.0
+    rows: int = 1000
+    rotation_limit: float = 0.02
+    gauges: tuple[Gauge, ...] = ()
+    frames: int = 24
+    slip_limit: float = 0.25
+    sets: Mapping[str, np.ndarray] = field(default_factory=dict)
+    surroundings: Surroundings = field(default_factory=Surroundings)

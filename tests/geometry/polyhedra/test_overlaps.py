@@ -1,0 +1,92 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from geometry.blocks import GeometryError
+from geometry.polyhedra.box_pairs import overlapping_boxes
+from geometry.polyhedra.construct import concatenate
+from geometry.polyhedra.overlaps import check_overlaps
+from geometry.specimens.boxes import boxes
+
+
+def two_boxes(shift, divisions=(1, 1, 1)):
+    return [("left", (0, 0, 0), (1, 1, 1), "units", 0, divisions), ("right", shift, (1, 1, 1), "units", 1, (1, 1, 1))]
+
+
+def test_overlapping_boxes_are_named_with_size_and_place():
+    with pytest.raises(GeometryError) as refused:
+        boxes(two_boxes((0.9, 0.5, 0.0)), 1.0)
+    message = str(refused.value)
+    assert "'left' and 'right' overlap by 0.1 x 0.5 x 1 m around (0.95, 0.75, 0.5) m" in message
+    assert "move one by 0.1 m along x" in message
+
+
+def test_a_box_thinner_than_what_counts_as_touching_is_refused_with_its_name():
+    for thin, said in (
+        (1e-9, r"right is 1e-09 m thin in a specimen of 2 m; it must be more than 2e-09 m"),
+        (1e-8, ""),
+    ):
+        pair = [two_boxes((1.0, 0.0, 0.0))[0], ("right", (1, 0, 0), (1, thin, 1), "units", 1, (1, 1, 1))]
+        if said:
+            with pytest.raises(GeometryError, match=said):
+                boxes(pair, 1.0)
+        else:
+            boxes(pair, 1.0)
+
+
+def test_boxes_that_touch_or_overlap_within_rounding_are_accepted():
+    boxes(two_boxes((1.0, 0.5, 0.0)), 1.0)
+    boxes(two_boxes((1.0 - 1e-12, 0.5, 0.0)), 1.0)
+    with pytest.raises(GeometryError):
+        boxes(two_boxes((1.0 - 1e-7, 0.5, 0.0)), 1.0)
+
+
+def test_a_box_wholly_inside_another_is_found():
+    with pytest.raises(GeometryError, match="'big' and 'small'"):
+        boxes(
+            [("big", (0, 0, 0), (3, 3, 3), "g", 0, (1, 1, 1)), ("small", (1, 1, 1), (1, 1, 1), "g", 1, (1, 1, 1))], 1.0
+        )
+
+
+@pytest.mark.parametrize("degrees", [0.0, 45.0, 71.0])
+def test_turned_blocks_overlap_by_their_shape_not_by_their_bounding_box(rotate, degrees):
+    for gap, overlaps in ((0.0, False), (1e-6, False), (-1e-6, True)):
+        pair = boxes(
+            [("a", (0, 0, 0), (1, 1, 1), "g", 0, (1, 1, 1)), ("b", (1, 0, 0), (1, 1, 1), "g", 1, (1, 1, 1))], 1.0
+        )
+        points = pair.blocks.points
+        points[8:] += (gap, 0.3, 0.2)
+        turned, _ = rotate(pair.blocks, degrees)
+        if overlaps:
+            with pytest.raises(GeometryError, match=r"0 \(unit 0\) and 1 \(unit 1\)"):
+                check_overlaps(turned)
+        else:
+            check_overlaps(turned)
+
+
+def test_blocks_parted_only_by_crossed_edges_are_accepted(hull, rotate):
+    ridge = np.array([[-1, 0, 0], [1, 0, 0], [-1, -0.2, -2], [1, -0.2, -1], [-1, 0.2, -2], [1, 0.2, -1.0]])
+    keel = ridge[:, [1, 0, 2]] * (1, 1, -1)
+    for height, overlaps in ((1e-6, False), (0.0, False), (-1e-6, True)):
+        pair, _ = rotate(concatenate([hull(ridge), hull(keel + (0, 0, height))]), 35.0)
+        if overlaps:
+            with pytest.raises(GeometryError):
+                check_overlaps(pair)
+        else:
+            check_overlaps(pair)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(0, 10**6), st.integers(1, 60), st.integers(2, 3))
+def test_the_sweep_finds_just_the_pairs_that_meet(seed, count, dimensions):
+    random = np.random.default_rng(seed)
+    low = random.integers(0, 12, (count, dimensions)) * 0.5
+    high = low + random.integers(0, 4, (count, dimensions)) * 0.5 * random.choice([1, 6], (count, 1), p=[0.9, 0.1])
+    expected = [
+        (i, j)
+        for i in range(count)
+        for j in range(i + 1, count)
+        if np.all(low[i] <= high[j]) and np.all(low[j] <= high[i])
+    ]
+    assert [tuple(pair) for pair in overlapping_boxes(low, high)] == expected

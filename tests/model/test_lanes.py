@@ -1,0 +1,95 @@
+"""Several numbers at once give what one after the other gives: in a run of each kinematics, and in exp."""
+
+import json
+import math
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from masonry.jit.compiler import jit
+from masonry.simd import PLAIN, choose, eight, put, take
+
+RUNS = {
+    "rigid": ["wallette-mode-1", "specimen.divisions=[2, 1]", "drive.rate=20 mm/s"],
+    "affine": ["couplet", "kinematics=affine", "law=exponential", "drive.steps=2000", "settle.steps=500"],
+    "scattered": [
+        "wallette-mode-1",
+        "specimen.divisions=[2, 1]",
+        "drive.rate=20 mm/s",
+        "scatter.seed=1",
+        "scatter.unit_unit.tensile_strength=0.3",
+        "scatter.unit_unit.fracture_energy_mode_2=0.3",
+    ],
+    "tets": ["couplet", "kinematics=tets", "specimen.mesh_size=40 mm", "drive.steps=2000", "settle.steps=500"],
+}
+TAKE = """
+import json, sys
+import masonry
+for name, *changes in json.loads(sys.argv[1]):
+    rows = masonry.run(masonry.load(name, changes)).history.rows
+    print(json.dumps([rows["stress"].tolist(), rows["fracture_mode_1"].tolist(), rows["fracture_mode_2"].tolist()]))
+"""
+
+
+def curves(lanes: str) -> dict[str, np.ndarray]:
+    """(3, rows) of each run, in a process of its own."""
+    done = subprocess.run(
+        [sys.executable, "-c", TAKE, json.dumps(list(RUNS.values()))],
+        env=os.environ | {"MASONRY_LANES": lanes},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    return {kind: np.array(json.loads(line)) for kind, line in zip(RUNS, done.stdout.splitlines(), strict=True)}
+
+
+@pytest.fixture(scope="module")
+def both() -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
+    return curves("1"), curves("0")
+
+
+@pytest.mark.parametrize("kind", RUNS)
+def test_a_run_in_lanes_and_a_run_in_single_numbers_agree_past_the_peak(both, kind):
+    lanes, plain = (found[kind] for found in both)
+    peak = int(np.argmax(plain[0]))
+    fallen = np.flatnonzero(plain[0, peak:] < 0.8 * plain[0, peak])
+    last = peak + int(fallen[0]) if len(fallen) else plain.shape[1]  # beyond, a wall that cracks amplifies round-off
+    assert last > peak and plain[1:, last - 1].max() > 0.0, "something softened"
+    scale = np.abs(plain[:, :last]).max(axis=1, keepdims=True)
+    assert np.all(np.abs(lanes - plain)[:, :last] <= 1e-9 * scale)
+
+
+@pytest.mark.skipif(PLAIN, reason="single numbers use the exp of the C library")
+def test_exp_of_lanes_is_exp_to_fourteen_digits_and_keeps_its_limits():
+    @jit
+    def apply(x, y):
+        for k in range(len(x) // 8):
+            put(y, 8 * k, math.exp(take(x, 8 * k, eight())))
+
+    x = np.random.default_rng(1).uniform(-707.0, 708.0, 80_000)
+    x[:8] = 0.0, -0.0, np.nan, np.inf, -np.inf, -1e300, 1e-300, -1e-17
+    y = np.zeros_like(x)
+    apply(x, y)
+    wanted = np.exp(x)
+    np.testing.assert_array_equal(y[:8], wanted[:8])
+    assert np.abs(y[8:] / wanted[8:] - 1.0).max() < 1e-14
+
+
+@pytest.mark.skipif(PLAIN, reason="single numbers use the functions of the C library")
+def test_functions_that_a_law_may_call_give_in_lanes_what_they_give_for_numbers():
+    @jit
+    def apply(x, y):
+        for k in range(len(x) // 8):
+            a = take(x, 8 * k, eight())
+            put(y, 8 * k, math.log(a) + math.sin(a) + math.tanh(a) + math.atan(a) + 2.0**a + a**1.5 + math.sqrt(a))
+            b = max(min(a, 3.0), 0.5) + math.fabs(-a)
+            put(y, 8 * k, choose((a < 1.0) | (a > 5.0), take(y, 8 * k, eight()), b))
+
+    x = np.random.default_rng(1).uniform(0.01, 8.0, 800)
+    y = np.zeros_like(x)
+    apply(x, y)
+    first = np.log(x) + np.sin(x) + np.tanh(x) + np.arctan(x) + 2.0**x + x**1.5 + np.sqrt(x)
+    np.testing.assert_allclose(y, np.where((x < 1.0) | (x > 5.0), first, np.clip(x, 0.5, 3.0) + x), rtol=1e-13)

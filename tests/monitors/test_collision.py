@@ -1,0 +1,201 @@
+"""Blocks that had no joint and meet during a run stop it; nothing else does."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from geometry.polyhedra.construct import concatenate
+from geometry.polyhedra.intersect import are_convex
+from geometry.polyhedra.overlaps import overlapping_pairs, widest_gaps
+from geometry.specimens.boxes import boxes
+from masonry.assembly.assemble import assemble
+from masonry.cli.main import main
+from masonry.errors import Stopped
+from masonry.laboratory import laboratory
+from masonry.laboratory.text import trust
+from masonry.monitors.collision import Collision
+from masonry.monitors.corners import Corners, own_corners
+from masonry.monitors.stability import corner_displacements
+from tests.geometry.polyhedra.test_solids import box as solid_box
+from tests.geometry.polyhedra.test_solids import tube
+from tests.scenes import MATERIAL, box, listed, load, specimen, tables
+
+DRY = """law = "brittle"
+normal_stiffness = "150 GPa/m"
+shear_stiffness = "70 GPa/m"
+tensile_strength = "0 Pa"
+cohesion = "0 Pa"
+friction_angle = "30 deg"
+"""
+
+
+def slider(gap_mm, kinematics="rigid", way=1.0, more=""):
+    """A block pushed along a base towards a stop that begins `gap_mm` away, on the side of `way`."""
+    start = (0.1 + gap_mm / 1e3) * way
+    parts = [
+        box("base", (-0.3, 0, 0), (0.7, 0.1, 0.05), "units", 1),
+        box("slider", (0, 0, 0.05), (0.1, 0.1, 0.05), "units", 2),
+        box("stop", (start, 0, 0.05), (0.1, 0.1, 0.05), "units", 3),
+    ]
+    return (
+        f'kinematics = "{kinematics}"\n'
+        + specimen(parts, 0.01, "50 mm")
+        + tables("material", {"units": MATERIAL})
+        + tables("contact", {"unit_unit": DRY})
+        + listed("support", ['on = "base"\nfix = "all"', 'on = "stop"\nfix = "all"', 'on = "slider"\nfix = ["y"]'])
+        + listed("traction", ['on = "slider.z+"\nstress = {z = "-0.1 MPa"}'])
+        + f'[settle]\nsteps = 1000\n[drive]\non = "slider"\ndirection = "{"x" if way > 0 else "-x"}"\n'
+        + 'displacement = "4 mm"\naccuracy = "5 %"\n'
+        + more
+    )
+
+
+@pytest.mark.parametrize(("kinematics", "way"), [("rigid", 1.0), ("rigid", -1.0), ("affine", 1.0), ("tets", 1.0)])
+def test_a_slider_that_meets_a_stop_is_stopped_there_with_both_names(kinematics, way):
+    with pytest.raises(Stopped, match=r"'slider' and 'stop' meet around \(.*\) m, where they have no joint") as stop:
+        laboratory.run(load(slider(1.0, kinematics, way)))
+    places = stop.value.result.history.rows["displacement"]
+    step = np.diff(places).max()
+    assert 1e-3 - step < places[-1] < 1.01e-3 + 1e-5  # the next row would be beyond the face of the stop
+
+
+def test_a_slider_that_does_not_get_there_goes_on():
+    summary = laboratory.run(load(slider(4.5))).summary
+    assert summary["displacement_at_peak_m"] > 0.0 and summary["stopped"] == ""
+
+
+def test_the_shell_names_both_and_keeps_the_rows(tmp_path, capsys):
+    scene = tmp_path / "slider.toml"
+    scene.write_text(slider(1.0), encoding="utf-8")
+    assert main(["run", str(scene), "--out", str(tmp_path / "r")]) == 3
+    assert "'slider' and 'stop' meet" in capsys.readouterr().err
+    assert (tmp_path / "r" / "curve.csv").is_file()
+
+
+def test_blocks_of_a_set_are_named_by_number_and_blocks_without_a_set_by_unit():
+    model = assemble(load(slider(1.0))).model
+    look = Collision(model, {"all": np.arange(3), "pair": np.array([0, 1])})
+    assert look._name(1) == "block 1 of 'pair'" and look._name(2) == "block 2 of 'all'"
+    assert Collision(model, {})._name(2) == "block 2 (unit 3)"
+
+
+def crossing():
+    """Four blocks round an edge: those across it have no joint."""
+    cuts = [(f"b{i}{k}", (0.1 * i, 0.1 * k)) for i in (0, 1) for k in (0, 1)]
+    parts = [box(name, (x, 0, z), (0.1, 0.1, 0.1), "units", n) for n, (name, (x, z)) in enumerate(cuts)]
+    return assemble(
+        load(
+            'kinematics = "rigid"\n'
+            + specimen(parts, 0.01)
+            + tables("material", {"units": MATERIAL})
+            + tables("contact", {"unit_unit": DRY})
+            + listed("support", ['on = "b00"\nfix = "all"'])
+            + '[drive]\non = "b11"\ndirection = "x"\ndisplacement = "1 mm"\n'
+        )
+    ).model
+
+
+def pushed(model, shift, turn=0.0, opening=0.0):
+    """Look with the last block shifted (m) and turned about y (rad); whether it lies on the one across."""
+    body, look = model.bodies[0], Collision(model, {})
+    body.q[3, :3], body.q[3, 4] = shift, turn
+    look.look(0, np.full(len(model.group), opening), abs(turn))
+    return look.words != ""
+
+
+def test_blocks_that_touch_along_an_edge_may_close_like_contacts_but_no_further():
+    model = crossing()
+    assert not pushed(model, (0.0, 0.0, 0.0))
+    assert not pushed(model, (-9e-6, 0.0, -9e-6))  # a ten thousandth of 100 mm is 10 micrometres
+    assert pushed(model, (-1.1e-5, 0.0, -1.1e-5))
+    assert not pushed(model, (-1.1e-5, 0.0, -1.1e-5), opening=-1e-6)  # contacts close by 1 micrometre: 3 more
+    assert not pushed(model, (-5e-3, 0.0, 1e-7))  # over the edge, without going in
+    assert pushed(model, (-5e-3, 0.0, -2e-5))
+
+
+def test_a_turn_that_only_grows_the_box_of_a_block_is_no_collision():
+    model = crossing()
+    for turn in (0.02, -0.02):
+        assert not pushed(model, (0.0012, 0.0, 0.0012), turn)  # its nearest corner turns away by 1 mm
+        assert pushed(model, (-0.002, 0.0, -0.002), turn)
+
+
+def test_where_all_blocks_have_joints_with_each_other_nothing_is_looked_at():
+    from masonry.scene import load as shipped
+
+    assert Collision(assemble(shipped("couplet")).model, {}).alone
+
+
+def test_a_block_that_goes_into_the_hole_of_another_does_not_meet_it_and_one_beside_it_does():
+    for low, high, meets in (((1.2, 1.2, 0.5), (1.8, 1.8, 3), False), ((0.2, 1.2, 0.5), (1.8, 1.8, 3), True)):
+        blocks = concatenate([tube(), solid_box(low, high)])
+        found = list(overlapping_pairs(blocks, np.array([[0, 1]]), 1e-6, are_convex(blocks, 1e-9)))
+        assert found == ([(0, 1)] if meets else [])
+
+
+def test_the_widest_gap_is_that_of_the_face_which_parts_two_blocks_best():
+    cubes = [(f"b{k}", (x, 0, z), (1, 1, 1), "g", k, (1, 1, 1)) for k, (x, z) in enumerate([(0, 0), (1.5, 1.2)])]
+    blocks = boxes(cubes, 1.0).blocks
+    for pair in ([0, 1], [1, 0]):
+        gap, face = widest_gaps(blocks, np.array([pair]))
+        assert gap == pytest.approx([0.5])
+        assert np.ptp(blocks.face(int(face[0])), axis=0)[0] == 0.0  # a face across x
+
+
+def test_corners_that_blocks_share_are_parted():
+    blocks = boxes([(f"b{k}", (k, 0, 0), (1, 1, 1), "g", k, (1, 1, 1)) for k in range(2)], 1.0).blocks
+    points, number = np.unique(blocks.points, axis=0, return_inverse=True)
+    shared = replace(blocks, points=points, face_points=number.reshape(-1)[blocks.face_points])
+    own = own_corners(shared)
+    assert len(points) == 12 and len(own.points) == 16
+    for f in range(12):
+        np.testing.assert_array_equal(own.face(f), blocks.face(f))
+    assert own_corners(own) is own
+
+
+def test_blocks_that_touched_along_an_edge_lie_on_each_other_a_little_with_a_doubt_and_no_further():
+    model = crossing()
+    look, closed = Collision(model, {"corner": np.array([3])}), np.zeros(len(model.group))
+    for depth in (2e-5, 9.9e-4):  # 1 % of 100 mm is 1 mm
+        model.bodies[0].q[3, :3] = -depth, 0.0, -depth
+        look.look(7, closed, 0.0)
+        assert "(unit 0) and 'corner' meet" in look.words and "from step 7 on" in look.words
+    again = Collision(model, {})
+    again.restore(look.state())
+    assert again.words == look.words
+    model.bodies[0].q[3, :3] = -1.1e-3, 0.0, -1.1e-3
+    for one in (look, again):
+        with pytest.raises(Stopped, match="meet around"):
+            one.look(8, closed, 0.0)
+
+
+def test_the_doubt_is_told():
+    said = trust({"met": "block 1 and block 2 meet around (0, 0, 0) m, where they have no joint, from step 9 on"})
+    assert "from step 9 on: nothing holds them apart" in said
+
+
+@pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
+def test_corners_move_as_pictures_show_them(kinematics):
+    model = assemble(load(slider(1.0, kinematics))).model
+    rng, (rigid, affine, tets) = np.random.default_rng(3), model.bodies
+    for body in (rigid, affine):
+        if body is not None:
+            body.q[...] = 1e-3 * rng.standard_normal(body.q.shape)
+    if tets is not None:
+        model.contacts[3][...] = rng.standard_normal(model.contacts[3].shape)
+    corners = Corners(model)
+    moved = corner_displacements(corners.model, corners.nearest)[corners.points]
+    np.testing.assert_allclose(corners.moved()[0].transpose(1, 2, 0), moved, atol=1e-15)
+
+
+def test_candidates_are_neighbours_and_a_face_that_turns_with_its_block_still_parts_them():
+    model = assemble(load(slider(0.1))).model
+    look, closed = Collision(model, {}), np.zeros(len(model.group))
+    look.look(0, closed, 0.0)
+    assert len(look.pairs) == 0  # the stop is 0.1 mm away and nothing has moved
+    model.bodies[0].q[1:, 4] = 0.02  # both turn alike: their boxes overlap by 1.9 mm, and their faces do not
+    moved, gradient = look.corners.moved()
+    look.look(1, closed, 0.02)
+    assert look.pairs.tolist() == [[1, 2]]
+    assert len(look._not_parted(look.corners.place + moved, gradient, np.array([1e-6]))) == 0

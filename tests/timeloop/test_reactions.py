@@ -1,0 +1,110 @@
+"""Supports, drive and dead loads are in balance; joints carry what statics says; loads do the work of their way."""
+
+import re
+
+import numpy as np
+import pytest
+
+from masonry.laboratory import laboratory
+from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
+from verification.checks.ledgers import scene_of
+from verification.fixtures.scene_text import loaded
+
+KINDS = {
+    "rigid": '"rigid"',
+    "affine": '"affine"',
+    "tets": '"tets"',
+    "mixed": '{hard = "rigid", fine = "affine", soft = "tets"}',
+}
+
+
+def left(balance: dict, key: str) -> float:
+    """What is left of the sum of forces or moments, over the largest of them."""
+    acts = [np.array(value[key]) for name, value in balance.items() if isinstance(value, dict) and name != "sum"]
+    return float(np.abs(balance["sum"][key]).max() / max(np.abs(act).max() for act in acts))
+
+
+@pytest.mark.parametrize("kinematics", KINDS.values(), ids=KINDS)
+def test_at_rest_the_reactions_are_the_loads_in_force_and_moment(kinematics):
+    text = scene_of(kinematics, "exponential", 'masses = "scaled"\ndamping = 0.8')
+    text = re.sub(r"\[drive\][^\[]*", "", text).replace("steps = 800", "steps = 12000")
+    with loaded(text) as scene:
+        balance = laboratory.run(scene).summary["reactions"]["end"]
+    assert {"support.0", "support.1", "traction.0", "traction.1", "gravity"} <= balance.keys()
+    volume = 5 * 0.2 * 0.1 * 0.08
+    assert balance["gravity"]["force_n"] == pytest.approx([0.0, 1900 * volume, -9.81 * 1900 * volume], rel=1e-9)
+    assert balance["traction.0"]["force_n"] == pytest.approx([40.0, 0.0, -2000.0], rel=1e-9)
+    assert balance["traction.0"]["moment_nm"] == pytest.approx(
+        list(np.cross([0.4, 0.05, 0.16], [40.0, 0.0, -2000.0])), rel=1e-9
+    )
+    assert left(balance, "force_n") < 1e-9 and left(balance, "moment_nm") < 1e-9
+
+
+@pytest.mark.parametrize("kinematics", KINDS.values(), ids=KINDS)
+def test_a_drive_that_has_come_to_rest_is_in_balance_with_the_supports(kinematics):
+    text = scene_of(kinematics, "exponential", 'masses = "scaled"\ndamping = 0.8')
+    waits = 'history = [["0 s", "0 mm"], ["1 s", "0.02 mm"], ["8 s", "0.02 mm"]]\nsteps = 20000'
+    text = text.replace('displacement = "0.1 mm"\nsteps = 3000', waits)
+    with loaded(text) as scene:
+        result = laboratory.run(scene)
+    balance = result.summary["reactions"]["end"]
+    assert balance["drive"]["force_n"][0] == pytest.approx(result.history.rows["force"][-1], rel=1e-12)
+    assert left(balance, "force_n") < 1e-9 and left(balance, "moment_nm") < 1e-9
+
+
+def leaning(push: str, more: str = ""):
+    """A block of 0.2 x 0.1 x 0.4 m on a fixed one, pressed by 10 kN and pushed along x on its top."""
+    blocks = [
+        box("base", (0, 0, 0), (0.2, 0.1, 0.1), "units", 0),
+        box("block", (0, 0, 0.1), (0.2, 0.1, 0.4), "units", 1),
+    ]
+    return (
+        'kinematics = "rigid"\n'
+        + specimen(blocks, 0.02)
+        + tables("material", {"units": MATERIAL})
+        + tables("contact", {"unit_unit": ELASTIC})
+        + listed("support", ['on = "base"\nfix = "all"'])
+        + listed("traction", [f'on = "block.z+"\nstress = {{x = "{push}", z = "-0.5 MPa"}}'])
+        + "[settle]\nsteps = 6000\n"
+        + more
+    )
+
+
+def test_the_normal_force_of_a_joint_acts_where_statics_has_it():
+    result = laboratory.run(load(leaning("50 kPa")))
+    table = result.resultants
+    (row,) = np.flatnonzero(table["moment"] == "end")
+    assert (table["unit_a"][row], table["unit_b"][row]) == (0, 1)
+    force = [table[f"force_{axis}"][row] for axis in "xyz"]
+    assert force == pytest.approx([1e3, 0.0, -1e4], rel=1e-9, abs=1e-6), "what the block does to the base"
+    words = repr(result)
+    assert "support.0 (base): -1000, " in words and ", 1e+04 N" in words and "peak stress" not in words
+    off = 1e3 * 0.4 / 1e4
+    assert table["place_x"][row] == pytest.approx(0.1 + off, rel=1e-9)
+    assert table["place_z"][row] == pytest.approx(0.1, rel=1e-12)
+    assert table["eccentricity"][row] == pytest.approx(off / 0.1, rel=1e-9)
+    assert table["area"][row] == pytest.approx(0.02, rel=1e-12)
+
+
+def test_blocks_of_one_unit_have_no_joint_and_divided_units_have_one():
+    whole = laboratory.run(load(leaning("50 kPa"))).resultants
+    text = leaning("50 kPa").replace("divisions = [1, 1, 1]", "divisions = [2, 1, 2]")
+    text += tables("contact", {"within_units": ELASTIC})
+    divided = laboratory.run(load(text, settle__steps=20000)).resultants
+    assert len(divided["moment"]) == len(whole["moment"])
+    for name in ("area", "force_x", "force_z", "place_x", "eccentricity"):
+        assert divided[name][-1] == pytest.approx(whole[name][-1], rel=1e-7), name
+
+
+def test_a_drive_that_lifts_a_load_works_against_it():
+    drive = '[drive]\non = "block"\ndirection = "z"\ndisplacement = "0.02 mm"\nsteps = 4000\n'
+    result = laboratory.run(load(leaning("0 Pa", drive)))
+    assert result.summary["work_of_loads_after_settling_j"] == {"traction.0": pytest.approx(-1e4 * 2e-5, rel=1e-9)}
+    assert result.summary["work_of_drive_j"] > 0.19
+    assert "traction.0 -0.2 J (the drive" in repr(result)
+    rows, settled = result.history.rows, 6000
+    k = int(np.flatnonzero(rows["step"] >= settled)[0])
+    both = (
+        result.summary["work_of_loads_j"]["traction.0"] - result.summary["work_of_loads_after_settling_j"]["traction.0"]
+    )
+    assert both == pytest.approx(rows["external_work"][k], rel=2e-3), "while it rose nothing else did work"

@@ -1,0 +1,1 @@
+"""One contact along a path: each law in tension, shear and mixed mode."""

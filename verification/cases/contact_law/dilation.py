@@ -1,0 +1,129 @@
+"""One contact that dilates: plastic slip lifts the faces by tan(psi) times its path; held down, they press.
+
+    constant s      rise = tan(psi) p, with p = u - tau/k_s the plastic slip: along that path s stays what it was
+    locked normal   s = s0 + k_n tan(psi) p; without softening k_s (u - p) = c0 + tan0 s gives
+                    p = (k_s u - c0 - tan0 s0)/(k_s + tan0 k_n tan(psi))
+    dissipation     (tau - s tan(psi)) dp, never negative for psi <= phi; a steeper psi is refused
+    cut-off         the rise ends at tan(psi) times the slip given, exactly
+
+Reference: eqs (9), (10) of the paper, solved by hand.
+"""
+
+from math import atan, tan
+
+import numpy as np
+
+from masonry.errors import SceneError
+from verification.case import Case, Check, Findings, Line, Plot
+from verification.fixtures.one_contact import along, contact, law, walk
+from verification.fixtures.single_tension import ROUNDING, UM
+from verification.references.closed_forms import Joint
+
+JOINT = Joint(c_res=0.87e6, tan_res=1.01)
+PSI = 0.1
+S = 0.3e6
+PERFECT = {"residual_cohesion": 0.87e6, "tan_residual_friction": 1.01, "dilation_angle": PSI, "dilation_cutoff": 1.0}
+TOP = JOINT.c0 + S * JOINT.tan0
+
+
+def free(findings: Findings) -> None:
+    """The faces rise as the closed form says; the compression then stays."""
+    slip = along([(0.0, 0, 0), (TOP / JOINT.ks, 0, 0), (0.15e-3, 0, 0)], 0.1 * UM)[:, 0]
+    plastic = np.maximum(slip - TOP / JOINT.ks, 0.0)
+    path = np.column_stack([slip, 0 * slip, tan(PSI) * plastic - S / JOINT.kn])
+    walked = walk(law("linear", **PERFECT), path)
+    findings.checks += [
+        Check("free: compression, largest deviation", "Pa", float(np.abs(walked.sigma + S).max()), 0.0, "closed form",
+              1e-12, 1e-14, "k_n times rises of 15 um whose rounding is that of a sum of 1500", S),
+        Check("free: plastic slip at the end", "m", float(walked.slip[-1, 0]), float(plastic[-1]), "closed form", 1e-12,
+              1e-14, ROUNDING),
+    ]  # fmt: skip
+
+
+def locked(findings: Findings) -> None:
+    """Held at one height: compression, shear stress and dissipation."""
+    z = -S / JOINT.kn
+    walked = walk(law("linear", **PERFECT), along([(0, 0, z), (TOP / JOINT.ks, 0, z), (0.2e-3, 0, z)], 1 * UM))
+    slip = walked.path[:, 0]
+    plastic = np.maximum(JOINT.ks * slip - TOP, 0.0) / (JOINT.ks + JOINT.tan0 * JOINT.kn * tan(PSI))
+    pressed = S + JOINT.kn * tan(PSI) * plastic
+    rate = walked.tau + walked.sigma * tan(PSI)
+    spent = float(np.trapezoid(rate, walked.slip[:, 0]))
+    grows = (JOINT.tan0 - tan(PSI)) * JOINT.kn * tan(PSI)
+    by_hand = (TOP - S * tan(PSI)) * plastic[-1] + 0.5 * grows * plastic[-1] ** 2
+    off = float(np.abs(walked.sigma + pressed).max()), float(np.abs(walked.tau - JOINT.ks * (slip - plastic)).max())
+    findings.checks += [
+        Check("locked: compression, largest deviation", "Pa", off[0], 0.0, "closed form", 1e-12, 1e-14, ROUNDING,
+              float(pressed.max())),
+        Check("locked: shear stress, largest deviation", "Pa", off[1], 0.0, "closed form", 1e-12, 1e-14, ROUNDING,
+              float(walked.tau.max())),
+        Check("locked: dissipated", "J/m2", float(walked.dissipated[-1]), by_hand, "closed form", 1e-12, 1e-14,
+              "a trapezoid of straight lines: rounding"),
+        Check("locked: sum of (tau - s tan psi) dp", "J/m2", spent, by_hand, "closed form", 1e-12, 1e-14,
+              "a trapezoid of straight lines: rounding"),
+    ]  # fmt: skip
+    lines = (
+        Line("compression", 1e6 * slip, -1e-6 * walked.sigma),
+        Line("shear stress", 1e6 * slip, 1e-6 * walked.tau),
+        Line("closed form", 1e6 * slip[::10], 1e-6 * pressed[::10], "points"),
+    )
+    findings.plots.append(Plot("Dilation with a locked normal", "slip (um)", "stress (MPa)", lines))
+
+
+def steepest(findings: Findings) -> None:
+    """As steep as friction, forth and back and with all laws: no step makes energy. Steeper is refused."""
+    z = -0.1e6 / JOINT.kn
+    corners = [(0, 0, z), (90 * UM, 0, z), (-90 * UM, 30 * UM, z), (50 * UM, 0, z - 3 * UM)]
+    for name in ("linear", "exponential"):
+        steep = law(name, cohesion=0.1e6, dilation_angle=atan(0.73) * (1 - 1e-12), dilation_cutoff=1.0)
+        spent = walk(steep, along(corners, 0.5 * UM)).dissipated
+        findings.checks.append(
+            Check(f"as steep as friction, {name}: largest fall of the dissipation", "J/m2",
+                  float(min(np.diff(spent).min(), 0.0)), 0.0, "closed form", 1e-12, 1e-14,
+                  "tau >= s tan(psi): rounding", float(spent[-1]))
+        )  # fmt: skip
+    low, high = 0.0, 1.5
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        try:
+            law("linear", dilation_angle=middle)
+            low = middle
+        except SceneError:
+            high = middle
+    findings.checks.append(
+        Check("steepest dilation angle that is accepted", "rad", low, atan(0.73), "closed form", 1e-13, 1e-15,
+              "bisection of a comparison: rounding")
+    )  # fmt: skip
+
+
+def ended(findings: Findings) -> None:
+    """The rise at the cut-off, of a slip that goes to and fro."""
+    for name in ("linear", "exponential"):
+        for cutoff in (30.05 * UM, 60 * UM):
+            shape, interface = law(name, dilation_angle=PSI, dilation_cutoff=cutoff)
+            state = contact(interface)
+            walk((shape, interface), along([(0, 0, -2 * UM), (80 * UM, 0, -2 * UM), (0, 0, -2 * UM)], 0.7 * UM), state)
+            assert state.uplift is not None
+            findings.checks.append(
+                Check(f"rise at a cut-off of {1e6 * cutoff:g} um, {name}", "m", float(state.uplift[0]),
+                      tan(PSI) * cutoff, "closed form", 1e-12, 1e-14, "a sum that stops at its limit: rounding")
+            )  # fmt: skip
+
+
+def run() -> Findings:
+    """All of the above."""
+    found = Findings()
+    for part in (free, locked, steepest, ended):
+        part(found)
+    return found
+
+
+CASE = Case(
+    "dilation",
+    "2.2",
+    "One contact that dilates",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    no_ladders="one contact point, driven by displacement: exact at any setting",
+)

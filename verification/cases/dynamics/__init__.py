@@ -1,0 +1,1 @@
+"""Time steps, frequencies, impacts and waves."""

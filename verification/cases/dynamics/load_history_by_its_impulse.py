@@ -1,0 +1,96 @@
+"""A load that varies over time on a block that is as good as free: what it moves is its impulse.
+
+    F ^        .           m v = integral of F dt = A s T r/2 for a share of the stress s that rises to r in T;
+      |     .              work of the loads = m v^2/2
+      |  .____ t           without damping, on a spring so soft that it gives way by (w T)^2 = 6e-7 of the load
+      |.
+    The load starts a step after the settling, and is taken for straight over the 200 steps from there on: the impulse
+    is 200/2 (1 - 1/200) (1/T) steps too large for that, 5e-5 of it.
+
+Reference: Newton; areas by hand.
+"""
+
+import numpy as np
+
+from verification.case import Case, Check, Findings
+from verification.fixtures.scene_text import run as run_text
+
+SIDES, HEIGHT, DENSITY = (0.2, 0.1), 0.05, 1900.0
+AREA = SIDES[0] * SIDES[1]
+MASS = DENSITY * AREA * HEIGHT
+STEP, STEPS, SETTLE, SOFT = 2.0**-23, 2000, 10, 1e3
+STRESS = 0.2e6, -0.3e6
+RISES = 1.0, -1.7
+"""Of each load: share of the stress that it rises to."""
+
+
+SCENE = f"""title = "A block under loads that vary"
+law = "elastic"
+kinematics = "rigid"
+[specimen]
+kind = "boxes"
+section = "0.02 m^2"
+box = [
+  {{name = "low", origin = ["0 m", "0 m", "0 m"], size = ["0.2 m", "0.1 m", "0.05 m"], unit = 0}},
+  {{name = "top", origin = ["0 m", "0 m", "0.05 m"], size = ["0.2 m", "0.1 m", "0.05 m"], unit = 1}},
+]
+[material.units]
+density = "{DENSITY!r} kg/m^3"
+[contact.unit_unit]
+normal_stiffness = "{SOFT!r} Pa/m"
+shear_stiffness = "{SOFT!r} Pa/m"
+[[support]]
+on = "low"
+fix = "all"
+[[support]]
+on = "top"
+fix = ["y", "rotation"]
+[[traction]]
+on = "top.z+"
+stress = {{x = "{STRESS[0]!r} Pa"}}
+history = "{RISES[0]!r} * t / {STEP * STEPS!r} s"
+duration = "{STEP * STEPS!r} s"
+[[traction]]
+on = "top.z+"
+stress = {{z = "{STRESS[1]!r} Pa"}}
+history = "{RISES[1]!r} * t / {STEP * STEPS!r} s"
+duration = "{STEP * STEPS!r} s"
+[settle]
+steps = {SETTLE}
+[solver]
+masses = "real"
+time_step = "{STEP!r} s"
+damping = 0.0
+rows = 40
+"""
+
+
+def run() -> Findings:
+    """Kinetic energy and work at the end."""
+    found = Findings()
+    result = found.note("impulse", run_text(SCENE))
+    momentum = 0.5 * AREA * STEP * STEPS * np.array(STRESS) * RISES
+    wanted = float(momentum @ momentum) / (2.0 * MASS)
+    rows = result.history.rows
+    why = "the line over the first 200 steps: 5e-5 of the impulse, twice of its square"
+    for name, key in (("kinetic energy", "kinetic"), ("work of the loads", "external_work")):
+        found.checks.append(
+            Check(f"{name} at the end", "J", float(rows[key][-1]), wanted, "closed form", 3e-4, 1e-4, why)
+        )
+    found.checks.append(
+        Check("time at the end", "s", float(rows["time"][-1]), STEP * (SETTLE + 1 + STEPS), "closed form", 1e-13, 1e-15,
+              "steps times the step: rounding")
+    )  # fmt: skip
+    return found
+
+
+CASE = Case(
+    "load-history-by-its-impulse",
+    "A16",
+    "Loads that vary, by their impulse",
+    area="Dynamics",
+    run=run,
+    quick=True,
+    scene=SCENE,
+    no_ladders="a sum over steps: exact at any",
+)

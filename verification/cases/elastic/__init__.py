@@ -1,0 +1,1 @@
+"""Elastic states: patches, bending, reactions, and what is reported of them."""

@@ -1,0 +1,130 @@
+"""Weights and tractions on blocks of each kind: what the joints below carry, what the loads have done, what is stored.
+
+         | q          a column of two blocks on a held one, its own weight and an oblique traction q on top;
+       __v__          the loads act in full from the start, and all comes to rest with damping
+      |  2  |
+      |-----|  N2 = q A - W2               settling of rigid blocks: u1 = N1/(kn A), u2 = u1 + N2/(kn A)
+      |  1  |                              affine blocks besides, nu = 0: their own shortening by the mean stress,
+      |-----|  N1 = q A - W1 - W2                                        (q A - weight above - half their own)/(E A)
+      |/////|
+                                           work of the loads = sum of W u + q A u(top), and twice what is stored
+
+Reference: statics; Clapeyron.
+"""
+
+import numpy as np
+
+from masonry.model.layout import Material
+from masonry.model.loads import Push
+from masonry.model.model import Model, Stepping
+from masonry.monitors import energy
+from verification import balance
+from verification.case import Case, Check, Findings
+from verification.checks.free_motion import glued
+from verification.fixtures import rig, shapes
+
+KN, KS, GRAVITY = 2e9, 8e8, np.array([1.0, -2.0, -9.81])
+YOUNG = 5e8
+STONE = Material(density=1900.0, young_modulus=YOUNG, poisson_ratio=0.0)
+SIDES, HEIGHTS = (0.2, 0.1), (0.05, 0.06, 0.08)
+AREA = SIDES[0] * SIDES[1]
+TRACTION = np.array([1e3, -5e2, -2e4])
+WEIGHTS = STONE.density * AREA * np.outer(HEIGHTS[1:], GRAVITY)
+STEPS = 6000
+STATICS = "statics: rounding, and how far all has come to rest"
+
+
+def column(kind: str, share: np.ndarray) -> Model:
+    """Three blocks, the lowest held, under a `share` (3,) of each component of weight and traction; not yet moved."""
+    setup = shapes.setup(shapes.stack(HEIGHTS, SIDES), ["rigid", kind, kind], mesh_size=0.06)
+    count = len(setup.blocks.face_start) - 1
+    level = np.array([setup.blocks.face(f)[:, 2].min() for f in range(count)])
+    top = Push(np.flatnonzero(np.isclose(level, sum(HEIGHTS))), share * TRACTION)
+    stepping = Stepping("scaled", damping=0.8)
+    return rig.make(setup, glued(KN, KS), stepping, [rig.everything(0)], [top], share * GRAVITY, STONE)
+
+
+def at_rest(found: Findings, words: str, model: Model) -> dict[str, float]:
+    """The ledger of a column that has come to rest."""
+    rig.march(model, STEPS - 1)
+    before = energy.velocities(model)
+    rig.march(model, 1)
+    terms = energy.ledger(model, energy.observe(model), before)
+    found.imbalance[words] = abs(float(balance.residual(terms))) / balance.largest(terms)
+    return terms
+
+
+def oblique(found: Findings, kind: str) -> None:
+    """Reactions along x, y and z, their moments about the middle of the joint, and Clapeyron's theorem."""
+    model = column(kind, np.ones(3))
+    before = energy.velocities(model)
+    rig.march(model, 1)
+    found.checks.append(
+        Check(f"{kind}: unbalanced force over the loads, in the first step", "1", energy.unbalanced(model, before), 1.0,
+              "closed form", 1e-12, 1e-14, "no contact answers yet: rounding")
+    )  # fmt: skip
+    terms = at_rest(found, f"{kind}, oblique", model)
+    for upper in (1, 2):
+        below = model.joints.block_b == upper
+        had = -model.contacts[4][below].sum(axis=0)
+        wanted = -(TRACTION * AREA + WEIGHTS[upper - 1 :].sum(axis=0))
+        found.checks += [
+            Check(f"{kind}: reaction below block {upper} along {axis}", "N", float(value), float(reference),
+                  "closed form", 1e-12, 1e-13, STATICS)
+            for axis, value, reference in zip("xyz", had, wanted, strict=True)
+        ]  # fmt: skip
+        foot = np.array([0.5 * SIDES[0], 0.5 * SIDES[1], sum(HEIGHTS[:upper])])
+        turning = np.cross(model.joints.point[below] - foot, -model.contacts[4][below]).sum(axis=0)
+        places = [(sum(HEIGHTS[: b + 1]) - 0.5 * HEIGHTS[b], WEIGHTS[b - 1]) for b in range(upper, 3)]
+        places.append((sum(HEIGHTS), TRACTION * AREA))
+        upset = -np.sum([np.cross([0.0, 0.0, level - foot[2]], force) for level, force in places], axis=0)
+        found.checks += [
+            Check(f"{kind}: moment of the reaction below block {upper} about {axis}", "N m", float(turning[k]),
+                  float(upset[k]), "closed form", 1e-12, 1e-13, STATICS)
+            for k, axis in enumerate("xy")
+        ]  # fmt: skip
+    stored = terms["elastic_blocks"] + terms["elastic_contacts"]
+    found.checks.append(
+        Check(f"{kind}: work of the loads, twice what is stored", "J", terms["external_work"], 2.0 * stored,
+              "closed form", 1e-12, 1e-13, STATICS)
+    )  # fmt: skip
+
+
+def upright(found: Findings, kind: str) -> None:
+    """Settling and the work of the loads, by hand."""
+    model = column(kind, np.array([0.0, 0.0, 1.0]))
+    terms = at_rest(found, f"{kind}, upright", model)
+    load, weight = TRACTION[2] * AREA, WEIGHTS[:, 2]
+    foot = load + weight[::-1].cumsum()[::-1]
+    own = (foot - 0.5 * weight) * HEIGHTS[1:] / (YOUNG * AREA) if kind == "affine" else np.zeros(2)
+    low = foot[0] / (KN * AREA) + 0.5 * own[0]
+    high = low + 0.5 * own[0] + foot[1] / (KN * AREA) + 0.5 * own[1]
+    work = weight @ [low, high] + load * (high + 0.5 * own[1])
+    moved = rig.displacements(model)[0][:, 2]
+    pairs = (("settling of block 1", "m", moved[1], low), ("settling of block 2", "m", moved[2], high),
+             ("work of the loads", "J", terms["external_work"], work))  # fmt: skip
+    found.checks += [
+        Check(f"{kind}: {name}", unit, float(value), float(reference), "closed form", 1e-12, 1e-13, STATICS)
+        for name, unit, value, reference in pairs
+    ]
+
+
+def run() -> Findings:
+    """Reactions of each kind of block; settling and works where they can be written down."""
+    found = Findings()
+    for kind in ("rigid", "affine", "tets"):
+        oblique(found, kind)
+        if kind != "tets":
+            upright(found, kind)
+    return found
+
+
+CASE = Case(
+    "weights-and-reactions",
+    "A3",
+    "Weights and tractions against reactions, settling and works",
+    area="Elastic assemblies",
+    run=run,
+    quick=True,
+    no_ladders="linear and at rest: exact at any setting",
+)

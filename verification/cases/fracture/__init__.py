@@ -1,0 +1,1 @@
+"""Cracks: couplets, beams and wallettes against closed forms and the interface model."""

@@ -1,0 +1,38 @@
+"""The couplet of the paper with rigid units, sheared back and forth under constant confinement.
+
+    tau      /\\
+            /  \\___                 out:   k_s u, then the envelope
+       ____/___/___\\___ u           back:  slope k_s down to minus the strength left, on along the mirrored
+          /   /                             envelope from where it was left
+     ____/___/                      a cycle dissipates its area
+
+The strength falls along the envelope with all that the joint slips, either way; on the elastic ways between it stays.
+So mode II takes no more than the area above the residual. Amplitudes 0.1, 0.2 and 0.4 mm.
+
+Reference: by hand from eqs (8) and (17) of the paper (verification/references/cyclic_forms.py).
+"""
+
+from masonry import scene
+from verification.case import Case, Findings
+from verification.fixtures.sheared_in_cycles import cycled
+
+ROUNDING = "a rigid unit is where the drive puts it, and the law sees every turn: rounding"
+
+
+def run() -> Findings:
+    """The scene as shipped."""
+    found = Findings()
+    cycled(found, "exponential", "displacement", (1e-12, 1e-14, ROUNDING))
+    return found
+
+
+CASE = Case(
+    "couplet-back-and-forth",
+    "A8",
+    "Couplet of the paper sheared back and forth",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    scene=scene.packaged()["couplet-cyclic"].read_text(encoding="utf-8"),
+    no_ladders="the drive prescribes all that moves: exact at any setting",
+)

@@ -1,0 +1,83 @@
+"""A joint pulled open from one side: the run against the interface model on the same tets.
+
+           ______________
+          |              |^
+          |    upper     |^  the nodes of this side move up together, free along x and y
+          |______________|^
+          |======joint===|      exponential law; the crack runs from right to left, and the upper block turns
+          |    lower     |
+          |______________|
+           ////////////// held
+
+Tets with contacts at their nodes are linear finite elements with a joint lumped at the vertices of its facets, so the
+two curves must be one. The interface model (scikit-fem, verification/interface) has its own envelopes, its own pairing
+of facets and Newton's method; it shares the mesh alone. In the run the drive moves in smooth increments and waits.
+
+Unloading along the secant makes tension a function of the largest opening so far: the curve does not depend on the
+size of implicit steps where openings only grow.
+"""
+
+import numpy as np
+
+from verification.case import Case, Findings
+from verification.checks.beside_pair import Allowed, compare
+from verification.fixtures.scene_text import assembled, joint_table
+from verification.references.closed_forms import Joint
+from verification.references.interface.model import Model
+
+SCENE = (
+    """title = "A joint pulled open from one side"
+law = "exponential"
+kinematics = "tets"
+[specimen]
+kind = "boxes"
+section = "5000 mm^2"
+mesh_size = "40 mm"
+box = [
+  {name = "lower", origin = ["0 mm", "0 mm", "0 mm"], size = ["100 mm", "50 mm", "50 mm"], unit = 0},
+  {name = "upper", origin = ["0 mm", "0 mm", "50 mm"], size = ["100 mm", "50 mm", "50 mm"], unit = 1},
+]
+[material.units]
+density = "1900 kg/m^3"
+young_modulus = "16.7 GPa"
+poisson_ratio = 0.2
+"""
+    + joint_table(Joint(G_II_slope=0.0))
+    + """[[support]]
+on = "lower.z-"
+fix = "all"
+[drive]
+on = "upper.x+"
+direction = "z"
+displacement = "60 um"
+steps = 1000
+"""
+)
+PLACES = [*np.linspace(0, 8e-6, 9)[1:], *np.linspace(8e-6, 60e-6, 27)[1:]]
+LENGTH, HIGH, NEAR = 0.1, 0.05, 1e-9
+
+
+def conditions(model: Model) -> None:
+    """The base is held, a side of the upper block is moved up."""
+    model.hold("xyz", lambda x, block: x[:, 2] < NEAR)
+    model.drive("z", lambda x, block: (block == 1) & (x[:, 0] > LENGTH - NEAR))
+
+
+def run() -> Findings:
+    """Curve and nodes, before the first damage and through 94 % of the softening."""
+    found = Findings()
+    allowed = Allowed(elastic=(3e-11, 3e-10), softening=(5e-6, 2e-5), nodes=(5e-6, 2e-5))
+    compare(found, "eccentric tension", lambda: assembled(SCENE), conditions, PLACES, allowed, move=2000, wait=1000)
+    return found
+
+
+CASE = Case(
+    "eccentric-tension",
+    "A7",
+    "Eccentric tension through softening, against the interface model on the same tets",
+    area="Fracture",
+    run=run,
+    quick=True,
+    scene=SCENE,
+    ladders=("eccentric-tension",),
+)

@@ -1,0 +1,1 @@
+"""Sliding, rocking and standing: blocks without strength."""

@@ -1,0 +1,43 @@
+"""A unit with cohesion and no tensile strength is pushed until it peels off its joint, row by row, and rocks.
+
+    F = N e / (h/2) at the end, as for a unit that rocks; before that each row of contacts that opens loses its cohesion
+    at once, which is a sudden crack. The peak is that of the converged run at a constant rate.
+
+The drive must be bounded from the first opening on, not only from the first fracture energy: else it overruns the peak.
+"""
+
+from masonry import scene
+from masonry.laboratory import laboratory
+from masonry.laboratory.text import trust
+from verification.case import Case, Check, Findings, at_most
+from verification.fixtures.scenes import path_of
+
+SCENE = path_of("peel-without-tension")
+CONVERGED = {"drive.steps": 400_000}
+REASON = "what an accuracy of 1 % promises of the peak, and of the force at the end"
+
+
+def run() -> Findings:
+    """Peak and end at 1 % against 400,000 steps, and what the sentence of trust says."""
+    findings = Findings()
+    slow = findings.note("400,000 steps", laboratory.run(scene.load(SCENE, CONVERGED))).summary
+    paced = findings.note("accuracy 1 %", laboratory.run(scene.load(SCENE))).summary
+    for quantity, key, expected in (("peak", "peak_stress_pa", 0.004), ("end", "final_stress_pa", 0.003)):
+        findings.checks.append(
+            Check(f"stress at the {quantity}", "Pa", paced[key], slow[key], "converged run", 0.01, expected, REASON)
+        )
+    silent = float("sudden cracks" not in trust(paced))
+    findings.checks.append(at_most("no word on sudden cracks", "1", silent, 0.0, "they released 12 % of the work"))
+    return findings
+
+
+CASE = Case(
+    name="peel-without-tension",
+    row="A26",
+    title="A unit without tensile strength peels off",
+    area="Quasi-static loading",
+    run=run,
+    quick=True,
+    scene=SCENE.read_text(encoding="utf-8"),
+    no_ladders="an accuracy and a rate stand beside each other in the case itself",
+)

@@ -1,0 +1,135 @@
+"""A triplet of rigid units: the middle one is pushed, and both joints resist.
+
+       s s s s s s
+      |___________|        F = 2 A tau(u),  tau as of one joint under s
+      |___________| -> F   (the upper unit may rise but not slide or turn, the lower one is held)
+      |___________|
+       ///////////
+
+Reference: eqs (8), (17) of the paper; statics.
+"""
+
+import numpy as np
+
+from verification.case import Case, Check, Findings, Line, Plot
+from verification.fixtures.scene_text import joint_table
+from verification.fixtures.scene_text import run as run_text
+from verification.fixtures.single_shear import around_the_peak
+from verification.references.closed_forms import Joint, dissipated_in_shear, shear
+
+AREA, S, LAST = 0.2 * 0.05, 0.5e6, 1e-3
+SCENE = (
+    """
+law = "exponential"
+kinematics = "rigid"
+confinement = "0.5 MPa"
+[specimen]
+kind = "boxes"
+section = "0.01 m^2"                # of one joint
+box = [
+  {name = "bottom", origin = ["0 m", "0 m", "0 mm"], size = ["200 mm", "50 mm", "50 mm"], unit = 0},
+  {name = "middle", origin = ["0 m", "0 m", "50 mm"], size = ["200 mm", "50 mm", "50 mm"], unit = 1},
+  {name = "top", origin = ["0 m", "0 m", "100 mm"], size = ["200 mm", "50 mm", "50 mm"], unit = 2},
+]
+[material.units]
+density = "1900 kg/m^3"
+"""
+    + joint_table(Joint())
+    + """[[support]]
+on = "bottom"
+fix = "all"
+[[support]]
+on = "middle"
+fix = ["y", "rotation"]
+[[support]]
+on = "top"
+fix = ["x", "y", "rotation"]
+[[traction]]
+on = "top.z+"
+stress = {z = "-confinement"}
+[settle]
+steps = 8000
+[drive]
+on = "middle"
+direction = "x"
+displacement = "1 mm"
+steps = 20000
+[solver]
+rows = 600
+"""
+)
+
+
+NEAR = 1e-3
+"""Share of the peak within which it counts as reached, on the elastic way up to it."""
+
+
+def at_every_step(found: Findings) -> None:
+    """A short run with few rows finds the peak of the same run with a row at every step, and its displacement."""
+    short = {"settle.steps": 2000, "drive.displacement": "0.03 mm", "drive.steps": 2000}
+    rows = found.note("triplet, a row a step", run_text(SCENE, short | {"solver.rows": 4000})).history.rows
+    few = found.note("triplet, few rows", run_text(SCENE, short | {"solver.rows": 20})).summary
+    highest = int(np.argmax(rows["stress"]))
+    near = int(np.argmax(rows["stress"] >= (1.0 - NEAR) * rows["stress"].max()))
+    for name, key, unit, column, row in (
+        ("peak stress", "peak_stress_pa", "Pa", "stress", highest),
+        ("displacement at the peak", "displacement_at_peak_m", "m", "displacement", near),
+    ):
+        found.checks.append(
+            Check(f"{name}, of the row that has it", unit, few[key], float(rows[column][row]),
+                  "closed form", 1e-12, 1e-13, "the same step: rounding of sums")
+        )  # fmt: skip
+
+
+def run() -> Findings:
+    """Force on the middle unit, and what both joints dissipate."""
+    found, joint, kind = Findings(), Joint(), "closed form"
+    result = found.note("triplet", run_text(SCENE))
+    rows = result.history.rows
+    moved = rows["displacement"] > 0.0
+    slip, force = rows["displacement"][moved], AREA * rows["stress"][moved]
+    wanted = 2 * AREA * shear("exponential", joint, slip, S)
+    peak = 2 * AREA * float(joint.peak(S))
+    energy = result.summary["energy_j"]
+    spent = energy["fracture_mode_1"] + energy["fracture_mode_2"] + energy["friction"]
+    gone = 2 * AREA * float(dissipated_in_shear("exponential", joint, slip[-1], S))
+    missed, rough = around_the_peak("exponential", joint, S, rows)
+    rough *= 2 * AREA / gone
+    at = (1.0 - NEAR) * float(joint.peak(S)) / joint.ks
+    k = int(np.searchsorted(slip, at))
+    step = float((slip[k] - slip[k - 1]) / (rows["step"][moved][k] - rows["step"][moved][k - 1]))
+    found.checks += [
+        Check("peak force", "N", AREA * result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
+              "the step that misses the peak, at most du k_s q/(k_s + q)"),
+        Check("force at every slip, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0, kind, 1e-12,
+              1e-13, "what the settled confinement still swings by, and rounding", peak),
+        Check("force of the supports at every slip, largest deviation from that of the drive", "N",
+              float(AREA * np.abs(rows["support_stress"] - rows["stress"])[moved].max()), 0.0, kind, 1e-12, 1e-13,
+              "nothing that could hold back a force moves along x: rounding", peak),
+        Check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, kind, step / at,
+              0.5 * step / at, "the step in which the force comes within 0.1 % of the peak"),
+        Check("displacement at the end", "m", float(slip[-1]), LAST, kind, 1e-12, 1e-13,
+              "what the scene asks for; a sum of 20,000 steps: rounding"),
+        Check("dissipated by both joints", "J", spent, gone, kind, 3 * rough, rough,
+              "the trapezoid: of the envelope, and of the corner at the peak that no step hits"),
+    ]  # fmt: skip
+    at_every_step(found)
+    some = slice(None, None, 20)
+    lines = (
+        Line("triplet", 1e3 * slip, 1e-3 * force),
+        Line("2 A tau", 1e3 * slip[some], 1e-3 * wanted[some], "points"),
+    )
+    found.plots.append(Plot("Triplet under 0.5 MPa", "slip (mm)", "force (kN)", lines))
+    return found
+
+
+CASE = Case(
+    "triplet",
+    "A8",
+    "Triplet of rigid units",
+    area="Contact laws",
+    run=run,
+    quick=True,
+    scene=SCENE,
+    ladders=("triplet",),
+)

@@ -1,0 +1,1 @@
+"""Whole specimens: energy balances, and the experiments of the paper."""

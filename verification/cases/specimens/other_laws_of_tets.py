@@ -1,0 +1,50 @@
+"""Linear and polynomial softening, and damage of each mode on its own, against the interface model on the same tets.
+
+The two courses in tension, where points open and slide at once, by each law; and by the exponential law with
+`coupling = "independent"`: tension and cohesion are then lost each by its own envelope, D = dt for one and ds for the
+other, as the equations of the paper stand.
+
+A linear joint ends in a kink. Where the last points of the wall's joints come there, steps of the interface model have
+an error of first order (1.6e-4 of the peak for one step to each place, 1e-4 for two, 5e-5 for four), so it makes eight.
+"""
+
+from functools import partial
+
+from verification.case import Case, Findings
+from verification.cases.fracture.wallette_of_two_courses import PLACES, SCENE, conditions
+from verification.checks.beside_pair import Allowed, compare
+from verification.fixtures.scene_text import assembled
+
+TABLE = "[contact.unit_unit]"
+VARIANTS = {
+    "linear": SCENE.replace('law = "exponential"', 'law = "linear"'),
+    "polynomial": SCENE.replace('law = "exponential"', 'law = "polynomial"').replace(
+        'residual_friction_angle = "36 deg"',
+        'residual_friction_angle = "36 deg"\nexponent_tension = 3.0\nexponent_shear = 2.5',
+    ),
+    "independent": SCENE.replace(
+        'residual_friction_angle = "36 deg"', 'residual_friction_angle = "36 deg"\ncoupling = "independent"'
+    ),
+}
+
+
+def run() -> Findings:
+    """Curves and nodes by each variant."""
+    found = Findings()
+    smooth = Allowed(elastic=(1e-9, 1e-8), softening=(1e-5, 5e-5), nodes=(1e-7, 1e-6))
+    kinked = Allowed(elastic=(1e-9, 1e-8), softening=(3e-5, 1e-4), nodes=(1e-6, 1e-5))
+    for name, text in VARIANTS.items():
+        allowed, parts = {"linear": (kinked, 8), "polynomial": (kinked, 16)}.get(name, (smooth, 1))
+        make = partial(assembled, text)
+        compare(found, f"two courses, {name}", make, conditions, PLACES, allowed, 3000, 1000, parts)
+    return found
+
+
+CASE = Case(
+    "other-laws-of-tets",
+    "A7",
+    "Linear, polynomial and uncoupled softening, against the interface model on the same tets",
+    area="Fracture",
+    run=run,
+    ladders=("two-courses-of-tets",),
+)

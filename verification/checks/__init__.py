@@ -1,0 +1,1 @@
+"""What cases hold two runs or a whole run against: invariance, ledgers, paired runs."""

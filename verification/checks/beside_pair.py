@@ -1,0 +1,85 @@
+"""A scene's run held against its interface model on the same mesh: curves, displacements of all nodes, energy."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from verification.case import Check, Findings, Line, Plot
+from verification.checks import ablation_steps as held_steps
+from verification.checks.paired_run import twin
+from verification.references.interface.model import Model
+from verification.references.interface.newton import Path
+
+Array = np.ndarray
+DEAD_STEPS = 4
+
+
+@dataclass(frozen=True)
+class Allowed:
+    """Difference over the peak stress that the method should have, and the tolerance, before and after first damage."""
+
+    elastic: tuple[float, float]
+    softening: tuple[float, float]
+    nodes: tuple[float, float]
+
+
+def compare(
+    findings: Findings,
+    name: str,
+    make: Callable[[], Assembly],
+    conditions: Callable[[Model], None],
+    places: Sequence[float],
+    allowed: Allowed,
+    move: int,
+    wait: int,
+    parts: int = 1,
+) -> None:
+    """Run a scene through `places` (m) and its twin under `conditions`; add checks and a plot of both curves.
+
+    move, wait  steps of the run to each place, and at rest there      parts  implicit steps to each place
+    """
+    assembly = make()
+    model = twin(assembly)
+    conditions(model)
+    settle = DEAD_STEPS if model.dead.any() else 0
+    force, harm, path = follow(model, places, parts)
+    stress, peak = force / assembly.specimen.section, float(np.abs(force).max()) / assembly.specimen.section
+    result = findings.note(name, held_steps.run(assembly, places, move, wait, settle))
+    ran = result.history.rows["stress"][1 + settle :]
+    sound = harm == 0.0
+    why = "both models are one discretisation; "
+    ranges = [
+        ("elastic range", sound, allowed.elastic, why + "what is left is how far each wait of the run comes to rest"),
+        ("softening", ~sound, allowed.softening, why + "a run passes each increment with a swing that dies out, so "
+         "contacts unload and reload by a little, and its square is lost"),
+    ]  # fmt: skip
+    for what, which, (expected, tolerance), reason in ranges:
+        k = np.flatnonzero(which)[int(np.argmax(np.abs(ran - stress)[which]))]
+        findings.checks.append(
+            Check(f"{name}: stress where the curves differ most, {what}", "Pa", float(ran[k]), float(stress[k]),
+                  "same discretisation", tolerance, expected, reason, scale=peak)
+        )  # fmt: skip
+    apart = np.abs(result.history.frames[-1].nodes - model.displacement(path.displacements())).max()
+    findings.checks.append(
+        Check(f"{name}: largest difference of a node's displacement at the end", "m", float(apart), 0.0,
+              "same discretisation", allowed.nodes[1], allowed.nodes[0], why + "as above", scale=float(places[-1]))
+    )  # fmt: skip
+    where = np.asarray(places) * 1e6
+    lines = (Line("interface model, tier 1", where, stress / 1e6, "dashed"), Line("run", where, ran / 1e6, "points"))
+    findings.plots.append(Plot(name, "displacement of the drive (um)", "stress (MPa)", lines))
+
+
+def follow(model: Model, places: Sequence[float], parts: int = 1) -> tuple[Array, Array, Path]:
+    """Force of the drive (N) at each place under displacement control, the most strength lost there, and the path."""
+    path, force, harm = Path(model), [], []
+    if model.dead.any():
+        for share in np.linspace(0.0, 1.0, DEAD_STEPS + 1)[1:]:
+            path.go(0.0, dead=float(share))
+    for before, place in zip([0.0, *places[:-1]], places, strict=True):
+        for part in range(1, parts + 1):
+            path.go(before + (place - before) * part / parts)
+        force.append(path.drive_force())
+        harm.append(max(1.0 - min(h.tension.min(), h.shear.min()) for h in path.state.histories))
+    return np.array(force), np.array(harm), path

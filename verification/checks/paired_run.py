@@ -1,0 +1,46 @@
+"""The interface model of a scene: the same mesh, the same points, the same properties, and other equations' code."""
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.model.contact_groups import contact_group_name
+from masonry.scene.tables.contact import Contact
+from verification.references.interface.envelopes import Law
+from verification.references.interface.mesh import solid
+from verification.references.interface.model import Model, model
+
+
+def twin(assembly: Assembly) -> Model:
+    """Tier 1 of an assembly of tets, of one material; nothing is held, driven or loaded yet."""
+    mesh, blocks = assembly.mesh, assembly.specimen.blocks
+    assert mesh is not None and len(mesh.tets) > 0
+    block = np.repeat(np.arange(blocks.count), np.diff(mesh.tet_start))
+    material = next(iter(assembly.scene.material.values()))
+    assert material.young_modulus is not None and material.poisson_ratio is not None
+
+    def law(a: int, b: int) -> Law:
+        names = blocks.groups[blocks.group[a]], blocks.groups[blocks.group[b]]
+        return law_of(assembly.scene.contact[contact_group_name(*names, bool(blocks.unit[a] == blocks.unit[b]))])
+
+    return model(solid(mesh.nodes, mesh.tets, block), material.young_modulus, material.poisson_ratio, law)
+
+
+def law_of(contact: Contact) -> Law:
+    """The joint that a scene's table describes."""
+    if contact.law == "elastic":
+        return Law("elastic", contact.normal_stiffness, contact.shear_stiffness)
+    given = {
+        "fT": contact.tensile_strength,
+        "c0": contact.cohesion,
+        "tan0": contact.tan_friction,
+        "c_res": contact.residual_cohesion,
+        "tan_res": contact.tan_friction if contact.tan_residual_friction is None else contact.tan_residual_friction,
+        "G_I": contact.fracture_energy_mode_1,
+        "G_II": contact.fracture_energy_mode_2,
+        "G_II_slope": contact.fracture_energy_mode_2_slope,
+        "alpha": contact.exponent_tension,
+        "beta": contact.exponent_shear,
+    }
+    numbers = {name: float(value) for name, value in given.items() if value is not None}
+    combined = contact.coupling == "combined"
+    return Law(contact.law, contact.normal_stiffness, contact.shear_stiffness, combined=combined, **numbers)

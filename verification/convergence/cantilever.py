@@ -1,0 +1,113 @@
+"""A cantilever of five blocks, its tip pushed down: rigid blocks with elastic joints, and tets.
+
+    //|---+---+---+---+---|  | P       rigid blocks, joints at x_i, the glue at the wall among them:
+    //|   |   |   |   |   |  v           d/P = sum over joints of [(L - x_i)^2/(kn I) + 1/(ks A)]
+    //|---+---+---+---+---|            tets: P L^3/(3 E I) + P L/(kappa G A) besides (Timoshenko, kappa = 5/6)
+       x_1 .............  L
+
+P acts at the middle of a plate at the tip, of thickness t, which may turn: L is measured to its middle. Gauss points
+give the joints' stiffness exactly from two on; points on the corners (vertex) are too stiff by a share that falls with
+the square of their number. Constant-strain tets are too stiff in bending as well: another mesh is another model, and
+only the meshes are held against the beam; the loading is, against the converged run on one of them (50 mm).
+"""
+
+from typing import Any
+
+from verification.ladder import ACCURACY, FEW_ROWS, Problem, Rungs, accuracies, dampings, fractions, steps
+from verification.timed_run import Trial
+
+BLOCKS, SIDE, LENGTH, PLATE = 5, 0.1, 0.1, 0.02
+KN, KS, YOUNG, POISSON, PUSH = 150e9, 70e9, 16.7e9, 0.2, 20e-6
+
+
+def _box(name: str, group: str, unit: int, start: float, length: float) -> str:
+    return f"""
+[[specimen.box]]
+name = "{name}"
+group = "{group}"
+origin = ["{start} m", "0 m", "0 m"]
+size = ["{length} m", "{SIDE} m", "{SIDE} m"]
+unit = {unit}"""
+
+
+BOXES = [_box("wall", "plates", 0, -PLATE, PLATE), _box("tip", "plates", 9, BLOCKS * LENGTH, PLATE)]
+BOXES += [_box(f"block {k + 1}", "units", k + 1, k * LENGTH, LENGTH) for k in range(BLOCKS)]
+SCENE = f"""
+law = "elastic"
+[kinematics]
+default = "rigid"
+[specimen]
+kind = "boxes"
+section = "{SIDE**2} m^2"
+mesh_size = "50 mm"
+{"".join(BOXES)}
+[material]
+units = {{density = "1900 kg/m^3", young_modulus = "{YOUNG} Pa", poisson_ratio = {POISSON}}}
+plates = {{density = "7850 kg/m^3"}}
+[contact]
+unit_unit = {{normal_stiffness = "{KN} Pa/m", shear_stiffness = "{KS} Pa/m"}}
+plate = {{normal_stiffness = "{KN} Pa/m", shear_stiffness = "{KS} Pa/m"}}
+[[support]]
+on = "wall"
+fix = "all"
+[[support]]
+on = "tip"
+fix = ["y"]
+[drive]
+on = "tip"
+direction = "-z"
+displacement = "{PUSH} m"
+"""
+STIFFNESS = "stiffness of the tip"
+TETS: dict[str, Any] = {"kinematics": {"default": "tets", "plates": "rigid"}}
+
+
+def measured(one: Trial) -> dict[str, float]:
+    """Force over displacement at the tip (N/m)."""
+    return {STIFFNESS: one.value("final") * SIDE**2 / PUSH}
+
+
+def exact(one: Trial) -> dict[str, float]:
+    """The same by beam theory; the blocks' own bending and shear only where they have any."""
+    inertia, area, tip = SIDE**4 / 12, SIDE**2, BLOCKS * LENGTH + PLATE / 2
+    arms = [tip - k * LENGTH for k in range(BLOCKS + 1)]
+    give = sum(arm**2 / (KN * inertia) + 1 / (KS * area) for arm in arms)
+    if "kinematics" in one.knobs:
+        length, shear = BLOCKS * LENGTH, YOUNG / (2 * (1 + POISSON))
+        give += (tip**3 - (tip - length) ** 3) / (3 * YOUNG * inertia) + length / (5 / 6 * shear * area)
+    return {STIFFNESS: 1.0 / give}
+
+
+def loading(fine: int, extra: dict[str, Any]) -> dict[str, Rungs]:
+    """The knobs of an elastic test: nothing is spent, so that only the motion at the end counts."""
+    usual = {"drive.steps": fine // 2}
+    rates = steps(*(fine >> k for k in (4, 3, 2, 1, 0)))
+    found = {"constant rate": rates, ACCURACY: accuracies()}
+    found |= {"step fraction": fractions(usual), "damping": dampings(usual)}
+    return {knob: {label: extra | keys for label, keys in rungs.items()} for knob, rungs in found.items()}
+
+
+def points(kind: str) -> Rungs:
+    """Contact points along each edge."""
+    keys = {"specimen.contact_points": kind, "drive.steps": 16000}
+    return {f"{n} x {n}": {**keys, "specimen.points_per_edge": n} for n in (2, 3, 4, 8)}
+
+
+MESH = {f"{s} mm": {"specimen.mesh_size": f"{s} mm", "drive.steps": 8000} for s in (100, 50, 33, 25)}
+RIGID = loading(32000, {}) | {"Gauss points": points("gauss"), "vertex points": points("vertex")}
+PROBLEMS = (
+    Problem(
+        *("cantilever-rigid", "Cantilever of rigid blocks", SCENE, RIGID),
+        base=FEW_ROWS,
+        measure=measured,
+        exact=exact,
+        units={STIFFNESS: "N/m"},
+    ),
+    Problem(
+        *("cantilever-tets", "Cantilever of tets", SCENE, loading(16000, {}) | {"model: mesh, against the beam": MESH}),
+        base=TETS | FEW_ROWS,
+        measure=measured,
+        theory=exact,
+        units={STIFFNESS: "N/m"},
+    ),
+)

@@ -1,0 +1,1 @@
+"""Where inputs for fuzzing come from: valid seeds, and ways to spoil them."""

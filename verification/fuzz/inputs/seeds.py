@@ -1,0 +1,188 @@
+"""Small sound files of every format that is read, made once in a process: what bad input is made of."""
+
+import tempfile
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from geometry.blocks import Blocks, Specimen
+from geometry.files.blocks_h5 import save_blocks
+from geometry.files.export import export
+from geometry.meshes.fan_tets import fan_tets
+from geometry.specimens.couplet import couplet
+
+
+@cache
+def small() -> Specimen:
+    """Two units, one above the other, and plates."""
+    return couplet(0.2, 0.05, 0.05, (1, 1, 1), plates=0.02)
+
+
+@cache
+def scenes() -> dict[str, str]:
+    """The packaged scenes, name -> TOML."""
+    from masonry.scene import packaged
+
+    return {name: file.read_text(encoding="utf-8") for name, file in packaged().items()}
+
+
+def _written(suffix: str, write: Callable[[Path], None]) -> bytes:
+    with tempfile.TemporaryDirectory(prefix="masonry-fuzz-") as folder:
+        path = Path(folder) / f"seed{suffix}"
+        write(path)
+        return path.read_bytes()
+
+
+@cache
+def step() -> tuple[bytes, ...]:
+    """As this program writes it, and as a CAD kernel does."""
+    return (_written(".step", lambda path: export(path, small())), _cad(".step"))
+
+
+@cache
+def iges() -> tuple[bytes, ...]:
+    """Two boxes and a drilled one."""
+    return (_cad(".igs"),)
+
+
+@cache
+def brep() -> tuple[bytes, ...]:
+    """The same."""
+    return (_cad(".brep"),)
+
+
+def _cad(suffix: str) -> bytes:
+    from geometry.meshes.gmsh_session import gmsh_model
+
+    def write(path: Path) -> None:
+        with gmsh_model({}) as gmsh:
+            occ = gmsh.model.occ
+            occ.addBox(0, 0, 0, 250, 120, 60)
+            occ.addBox(0, 0, 60, 250, 120, 60)
+            occ.cut([(3, occ.addBox(300, 0, 0, 250, 120, 60))], [(3, occ.addCylinder(425, 60, -1, 0, 0, 62, 20))])
+            occ.synchronize()
+            gmsh.write(str(path))
+
+    return _written(suffix, write)
+
+
+@cache
+def msh() -> tuple[bytes, ...]:
+    """Gmsh 2.2 and 4.1, as text and binary."""
+    import meshio
+
+    mesh = _mesh(meshio)
+    return tuple(
+        _written(".msh", lambda path, v=version, b=binary: meshio.gmsh.write(path, mesh, v, binary=b))  # type: ignore[misc]
+        for version in ("2.2", "4.1")
+        for binary in (False, True)
+    )
+
+
+@cache
+def vtu() -> tuple[bytes, ...]:
+    """As text, as base64, compressed, and raw at the end of the file."""
+    import meshio
+
+    mesh = _mesh(meshio)
+    kinds: tuple[dict[str, object], ...] = (
+        {"binary": False},
+        {"compression": None},
+        {"compression": "zlib"},
+        {"compression": "lzma"},
+    )
+    found = [_written(".vtu", lambda path, w=words: meshio.vtu.write(path, mesh, **w)) for words in kinds]  # type: ignore[misc]
+    return (*found, _appended())
+
+
+def _mesh(meshio: object) -> object:
+    filling = fan_tets(small().blocks, np.ones(small().blocks.count, dtype=bool))
+    block = np.repeat(np.arange(small().blocks.count), np.diff(filling.tet_start)).astype(np.int32)
+    data = {"gmsh:physical": [block // 2 + 1], "gmsh:geometrical": [block + 1]}
+    names = {"units": np.array([1, 3]), "plates": np.array([2, 3])}
+    return meshio.Mesh(filling.nodes, [("tetra", filling.tets)], cell_data=data, field_data=names)  # type: ignore[attr-defined]
+
+
+def _appended() -> bytes:
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype="<f8").tobytes()
+    parts = (points, np.arange(4, dtype="<i8").tobytes(), np.array([4], "<i8").tobytes(), b"\x0a")
+    raw = b"".join(len(part).to_bytes(8, "little") + part for part in parts)
+    starts = np.cumsum([0, *(8 + len(part) for part in parts)])
+    names = ("Points", "connectivity", "offsets", "types")
+    kinds = ("Float64", "Int64", "Int64", "UInt8")
+    arrays = [
+        f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{wide}" format="appended" offset="{at}"/>'
+        for name, kind, wide, at in zip(names, kinds, (3, 1, 1, 1), starts, strict=False)
+    ]
+    head = (
+        '<?xml version="1.0"?><VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" '
+        'header_type="UInt64"><UnstructuredGrid><Piece NumberOfPoints="4" NumberOfCells="1">'
+        f"<Points>{arrays[0]}</Points><Cells>{''.join(arrays[1:])}</Cells></Piece></UnstructuredGrid>"
+        '<AppendedData encoding="raw">_'
+    )
+    return head.encode() + raw + b"</AppendedData></VTKFile>"
+
+
+@cache
+def blocks() -> tuple[bytes, ...]:
+    """Files of blocks, without and with tets."""
+    mesh = fan_tets(small().blocks, np.ones(small().blocks.count, dtype=bool))
+    return tuple(_written(".blocks.h5", lambda path, m=m: save_blocks(path, small(), m)) for m in (None, mesh))  # type: ignore[misc]
+
+
+@cache
+def tess() -> tuple[bytes, ...]:
+    """Cells in space, and plane ones."""
+    return (_tess(small().blocks), PLANE.encode())
+
+
+def _tess(of: Blocks) -> bytes:
+    lines = ["***tess", " **format", "   3.4", " **general", "   3 standard", " **cell", f"  {of.count}", "  *id"]
+    lines += ["   " + " ".join(str(b + 1) for b in range(of.count)), "  *group"]
+    lines += ["   " + " ".join(str(g + 1) for g in of.group), " **vertex", f"  {len(of.points)}"]
+    lines += [f"   {n + 1} {x:.12f} {y:.12f} {z:.12f} 0" for n, (x, y, z) in enumerate(of.points)]
+    lines += [" **edge", "  0", " **face", f"  {len(of.face_start) - 1}"]
+    for f in range(len(of.face_start) - 1):
+        loop = of.face_points[of.face_start[f] : of.face_start[f + 1]] + 1
+        some = " ".join(map(str, loop))
+        lines += [f"   {f + 1} {len(loop)} {some}", f"     {len(loop)} {some}", "     0 0 0 1", "     0 0 0 0 0"]
+    lines += [" **polyhedron", f"  {of.count}"]
+    for b in range(of.count):
+        faces = of.faces_of(b)
+        lines.append(f"   {b + 1} {len(faces)} " + " ".join(str(f + 1) for f in faces))
+    return ("\n".join([*lines, "***end"]) + "\n").encode()
+
+
+PLANE = """***tess
+ **format
+   3.4
+ **general
+   2 standard
+ **cell
+  2
+  *id
+   1 2
+ **vertex
+  6
+   1 0 0 0 0
+   2 1 0 0 0
+   3 2 0 0 0
+   4 0 1 0 0
+   5 1.2 1 0 0
+   6 2 1 0 0
+ **edge
+  0
+ **face
+  2
+   1 4 1 2 5 4
+     4 1 2 3 4
+     0 0 0 1
+     0 0 0 0 0
+   2 4 2 3 6 5
+     4 2 5 6 7
+     0 0 0 1
+     0 0 0 0 0
+***end
+"""

@@ -1,0 +1,1 @@
+"""Parts of a page of HTML: text, tables, figures, cover."""

@@ -1,0 +1,1 @@
+"""References that do not use the program: closed forms and the interface model."""

@@ -1,0 +1,91 @@
+"""What a joint answers at its points: secant damage in tension, Coulomb with plastic slip in shear, and its tangent.
+
+The definition, point by point. D = dt + ds - dt ds shared by both modes (1 - D = wn ws), or each mode its own:
+  tension   wn = envelope at the largest opening so far, kappa;  sigma = wn ws (fT/kappa) e for e > 0, kn e for e < 0
+  shear     |tau| <= t_res + wn ws (t_max - t_res), both strengths at the sigma that acts;  unloading by ks
+            ws follows the curve of that sigma, from where it has this ws, by the slip beyond the strength left before
+  c_res     acts between faces that touch: torn faces that stand open by e lose it in the proportion D e/kappa
+sigma depends on ws and ws on sigma: both hold at once here, found by repeated substitution.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from verification.references.interface.envelopes import Law, shear_left, slip_of_share, tension_left
+
+Array = np.ndarray
+ROUNDS = 60
+SETTLED = 1e-15
+
+
+@dataclass(frozen=True)
+class History:
+    """Of n points: largest opening (n,) m, shares left in tension and shear (n,), plastic slip (n, 3) m."""
+
+    widest: Array
+    tension: Array
+    shear: Array
+    slip: Array
+
+
+def unharmed(law: Law, count: int) -> History:
+    """The history of points to which nothing has happened."""
+    return History(np.full(count, law.opening_at_peak), np.ones(count), np.ones(count), np.zeros((count, 3)))
+
+
+def traction(law: Law, history: History, normal: Array, jump: Array) -> tuple[Array, History]:
+    """Traction (..., n, 3) Pa of side b on side a at a jump u_b - u_a (..., n, 3) m, and the history after it."""
+    e = np.einsum("...i,...i->...", jump, normal)
+    s = jump - e[..., None] * normal
+    if law.kind == "elastic":
+        return law.kn * e[..., None] * normal + law.ks * s, history
+    widest = np.maximum(history.widest, e)
+    wn = np.where(e > history.widest, np.minimum(history.tension, tension_left(law, widest)), history.tension)
+    trial = law.ks * (s - history.slip)
+    size = np.sqrt(np.einsum("...i,...i->...", trial, trial))
+    ws = np.broadcast_to(history.shear, e.shape)
+    for _ in range(ROUNDS):
+        before = ws
+        sigma = normal_stress(law, widest, wn, ws, e)
+        peak, residual = strengths(law, widest, wn, sigma, e)
+        shared = wn if law.combined else 1.0
+        past = (size - residual - history.shear * shared * (peak - residual)) / law.ks
+        compression = np.maximum(-sigma, 0.0)
+        so_far = slip_of_share(law, history.shear, peak, residual, compression)
+        left = shear_left(law, so_far + np.maximum(past, 0.0), peak, residual, compression)
+        falls = (past > 0.0) & (peak > residual)
+        ws = np.where(falls, np.minimum(history.shear, left), history.shear)
+        if np.max(np.abs(ws - before), initial=0.0) < SETTLED:
+            break
+    sigma = normal_stress(law, widest, wn, ws, e)
+    peak, residual = strengths(law, widest, wn, sigma, e)
+    bears = residual + ws * (wn if law.combined else 1.0) * (peak - residual)
+    share = np.where(size > bears, bears / np.maximum(size, 1e-300), 1.0)
+    tau = share[..., None] * trial
+    slip = history.slip + (1.0 - share)[..., None] * trial / law.ks
+    return sigma[..., None] * normal + tau, History(widest, wn, ws, slip)
+
+
+def normal_stress(law: Law, widest: Array, wn: Array, ws: Array, e: Array) -> Array:
+    """Normal stress (Pa): along the secant that the damage leaves, or with all of kn where the faces are pressed."""
+    secant = wn * (ws if law.combined else 1.0) * law.fT / widest if law.fT > 0.0 else 0.0 * e
+    return e * np.where(e > 0.0, secant, law.kn)
+
+
+def strengths(law: Law, widest: Array, wn: Array, sigma: Array, e: Array) -> tuple[Array, Array]:
+    """t_max and t_res (Pa) at the sigma that acts, eq. (8); not below 0, nor t_max below t_res."""
+    lost = np.where(e > 0.0, (1.0 - (wn if law.combined else 1.0)) * np.minimum(e / np.maximum(widest, 1e-300), 1.0), 0)
+    residual = np.maximum(law.c_res * (1.0 - lost) - sigma * law.tan_res, 0.0)
+    return np.maximum(law.c0 - sigma * law.tan0, residual), residual
+
+
+def tangent(law: Law, history: History, normal: Array, jump: Array) -> Array:
+    """Derivative of the traction by the jump (n, 3, 3) Pa/m: exact if elastic, else by central differences."""
+    if law.kind == "elastic":
+        nn = normal[:, :, None] * normal[:, None, :]
+        return law.kn * nn + law.ks * (np.eye(3) - nn)
+    h = 1e-6 * min(length for length in (law.opening_at_peak, law.c0 / law.ks) if length > 0.0)
+    shift = h * np.concatenate([np.eye(3), -np.eye(3)])[:, None, :]
+    moved = traction(law, history, normal, jump + shift)[0]
+    return np.moveaxis(moved[:3] - moved[3:], 0, -1) / (2.0 * h)
