@@ -39,6 +39,11 @@ class Checkpoints:
             )
             files.text("scene.toml", scene_toml)
 
+    def resolve(self, scene_toml: str) -> None:
+        """Keep a scene in place of the one that the run was begun with. Raises OSError."""
+        with WholeFiles(self.folder) as files:
+            files.text("scene.toml", scene_toml)
+
     def how(self) -> dict[str, Any]:
         """What run.json says; nothing where it cannot be read."""
         try:

@@ -14,11 +14,13 @@ from masonry.joint_resultants import resultants
 from masonry.keeper import Keeper
 from masonry.kernels.freedom import Guided
 from masonry.laws.door import word_of
+from masonry.origin import origin_of
 from masonry.outcome import Outcome
 from masonry.quality_lines import quality_lines
 from masonry.results import Result
 from masonry.scene import Scene, to_toml
 from masonry.scene.schema import INVENTED
+from masonry.settling import AT_REST, settled
 from masonry.summary import cells_text, summarise
 
 if TYPE_CHECKING:
@@ -33,12 +35,23 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper
     Raises SceneError or GeometryError before anything is computed, Stopped (with `.result`, the rows up to the last
     trusted one) when the numbers can no longer be trusted. Ctrl-C ends the run; the result says so.
 
+    Where the scene has dead loads and does not say how many steps they settle in, this is found first; the scene that
+    the result holds has the number.
+
     keeper  writes checkpoints, goes on from one, and says when to end, in place of Ctrl-C
     """
     if progress is not None:
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)
+    seconds = 0.0
+    if scene.has_dead_loads and scene.settle is None:
+        seconds = timeloop.prepare(assembly.model, threads, progress)
+        assembly = settled(assembly, threads, progress, keeper.asked if keeper is not None else lambda: False)
+        if keeper is not None:
+            toml = to_toml(assembly.scene)
+            keeper.run_another(toml, origin_of(toml))
     outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress, keeper)
+    outcome.seconds_compile += seconds
     result = result_of(assembly, outcome)
     if outcome.stopped:
         stop = Stopped(outcome.stopped)
@@ -84,6 +97,7 @@ def check(scene: Scene) -> "Report":
         "time_step_s": model.dt,
         "limited_by": model.limited_by,
         "quality": quality_lines(assembly),
+        "settling": settling_text(assembly),
         "steps": expected_steps(assembly),
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),
@@ -93,6 +107,18 @@ def check(scene: Scene) -> "Report":
     from masonry.printout import Report
 
     return Report(found)
+
+
+def settling_text(assembly: Assembly) -> str:
+    """How long the dead loads settle; nothing without any."""
+    if not assembly.scene.has_dead_loads:
+        return ""
+    if assembly.scene.settle is not None:
+        return f"{assembly.plan.settle} steps, as the scene says"
+    return (
+        f"until less than {AT_REST:g} of the dead loads is unbalanced: how many steps this takes is found as the run "
+        f"begins; {assembly.plan.settle} are counted here"
+    )
 
 
 def scatter_lines(assembly: Assembly) -> list[str]:

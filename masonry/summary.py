@@ -15,7 +15,7 @@ from masonry.kernels.sources import source_hash
 from masonry.loads import Controlled
 from masonry.outcome import Outcome
 from masonry.own_sources import own_sources
-from masonry.reactions import balance
+from masonry.reactions import balance, moved_by, open_by
 from masonry.scene import Scene
 
 ENERGY_TERMS = (
@@ -90,6 +90,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "cycles": table(rows, np.array(outcome.widest)),
         "gauges": _readings(assembly, outcome),
         "reactions": _reactions(assembly, outcome),
+        "force_balance": max(map(open_by, outcome.standing.values()), default=0.0),
+        "motion_at_end": moved_by(outcome.standing["end"]) if "end" in outcome.standing else 0.0,
         "work_of_drive_j": float(rows["external_work"][-1] - rows["external_work"][begun] - after_settling.sum()),
         "work_of_loads_j": _work_of_loads(assembly, outcome.work_of_loads[0]),
         "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),

@@ -63,6 +63,7 @@ FLOORS = {
         " masonry.quality_lines masonry.contact_remarks masonry.geometry_picture masonry.picture_frame"
         " masonry.condition_marks masonry.mark_drawing"
         " masonry.summary masonry.effort masonry.laboratory masonry.running masonry.asked masonry.origin masonry.sweep"
+        " masonry.settling"
         " masonry.comparison",
         sees="scene run model equations errors geometry",
     ),

@@ -62,7 +62,7 @@ def pace(assembly: Assembly) -> list[Variant]:
         return [Variant("pace", f"twice the steps, {2 * drive.steps}", {"drive.steps": 2 * drive.steps})]
     if scene.solver.masses == "real":  # the times of its history are those of the motion
         return []
-    steps = 2 * (expected_steps(assembly) - (scene.settle.steps if scene.settle else 0))
+    steps = 2 * (expected_steps(assembly) - assembly.plan.settle)
     return [Variant("pace", f"twice the steps, {steps}", {"drive.steps": steps})]
 
 
