@@ -134,11 +134,6 @@ def test_a_bad_scene_is_told_with_line_key_and_what_would_do(case, tmp_path):
         assert word in message
 
 
-def test_dead_loads_need_steps_to_settle_in(tmp_path):
-    message = refusal(tmp_path, COUPLET.replace("[settle]\nsteps = 4000", ""))
-    assert message.startswith("bad.toml: settle: missing")
-
-
 def test_settling_without_dead_loads_is_refused(tmp_path):
     traction = COUPLET[COUPLET.index("[[traction]]") : COUPLET.index("[settle]")]
     assert "leave this table out" in refusal(tmp_path, COUPLET.replace(traction, ""))
