@@ -6,7 +6,6 @@ import pytest
 from masonry import laboratory
 from masonry.scene import load, packaged
 
-
 QUICK = ("couplet", "couplet-cyclic", "couplet-meso-coarse", "triplet-dry", "wallette-mode-1", "wallette-mode-2")
 
 
