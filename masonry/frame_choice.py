@@ -61,9 +61,9 @@ def choose(result: "Result", step: str | int | float = "peak") -> Chosen:
 
 
 def at_peak(result: "Result") -> Frame:
-    """The frame nearest to the row of the peak (cycles.peak_row); the last one where there are no rows."""
+    """The frame nearest to the row of the peak (cycles.peak_row); the last one without rows or without a drive."""
     rows, frames = result.history.rows, result.history.frames
-    if not len(rows.get("stress", ())):
+    if not (len(rows.get("stress", ())) and result.has_drive):
         return frames[-1]
     return _nearest(frames, rows["step"][peak_row(rows)])
 
@@ -77,6 +77,8 @@ def _at_peak(result: "Result") -> Chosen:
         return Chosen(
             at_peak(result), "at the end", "this result has no rows, so its peak is not known; drawn is the end"
         )
+    if not result.has_drive:
+        return Chosen(at_peak(result), "at the end")
     return Chosen(at_peak(result), "at the peak")
 
 

@@ -22,6 +22,7 @@ SHOWING = tuple(
         *(
             "plot.py",
             "hysteresis.py",
+            "settling_picture.py",
             "curve_axes.py",
             "picture.py",
             "crack_drawing.py",

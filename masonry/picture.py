@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.blocks import Blocks
-from masonry.crack_drawing import crack_keys, draw_scales, kinds_of, scale_of
+from masonry.crack_drawing import LEAST_DAMAGE, crack_keys, draw_scales, kinds_of, scale_of
 from masonry.flat_drawing import FlatDrawing, group_colours
 from masonry.frame_choice import at_peak
 from masonry.history import Frame
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 VISIBLE = 0.04
 """The largest displacement is drawn as about this share of the specimen's size."""
+CLOSED = 0.0025
+"""What joints give way elastically is drawn as at most this share of it, about the width of a line: else strain looks
+like cracks where it opens, and like a layer between the units where it closes."""
 KEY_WIDTH = 2.0
 """Inches of an entry of the legend."""
 VIEWS = ("front", "back", "iso")
@@ -39,9 +42,17 @@ def frames_to_draw(result: "Result") -> list[tuple[str, Frame]]:
 
 
 def magnification(frame: Frame, size: float) -> float:
-    """How many times displacements are drawn, to two digits; 1 where nothing moves."""
-    largest = largest_move(frame)
+    """How many times displacements are drawn, to two digits, so that the largest shows and joints that are whole look
+    closed; 1 where nothing moves."""
+    largest = max(largest_move(frame), VISIBLE / CLOSED * elastic_move(frame))
     return float(f"{VISIBLE * size / largest:.2g}") if largest > 1e-12 * size else 1.0
+
+
+def elastic_move(frame: Frame) -> float:
+    """The largest way (m) that the faces of a joint moved towards each other, or apart under tension without a crack
+    that is drawn."""
+    pulled = (frame.damage <= LEAST_DAMAGE) & (frame.normal_stress > 0.0)
+    return float(np.where(pulled, np.abs(frame.opening), np.maximum(-frame.opening, 0.0)).max(initial=0.0))
 
 
 def largest_move(frame: Frame) -> float:
@@ -116,6 +127,8 @@ def panel_title(result: "Result", name: str, frame: Frame, times: float, narrow:
     """
     between = "\n" if narrow or len(name) > 30 else " "
     rows = result.history.rows
+    if not result.has_drive:
+        return f"{name}:{between}step {frame.step}\ndisplacements drawn {times:g} times"
     ways = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))
     words = f"{name}:{between}displacement {without_noise(frame.displacement, ways) * MILLI:.4g} mm"
     if len(rows.get("stress", ())):

@@ -64,6 +64,13 @@ class Result:
         return str(title or self.summary.get("scene", "masonry"))
 
     @property
+    def has_drive(self) -> bool:
+        """Whether something is driven; where nothing is, there are reactions and gauges, but no curve and no peak."""
+        from masonry.printout import has_drive
+
+        return has_drive(self.summary)
+
+    @property
     def curve(self) -> "DataFrame | Table":
         """The rows, one a moment, in SI units (`curve.attrs["units"]`): `curve["displacement"]`, `curve["stress"]`,
         gauges, energies. A table of pandas where that is installed, else a small one of the same columns.

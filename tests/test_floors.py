@@ -49,6 +49,7 @@ FLOORS = {
         " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation"
         " masonry.dry_joints"
         " masonry.vtkhdf masonry.joint_fields masonry.frame_choice masonry.frame_picture"
+        " masonry.settling_picture"
         " masonry.hysteresis masonry.flat_drawing masonry.solid_drawing masonry.solid_view masonry.face_drawing"
         " masonry.text_files masonry.open_archive masonry.whole_result"
         " masonry.film masonry.film_file masonry.show masonry.stage",
