@@ -1,5 +1,6 @@
 """What holds a specimen and what loads it: force and moment of supports, drive and dead loads; work of the loads."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
@@ -169,24 +170,32 @@ def balance(holds: tuple[tuple[str, str], ...], loads: tuple[str, ...], standing
     return found
 
 
-def open_by(standing: Standing) -> float:
-    """What is left of the sum of all forces, over the largest of them, or of all moments alike: whichever is more."""
-    acts = np.vstack([standing.reactions, standing.loads, standing.damping, standing.inertia])
-    return max(_share(acts.sum(axis=0)[part], acts[:, part]) for part in (FORCE, MOMENT))
+def open_by(standings: Collection[Standing], size: float) -> float:
+    """What is left of the sum of all forces, or of all moments over the size (m) of the specimen, as a share.
+
+    Its measure is the largest force of all the moments in time that are given: one that has fallen to nothing by the
+    end tells nothing of rounding.
+    """
+    return max((_largest(_all(one).sum(axis=0), size) for one in standings), default=0.0) / _scale(standings, size)
 
 
-def moved_by(standing: Standing) -> float:
-    """What damping and inertia together make of the forces of supports, drive and loads, or of their moments: 0 at
-    rest."""
-    outer = np.vstack([standing.reactions, standing.loads])
-    motion = standing.damping + standing.inertia
-    return max(_share(motion[part], outer[:, part]) for part in (FORCE, MOMENT))
+def moved_by(standing: Standing, standings: Collection[Standing], size: float) -> float:
+    """What damping and inertia make together at one moment in time, measured alike: 0 at rest."""
+    return _largest(standing.damping + standing.inertia, size) / _scale(standings, size)
 
 
-def _share(some: np.ndarray, of: np.ndarray) -> float:
-    """The largest of some numbers over the largest of others; 0 where these are all 0."""
-    most = float(np.abs(of).max(initial=0.0))
-    return float(np.abs(some).max()) / most if most > 0.0 else 0.0
+def _all(standing: Standing) -> np.ndarray:
+    return np.vstack([standing.reactions, standing.loads, standing.damping, standing.inertia])
+
+
+def _scale(standings: Collection[Standing], size: float) -> float:
+    """The largest force (N), or moment over the size; never 0."""
+    return max((_largest(_all(one), size) for one in standings), default=0.0) or 1.0
+
+
+def _largest(acts: np.ndarray, size: float) -> float:
+    """Of forces and moments (..., 6): the largest component (N), of moments over a length (m)."""
+    return float(max(np.abs(acts[..., FORCE]).max(), np.abs(acts[..., MOMENT]).max() / size))
 
 
 def _words(acts: np.ndarray) -> dict[str, list[float]]:

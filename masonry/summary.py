@@ -60,6 +60,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         dynamic = dynamic & follows
     mismatch = np.abs(rows["stress"] - rows["support_stress"])[dynamic]
     ratio = rows["kinetic"][dynamic] / np.maximum(internal[dynamic], max(1e-6 * work, 1e-300))
+    standings, size = outcome.standing.values(), float(np.ptp(assembly.specimen.blocks.points, axis=0).max())
     booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
     laws = {name: scene.contact[name].law for name in model.group_names}
     kinematics = {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups}
@@ -90,8 +91,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "cycles": table(rows, np.array(outcome.widest)),
         "gauges": _readings(assembly, outcome),
         "reactions": _reactions(assembly, outcome),
-        "force_balance": max(map(open_by, outcome.standing.values()), default=0.0),
-        "motion_at_end": moved_by(outcome.standing["end"]) if "end" in outcome.standing else 0.0,
+        "force_balance": open_by(standings, size),
+        "motion_at_end": moved_by(outcome.standing["end"], standings, size) if "end" in outcome.standing else 0.0,
         "work_of_drive_j": float(rows["external_work"][-1] - rows["external_work"][begun] - after_settling.sum()),
         "work_of_loads_j": _work_of_loads(assembly, outcome.work_of_loads[0]),
         "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),

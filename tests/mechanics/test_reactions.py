@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from masonry import laboratory
+from masonry.reactions import Standing, moved_by, open_by
 from tests.mechanics.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 from verification.rigs.ledgers import scene_of
 from verification.rigs.scene_text import loaded
@@ -129,3 +130,15 @@ def test_a_drive_that_lifts_a_load_works_against_it():
         result.summary["work_of_loads_j"]["traction.0"] - result.summary["work_of_loads_after_settling_j"]["traction.0"]
     )
     assert both == pytest.approx(rows["external_work"][k], rel=2e-3), "while it rose nothing else did work"
+
+
+def test_forces_that_are_but_rounding_at_the_end_are_measured_by_those_of_the_peak():
+    def standing(force: float) -> Standing:
+        act = np.array([[force, 0.0, 0.0, 0.0, 2.0 * force, 0.0]])
+        return Standing(1, 0.0, act, -act, np.zeros(6), 1e-3 * act[0], np.zeros((0, 3)))
+
+    peak, end = standing(1e3), standing(1e-13)
+    assert open_by([end], 1.0) == pytest.approx(1e-3)
+    assert open_by([peak, end], 1.0) == pytest.approx(1e-3) and moved_by(end, [peak, end], 1.0) < 1e-18
+    assert moved_by(peak, [peak], 0.5) == pytest.approx(1e-3), "moments count over the size: 4 kN here"
+    assert open_by([], 1.0) == 0.0
