@@ -22,7 +22,7 @@ def require_balance(summary):
             assert balance["sum"][key] == pytest.approx(left.tolist(), rel=0.0, abs=1e-14 * np.abs(each).max())
     assert set(summary["reactions"]) == {"peak", "end"}
     assert summary["force_balance"] < 1e-12
-    assert summary["motion_at_end"] < 1e-4
+    assert summary["motion_at_end"] < 1e-5
 
 
 @pytest.mark.parametrize("name", QUICK)
