@@ -1,4 +1,4 @@
-"""A specimen from the front or from behind: its displaced outlines, group by colour, and its cracks on them."""
+"""A specimen from the front or from behind: its displaced outlines, group by colour, its cracks and thrust line."""
 
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -11,6 +11,7 @@ from masonry.crack_drawing import LEAST_DAMAGE, draw_cracks
 from masonry.cracks import CrackLines, Outlines, back_view, crack_lines, front_view, outlines
 from masonry.dry_joints import moved_undamaged
 from masonry.history import Frame
+from masonry.thrust_line import ThrustLine, thrust_line
 
 if TYPE_CHECKING:
     from masonry.results import Result
@@ -28,6 +29,7 @@ class FlatDrawing:
         self.result = result
         self.view = back_view(points) if back else front_view(points)
         self.outlines = outlines(result.specimen.blocks, self.view)
+        self.thrust: ThrustLine | None = thrust_line(result, self.view)
 
     @property
     def size(self) -> float:
@@ -45,10 +47,12 @@ class FlatDrawing:
         return lines.select((lines.damage > LEAST_DAMAGE) | lines.dry)
 
     def draw(self, axes: Any, frame: Frame, cracks: CrackLines, times: float, scale: float) -> None:
-        """Draw a frame with displacements `times` larger, and its cracks; `scale` is the opening (m) of full width."""
+        """Draw a frame with displacements `times` larger, its cracks and thrust line; `scale` is the opening (m) of full width."""
         blocks = self.result.specimen.blocks
         _draw_blocks(axes, blocks, self.outlines, self.view.project(blocks.points + times * frame.corners))
         draw_cracks(axes, self.result, cracks, frame, self.view, times, scale)
+        if self.thrust is not None:
+            self.thrust.draw(axes, self.result, frame, self.view, times)
 
 
 def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -> None:
