@@ -57,7 +57,8 @@ def _require(radius: float, angle: float, voussoirs: int, thickness: float) -> N
         raise GeometryError("arch: number of voussoirs is 1, it must be 2 or more; nearest: 2")
     if not 0.0 < angle <= np.pi:
         raise GeometryError(
-            f"arch: angle is {np.degrees(angle):g} deg, it must be above 0 and up to 180 deg, a semicircle; nearest: 180 deg"
+            f"arch: angle is {np.degrees(angle):g} deg, it must be above 0 and up to 180 deg (a semicircle); "
+            "nearest: 180 deg"
         )
     if thickness >= radius:
         raise GeometryError(

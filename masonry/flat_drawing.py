@@ -9,7 +9,7 @@ from geometry.blocks import Blocks
 from geometry.ragged import ranges
 from masonry.crack_drawing import LEAST_DAMAGE, draw_cracks
 from masonry.cracks import CrackLines, Outlines, back_view, crack_lines, front_view, outlines
-from masonry.dry_joints import moved_undamaged
+from masonry.dry_joints import as_it_stands, moved_undamaged
 from masonry.history import Frame
 from masonry.thrust_line import ThrustLine, thrust_line
 
@@ -42,12 +42,16 @@ class FlatDrawing:
 
     def cracks(self, frame: Frame) -> CrackLines:
         """The contacts to draw."""
+        frame = as_it_stands(self.result, frame)
         lines = crack_lines(self.result.joints, frame, self.view)
         lines = replace(lines, dry=moved_undamaged(self.result, frame)[lines.contact])
         return lines.select((lines.damage > LEAST_DAMAGE) | lines.dry)
 
     def draw(self, axes: Any, frame: Frame, cracks: CrackLines, times: float, scale: float) -> None:
-        """Draw a frame with displacements `times` larger, its cracks and thrust line; `scale` is the opening (m) of full width."""
+        """Draw a frame with displacements `times` larger, its cracks and its thrust line.
+
+        scale  opening (m) of a line of full width
+        """
         blocks = self.result.specimen.blocks
         _draw_blocks(axes, blocks, self.outlines, self.view.project(blocks.points + times * frame.corners))
         draw_cracks(axes, self.result, cracks, frame, self.view, times, scale)

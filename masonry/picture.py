@@ -10,6 +10,7 @@ from masonry.flat_drawing import FlatDrawing, group_colours
 from masonry.frame_choice import at_peak
 from masonry.history import Frame
 from masonry.plot import MEGA, MILLI, plain, without_noise
+from masonry.printout import has_no_drive
 from masonry.solid_drawing import SolidDrawing
 
 if TYPE_CHECKING:
@@ -111,8 +112,11 @@ def _ratio(drawing: Drawing) -> float:
 def panel_title(result: "Result", name: str, frame: Frame, times: float, narrow: bool = False) -> str:
     """Name, displacement, stress, share of the way, and by how much displacements are drawn larger.
 
-    narrow panels take one more line, without the share; a long name has a line to itself
+    narrow panels take one more line, without the share; a long name has a line to itself; where nothing is driven
+    the name stands with the last of them alone
     """
+    if has_no_drive(result.summary):
+        return f"{name}: displacements drawn {times:g} times"
     between = "\n" if narrow or len(name) > 30 else " "
     rows = result.history.rows
     ways = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))
@@ -144,7 +148,9 @@ def draw_keys(figure: Any, axes: list[Any], drawings: Sequence[Drawing], scale: 
         colours |= {name: colour for g, (name, colour) in enumerate(shown) if g in blocks.group}
     keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
     keys += crack_keys(scale, kinds)
-    lines = {line.in_a_row: line.key() for drawing in drawings if (line := getattr(drawing, "thrust", None)) is not None}
+    lines = {
+        line.in_a_row: line.key() for drawing in drawings if (line := getattr(drawing, "thrust", None)) is not None
+    }
     keys += lines.values()
     columns = -(-len(keys) // -(-len(keys) // max(int(figure.get_figwidth() / KEY_WIDTH), 1)))
     figure.legend(handles=keys, loc="outside lower center", ncols=columns, frameon=False, fontsize=10)

@@ -42,7 +42,8 @@ class ThrustLine:
         along = np.add.reduceat(normal, self.joints.start[:-1])
         moment = np.add.reduceat(normal[:, None] * result.joints.point[contact], self.joints.start[:-1], axis=0)
         place = np.full((len(along), 3), np.nan)
-        presses = along < -LEAST * np.abs(along).max(initial=0.0) * (not self.in_a_row)
+        least = 0.0 if self.in_a_row else LEAST * np.abs(along).max(initial=0.0)
+        presses = along < -least
         place[presses] = moment[presses] / along[presses, None]
         return along[self.order], place[self.order]
 

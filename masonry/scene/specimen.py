@@ -128,7 +128,9 @@ class ArchSpec(SpecimenTable):
     @model_validator(mode="after")
     def _is_a_ring(self) -> "ArchSpec":
         if self.thickness >= self.radius:
-            raise KeyedError("thickness", f"must be less than radius, {self.radius:g} m, which is that of the centre line")
+            raise KeyedError(
+                "thickness", f"must be less than radius, {self.radius:g} m, which is that of the centre line"
+            )
         return self
 
 
