@@ -25,9 +25,9 @@ class FlatDrawing:
     """Draws the frames of one result in one view."""
 
     def __init__(self, result: "Result", back: bool = False) -> None:
-        points = result.specimen.blocks.points
+        points, shape = result.specimen.blocks.points, result.specimen.shape
         self.result = result
-        self.view = back_view(points) if back else front_view(points)
+        self.view = back_view(points, shape) if back else front_view(points, shape)
         self.outlines = outlines(result.specimen.blocks, self.view)
         self.thrust: ThrustLine | None = thrust_line(result, self.view)
 

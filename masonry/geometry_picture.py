@@ -40,7 +40,7 @@ def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
 
 def sight_of(scene: Scene, specimen: Specimen, view: str | None) -> Sight:
     """The projection of a view by its name, or the one that shows the drive."""
-    front = front_sight(specimen.blocks.points)
+    front = front_sight(specimen.blocks.points, specimen.shape)
     if view is None:
         across = scene.drive is not None and abs(front.toward[scene.drive.axis]) > 0.5
         view = "iso" if across else "front"
