@@ -91,7 +91,7 @@ def thrust_line(result: "Result", view: View) -> ThrustLine | None:
 def row_of(units: np.ndarray) -> np.ndarray | None:
     """(J,) the joints between units (J, 2) from one end of a row to the other; None where the units are no row."""
     names, members = np.unique(units, return_counts=True)
-    if len(names) != len(units) + 1 or members.max(initial=0) > 2:
+    if len(names) != len(units) + 1:
         return None
     order, here = [], int(names[members == 1][0])
     left = dict(enumerate(units.tolist()))
