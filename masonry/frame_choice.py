@@ -11,7 +11,6 @@ from masonry.cycles import peak_row
 from masonry.errors import SceneError
 from masonry.history import Frame
 from masonry.plot import without_noise
-from masonry.printout import has_no_drive
 
 if TYPE_CHECKING:
     from masonry.results import Result
@@ -62,9 +61,9 @@ def choose(result: "Result", step: str | int | float = "peak") -> Chosen:
 
 
 def at_peak(result: "Result") -> Frame:
-    """The frame nearest to the row of the peak (cycles.peak_row); the last one without rows or without a drive."""
+    """The frame nearest to the row of the peak (cycles.peak_row); the last one where there are no rows."""
     rows, frames = result.history.rows, result.history.frames
-    if not len(rows.get("stress", ())) or has_no_drive(result.summary):
+    if not len(rows.get("stress", ())):
         return frames[-1]
     return _nearest(frames, rows["step"][peak_row(rows)])
 
@@ -77,10 +76,6 @@ def _at_peak(result: "Result") -> Chosen:
     if not len(result.history.rows.get("stress", ())):
         return Chosen(
             at_peak(result), "at the end", "this result has no rows, so its peak is not known; drawn is the end"
-        )
-    if has_no_drive(result.summary):
-        return Chosen(
-            at_peak(result), "at the end", "nothing was driven in this run, so it has no peak; drawn is the end"
         )
     return Chosen(at_peak(result), "at the peak")
 

@@ -10,7 +10,6 @@ from masonry.flat_drawing import FlatDrawing, group_colours
 from masonry.frame_choice import at_peak
 from masonry.history import Frame
 from masonry.plot import MEGA, MILLI, plain, without_noise
-from masonry.printout import has_no_drive
 from masonry.solid_drawing import SolidDrawing
 
 if TYPE_CHECKING:
@@ -112,11 +111,8 @@ def _ratio(drawing: Drawing) -> float:
 def panel_title(result: "Result", name: str, frame: Frame, times: float, narrow: bool = False) -> str:
     """Name, displacement, stress, share of the way, and by how much displacements are drawn larger.
 
-    narrow panels take one more line, without the share; a long name has a line to itself; where nothing is driven
-    the name stands with the last of them alone
+    narrow panels take one more line, without the share; a long name has a line to itself
     """
-    if has_no_drive(result.summary):
-        return f"{name}: displacements drawn {times:g} times"
     between = "\n" if narrow or len(name) > 30 else " "
     rows = result.history.rows
     ways = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))

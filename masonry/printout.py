@@ -86,7 +86,7 @@ def summary_text(summary: dict[str, Any]) -> str:
 def summary_rows(summary: dict[str, Any]) -> Rows:
     """The same, row by row."""
     return [
-        *(_rest_rows(summary) if has_no_drive(summary) else _peak_rows(summary)),
+        *(_rest_rows(summary) if _has_no_drive(summary) else _peak_rows(summary)),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *((name, [gauge_text(readings)]) for name, readings in (summary.get("gauges") or {}).items()),
         *([("work of dead loads", [words])] if (words := loads_text(summary)) else []),
@@ -101,8 +101,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
     ]
 
 
-def has_no_drive(summary: dict[str, Any]) -> bool:
-    """Whether a run had dead loads only; false for a summary that does not say."""
+def _has_no_drive(summary: dict[str, Any]) -> bool:
     end = (summary.get("reactions") or {}).get("end")
     return end is not None and "drive" not in end
 

@@ -9,8 +9,7 @@ import pytest
 import masonry
 from masonry.dry_joints import as_it_stands
 from masonry.flat_drawing import FlatDrawing
-from masonry.frame_choice import choose
-from masonry.picture import cracks_figure, frames_to_draw, panel_title
+from masonry.picture import cracks_figure
 from masonry.results import Result
 from masonry.thrust_line import WALL, row_of
 from tests.results.sample import opened, sample
@@ -91,10 +90,3 @@ def test_dry_joints_are_drawn_where_they_are_open_or_slid_now_and_not_for_roundi
     open_now = frame.opening > 0.01 * frame.opening.max()
     assert np.array_equal(shown.damage_tension > 0.0, open_now)
     assert as_it_stands(sample(), frame) is frame, "other laws keep their damage"
-
-
-def test_where_nothing_is_driven_the_end_alone_is_drawn_and_no_stress_is_named():
-    ((name, frame),) = frames_to_draw(arch())
-    assert (name, frame) == ("at the end", arch().history.frames[-1])
-    assert panel_title(arch(), name, frame, 100.0) == "at the end: displacements drawn 100 times"
-    assert "nothing was driven" in choose(arch(), "peak").note
