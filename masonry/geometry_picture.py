@@ -12,7 +12,7 @@ from masonry.condition_marks import Mark, marks
 from masonry.errors import SceneError
 from masonry.face_drawing import UNIT_EDGE, FaceDrawing
 from masonry.flat_drawing import group_colours
-from masonry.mark_drawing import COLOURS, draw_mark, stands_left
+from masonry.mark_drawing import COLOURS, draw_mark, place_of_value, stands_left
 from masonry.picture_frame import draw_axes, draw_sets
 from masonry.plot import plain, write_png
 from masonry.scene import Scene
@@ -40,7 +40,7 @@ def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
 
 def sight_of(scene: Scene, specimen: Specimen, view: str | None) -> Sight:
     """The projection of a view by its name, or the one that shows the drive."""
-    front = front_sight(specimen.blocks.points)
+    front = front_sight(specimen.blocks.points, specimen.shape)
     if view is None:
         across = scene.drive is not None and abs(front.toward[scene.drive.axis]) > 0.5
         view = "iso" if across else "front"
@@ -65,7 +65,8 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     faces.draw(axes)
     for mark in listed:
         draw_mark(axes, specimen, mark, pieces, sight, size)
-    draw_sets(axes, specimen, pieces, sight, size)
+    words = [words for mark in listed if (words := place_of_value(mark, sight, size)) is not None]
+    draw_sets(axes, specimen, pieces, sight, size, words)
     draw_axes(axes, blocks, sight, left_taken=any(stands_left(specimen, mark) for mark in listed))
     rows = _draw_list(figure, blocks, listed)
     axes.margins(0.02)

@@ -27,6 +27,7 @@ SHOWING = tuple(
             "picture.py",
             "crack_drawing.py",
             "dry_joints.py",
+            "thrust_line.py",
             "picture_frame.py",
             "geometry_picture.py",
         ),

@@ -102,7 +102,7 @@ def gallery(
         frame_axes(one)
         title = panel_title(result, name, frame, larger, narrow=columns > 2)
         one.set_title(title, fontsize=10 if columns > 2 else 11)
-    draw_keys(figure, axes, [result.specimen.blocks for _, result, _ in panels], scale, kinds_of(cracks))
+    draw_keys(figure, axes, shown, scale, kinds_of(cracks))
     return figure
 
 
@@ -147,16 +147,20 @@ def share_of_way(rows: dict[str, np.ndarray], frame: Frame) -> float:
     return float(np.interp(frame.step, rows["step"], way) / way[-1]) if way[-1] > 0.0 else 1.0
 
 
-def draw_keys(figure: Any, axes: list[Any], drawn: list[Blocks], scale: float, kinds: Sequence[str]) -> None:
-    """Colour bars of damage, and a legend of crack kinds, crack openings and block groups; of kinds that occur."""
+def draw_keys(figure: Any, axes: list[Any], drawings: Sequence[Drawing], scale: float, kinds: Sequence[str]) -> None:
+    """Colour bars of damage, and a legend of groups, crack kinds and openings, and the thrust line; of what occurs."""
     from matplotlib.patches import Patch
 
     draw_scales(figure, axes, kinds)
     colours: dict[str, str] = {}
-    for blocks in drawn:
+    for blocks in (drawing.result.specimen.blocks for drawing in drawings):
         shown = zip(blocks.groups, group_colours(blocks.groups), strict=True)
         colours |= {name: colour for g, (name, colour) in enumerate(shown) if g in blocks.group}
     keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
     keys += crack_keys(scale, kinds)
+    lines = {
+        line.in_a_row: line.key() for drawing in drawings if (line := getattr(drawing, "thrust", None)) is not None
+    }
+    keys += lines.values()
     columns = -(-len(keys) // -(-len(keys) // max(int(figure.get_figwidth() / KEY_WIDTH), 1)))
     figure.legend(handles=keys, loc="outside lower center", ncols=columns, frameon=False, fontsize=10)

@@ -42,6 +42,8 @@ def blocks_and_volume(spec: Any) -> tuple[float, float]:
         return blocks.count, float(volumes(blocks).sum())
     if spec.kind == "boxes":
         return sum(prod(box.divisions) for box in spec.box), sum(prod(box.size) for box in spec.box)
+    if spec.kind == "arch":
+        return spec.voussoirs + 2, spec.radius * spec.angle * spec.thickness * spec.depth
     if spec.kind in ("wallette", "bending"):
         units, depth = spec.courses * spec.units_per_course, spec.thickness
         volume = units * spec.unit_length * spec.thickness * spec.unit_height

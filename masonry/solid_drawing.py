@@ -15,7 +15,7 @@ from geometry.tiles import tiles
 from masonry.crack_drawing import LEAST_DAMAGE, crack_colours, widths
 from masonry.cracks import front_view
 from masonry.deformation import Corners, Deformation
-from masonry.dry_joints import moved_undamaged
+from masonry.dry_joints import as_it_stands, moved_undamaged
 from masonry.face_drawing import FaceDrawing
 from masonry.history import Frame
 from masonry.solid_view import Piece, oblique_sight, visible_pieces
@@ -59,6 +59,7 @@ class SolidDrawing:
 
     def cracks(self, frame: Frame) -> JointCracks:
         """The contacts to draw."""
+        frame = as_it_stands(self.result, frame)
         dry = moved_undamaged(self.result, frame)
         c = np.flatnonzero((frame.damage > LEAST_DAMAGE) | dry)
         parted = np.hypot(np.maximum(frame.opening[c], 0.0), frame.slip[c])

@@ -5,6 +5,7 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
+from geometry.arch import arch
 from geometry.bending import bending
 from geometry.blocks import Specimen
 from geometry.boxes import boxes
@@ -59,6 +60,8 @@ def _built(spec: Any) -> Specimen:
         if spec.kind == "couplet":
             return couplet(*size, _filling(spec), mortar, spec.plates)
         return prism(spec.units, *size, _filling(spec), mortar, spec.plates)
+    if spec.kind == "arch":
+        return arch(spec.radius, spec.angle, spec.voussoirs, spec.thickness, spec.depth)
     if spec.kind == "file":
         return blocks_from(spec.path)[0]
     if spec.kind == "boxes":

@@ -47,7 +47,7 @@ FLOORS = {
         " masonry.curve_table masonry.finite masonry.printout masonry.notebook masonry.figure masonry.painter"
         " masonry.processors masonry.quantity"
         " masonry.plot masonry.curve_axes masonry.picture masonry.crack_drawing masonry.cracks masonry.deformation"
-        " masonry.dry_joints"
+        " masonry.dry_joints masonry.thrust_line"
         " masonry.vtkhdf masonry.joint_fields masonry.frame_choice masonry.frame_picture"
         " masonry.settling_picture"
         " masonry.hysteresis masonry.flat_drawing masonry.solid_drawing masonry.solid_view masonry.face_drawing"

@@ -7,7 +7,7 @@ from pydantic import Field, model_validator
 
 from masonry.scene.cells import Cells, exclude
 from masonry.scene.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
-from masonry.scene.types import Area, Count, Gap, KeyedError, Length, Number, Position, Table
+from masonry.scene.types import Area, Count, Embrace, Gap, KeyedError, Length, Number, Position, Table, Voussoirs
 
 
 class SpecimenTable(Table):
@@ -115,6 +115,25 @@ class BendingSpec(_Wall, _Divided):
     bottom_plate: Length | None = None
 
 
+class ArchSpec(SpecimenTable):
+    """A ring of voussoirs between two abutments; radius of the centre line, angle of embrace."""
+
+    kind: Literal["arch"]
+    radius: Length
+    angle: Embrace
+    voussoirs: Voussoirs
+    thickness: Length
+    depth: Length
+
+    @model_validator(mode="after")
+    def _is_a_ring(self) -> "ArchSpec":
+        if self.thickness >= self.radius:
+            raise KeyedError(
+                "thickness", f"must be less than radius, {self.radius:g} m, which is that of the centre line"
+            )
+        return self
+
+
 class Box(Table):
     """A cuboid, divided into a regular grid of blocks."""
 
@@ -149,7 +168,7 @@ class FileSpec(SpecimenTable):
 
 
 Specimen = Annotated[
-    CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | BoxesSpec | FileSpec, Field(discriminator="kind")
+    CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | ArchSpec | BoxesSpec | FileSpec, Field(discriminator="kind")
 ]
 
 

@@ -1,4 +1,4 @@
-"""Semicircular arches of voussoirs: their blocks, and the least thickness that limit analysis lets stand."""
+"""Arches of voussoirs: their blocks, the least thickness that limit analysis lets stand, and bounds of the thrust."""
 
 from dataclasses import dataclass
 
@@ -16,14 +16,15 @@ SPRINGER = 0.1
 
 @dataclass(frozen=True)
 class Arch:
-    """A semicircle of mean radius 1 m cut into equal voussoirs with plane faces; thickness in m."""
+    """A ring of mean radius 1 m cut into equal voussoirs with plane faces; thickness in m, angle of embrace in rad."""
 
     voussoirs: int
     thickness: float
+    angle: float = np.pi
 
     def corners(self) -> np.ndarray:
         """(n + 1, 2, 2) m: x, z of the inner and outer end of each joint, from right to left."""
-        angle = np.pi * np.arange(self.voussoirs + 1) / self.voussoirs
+        angle = 0.5 * (np.pi - self.angle) + self.angle * np.arange(self.voussoirs + 1) / self.voussoirs
         radius = 1.0 + self.thickness * np.array([-0.5, 0.5])
         return radius[None, :, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)[:, None, :]
 
@@ -102,3 +103,33 @@ def least_thickness(voussoirs: int, friction: float, halvings: int = 16) -> floa
         middle = 0.5 * (low + high)
         low, high = (low, middle) if stands(Arch(voussoirs, middle), friction) else (middle, high)
     return 0.5 * (low + high)
+
+
+def least_thrust(arch: Arch) -> float:
+    """Of an arch whose abutments have gone apart: hinges at the outer end of a joint near the crown and at the inner
+    end of one below it, on either side (Heyman 1966). Over the weight of a volume, its depth, and the radius squared.
+    """
+    return max(_thrusts(arch, upper=1, lower=0))
+
+
+def greatest_thrust(arch: Arch) -> float:
+    """Of one whose abutments have come nearer to each other: hinges at the inner end above and at the outer below."""
+    return min(_thrusts(arch, upper=0, lower=1))
+
+
+def _thrusts(arch: Arch, upper: int, lower: int) -> list[float]:
+    """The thrust of each pair of joints of the right half, with hinges at the inner (0) or outer (1) ends of both.
+
+    By symmetry the upper hinge carries half the weight between it and its mirror image. Moments about the lower one.
+    """
+    corner, n = arch.corners(), arch.voussoirs
+    area, centre = arch.areas_and_centroids()
+    found = []
+    for i in range(1, n // 2 + 1):
+        for j in range(i):
+            high, low = corner[i, upper], corner[j, lower]
+            if high[1] > low[1]:
+                above, between = 0.5 * area[i : n - i].sum(), slice(j, i)
+                turning = above * (low[0] - high[0]) + area[between] @ (low[0] - centre[between, 0])
+                found.append(float(turning / (high[1] - low[1])))
+    return found
