@@ -69,7 +69,7 @@ def _built(spec: Any) -> Specimen:
     }
     wall |= {"divisions": _filling(spec), "bond": spec.bond, "unit_width": spec.unit_width}
     if spec.kind == "wallette":
-        return wallette(**wall, plates=spec.plates)
+        return wallette(**wall, plates=spec.plates, base=spec.base, beam=spec.beam)
     rollers = ("support_distance", "load_distance", "roller_width", "bottom_plate")
     return bending(**wall, **{key: getattr(spec, key) for key in rollers})
 

@@ -92,12 +92,14 @@ class _Wall(SpecimenTable):
 
 
 class WalletteSpec(_Wall):
-    """A plane wall between plates; divisions (nx, nz) of a whole unit."""
+    """A plane wall between plates, on a base and under a beam; divisions (nx, nz) of a whole unit."""
 
     kind: Literal["wallette"]
     divisions: tuple[Count, Count] = (1, 1)
     cells: Cells | None = None
     plates: Length | None = None
+    base: Length | None = None
+    beam: Length | None = None
 
     @model_validator(mode="after")
     def _is_divided_once(self) -> "WalletteSpec":
