@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from geometry.blocks import Specimen
-from geometry.bond import Bond, lay
+from geometry.bond import Bond, lay, require_units
 from geometry.cells.asked import CellsAsked
 from geometry.overlaps import check_overlaps
 from geometry.shapes import concatenate, from_boxes
@@ -15,7 +15,7 @@ from geometry.walls import fill_bond, wall_sets
 
 def wallette(
     courses: int,
-    units_per_course: int,
+    units_per_course: float,
     unit_length: float,
     unit_height: float,
     thickness: float,
@@ -46,7 +46,7 @@ def wallette(
     optional = {"plates": plates, "unit_width": unit_width, "base": base, "beam": beam}
     lengths |= {name: length for name, length in optional.items() if length is not None}
     require_lengths("wallette", lengths, zero_allowed=("joint_thickness",))
-    require_counts("wallette", "number of units", (units_per_course, courses), "xz")
+    require_units("wallette", bond, courses, units_per_course)
     if not isinstance(divisions, CellsAsked):
         require_counts("wallette", "divisions", divisions, "xz")
         divisions = (divisions[0], 1, divisions[1])

@@ -7,7 +7,7 @@ from pydantic import Field, model_validator
 
 from masonry.scene.cells import Cells, exclude
 from masonry.scene.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
-from masonry.scene.types import Area, Count, Gap, KeyedError, Length, Number, Position, Table
+from masonry.scene.types import Area, Count, Gap, Halves, KeyedError, Length, Number, Position, Table
 
 
 class SpecimenTable(Table):
@@ -82,7 +82,7 @@ class _Wall(SpecimenTable):
     """Courses of expanded units with zero-thickness joints."""
 
     courses: Count
-    units_per_course: Count = 2
+    units_per_course: Halves = 2
     unit_length: Length
     unit_height: Length
     unit_width: Length | None = None

@@ -82,7 +82,7 @@ def test_a_level_top_takes_twice_the_moment(level, free):
 
 
 def test_the_level_top_rises_by_what_the_wall_turns(level):
-    """Once the wall rocks its forces stay as they are: the top moves along the arc between the two corners, and only so."""
+    """Once the wall rocks its forces stay as they are, and the top moves as its two corners have it, not otherwise."""
     beam = level.specimen.sets["beam"][0]
     corners = slice(8 * beam, 8 * beam + 8)
     before, after = level.history.frames[-4], level.history.frames[-1]
