@@ -1,9 +1,10 @@
 """What a scene says of its specimen: what is built, and of which size. Lengths in m, areas in m2."""
 
 from collections import Counter
+from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
 
-from pydantic import Field, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from masonry.scene.cells import Cells, exclude
 from masonry.scene.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
@@ -143,11 +144,16 @@ class BoxesSpec(SpecimenTable):
         return self
 
 
+def _absolute(path: str) -> str:
+    """Where a path leads from here, so that a scene which is written elsewhere still finds its blocks."""
+    return str(Path(path).absolute())
+
+
 class FileSpec(SpecimenTable):
-    """Blocks from a file that `masonry import` wrote."""
+    """Blocks from a file that `masonry import` or `masonry.write_blocks` wrote."""
 
     kind: Literal["file"]
-    path: Annotated[str, Field(min_length=1)]
+    path: Annotated[str, Field(min_length=1), AfterValidator(_absolute)]
 
 
 Specimen = Annotated[
