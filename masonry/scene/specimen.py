@@ -149,11 +149,16 @@ def _absolute(path: str) -> str:
     return str(Path(path).absolute())
 
 
-class FileSpec(SpecimenTable):
-    """Blocks from a file that `masonry import` or `masonry.write_blocks` wrote."""
+class FileSpec(SpecimenTable, _Divided):
+    """Blocks from a file that `masonry import` or `masonry.write_blocks` wrote; the units among them may be divided."""
 
     kind: Literal["file"]
     path: Annotated[str, Field(min_length=1), AfterValidator(_absolute)]
+
+    @property
+    def is_divided(self) -> bool:
+        """Whether blocks of the file are cut up, so that tets of the file fit them no longer."""
+        return self.cells is not None or any(n > 1 for n in self.divisions)
 
 
 Specimen = Annotated[

@@ -154,3 +154,23 @@ def test_blocks_that_overlap_or_are_none_at_all_are_refused_by_name(tmp_path):
     with pytest.raises(GeometryError, match="there are no blocks"):
         masonry.write_blocks(tmp_path / "o.blocks.h5", [])
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("cut", [{"divisions": [2, 1, 2]}, {"cells": {"per_unit": 3}}, {"mesh": "fan"}], ids=str)
+def test_units_that_are_cut_up_slide_at_the_same_force(triplet, cut):
+    affine = {"material.units.young_modulus": "5 GPa", "material.units.poisson_ratio": 0.2} if "mesh" in cut else {}
+    scene = on(triplet).with_({f"specimen.{key}": value for key, value in cut.items()} | affine)
+    if affine:
+        scene = scene.with_({"kinematics": "tets", "specimen.divisions": [2, 1, 1]})
+    scene = scene.with_({"contact.within_units": {"law": "elastic", **STIFF}, "drive.displacement": "0.2 mm"})
+    result = masonry.run(scene)
+    assert result.specimen.blocks.count > 3
+    assert result.history.rows["force"][-1] == pytest.approx(2 * 0.65 * 0.5e6 * 0.25 * 0.12, rel=1e-3)
+
+
+def test_a_division_into_too_much_is_refused_before_it_is_made(triplet):
+    with pytest.raises(SceneError, match=r"specimen\.divisions: this would make about .* blocks"):
+        masonry.check(on(triplet).with_({"specimen.divisions": [1000, 1000, 1]}))
+    with pytest.raises(SceneError, match="divisions and cells exclude each other"):
+        both = {"kind": "file", "path": str(triplet), "divisions": [2, 1, 1], "cells": {"total": 9}}
+        masonry.load("triplet-dry", {"specimen": both})
