@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 
 import masonry
-from geometry.block_file import load_blocks
+from geometry.block_file import load_blocks, save_blocks
 from geometry.blocks import GeometryError
+from geometry.fan import mesh_by_fans
+from geometry.joints import find_joints
 from masonry.cli import main
 from masonry.errors import SceneError
 from tests.faults.samples import ALWAYS, ended_after, resume
@@ -174,3 +176,14 @@ def test_a_division_into_too_much_is_refused_before_it_is_made(triplet):
     with pytest.raises(SceneError, match="divisions and cells exclude each other"):
         both = {"kind": "file", "path": str(triplet), "divisions": [2, 1, 1], "cells": {"total": 9}}
         masonry.load("triplet-dry", {"specimen": both})
+
+
+def test_tets_of_a_file_do_not_serve_units_that_are_cut_up(triplet):
+    specimen, _ = load_blocks(triplet)
+    mesh, _ = mesh_by_fans(specimen.blocks, np.ones(3, dtype=bool), find_joints(specimen.blocks))
+    save_blocks(triplet, specimen, mesh)
+    tets = {"kinematics": "tets", "material.units.young_modulus": "5 GPa", "material.units.poisson_ratio": 0.2}
+    whole = on(triplet, **tets, **{"contact.within_units": {"law": "elastic", **STIFF}})
+    assert masonry.check(whole)["tets"] == len(mesh.tets) == 3 * 12
+    cut = whole.with_({"specimen.divisions": [2, 1, 1], "specimen.mesh": "fan"})
+    assert masonry.check(cut)["tets"] == 2 * 3 * 12
