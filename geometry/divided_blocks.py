@@ -34,6 +34,8 @@ def divided(specimen: Specimen, filling: Filling, group: str = "units") -> Speci
     if not (convex := are_convex(blocks, SAME * extent(blocks)))[chosen].all():
         b = int(chosen[np.argmin(convex[chosen])])
         raise GeometryError(f"block {b} is not convex; only convex blocks can be divided: make its parts blocks each")
+    if isinstance(filling, CellsAsked) and not filling.space:
+        _require_prisms(blocks, chosen)
     one = _selected(blocks, chosen)
     reports: tuple[CellReport, ...] = ()
     if isinstance(filling, CellsAsked):
@@ -57,7 +59,6 @@ def _cells(blocks: Blocks, asked: CellsAsked, group: str) -> tuple[Blocks, CellR
     rng = np.random.default_rng(asked.seed)
     domains, volume = [_domain(blocks, b) for b in range(blocks.count)], volumes(blocks)
     low, high = (corner[:, 1] for corner in bounds(blocks))
-    outlines = [] if asked.space else [_outline(blocks, b) for b in range(blocks.count)]
     if asked.sites is not None:
         places = np.asarray(asked.sites, dtype=float).reshape(-1, 3)
         site, counts = given_sites(asked, np.stack([domain.contains(places) for domain in domains], axis=1))
@@ -65,6 +66,8 @@ def _cells(blocks: Blocks, asked: CellsAsked, group: str) -> tuple[Blocks, CellR
         site, counts = None, share_out(asked, volume, high - low)
     if asked.space:
         return space_cells(domains, volume, asked, group, counts, site, rng)
+    fronts = face_areas_normals_centroids(blocks)[1][:, 1] < -1 + SAME
+    outlines = [blocks.face(f)[:, [0, 2]] for f in np.flatnonzero(fronts).tolist()]
     return plane_cells(outlines, low, high, volume / (high - low), asked, group, counts, site, rng)
 
 
@@ -80,17 +83,16 @@ def _domain(blocks: Blocks, block: int) -> Domain:
     return Domain(normal[kept], offset[kept])
 
 
-def _outline(blocks: Blocks, block: int) -> np.ndarray:
-    """(k, 2) m, the outline of a prism along y in the plane (x, z), counter-clockwise."""
-    one = _selected(blocks, np.array([block]))
-    _, normal, _ = face_areas_normals_centroids(one)
-    front = np.flatnonzero(normal[:, 1] < -1 + SAME)
-    back = np.flatnonzero(normal[:, 1] > 1 - SAME)
-    if len(front) != 1 or len(back) != 1 or np.any(np.abs(np.delete(normal[:, 1], [*front, *back])) > SAME):
-        raise GeometryError(
-            f"block {block} is no prism along y, so that plane cells cannot fill it; form = 'space' can"
-        )
-    return one.face(int(front[0]))[:, [0, 2]]
+def _require_prisms(blocks: Blocks, which: np.ndarray) -> None:
+    """Each of these blocks has one face across y in front, one behind, and all others along y."""
+    across = face_areas_normals_centroids(blocks)[1][:, 1]
+    for b in which.tolist():
+        mine = across[blocks.block_face_start[b] : blocks.block_face_start[b + 1]]
+        ends = [int(np.sum(side > 1 - SAME)) for side in (-mine, mine)]
+        if ends != [1, 1] or int(np.sum(np.abs(mine) <= SAME)) != len(mine) - 2:
+            raise GeometryError(
+                f"block {b} is no prism along y, which plane cells need; cells of form = 'space' do not"
+            )
 
 
 def _selected(blocks: Blocks, which: np.ndarray) -> Blocks:

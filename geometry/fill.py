@@ -72,8 +72,8 @@ def plane_cells(
     from geometry.cells.plane_cells import divide_plane
 
     target = target_sizes(asked, counts, area, rng)
-    seeds = [site[:, PLANE]] if site is not None else None
-    seeds = seeds or [sites_in_outlines(outlines, counts, rng) for _ in range(ATTEMPTS)]
+    drawn = (sites_in_outlines(outlines, counts, rng) for _ in range(ATTEMPTS))
+    seeds = list(drawn) if site is None else [site[:, PLANE]]
     loops, report = divide_plane(outlines, counts, target, seeds, asked.laguerre, asked.regularise)
     unit = np.repeat(np.arange(len(counts)), counts)
     return extrude(loops, low[unit], high[unit], unit, (group,)), report

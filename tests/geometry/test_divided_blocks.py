@@ -105,5 +105,6 @@ def test_what_cannot_be_divided_is_refused(arch):
     with pytest.raises(GeometryError, match="block 0 is not convex"):
         divided(Specimen(polyhedra([corner], ["a"], [0], ["units"])), (2, 1, 1))
     upright = prism([(0, 0), (1, 0), (0, 1)], 0.0, 1.0)
-    with pytest.raises(GeometryError, match="block 0 is no prism along y.*form = 'space'"):
-        divided(Specimen(polyhedra([upright], ["a"], [0], ["units"])), CellsAsked(total=3))
+    foot = (CUBE - [0, 0, 1], QUADS)
+    with pytest.raises(GeometryError, match="block 1 is no prism along y.*form = 'space'"):
+        divided(Specimen(polyhedra([foot, upright], ["a", "b"], [0, 1], ["feet", "units"])), CellsAsked(total=3))
