@@ -3,7 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Specimen
-from geometry.bond import lay
+from geometry.bond import lay, require_units
 from geometry.cells.asked import CellsAsked
 from geometry.layers import Filling
 from geometry.overlaps import check_overlaps
@@ -14,7 +14,7 @@ from geometry.walls import fill_bond, wall_sets
 
 def bending(
     courses: int,
-    units_per_course: int,
+    units_per_course: float,
     unit_length: float,
     unit_height: float,
     thickness: float,
@@ -51,7 +51,7 @@ def bending(
         **{name: value for name, value in given.items() if value is not None},
     }
     require_lengths("bending", lengths, zero_allowed=("joint_thickness",))
-    require_counts("bending", "number of units", (units_per_course, courses), "xz")
+    require_units("bending", bond, courses, units_per_course)
     if not isinstance(divisions, CellsAsked):
         require_counts("bending", "divisions", divisions, "xyz")
     laid = lay(bond, courses, units_per_course, (unit_length, unit_height), joint_thickness, thickness, unit_width)

@@ -18,9 +18,7 @@ def outward(points: np.ndarray, triangles: np.ndarray, solid: str) -> np.ndarray
         for i, j in ((a, b), (b, c), (c, a)):
             sharing.setdefault((min(i, j), max(i, j)), []).append(t)
     if any(len(owners) % 2 for owners in sharing.values()):
-        raise GeometryError(
-            f"{solid} is not closed: an edge of it belongs to one face only; mend it in the CAD program"
-        )
+        raise GeometryError(f"{solid} is not closed: an edge of it belongs to one face only; mend it where it was made")
     shell = np.full(len(triangles), -1)
     result = triangles.copy()
     for seed in range(len(triangles)):

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from geometry.blocks import Blocks
 from masonry.crack_drawing import LEAST_DAMAGE, crack_keys, draw_scales, kinds_of, scale_of
 from masonry.flat_drawing import FlatDrawing, group_colours
 from masonry.frame_choice import at_peak

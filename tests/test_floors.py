@@ -59,7 +59,7 @@ FLOORS = {
         "masonry masonry.__main__ masonry.cli masonry.commands masonry.shell masonry.doctor masonry.installed"
         " masonry.scene* masonry.picture_command masonry.movie_command"
         " masonry.assembly masonry.plan masonry.scatter masonry.specimens masonry.conditions masonry.held"
-        " masonry.gauge_places masonry.size_guard masonry.block_files masonry.own_s* masonry.law_*"
+        " masonry.gauge_places masonry.size_guard masonry.block_* masonry.own_s* masonry.law_*"
         " masonry.import*"
         " masonry.quality_lines masonry.contact_remarks masonry.geometry_picture masonry.picture_frame"
         " masonry.condition_marks masonry.mark_drawing"

@@ -3,7 +3,15 @@
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, GetCoreSchemaHandler, PlainSerializer, SerializationInfo
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    GetCoreSchemaHandler,
+    PlainSerializer,
+    SerializationInfo,
+    ValidationInfo,
+)
 from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
 from masonry.laws import law_names
@@ -72,6 +80,14 @@ def confinement_of(info: core_schema.ValidationInfo[Any], what: str) -> float:
     return float(confinement)
 
 
+def _halves(value: Any, info: ValidationInfo) -> float:
+    """A whole number, or one and a half."""
+    found = convert(value, "number", info.field_name or "", "[1, 1000]")
+    if not (2 * found).is_integer():
+        raise ValueError(f"{found:g} is neither a whole number nor one and a half; nearest: {round(2 * found) / 2:g}")
+    return int(found) if found.is_integer() else found
+
+
 Length = Annotated[float, Given("length", "[1e-9, 1e5]")]
 Gap = Annotated[float, Given("length", "[0, 1e5]")]
 Position = Annotated[float, Given("length", "[-1e5, 1e5]")]
@@ -97,6 +113,7 @@ Damping = Annotated[float, Given("number", "[0, 1)")]
 Fraction = Annotated[float, Given("number", "[1e-6, 10]")]
 Count = Annotated[int, Given("integer", "[1, 1000]")]
 Voussoirs = Annotated[int, Given("integer", "[2, 1000]")]
+Halves = Annotated[int | float, BeforeValidator(_halves)]
 Steps = Annotated[int, Given("integer", "[1, 1e8]")]
 Rows = Annotated[int, Given("integer", "[2, 1e6]")]
 Frames = Annotated[int, Given("integer", "[1, 1000]")]
