@@ -80,13 +80,29 @@ def bullets(items: Iterable[str]) -> str:
     return "<ul>" + "".join(f"<li>{escape(item)}</li>" for item in items) + "</ul>"
 
 
+def link_line(text: str, anchor: str) -> str:
+    """A paragraph that is a link to an anchor of the page."""
+    return f"<p>{_link(Link(text, anchor))}</p>"
+
+
 def table(header: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "") -> str:
-    """A table; cells are text, numbers, `Cell`, `Link` or a list of links. The first column is left-aligned."""
+    """A table; cells are text, numbers, `Cell`, `Link` or a list of links. The first column is left-aligned.
+
+    On a narrow screen a row with a `Cell` of kind "claim" becomes a card, its last cell, the verdict, at the top.
+    """
+    rows = list(rows)
     top = "".join(f"<th>{escape(name)}</th>" for name in header)
-    body = "".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in rows)
+    names = list(header) if any(isinstance(cell, Cell) and cell.kind == "claim" for row in rows for cell in row) else []
+    body = "".join("<tr>" + "".join(map(_named, row, names) if names else map(_cell, row)) + "</tr>" for row in rows)
     head = f"<thead><tr>{top}</tr></thead>" if header else ""
     title = f"<caption>{escape(caption)}</caption>" if caption else ""
-    return f'<div class="wide"><table>{title}{head}<tbody>{body}</tbody></table></div>'
+    cards = ' class="cards"' if names else ""
+    return f'<div class="wide"><table{cards}>{title}{head}<tbody>{body}</tbody></table></div>'
+
+
+def _named(value: Any, name: str) -> str:
+    """A cell that carries the name of its column."""
+    return _cell(value).replace("<td", f'<td data-name="{escape(name)}"', 1)
 
 
 def _cell(value: Any) -> str:
