@@ -18,9 +18,9 @@ REFERENCE = (
 """Title of the reference paper. Its authors, year and DOI are not in the text that this project has of it."""
 LEAD = (
     f"The reference paper is “{REFERENCE}”. All its experiments were run again. This page shows its figures as this "
-    "program computes them, and compares each of its claims with what came out. The figures of the paper are lost, so no "
-    "curve of the paper stands beside ours. Where a claim does not hold, the row says why, and what was done to make sure "
-    "that it is not an error of solving."
+    "program computes them, and compares each of its claims with what came out. The figures of the paper are lost, so "
+    "no curve of the paper stands beside ours. Where a claim does not hold, the row says why, and what was done to "
+    "make sure that it is not an error of solving."
 )
 HEADER = ("claim", "where", "check", "measured", "verdict")
 

@@ -88,7 +88,7 @@ def link_line(text: str, anchor: str) -> str:
 def table(header: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "") -> str:
     """A table; cells are text, numbers, `Cell`, `Link` or a list of links. The first column is left-aligned.
 
-    On a narrow screen a row with a `Cell` of kind "claim" becomes a card, its last cell, the verdict, at the top.
+    On a narrow screen a row with a `Cell` of kind "claim" becomes a card, with its verdict at the top.
     """
     rows = list(rows)
     top = "".join(f"<th>{escape(name)}</th>" for name in header)

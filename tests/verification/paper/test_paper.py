@@ -91,9 +91,7 @@ def test_the_verdict_counts_what_holds_and_the_page_gives_the_reason_of_what_doe
     assert text.count("because of &amp; c") == 1, "a claim stands on the page once"
     assert text.count(f'href="#{page.CLAIMS}-x"') == 1 and text.count(f'id="{page.CLAIMS}-x"') == 1
     assert page.REFERENCE in text
-    assert '<td data-name="verdict" class="bad">' in text, (
-        "the name of the column, for screens that have no room for it"
-    )
+    assert '<td data-name="verdict" class="bad">' in text, "the name of the column, for screens too narrow for it"
 
 
 def test_the_end_of_dilation_is_varied_once_where_it_is_assumed_and_as_an_option_elsewhere():
