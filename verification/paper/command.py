@@ -16,7 +16,7 @@ from verification.paper.experiment import Shown
 OUT = RESULTS / "paper"
 NAME = "paper.html"
 WORKERS = 2
-EPILOG = "What was run before, into the same folder and with the same program, is not run again."
+EPILOG = "Runs that the same program has made in the same folder are not made again."
 
 
 def parser() -> Parser:
