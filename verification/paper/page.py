@@ -11,7 +11,7 @@ from verification.report.page import Cell, Chapter, Link, Verdict, heading, link
 TITLE = "The paper, whole"
 GROUP = "The paper"
 CLAIMS = "paper-claims"
-WORDS = {True: ("holds", "ok"), False: ("does not hold", "bad"), None: ("cannot be told", "none")}
+WORDS = {True: ("holds", "ok"), False: ("does not hold", "bad"), None: ("cannot be decided", "none")}
 REFERENCE = (
     "Discontinuum analysis of the fracture mechanism in masonry prisms and wallettes via discrete element method"
 )
@@ -76,7 +76,7 @@ def verdict(shown: Sequence[Shown]) -> Verdict:
     unsound = [c for s in shown for c in s.soundness if not c.holds]
     kind = "bad" if unsound else "warn" if broken or open_ else "ok"
     sound = f"; {len(unsound)} demands on the runs are not met" if unsound else "; all runs are sound"
-    sentence = f"Of {len(claims)} claims {held} hold, {broken} do not, {open_} cannot be told{sound}."
+    sentence = f"Of {len(claims)} claims {held} hold, {broken} do not, {open_} cannot be decided{sound}."
     return Verdict("The paper", kind, sentence)
 
 

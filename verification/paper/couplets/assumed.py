@@ -63,7 +63,7 @@ def moves(done: Done) -> dict[tuple[str, str, str], list[float]]:
 
 
 def claims(done: Done) -> list[Claim]:
-    """What Table 2 said cannot be told; how much depends on it can."""
+    """What Table 2 said cannot be decided; how much depends on it can."""
     if label(*next(iter(VARIED)), LOW) not in done.runs:
         return []
     changes = moves(done).values()

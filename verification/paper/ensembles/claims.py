@@ -26,7 +26,7 @@ def each(modes: Modes) -> list[tuple[str, Ensemble, Ensemble]]:
 
 
 def told(modes: Modes, says: str, source: str, check: str, measured: str, holds: bool, why: str) -> Claim:
-    """A claim, or where there are few walls (a quick look) one that cannot be told."""
+    """A claim, or where there are few walls (a quick look) one that cannot be decided."""
     least = min(len(w.walls) for _, _, w in each(modes))
     if least < FEW:
         return Claim(says, source, check, measured, None, f"{least} walls are too few to tell")
