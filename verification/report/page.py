@@ -60,6 +60,11 @@ def escape(text: Any) -> str:
     return html.escape(str(text))
 
 
+def prose(text: Any) -> str:
+    """Text as HTML, in which what stands between backticks is code."""
+    return re.sub(r"`([^`]+)`", r"<code>\1</code>", escape(text))
+
+
 def heading(text: str, anchor: str = "") -> str:
     """A heading within a chapter; `anchor` is its name for links."""
     return f'<h3 id="{escape(anchor)}">{escape(text)}</h3>' if anchor else f"<h3>{escape(text)}</h3>"
@@ -67,7 +72,7 @@ def heading(text: str, anchor: str = "") -> str:
 
 def paragraph(text: str, kind: str = "") -> str:
     """A paragraph; kind "lead" is larger, "note" smaller."""
-    return f'<p class="{kind}">{escape(text)}</p>' if kind else f"<p>{escape(text)}</p>"
+    return f'<p class="{kind}">{prose(text)}</p>' if kind else f"<p>{prose(text)}</p>"
 
 
 def preformatted(text: str) -> str:
@@ -77,7 +82,7 @@ def preformatted(text: str) -> str:
 
 def bullets(items: Iterable[str]) -> str:
     """A plain list."""
-    return "<ul>" + "".join(f"<li>{escape(item)}</li>" for item in items) + "</ul>"
+    return "<ul>" + "".join(f"<li>{prose(item)}</li>" for item in items) + "</ul>"
 
 
 def link_line(text: str, anchor: str) -> str:
@@ -111,9 +116,9 @@ def _cell(value: Any) -> str:
     if isinstance(value, list):
         return f'<td class="text">{"; ".join(map(_link, value))}</td>'
     if not isinstance(value, Cell):
-        return f"<td>{escape(value)}</td>"
-    small = f"<small>{escape(value.note)}</small>" if value.note else ""
-    return f'<td class="{value.kind}">{escape(value.text)}{small}</td>'
+        return f"<td>{prose(value)}</td>"
+    small = f"<small>{prose(value.note)}</small>" if value.note else ""
+    return f'<td class="{value.kind}">{prose(value.text)}{small}</td>'
 
 
 def _link(link: Link) -> str:
