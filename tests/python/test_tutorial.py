@@ -31,7 +31,9 @@ def notebook(tmp_path_factory):
     book = jupytext.read(TUTORIAL)
     book.cells.append(nbformat.v4.new_code_cell(LOOK))
     where = {"metadata": {"path": str(tmp_path_factory.mktemp("tutorial"))}}
-    nbclient.NotebookClient(book, kernel_name="python3", timeout=600, iopub_timeout=120, resources=where).execute()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.delenv("MPLBACKEND", raising=False)  # a command that ran in this process has set it
+        nbclient.NotebookClient(book, kernel_name="python3", timeout=600, iopub_timeout=120, resources=where).execute()
     return book
 
 
