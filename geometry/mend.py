@@ -52,9 +52,7 @@ def mend(blocks: Blocks, tolerance: float, names: Sequence[str], open_gaps: bool
             break
         blocks = _moved(blocks, facing.chosen(off <= tolerance), tolerance, names, width)
     else:
-        raise GeometryError(
-            "gaps and overlaps come back wherever they are mended; mend the solids where they were made"
-        )
+        raise GeometryError("gaps and overlaps come back after they are mended; mend the solids in the CAD program")
     after = volumes(blocks)
     if np.any(after <= 0):
         raise GeometryError(f"'{names[int(np.argmin(after))]}' is thinner than its gaps; take a smaller tolerance")

@@ -52,7 +52,7 @@ def _require_balance(triangles: np.ndarray, solid: str) -> None:
     edge = np.stack([np.minimum(start, end), np.maximum(start, end)], axis=1)
     _, of_edge = np.unique(edge, axis=0, return_inverse=True)
     if np.any(np.bincount(of_edge.ravel(), weights=np.where(start < end, 1.0, -1.0))):
-        raise GeometryError(f"{solid} has no inside and outside: its faces cannot be turned to agree")
+        raise GeometryError(f"{solid} encloses no volume: its faces cannot be turned to agree")
 
 
 def _outer_shell_first(points: np.ndarray, triangles: np.ndarray, shell: np.ndarray) -> np.ndarray:

@@ -90,7 +90,7 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
     if not SECTIONS[0] <= section <= SECTIONS[1]:
         raise SceneError(
             f"'{source}': its faces in the lowest plane have {section:.3g} m^2, allowed: {SECTIONS[0]:g} to "
-            f"{SECTIONS[1]:g} m^2; say by --unit what 1 in the file stands for"
+            f"{SECTIONS[1]:g} m^2; say by --unit which length 1 in the file means"
         )
     specimen = Specimen(blocks, sets_of(blocks, found.names), section, "file")
     joints = find_joints(blocks)

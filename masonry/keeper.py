@@ -75,8 +75,8 @@ class Keeper:
             return False
         if self.saved["model"] != model_state.fingerprint(model):
             raise SceneError(
-                "the checkpoint is of another model: blocks, joints or meshes come out otherwise here than where it was"
-                " begun (another processor, or other versions of libraries); run the scene again"
+                "the checkpoint belongs to another model: blocks, joints or meshes differ here from those at its start "
+                "(another processor, or other versions of libraries); run the scene again"
             )
         try:
             model_state.restore(model, self.saved["arrays"])

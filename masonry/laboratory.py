@@ -133,7 +133,7 @@ def left_out(assembly: Assembly) -> list[str]:
         if body is None:
             out.append(f"{kind}: no such loops, no such freedoms")
     if all(body is None or body.load is None for body in m.bodies):
-        out.append("dead loads (gravity, traction): no load arrays, no work of theirs")
+        out.append("dead loads (gravity, traction): no load arrays, no work")
     elif not m.varying:
         out.append("loads that vary: dead loads stay as they are")
     if m.damping is None:
@@ -141,7 +141,7 @@ def left_out(assembly: Assembly) -> list[str]:
     if all(drive is None for drive in m.drives):
         out.append("drive")
     if all(body is None or body.guess is None for body in m.bodies):
-        out.append("expected motion: a drive at a rate or in steps has no use for it")
+        out.append("expected motion: a drive at a rate or in steps does not need it")
     for name, interface in zip(m.group_names, m.groups[1], strict=True):
         lacks = []
         if interface.tensile_strength is None:

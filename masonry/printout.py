@@ -257,19 +257,19 @@ def trust(summary: dict[str, Any]) -> str:
             "the law where it is your own"
         )
     if (slip := summary.get("slip_max") or 0.0) > SLID * (summary.get("slip_limit") or math.inf):
-        doubts.append(f"contacts slid by up to {slip:.2g} of their joints, and their areas stay those of the beginning")
+        doubts.append(f"contacts slid by up to {slip:.2g} of their joints, but keep the areas that they had at first")
     if summary.get("met"):
         doubts.append(f"{summary['met']}: nothing holds them apart")
     doubts += summary.get("warnings") or []
     released = summary.get("released_over_dissipated") or 0.0
     if released > RELEASED:
         doubts.append(
-            f"sudden cracks released {_percent(released)} of all energy that was lost: what came after them depends on"
-            " how their swing is damped, and `masonry sensitivity` shows by how much"
+            f"sudden cracks released {_percent(released)} of all energy that was lost: what happened after them "
+            "depends on how the vibration is damped; `masonry sensitivity` shows by how much"
         )
     damping = summary.get("damping_over_external") or 0.0
     if damping < -PUSHED:
-        doubts.append(f"damping did {_percent(-damping)} of the work instead of taking any: ask for a smaller accuracy")
+        doubts.append(f"damping added {_percent(-damping)} of the work and removed none: ask for a smaller accuracy")
     control = summary.get("control") or {}
     if control.get("drag_at_peak", 0.0) > control.get("accuracy", 1.0):
         doubts.append(
@@ -294,7 +294,7 @@ def trust(summary: dict[str, Any]) -> str:
     if not doubts:
         return (
             f"{'quasi-static' if has_drive(summary) else 'at rest'} and the energy balance closes: the numbers solve "
-            "this model; whether the model is the wall depends on the scene's assumptions."
+            "this model; whether the model describes the wall depends on the scene's assumptions."
         )
     return "with care: " + "; ".join(doubts) + "."
 

@@ -72,7 +72,7 @@ def given_sites(asked: CellsAsked, inside: np.ndarray) -> tuple[np.ndarray, np.n
         raise GeometryError(f"cells: the site ({x:g}, {y:g}, {z:g}) m lies in no unit; move it or leave it out")
     counts = inside.sum(axis=0)
     if asked.total != len(site):
-        raise GeometryError(f"cells: there are {len(site)} sites; total must say so: total = {len(site)}")
+        raise GeometryError(f"cells: there are {len(site)} sites; total must be their number: total = {len(site)}")
     if counts.min() < 1:
         u = int(np.argmin(counts))
         raise GeometryError(f"cells: unit {u} holds no site; every unit needs at least one")

@@ -115,7 +115,7 @@ class Scene(Table):
         for k, traction in enumerate(self.traction):
             if traction.history is not None and self.is_controlled:
                 raise KeyedError(
-                    f"traction.{k}.history", "an accuracy paces the drive alone; give drive.steps or drive.rate"
+                    f"traction.{k}.history", "an accuracy controls the drive only; give drive.steps or drive.rate"
                 )
         self._kinematics_have_what_they_need()
         if self.scatter is not None:

@@ -253,3 +253,9 @@ def test_tables_within_tables_without_end_are_refused_at_once(text, tmp_path):
 def test_a_list_is_not_called_empty_because_of_a_wrong_item(tmp_path):
     said = refusal(tmp_path, 'base = "couplet"\nspecimen.cells = {total = 2, sizes = ["a"]}\n')
     assert "sizes.0: 'a' is not a plain number" in said and "\n" not in said
+
+
+@pytest.mark.parametrize("specimen", ["", 'specimen = "couplet"\n'])
+def test_a_key_at_the_wrong_place_is_told_where_there_is_no_table_of_the_specimen(specimen, tmp_path):
+    text = refusal(tmp_path, 'length = "1 m"\n' + specimen)
+    assert "length" in text and "specimen" in text
