@@ -65,8 +65,9 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     faces.draw(axes)
     for mark in listed:
         draw_mark(axes, specimen, mark, pieces, sight, size)
-    draw_sets(axes, specimen, pieces, sight, size)
-    draw_axes(axes, blocks, sight, left_taken=any(stands_left(specimen, mark) for mark in listed))
+    left_taken = any(stands_left(specimen, mark) for mark in listed)
+    draw_sets(axes, specimen, pieces, sight, size, left_taken)
+    draw_axes(axes, blocks, sight, left_taken)
     rows = _draw_list(figure, blocks, listed)
     axes.margins(0.02)
     low, high = axes.dataLim.min, axes.dataLim.max

@@ -16,8 +16,13 @@ AWAY = 0.21
 """How far names stand from the specimen, over the size of the picture."""
 
 
-def draw_sets(axes: Any, specimen: Specimen, pieces: list[Piece], sight: Sight, size: float) -> None:
-    """Names of the sets to the left and the right, each with a line to a visible face of it."""
+def draw_sets(
+    axes: Any, specimen: Specimen, pieces: list[Piece], sight: Sight, size: float, left_taken: bool = False
+) -> None:
+    """Names of the sets to the left and the right, each with a line to a visible face of it.
+
+    left_taken: arrows stand on the left; what may go to either side then goes to the right.
+    """
     owner = specimen.blocks.face_block()
     block = np.array([owner[piece.face] for piece in pieces], dtype=np.int64)
     middle = np.array([sight.project(piece.corners).mean(axis=0) for piece in pieces])
@@ -31,7 +36,7 @@ def draw_sets(axes: Any, specimen: Specimen, pieces: list[Piece], sight: Sight, 
             continue
         to_right = bool(own[:, 0].mean() >= centre[0])
         if abs(own[:, 0].mean() - centre[0]) < 0.05 * size:
-            to_right = len(sides[True]) <= len(sides[False])
+            to_right = left_taken or len(sides[True]) <= len(sides[False])
         nearest = own[np.argmax(own[:, 0] if to_right else -own[:, 0])]
         row = own[np.abs(own[:, 0] - nearest[0]) <= 0.02 * size]
         anchor = row[np.argmin(np.abs(row[:, 1] - own[:, 1].mean()))]
