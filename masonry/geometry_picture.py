@@ -66,8 +66,9 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     for mark in listed:
         draw_mark(axes, specimen, mark, pieces, sight, size)
     words = [words for mark in listed if (words := place_of_value(mark, sight, size)) is not None]
-    draw_sets(axes, specimen, pieces, sight, size, words)
-    draw_axes(axes, blocks, sight, left_taken=any(stands_left(specimen, mark) for mark in listed))
+    left_taken = any(stands_left(specimen, mark) for mark in listed)
+    draw_sets(axes, specimen, pieces, sight, size, words, left_taken)
+    draw_axes(axes, blocks, sight, left_taken)
     rows = _draw_list(figure, blocks, listed)
     axes.margins(0.02)
     low, high = axes.dataLim.min, axes.dataLim.max

@@ -24,10 +24,12 @@ def draw_sets(
     sight: Sight,
     size: float,
     words: Sequence[tuple[np.ndarray, np.ndarray]] = (),
+    left_taken: bool = False,
 ) -> None:
     """Names of the sets to the left and the right, each with a line to a visible face of it.
 
-    words  places (2,) of other words, and directions (2,) from the specimen: names beside it keep clear of them
+    words       places (2,) of other words, and directions (2,) from the specimen: names beside it keep clear of them
+    left_taken  arrows stand on the left; what may go to either side then goes to the right
     """
     owner = specimen.blocks.face_block()
     block = np.array([owner[piece.face] for piece in pieces], dtype=np.int64)
@@ -42,7 +44,7 @@ def draw_sets(
             continue
         to_right = bool(own[:, 0].mean() >= centre[0])
         if abs(own[:, 0].mean() - centre[0]) < 0.05 * size:
-            to_right = len(sides[True]) <= len(sides[False])
+            to_right = left_taken or len(sides[True]) <= len(sides[False])
         nearest = own[np.argmax(own[:, 0] if to_right else -own[:, 0])]
         row = own[np.abs(own[:, 0] - nearest[0]) <= 0.02 * size]
         anchor = row[np.argmin(np.abs(row[:, 1] - own[:, 1].mean()))]
