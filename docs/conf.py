@@ -15,7 +15,8 @@ author = "the authors of masonry-dem"
 copyright = "GPL-2.0-or-later"  # noqa: A001
 release = version = __version__
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx_copybutton", "mathml", "docstrings", "commands", "gallery"]
+of_ours = ["mathml", "docstrings", "commands", "gallery", "outputs", "tables"]  # docs/_ext
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx_copybutton", *of_ours]
 exclude_patterns = ["_ext", "_generated"]
 smartquotes = False
 

@@ -16,7 +16,7 @@ def require_lengths(specimen: str, lengths: dict[str, float], zero_allowed: Sequ
             raise GeometryError(f"{specimen}: {name} is {value:g} m, it must be {limit}{nearest}")
 
 
-def require_counts(specimen: str, name: str, counts: Sequence[int], axes: str) -> None:
+def require_counts(specimen: str, name: str, counts: Sequence[float], axes: str) -> None:
     """One whole number of at least 1 for each axis, or GeometryError."""
     if len(counts) != len(axes):
         raise GeometryError(f"{specimen}: {name} has {len(counts)} numbers, allowed: {len(axes)} ({', '.join(axes)})")

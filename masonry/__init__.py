@@ -95,6 +95,35 @@ def load_result(folder: "str | Path") -> "Result":
     return load_history(folder)
 
 
+def write_blocks(
+    path: "str | Path",
+    blocks: "Sequence[Any]",
+    names: "Sequence[str] | None" = None,
+    groups: "str | Sequence[str]" = "units",
+    units: "Sequence[int] | None" = None,
+    section: str | None = None,
+    tolerance: str = "0.1 mm",
+    open_gaps: bool = False,
+) -> "Path":
+    """Write blocks of your own to a file, NAME.blocks.h5, which a scene names: kind = "file", path = "NAME.blocks.h5".
+
+    blocks     for each a pair of vertices (V, 3) in m and faces, lists of vertex numbers: flat polygons or triangles;
+               or a mesh with `vertices` and `faces` (trimesh) or `to_vertices_and_faces()` (COMPAS)
+    names      of each block, "" for none: sets of the scene; several blocks may share one
+    groups     of blocks: pick material, kinematics and contact group; one for all, or one for each
+    units      number of the unit that each block is part of; each is a unit of its own where left out
+    section    area such as "0.05 m^2" that turns a force into the reported stress; that of the faces in the lowest
+               plane where left out
+    tolerance  gaps and overlaps between facing faces are mended up to this length
+    open_gaps  gaps larger than the tolerance stay open; else those of up to ten times of it are refused
+    Returns the path. Raises GeometryError, with the block to blame, for bodies that are not closed or not flat, or that
+    overlap, SceneError for the rest; then nothing is written.
+    """
+    from masonry.importing.block_writing import write_blocks as write
+
+    return write(path, blocks, names, groups, units, section, tolerance, open_gaps)
+
+
 def _scene(scene: "Scene | str | Path") -> "Scene":
     """A scene as it is, else the one of that file or packaged name. Raises SceneError."""
     from masonry.scene import Scene

@@ -137,7 +137,7 @@ def _unit(text: str) -> tuple[Fraction, dict[str, int]]:
     factor, dimension = Fraction(1), Counter[str]()
     for operator, symbol, power in _FACTOR.findall(text):
         if symbol in _TRAPS:
-            raise ValueError(f"{symbol} is not taken; did you mean {_TRAPS[symbol]}?")
+            raise ValueError(f"{symbol} is not accepted; did you mean {_TRAPS[symbol]}?")
         one, powers = _symbol(symbol)
         times = int(power or 1) * (-1 if operator == "/" else 1)
         factor *= one**times

@@ -47,8 +47,9 @@ FLOORS = {
         " masonry.results.table masonry.runtime.finite masonry.laboratory.text masonry.laboratory.notebook masonry.pictures.figure masonry.pictures.painter"
         " masonry.runtime.processors masonry.quantity"
         " masonry.pictures.curve masonry.pictures.curve_axes masonry.pictures.crack_picture masonry.pictures.crack_style masonry.pictures.cracks masonry.results.deformation"
-        " masonry.results.dry_joints"
+        " masonry.results.dry_joints masonry.pictures.thrust_line"
         " masonry.results.vtkhdf masonry.results.joint_fields masonry.results.frames masonry.pictures.frame_picture"
+        " masonry.pictures.settling"
         " masonry.pictures.hysteresis masonry.pictures.front masonry.pictures.oblique masonry.pictures.hidden_surfaces masonry.pictures.faces"
         " masonry.runtime.text_files masonry.runtime.open_archive masonry.results.validate"
         " masonry.movies.movie masonry.movies.movie_file masonry.movies.viewer masonry.movies.scene_3d",
@@ -58,11 +59,12 @@ FLOORS = {
         "masonry masonry.__main__ masonry.cli.main masonry.cli.commands masonry.runtime.shell masonry.cli.doctor masonry.cli.installed"
         " masonry.scene* masonry.cli.picture_command masonry.cli.movie_command"
         " masonry.assembly.assemble masonry.assembly.schedule masonry.assembly.scatter masonry.assembly.specimens masonry.assembly.conditions masonry.assembly.restraint"
-        " masonry.assembly.gauge_places masonry.assembly.size_limits masonry.assembly.block_files masonry.own_s* masonry.law_*"
+        " masonry.assembly.gauge_places masonry.assembly.size_limits masonry.block_* masonry.own_s* masonry.law_*"
         " masonry.import*"
         " masonry.laboratory.quality masonry.laboratory.contact_remarks masonry.drawings.geometry_picture masonry.drawings.picture_frame"
         " masonry.drawings.condition_marks masonry.drawings.mark_drawing"
         " masonry.laboratory.summary masonry.laboratory.cost masonry.laboratory.laboratory masonry.cli.run masonry.runtime.interrupts masonry.laboratory.provenance masonry.sweep"
+        " masonry.laboratory.settling"
         " masonry.comparison",
         sees="scene run model equations errors geometry",
     ),

@@ -20,7 +20,7 @@ from verification.outcome import Outcome
 HOLDS, FAILS = 0, 1
 FORMATS = {"text": printout.as_text, "md": printout.as_markdown}
 EPILOG = (
-    "Without a word: the quick cases, under three minutes even where all has to be compiled first. "
+    "Without a word: the quick cases, under three minutes even where everything is compiled first. "
     "`make report` runs everything and explains it on one page."
 )
 
@@ -40,7 +40,7 @@ def parser() -> Parser:
         type=Path,
         nargs="+",
         metavar="RECORDS",
-        help="OLD.json: hold this run against older records; OLD.json NEW.json: two files, and run nothing",
+        help="OLD.json: compare this run with older records; OLD.json NEW.json: two files, and run nothing",
     )
     words.add_argument(
         "--missing",
@@ -107,7 +107,8 @@ def _cut(words: Namespace, cut: runner.Cut, count: int, seconds: float) -> int:
             _write(words.out, cut.done, seconds)
     which = " ".join(["--full"] if words.full else words.cases)
     again = f"masonry verify {f'{which} ' if which else ''}--out {words.out} --missing"
-    go_on = f"go on with: {again}" if words.out else "their numbers are above; with --out DIR they are kept in a file"
+    kept = "their numbers are above; with --out DIR they are kept in a file"
+    go_on = f"continue with: {again}" if words.out else kept
     return complain(f"interrupted; {len(cut.done)} of {count} cases are done; {go_on}", cut.code)
 
 

@@ -9,7 +9,7 @@ from masonry.drawings.geometry_picture import draw_geometry
 from masonry.scene import load, packaged
 
 PAGE, MARK, PICTURES = "gallery", "<!-- scenes -->", "_generated"
-CHEAP = ("couplet",)
+CHEAP = ("couplet", "arch-spread")
 """Scenes that run in a second: their curve and cracks are shown as well."""
 PACKAGE = Path(masonry.__file__).parent
 

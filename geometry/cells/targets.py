@@ -1,5 +1,7 @@
 """How many cells each unit gets, how large each is to be, and where the seeds start."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from geometry.blocks import GeometryError
@@ -62,23 +64,35 @@ def _require_sizes(sizes: tuple[float, ...], counts: np.ndarray) -> None:
         raise GeometryError(f"cells: there are {len(sizes)} sizes, but a unit has {odd} cells; give {odd} sizes")
 
 
-def given_sites(asked: CellsAsked, low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Seeds (n, 3) m of a scene sorted by unit, and how many each box low[u]..high[u] (U, 3) m holds."""
+def given_sites(asked: CellsAsked, inside: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Seeds (n, 3) m of a scene sorted by unit, and how many each holds; inside (n, U) says which lie in which."""
     site = np.asarray(asked.sites, dtype=float).reshape(-1, 3)
-    inside = np.all((site[:, None] > low) & (site[:, None] < high), axis=2)
     if np.any(inside.sum(axis=1) != 1):
         x, y, z = site[np.flatnonzero(inside.sum(axis=1) != 1)[0]]
         raise GeometryError(f"cells: the site ({x:g}, {y:g}, {z:g}) m lies in no unit; move it or leave it out")
     counts = inside.sum(axis=0)
     if asked.total != len(site):
-        raise GeometryError(f"cells: there are {len(site)} sites; total must say so: total = {len(site)}")
+        raise GeometryError(f"cells: there are {len(site)} sites; total must be their number: total = {len(site)}")
     if counts.min() < 1:
         u = int(np.argmin(counts))
         raise GeometryError(f"cells: unit {u} holds no site; every unit needs at least one")
     return site[np.argsort(np.argmax(inside, axis=1), kind="stable")], counts
 
 
-def random_sites(low: np.ndarray, high: np.ndarray, counts: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    """(n, d) seeds spread evenly at random over the boxes low[u]..high[u] (U, d)."""
+def sites_in_outlines(outlines: Sequence[np.ndarray], counts: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """(n, 2) seeds spread evenly at random over convex polygons (k, 2), counter-clockwise, so many in each."""
+    low, high = (np.array([side(outline, axis=0) for outline in outlines]) for side in (np.min, np.max))
     unit = np.repeat(np.arange(len(counts)), counts)
-    return rng.uniform(low[unit], high[unit])
+    site = rng.uniform(low[unit], high[unit])
+    for u, outline in enumerate(outlines):
+        wrong = np.flatnonzero(unit == u)
+        while len(wrong := wrong[~_within(outline, site[wrong])]):
+            site[wrong] = rng.uniform(low[u], high[u], (len(wrong), 2))
+    return site
+
+
+def _within(outline: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """(n,) whether points (n, 2) lie in a convex polygon, edges included."""
+    along = np.roll(outline, -1, axis=0) - outline
+    arm = points[:, None] - outline
+    return np.asarray(np.all(along[:, 0] * arm[..., 1] - along[:, 1] * arm[..., 0] >= 0, axis=1))

@@ -91,6 +91,7 @@ def _walls(domain: Domain) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarr
         side = 2 * axis + int(normal[axis] > 0)
         if abs(normal[axis]) == 1.0 and abs(box[side] - offset * normal[axis]) < 1e-9:
             box[side], label[side], rest[wall] = offset * normal[axis], -1 - wall, False
+    box += np.where(label == FAR, np.tile([-1.0, 1.0], 3), 0.0)  # a side through an edge of the domain has no corners
     return box, label, domain.normal[rest], domain.offset[rest], -1 - np.flatnonzero(rest)
 
 

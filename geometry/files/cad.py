@@ -54,12 +54,12 @@ def read_cad(path: Path | str, unit: float | None = None, facet: float | None = 
     if suffix in STEP:
         found, scale = _step_labels(path, unit, notes)
     elif suffix in IGES:
-        notes.append("IGES is read as far as it goes: names may be lost; STEP is the better choice")
+        notes.append("IGES is read as far as possible: names may be lost; STEP is the better choice")
         if unit is not None:
             raise GeometryError("an IGES file says its own unit of length; leave out --unit")
     else:
         scale = MILLIMETRE if unit is None else unit
-        taken = f"the lengths are taken as {scale:g} m" + ("" if unit is not None else "; say otherwise by --unit")
+        taken = f"the lengths are taken as {scale:g} m" + ("" if unit is not None else "; --unit gives another unit")
         notes.append(f"BREP files hold neither names nor a unit: {taken}")
     with gmsh_model({"Geometry.OCCImportLabels": float(suffix in IGES), **facet_options(1.0)}) as gmsh:
         tags = _import(gmsh, path)
@@ -87,7 +87,7 @@ def _step_labels(path: Path, unit: float | None, notes: list[str]) -> tuple[list
     """Labels with corners in mm as the kernel sees them, and m for each mm of the kernel."""
     entities = records(path.read_text(encoding="latin-1"))
     if not entities:
-        raise GeometryError(f"'{path.name}' is no STEP file, or it is torn: there are no entities in it")
+        raise GeometryError(f"'{path.name}' is no STEP file, or it is damaged: there are no entities in it")
     found = labels(entities, MOST_SOLIDS)
     try:
         stated = length_unit(entities)
@@ -109,7 +109,7 @@ def _import(gmsh: Any, path: Path) -> list[int]:
         gmsh.model.occ.importShapes(str(path))
         gmsh.model.occ.synchronize()
     except Exception as error:  # gmsh raises bare Exception
-        raise GeometryError(f"'{path.name}' cannot be read: {str(error)[:200]}; is it torn?") from error
+        raise GeometryError(f"'{path.name}' cannot be read: {str(error)[:200]}; is it damaged?") from error
     tags = [tag for _, tag in gmsh.model.getEntities(3)]
     faces = len(gmsh.model.getEntities(2))
     if not tags:
@@ -175,10 +175,10 @@ def _labelled(found: list[Label], solids: list[_Solid], notes: list[str]) -> tup
     if len(found) > len(solids):
         raise GeometryError(
             f"the file holds {len(found)} solids and {len(solids)} of them can be read; lost: {', '.join(lost[:10])}; "
-            "is it torn?"
+            "is it damaged?"
         )
     if found and (number < 0).any():
-        notes.append(f"{np.sum(number < 0)} solids stand where no name of the file belongs; they have no name")
+        notes.append(f"{np.sum(number < 0)} solids have no name: no name in the file belongs to them")
     colours = np.full((len(solids), 3), np.nan)
     for row, n in enumerate(number):
         if n >= 0 and found[n].colour is not None:

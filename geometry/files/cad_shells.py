@@ -18,9 +18,7 @@ def outward(points: np.ndarray, triangles: np.ndarray, solid: str) -> np.ndarray
         for i, j in ((a, b), (b, c), (c, a)):
             sharing.setdefault((min(i, j), max(i, j)), []).append(t)
     if any(len(owners) % 2 for owners in sharing.values()):
-        raise GeometryError(
-            f"{solid} is not closed: an edge of it belongs to one face only; mend it in the CAD program"
-        )
+        raise GeometryError(f"{solid} is not closed: an edge of it belongs to one face only; mend it where it was made")
     shell = np.full(len(triangles), -1)
     result = triangles.copy()
     for seed in range(len(triangles)):
@@ -54,7 +52,7 @@ def _require_balance(triangles: np.ndarray, solid: str) -> None:
     edge = np.stack([np.minimum(start, end), np.maximum(start, end)], axis=1)
     _, of_edge = np.unique(edge, axis=0, return_inverse=True)
     if np.any(np.bincount(of_edge.ravel(), weights=np.where(start < end, 1.0, -1.0))):
-        raise GeometryError(f"{solid} has no inside and outside: its faces cannot be turned to agree")
+        raise GeometryError(f"{solid} encloses no volume: its faces cannot be turned to agree")
 
 
 def _outer_shell_first(points: np.ndarray, triangles: np.ndarray, shell: np.ndarray) -> np.ndarray:

@@ -104,7 +104,7 @@ def read_sections(path: Path) -> dict[str, Section]:
                 section.add(number, word)
     if not ended:
         raise GeometryError(
-            f"'{path}', line {number}: the file ends without '***end'; it is torn, or still being written"
+            f"'{path}', line {number}: the file ends without '***end'; it is damaged, or still being written"
         )
     return sections
 

@@ -52,10 +52,10 @@ def mend(blocks: Blocks, tolerance: float, names: Sequence[str], open_gaps: bool
             break
         blocks = _moved(blocks, facing.chosen(off <= tolerance), tolerance, names, width)
     else:
-        raise GeometryError("gaps and overlaps come back wherever they are mended; mend the solids in the CAD program")
+        raise GeometryError("gaps and overlaps come back after they are mended; mend the solids in the CAD program")
     after = volumes(blocks)
     if np.any(after <= 0):
-        raise GeometryError(f"'{names[int(np.argmin(after))]}' is thinner than its gaps; take a smaller --tolerance")
+        raise GeometryError(f"'{names[int(np.argmin(after))]}' is thinner than its gaps; take a smaller tolerance")
     check_overlaps(blocks, names)
     return Mended(blocks, first, facing.chosen(off > tolerance), after / before - 1)
 
@@ -87,8 +87,8 @@ def _moved(blocks: Blocks, facing: Facing, tolerance: float, names: Sequence[str
             worst = owner[faces[np.argmax(shift)]]
             raise GeometryError(
                 f"gaps and overlaps add up along {len(faces)} faces round '{names[worst]}': one plane for all would "
-                f"move a face of it by {shift.max() * 1e3:.3g} mm, more than the tolerance; mend the solids in the CAD "
-                "program"
+                f"move a face of it by {shift.max() * 1e3:.3g} mm, more than the tolerance; mend the solids "
+                "where they were made"
             )
         axis[faces], offset[faces], moving[faces] = mean * side[:, None], level * side, True
     return _corners_moved(blocks, plane, axis, offset, moving, FARTHEST * tolerance, names, width)
@@ -135,7 +135,7 @@ def _corners_moved(
                 x, y, z = old
                 raise GeometryError(
                     f"'{names[b]}' cannot be mended: its {len(faces)} faces at ({x:.4g}, {y:.4g}, {z:.4g}) m do not "
-                    "meet in a corner any more; mend it in the CAD program, or leave it by a smaller --tolerance"
+                    "meet in a corner any more; mend it where it was made, or leave it by a smaller tolerance"
                 )
             points[here] = old + step
     return Blocks(

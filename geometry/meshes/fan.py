@@ -81,6 +81,6 @@ def _require_filled(blocks: Blocks, owner: np.ndarray, points: np.ndarray, corne
     if len(flat):
         b = int(owner[flat[0]])
         raise GeometryError(
-            f"a fan of tets cannot fill block {b} (unit {blocks.unit[b]}): it is not seen whole from its centroid; "
+            f"a fan of tets cannot fill block {b} (unit {blocks.unit[b]}): its centroid does not see all of its faces; "
             "mesh it by mesh_size"
         )

@@ -7,14 +7,14 @@ from geometry.cells.request import CellsAsked
 from geometry.checks import require_counts, require_lengths
 from geometry.polyhedra.construct import concatenate, from_boxes
 from geometry.polyhedra.overlaps import check_overlaps
-from geometry.specimens.bond import lay
+from geometry.specimens.bond import lay, require_units
 from geometry.specimens.layers import Filling
 from geometry.specimens.walls import fill_bond, wall_sets
 
 
 def bending(
     courses: int,
-    units_per_course: int,
+    units_per_course: float,
     unit_length: float,
     unit_height: float,
     thickness: float,
@@ -51,7 +51,7 @@ def bending(
         **{name: value for name, value in given.items() if value is not None},
     }
     require_lengths("bending", lengths, zero_allowed=("joint_thickness",))
-    require_counts("bending", "number of units", (units_per_course, courses), "xz")
+    require_units("bending", bond, courses, units_per_course)
     if not isinstance(divisions, CellsAsked):
         require_counts("bending", "divisions", divisions, "xyz")
     laid = lay(bond, courses, units_per_course, (unit_length, unit_height), joint_thickness, thickness, unit_width)

@@ -10,6 +10,8 @@ A header lies across the wall and shows its width, half of a stretcher. Courses 
               |S   |S   |                |H |q|H |H |H |q|H |
     flemish   |S   |H |S   |H |S   |                    each header stands in the middle of a stretcher
               |H |q|S   |H |S   |q|H |
+
+Half a unit more in a course of running bond (2.5): |S   |S   |B | below |B |S   |S   |.
 """
 
 from collections.abc import Callable
@@ -18,6 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.blocks import GeometryError
+from geometry.checks import require_counts
 
 WHOLE = 4
 
@@ -40,8 +43,11 @@ class Bond:
     height: float
 
 
-def _running(units: int) -> tuple[list[int], list[int]]:
-    return [4] * units, [2, *[4] * (units - 1), 2]
+def _running(units: float) -> tuple[list[int], list[int]]:
+    whole = int(units)
+    if units > whole:  # a half unit ends each course, now right, now left
+        return [*[4] * whole, 2], [2, *[4] * whole]
+    return [4] * whole, [2, *[4] * (whole - 1), 2]
 
 
 def _stack(units: int) -> tuple[list[int], list[int]]:
@@ -56,7 +62,7 @@ def _flemish(units: int) -> tuple[list[int], list[int]]:
     return [4, *[2, 4] * (units - 1)], [2, 1, 4, *[2, 4] * (units - 2), 1, 2]
 
 
-COURSES: dict[str, Callable[[int], tuple[list[int], list[int]]]] = {
+COURSES: dict[str, Callable[..., tuple[list[int], list[int]]]] = {
     "running": _running,
     "stack": _stack,
     "header": _running,
@@ -66,10 +72,17 @@ COURSES: dict[str, Callable[[int], tuple[list[int], list[int]]]] = {
 """Parts of the courses 1, 3, ... and 2, 4, ... for so many whole units (flemish: stretchers of the first course)."""
 
 
+def require_units(kind: str, bond: str, courses: int, units_per_course: float) -> None:
+    """Whole numbers of courses and units, or in running bond half a unit more; else GeometryError."""
+    half = bond == "running" and units_per_course > 1 and units_per_course % 1 == 0.5
+    units = units_per_course + 0.5 if half else units_per_course
+    require_counts(kind, "number of units", (units, courses), "xz")
+
+
 def lay(
     name: str,
     courses: int,
-    units_per_course: int,
+    units_per_course: float,
     unit: tuple[float, float],
     joint: float,
     thickness: float,

@@ -2,15 +2,19 @@
 
 import time
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from geometry.blocks import Blocks
 from geometry.cells.request import CellReport, CellsAsked
-from geometry.cells.targets import given_sites, random_sites, share_out, target_sizes
+from geometry.cells.targets import given_sites, share_out, sites_in_outlines, target_sizes
 from geometry.polyhedra.construct import concatenate, from_boxes
 from geometry.polyhedra.extrude import extrude
 from geometry.polyhedra.grid import divide
+
+if TYPE_CHECKING:
+    from geometry.cells.domain import Domain
 
 PLANE = [0, 2]
 ATTEMPTS = 3
@@ -33,57 +37,70 @@ def fill_with_cells(low: np.ndarray, high: np.ndarray, asked: CellsAsked, group:
     rng = np.random.default_rng(asked.seed)
     volume = np.prod(high - low, axis=1)
     if asked.sites is not None:
-        site, counts = given_sites(asked, low, high)
+        places = np.asarray(asked.sites, dtype=float).reshape(-1, 3)
+        inside = np.all((places[:, None] > low) & (places[:, None] < high), axis=2)
+        site, counts = given_sites(asked, inside)
     else:
         site, counts = None, share_out(asked, volume, high[:, 1] - low[:, 1])
-    fill = _space_cells if asked.space else _plane_cells
-    return fill(low, high, asked, group, counts, site, rng)
+    if asked.space:
+        from geometry.cells.domain import box_domain
+
+        domains = [box_domain(a, b) for a, b in zip(low, high, strict=True)]
+        return space_cells(domains, volume, asked, group, counts, site, rng)
+    flat_low, flat_high = low[:, PLANE], high[:, PLANE]
+    (x0, z0), (x1, z1) = flat_low.T, flat_high.T
+    outlines = np.stack([np.stack([x0, x1, x1, x0], axis=1), np.stack([z0, z0, z1, z1], axis=1)], axis=2)
+    area = np.prod(flat_high - flat_low, axis=1)
+    return plane_cells(list(outlines), low[:, 1], high[:, 1], area, asked, group, counts, site, rng)
 
 
-def _plane_cells(
+def plane_cells(
+    outlines: Sequence[np.ndarray],
     low: np.ndarray,
     high: np.ndarray,
+    area: np.ndarray,
     asked: CellsAsked,
     group: str,
     counts: np.ndarray,
     site: np.ndarray | None,
     rng: np.random.Generator,
 ) -> tuple[Blocks, CellReport]:
+    """Cells of the plane (x, z) in prisms along y: convex outlines (k, 2) m of area (U,) between y = low and high (U,).
+
+    counts (U,) and site (n, 3) m as from `share_out` and `given_sites`; the unit of a cell is the number of its prism.
+    """
     from geometry.cells.plane_cells import divide_plane
 
-    flat_low, flat_high = low[:, PLANE], high[:, PLANE]
-    target = target_sizes(asked, counts, np.prod(flat_high - flat_low, axis=1), rng)
-    if site is None:
-        seeds = [random_sites(flat_low, flat_high, counts, rng) for _ in range(ATTEMPTS)]
-    else:
-        seeds = [site[:, PLANE]]
-    (x0, z0), (x1, z1) = flat_low.T, flat_high.T
-    polygons = list(np.stack([np.stack([x0, x1, x1, x0], axis=1), np.stack([z0, z0, z1, z1], axis=1)], axis=2))
-    loops, report = divide_plane(polygons, counts, target, seeds, asked.laguerre, asked.regularise)
+    target = target_sizes(asked, counts, area, rng)
+    drawn = (sites_in_outlines(outlines, counts, rng) for _ in range(ATTEMPTS))
+    seeds = list(drawn) if site is None else [site[:, PLANE]]
+    loops, report = divide_plane(outlines, counts, target, seeds, asked.laguerre, asked.regularise)
     unit = np.repeat(np.arange(len(counts)), counts)
-    return extrude(loops, low[unit, 1], high[unit, 1], unit, (group,)), report
+    return extrude(loops, low[unit], high[unit], unit, (group,)), report
 
 
-def _space_cells(
-    low: np.ndarray,
-    high: np.ndarray,
+def space_cells(
+    domains: "Sequence[Domain]",
+    volume: np.ndarray,
     asked: CellsAsked,
     group: str,
     counts: np.ndarray,
     site: np.ndarray | None,
     rng: np.random.Generator,
 ) -> tuple[Blocks, CellReport]:
-    """Cells in space, unit by unit: what cells of two units share is cut up as it may fall."""
-    from geometry.cells.domain import box_domain
+    """Cells in space of convex domains of volume (U,) m3, one by one: what cells of two share is cut up as it may fall.
+
+    counts (U,) and site (n, 3) m as from `share_out` and `given_sites`; the unit of a cell is the number of its domain.
+    """
     from geometry.cells.power_blocks import to_blocks
     from geometry.cells.space import divide_space, space_report
 
     start = np.concatenate([[0], np.cumsum(counts)])
-    target = np.split(target_sizes(asked, counts, np.prod(high - low, axis=1), rng), start[1:-1])
+    target = np.split(target_sizes(asked, counts, volume, rng), start[1:-1])
     begin, parts, powers = time.perf_counter(), [], []
-    for u, sizes in enumerate(target):
+    for u, (domain, sizes) in enumerate(zip(domains, target, strict=True)):
         seeds = None if site is None else site[start[u] : start[u + 1]]
-        power, _ = divide_space(box_domain(low[u], high[u]), sizes, seeds, rng, asked.laguerre, asked.regularise)
+        power, _ = divide_space(domain, sizes, seeds, rng, asked.laguerre, asked.regularise)
         powers.append(power)
         parts.append(to_blocks(power, np.full(len(sizes), u), (group,)))
     return concatenate(parts), space_report(powers, target, time.perf_counter() - begin)

@@ -1,21 +1,21 @@
-"""The wallette: a plane wall of expanded units in any bond, with end plates left and right."""
+"""The wallette: a plane wall of expanded units in any bond, with plates left and right, a base and a beam."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
-from geometry.blocks import Blocks, Specimen
+from geometry.blocks import Specimen
 from geometry.cells.request import CellsAsked
 from geometry.checks import require_counts, require_lengths
 from geometry.polyhedra.construct import concatenate, from_boxes
 from geometry.polyhedra.overlaps import check_overlaps
-from geometry.specimens.bond import lay
+from geometry.specimens.bond import Bond, lay, require_units
 from geometry.specimens.walls import fill_bond, wall_sets
 
 
 def wallette(
     courses: int,
-    units_per_course: int,
+    units_per_course: float,
     unit_length: float,
     unit_height: float,
     thickness: float,
@@ -24,6 +24,8 @@ def wallette(
     plates: float | None = None,
     bond: str = "running",
     unit_width: float | None = None,
+    base: float | None = None,
+    beam: float | None = None,
 ) -> Specimen:
     """A wall of courses x units_per_course units of unit_length x thickness x unit_height (m, along x, y, z).
 
@@ -31,32 +33,51 @@ def wallette(
     divisions        (nx, nz) blocks in a whole unit, of which half units get nx / 2; or cells in all units together
     plates           thickness (m) of a plate left and right over the whole height, one block each
     bond, unit_width  as in geometry.specimens.bond
-    The section is the height of the wall times its thickness. Raises GeometryError for sizes that cannot be built.
+    base, beam       heights (m) of a footing below and a spreader beam above the whole wall, one block each
+    The section is that of a test along x, height times thickness; with a base or a beam and without plates that of a
+    bed joint, length times thickness. Raises GeometryError for sizes that cannot be built.
     """
     lengths = {
         "unit_length": unit_length,
         "unit_height": unit_height,
         "thickness": thickness,
         "joint_thickness": joint_thickness,
-        "plates": 1.0 if plates is None else plates,
-        "unit_width": 1.0 if unit_width is None else unit_width,
     }
+    optional = {"plates": plates, "unit_width": unit_width, "base": base, "beam": beam}
+    lengths |= {name: length for name, length in optional.items() if length is not None}
     require_lengths("wallette", lengths, zero_allowed=("joint_thickness",))
-    require_counts("wallette", "number of units", (units_per_course, courses), "xz")
+    require_units("wallette", bond, courses, units_per_course)
     if not isinstance(divisions, CellsAsked):
         require_counts("wallette", "divisions", divisions, "xz")
         divisions = (divisions[0], 1, divisions[1])
     laid = lay(bond, courses, units_per_course, (unit_length, unit_height), joint_thickness, thickness, unit_width)
     blocks, reports = fill_bond("wallette", laid, divisions)
     sets = wall_sets(blocks, laid)
-    if plates is not None:
-        sets |= {"left plate": np.array([blocks.count]), "right plate": np.array([blocks.count + 1])}
-        blocks = concatenate([blocks, _end_plates(plates, laid.length, thickness, laid.height, len(laid.parts))])
+    ends = _ends(plates, base, beam, laid, thickness)
+    if ends:
+        sets |= {name: np.array([blocks.count + k]) for k, name in enumerate(ends)}
+        low, high = np.array(list(ends.values())).transpose(1, 0, 2)
+        unit = len(laid.parts) + np.arange(len(ends))
+        blocks = concatenate([blocks, from_boxes(low, high, unit, np.zeros(len(ends)), ("plates",))])
     check_overlaps(blocks)
-    return Specimen(blocks, sets, section=laid.height * thickness, shape="wallette", cells=reports)
+    along_z = plates is None and bool(ends)
+    section = (laid.length if along_z else laid.height) * thickness
+    return Specimen(blocks, sets, section=section, shape="wallette", cells=reports)
 
 
-def _end_plates(plate: float, length: float, thickness: float, height: float, unit: int) -> Blocks:
-    low = np.array([[-plate, 0.0, 0.0], [length, 0.0, 0.0]])
-    high = np.array([[0.0, thickness, height], [length + plate, thickness, height]])
-    return from_boxes(low, high, np.array([unit, unit + 1]), np.zeros(2), ("plates",))
+Corner = tuple[float, float, float]
+
+
+def _ends(
+    plates: float | None, base: float | None, beam: float | None, laid: Bond, thickness: float
+) -> dict[str, tuple[Corner, Corner]]:
+    """Name -> low and high corner (m) of the blocks at the ends of a wall that stands on z = 0."""
+    length, height, found = laid.length, laid.height, {}
+    if plates is not None:
+        found["left plate"] = (-plates, 0.0, 0.0), (0.0, thickness, height)
+        found["right plate"] = (length, 0.0, 0.0), (length + plates, thickness, height)
+    if base is not None:
+        found["base"] = (0.0, 0.0, -base), (length, thickness, 0.0)
+    if beam is not None:
+        found["beam"] = (0.0, 0.0, height), (length, thickness, height + beam)
+    return found

@@ -101,7 +101,8 @@ def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None
     wanted = np.array([scene.kinematics_of(g) == "tets" for g in blocks.groups])[blocks.group]
     if not wanted.any():
         return None, joints
-    if scene.specimen.kind == "file" and (own := blocks_from(scene.specimen.path)[1]) is not None:
+    spec = scene.specimen
+    if spec.kind == "file" and not spec.is_divided and (own := blocks_from(spec.path)[1]) is not None:
         from geometry.meshes.nonmatching import surface_joints
 
         mesh = within(own, wanted)

@@ -15,7 +15,8 @@ def blocks_from(path: str) -> tuple[Specimen, TetMesh | None]:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise SceneError(
-            f"specimen.path = '{path}' cannot be read: {reason}; `masonry import` writes such files"
+            f"specimen.path = '{path}' cannot be read: {reason}; `masonry import` and "
+            "`masonry.write_blocks` write such files"
         ) from None
     return _read(path, state.st_mtime_ns, state.st_size)
 

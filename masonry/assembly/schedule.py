@@ -11,10 +11,14 @@ from masonry.scene import Scene
 from masonry.scene.tables.history import Timed
 from masonry.scene.tables.loading import Drive
 
+FEWEST = 2000
+"""Steps in which dead loads settle where the scene does not say, and nobody has looked how many they need: settling.py
+tries so many first."""
+
 
 def plan_of(scene: Scene, dt: float) -> Program | Controlled:
     """The plan for steps of dt (s): a fixed program, or a drive that is paced by its error."""
-    settle = scene.settle.steps if scene.settle else 0
+    settle = scene.settle.steps if scene.settle else FEWEST * scene.has_dead_loads
     drive, loads = scene.drive, [traction.path for traction in scene.traction if traction.path is not None]
     if loads or (drive is not None and drive.history is not None):
         return _along_histories(drive, loads, settle, dt)

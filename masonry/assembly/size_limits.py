@@ -3,6 +3,8 @@
 from math import prod
 from typing import Any
 
+import numpy as np
+
 from geometry.polyhedra.measures import volumes
 from masonry.assembly.block_files import blocks_from
 from masonry.assembly.specimens import is_outside, outside_specimen
@@ -39,9 +41,15 @@ def blocks_and_volume(spec: Any) -> tuple[float, float]:
     """About how many blocks a specimen has, and the volume (m3) of its units."""
     if spec.kind == "file" or is_outside(spec.kind):
         blocks = (blocks_from(spec.path)[0] if spec.kind == "file" else outside_specimen(spec)).blocks
-        return blocks.count, float(volumes(blocks).sum())
+        volume = float(volumes(blocks).sum())
+        if spec.kind == "file" and spec.is_divided:
+            depth = float(np.ptp(blocks.points[:, 1])) if blocks.count else 0.0
+            return blocks.count + _blocks(spec, blocks.count, volume, depth), volume
+        return blocks.count, volume
     if spec.kind == "boxes":
         return sum(prod(box.divisions) for box in spec.box), sum(prod(box.size) for box in spec.box)
+    if spec.kind == "arch":
+        return spec.voussoirs + 2, spec.radius * spec.angle * spec.thickness * spec.depth
     if spec.kind in ("wallette", "bending"):
         units, depth = spec.courses * spec.units_per_course, spec.thickness
         volume = units * spec.unit_length * spec.thickness * spec.unit_height

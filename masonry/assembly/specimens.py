@@ -7,6 +7,7 @@ from typing import Any
 
 from geometry.blocks import Specimen
 from geometry.cells.request import CellsAsked
+from geometry.specimens.arch import arch
 from geometry.specimens.bending import bending
 from geometry.specimens.boxes import boxes
 from geometry.specimens.couplet import couplet
@@ -59,8 +60,10 @@ def _built(spec: Any) -> Specimen:
         if spec.kind == "couplet":
             return couplet(*size, _filling(spec), mortar, spec.plates)
         return prism(spec.units, *size, _filling(spec), mortar, spec.plates)
+    if spec.kind == "arch":
+        return arch(spec.radius, spec.angle, spec.voussoirs, spec.thickness, spec.depth)
     if spec.kind == "file":
-        return blocks_from(spec.path)[0]
+        return _of_file(spec)
     if spec.kind == "boxes":
         return boxes([(b.name, b.origin, b.size, b.group, b.unit, b.divisions) for b in spec.box], spec.section)
     wall: dict[str, Any] = {
@@ -69,9 +72,18 @@ def _built(spec: Any) -> Specimen:
     }
     wall |= {"divisions": _filling(spec), "bond": spec.bond, "unit_width": spec.unit_width}
     if spec.kind == "wallette":
-        return wallette(**wall, plates=spec.plates)
+        return wallette(**wall, plates=spec.plates, base=spec.base, beam=spec.beam)
     rollers = ("support_distance", "load_distance", "roller_width", "bottom_plate")
     return bending(**wall, **{key: getattr(spec, key) for key in rollers})
+
+
+def _of_file(spec: Any) -> Specimen:
+    found = blocks_from(spec.path)[0]
+    if not spec.is_divided:
+        return found
+    from geometry.specimens.divided import divided
+
+    return divided(found, _filling(spec))
 
 
 def _filling(table: Any) -> Sequence[int] | CellsAsked:

@@ -58,7 +58,7 @@ def self_tested(say: Callable[[str], object]) -> bool:
     except ModuleNotFoundError as error:
         if error.name not in (SELF_TEST, SELF_TEST.partition(".")[0]):
             raise
-        say(_line("self-test", f"left out: the package {SELF_TEST.partition('.')[0]} is not installed"))
+        say(_line("self-test", f"not run: the package {SELF_TEST.partition('.')[0]} is not installed"))
         return True
     say(_line("self-test", "ten seconds; longer where the step has to be compiled first"))
     fine = True
@@ -70,5 +70,5 @@ def self_tested(say: Callable[[str], object]) -> bool:
 
 
 def _not_tested(say: Callable[[str], object]) -> bool:
-    say(_line("self-test", "left out until the problems above are solved"))
+    say(_line("self-test", "not run until the problems above are solved"))
     return False

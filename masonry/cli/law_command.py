@@ -37,7 +37,7 @@ def parser() -> Parser:
         help="a key of the contact; the others are those of the couplet (Table 1 of the paper) and the law's examples",
     )
     words.add_argument(
-        "--plot", nargs="?", const="", metavar="FILE.png", help="draw its portrait (default law-NAME.png)"
+        "--plot", nargs="?", const="", metavar="FILE.png", help="draw a picture of it (default law-NAME.png)"
     )
     return words
 

@@ -40,8 +40,8 @@ APART = {
     "movie": ("masonry.cli.movie_command", "film a folder of results: cracks beside the curve"),
     "law": ("masonry.cli.law_command", "which laws there are, and what one of them does"),
     "sweep": ("masonry.sweep.command", "run a scene many times over: grid, list or Latin hypercube"),
-    "sensitivity": ("masonry.comparison.command", "run a scene in several ways: what does the answer rest on?"),
-    "verify": ("verification.command", "run cases with known answers: are the numbers right?"),
+    "sensitivity": ("masonry.comparison.command", "run a scene in several ways: what does the answer depend on?"),
+    "verify": ("verification.command", "run cases with known answers, and compare"),
     "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),
 }
 """Commands of other rooms and floors: module with a `main` that takes the words after the command, and help."""
@@ -66,7 +66,7 @@ def parser() -> Parser:
     run.set_defaults(action=commands.run_scene)
     _add_resume(added)
     check = added.add_parser(
-        "check", parents=[scene], help="say what a scene will cost, and what of the program it does not use"
+        "check", parents=[scene], help="say how long a scene will take, and which parts of the program it does not use"
     )
     check.set_defaults(action=commands.check_scene)
     export = added.add_parser("export", parents=[scene], help="write the blocks of a scene for other programs")
@@ -79,7 +79,7 @@ def parser() -> Parser:
     plot.set_defaults(action=commands.plot_results)
     for name, (_, words) in APART.items():
         added.add_parser(name, help=words, add_help=False)
-    doctor = added.add_parser("doctor", help="look whether this machine has what a run needs, and computes right")
+    doctor = added.add_parser("doctor", help="check whether this machine has what a run needs, and computes correctly")
     doctor.add_argument("--quick", action="store_true", help="leave out the self-test, which takes ten seconds")
     doctor.set_defaults(action=commands.doctor)
     return main
@@ -87,7 +87,7 @@ def parser() -> Parser:
 
 def _add_resume(added: Any) -> None:
     """`masonry resume` and its options."""
-    words = added.add_parser("resume", help="go on with a run that was interrupted or killed")
+    words = added.add_parser("resume", help="continue a run that was interrupted or killed")
     words.add_argument("folder", type=Path, metavar="DIR", help="the folder of its results")
     words.add_argument("--threads", type=_threads, metavar="N", help="threads; default: as the run was begun")
     words.add_argument("--checkpoint-every", metavar="TIME", help="such as 10min; default: as the run was begun")
@@ -97,10 +97,10 @@ def _add_resume(added: Any) -> None:
 
 def _add_import(added: Any) -> None:
     """`masonry import` and its options."""
-    words = added.add_parser("import", help="make blocks and a scene of a CAD file, a Neper file or a mesh")
+    words = added.add_parser("import", help="make blocks and a scene from a CAD file, a Neper file or a mesh")
     words.add_argument("file", type=Path, metavar="FILE", help=".step .stp .iges .igs .brep .tess .msh .vtu")
     words.add_argument("--out", type=Path, required=True, metavar="SCENE.toml", help="the scene to write")
-    words.add_argument("--unit", metavar="UNIT", help="what 1 in the file stands for, such as mm; STEP says so itself")
+    words.add_argument("--unit", metavar="UNIT", help="length that 1 in the file means: mm; STEP files say it")
     words.add_argument("--tolerance", default="0.1 mm", metavar="LENGTH", help="gaps and overlaps up to it are mended")
     words.add_argument("--thickness", metavar="LENGTH", help="of a plane .tess file, along y")
     words.add_argument("--facet", metavar="LENGTH", help="how far flat facets may be off curved faces")

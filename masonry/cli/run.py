@@ -91,7 +91,7 @@ class _Run:
         self.new = False
         saved, wrong = self.kept.newest()
         for line in wrong:
-            _tell(line + ("; the one before it is taken" if saved else ""))
+            _tell(line + ("; the one before it is used" if saved else ""))
         if saved is None and wrong:
             raise SceneError(
                 f"no checkpoint in '{self.kept.folder}' can be read; run the scene again: masonry run {self.kept.scene}"
@@ -103,7 +103,7 @@ class _Run:
             for line in self.keeper.remarks:
                 _tell(line)
         elif not self.quiet:
-            _tell("it did not get to its first checkpoint: begins anew")
+            _tell("it did not reach its first checkpoint: starts again")
 
     def carry_out(self, label: str) -> int:
         """Run, write, say; the exit code."""

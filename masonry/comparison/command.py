@@ -58,7 +58,7 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         found = sensitivity(loaded, words.out, only, words.quick, words.workers, tell, words.overwrite)
     except KeyboardInterrupt:
-        _tell("masonry: interrupted; what is done stays, and the same command goes on from there")
+        _tell("masonry: interrupted; what is done stays, and the same command continues from there")
         return INTERRUPTED
     if tell:
         print(f"{found}\n")

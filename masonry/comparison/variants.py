@@ -62,7 +62,7 @@ def pace(assembly: Assembly) -> list[Variant]:
         return [Variant("pace", f"twice the steps, {2 * drive.steps}", {"drive.steps": 2 * drive.steps})]
     if scene.solver.masses == "real":  # the times of its history are those of the motion
         return []
-    steps = 2 * (expected_steps(assembly) - (scene.settle.steps if scene.settle else 0))
+    steps = 2 * (expected_steps(assembly) - assembly.plan.settle)
     return [Variant("pace", f"twice the steps, {steps}", {"drive.steps": steps})]
 
 
@@ -132,7 +132,7 @@ def _loose_groups(assembly: Assembly) -> list[str]:
 
 
 def plates(assembly: Assembly) -> list[Variant]:
-    """A rigid plate that may turn is held upright, and the other way round."""
+    """A rigid plate or beam that may turn is held against it, and the other way round."""
     scene, specimen = assembly.scene, assembly.specimen
     found = []
     for k, support in enumerate(scene.support):
@@ -140,7 +140,8 @@ def plates(assembly: Assembly) -> list[Variant]:
         groups = {specimen.blocks.groups[g] for g in specimen.blocks.group[members]}
         rigid = groups and all(scene.kinematics_of(g) == "rigid" for g in groups)
         fixed = set(support.fix)
-        if "plate" not in support.on or not rigid or {"x", "y", "z", "rotation"} <= fixed:
+        is_plate = "plate" in support.on or support.on == "beam"
+        if not is_plate or not rigid or {"x", "y", "z", "rotation"} <= fixed:
             continue
         straight = [word for word in support.fix if not word.startswith("rotation")]
         turns = len(straight) == len(support.fix)
@@ -158,7 +159,7 @@ def cells(assembly: Assembly) -> list[Variant]:
         if given is not None and given.sites is None:
             seeds = (given.seed + 1, given.seed + 2)
             found += [Variant("cells", f"cells of seed {s}", {f"{key}.cells.seed": s}) for s in seeds]
-        elif given is None and _is_plane_grid(divisions):
+        elif given is None and spec.kind != "file" and _is_plane_grid(divisions):
             total = _blocks_of(assembly, "mortar" if key.endswith("mortar") else "units")
             cut = {f"{key}.cells.total": total}
             found += [

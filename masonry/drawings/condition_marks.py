@@ -60,8 +60,11 @@ def marks(scene: Scene, specimen: Specimen, joints: Joints) -> list[Mark]:
     if scene.drive is not None:
         drive = scene.drive
         blocks, faces = _selected(specimen, joints, drive.on, "drive.on")
-        value = f"{drive.farthest * 1e3:.4g} mm" + ("" if drive.history is None else " at most, back and forth")
-        way = drive.sign * np.eye(3)[drive.axis]
+        one_way = len(drive.turns) == 1
+        value = (
+            f"{drive.turns[0] * 1e3:.4g} mm" if one_way else f"{drive.farthest * 1e3:.4g} mm at most, back and forth"
+        )
+        way = drive.sign * (np.sign(drive.turns[0]) if one_way else 1.0) * np.eye(3)[drive.axis]
         arrows = [_push_or_pull(specimen, part, faces, way) for part in parts_of(joints, blocks, faces)]
         words = f"drive: {drive.on}, {value} along {drive.direction}"
         found.append(Mark("drive", words, blocks, faces, [], arrows=arrows, value=value))

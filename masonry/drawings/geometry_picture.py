@@ -9,7 +9,7 @@ from geometry.blocks import Blocks, Joints, Specimen
 from geometry.files.atomic import whole_file
 from masonry.assembly.assemble import joined
 from masonry.drawings.condition_marks import Mark, marks
-from masonry.drawings.mark_drawing import COLOURS, draw_mark, stands_left
+from masonry.drawings.mark_drawing import COLOURS, draw_mark, place_of_value, stands_left
 from masonry.drawings.picture_frame import draw_axes, draw_sets
 from masonry.errors import SceneError
 from masonry.pictures.curve import plain, write_png
@@ -40,7 +40,7 @@ def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
 
 def sight_of(scene: Scene, specimen: Specimen, view: str | None) -> Sight:
     """The projection of a view by its name, or the one that shows the drive."""
-    front = front_sight(specimen.blocks.points)
+    front = front_sight(specimen.blocks.points, specimen.shape)
     if view is None:
         across = scene.drive is not None and abs(front.toward[scene.drive.axis]) > 0.5
         view = "iso" if across else "front"
@@ -65,8 +65,10 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     faces.draw(axes)
     for mark in listed:
         draw_mark(axes, specimen, mark, pieces, sight, size)
-    draw_sets(axes, specimen, pieces, sight, size)
-    draw_axes(axes, blocks, sight, left_taken=any(stands_left(specimen, mark) for mark in listed))
+    words = [words for mark in listed if (words := place_of_value(mark, sight, size)) is not None]
+    left_taken = any(stands_left(specimen, mark) for mark in listed)
+    draw_sets(axes, specimen, pieces, sight, size, words, left_taken)
+    draw_axes(axes, blocks, sight, left_taken)
     rows = _draw_list(figure, blocks, listed)
     axes.margins(0.02)
     low, high = axes.dataLim.min, axes.dataLim.max

@@ -24,8 +24,8 @@ def draw_mark(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], si
         _draw_support(axes, specimen, mark, pieces, sight, size)
     for base, way, presses in mark.arrows:
         _draw_arrows(axes, sight, pieces, (base, way, presses), colour, size)
-    if mark.arrows and mark.value:
-        _draw_value(axes, sight, mark, size)
+    if (words := place_of_value(mark, sight, size)) is not None:
+        _draw_value(axes, mark, *words, size)
 
 
 def stands_left(specimen: Specimen, mark: Mark) -> bool:
@@ -38,11 +38,20 @@ def stands_left(specimen: Specimen, mark: Mark) -> bool:
     return False
 
 
-def _draw_value(axes: Any, sight: Sight, mark: Mark, size: float) -> None:
-    """Words at the free end of the last arrow of the first group; in lines of their own where they stand beside it."""
+def place_of_value(mark: Mark, sight: Sight, size: float) -> tuple[np.ndarray, np.ndarray] | None:
+    """Where the words of a mark stand (2,), and in which direction (2,) from its specimen; None without words.
+
+    That is the free end of the last arrow of the first group.
+    """
+    if not (mark.arrows and mark.value):
+        return None
     base, way, presses = mark.arrows[0]
     out = (-1.0 if presses else 1.0) * _flat(sight, way)
-    at = sight.project(base[-1]) + 1.1 * ARROW * size * out
+    return sight.project(base[-1]) + 1.1 * ARROW * size * out, out
+
+
+def _draw_value(axes: Any, mark: Mark, at: np.ndarray, out: np.ndarray, size: float) -> None:
+    """The words of a mark; in lines of their own where they stand beside the specimen."""
     ha = "center" if abs(out[0]) < 0.3 else "left" if out[0] > 0 else "right"
     va = "center" if abs(out[1]) < 0.3 else "bottom" if out[1] > 0 else "top"
     words = mark.value if ha == "center" else mark.value.replace(", ", ",\n")

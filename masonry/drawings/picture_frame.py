@@ -1,5 +1,6 @@
 """Round the picture of a specimen: axes in mm, and the names of its sets beside it."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -16,8 +17,20 @@ AWAY = 0.21
 """How far names stand from the specimen, over the size of the picture."""
 
 
-def draw_sets(axes: Any, specimen: Specimen, pieces: list[Piece], sight: Sight, size: float) -> None:
-    """Names of the sets to the left and the right, each with a line to a visible face of it."""
+def draw_sets(
+    axes: Any,
+    specimen: Specimen,
+    pieces: list[Piece],
+    sight: Sight,
+    size: float,
+    words: Sequence[tuple[np.ndarray, np.ndarray]] = (),
+    left_taken: bool = False,
+) -> None:
+    """Names of the sets to the left and the right, each with a line to a visible face of it.
+
+    words       places (2,) of other words, and directions (2,) from the specimen: names beside it keep clear of them
+    left_taken  arrows stand on the left; what may go to either side then goes to the right
+    """
     owner = specimen.blocks.face_block()
     block = np.array([owner[piece.face] for piece in pieces], dtype=np.int64)
     middle = np.array([sight.project(piece.corners).mean(axis=0) for piece in pieces])
@@ -31,13 +44,14 @@ def draw_sets(axes: Any, specimen: Specimen, pieces: list[Piece], sight: Sight, 
             continue
         to_right = bool(own[:, 0].mean() >= centre[0])
         if abs(own[:, 0].mean() - centre[0]) < 0.05 * size:
-            to_right = len(sides[True]) <= len(sides[False])
+            to_right = left_taken or len(sides[True]) <= len(sides[False])
         nearest = own[np.argmax(own[:, 0] if to_right else -own[:, 0])]
         row = own[np.abs(own[:, 0] - nearest[0]) <= 0.02 * size]
         anchor = row[np.argmin(np.abs(row[:, 1] - own[:, 1].mean()))]
         sides[to_right].append((float(anchor[1]), name, anchor))
     for to_right, entries in sides.items():
-        levels = _apart([entry[0] for entry in sorted(entries, key=_level)], 0.05 * size)
+        beside = [place[1] for place, out in words if (out[0] > 0.5 if to_right else out[0] < -0.5)]
+        levels = _clear([entry[0] for entry in sorted(entries, key=_level)], beside, 0.05 * size)
         x = high[0] + AWAY * size if to_right else low[0] - AWAY * size
         for level, (_, name, anchor) in zip(levels, sorted(entries, key=_level), strict=True):
             axes.annotate(
@@ -57,6 +71,17 @@ def draw_sets(axes: Any, specimen: Specimen, pieces: list[Piece], sight: Sight, 
 
 def _level(entry: tuple[float, str, np.ndarray]) -> tuple[float, str]:
     return entry[0], entry[1]
+
+
+def _clear(levels: list[float], taken: list[float], least: float) -> list[float]:
+    """Rising levels moved apart by `least`, and up out of the way of those that are taken."""
+    moved = _apart(levels, least)
+    for level in sorted(taken):
+        for k, own in enumerate(moved):
+            if abs(own - level) < 1.5 * least:
+                moved[k] = level + 1.5 * least
+        moved = [max(own, moved[k - 1] + least) if k else own for k, own in enumerate(moved)]
+    return moved
 
 
 def _apart(levels: list[float], least: float) -> list[float]:

@@ -86,13 +86,13 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
     if mended is None:
         check_overlaps(blocks, names)
     require_sound(blocks)
-    section = _section(blocks, wishes.section)
+    section = section_of(blocks, wishes.section)
     if not SECTIONS[0] <= section <= SECTIONS[1]:
         raise SceneError(
             f"'{source}': its faces in the lowest plane have {section:.3g} m^2, allowed: {SECTIONS[0]:g} to "
-            f"{SECTIONS[1]:g} m^2; say by --unit what 1 in the file stands for"
+            f"{SECTIONS[1]:g} m^2; say by --unit which length 1 in the file means"
         )
-    specimen = Specimen(blocks, _sets(blocks, found.names), section, "file")
+    specimen = Specimen(blocks, sets_of(blocks, found.names), section, "file")
     joints = find_joints(blocks)
     text = scene_text(specimen, joints, _readable(source.name), target.name, wishes.section is None)
     with whole_file(out) as place:
@@ -147,7 +147,7 @@ def _hex(colour: np.ndarray) -> str:
     return "#" + "".join(f"{round(255 * float(part)):02x}" for part in np.clip(colour, 0, 1))
 
 
-def _sets(blocks, names: Sequence[str]) -> dict[str, np.ndarray]:
+def sets_of(blocks, names: Sequence[str]) -> dict[str, np.ndarray]:
     """Blocks of each name and of each group, those that reach the bottom and the top, and all; groups come first."""
     low, high = bounds(blocks)
     near = 1e-6 * extent(blocks)
@@ -163,7 +163,7 @@ def _sets(blocks, names: Sequence[str]) -> dict[str, np.ndarray]:
     return sets | {name: np.flatnonzero(blocks.group == g) for g, name in enumerate(blocks.groups)}
 
 
-def _section(blocks, section: float | None) -> float:
+def section_of(blocks, section: float | None) -> float:
     """m2, as asked, or the area of the faces in the lowest plane; else that of the box round all, seen from above."""
     if section is not None:
         return section

@@ -34,7 +34,7 @@ direction = "-z"
 displacement = "0.1 mm"
 steps = 2000
 
-# [[traction]]                    # a pressure on outer faces; it needs [settle]
+# [[traction]]                    # a pressure on outer faces
 # on = "z = ... mm"
 # stress = { z = "-0.5 MPa" }
 """
@@ -44,9 +44,6 @@ fix = "all"
 
 [gravity]
 z = "-9.81 m/s^2"
-
-[settle]
-steps = 2000
 """
 
 
@@ -57,7 +54,7 @@ def scene_text(specimen: Specimen, joints: Joints, source: str, blocks_file: str
     loading = WEIGHT if len(spans) else PRESS
     invented = [f"material.{group}" for group in specimen.blocks.groups]
     invented += [f"contact.{name}" for name in contacts]
-    invented += ["law", "support", *(["gravity", "settle"] if len(spans) else ["drive"])]
+    invented += ["law", "support", "gravity" if len(spans) else "drive"]
     lines = [
         f"title = {_quoted(source)}",
         'law = "exponential"',

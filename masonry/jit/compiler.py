@@ -85,6 +85,11 @@ for both.
 """
 
 
+def is_kept(name: str, folder: str = STEP) -> bool:
+    """Whether what has this name was compiled before, and is kept."""
+    return bool(folder) and (Path(folder) / f"{name}.compiled").exists()
+
+
 @contextlib.contextmanager
 def once(name: str, folder: str = STEP) -> Iterator[None]:
     """Compile within: of all processes that need what has this name, one goes in alone, and the others wait and then

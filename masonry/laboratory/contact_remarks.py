@@ -30,11 +30,11 @@ def _of_tension(name: str, given: Contact, interface: Interface, block: float) -
     wanted, has = given.tensile_strength or 0.0, float(interface.tensile_strength or 0.0)
     where = f"contact.{name}.tensile_strength"
     if wanted > 0.0 and has == 0.0 and given.cohesion:
-        return [f"{where} = {wanted:g} Pa is next to nothing beside the cohesion of {given.cohesion:g} Pa: taken as 0"]
+        return [f"{where} = {wanted:g} Pa is less than 1e-5 of the cohesion of {given.cohesion:g} Pa: it is taken as 0"]
     if has < wanted:
         return [
             f"{where} = {wanted:g} Pa is beyond the apex of the Coulomb line, cohesion / tan(friction angle) = "
-            f"{has:.6g} Pa, where nothing holds a slip: tension is cut there"
+            f"{has:.6g} Pa, where a slip meets no resistance: tension is cut there"
         ]
     if has > 0.0 and (given.fracture_energy_mode_1 or 0.0) / has > block:
         return [

@@ -10,7 +10,9 @@ from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
 from masonry.laboratory.contact_remarks import contact_remarks
 from masonry.laboratory.cost import expected_seconds, expected_steps
+from masonry.laboratory.provenance import origin_of
 from masonry.laboratory.quality import quality_lines
+from masonry.laboratory.settling import AT_REST, settled
 from masonry.laboratory.summary import cells_text, summarise
 from masonry.laws.dispatch import word_of
 from masonry.results.data import Result
@@ -33,12 +35,23 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper
     Raises SceneError or GeometryError before anything is computed, Stopped (with `.result`, the rows up to the last
     trusted one) when the numbers can no longer be trusted. Ctrl-C ends the run; the result says so.
 
+    Where the scene has dead loads and does not say how many steps they settle in, this is found first; the scene that
+    the result holds has the number.
+
     keeper  writes checkpoints, goes on from one, and says when to end, in place of Ctrl-C
     """
     if progress is not None:
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)
+    seconds = 0.0
+    if scene.has_dead_loads and scene.settle is None:
+        seconds = timeloop.prepare(assembly.model, threads, progress)
+        assembly = settled(assembly, threads, progress, keeper.asked if keeper is not None else lambda: False)
+        if keeper is not None:
+            toml = to_toml(assembly.scene)
+            keeper.run_another(toml, origin_of(toml))
     outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress, keeper)
+    outcome.seconds_compile += seconds
     result = result_of(assembly, outcome)
     if outcome.stopped:
         stop = Stopped(outcome.stopped)
@@ -84,6 +97,7 @@ def check(scene: Scene) -> "Report":
         "time_step_s": model.dt,
         "limited_by": model.limited_by,
         "quality": quality_lines(assembly),
+        "settling": settling_text(assembly),
         "steps": expected_steps(assembly),
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),
@@ -93,6 +107,18 @@ def check(scene: Scene) -> "Report":
     from masonry.laboratory.text import Report
 
     return Report(found)
+
+
+def settling_text(assembly: Assembly) -> str:
+    """How long the dead loads settle; nothing without any."""
+    if not assembly.scene.has_dead_loads:
+        return ""
+    if assembly.scene.settle is not None:
+        return f"{assembly.plan.settle} steps, as the scene says"
+    return (
+        f"until less than {AT_REST:g} of the dead loads is unbalanced: how many steps this takes is found as the run "
+        f"begins; {assembly.plan.settle} are counted here"
+    )
 
 
 def scatter_lines(assembly: Assembly) -> list[str]:
@@ -107,7 +133,7 @@ def left_out(assembly: Assembly) -> list[str]:
         if body is None:
             out.append(f"{kind}: no such loops, no such freedoms")
     if all(body is None or body.load is None for body in m.bodies):
-        out.append("dead loads (gravity, traction): no load arrays, no work of theirs")
+        out.append("dead loads (gravity, traction): no load arrays, no work")
     elif not m.varying:
         out.append("loads that vary: dead loads stay as they are")
     if m.damping is None:
@@ -115,7 +141,7 @@ def left_out(assembly: Assembly) -> list[str]:
     if all(drive is None for drive in m.drives):
         out.append("drive")
     if all(body is None or body.guess is None for body in m.bodies):
-        out.append("expected motion: a drive at a rate or in steps has no use for it")
+        out.append("expected motion: a drive at a rate or in steps does not need it")
     for name, interface in zip(m.group_names, m.groups[1], strict=True):
         lacks = []
         if interface.tensile_strength is None:

@@ -22,10 +22,12 @@ SHOWING = tuple(
         *(
             "plot.py",
             "hysteresis.py",
+            "settling_picture.py",
             "curve_axes.py",
             "picture.py",
             "crack_drawing.py",
             "dry_joints.py",
+            "thrust_line.py",
             "picture_frame.py",
             "geometry_picture.py",
         ),
@@ -100,8 +102,9 @@ def require_same(begun: dict[str, str], here: dict[str, str], folder: Path) -> l
     ]
     if differs:
         raise SceneError(
-            f"the run in '{folder}' was begun with another state of {'; and of '.join(differs)}; go on with what it was"
-            f" begun with, or run it again: masonry run {folder / 'checkpoint' / 'scene.toml'} --out ANOTHER"
+            f"the run in '{folder}' was started with another state of {'; and of '.join(differs)}; continue it "
+            "with what it was started with, or run it again: "
+            f"masonry run {folder / 'checkpoint' / 'scene.toml'} --out ANOTHER"
         )
     if begun.get(PROCESSOR) == here[PROCESSOR]:
         return []

@@ -16,7 +16,7 @@ from masonry.model.loads import Controlled
 from masonry.monitors import events
 from masonry.results.joint_resultants import unit_joints
 from masonry.scene import Scene
-from masonry.timeloop.reactions import balance
+from masonry.timeloop.reactions import balance, moved_by, open_by
 from masonry.timeloop.recording import Outcome
 
 ENERGY_TERMS = (
@@ -26,6 +26,11 @@ ENERGY_TERMS = (
 BROKEN, DAMAGED = 0.95, 0.05
 SUDDEN = 1e-3
 """Share of all energy lost, by cracks, friction and damping, from which on what a sudden crack released is told."""
+
+MOVED = 1e-12
+"""Openings and slips (m) up to this one, far less than an atom, are but rounding."""
+ROUNDING = 1e-9
+"""Share of the external work below which what the laws dissipated is but rounding, and is held against this share."""
 
 
 def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
@@ -61,6 +66,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         dynamic = dynamic & follows
     mismatch = np.abs(rows["stress"] - rows["support_stress"])[dynamic]
     ratio = rows["kinetic"][dynamic] / np.maximum(internal[dynamic], max(1e-6 * work, 1e-300))
+    standings, size = outcome.standing.values(), float(np.ptp(assembly.specimen.blocks.points, axis=0).max())
     booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
     laws = {name: scene.contact[name].law for name in model.group_names}
     kinematics = {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups}
@@ -91,6 +97,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "cycles": table(rows, np.array(outcome.widest)),
         "gauges": _readings(assembly, outcome),
         "reactions": _reactions(assembly, outcome),
+        "force_balance": open_by(standings, size),
+        "motion_at_end": moved_by(outcome.standing["end"], standings, size) if "end" in outcome.standing else 0.0,
         "work_of_drive_j": float(rows["external_work"][-1] - rows["external_work"][begun] - after_settling.sum()),
         "work_of_loads_j": _work_of_loads(assembly, outcome.work_of_loads[0]),
         "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),
@@ -98,7 +106,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / work) if work > 0 else 0.0,
-        "dissipation_mismatch": abs(booked - spent) / abs(spent) if spent else 0.0,
+        "dissipation_mismatch": abs(booked - spent) / max(abs(spent), ROUNDING * work) if spent else 0.0,
         "unbalanced_after_settling": outcome.unbalanced,
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
@@ -176,10 +184,12 @@ def _joined(words: dict[str, str]) -> str:
 def _opened_or_slid(assembly: Assembly) -> int:
     """Joints between units of which a contact has opened beyond its elastic limit, or slid, at any time."""
     state = assembly.model.state
-    there = state.opening_max is not None
-    moved = (state.intact_n < 1.0) | np.any(state.slip != 0.0, axis=1) if there else np.zeros(0, dtype=bool)
+    if state.opening_max is None:
+        return 0
+    opened = (state.intact_n < 1.0) & (state.opening_max > MOVED)
+    moved = opened | (np.linalg.norm(state.slip, axis=1) > MOVED)
     found = unit_joints(assembly.specimen.blocks, assembly.joints)
-    return sum(bool(moved[found.contact[a:b]].any()) for a, b in pairwise(found.start)) if there else 0
+    return sum(bool(moved[found.contact[a:b]].any()) for a, b in pairwise(found.start))
 
 
 def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict[str, float]:

@@ -20,6 +20,8 @@ TAKEN = 0.02
 """Share by which a contact may take more energy of mode II than the area under its law's curve."""
 SLID = 0.2
 """Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
+NOTHING = 1e-9
+"""Share of the largest force up to which another is printed as 0."""
 TOLD = 0.1
 """Share of the work of the drive from which on the work of a dead load is printed."""
 ROUNDING, BELOW_0 = 1e-11, 1e-5
@@ -62,6 +64,7 @@ def check_rows(report: dict[str, Any]) -> Rows:
         ("freedoms", [f"{report['freedoms']}"]),
         ("time step", [f"{report['time_step_s']:.4g} s, limited by {report['limited_by']}"]),
         *((word, [sentence]) for word, sentence in report["quality"].items()),
+        *([("settling", [report["settling"]])] if report.get("settling") else []),
         ("steps", [f"{report['steps']}"]),
         ("expected time", [f"about {duration(report['expected_seconds'])}"]),
         ("compiled in", report["compiled"] or ["nothing beyond contacts"]),
@@ -85,14 +88,15 @@ def summary_text(summary: dict[str, Any]) -> str:
 
 def summary_rows(summary: dict[str, Any]) -> Rows:
     """The same, row by row."""
+    driven = has_drive(summary)
     return [
-        *(_rest_rows(summary) if _has_no_drive(summary) else _peak_rows(summary)),
+        *(_peak_rows(summary) if driven else _rest_rows(summary)),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
-        *((name, [gauge_text(readings)]) for name, readings in (summary.get("gauges") or {}).items()),
-        *([("work of dead loads", [words])] if (words := loads_text(summary)) else []),
-        ("energy imbalance", [_number(summary, "energy_imbalance", 1.0, "of the external work")]),
-        ("reaction mismatch", [_number(summary, "reaction_mismatch_max", 100.0, "% of the peak")]),
-        ("kinetic / internal", [_kinetic(summary)]),
+        *((name, [gauge_text(readings, driven)]) for name, readings in (summary.get("gauges") or {}).items()),
+        *([("work of dead loads", [words])] if driven and (words := loads_text(summary)) else []),
+        ("energy balance", [f"open by {_number(summary, 'energy_imbalance', 1.0, 'of the external work')}"]),
+        *([("force balance", [balance_text(summary)])] if summary.get("force_balance") is not None else []),
+        *(_slow_rows(summary) if driven else []),
         *([("accuracy", [accuracy_text(summary)])] if summary.get("control") else []),
         *([("sudden cracks", [sudden_text(summary)])] if summary.get("sudden_cracks") else []),
         ("steps", [str(summary.get("steps", "not known"))]),
@@ -101,30 +105,54 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
     ]
 
 
-def _has_no_drive(summary: dict[str, Any]) -> bool:
+def has_drive(summary: dict[str, Any]) -> bool:
+    """Whether something is driven: so where nothing else is known."""
     end = (summary.get("reactions") or {}).get("end")
-    return end is not None and "drive" not in end
+    return end is None or "drive" in end
+
+
+def _slow_rows(summary: dict[str, Any]) -> Rows:
+    """By what it can be seen whether the test was slow enough to be static."""
+    return [
+        (
+            "drive and support",
+            [f"differ by at most {_number(summary, 'reaction_mismatch_max', 100.0, '% of the peak')}"],
+        ),
+        ("kinetic energy", [f"at most {_kinetic(summary)} of the internal energy"]),
+    ]
+
+
+def balance_text(summary: dict[str, Any]) -> str:
+    """How well forces and moments add up to nothing, and how far the specimen is from rest."""
+    return (
+        f"open by {summary['force_balance']:.2g} of the largest force; at the end damping and inertia make "
+        f"{summary['motion_at_end']:.2g} of it"
+    )
 
 
 def _peak_rows(summary: dict[str, Any]) -> Rows:
     return [
         ("peak stress", [stress_text(summary, "peak_stress_pa")]),
         ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
-        ("final stress", [stress_text(summary, "final_stress_pa")]),
+        ("stress at the end", [stress_text(summary, "final_stress_pa")]),
     ]
 
 
 def _rest_rows(summary: dict[str, Any]) -> Rows:
     """Of a scene without a drive: how far the dead loads have settled, and what the supports bear at the end."""
-    acts = [
-        f"{name} ({one['on']}): {', '.join(f'{force:.4g}' for force in one['force_n'])} N"
-        for name, one in summary["reactions"]["end"].items()
-        if isinstance(one, dict) and "on" in one
-    ]
     return [
         ("settling", [_number(summary, "unbalanced_after_settling", 1.0, "of the dead loads still unbalanced")]),
-        ("reactions x, y, z", acts or ["no supports"]),
+        ("reactions x, y, z", reaction_lines(summary) or ["no supports"]),
     ]
+
+
+def reaction_lines(summary: dict[str, Any]) -> list[str]:
+    """A line for each support and the drive: what it exerts at the end; 0 for what is rounding beside the largest."""
+    end = (summary.get("reactions") or {}).get("end") or {}
+    acts = {name: one for name, one in end.items() if isinstance(one, dict) and "on" in one}
+    least = NOTHING * max((abs(force) for one in acts.values() for force in one["force_n"]), default=0.0)
+    words = {name: [f"{f:.4g}" if abs(f) > least else "0" for f in one["force_n"]] for name, one in acts.items()}
+    return [f"{name} ({acts[name]['on']}): {', '.join(forces)} N" for name, forces in words.items()]
 
 
 def stress_text(summary: dict[str, Any], key: str) -> str:
@@ -145,10 +173,10 @@ def cycles_text(cycles: list[dict[str, Any]]) -> str:
     return f"{len(cycles)}, dissipating {spent}{more} J{left}"
 
 
-def gauge_text(readings: dict[str, float]) -> str:
-    """What a gauge showed."""
+def gauge_text(readings: dict[str, float], driven: bool = True) -> str:
+    """What a gauge showed; without a drive there is no peak."""
     at_peak, final = (_number(readings, key, 1e3, "mm") for key in ("at_peak_m", "final_m"))
-    return f"{at_peak} at the peak, {final} at the end"
+    return f"{at_peak} at the peak, {final} at the end" if driven else f"{final} at the end"
 
 
 def loads_text(summary: dict[str, Any]) -> str:
@@ -161,15 +189,15 @@ def loads_text(summary: dict[str, Any]) -> str:
 def accuracy_text(summary: dict[str, Any]) -> str:
     """What a drive to an accuracy was asked for, and by what it can be seen how far it came."""
     control = summary["control"]
-    asked = f"{100 * control['accuracy']:g} % asked"
+    asked = f"{100 * control['accuracy']:g} % asked for"
     damping = damping_words(summary["damping_over_external"])
     if not any((summary.get("energy_j") or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
         moved = summary.get("joints_opened_or_slid") or 0
         what = "no contact was damaged" if not moved else f"{moved} joint{'s'[: moved > 1]} opened or slid"
         return f"{asked}; {what}; {damping}"
     return (
-        f"{asked}; after the first damage the drive ran ahead of the specimen by {_percent(control['mean_lag'])} of "
-        f"the work done on average, by {_percent(control['largest_lag'])} at most; {damping}"
+        f"{asked}; after the first damage the drive did {_percent(control['mean_lag'])} of its work too early on "
+        f"average, {_percent(control['largest_lag'])} at most, as it ran ahead of the specimen; {damping}"
     )
 
 
@@ -214,7 +242,11 @@ def trust(summary: dict[str, Any]) -> str:
         doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
     if (summary.get("unbalanced_after_settling") or 0.0) > UNBALANCED:
         share = summary["unbalanced_after_settling"]
-        doubts.append(f"the dead loads had not come to rest ({share:.2g} of them unbalanced): raise settle.steps")
+        doubts.append(
+            f"the dead loads had not come to rest ({share:.2g} of them unbalanced): raise settle.steps, or leave it out"
+        )
+    if (summary.get("force_balance") or 0.0) > IMBALANCE:
+        doubts.append(f"forces and moments add up to {summary['force_balance']:.2g} of the largest, not to 0")
     if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
         doubts.append(
             f"contacts close by up to {overlap:.2g} of a block's size: the normal stiffness is too low for this load"
@@ -225,19 +257,19 @@ def trust(summary: dict[str, Any]) -> str:
             "the law where it is your own"
         )
     if (slip := summary.get("slip_max") or 0.0) > SLID * (summary.get("slip_limit") or math.inf):
-        doubts.append(f"contacts slid by up to {slip:.2g} of their joints, and their areas stay those of the beginning")
+        doubts.append(f"contacts slid by up to {slip:.2g} of their joints, but keep the areas that they had at first")
     if summary.get("met"):
         doubts.append(f"{summary['met']}: nothing holds them apart")
     doubts += summary.get("warnings") or []
     released = summary.get("released_over_dissipated") or 0.0
     if released > RELEASED:
         doubts.append(
-            f"sudden cracks released {_percent(released)} of all energy that was lost: what came after them depends on"
-            " how their swing is damped, and `masonry sensitivity` shows by how much"
+            f"sudden cracks released {_percent(released)} of all energy that was lost: what happened after them "
+            "depends on how the vibration is damped; `masonry sensitivity` shows by how much"
         )
     damping = summary.get("damping_over_external") or 0.0
     if damping < -PUSHED:
-        doubts.append(f"damping did {_percent(-damping)} of the work instead of taking any: ask for a smaller accuracy")
+        doubts.append(f"damping added {_percent(-damping)} of the work and removed none: ask for a smaller accuracy")
     control = summary.get("control") or {}
     if control.get("drag_at_peak", 0.0) > control.get("accuracy", 1.0):
         doubts.append(
@@ -261,8 +293,8 @@ def trust(summary: dict[str, Any]) -> str:
         doubts.append("not quasi-static: " + " and ".join(fast) + "; load more slowly")
     if not doubts:
         return (
-            "quasi-static and the energy balance closes: the numbers solve this model; whether the model is the wall "
-            "depends on the scene's assumptions."
+            f"{'quasi-static' if has_drive(summary) else 'at rest'} and the energy balance closes: the numbers solve "
+            "this model; whether the model describes the wall depends on the scene's assumptions."
         )
     return "with care: " + "; ".join(doubts) + "."
 

@@ -56,6 +56,7 @@ REMEMBERED = (
         "stored",
         "broken",
         "most_force",
+        "settled_force",
         "damped",
         "work",
         "elastic",
@@ -93,6 +94,7 @@ class ControlledPace:
         self.slowest, self.target, self.steps = whole / FINEST, whole * FIRST, STEPS
         self.speed = self.moved = self.made = self.used = 0.0
         self.most_stored = self.stored = self.broken = self.most_force = self.damped = self.work = 0.0
+        self.settled_force = 0.0
         self.increments = 0
         self.elastic = True
         self.rest = np.zeros(len(model.group))
@@ -158,7 +160,7 @@ class ControlledPace:
         broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
         if self.increments == 0:
             self.stored = self.most_stored = stored
-            self.rest = seen[:, 2].copy()
+            self.rest, self.settled_force = seen[:, 2].copy(), abs(force)
             self.used = utilisation(self.model, seen, self.rest)
             self.guide.settle()
             return
@@ -248,7 +250,7 @@ class ControlledPace:
 
     def report(self) -> dict[str, float]:
         """What was asked and achieved after the first damage: lags over the work done, their mean over the way, and the
-        share of the largest force that damping took where that force was reached."""
+        share of the largest force that damping took where that force was reached; none if that was before the drive."""
         lag, way, drag, force = np.array(self.looks or [(0.0, 1.0, 0.0, 0.0)]).T
         peak = int(np.argmax(force))
         return {
@@ -256,7 +258,7 @@ class ControlledPace:
             "increments": self.increments,
             "mean_lag": float(lag @ way / max(way.sum(), 1e-300)),
             "largest_lag": float(lag.max()),
-            "drag_at_peak": float(drag[max(peak - 1, 0) : peak + 1].max()),
+            "drag_at_peak": float(drag[max(peak - 1, 0) : peak + 1].max()) if force[peak] > self.settled_force else 0.0,
         }
 
     def state(self) -> State:

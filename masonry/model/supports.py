@@ -91,6 +91,6 @@ def _turn(layout: Layout, block: int, axis: int, name: str) -> int:
         place = ", ".join(f"{x:.4g}" for x in layout.centroid[block])
         raise SceneError(
             f"{name}: {'xyz'[axis]} is no principal axis of rigid block {block} at ({place}) m, so its turn about "
-            f"{'xyz'[axis]} cannot be told from the others: fix 'rotation' or 'all', or put a rigid plate there"
+            f"{'xyz'[axis]} cannot be held alone: fix 'rotation' or 'all', or put a rigid plate there"
         )
     return 3 + int(np.argmax(share))

@@ -108,7 +108,7 @@ class Watch:
                 block = int(self.model.layout.members[kind][int(np.argmax(turn))])
                 where = ", ".join(f"{x:.4g}" for x in self.model.layout.centroid[block])
                 raise Stopped(
-                    f"step {step}: {kind} block {block} at ({where}) m has turned by {turn.max():.3g} rad, more than "
+                    f"step {step}: {kind} block {block} at ({where}) m has rotated by {turn.max():.3g} rad, more than "
                     f"solver.rotation_limit = {self.rotation_limit:g}. Displacements are linear in rotations here: a "
                     f"turn of {more:g} rad leaves an error of {50.0 * more**2:.2g} %. To accept that: --set "
                     f"solver.rotation_limit={more:g}"

@@ -78,7 +78,7 @@ class Film:
         FigureCanvasAgg(figure)
         figure.suptitle(plain(self.result.title), fontsize=13, wrap=True)
         self._draw_curve(curve)
-        draw_keys(figure, [self.panel], [self.result.specimen.blocks], self.scale, kinds_of(self.cracks))
+        draw_keys(figure, [self.panel], [self.drawing], self.scale, kinds_of(self.cracks))
         self.draw(len(self.frames) - 1)
         if (engine := figure.get_layout_engine()) is not None:
             engine.execute(figure)

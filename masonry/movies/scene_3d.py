@@ -107,11 +107,11 @@ class Stage:
 
     def look(self, view: str) -> None:
         """From the front, from behind, or from the front, the right and above."""
-        points = self.result.specimen.blocks.points
+        points, shape = self.result.specimen.blocks.points, self.result.specimen.shape
         if view == "iso":
             toward, up = oblique_sight().toward, np.eye(3)[2]
         else:
-            seen = back_view(points) if view == "back" else front_view(points)
+            seen = back_view(points, shape) if view == "back" else front_view(points, shape)
             toward, up = seen.toward, np.eye(3)[seen.up]
         self.plotter.enable_parallel_projection()
         self.plotter.view_vector(toward, viewup=up)

@@ -5,9 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from geometry.blocks import Blocks
 from masonry.history import Frame
-from masonry.pictures.crack_style import crack_keys, draw_scales, kinds_of, scale_of
+from masonry.pictures.crack_style import LEAST_DAMAGE, crack_keys, draw_scales, kinds_of, scale_of
 from masonry.pictures.curve import MEGA, MILLI, plain, without_noise
 from masonry.pictures.front import FlatDrawing, group_colours
 from masonry.pictures.oblique import SolidDrawing
@@ -18,6 +17,9 @@ if TYPE_CHECKING:
 
 VISIBLE = 0.04
 """The largest displacement is drawn as about this share of the specimen's size."""
+CLOSED = 0.0025
+"""What joints give way elastically is drawn as at most this share of it, about the width of a line: else strain looks
+like cracks where it opens, and like a layer between the units where it closes."""
 KEY_WIDTH = 2.0
 """Inches of an entry of the legend."""
 VIEWS = ("front", "back", "iso")
@@ -39,9 +41,17 @@ def frames_to_draw(result: "Result") -> list[tuple[str, Frame]]:
 
 
 def magnification(frame: Frame, size: float) -> float:
-    """How many times displacements are drawn, to two digits; 1 where nothing moves."""
-    largest = largest_move(frame)
+    """How many times displacements are drawn, to two digits, so that the largest shows and joints that are whole look
+    closed; 1 where nothing moves."""
+    largest = max(largest_move(frame), VISIBLE / CLOSED * elastic_move(frame))
     return float(f"{VISIBLE * size / largest:.2g}") if largest > 1e-12 * size else 1.0
+
+
+def elastic_move(frame: Frame) -> float:
+    """The largest way (m) that the faces of a joint moved towards each other, or apart under tension without a crack
+    that is drawn."""
+    pulled = (frame.damage <= LEAST_DAMAGE) & (frame.normal_stress > 0.0)
+    return float(np.where(pulled, np.abs(frame.opening), np.maximum(-frame.opening, 0.0)).max(initial=0.0))
 
 
 def largest_move(frame: Frame) -> float:
@@ -91,7 +101,7 @@ def gallery(
         frame_axes(one)
         title = panel_title(result, name, frame, larger, narrow=columns > 2)
         one.set_title(title, fontsize=10 if columns > 2 else 11)
-    draw_keys(figure, axes, [result.specimen.blocks for _, result, _ in panels], scale, kinds_of(cracks))
+    draw_keys(figure, axes, shown, scale, kinds_of(cracks))
     return figure
 
 
@@ -116,6 +126,8 @@ def panel_title(result: "Result", name: str, frame: Frame, times: float, narrow:
     """
     between = "\n" if narrow or len(name) > 30 else " "
     rows = result.history.rows
+    if not result.has_drive:
+        return f"{name}:{between}step {frame.step}\ndisplacements drawn {times:g} times"
     ways = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))
     words = f"{name}:{between}displacement {without_noise(frame.displacement, ways) * MILLI:.4g} mm"
     if len(rows.get("stress", ())):
@@ -134,16 +146,20 @@ def share_of_way(rows: dict[str, np.ndarray], frame: Frame) -> float:
     return float(np.interp(frame.step, rows["step"], way) / way[-1]) if way[-1] > 0.0 else 1.0
 
 
-def draw_keys(figure: Any, axes: list[Any], drawn: list[Blocks], scale: float, kinds: Sequence[str]) -> None:
-    """Colour bars of damage, and a legend of crack kinds, crack openings and block groups; of kinds that occur."""
+def draw_keys(figure: Any, axes: list[Any], drawings: Sequence[Drawing], scale: float, kinds: Sequence[str]) -> None:
+    """Colour bars of damage, and a legend of groups, crack kinds and openings, and the thrust line; of what occurs."""
     from matplotlib.patches import Patch
 
     draw_scales(figure, axes, kinds)
     colours: dict[str, str] = {}
-    for blocks in drawn:
+    for blocks in (drawing.result.specimen.blocks for drawing in drawings):
         shown = zip(blocks.groups, group_colours(blocks.groups), strict=True)
         colours |= {name: colour for g, (name, colour) in enumerate(shown) if g in blocks.group}
     keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
     keys += crack_keys(scale, kinds)
+    lines = {
+        line.in_a_row: line.key() for drawing in drawings if (line := getattr(drawing, "thrust", None)) is not None
+    }
+    keys += lines.values()
     columns = -(-len(keys) // -(-len(keys) // max(int(figure.get_figwidth() / KEY_WIDTH), 1)))
     figure.legend(handles=keys, loc="outside lower center", ncols=columns, frameon=False, fontsize=10)

@@ -30,18 +30,31 @@ class View:
         return points[..., [self.right, self.up]] * (self.way, 1.0)
 
 
-def front_view(points: np.ndarray) -> View:
-    """The view onto the plane of the two largest extents of points (P, 3); x-z where they tie."""
+UPRIGHT = ("arch",)
+"""Shapes of specimens that are seen along y however deep they are."""
+
+
+def plane_of_view(points: np.ndarray, shape: str = "") -> tuple[int, int]:
+    """Axis numbers to the right and up: the two largest extents of points (P, 3); x-z where they tie, and for UPRIGHT
+    shapes."""
+    if shape in UPRIGHT:
+        return 0, 2
     extent = np.ptp(points, axis=0)
     preference = np.array([2e-9, 0.0, 1e-9]) * extent.max()
-    right, up = sorted(np.argsort(-(extent + preference))[:2])
+    right, up = sorted(np.argsort(-(extent + preference))[:2].tolist())
+    return right, up
+
+
+def front_view(points: np.ndarray, shape: str = "") -> View:
+    """The view onto the plane of view."""
+    right, up = plane_of_view(points, shape)
     toward = np.cross(np.eye(3)[right], np.eye(3)[up])
-    return View(int(right), int(up), toward, float(extent.max()))
+    return View(right, up, toward, float(np.ptp(points, axis=0).max()))
 
 
-def back_view(points: np.ndarray) -> View:
+def back_view(points: np.ndarray, shape: str = "") -> View:
     """The same plane from behind."""
-    front = front_view(points)
+    front = front_view(points, shape)
     return replace(front, toward=-front.toward, way=-1.0)
 
 

@@ -80,11 +80,16 @@ def peak_point(result: "Result") -> Peak:
 
 
 def curve_figure(result: "Result") -> Any:
-    """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger; or loops and cycles."""
+    """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger; loops and cycles
+    of a drive that turns back; movements and reactions where there is none."""
     if result.summary.get("cycles"):
         from masonry.pictures.hysteresis import hysteresis_figure
 
         return hysteresis_figure(result)
+    if not result.has_drive and len(result.history.rows.get("step", ())):
+        from masonry.pictures.settling import settling_figure
+
+        return settling_figure(result)
     from masonry.pictures.figure import ShownFigure
 
     figure = ShownFigure(figsize=(10, 8), layout="constrained")
@@ -161,8 +166,8 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_a
 
 
 def draw_ledger(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray) -> None:
-    """Stacked areas; a term that is clearly negative somewhere cannot be stacked and is drawn as a line."""
-    terms = {name: rows[name] for name in LEDGER if name in rows}
+    """Stacked areas of the terms that there are; one that is clearly negative somewhere is drawn as a line."""
+    terms = {name: rows[name] for name in LEDGER if name in rows and rows[name].any()}
     size = max((float(np.abs(values).max()) for values in terms.values()), default=0.0)
     floor = -1e-3 * size
     stacked = [name for name, values in terms.items() if values.min() >= floor]

@@ -1,4 +1,4 @@
-"""A specimen from the front or from behind: its displaced outlines, group by colour, and its cracks on them."""
+"""A specimen from the front or from behind: its displaced outlines, group by colour, its cracks and thrust line."""
 
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -10,7 +10,8 @@ from geometry.polyhedra.indexing import ranges
 from masonry.history import Frame
 from masonry.pictures.crack_style import LEAST_DAMAGE, draw_cracks
 from masonry.pictures.cracks import CrackLines, Outlines, back_view, crack_lines, front_view, outlines
-from masonry.results.dry_joints import moved_undamaged
+from masonry.pictures.thrust_line import ThrustLine, thrust_line
+from masonry.results.dry_joints import as_it_stands, moved_undamaged
 
 if TYPE_CHECKING:
     from masonry.results.data import Result
@@ -24,10 +25,11 @@ class FlatDrawing:
     """Draws the frames of one result in one view."""
 
     def __init__(self, result: "Result", back: bool = False) -> None:
-        points = result.specimen.blocks.points
+        points, shape = result.specimen.blocks.points, result.specimen.shape
         self.result = result
-        self.view = back_view(points) if back else front_view(points)
+        self.view = back_view(points, shape) if back else front_view(points, shape)
         self.outlines = outlines(result.specimen.blocks, self.view)
+        self.thrust: ThrustLine | None = thrust_line(result, self.view)
 
     @property
     def size(self) -> float:
@@ -40,15 +42,21 @@ class FlatDrawing:
 
     def cracks(self, frame: Frame) -> CrackLines:
         """The contacts to draw."""
+        frame = as_it_stands(self.result, frame)
         lines = crack_lines(self.result.joints, frame, self.view)
         lines = replace(lines, dry=moved_undamaged(self.result, frame)[lines.contact])
         return lines.select((lines.damage > LEAST_DAMAGE) | lines.dry)
 
     def draw(self, axes: Any, frame: Frame, cracks: CrackLines, times: float, scale: float) -> None:
-        """Draw a frame with displacements `times` larger, and its cracks; `scale` is the opening (m) of full width."""
+        """Draw a frame with displacements `times` larger, its cracks and its thrust line.
+
+        scale  opening (m) of a line of full width
+        """
         blocks = self.result.specimen.blocks
         _draw_blocks(axes, blocks, self.outlines, self.view.project(blocks.points + times * frame.corners))
         draw_cracks(axes, self.result, cracks, frame, self.view, times, scale)
+        if self.thrust is not None:
+            self.thrust.draw(axes, self.result, frame, self.view, times)
 
 
 def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -> None:

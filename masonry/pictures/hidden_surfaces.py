@@ -8,6 +8,7 @@ from geometry.blocks import Blocks, Joints
 from geometry.joints.find import patch_faces
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
+from masonry.pictures.cracks import plane_of_view
 
 MOST_PLANES = 300
 """Faces in more planes than this are drawn by the depth of their middles alone."""
@@ -29,10 +30,9 @@ class Sight:
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
 
-def front_sight(points: np.ndarray) -> Sight:
-    """Onto the plane of the two largest extents of points (P, 3); x-z where they tie."""
-    size = np.ptp(points, axis=0)
-    right, up = sorted(np.argsort(-(size + np.array([2e-9, 0.0, 1e-9]) * size.max()))[:2])
+def front_sight(points: np.ndarray, shape: str = "") -> Sight:
+    """Onto the plane of view of points (P, 3)."""
+    right, up = plane_of_view(points, shape)
     axes = np.eye(3)
     return Sight(axes[right], axes[up], np.cross(axes[right], axes[up]), True)
 

@@ -18,7 +18,7 @@ from masonry.pictures.cracks import front_view
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, oblique_sight, visible_pieces
 from masonry.results.deformation import Corners, Deformation
-from masonry.results.dry_joints import moved_undamaged
+from masonry.results.dry_joints import as_it_stands, moved_undamaged
 
 if TYPE_CHECKING:
     from masonry.results.data import Result
@@ -59,6 +59,7 @@ class SolidDrawing:
 
     def cracks(self, frame: Frame) -> JointCracks:
         """The contacts to draw."""
+        frame = as_it_stands(self.result, frame)
         dry = moved_undamaged(self.result, frame)
         c = np.flatnonzero((frame.damage > LEAST_DAMAGE) | dry)
         parted = np.hypot(np.maximum(frame.opening[c], 0.0), frame.slip[c])

@@ -64,6 +64,13 @@ class Result:
         return str(title or self.summary.get("scene", "masonry"))
 
     @property
+    def has_drive(self) -> bool:
+        """Whether something is driven; where nothing is, there are reactions and gauges, but no curve and no peak."""
+        from masonry.laboratory.text import has_drive
+
+        return has_drive(self.summary)
+
+    @property
     def curve(self) -> "DataFrame | Table":
         """The rows, one a moment, in SI units (`curve.attrs["units"]`): `curve["displacement"]`, `curve["stress"]`,
         gauges, energies. A table of pandas where that is installed, else a small one of the same columns.
@@ -183,7 +190,7 @@ def load_history(folder: Path | str) -> Result:
         raise SceneError(f"'{folder}' is not a folder of results; `masonry run` writes one")
     for name in ("summary.json", "history.h5"):
         if not (folder / name).is_file() and (folder / "checkpoint" / "scene.toml").is_file():
-            raise SceneError(f"the run in '{folder}' is not done; go on with it: masonry resume {folder}")
+            raise SceneError(f"the run in '{folder}' is not finished; continue it: masonry resume {folder}")
         if not (folder / name).is_file():
             raise SceneError(f"'{folder}' has no {name}; it is not a folder of results, or its run did not finish")
     summary = json_of(folder / "summary.json")

@@ -1,5 +1,6 @@
 """Contacts that slid or opened for good without damage: joints that never had a strength, so that none was lost."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,12 +21,36 @@ LEAST = 1e-12
 
 def moved_undamaged(result: "Result", frame: Frame) -> np.ndarray:
     """(C,) which contacts have no damage, and yet slid or opened by more than their stress over their stiffness."""
+    opened, slid = _moved(result, frame)
+    return (frame.damage == 0.0) & (opened | slid)
+
+
+def as_it_stands(result: "Result", frame: Frame) -> Frame:
+    """The same frame, where the damage of law `friction` says what is open or has slid now.
+
+    The law keeps that a contact opened or slid at any time, be it by rounding while the loads were small.
+    """
+    laws = result.summary.get("law_by_group") or {}
+    dry = np.array([laws.get(name) == "friction" for name in result.joint_groups], dtype=bool)[result.joint_group]
+    if not dry.any():
+        return frame
+    opened, slid = _moved(result, frame)
+    return replace(
+        frame,
+        damage_tension=np.where(dry, opened, frame.damage_tension),
+        damage_shear=np.where(dry, slid, frame.damage_shear),
+    )
+
+
+def _moved(result: "Result", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
+    """(C,) which contacts opened, and which slid, by more than their stress over their stiffness."""
     normal, shear = (_stiffness(result, key) for key in ("normal_stiffness", "shear_stiffness"))
     open_for_good = np.maximum(frame.opening, 0.0) - np.maximum(frame.normal_stress, 0.0) / normal
     slid_for_good = frame.slip - np.abs(frame.shear_stress) / shear
     largest = float(np.hypot(np.maximum(frame.opening, 0.0), frame.slip).max(initial=0.0))
+    least = max(SHARE * largest, LEAST)
     with np.errstate(invalid="ignore"):
-        return (frame.damage == 0.0) & (np.fmax(open_for_good, slid_for_good) > max(SHARE * largest, LEAST))
+        return open_for_good > least, slid_for_good > least
 
 
 def _stiffness(result: "Result", key: str) -> np.ndarray:

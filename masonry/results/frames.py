@@ -38,7 +38,7 @@ def choose(result: "Result", step: str | int | float = "peak") -> Chosen:
     """
     frames = result.history.frames
     if not frames:
-        raise SceneError("this result has no frames: its run ended before there was one; nothing can be drawn of it")
+        raise SceneError("this result has no frames: its run ended before there was one; there is nothing to draw")
     if step == "last":
         return Chosen(frames[-1], "at the end")
     if step == "first":
@@ -54,16 +54,16 @@ def choose(result: "Result", step: str | int | float = "peak") -> Chosen:
         return Chosen(frame, f"at step {frame.step}")
     ways = np.array([kept.displacement for kept in frames])
     note = (
-        f"no frame was kept at '{step}'; drawn is the nearest of {len(frames)}: step {frame.step}, displacement "
+        f"no frame was kept at '{step}'; the nearest of {len(frames)} is drawn: step {frame.step}, displacement "
         f"{without_noise(frame.displacement, ways) * 1e3:.4g} mm (a run keeps more with --set solver.frames=100)"
     )
     return Chosen(frame, f"at step {frame.step}, the nearest kept to {step}", note)
 
 
 def at_peak(result: "Result") -> Frame:
-    """The frame nearest to the row of the peak (cycles.peak_row); the last one where there are no rows."""
+    """The frame nearest to the row of the peak (cycles.peak_row); the last one without rows or without a drive."""
     rows, frames = result.history.rows, result.history.frames
-    if not len(rows.get("stress", ())):
+    if not (len(rows.get("stress", ())) and result.has_drive):
         return frames[-1]
     return _nearest(frames, rows["step"][peak_row(rows)])
 
@@ -75,8 +75,10 @@ def _nearest(frames: list[Frame], step: float) -> Frame:
 def _at_peak(result: "Result") -> Chosen:
     if not len(result.history.rows.get("stress", ())):
         return Chosen(
-            at_peak(result), "at the end", "this result has no rows, so its peak is not known; drawn is the end"
+            at_peak(result), "at the end", "this result has no rows, so its peak is not known; the end is drawn"
         )
+    if not result.has_drive:
+        return Chosen(at_peak(result), "at the end")
     return Chosen(at_peak(result), "at the peak")
 
 
@@ -92,8 +94,8 @@ def _at_lowest(result: "Result") -> Chosen:
     return Chosen(
         frame,
         "nearest kept to the lowest stress",
-        f"no frame was kept at the lowest stress, {stress[row] * 1e-6:.3g} MPa at step {rows['step'][row]:.0f}; drawn "
-        f"is the nearest of {len(result.history.frames)}: step {frame.step} (a run keeps more with --set "
+        f"no frame was kept at the lowest stress, {stress[row] * 1e-6:.3g} MPa at step {rows['step'][row]:.0f}; the "
+        f"nearest of {len(result.history.frames)} is drawn: step {frame.step} (a run keeps more with --set "
         "solver.frames=100)",
     )
 

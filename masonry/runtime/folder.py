@@ -92,8 +92,8 @@ def _named(out: Path, overwrite: bool) -> Path:
     there = {entry.name for entry in out.iterdir()} - {LOCK}
     if not overwrite and (out / "checkpoint" / "scene.toml").is_file():
         raise SceneError(
-            f"--out '{out}' holds a run that is not done: go on with `masonry resume {out}`, name a new folder, or add"
-            " --overwrite to begin anew"
+            f"--out '{out}' holds a run that is not finished: continue it with `masonry resume {out}`, name a new "
+            "folder, or add --overwrite to start again"
         )
     if not overwrite and there:
         raise SceneError(f"--out '{out}' is not empty; name a new folder, or add --overwrite to replace its results")

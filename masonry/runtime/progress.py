@@ -2,13 +2,16 @@
 
 import contextlib
 import sys
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, TextIO
 
 LINE_SHARE = 0.1
 LINE_SECONDS = 10.0
 """A plain line is due after this share of the steps, or after this time."""
+TICK_SECONDS = 1.0
+"""While nobody knows how far it is, the time that it took is told anew so often on a terminal."""
 BAR_SECONDS = 0.1
 """A bar is drawn at most this often."""
 
@@ -82,6 +85,23 @@ class Progress:
         if note and (first_word != self._announced or now - self._said_at >= LINE_SECONDS):
             self._announced, self._said_at = first_word, now
             self._say("  ".join([self.label, note] if self.label else [note]))
+
+    @contextlib.contextmanager
+    def waiting(self, note: str) -> Iterator[None]:
+        """While something is done that cannot say how far it is: the note, and how long it has taken so far."""
+        over, begun = threading.Event(), self._clock()
+
+        def tick() -> None:
+            while not over.wait(TICK_SECONDS):
+                self.update(0, f"{note}: {self._clock() - begun:.0f} s")
+
+        ticking = threading.Thread(target=tick, daemon=True)
+        ticking.start()
+        try:
+            yield
+        finally:
+            over.set()
+            ticking.join()
 
     def __call__(self, step: int, total_steps: int, note: str = "") -> None:
         """What a time loop calls: `step` of `total_steps` are done."""

@@ -170,8 +170,9 @@ def _outside(model: Any, path: Keys, raw: Any) -> Any:
     """The table of a law or a specimen of another package, where the scene names one there."""
     if len(path) == 2 and path[0] == "contact" and isinstance(table := raw["contact"].get(path[1]), dict):
         return contact_class(table.get("law", raw.get("law")), ())
-    if path == ("specimen",) and isinstance(kind := raw["specimen"].get("kind"), str) and kind not in kinds():
-        return specimen_class(kind) or model
+    if path == ("specimen",) and isinstance(table := raw.get("specimen"), dict):
+        kind = table.get("kind")
+        return specimen_class(kind) or model if isinstance(kind, str) and kind not in kinds() else model
     return model
 
 

@@ -52,6 +52,11 @@ class Scene(Table):
         return self.kinematics.get(group, self.kinematics["default"])
 
     @property
+    def has_dead_loads(self) -> bool:
+        """Whether there is a traction or gravity: they settle before the drive moves."""
+        return bool(self.traction) or self.gravity is not None
+
+    @property
     def is_controlled(self) -> bool:
         """Whether the drive is paced by its error, and motion is damped against what is expected."""
         return self.drive is not None and self.drive.accuracy is not None
@@ -98,9 +103,7 @@ class Scene(Table):
 
     @model_validator(mode="after")
     def _fits_together(self) -> "Scene":
-        loads = bool(self.traction) or self.gravity is not None
-        if loads and self.settle is None:
-            raise KeyedError("settle", "missing; traction and gravity need steps to settle in: steps = 2000")
+        loads = self.has_dead_loads
         if self.settle is not None and not loads:
             raise KeyedError("settle", "there is no traction and no gravity to settle; leave this table out")
         if self.drive is None and not loads:
@@ -112,7 +115,7 @@ class Scene(Table):
         for k, traction in enumerate(self.traction):
             if traction.history is not None and self.is_controlled:
                 raise KeyedError(
-                    f"traction.{k}.history", "an accuracy paces the drive alone; give drive.steps or drive.rate"
+                    f"traction.{k}.history", "an accuracy controls the drive only; give drive.steps or drive.rate"
                 )
         self._kinematics_have_what_they_need()
         if self.scatter is not None:

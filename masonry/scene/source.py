@@ -99,7 +99,7 @@ def _below(source: Source, base: Any, file: Traversable, depth: int) -> Source:
     if not isinstance(base, str) or not base:
         raise SceneError(f"{where}: must be the name of a packaged scene or a file, not {base!r:.60}")
     if depth >= DEEPEST:
-        raise SceneError(f"{where}: more than {DEEPEST} scenes stand on top of each other; does one name itself?")
+        raise SceneError(f"{where}: more than {DEEPEST} scenes are based on each other; is one its own base?")
     beside = file.parent if isinstance(file, Path) else Path()
     try:
         return read(base if base in packaged() else beside / base, depth + 1, base)

@@ -54,7 +54,7 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         return _run(sweep, planned, folder, words, tell)
     except KeyboardInterrupt:
-        _tell(f"masonry: interrupted; what is done stays in '{folder}', and the same command goes on from there")
+        _tell(f"masonry: interrupted; what is done stays in '{folder}', and the same command continues from there")
         return INTERRUPTED
 
 

@@ -82,7 +82,7 @@ class _Base:
             for key, value in of_another.items():
                 assert value.of is not None
                 if value.of in of_another:
-                    raise SceneError(f"{key}: of {value.of}, which is itself told by another key; name that one")
+                    raise SceneError(f"{key}: of {value.of}, which itself follows another key; name that key")
                 here = known if value.of in known else tomllib.loads(Job(self.sweep.scene, known).resolved)
                 plain[key] = _scaled(here, key, value.of, value.factor)
         values = {key: plain[key] for key in given}

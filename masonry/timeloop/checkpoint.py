@@ -35,8 +35,13 @@ class Checkpoints:
         with WholeFiles(self.folder) as files:
             files.text("run.json", json.dumps(how) + "\n")
             files.text(
-                "HOW-TO-GO-ON.txt", f"This run is not done. To go on with it:\n\n    masonry resume {self.results}\n"
+                "HOW-TO-GO-ON.txt", f"This run is not finished. To continue it:\n\n    masonry resume {self.results}\n"
             )
+            files.text("scene.toml", scene_toml)
+
+    def resolve(self, scene_toml: str) -> None:
+        """Keep a scene in place of the one that the run was begun with. Raises OSError."""
+        with WholeFiles(self.folder) as files:
             files.text("scene.toml", scene_toml)
 
     def how(self) -> dict[str, Any]:

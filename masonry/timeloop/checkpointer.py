@@ -51,6 +51,17 @@ class Keeper:
         self.written = 0
         self.failing = False
 
+    def run_another(self, toml: str, origin: dict[str, str]) -> None:
+        """Before the start: the scene (TOML) that is run, where it is not just the one that was asked for. Raises
+        SceneError where it cannot be kept."""
+        self.origin = origin
+        try:
+            if self.checkpoints is not None:
+                self.checkpoints.resolve(toml)
+        except OSError as error:
+            folder = self.checkpoints.folder if self.checkpoints is not None else ""
+            raise SceneError(f"cannot write the scene to '{folder}': {error.strerror or error}") from None
+
     def start(self, model: Model, run: Remembers) -> bool:
         """Before the first chunk: put back what was saved, if anything was; returns whether something was.
 
@@ -64,8 +75,8 @@ class Keeper:
             return False
         if self.saved["model"] != model_state.fingerprint(model):
             raise SceneError(
-                "the checkpoint is of another model: blocks, joints or meshes come out otherwise here than where it was"
-                " begun (another processor, or other versions of libraries); run the scene again"
+                "the checkpoint belongs to another model: blocks, joints or meshes differ here from those at its start "
+                "(another processor, or other versions of libraries); run the scene again"
             )
         try:
             model_state.restore(model, self.saved["arrays"])

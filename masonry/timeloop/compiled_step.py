@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from masonry.jit.compiler import kind_of, once
+from masonry.jit.compiler import is_kept, kind_of, once
 from masonry.kernels.step import advance
 from masonry.loading.scheduled import Chunk
 from masonry.model.model import Model
@@ -16,11 +16,20 @@ from masonry.monitors import energy
 
 def compile_for(model: Model, threads: int) -> None:
     """Compile (or load from the cache) the step for exactly this model, without taking one."""
-    parallel = True if threads > 1 else None
-    kind = parallel, model.damping, model.groups, model.contacts, model.bodies, model.drives
-    with once(kind_of(kind)), interrupt_afterwards():
+    with once(_kind(model, threads)), interrupt_afterwards():
         advance_model(model, Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
         energy.observe(model)
+
+
+def is_compiled(model: Model, threads: int) -> bool:
+    """Whether the step for such a model is there to be loaded."""
+    return is_kept(_kind(model, threads))
+
+
+def _kind(model: Model, threads: int) -> str:
+    """The name of all models that one compiled step serves."""
+    parallel = True if threads > 1 else None
+    return kind_of((parallel, model.damping, model.groups, model.contacts, model.bodies, model.drives))
 
 
 @contextlib.contextmanager

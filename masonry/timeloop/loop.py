@@ -86,7 +86,13 @@ class Loop:
         self.take_row(self.done, before, frame_due)
         self.outcome.steps = self.done
         if progress is not None:
-            progress(now, whole, f"step {self.done}, stress {self.rows[-1][3] / 1e6:.3f} MPa")
+            progress(now, whole, f"step {self.done}, {self.state_of_the_run()}")
+
+    def state_of_the_run(self) -> str:
+        """In a few words: the stress at the drive; without one, or before it moves, how far the loads have settled."""
+        if self.done <= self.settle:
+            return f"{self.outcome.unbalanced:.2g} of the dead loads unbalanced"
+        return f"stress {self.rows[-1][3] / 1e6:.3f} MPa"
 
     def take_steps(self, done: int, chunk: Chunk) -> list[np.ndarray]:
         """The steps of a chunk, and a look whether they can be trusted; returns the velocities before the last."""
@@ -168,7 +174,7 @@ class Loop:
         self.work_of_loads.look(model, self.shares(), step <= self.settle)
         higher = stress > self.highest_row and step > 0
         if frame_due or higher:
-            standing = self.recording.surroundings.standing(model, step, place, self.shares())
+            standing = self.recording.surroundings.standing(model, before, step, place, self.shares())
             frame = frame_of(model, view, step, place, self.watch.nearest)
             if frame_due:
                 self.frames.append(frame)

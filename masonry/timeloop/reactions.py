@@ -1,5 +1,6 @@
 """What holds a specimen and what loads it: force and moment of supports, drive and dead loads; work of the loads."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,6 +11,7 @@ from masonry.model.loads import Conditions
 from masonry.model.model import Model
 from masonry.monitors.energy import present
 
+FORCE, MOMENT = slice(0, 3), slice(3, 6)
 Parts = dict[str, tuple[np.ndarray, np.ndarray]]
 """Per kind: rows of its freedoms (n,), and for each the shares or loads of its freedoms (n, freedoms)."""
 
@@ -30,12 +32,15 @@ class Outer:
 @dataclass(frozen=True)
 class Standing:
     """Forces (N) and moments (N m, about the origin of the scene) at one moment: of supports and drive (H, 6), of dead
-    loads (L, 6); force (C, 3) N of the contacts on their side a."""
+    loads (L, 6), of damping and of inertia on what is free to move (6,); force (C, 3) N of contacts on their side a.
+    """
 
     step: int
     displacement: float
     reactions: np.ndarray
     loads: np.ndarray
+    damping: np.ndarray
+    inertia: np.ndarray
     force: np.ndarray
 
 
@@ -56,15 +61,18 @@ class Surroundings:
             varies = [k for k, varying in enumerate(conditions.varying) if varying is load]
             self.loads.append(Outer(name, _parts(load), *varies))
 
-    def standing(self, model: Model, step: int, displacement: float, shares: list[float]) -> Standing:
-        """The forces now; `shares` of the loads that act."""
+    def standing(
+        self, model: Model, before: list[np.ndarray], step: int, displacement: float, shares: list[float]
+    ) -> Standing:
+        """The forces now; `before`: velocities one step earlier; `shares` of the loads that act."""
         layout = model.layout
         bodies = dict(present(model))
         held = np.zeros((len(self.holds), 6))
         for k, one in enumerate(self.holds):
             for kind, (rows, mask) in one.parts.items():
                 held[k] += resultant(layout, kind, rows, mask * bodies[kind].hold[rows])
-        return Standing(step, displacement, held, self.resultants(layout, shares), model.contacts[4].copy())
+        loads = self.resultants(layout, shares)
+        return Standing(step, displacement, held, loads, *of_motion(model, before), model.contacts[4].copy())
 
     def resultants(self, layout: Layout, shares: list[float]) -> np.ndarray:
         """(L, 6) of the loads at their shares."""
@@ -92,6 +100,20 @@ def _parts(values: dict[str, np.ndarray] | dict[str, np.ndarray | None]) -> Part
         if array is not None and len(rows := np.flatnonzero(np.any(array != 0.0, axis=1))):
             found[kind] = rows, np.ascontiguousarray(array[rows])
     return found
+
+
+def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """(6,) of damping and (6,) of inertia, minus mass times acceleration, on all freedoms that are free.
+
+    Contacts and the blocks' own stresses add nothing to the sum over all blocks, and free freedoms move by eq. (1): so
+    reactions, loads, damping and inertia add up to 0 at every step, at rest or not. `before`: velocities a step ago.
+    """
+    damping, inertia = np.zeros(6), np.zeros(6)
+    for (kind, body), old in zip(present(model), before, strict=True):
+        masses, rows = model.masses[kind], np.arange(len(body.v))
+        damping += resultant(model.layout, kind, rows, np.where(masses > 0.0, body.hold, 0.0))
+        inertia -= resultant(model.layout, kind, rows, masses * (body.v - old) / model.dt)
+    return damping, inertia
 
 
 def resultant(layout: Layout, kind: str, rows: np.ndarray, forces: np.ndarray) -> np.ndarray:
@@ -134,16 +156,47 @@ class WorkOfLoads:
 
 
 def balance(holds: tuple[tuple[str, str], ...], loads: tuple[str, ...], standing: Standing) -> dict[str, Any]:
-    """Force (N) and moment (N m, about the origin of the scene) of every support, the drive and every load, and what is
-    left of their sum; holds: name, and what it takes hold of. At rest nothing is left; else it moves the specimen."""
+    """Force (N) and moment (N m, about the origin of the scene) of every support, the drive and every load, of damping
+    and inertia, and the sum of all: 0 but for rounding; holds: name, and what it takes hold of.
+    """
     found: dict[str, Any] = {"step": standing.step, "displacement_m": standing.displacement}
     for (name, on), acts in zip(holds, standing.reactions, strict=True):
         found[name] = {"on": on, **_words(acts)}
     for name, acts in zip(loads, standing.loads, strict=True):
         found[name] = _words(acts)
-    found["sum"] = _words(standing.reactions.sum(axis=0) + standing.loads.sum(axis=0))
+    motion = standing.damping + standing.inertia
+    found |= {"damping": _words(standing.damping), "inertia": _words(standing.inertia)}
+    found["sum"] = _words(standing.reactions.sum(axis=0) + standing.loads.sum(axis=0) + motion)
     return found
 
 
+def open_by(standings: Collection[Standing], size: float) -> float:
+    """What is left of the sum of all forces, or of all moments over the size (m) of the specimen, as a share.
+
+    Its measure is the largest force of all the moments in time that are given: one that has fallen to nothing by the
+    end tells nothing of rounding.
+    """
+    return max((_largest(_all(one).sum(axis=0), size) for one in standings), default=0.0) / _scale(standings, size)
+
+
+def moved_by(standing: Standing, standings: Collection[Standing], size: float) -> float:
+    """What damping and inertia make together at one moment in time, measured alike: 0 at rest."""
+    return _largest(standing.damping + standing.inertia, size) / _scale(standings, size)
+
+
+def _all(standing: Standing) -> np.ndarray:
+    return np.vstack([standing.reactions, standing.loads, standing.damping, standing.inertia])
+
+
+def _scale(standings: Collection[Standing], size: float) -> float:
+    """The largest force (N), or moment over the size; never 0."""
+    return max((_largest(_all(one), size) for one in standings), default=0.0) or 1.0
+
+
+def _largest(acts: np.ndarray, size: float) -> float:
+    """Of forces and moments (..., 6): the largest component (N), of moments over a length (m)."""
+    return float(max(np.abs(acts[..., FORCE]).max(), np.abs(acts[..., MOMENT]).max() / size))
+
+
 def _words(acts: np.ndarray) -> dict[str, list[float]]:
-    return {"force_n": acts[:3].tolist(), "moment_nm": acts[3:].tolist()}
+    return {"force_n": acts[FORCE].tolist(), "moment_nm": acts[MOMENT].tolist()}

@@ -1,5 +1,6 @@
 """A whole run of a model: its step is compiled or loaded, its chunks are taken, and what it came to is put together."""
 
+import contextlib
 import time
 from collections.abc import Callable
 
@@ -9,11 +10,13 @@ import numpy as np
 from geometry.jit_cache import NOT_KEPT
 from masonry.errors import SceneError, Stopped
 from masonry.history import UNITS, History
+from masonry.laws.dispatch import word_of
 from masonry.loading.dispatch import pace_of
 from masonry.model.loads import Controlled, Program
 from masonry.model.model import Model
+from masonry.runtime.progress import Progress
 from masonry.timeloop.checkpointer import Keeper
-from masonry.timeloop.compiled_step import compile_for
+from masonry.timeloop.compiled_step import compile_for, is_compiled
 from masonry.timeloop.loop import Loop
 from masonry.timeloop.recording import Outcome, Recording
 
@@ -31,16 +34,10 @@ def run(
     keeper  writes checkpoints, goes on from one, and says when to end; without one, Ctrl-C ends the run
     """
     outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
-    if threads > 1:
-        _use(threads)
-    begun = time.perf_counter()
+    outcome.seconds_compile = prepare(model, threads, progress)
     pace = pace_of(model, plan, recording.rows)
-    if progress is not None:
-        progress(0, pace.progress()[1], "compiling the step for this scene, or loading it")
-    compile_for(model, threads)
     if NOT_KEPT:
         outcome.log.append(f"what was compiled could not be kept, so the next run compiles it again: {NOT_KEPT[0]}")
-    outcome.seconds_compile = time.perf_counter() - begun
     loop = Loop(model, pace, plan.settle, recording, threads, outcome)
     if keeper is not None and keeper.start(model, loop):
         outcome.log += [f"resumed at step {loop.done}", *keeper.remarks]
@@ -55,6 +52,28 @@ def run(
     outcome.seconds_run = loop.seconds
     loop.finish()
     return outcome
+
+
+def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None] | None) -> float:
+    """Have the step of a model compiled, or loaded where it is there already; the seconds that this takes."""
+    begun = time.perf_counter()
+    if threads > 1:
+        _use(threads)
+    waiting: contextlib.AbstractContextManager[None] = contextlib.nullcontext()
+    if progress is not None and not is_compiled(model, threads):
+        what = compiling_text(model)
+        progress(0, 0, what)
+        waiting = progress.waiting(what) if isinstance(progress, Progress) else waiting
+    with waiting:
+        compile_for(model, threads)
+    return time.perf_counter() - begun
+
+
+def compiling_text(model: Model) -> str:
+    """What is compiled: the kinds of blocks and the laws that are in it."""
+    blocks = " and ".join(kind for kind, members in model.layout.members.items() if len(members))
+    laws = ", ".join(dict.fromkeys(word_of(shape) for shape in model.groups[0]))
+    return f"compiling the step for {blocks} blocks, law {laws or 'none'} (once for all such scenes, half a minute)"
 
 
 def _use(threads: int) -> None:

@@ -13,7 +13,7 @@ from masonry.assembly.assemble import joined
 from masonry.cli.main import main
 from masonry.drawings.condition_marks import marks, parts_of
 from masonry.drawings.geometry_picture import draw_geometry, geometry_figure, sight_of
-from masonry.drawings.picture_frame import _apart
+from masonry.drawings.picture_frame import _apart, _clear
 from masonry.pictures.hidden_surfaces import covered_shares, front_sight, hidden, oblique_sight, visible_pieces
 from masonry.scene import load
 
@@ -141,6 +141,25 @@ def test_a_plate_that_is_pulled_has_arrows_that_lead_away_from_its_outer_side():
     assert np.allclose(base[:, 0], specimen.blocks.points[:, 0].max()) and way[0] == 1 and not presses
 
 
+def test_a_history_of_one_way_is_drawn_the_way_it_goes_and_one_that_turns_says_so():
+    scene = load("arch-spread")
+    drive = marks(scene, *joined(scene))[-1]
+    base, way, presses = drive.arrows[0]
+    assert drive.words == "drive: right abutment, -1 mm along -x"
+    assert way.tolist() == [1.0, 0.0, 0.0] and not presses and base[:, 0].min() > 1.0
+    turning = load("couplet-cyclic")
+    assert [mark.value for mark in marks(turning, *joined(turning)) if mark.kind == "drive"] == [
+        "0.4 mm at most, back and forth"
+    ]
+
+
+def test_names_keep_clear_of_other_words_and_stay_in_order():
+    moved = _clear([0.0, 0.04, 0.3], [0.02, 0.31], 0.05)
+    assert np.all(np.diff(moved) >= 0.05 - 1e-12)
+    assert all(abs(level - taken) >= 0.05 for level in moved for taken in (0.02, 0.31))
+    assert _clear([0.0, 1.0], [], 0.05) == [0.0, 1.0]
+
+
 def test_rollers_that_stand_apart_are_marked_one_by_one():
     scene = load("bending-0")
     specimen, joints = joined(scene)
@@ -157,7 +176,7 @@ def test_names_beside_the_picture_are_apart_and_in_order():
 @pytest.mark.parametrize(
     ("name", "view"),
     [
-        *((name, None) for name in ("couplet", "wallette-mode-2", "bending-025")),
+        *((name, None) for name in ("couplet", "wallette-mode-2", "bending-025", "arch-spread")),
         *(("couplet-cyclic", view) for view in ("front", "iso")),
     ],
 )

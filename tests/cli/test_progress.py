@@ -1,6 +1,11 @@
 """Progress is a bar on a terminal and a few plain lines in a file."""
 
 import io
+import os
+import re
+import subprocess
+import sys
+import threading
 
 import pytest
 
@@ -118,10 +123,48 @@ CONTROL = {
 
 
 def test_a_run_without_damage_says_so_and_rounding_reads_as_0():
-    assert accuracy_text(CONTROL) == "1 % asked; no contact was damaged; damping took 0 % of the work"
-    assert "kinetic / internal    0 %" in summary_text(CONTROL)
+    assert accuracy_text(CONTROL) == "1 % asked for; no contact was damaged; damping took 0 % of the work"
+    assert "kinetic energy        at most 0 % of" in summary_text(CONTROL)
     damaged = CONTROL | {"energy_j": {"fracture_mode_1": 0.0, "fracture_mode_2": 1e-3}, "damping_over_external": 2e-3}
-    assert "after the first damage the drive ran ahead" in accuracy_text(damaged)
+    assert "after the first damage the drive did" in accuracy_text(damaged)
     assert "damping took 0.2 % of the work" in accuracy_text(damaged)
     assert "damping gave 0.38 % of the work, by pulling" in accuracy_text(damaged | {"damping_over_external": -3.8e-3})
     assert "damping gave 3 %" in accuracy_text(CONTROL | {"damping_over_external": -0.03})
+
+
+def test_while_something_is_compiled_the_seconds_are_told_and_nothing_after_it(monkeypatch):
+    monkeypatch.setattr("masonry.runtime.progress.TICK_SECONDS", 0.01)
+    stream = io.StringIO()
+    seen = threading.Event()
+
+    class Ticking(Clock):
+        def __call__(self):
+            self.now += 4.0
+            if self.now > 140.0:
+                seen.set()
+            return self.now
+
+    with Progress(label="x", stream=stream, clock=Ticking()) as progress:
+        progress(0, 0, "compiling")
+        with progress.waiting("compiling"):
+            assert seen.wait(10.0)
+        threads = threading.active_count()
+        said = stream.getvalue().splitlines()
+    assert said[0] == "x  compiling" and re.fullmatch(r"x  compiling: \d+ s", said[1])
+    assert threading.active_count() == threads and stream.getvalue().splitlines() == said
+
+
+def test_compiling_is_told_once_and_only_where_something_is_compiled(tmp_path):
+    """In a process with an empty cache, and again in one that finds the step there."""
+    code = (
+        "import masonry\nfrom masonry import laboratory\n"
+        "scene = masonry.load('couplet', ['law=elastic', 'settle.steps=100', 'drive.steps=600', 'solver.rows=10'])\n"
+        "laboratory.run(scene, progress=lambda step, steps, note: print(step, note))\n"
+    )
+    environment = {**os.environ, "MASONRY_CACHE": str(tmp_path)}
+    words = [sys.executable, "-c", code]
+    first, second = (
+        subprocess.run(words, env=environment, capture_output=True, text=True, check=True).stdout for _ in range(2)
+    )
+    assert first.count("0 compiling the step for rigid blocks, law elastic (once for all such scenes") == 1
+    assert "compiling" not in second and "step 700" in second

@@ -88,7 +88,7 @@ def test_the_lowest_stress_has_a_frame_or_its_nearest_which_says_so():
     result.history.rows["stress"][90] = -7e5
     chosen = choose(result, "lowest")
     assert (chosen.frame.step, chosen.name) == (1000, "nearest kept to the lowest stress")
-    assert "lowest stress, -0.7 MPa at step 900; drawn is the nearest of 3: step 1000" in chosen.note
+    assert "lowest stress, -0.7 MPa at step 900; the nearest of 3 is drawn: step 1000" in chosen.note
     with pytest.raises(SceneError, match="no stress below zero"):
         choose(sample(), "lowest")
 
@@ -126,7 +126,7 @@ def test_the_command_draws_the_peak_beside_the_results_and_says_where(folder, ca
     assert main(["picture", str(folder), "--step", "0.05 mm", "--view", "iso"]) == 0
     path, note = capsys.readouterr().out.strip().split("\n")
     assert path == str(folder / "0.05-mm-iso.png")
-    assert re.fullmatch(r"no frame was kept at '0.05 mm'; drawn is the nearest of 3: step 200, .*0.04 mm.*", note)
+    assert re.fullmatch(r"no frame was kept at '0.05 mm'; the nearest of 3 is drawn: step 200, .*0.04 mm.*", note)
 
 
 @pytest.mark.parametrize("view", ["front", "back", "iso"])

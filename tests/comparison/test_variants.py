@@ -63,6 +63,7 @@ def test_plates_turn_or_do_not_where_they_are_rigid_and_not_held_altogether():
     assert settings(hinged, "plates") == [{"support.1.fix": ["y", "rotation"]}]
     assert settings(load("wallette-mode-1", {"kinematics.plates": "affine"}), "plates") == []
     assert settings(load("couplet"), "plates") == []
+    assert settings(load("shear-wall"), "plates") == [{"support.1.fix": ["y"]}]
 
 
 def test_cells_get_other_seeds_and_a_grid_gets_cells():

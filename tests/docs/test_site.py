@@ -1,10 +1,12 @@
 """The site builds without a warning, whole, and opens without a network."""
 
+import importlib.util
 import re
 import subprocess
 import sys
 
 import pytest
+from docutils import nodes
 
 from tests.docs.pages import ROOT, pages
 
@@ -58,3 +60,21 @@ def test_the_gallery_shows_every_packaged_scene_with_its_picture(site):
     pictures = set(re.findall(r'src="_images/([^"]+)"', page))
     assert len(pictures) >= len(packaged())
     assert all((site / "_images" / name).stat().st_size > 10_000 for name in pictures)
+
+
+def test_cells_of_wide_tables_carry_the_name_of_their_column_for_narrow_screens(site):
+    page = (site / "scene.html").read_text(encoding="utf-8")
+    assert page.count('<td data-name="meaning">') > 50
+    narrow = re.search(r"<table.*?</table>", page, re.DOTALL)
+    assert narrow and "data-name" not in narrow[0], "a table of three columns stays a table"
+
+
+def test_an_empty_output_of_a_cell_is_taken_out_and_no_other():
+    spec = importlib.util.spec_from_file_location("outputs", ROOT / "docs" / "_ext" / "outputs.py")
+    outputs = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(outputs)
+    tree = nodes.document(None, None)
+    for text, classes in (("\n", ["output", "text_plain"]), ("1.375", ["output", "text_plain"]), ("", ["code"])):
+        tree += nodes.literal_block(text, text, classes=classes)
+    outputs._drop_empty(None, tree, "tutorial")
+    assert [block.astext() for block in tree.children] == ["1.375", ""]

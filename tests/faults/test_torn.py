@@ -20,7 +20,7 @@ def test_a_torn_checkpoint_gives_way_to_the_one_before_it(alone, tmp_path, monke
     tear(kept.states()[0][1])
     assert resume(tmp_path / "out") == 0
     said = capsys.readouterr().err
-    assert "is damaged" in said and "the one before it is taken" in said and said.count("\n") == 1
+    assert "is damaged" in said and "the one before it is used" in said and said.count("\n") == 1
     assert differences(alone, tmp_path / "out") == []
 
 
@@ -46,7 +46,7 @@ def test_a_checkpoint_of_something_else_is_refused_and_kept(what, change, tmp_pa
     change(kept)
     assert resume(tmp_path / "out") == 2
     said = capsys.readouterr().err
-    assert f"begun with another state of {what} (" in said and said.count("\n") == 1
+    assert f"started with another state of {what} (" in said and said.count("\n") == 1
     assert len(kept.states()) == 2
 
 
@@ -64,7 +64,7 @@ def test_a_checkpoint_that_lacks_something_counts_as_damaged(key, alone, tmp_pat
     state = state_file.read(newest)
     state_file.write(newest, {**state, key: None})
     assert resume(tmp_path / "out") == 0
-    assert f"is damaged (it has no '{key}'); the one before it is taken" in capsys.readouterr().err
+    assert f"is damaged (it has no '{key}'); the one before it is used" in capsys.readouterr().err
     assert differences(alone, tmp_path / "out") == []
 
 

@@ -1,4 +1,4 @@
-"""The package of docs/own-laws.md, as a reader makes it: the page is the single source of law, arch and scenes."""
+"""The package of docs/own-laws.md, as a reader makes it: the page is the single source of law, vault and scenes."""
 
 import re
 import sys

@@ -29,6 +29,7 @@ def test_the_triplet_slides_on_both_joints_at_the_force_of_coulomb(triplet):
     slid = 1e-3 - MU * 0.5e6 / KS
     assert triplet.energies["friction"] == pytest.approx(2 * MU * confined * slid, rel=1e-6)
     assert triplet.energies["fracture_mode_1"] == triplet.energies["fracture_mode_2"] == 0.0
+    assert triplet.summary["kinetic_over_internal_max"] < 0.01 and triplet.summary["damping_over_external"] >= 0.0
 
 
 def test_the_peak_of_a_plateau_is_where_it_begins(triplet):

@@ -45,7 +45,7 @@ def own(name: str = "bilinear", **changes) -> tuple:
 def test_the_law_of_the_page_has_no_more_than_30_lines():
     text = files_of_page()["bilinear.py"].partition("from masonry.laws.snap_back")[0]
     assert len(text.strip().splitlines()) <= 30
-    assert len(files_of_page()["arch.py"].splitlines()) < 30
+    assert len(files_of_page()["vault.py"].splitlines()) < 30
 
 
 def test_opening_follows_the_two_lines():

@@ -205,3 +205,61 @@ def test_a_dry_joint_that_slid_is_drawn_as_wide_as_it_slid_and_an_elastic_one_is
     assert not len(drawing.cracks(elastic).damage)
     slid.scene_toml = "title = 'nothing is known of its stiffness'"
     assert not len(FlatDrawing(slid).cracks(frame).damage)
+
+
+def resting(**gauges):
+    """The sample without a drive: its supports and weight only, and gauges."""
+    result = sample()
+    acts = {"on": "bottom", "force_n": [1e-14, 0.0, 134.2], "moment_nm": [0.0, 0.0, 0.0]}
+    end = {"step": 1000, "displacement_m": 0.0, "support.0": acts, "gravity": {"force_n": [0.0, 0.0, -134.2]}}
+    result.summary["reactions"] = {"end": end}
+    rows = result.history.rows
+    rows |= {"displacement": 0.0 * rows["step"], "stress": 0.0 * rows["step"], **gauges}
+    return result
+
+
+def test_without_a_drive_the_top_and_the_reactions_are_drawn_and_no_curve():
+    result = resting()
+    moved, ledger = result.plot().axes
+    words = moved.get_title(loc="left").split("\n")
+    assert words == ["reactions at the end, along x, y, z", "support.0 (bottom): 0, 0, 134.2 N"]
+    top = result.specimen.blocks.points[:, 2] == result.specimen.blocks.points[:, 2].max()
+    (line,) = moved.get_lines()
+    assert line.get_label() == "top of the specimen, x"
+    expected = [0.0, *(1e3 * frame.corners[top, 0].mean() for frame in result.history.frames)]
+    np.testing.assert_allclose(line.get_ydata(), expected, rtol=1e-12)
+    assert line.get_xdata().tolist() == [0.0, *(frame.step for frame in result.history.frames)]
+    assert ledger.get_xlabel() == "step" and moved.get_ylabel() == "displacement [mm]"
+
+
+def test_without_a_drive_gauges_take_the_place_of_the_top():
+    sag = np.linspace(0.0, -2e-4, len(sample().history.rows["step"]))
+    moved = resting(sag=sag).plot().axes[0]
+    (line,) = moved.get_lines()
+    assert line.get_label() == "sag"
+    np.testing.assert_allclose(line.get_ydata(), 1e3 * sag, rtol=1e-12)
+
+
+def test_without_a_drive_there_is_a_picture_of_the_end_alone_that_speaks_of_no_stress():
+    result = resting()
+    assert [(name, frame.step) for name, frame in frames_to_draw(result)] == [("at the end", 1000)]
+    (title,) = [axes.get_title() for axes in result.picture().axes if axes.get_title()]
+    assert title.startswith("at the end: step 1000\ndisplacements drawn ") and "stress" not in title
+
+
+def test_joints_that_are_whole_look_closed_however_far_displacements_are_drawn():
+    frame = sample().history.frames[-1]
+    wide = magnification(frame, 1.0)
+    strained = dataclasses.replace(
+        frame,
+        opening=np.full(len(frame.opening), 1e-4),
+        normal_stress=np.full(len(frame.opening), 1e5),
+        damage_tension=np.zeros(len(frame.opening)),
+        damage_shear=np.zeros(len(frame.opening)),
+    )
+    assert magnification(strained, 1.0) * 1e-4 == pytest.approx(0.0025, rel=0.06)
+    pressed = dataclasses.replace(strained, opening=-strained.opening, normal_stress=-strained.normal_stress)
+    assert magnification(pressed, 1.0) == magnification(strained, 1.0) < wide
+    cracked = dataclasses.replace(strained, damage_tension=np.full(len(frame.opening), 0.5))
+    parted = dataclasses.replace(strained, normal_stress=0.0 * strained.normal_stress)
+    assert magnification(cracked, 1.0) == magnification(parted, 1.0) == wide

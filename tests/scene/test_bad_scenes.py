@@ -74,7 +74,7 @@ BAD = {
         "",
         "[specimen]",
         "specimen.kind",
-        ["couplet, prism, wallette, bending, boxes"],
+        ["couplet, prism, wallette, bending, arch, boxes"],
     ),
     "rate and steps": (PACE, 'steps = 4\nrate = "1 mm/s"', "steps", "drive.steps", ["exclude each other"]),
     "accuracy and steps": (PACE, 'steps = 4\naccuracy = "1 %"', "steps", "drive.steps", ["exclude"]),
@@ -132,11 +132,6 @@ def test_a_bad_scene_is_told_with_line_key_and_what_would_do(case, tmp_path):
     assert "\n" not in message
     for word in words:
         assert word in message
-
-
-def test_dead_loads_need_steps_to_settle_in(tmp_path):
-    message = refusal(tmp_path, COUPLET.replace("[settle]\nsteps = 4000", ""))
-    assert message.startswith("bad.toml: settle: missing")
 
 
 def test_settling_without_dead_loads_is_refused(tmp_path):
@@ -258,3 +253,9 @@ def test_tables_within_tables_without_end_are_refused_at_once(text, tmp_path):
 def test_a_list_is_not_called_empty_because_of_a_wrong_item(tmp_path):
     said = refusal(tmp_path, 'base = "couplet"\nspecimen.cells = {total = 2, sizes = ["a"]}\n')
     assert "sizes.0: 'a' is not a plain number" in said and "\n" not in said
+
+
+@pytest.mark.parametrize("specimen", ["", 'specimen = "couplet"\n'])
+def test_a_key_at_the_wrong_place_is_told_where_there_is_no_table_of_the_specimen(specimen, tmp_path):
+    text = refusal(tmp_path, 'length = "1 m"\n' + specimen)
+    assert "length" in text and "specimen" in text

@@ -72,13 +72,13 @@ def test_another_seed_gives_other_cells_of_the_same_number():
         ("specimen.cells.regularise=1", "must be true or false, not '1'"),
         ("specimen.cells.spread=-1", "--set specimen.cells.spread: "),
         ("specimen.cells.sedd=5", "unknown key; did you mean 'seed'? allowed: total, per_unit, size, kind"),
-        ("specimen.cells.sites=[['1 mm', '1 mm', '1 mm']]", "there are 1 sites; say so: total = 1"),
+        ("specimen.cells.sites=[['1 mm', '1 mm', '1 mm']]", "there are 1 sites; write total = 1"),
         ("specimen.cells={}", "exactly one of total, per_unit, size says how many cells, not none"),
         ("specimen.cells={total=5, size='1 mm'}", "not total and size"),
         ("specimen.cells={per_unit=5, sizes=[1, 2]}", "there are 2 sizes for 5 cells per unit"),
         ("specimen.cells={per_unit=2, sizes=[1, 2], spread=0.1}", "spread and sizes both say how large"),
         ("specimen.cells={per_unit=2, sizes=[1, 0]}", "sizes must be in (0, "),
-        ("specimen.cells={total=20, kind='voronoi', spread=0.1}", "kind = 'laguerre' holds given ones"),
+        ("specimen.cells={total=20, kind='voronoi', spread=0.1}", "kind = 'laguerre' takes sizes"),
     ],
 )
 def test_what_cannot_be_asked_of_cells_is_told(override, words):

@@ -79,8 +79,8 @@ def test_any_text_is_an_expression_or_refused(text):
     [
         ({"history": []}, "drive.history: must be a list of turning points"),
         ({"history": [1, 2]}, "has no unit"),
-        ({"history": ["1 mm", "1 mm"]}, "point 1, '1 mm', makes no way"),
-        ({"history": ["0 mm"]}, "point 0, '0 mm', makes no way"),
+        ({"history": ["1 mm", "1 mm"]}, "point 1, '1 mm', does not move the drive"),
+        ({"history": ["0 mm"]}, "point 0, '0 mm', does not move the drive"),
         ({"history": [["0 s", "0 mm"], ["0 s", "1 mm"]]}, "time of row 1, '0 s', must be later"),
         ({"history": [["1 s", "0 mm"], ["2 s", "1 mm"]]}, "must be 0 s"),
         ({"history": [["0 s", "1 mm"], ["2 s", "0 mm"]]}, "must be 0 at t = 0"),
@@ -148,6 +148,6 @@ def test_a_passage_visits_every_turning_point_and_goes_straight_there(turns, ste
 
 def test_an_accuracy_cannot_pace_loads_that_vary():
     given = {"traction.0.history": "ramp(t / 1 s)", "traction.0.duration": "1 s"}
-    with pytest.raises(SceneError, match=r"traction.0.history: an accuracy paces the drive alone"):
+    with pytest.raises(SceneError, match=r"traction.0.history: an accuracy controls the drive only"):
         load("couplet", given)
     assert load("couplet", {**given, "drive.steps": 10}).traction[0].history == "ramp(t / 1 s)"

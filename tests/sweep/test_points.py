@@ -119,7 +119,7 @@ def test_a_mistake_is_one_message_with_the_key_and_what_is_allowed(sweep, body):
 
 def test_a_key_cannot_follow_one_that_follows_another_itself(sweep):
     chain = f'"{COHESION}" = {{times = 1.5, of = "{STRENGTH}"}}\n"{STRENGTH}" = {{times = 2, of = "{COHESION}"}}\n'
-    with pytest.raises(SceneError, match="is itself told by another key"):
+    with pytest.raises(SceneError, match="itself follows another key"):
         plan(sweep(f'{chain}[grid]\nconfinement = ["0.1 MPa"]'))
 
 

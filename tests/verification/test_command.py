@@ -122,7 +122,7 @@ def test_ctrl_c_keeps_what_is_done_and_the_same_words_with_missing_go_on(tmp_pat
     assert verify("--full", "--out", str(out)) == 130
     said = capsys.readouterr()
     assert "first" in said.out and "1 of 1 cases hold" in said.out
-    assert f"1 of 2 cases are done; go on with: masonry verify --full --out {out} --missing" in said.err
+    assert f"1 of 2 cases are done; continue with: masonry verify --full --out {out} --missing" in said.err
     assert [r["case"] for r in json.loads((out / "records.json").read_text())] == ["first"]
     assert "Sample holds" in (out / "verify.html").read_text(encoding="utf-8")
     done.append(1)

@@ -132,3 +132,10 @@ def test_a_picture_in_pixels_keeps_its_colours_and_is_lighter_than_lines_where_t
     for colour in ((0x8B, 0x0A, 0x1A), (0x0A, 0x3A, 0x8B), (0xF2, 0xE2, 0xC9)):
         assert np.abs(255.0 * drawn[..., :3] - colour).max(axis=2).min() < 6.0
     assert len(light) < 0.5 * len(whole)
+
+
+def test_what_stands_between_backticks_is_code_and_all_else_is_escaped():
+    text = "run `masonry verify <x>`, a < b"
+    shown = "run <code>masonry verify &lt;x&gt;</code>, a &lt; b"
+    assert page.paragraph(text) == f"<p>{shown}</p>" and shown in page.bullets([text])
+    assert shown in page.table(("a",), [[text], [page.Cell("x", "ok", text)]])

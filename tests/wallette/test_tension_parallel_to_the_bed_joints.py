@@ -62,7 +62,7 @@ def test_mode_1_hardly_feels_the_loading_rate():
 
 
 HINGE = 'support.1.fix=["y"]'
-"""Mode 1 in the rig of mode 2: the right plate hangs on a hinge."""
+"""Mode 1 in the rig of mode 2: the right plate is on a hinge."""
 
 
 def test_mode_2_finds_in_fewer_steps_what_a_slow_constant_rate_finds():

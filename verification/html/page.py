@@ -60,6 +60,11 @@ def escape(text: Any) -> str:
     return html.escape(str(text))
 
 
+def prose(text: Any) -> str:
+    """Text as HTML, in which what stands between backticks is code."""
+    return re.sub(r"`([^`]+)`", r"<code>\1</code>", escape(text))
+
+
 def heading(text: str, anchor: str = "") -> str:
     """A heading within a chapter; `anchor` is its name for links."""
     return f'<h3 id="{escape(anchor)}">{escape(text)}</h3>' if anchor else f"<h3>{escape(text)}</h3>"
@@ -67,7 +72,7 @@ def heading(text: str, anchor: str = "") -> str:
 
 def paragraph(text: str, kind: str = "") -> str:
     """A paragraph; kind "lead" is larger, "note" smaller."""
-    return f'<p class="{kind}">{escape(text)}</p>' if kind else f"<p>{escape(text)}</p>"
+    return f'<p class="{kind}">{prose(text)}</p>' if kind else f"<p>{prose(text)}</p>"
 
 
 def preformatted(text: str) -> str:
@@ -77,16 +82,32 @@ def preformatted(text: str) -> str:
 
 def bullets(items: Iterable[str]) -> str:
     """A plain list."""
-    return "<ul>" + "".join(f"<li>{escape(item)}</li>" for item in items) + "</ul>"
+    return "<ul>" + "".join(f"<li>{prose(item)}</li>" for item in items) + "</ul>"
+
+
+def link_line(text: str, anchor: str) -> str:
+    """A paragraph that is a link to an anchor of the page."""
+    return f"<p>{_link(Link(text, anchor))}</p>"
 
 
 def table(header: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "") -> str:
-    """A table; cells are text, numbers, `Cell`, `Link` or a list of links. The first column is left-aligned."""
+    """A table; cells are text, numbers, `Cell`, `Link` or a list of links. The first column is left-aligned.
+
+    On a narrow screen a row with a `Cell` of kind "claim" becomes a card, with its verdict at the top.
+    """
+    rows = list(rows)
     top = "".join(f"<th>{escape(name)}</th>" for name in header)
-    body = "".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in rows)
+    names = list(header) if any(isinstance(cell, Cell) and cell.kind == "claim" for row in rows for cell in row) else []
+    body = "".join("<tr>" + "".join(map(_named, row, names) if names else map(_cell, row)) + "</tr>" for row in rows)
     head = f"<thead><tr>{top}</tr></thead>" if header else ""
     title = f"<caption>{escape(caption)}</caption>" if caption else ""
-    return f'<div class="wide"><table>{title}{head}<tbody>{body}</tbody></table></div>'
+    cards = ' class="cards"' if names else ""
+    return f'<div class="wide"><table{cards}>{title}{head}<tbody>{body}</tbody></table></div>'
+
+
+def _named(value: Any, name: str) -> str:
+    """A cell that carries the name of its column."""
+    return _cell(value).replace("<td", f'<td data-name="{escape(name)}"', 1)
 
 
 def _cell(value: Any) -> str:
@@ -95,9 +116,9 @@ def _cell(value: Any) -> str:
     if isinstance(value, list):
         return f'<td class="text">{"; ".join(map(_link, value))}</td>'
     if not isinstance(value, Cell):
-        return f"<td>{escape(value)}</td>"
-    small = f"<small>{escape(value.note)}</small>" if value.note else ""
-    return f'<td class="{value.kind}">{escape(value.text)}{small}</td>'
+        return f"<td>{prose(value)}</td>"
+    small = f"<small>{prose(value.note)}</small>" if value.note else ""
+    return f'<td class="{value.kind}">{prose(value.text)}{small}</td>'
 
 
 def _link(link: Link) -> str:

@@ -16,7 +16,7 @@ from verification.paper.experiment import Shown
 OUT = RESULTS / "paper"
 NAME = "paper.html"
 WORKERS = 2
-EPILOG = "What was run before, into the same folder and with the same program, is not run again."
+EPILOG = "Runs that the same program has made in the same folder are not made again."
 
 
 def parser() -> Parser:
@@ -53,7 +53,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def summary(shown: list[Shown]) -> str:
-    """A line for each claim that does not hold or cannot be told, and the count."""
+    """A line for each claim that does not hold or cannot be decided, and the count."""
     lines = []
     for one in shown:
         for claim in (c for c in [*one.section.claims, *one.soundness] if not c.holds):

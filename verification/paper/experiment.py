@@ -55,8 +55,8 @@ class Claim:
     source    where: "5.1, Fig. 10"
     check     what is measured, and within which bounds it has to be
     measured  what came out, with units
-    holds     None where it cannot be told
-    why       the reason, wherever it does not hold or cannot be told
+    holds     None where it cannot be decided
+    why       the reason, wherever it does not hold or cannot be decided
     """
 
     says: str
@@ -68,7 +68,7 @@ class Claim:
 
     def __post_init__(self) -> None:
         if self.holds is not True and not self.why:
-            raise ValueError(f"the claim '{self.says}' does not hold or cannot be told: say why")
+            raise ValueError(f"the claim '{self.says}' does not hold or cannot be decided: say why")
 
 
 def answer(holds: bool, why: str) -> tuple[bool, str]:

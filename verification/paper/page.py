@@ -4,32 +4,41 @@ from collections.abc import Sequence
 
 from masonry.runtime.progress import duration
 from verification.html import cover
-from verification.html.page import Cell, Chapter, Link, Verdict, heading, paragraph, table
+from verification.html.page import Cell, Chapter, Link, Verdict, heading, link_line, paragraph, table
 from verification.paper.experiment import Claim, Shown
 from verification.paper.misprints import misprint_table
 
 TITLE = "The paper, whole"
 GROUP = "The paper"
-WORDS = {True: ("holds", "ok"), False: ("does not hold", "bad"), None: ("cannot be told", "none")}
-LEAD = (
-    "Every experiment of the reference paper, “Discontinuum analysis of the fracture mechanism in masonry prisms and "
-    "wallettes via discrete element method”, run again: its figures as ours, and each of its claims held against what "
-    "comes out. The figures of the paper are lost, so that no curve of it can be drawn beside ours. Where a claim does "
-    "not hold, the row says why, and what was done to make sure that it is not an error of solving."
+CLAIMS = "paper-claims"
+WORDS = {True: ("holds", "ok"), False: ("does not hold", "bad"), None: ("cannot be decided", "none")}
+REFERENCE = (
+    "Discontinuum analysis of the fracture mechanism in masonry prisms and wallettes via discrete element method"
 )
-HEADER = ("claim", "where", "check", "measured", "")
+"""Title of the reference paper. Its authors, year and DOI are not in the text that this project has of it."""
+LEAD = (
+    f"The reference paper is “{REFERENCE}”. All its experiments were run again. This page shows its figures as this "
+    "program computes them, and compares each of its claims with what came out. The figures of the paper are lost, so "
+    "no curve of the paper stands beside ours. Where a claim does not hold, the row says why, and what was done to "
+    "make sure that it is not an error of solving."
+)
+HEADER = ("claim", "where", "check", "measured", "verdict")
 
 
 def chapters(shown: Sequence[Shown]) -> list[Chapter]:
-    """A chapter with all claims, then one for each experiment."""
-    first = Chapter("Claims", group=GROUP, anchor="paper-claims", verdicts=[verdict(shown)])
+    """A chapter with all claims, then one for each experiment, which leads back to its claims."""
+    first = Chapter("Claims", group=GROUP, anchor=CLAIMS, verdicts=[verdict(shown)])
     first.parts += [paragraph(LEAD, "lead"), *tables(shown)]
     return [first, *map(chapter, shown)]
 
 
 def tables(shown: Sequence[Shown]) -> list[str]:
     """The claims of the paper by experiment; below them its misprints, and what must hold of our runs."""
-    claims = [table(HEADER, [row(c) for c in s.section.claims], s.experiment.title) for s in shown if s.section.claims]
+    claims = [
+        heading(s.experiment.title, f"{CLAIMS}-{s.experiment.name}") + table(HEADER, [row(c) for c in s.section.claims])
+        for s in shown
+        if s.section.claims
+    ]
     sound = [
         [Link(s.experiment.title, s.experiment.name), Cell(c.says, "claim"), *row(c)[2:]]
         for s in shown
@@ -39,7 +48,7 @@ def tables(shown: Sequence[Shown]) -> list[str]:
         *claims,
         *([misprint_table(misprints)] if (misprints := [m for s in shown for m in s.section.misprints]) else []),
         heading("How sound the runs are"),
-        table(("experiment", "what must hold", "check", "measured", ""), sound),
+        table(("experiment", "what must hold", "check", "measured", "verdict"), sound),
     ]
 
 
@@ -51,9 +60,10 @@ def row(claim: Claim) -> list[str | Cell]:
 
 
 def chapter(one: Shown) -> Chapter:
-    """The page of an experiment: its pictures, then its claims."""
+    """The page of an experiment: its pictures, and a link to its claims."""
     made = one.as_chapter()
-    made.parts += [heading("Claims"), table(HEADER, [row(c) for c in one.section.claims])] if one.section.claims else []
+    if one.section.claims:
+        made.parts.append(link_line("Its claims, and what came out", f"{CLAIMS}-{one.experiment.name}"))
     made.parts += [misprint_table(one.section.misprints)] if one.section.misprints else []
     made.parts.append(paragraph(f"{one.count} runs, {duration(one.seconds)} of computing.", "note"))
     return made
@@ -66,7 +76,7 @@ def verdict(shown: Sequence[Shown]) -> Verdict:
     unsound = [c for s in shown for c in s.soundness if not c.holds]
     kind = "bad" if unsound else "warn" if broken or open_ else "ok"
     sound = f"; {len(unsound)} demands on the runs are not met" if unsound else "; all runs are sound"
-    sentence = f"Of {len(claims)} claims {held} hold, {broken} do not, {open_} cannot be told{sound}."
+    sentence = f"Of {len(claims)} claims {held} hold, {broken} do not, {open_} cannot be decided{sound}."
     return Verdict("The paper", kind, sentence)
 
 

@@ -36,13 +36,13 @@ class Cells(Table):
             )
         if self.kind == "voronoi" and (self.sizes is not None or self.spread > 0):
             key = "spread" if self.sizes is None else "sizes"
-            raise KeyedError(key, "sizes of Voronoi cells fall out as they may; kind = 'laguerre' holds given ones")
+            raise KeyedError(key, "the sizes of Voronoi cells cannot be given; kind = 'laguerre' takes sizes")
         if self.sizes is not None and self.spread > 0:
             raise KeyedError("spread", "spread and sizes both say how large cells are; keep one of them")
         if self.sizes is not None and self.per_unit is not None and len(self.sizes) != self.per_unit:
             raise KeyedError("sizes", f"there are {len(self.sizes)} sizes for {self.per_unit} cells per unit")
         if self.sites is not None and len(self.sites) != self.total:
-            raise KeyedError("sites", f"there are {len(self.sites)} sites; say so: total = {len(self.sites)}")
+            raise KeyedError("sites", f"there are {len(self.sites)} sites; write total = {len(self.sites)}")
         return self
 
 

@@ -80,7 +80,7 @@ def read(value: Any, kind: str) -> Any:
     for k, (before, after) in enumerate(zip((0.0, *places), places, strict=False)):
         if before == after:
             raise ValueError(
-                f"point {k}, {value[k]!r}, makes no way: it must differ from the one before (0 at the start)"
+                f"point {k}, {value[k]!r}, does not move the drive: it must differ from the one before (0 at the start)"
             )
     return places
 

@@ -166,7 +166,8 @@ class Traction(Table):
 
 
 class Settle(Table):
-    """Steps in which the dead loads rise and come to rest before the drive starts."""
+    """Steps in which the dead loads rise and come to rest before the drive starts; without the table the run finds how
+    many they need."""
 
     steps: Steps
 

@@ -1,13 +1,26 @@
 """What a scene says of its specimen: what is built, and of which size. Lengths in m, areas in m2."""
 
 from collections import Counter
+from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
 
-from pydantic import Field, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from masonry.scene.tables.cells import Cells, exclude
 from masonry.scene.tables.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
-from masonry.scene.tables.types import Area, Count, Gap, KeyedError, Length, Number, Position, Table
+from masonry.scene.tables.types import (
+    Area,
+    Count,
+    Embrace,
+    Gap,
+    Halves,
+    KeyedError,
+    Length,
+    Number,
+    Position,
+    Table,
+    Voussoirs,
+)
 
 
 class SpecimenTable(Table):
@@ -82,7 +95,7 @@ class _Wall(SpecimenTable):
     """Courses of expanded units with zero-thickness joints."""
 
     courses: Count
-    units_per_course: Count = 2
+    units_per_course: Halves = 2
     unit_length: Length
     unit_height: Length
     unit_width: Length | None = None
@@ -92,12 +105,14 @@ class _Wall(SpecimenTable):
 
 
 class WalletteSpec(_Wall):
-    """A plane wall between plates; divisions (nx, nz) of a whole unit."""
+    """A plane wall between plates, on a base and under a beam; divisions (nx, nz) of a whole unit."""
 
     kind: Literal["wallette"]
     divisions: tuple[Count, Count] = (1, 1)
     cells: Cells | None = None
     plates: Length | None = None
+    base: Length | None = None
+    beam: Length | None = None
 
     @model_validator(mode="after")
     def _is_divided_once(self) -> "WalletteSpec":
@@ -113,6 +128,25 @@ class BendingSpec(_Wall, _Divided):
     load_distance: Length | None = None
     roller_width: Length = 0.01
     bottom_plate: Length | None = None
+
+
+class ArchSpec(SpecimenTable):
+    """A ring of voussoirs between two abutments; radius of the centre line, angle of embrace."""
+
+    kind: Literal["arch"]
+    radius: Length
+    angle: Embrace
+    voussoirs: Voussoirs
+    thickness: Length
+    depth: Length
+
+    @model_validator(mode="after")
+    def _is_a_ring(self) -> "ArchSpec":
+        if self.thickness >= self.radius:
+            raise KeyedError(
+                "thickness", f"must be less than radius, {self.radius:g} m, which is that of the centre line"
+            )
+        return self
 
 
 class Box(Table):
@@ -141,15 +175,25 @@ class BoxesSpec(SpecimenTable):
         return self
 
 
-class FileSpec(SpecimenTable):
-    """Blocks from a file that `masonry import` wrote."""
+def _absolute(path: str) -> str:
+    """Where a path leads from here, so that a scene which is written elsewhere still finds its blocks."""
+    return str(Path(path).absolute())
+
+
+class FileSpec(SpecimenTable, _Divided):
+    """Blocks from a file that `masonry import` or `masonry.write_blocks` wrote; the units among them may be divided."""
 
     kind: Literal["file"]
-    path: Annotated[str, Field(min_length=1)]
+    path: Annotated[str, Field(min_length=1), AfterValidator(_absolute)]
+
+    @property
+    def is_divided(self) -> bool:
+        """Whether blocks of the file are cut up, so that tets of the file fit them no longer."""
+        return self.cells is not None or any(n > 1 for n in self.divisions)
 
 
 Specimen = Annotated[
-    CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | BoxesSpec | FileSpec, Field(discriminator="kind")
+    CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | ArchSpec | BoxesSpec | FileSpec, Field(discriminator="kind")
 ]
 
 

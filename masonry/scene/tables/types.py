@@ -3,7 +3,15 @@
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, GetCoreSchemaHandler, PlainSerializer, SerializationInfo
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    GetCoreSchemaHandler,
+    PlainSerializer,
+    SerializationInfo,
+    ValidationInfo,
+)
 from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
 from masonry.laws import law_names
@@ -72,6 +80,14 @@ def confinement_of(info: core_schema.ValidationInfo[Any], what: str) -> float:
     return float(confinement)
 
 
+def _halves(value: Any, info: ValidationInfo) -> float:
+    """A whole number, or one and a half."""
+    found = convert(value, "number", info.field_name or "", "[1, 1000]")
+    if not (2 * found).is_integer():
+        raise ValueError(f"{found:g} is neither a whole number nor one and a half; nearest: {round(2 * found) / 2:g}")
+    return int(found) if found.is_integer() else found
+
+
 Length = Annotated[float, Given("length", "[1e-9, 1e5]")]
 Gap = Annotated[float, Given("length", "[0, 1e5]")]
 Position = Annotated[float, Given("length", "[-1e5, 1e5]")]
@@ -80,6 +96,7 @@ Duration = Annotated[float, Given("time", "[1e-18, 1e9]")]
 Velocity = Annotated[float, Given("velocity", "[1e-15, 1e6]")]
 Acceleration = Annotated[float, Given("acceleration", "[-1e9, 1e9]")]
 Angle = Annotated[float, Given("angle", "[0, 90) deg")]
+Embrace = Annotated[float, Given("angle", "(0, 180] deg")]
 Density = Annotated[float, Given("density", "[1e-9, 1e15]")]
 Stress = Annotated[float, Given("stress", "[-1e15, 1e15]")]
 Strength = Annotated[float, Given("stress", "[0, 1e15]")]
@@ -95,6 +112,8 @@ Share = Annotated[float, Given("number", "[0, 1]")]
 Damping = Annotated[float, Given("number", "[0, 1)")]
 Fraction = Annotated[float, Given("number", "[1e-6, 10]")]
 Count = Annotated[int, Given("integer", "[1, 1000]")]
+Voussoirs = Annotated[int, Given("integer", "[2, 1000]")]
+Halves = Annotated[int | float, BeforeValidator(_halves)]
 Steps = Annotated[int, Given("integer", "[1, 1e8]")]
 Rows = Annotated[int, Given("integer", "[2, 1e6]")]
 Frames = Annotated[int, Given("integer", "[1, 1000]")]

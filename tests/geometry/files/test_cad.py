@@ -148,7 +148,7 @@ def test_unreadable_files_end_in_one_message(wall, tmp_path):
         return path
 
     assert "empty" in refused(written("empty.step", b""))
-    assert "torn" in refused(written("torn.step", text[: len(text) // 3]))
+    assert "damaged" in refused(written("torn.step", text[: len(text) // 3]))
     assert "no STEP file" in refused(written("noise.step", np.random.default_rng(1).bytes(100_000)))
     assert "lost: brick-" in refused(written("holes.step", re.sub(r"#1(\d*) = VERTEX_POINT", "#9 = NOTHING", text)))
     refused(written("far.step", text.replace("250.", "1.E400")))

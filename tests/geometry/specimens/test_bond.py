@@ -28,6 +28,19 @@ def test_running_bond_shifts_every_second_course_by_half_a_unit():
     assert (laid.length, laid.height) == (0.5, 0.492)
 
 
+def test_half_a_unit_more_ends_the_courses_of_a_running_bond_now_right_now_left():
+    laid = bond("running", 2.5, 3)
+    assert laid.parts.tolist() == [4, 4, 2, 2, 4, 4, 4, 4, 2]
+    assert [head_joints(laid, c).tolist() for c in range(2)] == [[0.25, 0.5], [0.125, 0.375]]
+    assert laid.length == 0.625 and all(laid.high[laid.course == c, 0].max() == 0.625 for c in range(3))
+
+
+@pytest.mark.parametrize(("name", "units"), [("stack", 2.5), ("header", 2.5), ("running", 2.25), ("running", 0.5)])
+def test_parts_of_a_unit_are_refused_elsewhere(name, units):
+    with pytest.raises(GeometryError, match=f"number of units along x is {units}"):
+        wallette(**WALL, units_per_course=units, bond=name, unit_width=WIDTH)
+
+
 @pytest.mark.parametrize("units", [2, 3, 6])
 @pytest.mark.parametrize("name", COURSES)
 def test_the_courses_of_a_bond_are_filled_from_flush_end_to_flush_end(name, units):

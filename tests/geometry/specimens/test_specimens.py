@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from geometry.blocks import GeometryError
+from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import bounds, centroids, volumes
 from geometry.specimens.boxes import boxes
 from geometry.specimens.couplet import couplet
@@ -47,6 +48,33 @@ def test_plates_of_a_wallette_stand_outside_its_ends():
     assert np.allclose([low[right], high[right]], [[0.5, 0, 0], [0.55, 0.0115, 0.492]], atol=1e-16)
     assert np.all(low[specimen.sets["left end"], 0] == 0)
     assert np.all(high[specimen.sets["right end"], 0] == 0.5)
+
+
+def test_base_and_beam_of_a_wallette_lie_below_and_above_it():
+    specimen = wallette(**PAPER, base=0.1, beam=0.2)
+    low, high = bounds(specimen.blocks)
+    base, beam = specimen.sets["base"][0], specimen.sets["beam"][0]
+    assert np.allclose([low[base], high[base]], [[0, 0, -0.1], [0.5, 0.0115, 0]], atol=1e-16)
+    assert np.allclose([low[beam], high[beam]], [[0, 0, 0.492], [0.5, 0.0115, 0.692]], atol=1e-16)
+    assert specimen.section == pytest.approx(0.5 * 0.0115), "of a bed joint, which the beam presses and shears"
+    joints = find_joints(specimen.blocks)
+    for block, course in ((base, "bottom course"), (beam, "top course")):
+        touched = (joints.block_a == block) | (joints.block_b == block)
+        assert joints.area[touched].sum() == pytest.approx(0.5 * 0.0115, rel=1e-12)
+        others = np.union1d(joints.block_a[touched], joints.block_b[touched])
+        assert np.array_equal(np.setdiff1d(others, [block]), specimen.sets[course])
+
+
+def test_a_wallette_between_plates_keeps_the_section_of_a_test_along_x():
+    specimen = wallette(**PAPER, plates=0.05, base=0.1)
+    assert specimen.section == pytest.approx(0.492 * 0.0115)
+    assert [name for name in specimen.sets if "course" not in name and "end" not in name] == [
+        "units",
+        "left plate",
+        "right plate",
+        "base",
+    ]
+    assert len(np.unique(specimen.blocks.unit)) == 10 + 3
 
 
 def test_half_units_refuse_an_odd_division_and_name_the_nearest_even_ones():

@@ -88,6 +88,10 @@ def test_the_verdict_counts_what_holds_and_the_page_gives_the_reason_of_what_doe
     assert "Of 2 claims 1 hold, 1 do not" in page.verdict([made]).sentence and page.verdict([made]).kind == "warn"
     text = page.html_of([made], 1.0, quick=False)
     assert "because of &amp; c" in text and "2 &lt;MPa&gt;" in text and "http" not in text.partition("<body>")[2]
+    assert text.count("because of &amp; c") == 1, "a claim stands on the page once"
+    assert text.count(f'href="#{page.CLAIMS}-x"') == 1 and text.count(f'id="{page.CLAIMS}-x"') == 1
+    assert page.REFERENCE in text
+    assert '<td data-name="verdict" class="bad">' in text, "the name of the column, for screens too narrow for it"
 
 
 def test_the_end_of_dilation_is_varied_once_where_it_is_assumed_and_as_an_option_elsewhere():

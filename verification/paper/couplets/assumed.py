@@ -63,7 +63,7 @@ def moves(done: Done) -> dict[tuple[str, str, str], list[float]]:
 
 
 def claims(done: Done) -> list[Claim]:
-    """What Table 2 said cannot be told; how much hangs on it can."""
+    """What Table 2 said cannot be decided; how much depends on it can."""
     if label(*next(iter(VARIED)), LOW) not in done.runs:
         return []
     changes = moves(done).values()
@@ -75,7 +75,7 @@ def claims(done: Done) -> list[Claim]:
             "how far the couplet moves with what is assumed instead, Table 1 at interfaces and four times that within",
             f"peaks {min(peaks):+.0%} to {max(peaks):+.0%}, plateaus {min(rests):+.0%} to {max(rests):+.0%} over "
             f"{len(VARIED)} variations at {LOW} and {HIGH}",
-            "Table 2 is lost. Most hangs on how much stronger the bed is than its interfaces: see the table of beds",
+            "Table 2 is lost. How much stronger the bed is than its interfaces counts most: see the table of beds",
         )
     ]
 
@@ -85,4 +85,4 @@ def parts(done: Done) -> list[str]:
     if label(*next(iter(VARIED)), LOW) not in done.runs:
         return []
     rows = [[*key, *(f"{100.0 * v:+.1f} %" for v in change)] for key, change in moves(done).items()]
-    return [page.table(HEADER, rows, "What the lost Table 2 may have said otherwise: changes by it")]
+    return [page.table(HEADER, rows, "Changes if the lost Table 2 had other values")]

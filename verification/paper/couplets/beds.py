@@ -75,7 +75,7 @@ def places(by_model: dict[str, dict[int, Cracks]]) -> Claim:
         all(c.bed > LEAST for c in weak)
         and all(c.bed <= LEAST for c in strong)
         and all(c.lower + c.upper > LEAST for by in by_model.values() for c in by.values()),
-        "where it fails does not go with the strengths",
+        "the place of failure does not follow the strengths",
     )
 
 

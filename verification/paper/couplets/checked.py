@@ -11,7 +11,7 @@ def checked(says: str, source: str, check: str, measured: str, holds: bool, othe
 
 
 def unknown(says: str, source: str, check: str, measured: str, why: str) -> Claim:
-    """A claim that cannot be told."""
+    """A claim that cannot be decided."""
     return Claim(says, source, spaced(check), spaced(measured), None, spaced(why))
 
 

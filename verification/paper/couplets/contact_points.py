@@ -1,4 +1,4 @@
-"""How much hangs on the number of contact points: under uniform stress, and where a unit is free to turn."""
+"""How much depends on the number of contact points: under uniform stress, and where a unit is free to turn."""
 
 from collections.abc import Iterator
 

@@ -93,5 +93,5 @@ def snap_back() -> Claim:
         "linear law, energies below (tau_max - tau_res)^2/(2 ks) = 5.76 and fT^2/(2 kn) = 1.12 N/m: refused, naming it",
         "; ".join(said.values()),
         all(f"above {least:g} N/m" in text for least, text in said.items()),
-        "an energy that cannot work is not refused",
+        "an energy that is too small is not refused",
     )

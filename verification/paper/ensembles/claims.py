@@ -26,7 +26,7 @@ def each(modes: Modes) -> list[tuple[str, Ensemble, Ensemble]]:
 
 
 def told(modes: Modes, says: str, source: str, check: str, measured: str, holds: bool, why: str) -> Claim:
-    """A claim, or where there are few walls (a quick look) one that cannot be told."""
+    """A claim, or where there are few walls (a quick look) one that cannot be decided."""
     least = min(len(w.walls) for _, _, w in each(modes))
     if least < FEW:
         return Claim(says, source, check, measured, None, f"{least} walls are too few to tell")
@@ -51,7 +51,7 @@ def envelope_claim(modes: Modes) -> Claim:
         f"5 to 95 % of the peaks span over {percent(WIDE)} of their mean, and more than one set of places breaks",
         shown,
         holds,
-        "the peak hardly feels which joints are weak",
+        "the peak hardly depends on which joints are weak",
     )
 
 
@@ -68,7 +68,7 @@ def qualitative_claim(modes: Modes) -> Claim:
             f"{name}: {100.0 * alike[name]:.0f} % {alone.walls[0].way} as without" for name, alone, _ in each(modes)
         ),
         holds,
-        "which way a crack goes hangs on which joints and units are weak",
+        "which way a crack goes depends on which joints and units are weak",
     )
 
 
@@ -116,5 +116,5 @@ def averaging_claim(modes: Modes) -> Claim:
         "variation of the peak below the 30 % of the joints",
         "; ".join(f"{name}: {percent(value)}" for name, value in variations.items()),
         holds,
-        "the peak hangs on single joints",
+        "the peak depends on single joints",
     )

@@ -79,14 +79,14 @@ def ended(cutoff: str) -> str:
 
 
 def dilated(angle: int, hinge: bool = False) -> str:
-    """The label of a run by its angle of dilation in degrees, 2 as shipped, and whether its plate hangs on a hinge."""
+    """The label of a run by its angle of dilation in degrees, 2 as shipped, and whether its plate is on a hinge."""
     if angle == 2:
         return HINGE if hinge else SHIPPED
     return f"dilation {angle} degrees" + (f", {HINGE}" if hinge else "")
 
 
 def ways(quick: bool) -> dict[bool, str]:
-    """Whether the plate hangs on a hinge where dilation is varied -> the words for it."""
+    """Whether the plate is on a hinge where dilation is varied -> the words for it."""
     return {False: SHIPPED} if quick else {False: SHIPPED, True: HINGE}
 
 
@@ -134,7 +134,7 @@ def cutoffs() -> dict[str, str]:
 
 
 def cutoff_claim(done: Done) -> Claim:
-    """What hangs on the slip at which dilation ends."""
+    """What depends on the slip at which dilation ends."""
     shown = [
         f"{name}: {mpa(done[label]):.4f}, {float(done[label].summary['final_stress_pa']) * MEGA:.4f} MPa"
         for name, label in cutoffs().items()

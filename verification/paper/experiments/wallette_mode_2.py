@@ -83,7 +83,7 @@ def claims(done: Done, second: list[str]) -> list[Claim]:
 
 
 def softening_claim(second: Mapping[str, Result], first: Result) -> Claim:
-    """How much steeper than mode 1 it falls; what is left far on hangs on where dilation ends in mode 1."""
+    """How much steeper than mode 1 it falls; what is left far on depends on where dilation ends in mode 1."""
     half = {label: fall_to(r, 0.5) * MILLI for label, r in second.items()}
     left = {label: left_after(r, 2.0) for label, r in second.items()}
     before = fall_to(first, 0.5) * MILLI, left_after(first, 2.0)

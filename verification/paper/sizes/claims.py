@@ -44,7 +44,7 @@ def curves_claim(found: Mapping[str, Found], name: str, limit: float, says: str)
         f"{name}: mean curves of 335 and 540 cells within {percent(limit)} of the peak of that of 218 cells",
         f"{percent(sizes)}; seeds of one size differ from its mean curve by {percent(seeds)}",
         fine,
-        "" if fine else "the curve past the peak goes with the path that the division offers, at every size",
+        "" if fine else "the curve after the peak depends on the paths that the division offers, at every size",
     )
 
 
@@ -100,7 +100,7 @@ def capacity_claim(found: Mapping[str, Found], name: str, quick: bool) -> Claim:
         "mean peaks of the three sizes within 5 % of each other",
         " / ".join(f"{m:.4f}" for m in means.values()) + f" MPa, {percent(reach)} apart{told}",
         reach < 0.05,
-        "" if reach < 0.05 else "the peak goes with the size",
+        "" if reach < 0.05 else "the peak depends on the size",
     )
 
 
@@ -120,7 +120,7 @@ def coarse_claim(found: Mapping[str, Found]) -> Claim:
         f"mode 1: {100 * off[0]:+.2g} % and {100 * off[1]:+.2g} %; mode 2: {100 * off[2]:+.2g} % and "
         f"{100 * off[3]:+.2g} %",
         good,
-        "" if good else "coarse cells cost more energy: their faces are rougher",
+        "" if good else "cracks along coarse cells need more energy, because their faces are rougher",
     )
 
 

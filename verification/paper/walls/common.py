@@ -16,7 +16,7 @@ from verification.paper.walls.curve_shape import apart, energy_per_section, left
 MODE_1, MODE_2 = "wallette-mode-1", "wallette-mode-2"
 CLAMPED: dict[str, Any] = {"support.1.fix": ["y", "rotation"]}
 HINGED: dict[str, Any] = {"support.1.fix": ["y"]}
-"""The right plate moves along x: it does not turn, as mode 1 is shipped, or hangs on a hinge, as mode 2 is shipped."""
+"""The right plate moves along x: it does not turn, as mode 1 is shipped, or is on a hinge, as mode 2 is shipped."""
 AFFINE: dict[str, Any] = {"kinematics": {"units": "affine"}}
 PAPERS_RATE: dict[str, Any] = {"drive.rate": "1 mm/s"}
 SHIPPED, HELD, HINGE, RATE = "as shipped", "plates do not turn", "right plate on a hinge", "1 mm/s"
@@ -107,7 +107,7 @@ def plates_claim(hinge: Result, held: Result, why: str) -> Claim:
     return Claim(
         "A displacement rate is set on one side of the wallette",
         "5",
-        "peak, end and energy with a right plate that hangs on a hinge, and with one that does not turn",
+        "peak, end and energy with a right plate that is on a hinge, and with one that does not turn",
         f"peak {mpa(hinge):.4f} and {mpa(held):.4f} MPa, at the end {ends[0]:.4f} and {ends[1]:.4f} MPa, curves "
         f"{percent(apart(held, hinge))} of the peak apart on average; energy {spent[0]:.1f} and "
         f"{spent[1]:.1f} N/m",

@@ -1,0 +1,118 @@
+"""Blocks from arrays: each a closed polyhedron of vertices and faces, as trimesh, COMPAS or plain numpy hold them."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from geometry.blocks import Blocks, GeometryError
+from geometry.files.cad_shells import outward
+from geometry.polyhedra.construct import from_faces
+from geometry.polyhedra.convex_faces import triangles
+from geometry.polyhedra.merged_faces import merged_faces
+from geometry.polyhedra.polygons import areas_normals_centroids
+from geometry.polyhedra.validate import FARTHEST, FLAT
+from geometry.polyhedra.weld import weld
+
+SAME = 1e-9
+"""Of the longest side of a block: vertices that lie closer together are one."""
+
+
+def polyhedra(
+    solids: Sequence[tuple[Any, Any]], names: Sequence[str], unit: Sequence[int], group: Sequence[str]
+) -> Blocks:
+    """One block for each pair of vertices (V, 3) m and faces, which are lists of 3 or more vertex numbers.
+
+    Faces are flat polygons, convex or not, or triangles (T, 3); triangles in one plane become one face. They may be
+    numbered either way round: they are turned to look outwards. names (B,) says what to call a block in a message; unit
+    and group (B,) are as in Blocks, groups by name. Raises GeometryError for what is no closed body with plane faces.
+    """
+    if not len(solids):
+        raise GeometryError("there are no blocks")
+    parts = [_triangulated(*solid, name) for solid, name in zip(solids, names, strict=True)]
+    start = np.cumsum([0, *(len(points) for points, _ in parts)])
+    triangle = np.concatenate([found + first for (_, found), first in zip(parts, start, strict=False)])
+    owner = np.repeat(np.arange(len(parts)), [len(found) for _, found in parts])
+    points = np.concatenate([points for points, _ in parts])
+    loops, block = merged_faces(points, triangle, owner)
+    faces: list[list[np.ndarray]] = [[] for _ in parts]
+    for loop, b in zip(loops, block, strict=True):
+        faces[b].append(points[loop])
+    groups = tuple(dict.fromkeys(group))
+    return from_faces(faces, unit, [groups.index(name) for name in group], groups)
+
+
+def _triangulated(vertices: Any, faces: Any, name: str) -> tuple[np.ndarray, np.ndarray]:
+    """Points (P, 3) of a body, each once, and the triangles (T, 3) round it, looking outwards."""
+    points = _points(vertices, name)
+    size = float(np.ptp(points, axis=0).max())
+    kept, number = weld(points, SAME * size)
+    points = points[kept]
+    found = []
+    for f, corners in enumerate(_corners(faces, len(number), name)):
+        loop = number[corners]
+        loop = loop[loop != np.roll(loop, 1)]
+        if len(loop) < 3:
+            raise GeometryError(f"{name}: face {f} has fewer than 3 corners that differ")
+        found.append(loop[_cut(points[loop], size, f"{name}: face {f}")])
+    shell = outward(points, np.concatenate(found), name)
+    _require_one_body(shell, name)
+    return points, shell
+
+
+def _points(vertices: Any, name: str) -> np.ndarray:
+    try:
+        points = np.array(vertices, dtype=float)
+    except (TypeError, ValueError):
+        points = np.zeros(0)
+    if points.ndim != 2 or points.shape[1] != 3 or len(points) < 4:
+        raise GeometryError(f"{name}: vertices must be 4 or more points (V, 3) in m, not of the shape {points.shape}")
+    if not np.all(np.abs(points) <= FARTHEST):
+        row = int(np.argmin(np.all(np.abs(points) <= FARTHEST, axis=1)))
+        raise GeometryError(f"{name}: vertex {row} is {points[row].tolist()}, allowed: up to {FARTHEST:.0e} m")
+    return points
+
+
+def _corners(faces: Any, count: int, name: str) -> list[np.ndarray]:
+    """Every face as an array of vertex numbers."""
+    try:
+        found = [np.asarray(face) for face in faces]
+    except (TypeError, ValueError):
+        found = []
+    if len(found) < 4:
+        raise GeometryError(f"{name}: faces must be 4 or more lists of vertex numbers, there are {len(found)}")
+    for f, corners in enumerate(found):
+        if corners.ndim != 1 or corners.dtype.kind not in "iu" or len(corners) < 3:
+            raise GeometryError(f"{name}: face {f} must be a list of 3 or more vertex numbers")
+        if corners.min() < 0 or corners.max() >= count:
+            raise GeometryError(f"{name}: face {f} names vertices {corners.tolist()}, allowed: 0 to {count - 1}")
+    return found
+
+
+def _cut(corners: np.ndarray, size: float, face: str) -> np.ndarray:
+    """(n - 2, 3) triangles of a polygon (n, 3), which must be flat."""
+    if len(corners) == 3:
+        return np.array([[0, 1, 2]])
+    _, normal, centroid = areas_normals_centroids(corners[None])
+    height = float(np.abs((corners - centroid[0]) @ normal[0]).max())
+    if not height <= FLAT * size:
+        raise GeometryError(
+            f"{face} is not flat: a corner stands {height:.3g} m off it, allowed: {FLAT * size:.3g} m; give it in "
+            "triangles"
+        )
+    try:
+        return triangles(corners)
+    except GeometryError as error:
+        raise GeometryError(f"{face}: {error}") from None
+
+
+def _require_one_body(triangle: np.ndarray, name: str) -> None:
+    """All triangles must hang together over their vertices."""
+    count = int(triangle.max()) + 1
+    ends = triangle[:, [0, 0]].ravel(), triangle[:, 1:].ravel()
+    link = coo_array((np.ones(2 * len(triangle)), ends), shape=(count,) * 2)
+    bodies = len(np.unique(connected_components(link, directed=False)[1][triangle[:, 0]]))
+    if bodies > 1:
+        raise GeometryError(f"{name} consists of {bodies} bodies that do not touch; make a block of each")

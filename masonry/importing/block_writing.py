@@ -1,0 +1,82 @@
+"""Blocks from Python: arrays of vertices and faces become a file of blocks that a scene of kind "file" names."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import Blocks, GeometryError, Specimen
+from geometry.files.blocks_h5 import save_blocks
+from geometry.joints.heal import mend
+from geometry.polyhedra.validate import require_sound
+from geometry.specimens.from_arrays import polyhedra
+from masonry.errors import SceneError
+from masonry.importing.importing import SECTIONS, SUFFIX, section_of, sets_of
+from masonry.quantity import parse
+
+
+def write_blocks(
+    path: str | Path,
+    blocks: Sequence[Any],
+    names: Sequence[str] | None,
+    groups: str | Sequence[str],
+    units: Sequence[int] | None,
+    section: str | None,
+    tolerance: str,
+    open_gaps: bool,
+) -> Path:
+    """See `masonry.write_blocks`."""
+    path = Path(path)
+    if not path.name.endswith(SUFFIX):
+        raise SceneError(f"'{path}': the name of a file of blocks ends in {SUFFIX}")
+    solids = [_arrays(block, b) for b, block in enumerate(blocks)]
+    named = _for_each(names, len(solids), "names", str, "") if names is not None else [""] * len(solids)
+    called = [f"{name} (block {b})" if name else f"block {b}" for b, name in enumerate(named)]
+    in_group = [groups] * len(solids) if isinstance(groups, str) else groups
+    of_group = _for_each(in_group, len(solids), "groups", str, "units")
+    of_unit = _for_each(range(len(solids)) if units is None else units, len(solids), "units", int, 0)
+    if min(of_unit, default=0) < 0:
+        raise SceneError(f"units: {min(of_unit)} is no number of a unit; allowed: 0 and more")
+    width = parse(tolerance, "length", "tolerance", "[1e-9, 1]")
+    area = None if section is None else parse(section, "area", "section", f"[{SECTIONS[0]}, {SECTIONS[1]}]")
+    found = _mended(polyhedra(solids, called, of_unit, of_group), width, called, open_gaps)
+    require_sound(found)
+    save_blocks(path, Specimen(found, sets_of(found, named), section_of(found, area), "file"))
+    return path
+
+
+def _arrays(block: Any, b: int) -> tuple[Any, Any]:
+    """Vertices and faces of a pair, a mesh of trimesh, or one of COMPAS."""
+    if hasattr(block, "to_vertices_and_faces"):
+        block = block.to_vertices_and_faces()
+    elif hasattr(block, "vertices") and hasattr(block, "faces"):
+        block = block.vertices, block.faces
+    try:
+        vertices, faces = block
+    except (TypeError, ValueError):
+        raise GeometryError(
+            f"block {b} must be a pair of vertices and faces, or a mesh with `vertices` and `faces`, not "
+            f"{type(block).__name__}"
+        ) from None
+    return vertices, faces
+
+
+def _for_each(values: Any, count: int, what: str, kind: type, example: Any) -> list[Any]:
+    """One value a block, of one kind."""
+    if isinstance(values, str) or len(values) != count:
+        got = "one text" if isinstance(values, str) else f"{len(values)}"
+        raise SceneError(f"{what}: one for each of the {count} blocks, not {got}")
+    found = [value.item() if isinstance(value, np.generic) else value for value in values]
+    for b, value in enumerate(found):
+        if not isinstance(value, kind) or isinstance(value, bool) or value == "" != example:
+            raise SceneError(f"{what}: block {b} has {value!r:.60}, for example {example!r}")
+    return found
+
+
+def _mended(blocks: Blocks, tolerance: float, names: Sequence[str], open_gaps: bool) -> Blocks:
+    try:
+        return mend(blocks, tolerance, names, open_gaps).blocks
+    except GeometryError as error:
+        said = str(error).replace("--tolerance ", "tolerance = ").replace("--open-gaps", "open_gaps = True")
+        raise GeometryError(said) from None

@@ -1,0 +1,109 @@
+"""Where a scene does not say how long its dead loads settle: found before the run, and written into the scene."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.assembly.schedule import FEWEST, plan_of
+from masonry.errors import Stopped
+from masonry.history import UNITS, History
+from masonry.loading.dispatch import pace_of
+from masonry.loading.scheduled import FixedPace
+from masonry.loading.varying_loads import VaryingPace
+from masonry.model.loads import Controlled, Program
+from masonry.scene import Scene
+from masonry.scene.tables.loading import Settle
+from masonry.timeloop import model_state
+from masonry.timeloop.loop import Loop
+from masonry.timeloop.recording import Outcome
+
+AT_REST = 1e-3
+"""Unbalanced force, over the dead loads, below which they have settled."""
+LONGEST = 128_000
+"""Steps of the last trial."""
+ROWS, LAST = 50, 5
+"""Looks at a trial; the last ones must all find it at rest, as the forces of a swing vanish at its middle."""
+
+Progress = Callable[[int, int, str], None]
+
+
+def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: Callable[[], bool]) -> Assembly:
+    """The assembly of the scene with the number of steps that its dead loads need; its model is as before.
+
+    They are tried alone in 2000, 4000, ... steps, of a step that is compiled. Raises Stopped where they do not come to
+    rest, or move the specimen out of bounds in two trials on end; KeyboardInterrupt as soon as `asked` says that the
+    run is to end.
+    """
+    model, steps, gave_way = assembly.model, FEWEST, ""
+    fresh, damping = model_state.state(model), model.damping
+    while True:
+        scene = with_settle(assembly.scene, steps)
+        trial = _Trial(assembly, scene, steps, threads, progress, asked)
+        found = trial.run()
+        model_state.restore(model, fresh)
+        model.damping = damping
+        if not found and trial.unbalanced < AT_REST:
+            return replace(assembly, scene=scene, plan=plan_of(scene, model.dt))
+        if found and gave_way:
+            raise Stopped(f"the dead loads move the specimen away: {found}; {ADVICE}")
+        if steps >= LONGEST:
+            why = found or f"{trial.unbalanced:.2g} of them are still unbalanced, more than {AT_REST:g}"
+            raise Stopped(f"the dead loads have not come to rest in {steps} steps: {why}; {ADVICE}")
+        steps, gave_way = 2 * steps, found
+
+
+ADVICE = (
+    "look at supports, strengths and solver.damping: can the specimen stand under them? To see how it moves, run it "
+    f"with --set settle.steps={FEWEST}"
+)
+
+
+def with_settle(scene: Scene, steps: int) -> Scene:
+    """The scene with a number of steps in which its dead loads settle."""
+    return scene.model_copy(update={"settle": Settle(steps=steps)})
+
+
+class _Trial:
+    """The dead loads alone, in so many steps, with the damping of the run."""
+
+    def __init__(
+        self,
+        assembly: Assembly,
+        scene: Scene,
+        steps: int,
+        threads: int,
+        progress: Progress | None,
+        asked: Callable[[], bool],
+    ) -> None:
+        model, self.steps, self.progress, self.asked = assembly.model, steps, progress, asked
+        plan = plan_of(scene, model.dt)
+        pace_of(model, plan, ROWS)  # a drive to an accuracy brings its own damping
+        alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0)
+        varying = None if isinstance(plan, Controlled) else plan.varying
+        pace = FixedPace(alone, ROWS) if varying is None else VaryingPace(model, alone, varying[:, : steps + 1], ROWS)
+        self.outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
+        self.looks: list[float] = []
+        self.loop = Loop(model, pace, steps, replace(assembly.recording, frames=1), threads, self.outcome)
+
+    @property
+    def unbalanced(self) -> float:
+        """The most of the last looks."""
+        return max(self.looks[-LAST:])
+
+    def run(self) -> str:
+        """Take the steps; returns why they had to be ended, nothing where they came to their end."""
+        try:
+            self.loop.run(self.look, None)
+        except Stopped as stop:
+            return str(stop)
+        return ""
+
+    def look(self, now: int, whole: int, words: str) -> None:
+        """After each row."""
+        if self.asked():
+            raise KeyboardInterrupt
+        self.looks.append(self.outcome.unbalanced)
+        if self.progress is not None:
+            self.progress(0, 0, f"settling, trial of {self.steps} steps: {words}")

@@ -1,0 +1,62 @@
+"""curve.png of a scene without a drive: how far its gauges, or its top, have moved; its reactions; the ledger."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from masonry.history import UNITS
+from masonry.laboratory.text import reaction_lines
+from masonry.pictures.curve import draw_ledger, heading, plain, tidy
+
+if TYPE_CHECKING:
+    from masonry.results.data import Result
+
+MILLI = 1e3
+TOP, SMALL = 1e-6, 1e-3
+"""Of the specimen's height: what lies so near to the highest point is its top. Of the largest movement of the top along
+an axis: smaller ones along the other axes are not drawn."""
+MOST = 5
+"""Supports whose reactions are written out."""
+COLOURS = ("#1f3b5c", "#e07b00", "#2f7d5b", "#8856a7")
+
+
+def settling_figure(result: "Result") -> Any:
+    """A figure of 1200 x 960 pixels at 120 dpi, over the steps: displacements, with the reactions at the end below
+    them, and the energy ledger."""
+    from masonry.pictures.figure import ShownFigure
+
+    figure = ShownFigure(figsize=(10, 8), layout="constrained")
+    moved, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
+    heading(figure, result)
+    rows = result.history.rows
+    for axes in (moved, ledger):
+        tidy(axes)
+    for (name, (steps, way)), colour in zip(movements(result).items(), 9 * COLOURS, strict=False):
+        moved.plot(steps, MILLI * way, color=colour, linewidth=2.0, label=plain(name))
+    moved.set_ylabel("displacement [mm]")
+    if lines := reaction_lines(result.summary):
+        shown = lines if len(lines) <= MOST else [*lines[:MOST], f"and {len(lines) - MOST} more in summary.json"]
+        words = ["reactions at the end, along x, y, z", *shown]
+        moved.set_title("\n".join(map(plain, words)), fontsize=10, loc="left")
+    draw_ledger(ledger, rows, rows["step"])
+    ledger.set_ylabel("energy [J]")
+    ledger.set_xlabel("step")
+    for axes in (moved, ledger):
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+    return figure
+
+
+def movements(result: "Result") -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    """By name, steps and displacements (m): of each gauge at every row, or of the top at every frame, by axis."""
+    rows = result.history.rows
+    gauges = {name: (rows["step"], values) for name, values in rows.items() if name not in UNITS}
+    frames = result.history.frames
+    if gauges or not frames:
+        return gauges
+    height = result.specimen.blocks.points[:, 2]
+    top = height >= height.max() - TOP * np.ptp(height)
+    steps = np.array([0.0, *(frame.step for frame in frames)])
+    ways = np.array([np.zeros(3), *(frame.corners[top].mean(axis=0) for frame in frames)])
+    largest = np.abs(ways).max()
+    shown = {f"top of the specimen, {axis}": (steps, ways[:, k]) for k, axis in enumerate("xyz")}
+    return {name: (at, way) for name, (at, way) in shown.items() if np.abs(way).max() >= SMALL * largest}
