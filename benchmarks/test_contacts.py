@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from masonry.laws.elastic import Elastic
-from masonry.laws.interface import Interface
+from masonry.laws.state import Interface
 from verification.reference_step import specimens, trial
 from verification.reference_step.interleaved import against, require
 from verification.reference_step.twin import Twin

@@ -15,7 +15,7 @@ from masonry.assembly.assemble import assemble
 from masonry.kinematics.motion import Guided
 from masonry.laws.brittle import Brittle
 from masonry.laws.elastic import Elastic
-from masonry.laws.interface import Interface
+from masonry.laws.state import Interface
 from masonry.scene.source import packaged
 from verification.reference_step import specimens, trial
 from verification.reference_step.interleaved import against, in_turn, require

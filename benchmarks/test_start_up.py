@@ -33,7 +33,7 @@ total(np.zeros(3))
 """
 FIRST_STEP = """
 import numpy as np
-from masonry import laboratory, scene, compiled_step
+from masonry import scene; from masonry.laboratory import laboratory; from masonry.timeloop import compiled_step
 from masonry.loading.scheduled import Chunk
 assembly = laboratory.assemble(scene.load("couplet", ["drive.steps=1000"]))
 compiled_step.compile_for(assembly.model, 1)
@@ -43,7 +43,7 @@ compiled_step.advance_model(assembly.model, chunk, 1, 0, 1, np.zeros(1))
 COLD = """
 import sys, time
 import numba, numpy as np
-from masonry import laboratory, scene, compiled_step
+from masonry import scene; from masonry.laboratory import laboratory; from masonry.timeloop import compiled_step
 from masonry.assembly.assemble import assemble
 
 def loop(force, u, sides, stiffness):

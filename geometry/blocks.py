@@ -4,12 +4,8 @@ Axes: x along the length of the specimen, y through its thickness, z up. All len
 """
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 import numpy as np
-
-if TYPE_CHECKING:
-    from geometry.cells.request import CellReport
 
 
 class GeometryError(ValueError):
@@ -109,6 +105,30 @@ class Joints:
 
 
 @dataclass(frozen=True)
+class CellReport:
+    """What a division came to. Lengths are relative to h: the root of the mean area, or cube root of the mean volume.
+
+    count               cells
+    h                   m
+    shortest_over_mean  shortest edge over the mean edge
+    shortest            shortest edge / h
+    small_edges         share of the edges below 0.125 h (plane) or 0.25 h (space)
+    size_error          largest deviation of a cell's size from its target, relative to the target
+    shortest_joint      shortest segment of a joint between cells of neighbouring units / h; None where there is none
+    seconds             time taken
+    """
+
+    count: int
+    h: float
+    shortest_over_mean: float
+    shortest: float
+    small_edges: float
+    size_error: float
+    shortest_joint: float | None
+    seconds: float
+
+
+@dataclass(frozen=True)
 class Specimen:
     """Blocks with names: what a scene's supports, drives and tractions refer to.
 
@@ -122,4 +142,4 @@ class Specimen:
     sets: dict[str, np.ndarray] = field(default_factory=dict)
     section: float = 1.0
     shape: str = "boxes"
-    cells: "tuple[CellReport, ...]" = ()
+    cells: tuple[CellReport, ...] = ()

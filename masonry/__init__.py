@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from masonry.comparison.sensitivity import Sensitivity
+    from masonry.laboratory.result import Result
     from masonry.laboratory.text import Report
-    from masonry.results.data import Result
     from masonry.scene import Scene
 
 __version__ = "0.1.0"
@@ -90,9 +90,9 @@ def sensitivity(
 
 def load_result(folder: "str | Path") -> "Result":
     """Read the result of an earlier run from its folder. Raises SceneError if the folder is not one of results."""
-    from masonry.results.data import load_history
+    from masonry.laboratory.result import load_result
 
-    return load_history(folder)
+    return load_result(folder)
 
 
 def write_blocks(

@@ -1,9 +1,8 @@
-"""Imports go down the floors only. The table below says which floor each module stands on and what it may see."""
+"""The house by its folders: each stands on a floor and imports from the floors below only, lazy imports included."""
 
 import ast
 import sys
 from collections.abc import Iterator
-from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import NamedTuple
 
@@ -11,67 +10,43 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 OURS = ("geometry", "masonry", "verification", "tests", "benchmarks")
-
-
-class Floor(NamedTuple):
-    """One floor: its modules (patterns; a package stands for all below it), the floors it may see, the packages too."""
-
-    modules: str
-    sees: str
-    packages: str | None = None  # None: any
-
-
-FLOORS = {
-    "kept": Floor("geometry.jit_cache", sees="", packages="numba"),
-    "geometry": Floor("geometry", sees="geometry kept"),
-    "errors": Floor("masonry.errors masonry.plugins", sees="errors", packages=""),
-    "equations": Floor(
-        "masonry.laws masonry.kernels masonry.kinematics",
-        sees="equations errors kept",
-        packages="numpy numba llvmlite",
+FLOORS = (
+    *("geometry.blocks", "geometry.checks", "geometry.jit_cache", "geometry.polyhedra", "geometry.cells"),
+    *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.files", "geometry"),
+    *("masonry.errors", "masonry.quantity", "masonry.history", "masonry.plugins", "masonry.simd", "masonry.runtime"),
+    *("masonry.jit", "masonry.laws", "masonry.kinematics", "masonry.kernels", "masonry.model"),
+    *("masonry.scene.tables", "masonry.scene", "masonry.monitors", "masonry.loading", "masonry.timeloop"),
+    *(
+        "masonry.results",
+        "masonry.importing",
+        "masonry.pictures",
+        "masonry.curves",
+        "masonry.movies",
+        "masonry.assembly",
     ),
-    "model": Floor(
-        "masonry.model.model masonry.model.layout masonry.model.stable_step masonry.model.contact_groups masonry.model.loads masonry.model.arrays"
-        " masonry.model.supports masonry.model.one_contact masonry.model.step_cost masonry.model.draws masonry.model.gauges masonry.loading.schedule",
-        sees="model equations errors geometry",
-        packages="numpy numba llvmlite",
-    ),
-    "run": Floor(
-        "masonry.timeloop.timeloop masonry.loading.scheduled masonry.loading.adaptive masonry.loading.dispatch masonry.loading.cyclic_adaptive masonry.loading.varying_loads"
-        " masonry.loading.cycles masonry.monitors.events masonry.loading.rest masonry.loading.predictor masonry.monitors.utilisation masonry.monitors.stability masonry.monitors.snap_back"
-        " masonry.monitors.overlap masonry.monitors.slide masonry.monitors.collision masonry.monitors.corners masonry.monitors.mode_2_area masonry.monitors.contact_stress"
-        " masonry.monitors.energy masonry.history masonry.runtime.progress masonry.timeloop.checkpoint"
-        " masonry.timeloop.loop masonry.timeloop.recording masonry.timeloop.compiled_step masonry.timeloop.checkpointer masonry.timeloop.model_state masonry.runtime.state_file"
-        " masonry.runtime.state masonry.runtime.lock masonry.runtime.hdf5 masonry.timeloop.reactions masonry.results.joint_resultants"
-        " masonry.results.data masonry.results.archive masonry.runtime.folder masonry.results.fields masonry.runtime.processes masonry.runtime.tally"
-        " masonry.results.table masonry.runtime.finite masonry.laboratory.text masonry.laboratory.notebook masonry.pictures.figure masonry.pictures.painter"
-        " masonry.runtime.processors masonry.quantity"
-        " masonry.pictures.curve masonry.pictures.curve_axes masonry.pictures.crack_picture masonry.pictures.crack_style masonry.pictures.cracks masonry.results.deformation"
-        " masonry.results.dry_joints masonry.pictures.thrust_line"
-        " masonry.results.vtkhdf masonry.results.joint_fields masonry.results.frames masonry.pictures.frame_picture"
-        " masonry.pictures.settling"
-        " masonry.pictures.hysteresis masonry.pictures.front masonry.pictures.oblique masonry.pictures.hidden_surfaces masonry.pictures.faces"
-        " masonry.runtime.text_files masonry.runtime.open_archive masonry.results.validate"
-        " masonry.movies.movie masonry.movies.movie_file masonry.movies.viewer masonry.movies.scene_3d",
-        sees="run model equations errors geometry kept",
-    ),
-    "scene": Floor(
-        "masonry masonry.__main__ masonry.cli.main masonry.cli.commands masonry.runtime.shell masonry.cli.doctor masonry.cli.installed"
-        " masonry.scene* masonry.cli.picture_command masonry.cli.movie_command"
-        " masonry.assembly.assemble masonry.assembly.schedule masonry.assembly.scatter masonry.assembly.specimens masonry.assembly.conditions masonry.assembly.restraint"
-        " masonry.assembly.gauge_places masonry.assembly.size_limits masonry.block_* masonry.own_s* masonry.law_*"
-        " masonry.import*"
-        " masonry.laboratory.quality masonry.laboratory.contact_remarks masonry.drawings.geometry_picture masonry.drawings.picture_frame"
-        " masonry.drawings.condition_marks masonry.drawings.mark_drawing"
-        " masonry.laboratory.summary masonry.laboratory.cost masonry.laboratory.laboratory masonry.cli.run masonry.runtime.interrupts masonry.laboratory.provenance masonry.sweep"
-        " masonry.laboratory.settling"
-        " masonry.comparison",
-        sees="scene run model equations errors geometry",
-    ),
-    "verification": Floor("verification", sees="verification scene run model equations errors geometry"),
-    "tests": Floor("tests benchmarks", sees="tests verification scene run model equations errors geometry kept"),
+    *("masonry.drawings", "masonry.laboratory", "masonry.sweep", "masonry.comparison", "masonry", "masonry.cli"),
+    "masonry.__main__",
+    *("verification.references", "verification.balance", "verification.case", "verification.fixtures"),
+    *("verification.checks", "verification.cases", "verification.catalogue", "verification.outcome"),
+    *("verification.worker", "verification.runner", "verification.records", "verification.comparison"),
+    *("verification.printout", "verification.timed_run", "verification.ladder", "verification.html"),
+    *("verification.convergence", "verification.reference_step", "verification.self_test", "verification.stability"),
+    *("verification.studies", "verification.paper", "verification.report", "verification.command"),
+    *("verification.faults", "verification.fuzz", "verification", "tests", "benchmarks"),
+)
+"""From the lowest to the highest: folders, and the files that stand at the top of a package."""
+PACKAGES = {
+    **dict.fromkeys(("masonry.errors", "masonry.plugins"), ""),
+    **dict.fromkeys(("masonry.simd", "masonry.laws", "masonry.kinematics", "masonry.kernels"), "numpy numba llvmlite"),
+    **dict.fromkeys(("masonry.jit", "masonry.model", "masonry.loading"), "numpy numba llvmlite"),
+    "geometry.jit_cache": "numba",
 }
-GMSH = ("geometry.meshes.gmsh_session", "tests", "tests.*")
+"""The packages that a floor may use besides the standard library; any where nothing is said."""
+GMSH = ("geometry.meshes.gmsh_session", "tests")
+MOST, MOST_AT_TOP, LONGEST = 15, 6, 300
+"""Python files in a folder, in `masonry/` itself, and lines of a file."""
+LONG = {"geometry/cells/plane_energy.py", "geometry/cells/space_energy.py"}
+"""An energy and its gradient belong together."""
 
 
 class Import(NamedTuple):
@@ -92,13 +67,12 @@ MODULES = modules()
 
 
 def floor_of(module: str) -> str | None:
-    """The floor a module stands on; `masonry` alone does not stand for all of `masonry`."""
-    for name, floor in FLOORS.items():
-        for pattern in floor.modules.split():
-            below = pattern != "masonry" and fnmatchcase(module, f"{pattern}.*")
-            if below or fnmatchcase(module, pattern):
-                return name
-    return None
+    """The floor a module stands on: its folder, or the nearest one above that is named. A package that is named stands
+    for its own file only where it is the top of the house."""
+    name = module
+    while name and name not in FLOORS:
+        name = name.rpartition(".")[0]
+    return None if name in ("geometry", "masonry", "verification") and name != module else name or None
 
 
 def imports(module: str, source: str, is_package: bool = False) -> Iterator[Import]:
@@ -127,12 +101,9 @@ def _targets(base: str, node: ast.ImportFrom) -> set[str]:
 
 def offences(module: str, source: str, is_package: bool = False) -> list[str]:
     """What the imports of one module do against the floors, a sentence each."""
-    own = floor_of(module)
+    own, found = floor_of(module), []
     if own is None:
-        return [
-            f"{module} stands on no floor: add it to a row of FLOORS in tests/test_floors.py (the lowest that fits)"
-        ]
-    floor, found = FLOORS[own], []
+        return [f"{module} stands on no floor: add its folder to FLOORS in tests/test_floors.py, as low as it goes"]
     for target, line in imports(module, source, is_package):
         package = target.split(".")[0]
         says = f"{module}, line {line}: imports {target}"
@@ -140,12 +111,12 @@ def offences(module: str, source: str, is_package: bool = False) -> list[str]:
             other = floor_of(target)
             if other is None:
                 found.append(f"{says}, which stands on no floor")
-            elif other not in floor.sees.split():
-                found.append(f"{says} of floor '{other}'; floor '{own}' sees only: {floor.sees or 'nothing'}")
-        elif package == "gmsh" and not any(fnmatchcase(module, allowed) for allowed in GMSH):
-            found.append(f"{says}; only geometry/meshes/gmsh_session.py imports gmsh")
-        elif floor.packages is not None and package not in (*sys.stdlib_module_names, *floor.packages.split()):
-            found.append(f"{says}; floor '{own}' uses only the standard library {floor.packages}".rstrip())
+            elif FLOORS.index(other) > FLOORS.index(own):
+                found.append(f"{says} of floor '{other}', which is above floor '{own}'")
+        elif package == "gmsh" and not any(module == allowed or module.startswith(f"{allowed}.") for allowed in GMSH):
+            found.append(f"{says}; only {GMSH[0]} imports gmsh")
+        elif own in PACKAGES and package not in (*sys.stdlib_module_names, *PACKAGES[own].split()):
+            found.append(f"{says}; floor '{own}' uses only the standard library {PACKAGES[own]}".rstrip())
     return found
 
 
@@ -154,6 +125,41 @@ def test_imports_go_down_the_floors_only(module: str) -> None:
     path = MODULES[module]
     found = offences(module, path.read_text(encoding="utf-8"), path.name == "__init__.py")
     assert not found, "\n".join(found)
+
+
+def circles(graph: dict[str, set[str]]) -> list[list[str]]:
+    """What is left once all that imports nothing left is taken away, again and again: circles and what leads there."""
+    left = {name: set(targets) - {name} for name, targets in graph.items()}
+    while free := [name for name, targets in left.items() if not targets & left.keys()]:
+        for name in free:
+            del left[name]
+    return [[name, *sorted(targets & left.keys())] for name, targets in sorted(left.items())]
+
+
+def test_no_files_import_each_other_in_a_circle() -> None:
+    graph = {
+        module: {found.module for found in imports(module, path.read_text(encoding="utf-8"), path.stem == "__init__")}
+        for module, path in MODULES.items()
+    }
+    assert circles(graph) == []
+
+
+def test_a_circle_is_found() -> None:
+    assert circles({"a": {"b"}, "b": {"c"}, "c": {"a"}, "d": {"a"}, "e": set()}) != []
+    assert circles({"a": {"b", "c"}, "b": {"c"}, "c": {"numpy"}}) == []
+
+
+def test_no_folder_has_too_many_files_and_no_file_too_many_lines() -> None:
+    inside: dict[str, int] = {}
+    for path in MODULES.values():
+        folder = path.parent.relative_to(ROOT).as_posix()
+        inside[folder] = inside.get(folder, 0) + 1
+    full = {folder: count for folder, count in inside.items() if count > MOST}
+    assert not full, f"folders with more than {MOST} files: {full}"
+    assert inside["masonry"] <= MOST_AT_TOP
+    lines = {p.relative_to(ROOT).as_posix(): p.read_text(encoding="utf-8").count("\n") for p in MODULES.values()}
+    long = {file: count for file, count in lines.items() if count > LONGEST and file not in LONG}
+    assert not long, f"files with more than {LONGEST} lines: {long}"
 
 
 def test_every_folder_of_modules_is_a_package_so_that_it_is_installed() -> None:
@@ -171,13 +177,14 @@ def test_every_folder_of_modules_is_a_package_so_that_it_is_installed() -> None:
         ("geometry.blocks", "def f():\n    from masonry import errors"),
         ("geometry.blocks", "from masonry import anything"),
         ("geometry.joints.find", "import gmsh"),
+        ("geometry.polyhedra.weld", "from geometry.joints import find"),
         ("masonry.laws.dispatch", "from .. import scene"),
         ("masonry.laws.dispatch", "from ..scene import Scene"),
-        ("masonry.laws.dispatch", "from geometry.blocks import Blocks"),
         ("masonry.kernels.step", "import scipy.sparse"),
         ("masonry.kernels.step", "import importlib\nimportlib.import_module('h5py')"),
         ("masonry.model.model", "if True:\n    import masonry.timeloop.timeloop as loop"),
-        ("masonry.timeloop.timeloop", "from masonry.scene import Scene"),
+        ("masonry.results.data", "if TYPE_CHECKING:\n    from masonry.curves.curve import curve_figure"),
+        ("masonry.timeloop.timeloop", "from masonry.results import data"),
         ("masonry.cli.main", "from verification import report"),
         ("verification.report", "import tests.test_floors"),
         ("verification.report", "from benchmarks import anything"),
@@ -191,9 +198,9 @@ def test_an_import_that_goes_up_is_found(module: str, source: str) -> None:
 @pytest.mark.parametrize(
     ("module", "source"),
     [
-        ("masonry.laws", "from .door import beside\nfrom . import state\nimport numba, math"),
-        ("masonry.model.model", "from geometry import blocks\nfrom masonry.laws import door"),
-        ("masonry.timeloop.timeloop", "from masonry import __version__, model\nimport rich"),
+        ("masonry.laws", "from .dispatch import beside\nfrom . import state\nimport numba, math"),
+        ("masonry.model.model", "from geometry import blocks\nfrom masonry.laws import dispatch"),
+        ("masonry.timeloop.timeloop", "from masonry import __version__\nfrom masonry.model import model\nimport rich"),
         ("masonry.scene.schema", "import pydantic\nfrom masonry.quantity import parse"),
         ("geometry.meshes.gmsh_session", "def mesh():\n    import gmsh"),
     ],

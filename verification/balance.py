@@ -8,7 +8,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 
 TAKEN = ("damping", "kinetic", "elastic_blocks", "contact_work")
 SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")

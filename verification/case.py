@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification import balance
 
 KINDS = ("closed form", "limit analysis", "same discretisation", "refined model", "converged run", "invariance")

@@ -24,6 +24,8 @@ def modules() -> dict[str, ModuleType]:
     """
     found: dict[str, ModuleType] = {}
     for entry in pkgutil.walk_packages(cases.__path__, f"{cases.__name__}."):
+        if entry.ispkg:
+            continue
         module = importlib.import_module(entry.name)
         case = getattr(module, "CASE", None)
         if not isinstance(case, Case):

@@ -7,11 +7,10 @@ from dataclasses import replace
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from geometry.blocks import GeometryError
+from geometry.blocks import CellReport, GeometryError
 from geometry.cells.plane import RELAXATIONS, PlaneDiagram, hold_sizes, plane_diagram, regularise, relax
 from geometry.cells.plane_domains import plane_domains
 from geometry.cells.plane_measures import loops_in_metres, report
-from geometry.cells.request import CellReport
 
 SETTLED = 0.01
 """Energy below which nothing is worth another attempt: no edge or segment lacks more than a tenth of its threshold."""

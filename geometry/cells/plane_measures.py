@@ -4,9 +4,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from geometry.blocks import CellReport
 from geometry.cells.plane import PlaneDiagram, areas_and_centroids, edges
 from geometry.cells.plane_energy import joint_points
-from geometry.cells.request import CellReport, report_of
+from geometry.cells.request import report_of
 from geometry.polyhedra.weld import weld
 
 WELD = 1e-8

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from geometry.blocks import GeometryError
+from geometry.blocks import CellReport, GeometryError
 
 
 @dataclass(frozen=True)
@@ -40,30 +40,6 @@ class CellsAsked:
             raise GeometryError(
                 f"cells: exactly one of total, per_unit and size is needed, not {' and '.join(given) or 'none'}"
             )
-
-
-@dataclass(frozen=True)
-class CellReport:
-    """What a division came to. Lengths are relative to h: the root of the mean area, or cube root of the mean volume.
-
-    count               cells
-    h                   m
-    shortest_over_mean  shortest edge over the mean edge
-    shortest            shortest edge / h
-    small_edges         share of the edges below 0.125 h (plane) or 0.25 h (space)
-    size_error          largest deviation of a cell's size from its target, relative to the target
-    shortest_joint      shortest segment of a joint between cells of neighbouring units / h; None where there is none
-    seconds             time taken
-    """
-
-    count: int
-    h: float
-    shortest_over_mean: float
-    shortest: float
-    small_edges: float
-    size_error: float
-    shortest_joint: float | None
-    seconds: float
 
 
 def report_of(

@@ -7,11 +7,11 @@ import numpy as np
 from scipy.stats.qmc import Halton
 from threadpoolctl import threadpool_limits
 
-from geometry.blocks import GeometryError
+from geometry.blocks import CellReport, GeometryError
 from geometry.cells.domain import Domain
 from geometry.cells.power import Power, tessellate
 from geometry.cells.power_blocks import cell_volumes, edge_lengths
-from geometry.cells.request import CellReport, report_of
+from geometry.cells.request import report_of
 from geometry.cells.space_regularise import SMALL, regularise
 from geometry.cells.transport import SpaceDiagram, hold_sizes
 

@@ -11,15 +11,15 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import GeometryError
-from geometry.files.cad_shells import outward
-from geometry.files.facets import facet_options, triangulate
 from geometry.files.imported import Imported
 from geometry.files.step_labels import Label, labels, match
 from geometry.files.step_reader import length_unit, records
 from geometry.meshes.gmsh_session import gmsh_model
 from geometry.polyhedra.construct import from_faces
-from geometry.polyhedra.convex_pieces import convex_pieces
+from geometry.polyhedra.convexity import convex_pieces
 from geometry.polyhedra.measures import volumes
+from geometry.polyhedra.shells import outward
+from geometry.polyhedra.weld import weld
 
 STEP, IGES, BREP = (".step", ".stp"), (".iges", ".igs"), (".brep",)
 MOST_SOLIDS = 50_000
@@ -196,3 +196,44 @@ def _curved_notes(solids: list[_Solid], chord: float) -> list[str]:
         f"{len(curved)} solids have curved faces or edges: flat facets within about {chord * 1e3:.3g} mm change their "
         f"volume by {faceted / exact - 1:+.2e} in all, a single one by at most {worst:.2e}"
     ]
+
+
+TRIANGLE = 2
+SAME = 1e-6  # mm, corners of neighbouring faces nearer than this are one
+LARGEST_ANGLE = 1.0  # rad between neighbouring facets
+MOST_TRIANGLES = 5_000_000
+
+
+def facet_options(chord: float) -> dict[str, float]:
+    """Options under which the kernel divides faces into triangles off the faces by no more than chord (mm)."""
+    return {
+        "Mesh.StlLinearDeflection": chord,
+        "Mesh.StlLinearDeflectionRelative": 0.0,
+        "Mesh.StlAngularDeflection": LARGEST_ANGLE,
+    }
+
+
+def triangulate(gmsh: Any, extent: float) -> tuple[np.ndarray, dict[int, np.ndarray]]:
+    """Corners (P, 3) mm, each once, and for each face of the model its triangles (T, 3); extent mm, of the model.
+
+    This is the kernel's own triangulation for pictures. gmsh's mesher leaves the surface where triangles are long.
+    """
+    try:
+        gmsh.model.mesh.importStl()
+    except Exception as error:  # gmsh raises bare Exception
+        raise GeometryError(f"the faces of the solids cannot be divided into triangles: {str(error)[:200]}") from error
+    tags, coordinates, _ = gmsh.model.mesh.getNodes()
+    if len(tags) == 0 or len(tags) > MOST_TRIANGLES:
+        raise GeometryError(f"the faces of the solids make {len(tags)} corners of facets; take a larger --facet")
+    if not np.isfinite(coordinates).all():
+        raise GeometryError("the file holds corners at infinity; is it damaged?")
+    points = coordinates.reshape(-1, 3)
+    kept, number = weld(points, max(SAME, 1e-9 * extent))
+    of_tag = np.zeros(int(tags.max()) + 1, dtype=np.int64)
+    of_tag[tags.astype(np.int64)] = number
+    triangles = {}
+    for _, surface in gmsh.model.getEntities(2):
+        found = of_tag[gmsh.model.mesh.getElementsByType(TRIANGLE, surface)[1].astype(np.int64).reshape(-1, 3)]
+        flat = (found[:, 0] == found[:, 1]) | (found[:, 1] == found[:, 2]) | (found[:, 2] == found[:, 0])
+        triangles[surface] = found[~flat]
+    return points[kept], triangles

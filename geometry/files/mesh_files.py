@@ -16,7 +16,7 @@ from geometry.blocks import GeometryError
 from geometry.checks import require_lengths
 from geometry.files.atomic import require_file
 from geometry.files.imported import Imported
-from geometry.files.limited_memory import limited_memory
+from geometry.files.sandbox import limited_memory
 from geometry.meshes.blocks_of_tets import blocks_of_tets
 
 LARGEST = 2**30

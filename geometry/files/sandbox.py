@@ -14,6 +14,8 @@ import subprocess
 import sys
 import tempfile
 import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -60,7 +62,7 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
 
 def begin(task: str, folder: Path, alive: int) -> Any:
     """Start the reader in this folder, as a subprocess.Popen; `alive` is the end of a pipe whose other end is here."""
-    house = str(Path(__file__).resolve().parents[1])
+    house = str(Path(__file__).resolve().parents[2])
     surroundings = {**os.environ, "PYTHONPATH": house, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
     surroundings["HOME"] = str(folder)  # the CAD kernel's libraries leave settings there
     return subprocess.Popen(
@@ -137,3 +139,23 @@ def _end_with_asker(alive: int) -> None:
 if __name__ == "__main__":
     threading.Thread(target=_end_with_asker, args=(int(sys.argv[2]),), daemon=True).start()
     sys.exit(serve(sys.argv[1]))
+
+
+@contextmanager
+def limited_memory(more: int) -> Iterator[None]:
+    """Let the process take up `more` bytes beyond what it has; where the system cannot do this, nothing changes."""
+    try:
+        import resource
+
+        pages = int(Path("/proc/self/statm").read_text().split()[0])
+    except (ImportError, OSError, ValueError):
+        yield
+        return
+    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+    wanted = pages * resource.getpagesize() + more
+    bounds = [limit for limit in (soft, hard) if limit != resource.RLIM_INFINITY]
+    resource.setrlimit(resource.RLIMIT_AS, (min([wanted, *bounds]), hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, (soft, hard))

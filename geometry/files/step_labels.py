@@ -8,8 +8,7 @@ from itertools import islice
 import numpy as np
 from scipy.spatial import cKDTree
 
-from geometry.files.step_colours import Colour, colours
-from geometry.files.step_reader import Records, numbers, placement, references, strings
+from geometry.files.step_reader import Colour, Records, colours, numbers, placement, references, strings
 
 SOLIDS = ("MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "FACETED_BREP")
 GENERATED = ("Open CASCADE STEP translator", "NONE")

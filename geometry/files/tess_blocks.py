@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError
-from geometry.polyhedra.convex_faces import reflex, triangles
+from geometry.polyhedra.convexity import reflex, triangles
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import volumes
 from geometry.polyhedra.polygons import areas_normals_centroids, pad

@@ -6,7 +6,7 @@ import numpy as np
 
 from geometry.blocks import GeometryError
 from geometry.meshes.skeleton import Loop
-from geometry.polyhedra.convex_faces import reflex, triangles
+from geometry.polyhedra.convexity import reflex, triangles
 from geometry.polyhedra.polygons import areas_normals_centroids
 
 NARROW = 0.5

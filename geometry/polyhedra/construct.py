@@ -1,4 +1,4 @@
-"""Building Blocks: from axis-parallel boxes, from lists of faces, from other Blocks."""
+"""Building Blocks: from boxes and grids of them, from lists of faces, from plane polygons, from other Blocks."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from geometry.blocks import Blocks
+from geometry.polyhedra.indexing import ranges
 
 # Corner i + 2 j + 4 k of a box lies at the low (0) or high (1) end along x, y, z.
 BOX_FACES = np.array([[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]])
@@ -77,3 +78,50 @@ def with_own_points(blocks: Blocks) -> Blocks:
     return replace(
         blocks, points=blocks.points[unique % max(len(blocks.points), 1)], face_points=number.astype(np.int64)
     )
+
+
+def extrude(
+    loops: Sequence[np.ndarray], low: np.ndarray, high: np.ndarray, unit: np.ndarray, groups: Sequence[str]
+) -> Blocks:
+    """One block for each loop (k, 2) m, convex, x to z counter-clockwise, between y = low and high (B,); group 0.
+
+    Faces in the order y-, y+, then one over each edge.
+    """
+    count = np.array([len(loop) for loop in loops])
+    flat = np.concatenate(loops)
+    owner, k = ranges(np.zeros(len(loops), dtype=np.int64), count)
+    corners = len(flat)
+    points = np.concatenate([np.insert(flat, 1, y[owner], axis=1) for y in (low, high)])
+    start = np.cumsum(count) - count
+    here, after = np.arange(corners), start[owner] + (k + 1) % count[owner]
+    backwards = start[owner] + count[owner] - 1 - k + corners
+    sides = np.stack([after, here, here + corners, after + corners], axis=1)
+    size = np.ones(int(count.sum()) + 2 * len(loops), dtype=np.int64) * 4
+    first = start + 2 * np.arange(len(loops))  # number of each block's face y-
+    size[first], size[first + 1] = count, count
+    face_start = np.concatenate([[0], np.cumsum(size)])
+    face_points = np.empty(face_start[-1], dtype=np.int64)
+    face_points[face_start[first][owner] + k] = here
+    face_points[face_start[first + 1][owner] + k] = backwards
+    face_points[face_start[first[owner] + 2 + k][:, None] + np.arange(4)] = sides
+    return Blocks(
+        points=points,
+        face_start=face_start,
+        face_points=face_points,
+        block_face_start=np.concatenate([[0], np.cumsum(count + 2)]),
+        unit=np.asarray(unit, dtype=np.int64),
+        group=np.zeros(len(loops), dtype=np.int64),
+        groups=tuple(groups),
+    )
+
+
+def divide(low: Sequence[float], high: Sequence[float], divisions: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
+    """Low and high corners (n, 3) of the nx x ny x nz cells of the box low..high, x running fastest.
+
+    Neighbours get exactly the same coordinates on their common face.
+    """
+    cuts = [np.linspace(a, b, n + 1) for a, b, n in zip(low, high, divisions, strict=True)]
+    k, j, i = (index.ravel() for index in np.indices(tuple(divisions)[::-1]))
+    lows = np.stack([cuts[0][i], cuts[1][j], cuts[2][k]], axis=1)
+    highs = np.stack([cuts[0][i + 1], cuts[1][j + 1], cuts[2][k + 1]], axis=1)
+    return lows, highs

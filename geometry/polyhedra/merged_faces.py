@@ -4,8 +4,7 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from geometry.polyhedra.convex_faces import reflex
-from geometry.polyhedra.convex_pieces import convex_pieces
+from geometry.polyhedra.convexity import convex_pieces, reflex
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 
 FLAT = 2e-10

@@ -4,7 +4,7 @@ import numpy as np
 
 from geometry.blocks import GeometryError, Specimen
 from geometry.checks import require_counts, require_lengths
-from geometry.polyhedra.extrude import extrude
+from geometry.polyhedra.construct import extrude
 from geometry.polyhedra.overlaps import check_overlaps
 
 

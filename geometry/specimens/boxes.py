@@ -6,8 +6,7 @@ import numpy as np
 
 from geometry.blocks import GeometryError, Specimen
 from geometry.checks import require_counts, require_lengths
-from geometry.polyhedra.construct import from_boxes
-from geometry.polyhedra.grid import divide
+from geometry.polyhedra.construct import divide, from_boxes
 from geometry.polyhedra.overlaps import check_overlaps
 
 Box = tuple[str, Sequence[float], Sequence[float], str, int, Sequence[int]]

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from geometry.blocks import Blocks, GeometryError, Specimen
+from geometry.blocks import Blocks, CellReport, GeometryError, Specimen
 from geometry.cells.domain import Domain
-from geometry.cells.request import CellReport, CellsAsked
+from geometry.cells.request import CellsAsked
 from geometry.cells.targets import given_sites, share_out
 from geometry.checks import require_counts
 from geometry.polyhedra.construct import concatenate, from_faces

@@ -6,12 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.blocks import Blocks
-from geometry.cells.request import CellReport, CellsAsked
+from geometry.blocks import Blocks, CellReport
+from geometry.cells.request import CellsAsked
 from geometry.cells.targets import given_sites, share_out, sites_in_outlines, target_sizes
-from geometry.polyhedra.construct import concatenate, from_boxes
-from geometry.polyhedra.extrude import extrude
-from geometry.polyhedra.grid import divide
+from geometry.polyhedra.construct import concatenate, divide, extrude, from_boxes
 
 if TYPE_CHECKING:
     from geometry.cells.domain import Domain

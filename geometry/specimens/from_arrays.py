@@ -8,11 +8,11 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from geometry.blocks import Blocks, GeometryError
-from geometry.files.cad_shells import outward
 from geometry.polyhedra.construct import from_faces
-from geometry.polyhedra.convex_faces import triangles
+from geometry.polyhedra.convexity import triangles
 from geometry.polyhedra.merged_faces import merged_faces
 from geometry.polyhedra.polygons import areas_normals_centroids
+from geometry.polyhedra.shells import outward
 from geometry.polyhedra.validate import FARTHEST, FLAT
 from geometry.polyhedra.weld import weld
 

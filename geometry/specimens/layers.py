@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from geometry.blocks import Blocks, Specimen
-from geometry.cells.request import CellReport, CellsAsked
+from geometry.blocks import Blocks, CellReport, Specimen
+from geometry.cells.request import CellsAsked
 from geometry.checks import require_counts, require_lengths
 from geometry.polyhedra.construct import concatenate, from_boxes
 from geometry.polyhedra.overlaps import check_overlaps

@@ -4,8 +4,8 @@ from math import gcd
 
 import numpy as np
 
-from geometry.blocks import Blocks, GeometryError
-from geometry.cells.request import CellReport, CellsAsked
+from geometry.blocks import Blocks, CellReport, GeometryError
+from geometry.cells.request import CellsAsked
 from geometry.polyhedra.measures import bounds
 from geometry.specimens.bond import WHOLE, Bond
 from geometry.specimens.filling import fill_with_cells, fill_with_grid

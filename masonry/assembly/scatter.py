@@ -9,7 +9,7 @@ import numpy as np
 from geometry.blocks import Blocks, Joints
 from masonry.errors import SceneError, nearest
 from masonry.laws import factory as law_build
-from masonry.laws.interface import Interface
+from masonry.laws.state import Interface
 from masonry.model.draws import PROPERTIES, correlated, lognormal, pairs_of, standard_normals
 from masonry.scene.tables.scatter import Scatter
 from masonry.simd.alignment import aligned

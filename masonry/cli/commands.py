@@ -48,8 +48,8 @@ def import_blocks(words: argparse.Namespace) -> int:
     """`masonry import`: a scene and a file of blocks, and a table of what was found."""
     from masonry.importing import importing
     from masonry.importing.report import report_text
-    from masonry.laboratory.text import aligned
     from masonry.quantity import parse
+    from masonry.runtime.tables import aligned
 
     wishes = importing.Wishes(
         unit=None if words.unit is None else parse(_one(words.unit), "length", "--unit", "[1e-9, 1e5]"),
@@ -78,10 +78,10 @@ def list_scenes(words: argparse.Namespace) -> int:
 
 def plot_results(words: argparse.Namespace) -> int:
     """`masonry plot`: curve.png and cracks.png again, from summary.json and history.h5."""
+    from masonry.laboratory.result import load_result
     from masonry.laboratory.text import paths_text
-    from masonry.results.data import load_history
 
-    result = load_history(words.folder)
+    result = load_result(words.folder)
     try:
         paths = result.save_pictures(words.folder)
     except OSError as error:

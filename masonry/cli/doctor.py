@@ -9,7 +9,7 @@ from functools import partial
 
 from masonry import __version__
 from masonry.cli.installed import COMPUTING, Finding, cached_code, module, others, processor, threading_layer
-from masonry.laboratory.text import WIDTH
+from masonry.runtime.tables import WIDTH
 
 LEAST_FREE = 200e6
 """Bytes of free disk under which a run may not find room for its results."""

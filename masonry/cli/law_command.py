@@ -56,7 +56,7 @@ def main(arguments: list[str] | None = None) -> int:
 
     shape, interface = build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS))
     found = portrait(shape, interface)
-    from masonry.laboratory.text import aligned
+    from masonry.runtime.tables import aligned
 
     print(aligned([*_about(words.name, contact, shape), *_energies(contact, found)]))
     if words.plot is not None:

@@ -27,12 +27,12 @@ def parser() -> Parser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
+    from masonry.laboratory.result import load_result
     from masonry.movies.movie_file import write_film
-    from masonry.results.data import load_history
     from masonry.runtime.progress import Progress
 
     words = parser().parse_args(arguments)
-    result = load_history(words.folder)
+    result = load_result(words.folder)
     with Progress(label="movie") as progress:
         path = write_film(result, words.to or words.folder / "movie.gif", words.fps, words.view, words.scale, progress)
     print(visible(f"{path}"))

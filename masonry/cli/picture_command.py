@@ -93,10 +93,10 @@ def _of_scene(words: argparse.Namespace) -> tuple[Path, str]:
 
 
 def _of_results(words: argparse.Namespace) -> tuple[Path, str]:
+    from masonry.laboratory.result import load_result
     from masonry.pictures.frame_picture import draw_frame
-    from masonry.results.data import load_history
 
     step, view = words.step or "peak", words.view or "front"
     name = re.sub(r"[^\w.+]+", "-", re.sub(r"^\s*-", "minus ", step)).strip("-")
     out = words.out or Path(words.source) / f"{name}-{view}.png"
-    return out, draw_frame(load_history(words.source), out, step, view, words.scale)
+    return out, draw_frame(load_result(words.source), out, step, view, words.scale)

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, Stopped
-from masonry.pictures.painter import Painter, painter
 from masonry.runtime.interrupts import Asked, listening
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, STOPPED, complain
@@ -18,11 +17,6 @@ NEVER = ("0", "never")
 
 def run(words: argparse.Namespace) -> int:
     """`masonry run`: everything that the run got to is written, whatever ended it."""
-    with painter() as hired:  # before anything heavy is loaded
-        return _begin(words, hired)
-
-
-def _begin(words: argparse.Namespace, hired: Painter | None) -> int:
     from masonry import scene
     from masonry.runtime.folder import claimed, scene_name
     from masonry.timeloop.checkpoint import Checkpoints
@@ -39,7 +33,7 @@ def _begin(words: argparse.Namespace, hired: Painter | None) -> int:
                     kept.begin(scene.to_toml(loaded), {"threads": words.threads, "checkpoint_every": every})
             except OSError as error:
                 raise _cannot_write(out, error) from None
-            going = _Run(loaded, kept, words.threads, every, asked, words.quiet, hired)
+            going = _Run(loaded, kept, words.threads, every, asked, words.quiet)
             return going.carry_out(scene_name(words.scene))
 
 
@@ -70,15 +64,12 @@ def resume(words: argparse.Namespace) -> int:
 class _Run:
     """One run of a scene into a folder that this process holds."""
 
-    def __init__(
-        self, scene: Any, kept: Any, threads: int, every: float, asked: Asked, quiet: bool, hired: Painter | None = None
-    ) -> None:
+    def __init__(self, scene: Any, kept: Any, threads: int, every: float, asked: Asked, quiet: bool) -> None:
         from masonry.laboratory.provenance import origin_of
         from masonry.scene import to_toml
         from masonry.timeloop.checkpointer import Keeper
 
         self.scene, self.kept, self.threads, self.asked, self.quiet = scene, kept, threads, asked, quiet
-        self.hired = hired
         self.new = True
         self.out: Path = kept.results
         self.origin = origin_of(to_toml(scene))
@@ -160,7 +151,7 @@ class _Run:
 
     def _save(self, result: Any) -> dict[str, Path]:
         try:
-            paths: dict[str, Path] = result.save(self.out, self.hired)
+            paths: dict[str, Path] = result.save(self.out)
             return paths
         except OSError as error:
             more = f"; once it can, {self._how_to_go_on()}" if self.kept.states() else ""

@@ -6,8 +6,8 @@ from typing import Any
 
 from masonry.comparison.variants import KINDS
 from masonry.errors import SceneError
-from masonry.pictures.curve import plain, tidy
-from masonry.results.data import load_history
+from masonry.laboratory.result import load_result
+from masonry.pictures.style import plain, tidy
 
 COLOURS = dict(
     zip(KINDS, ("#17becf", "#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#e377c2", "#8c564b", "#ff7f0e"), strict=True)
@@ -20,7 +20,7 @@ def figure_of(title: str, folder: Path, rows: Sequence[dict[str, Any]]) -> Any:
     """A figure of 1320 x 780 pixels at 120 dpi. Raises SceneError where the numbers of a run cannot be read."""
     from matplotlib.figure import Figure
 
-    from masonry.pictures.curve_axes import curve_axes
+    from masonry.curves.curve_axes import curve_axes
 
     figure = Figure(figsize=(11, 6.5), layout="constrained")
     axes = figure.subplots()
@@ -30,7 +30,7 @@ def figure_of(title: str, folder: Path, rows: Sequence[dict[str, Any]]) -> Any:
         style = _style(row["kind"], number)
         if not (folder / "runs" / row["key"] / "history.h5").is_file():
             continue
-        result = load_history(folder / "runs" / row["key"])
+        result = load_result(folder / "runs" / row["key"])
         curve = curve_axes(result)
         stress = result.history.rows["stress"] * curve.factor
         if len(stress) == 0:

@@ -66,7 +66,7 @@ def sensitivity(
 def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]]) -> None:
     """Table and picture, all or none; the picture is left out where no run left a curve."""
     from masonry.comparison.picture import figure_of
-    from masonry.pictures.curve import write_png
+    from masonry.pictures.style import write_png
 
     try:
         (folder / PICTURE).unlink(missing_ok=True)

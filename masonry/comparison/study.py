@@ -7,7 +7,7 @@ from typing import Any
 
 from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
-from masonry.laboratory.text import trust
+from masonry.results.trust import trust
 from masonry.runtime.folder import RESULTS, WholeFiles, claim, scene_name
 from masonry.runtime.lock import sole
 from masonry.runtime.tally import Tell

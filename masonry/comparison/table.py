@@ -9,8 +9,8 @@ from typing import Any
 
 from masonry.comparison.study import FIGURES, Figure
 from masonry.errors import visible
-from masonry.laboratory.text import WIDTH
 from masonry.runtime.progress import duration
+from masonry.runtime.tables import WIDTH
 
 Row = dict[str, Any]
 SMALL = 0.01

@@ -12,10 +12,10 @@ from masonry.drawings.condition_marks import Mark, marks
 from masonry.drawings.mark_drawing import COLOURS, draw_mark, place_of_value, stands_left
 from masonry.drawings.picture_frame import draw_axes, draw_sets
 from masonry.errors import SceneError
-from masonry.pictures.curve import plain, write_png
 from masonry.pictures.faces import UNIT_EDGE, FaceDrawing
 from masonry.pictures.front import group_colours
 from masonry.pictures.hidden_surfaces import Sight, front_sight, oblique_sight, visible_pieces
+from masonry.pictures.style import plain, write_png
 from masonry.scene import Scene
 
 WIDTH = 11.0

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Blocks, Specimen
-from masonry.pictures.curve import plain
 from masonry.pictures.hidden_surfaces import Piece, Sight
+from masonry.pictures.style import plain
 
 MOST_SETS = 24
 """More names than this are not written into the picture."""

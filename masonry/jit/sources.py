@@ -10,14 +10,14 @@ from pathlib import Path
 from masonry.errors import SceneError
 
 ALL = ("geometry", "masonry")
-COMPILED = ("masonry/laws", "masonry/kernels", "masonry/kinematics")
+COMPILED = ("masonry/simd", "masonry/jit", "masonry/laws", "masonry/kinematics", "masonry/kernels")
 
 
 @cache
 def source_hash(folders: tuple[str, ...] = ALL, without: tuple[str, ...] = ()) -> str:
     """Hash (hex) of the sources in some folders; by default all that can change a number in a result.
 
-    without  patterns of paths that are left out, such as "masonry/pictures/curve.py" or "masonry/sweep/*"
+    without  patterns of paths that are left out, such as "masonry/curves/curve.py" or "masonry/sweep/*"
     """
     root = Path(__file__).resolve().parents[2]
     left_out = re.compile("|".join(map(fnmatch.translate, without)) or "(?!)")

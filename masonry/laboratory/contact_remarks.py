@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.laws.factory import properties_of
-from masonry.laws.interface import Interface
+from masonry.laws.state import Interface
 from masonry.monitors.stability import smallest_block
 from masonry.scene.tables.contact import Contact
 from masonry.scene.tables.loading import Drive

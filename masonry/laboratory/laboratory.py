@@ -12,10 +12,10 @@ from masonry.laboratory.contact_remarks import contact_remarks
 from masonry.laboratory.cost import expected_seconds, expected_steps
 from masonry.laboratory.provenance import origin_of
 from masonry.laboratory.quality import quality_lines
+from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
 from masonry.laboratory.summary import cells_text, summarise
 from masonry.laws.dispatch import word_of
-from masonry.results.data import Result
 from masonry.results.joint_resultants import resultants
 from masonry.scene import Scene, to_toml
 from masonry.scene.schema import INVENTED

@@ -4,10 +4,8 @@ import contextlib
 import io
 import sys
 from collections.abc import Callable, Iterator
-from html import escape
 from typing import Any
 
-from masonry.laboratory.text import Rows
 from masonry.runtime.progress import Progress
 
 Tell = Callable[[int, int, str], None]
@@ -54,13 +52,3 @@ class OneLine(io.TextIOBase):
         if not self.closed:
             self._shown.update({"text/plain": ""}, raw=True)
         super().close()
-
-
-def html_table(title: str, rows: Rows) -> str:
-    """A title, and a word with its lines in each row; everything escaped."""
-    body = "".join(
-        f'<tr><th style="text-align:left">{escape(word)}</th>'
-        f'<td style="text-align:left">{"<br>".join(map(escape, lines))}</td></tr>'
-        for word, lines in rows
-    )
-    return f"<table><caption>{escape(title)}</caption><tbody>{body}</tbody></table>"

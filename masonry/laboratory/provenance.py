@@ -14,39 +14,9 @@ from masonry import __version__
 from masonry.errors import SceneError
 from masonry.jit.sources import ALL, source_hash
 
-SHOWING = tuple(
-    f"masonry/{name}"
-    for name in (
-        *("__main__.py", "cli.py", "commands.py", "shell.py", "doctor.py", "installed.py", "printout.py", "import*.py"),
-        *("asked.py", "running.py"),
-        *(
-            "plot.py",
-            "hysteresis.py",
-            "settling_picture.py",
-            "curve_axes.py",
-            "picture.py",
-            "crack_drawing.py",
-            "dry_joints.py",
-            "thrust_line.py",
-            "picture_frame.py",
-            "geometry_picture.py",
-        ),
-        *("solid_view.py", "condition_marks.py", "mark_drawing.py", "face_drawing.py", "flat_drawing.py"),
-        *("solid_drawing.py", "frame_choice.py", "frame_picture.py", "picture_command.py", "movie_command.py"),
-        *("film.py", "film_file.py", "show.py", "stage.py", "fields.py", "joint_fields.py", "vtkhdf.py"),
-        *("notebook.py", "painter.py", "figure.py", "scene/portrait.py"),
-        *(
-            "law_command.py",
-            "law_picture.py",
-            "law_portrait.py",
-            "one_contact.py",
-            "progress.py",
-            "tally.py",
-            "crew.py",
-            "sweep/*",
-            "comparison/*",
-        ),
-    )
+SHOWING = (
+    *("masonry/__main__.py", "masonry/cli/*", "masonry/sweep/*", "masonry/comparison/*", "masonry/importing/*"),
+    *("masonry/pictures/*", "masonry/curves/*", "masonry/drawings/*", "masonry/movies/*"),
 )
 """Sources that a result does not depend on: an edit of these runs nothing again."""
 PROCESSOR = "the processor"

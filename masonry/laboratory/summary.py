@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from geometry.cells.request import CellReport
+from geometry.blocks import CellReport
 from masonry import __version__
 from masonry.assembly.assemble import Assembly
 from masonry.jit.sources import source_hash

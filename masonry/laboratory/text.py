@@ -1,36 +1,16 @@
 """What the command line says about a scene and about a result, aligned for a person."""
 
-import math
-import textwrap
 from pathlib import Path
 from typing import Any
 
-from masonry.errors import visible
+from masonry.results.reactions import reaction_lines
+from masonry.results.trust import BELOW_0, has_drive, percent, trust
 from masonry.runtime.progress import duration
+from masonry.runtime.tables import Rows, aligned, html_table
 
-WIDTH = 110
 FEW_CYCLES = 6
-MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-9, 0.01, 0.01, 0.01
-"""Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference
-between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
-how far contacts close over the size of their blocks."""
-RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
-"""Limits: what sudden cracks release over all energy lost; over the external work, what damping gives, and takes."""
-TAKEN = 0.02
-"""Share by which a contact may take more energy of mode II than the area under its law's curve."""
-SLID = 0.2
-"""Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
-NOTHING = 1e-9
-"""Share of the largest force up to which another is printed as 0."""
 TOLD = 0.1
 """Share of the work of the drive from which on the work of a dead load is printed."""
-ROUNDING, BELOW_0 = 1e-11, 1e-5
-"""Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
-of the steps."""
-
-
-Rows = list[tuple[str, list[str]]]
-"""A word and its lines, row by row."""
 
 
 class Report(dict[str, Any]):
@@ -40,8 +20,6 @@ class Report(dict[str, Any]):
         return check_text(self)
 
     def _repr_html_(self) -> str:
-        from masonry.laboratory.notebook import html_table
-
         return html_table("What this scene would run", check_rows(self))
 
 
@@ -105,12 +83,6 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
     ]
 
 
-def has_drive(summary: dict[str, Any]) -> bool:
-    """Whether something is driven: so where nothing else is known."""
-    end = (summary.get("reactions") or {}).get("end")
-    return end is None or "drive" in end
-
-
 def _slow_rows(summary: dict[str, Any]) -> Rows:
     """By what it can be seen whether the test was slow enough to be static."""
     return [
@@ -144,15 +116,6 @@ def _rest_rows(summary: dict[str, Any]) -> Rows:
         ("settling", [_number(summary, "unbalanced_after_settling", 1.0, "of the dead loads still unbalanced")]),
         ("reactions x, y, z", reaction_lines(summary) or ["no supports"]),
     ]
-
-
-def reaction_lines(summary: dict[str, Any]) -> list[str]:
-    """A line for each support and the drive: what it exerts at the end; 0 for what is rounding beside the largest."""
-    end = (summary.get("reactions") or {}).get("end") or {}
-    acts = {name: one for name, one in end.items() if isinstance(one, dict) and "on" in one}
-    least = NOTHING * max((abs(force) for one in acts.values() for force in one["force_n"]), default=0.0)
-    words = {name: [f"{f:.4g}" if abs(f) > least else "0" for f in one["force_n"]] for name, one in acts.items()}
-    return [f"{name} ({acts[name]['on']}): {', '.join(forces)} N" for name, forces in words.items()]
 
 
 def stress_text(summary: dict[str, Any], key: str) -> str:
@@ -196,16 +159,16 @@ def accuracy_text(summary: dict[str, Any]) -> str:
         what = "no contact was damaged" if not moved else f"{moved} joint{'s'[: moved > 1]} opened or slid"
         return f"{asked}; {what}; {damping}"
     return (
-        f"{asked}; after the first damage the drive did {_percent(control['mean_lag'])} of its work too early on "
-        f"average, {_percent(control['largest_lag'])} at most, as it ran ahead of the specimen; {damping}"
+        f"{asked}; after the first damage the drive did {percent(control['mean_lag'])} of its work too early on "
+        f"average, {percent(control['largest_lag'])} at most, as it ran ahead of the specimen; {damping}"
     )
 
 
 def damping_words(share: float) -> str:
     """What damping took of the work of the drive; or gave, where it pulls along what lags behind."""
     if share >= -BELOW_0:
-        return f"damping took {_percent(share)} of the work"
-    return f"damping gave {_percent(-share)} of the work, by pulling along what lagged behind the drive"
+        return f"damping took {percent(share)} of the work"
+    return f"damping gave {percent(-share)} of the work, by pulling along what lagged behind the drive"
 
 
 def sudden_text(summary: dict[str, Any]) -> str:
@@ -216,87 +179,8 @@ def sudden_text(summary: dict[str, Any]) -> str:
     place = largest["place"] or "where a contact slipped or opened without a crack"
     return (
         f"{what} at {1e3 * largest['displacement_m']:.4g} mm, {place}; together they released "
-        f"{_percent(summary['released_over_dissipated'])} of all energy that was lost"
+        f"{percent(summary['released_over_dissipated'])} of all energy that was lost"
     )
-
-
-def _percent(share: float, digits: int = 2) -> str:
-    """A share as a percentage, 0 where it is rounding."""
-    return f"{0.0 if -BELOW_0 < share < ROUNDING else 100 * share:.{digits}g} %"
-
-
-def trust(summary: dict[str, Any]) -> str:
-    """How far the numbers may be trusted, from the numbers themselves."""
-    doubts = []
-    if summary.get("interrupted"):
-        doubts.append("the run was interrupted, so this is only its first part")
-    if summary.get("stopped"):
-        doubts.append("the run was stopped, so this is only its first part")
-    imbalance = summary.get("energy_imbalance")
-    if imbalance is None:
-        doubts.append("the energy balance is not known")
-    elif abs(imbalance) > IMBALANCE:
-        doubts.append(f"the energy balance is open by {abs(imbalance):.2g} (should be under {IMBALANCE:g})")
-    mismatch = summary.get("dissipation_mismatch") or 0.0
-    if mismatch > DISSIPATION:
-        doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
-    if (summary.get("unbalanced_after_settling") or 0.0) > UNBALANCED:
-        share = summary["unbalanced_after_settling"]
-        doubts.append(
-            f"the dead loads had not come to rest ({share:.2g} of them unbalanced): raise settle.steps, or leave it out"
-        )
-    if (summary.get("force_balance") or 0.0) > IMBALANCE:
-        doubts.append(f"forces and moments add up to {summary['force_balance']:.2g} of the largest, not to 0")
-    if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
-        doubts.append(
-            f"contacts close by up to {overlap:.2g} of a block's size: the normal stiffness is too low for this load"
-        )
-    if (taken := summary.get("mode_2_over_law") or 0.0) > 1.0 + TAKEN:
-        doubts.append(
-            f"a contact took {taken:.3g} times the energy of mode II that its law has: take smaller steps, or look at "
-            "the law where it is your own"
-        )
-    if (slip := summary.get("slip_max") or 0.0) > SLID * (summary.get("slip_limit") or math.inf):
-        doubts.append(f"contacts slid by up to {slip:.2g} of their joints, but keep the areas that they had at first")
-    if summary.get("met"):
-        doubts.append(f"{summary['met']}: nothing holds them apart")
-    doubts += summary.get("warnings") or []
-    released = summary.get("released_over_dissipated") or 0.0
-    if released > RELEASED:
-        doubts.append(
-            f"sudden cracks released {_percent(released)} of all energy that was lost: what happened after them "
-            "depends on how the vibration is damped; `masonry sensitivity` shows by how much"
-        )
-    damping = summary.get("damping_over_external") or 0.0
-    if damping < -PUSHED:
-        doubts.append(f"damping added {_percent(-damping)} of the work and removed none: ask for a smaller accuracy")
-    control = summary.get("control") or {}
-    if control.get("drag_at_peak", 0.0) > control.get("accuracy", 1.0):
-        doubts.append(
-            f"damping took {_percent(control['drag_at_peak'])} of the force at the peak, which may be too high by as"
-            " much: ask for a smaller accuracy"
-        )
-    slow = (
-        ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),
-        ("kinetic_over_internal_max", KINETIC, "kinetic energy reaches {:.2g} of the internal"),
-    )
-    fast = []
-    for key, limit, words in slow:
-        value = summary.get(key)
-        if value is None:
-            doubts.append(f"{key} is not known")
-        elif value > limit:
-            fast.append(f"{words.format(value)} (should be under {limit:g})")
-    if damping > DAMPING:
-        fast.append(f"damping takes {damping:.2g} of the work (should be under {DAMPING:g})")
-    if fast:
-        doubts.append("not quasi-static: " + " and ".join(fast) + "; load more slowly")
-    if not doubts:
-        return (
-            f"{'quasi-static' if has_drive(summary) else 'at rest'} and the energy balance closes: the numbers solve "
-            "this model; whether the model describes the wall depends on the scene's assumptions."
-        )
-    return "with care: " + "; ".join(doubts) + "."
 
 
 def _number(summary: dict[str, Any], key: str, factor: float, unit: str) -> str:
@@ -306,23 +190,9 @@ def _number(summary: dict[str, Any], key: str, factor: float, unit: str) -> str:
 
 def _kinetic(summary: dict[str, Any]) -> str:
     share = summary.get("kinetic_over_internal_max")
-    return "not known" if share is None else _percent(share, 4)
+    return "not known" if share is None else percent(share, 4)
 
 
 def _seconds(summary: dict[str, Any], key: str) -> str:
     value = summary.get(key)
     return "not known" if value is None else duration(value)
-
-
-def aligned(rows: Rows, wrap: bool = True) -> str:
-    """Two columns: a word, and lines that are wrapped under each other."""
-    rows = [(visible(word), list(map(visible, entries))) for word, entries in rows]
-    margin = max(len(word) for word, _ in rows) + 2
-    lines = []
-    for word, entries in rows:
-        for number, entry in enumerate(entries):
-            head = f"{word if number == 0 else '':<{margin}}"
-            pieces = (textwrap.wrap(entry, WIDTH - margin) if wrap and len(entry) > WIDTH - margin else [entry]) or [""]
-            lines.append(head + pieces[0])
-            lines += [" " * margin + piece for piece in pieces[1:]]
-    return "\n".join(lines)

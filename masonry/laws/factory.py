@@ -8,9 +8,9 @@ from typing import Any
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
 from masonry.laws.dispatch import beside, shear_intact
-from masonry.laws.interface import Interface
 from masonry.laws.plugins import all_law_names, outside_law
 from masonry.laws.snap_back import Refusal, lost_in_shear
+from masonry.laws.state import Interface
 
 NEAREST, FARTHEST = 1e-18, 1e3
 """m: slips between which a curve is asked where the cohesion has gone."""

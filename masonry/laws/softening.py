@@ -1,8 +1,7 @@
 """The mechanism that all softening laws share: envelope, unloading, return to the Coulomb line, dilation, energies.
 
 A law file gives the curves (`tension_intact`, `tension_area`, `shear_intact`); this file says when a contact follows
-them. Sign: sigma > 0 is tension. History never heals: `intact_n`, `intact_s` only fall, `opening_max` only grows.
-All helpers take and return plain numbers, so that an untouched contact costs no more than its springs.
+them. Tension is positive. History never heals: `intact_n` and `intact_s` only fall, `opening_max` only grows.
 """
 
 from math import inf
@@ -13,10 +12,9 @@ from masonry.laws.dispatch import shear_intact, tension_area, tension_intact
 from masonry.laws.state import Answer, Memory, grown
 from masonry.simd import choose, filled, larger, or_zero, smaller, some
 
-SECANTS, LEAST_SLOPE = 4, 1e-3
-"""Looks at a curve over the plastic slip in a step, and how near to a snap-back the secants still go by it."""
-ROUNDS = 2
-"""Looks at what dilation and softening by the total slip make of each other in a step."""
+SECANTS, LEAST_SLOPE, ROUNDS = 4, 1e-3, 2
+"""Looks at a curve over the plastic slip in a step, and how near to a snap-back the secants still go by it; looks at
+what dilation and softening by the total slip make of each other."""
 
 
 def quiet(shape, interface, memory, opening, tau_squared):
@@ -119,10 +117,8 @@ def stay_open(gap, interface, memory, e, held):
     limit = shared(interface.combined, memory.intact_s) * memory.intact_n * interface.tensile_strength
     parted = choose(sigma > limit, (sigma - limit) / kn, 0.0)
     energy = 0.5 * (smaller(sigma, held) + limit) * parted
-    now = Memory(
-        memory.opening_max, memory.intact_n, memory.intact_s, memory.secant, memory.uplift, gap + parted, memory.run
-    )
-    return now, energy
+    gap, old = gap + parted, memory
+    return Memory(old.opening_max, old.intact_n, old.intact_s, old.secant, old.uplift, gap, old.run), energy
 
 
 @register_jitable

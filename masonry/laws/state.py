@@ -95,3 +95,25 @@ def fresh(elastic_limit: np.ndarray, normal_stiffness: np.ndarray, dilates: bool
         gap=aligned(none) if gap else None,
         run=aligned(none) if dilates else None,
     )
+
+
+class Interface(NamedTuple):
+    """Properties of one contact group, SI (Pa/m, Pa, 1).
+
+    The stress is sigma > 0 in tension, so the Coulomb line of eq. (8) reads |tau| <= c - sigma tan(phi).
+    `tan_dilation` (eqs 9, 10) holds up to `dilation_cutoff` (m) of plastic slip. The last three are options:
+    1.0 or None.
+    """
+
+    normal_stiffness: float
+    shear_stiffness: float
+    tensile_strength: float | None = None
+    cohesion: float | None = None
+    tan_friction: float | None = None
+    residual_cohesion: float | None = None
+    tan_residual_friction: float | None = None
+    tan_dilation: float | None = None
+    dilation_cutoff: float | None = None
+    elastic_unloading: float | None = None
+    plastic_softening: float | None = None
+    combined: float | None = None

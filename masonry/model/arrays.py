@@ -6,8 +6,7 @@ from geometry.blocks import TetMesh
 from masonry.kinematics.affine import Affine
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.tets import Tets
-from masonry.laws.interface import Interface
-from masonry.laws.state import ContactState, fresh
+from masonry.laws.state import ContactState, Interface, fresh
 from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
 from masonry.model.loads import Conditions
 from masonry.model.stable_step import BETWEEN

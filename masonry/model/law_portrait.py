@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from masonry.laws.dispatch import beside
-from masonry.laws.interface import Interface
+from masonry.laws.state import Interface
 from masonry.model.one_contact import Path, follow
 
 COMPRESSIONS = (0.1e6, 0.5e6, 1.0e6)

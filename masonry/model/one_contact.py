@@ -10,9 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from masonry.laws.interface import Interface
 from masonry.laws.mechanism import evolve, quiet, stored
-from masonry.laws.state import TOUCHING, Memory
+from masonry.laws.state import TOUCHING, Interface, Memory
 
 
 class Path(NamedTuple):

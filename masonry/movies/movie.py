@@ -4,14 +4,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from masonry.curves.curve_axes import curve_axes
 from masonry.errors import SceneError
 from masonry.pictures.crack_picture import draw_keys, drawing_of, frame_axes, largest_move, magnification, panel_title
 from masonry.pictures.crack_style import kinds_of, scale_of
-from masonry.pictures.curve import plain
-from masonry.pictures.curve_axes import curve_axes
+from masonry.pictures.style import plain
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 FLAT = 0.35
 """Specimens whose height is a smaller share of their width stand above the curve, not beside it."""
@@ -26,7 +26,7 @@ class Film:
     Raises SceneError where there are no frames.
     """
 
-    def __init__(self, result: "Result", view: str = "front", times: float | None = None) -> None:
+    def __init__(self, result: "ResultData", view: str = "front", times: float | None = None) -> None:
         frames = result.history.frames
         if not frames:
             raise SceneError("this result has no frames: its run ended before there was one; there is nothing to film")

@@ -14,7 +14,7 @@ from masonry.errors import SceneError, extra
 
 if TYPE_CHECKING:
     from masonry.movies.movie import Film
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 SUFFIXES = (".gif", ".mp4")
 DPI = 96.0
@@ -23,7 +23,7 @@ HOLD = 1.5
 
 
 def write_film(
-    result: "Result",
+    result: "ResultData",
     path: Path | str,
     fps: int = 6,
     view: str = "front",

@@ -9,14 +9,15 @@ from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.history import Frame
 from masonry.pictures.crack_picture import panel_title
-from masonry.pictures.crack_style import LEAST_DAMAGE, crack_map
+from masonry.pictures.crack_style import crack_map
 from masonry.pictures.cracks import back_view, front_view
 from masonry.pictures.front import group_colours
 from masonry.pictures.hidden_surfaces import covered_shares, oblique_sight, unit_edges
+from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.results.joint_fields import JointGrid
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 PALE = 0.35
 EDGES = "#3a362f"
@@ -62,7 +63,7 @@ def values_of(frame: Frame, name: str) -> np.ndarray:
 class Stage:
     """Blocks and joints of a result on a plotter; `set` moves them to a frame."""
 
-    def __init__(self, plotter: Any, result: "Result", field: str, everywhere: bool = False) -> None:
+    def __init__(self, plotter: Any, result: "ResultData", field: str, everywhere: bool = False) -> None:
         import pyvista
 
         self.plotter, self.result, self.field, self.everywhere = plotter, result, field, everywhere

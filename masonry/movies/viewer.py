@@ -13,13 +13,13 @@ from masonry.pictures.crack_picture import VIEWS, magnification
 from masonry.results.frames import choose
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 WINDOW = (1200, 900)
 
 
 def show(
-    result: "Result",
+    result: "ResultData",
     step: str | int | float = "peak",
     field: str = "opening",
     scale: float | None = None,

@@ -6,14 +6,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.history import Frame
-from masonry.pictures.crack_style import LEAST_DAMAGE, crack_keys, draw_scales, kinds_of, scale_of
-from masonry.pictures.curve import MEGA, MILLI, plain, without_noise
+from masonry.pictures.crack_style import crack_keys, draw_scales, kinds_of, scale_of
 from masonry.pictures.front import FlatDrawing, group_colours
 from masonry.pictures.oblique import SolidDrawing
-from masonry.results.frames import at_peak
+from masonry.pictures.style import MEGA, MILLI, plain
+from masonry.results.dry_joints import LEAST_DAMAGE
+from masonry.results.frames import at_peak, without_noise
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 VISIBLE = 0.04
 """The largest displacement is drawn as about this share of the specimen's size."""
@@ -26,12 +27,12 @@ VIEWS = ("front", "back", "iso")
 Drawing = FlatDrawing | SolidDrawing
 
 
-def drawing_of(result: "Result", view: str = "front") -> Drawing:
+def drawing_of(result: "ResultData", view: str = "front") -> Drawing:
     """What draws a result in one of VIEWS."""
     return SolidDrawing(result) if view == "iso" else FlatDrawing(result, view == "back")
 
 
-def frames_to_draw(result: "Result") -> list[tuple[str, Frame]]:
+def frames_to_draw(result: "ResultData") -> list[tuple[str, Frame]]:
     """The frame nearest to the peak and the last one; one only where they are the same."""
     frames = result.history.frames
     if not frames:
@@ -59,7 +60,7 @@ def largest_move(frame: Frame) -> float:
     return float(max(np.abs(array).max(initial=0.0) for array in (frame.corners, frame.nodes)))
 
 
-def cracks_figure(result: "Result") -> Any:
+def cracks_figure(result: "ResultData") -> Any:
     """A figure of one panel a frame, side by side, or one above the other for long specimens."""
     panels = frames_to_draw(result)
     beside = _ratio(FlatDrawing(result)) > 0.3
@@ -69,7 +70,7 @@ def cracks_figure(result: "Result") -> Any:
 
 
 def gallery(
-    panels: "Sequence[tuple[str, Result, Frame]]", columns: int = 2, view: str = "front", times: float | None = None
+    panels: "Sequence[tuple[str, ResultData, Frame]]", columns: int = 2, view: str = "front", times: float | None = None
 ) -> Any:
     """A figure of panels in rows: (name, result, one of its frames) each, with one key and one scale to them all.
 
@@ -119,7 +120,7 @@ def _ratio(drawing: Drawing) -> float:
     return float(extent[1] / extent[0]) if extent[0] > 0 else 1.0
 
 
-def panel_title(result: "Result", name: str, frame: Frame, times: float, narrow: bool = False) -> str:
+def panel_title(result: "ResultData", name: str, frame: Frame, times: float, narrow: bool = False) -> str:
     """Name, displacement, stress, share of the way, and by how much displacements are drawn larger.
 
     narrow panels take one more line, without the share; a long name has a line to itself

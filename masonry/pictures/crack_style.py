@@ -10,14 +10,12 @@ from masonry.pictures.cracks import CrackLines, View
 from masonry.results.deformation import Corners, Deformation
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 KINDS = {"shear": ("Blues", "shear leads"), "tension": ("Reds", "tension leads")}
 """What a crack may be led by: its colours, and how that is said."""
 DRY = "#3a7d34"
 """The colour of joints without strength that slid or opened."""
-LEAST_DAMAGE = 0.05
-"""Contacts with less damage are not drawn."""
 LEAST_OPENING = 1e-12
 """Openings (m) up to this one, far less than an atom, are but rounding."""
 THIN, THICK = 0.9, 4.6
@@ -41,7 +39,7 @@ def widths(openings: np.ndarray, scale: float) -> np.ndarray:
 
 
 def draw_cracks(
-    axes: Any, result: "Result", lines: CrackLines, frame: Frame, view: View, times: float, scale: float
+    axes: Any, result: "ResultData", lines: CrackLines, frame: Frame, view: View, times: float, scale: float
 ) -> None:
     """Draw the lines where they stand in a frame whose displacements are drawn `times` larger."""
     from matplotlib.collections import LineCollection

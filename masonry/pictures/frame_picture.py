@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING
 from geometry.files.atomic import whole_file
 from masonry.errors import SceneError, nearest
 from masonry.pictures.crack_picture import VIEWS, gallery
-from masonry.pictures.curve import plain, write_png
+from masonry.pictures.style import plain, write_png
 from masonry.results.frames import choose
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 
 def draw_frame(
-    result: "Result",
+    result: "ResultData",
     path: Path | str,
     step: str | int | float = "peak",
     view: str = "front",

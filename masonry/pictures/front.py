@@ -8,13 +8,13 @@ import numpy as np
 from geometry.blocks import Blocks
 from geometry.polyhedra.indexing import ranges
 from masonry.history import Frame
-from masonry.pictures.crack_style import LEAST_DAMAGE, draw_cracks
+from masonry.pictures.crack_style import draw_cracks
 from masonry.pictures.cracks import CrackLines, Outlines, back_view, crack_lines, front_view, outlines
 from masonry.pictures.thrust_line import ThrustLine, thrust_line
-from masonry.results.dry_joints import as_it_stands, moved_undamaged
+from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, moved_undamaged
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 PLATE_COLOUR = "#c4c7cb"
 COLOURS = {"units": "#f2e2c9", "mortar": "#dfe8dc"}
@@ -24,7 +24,7 @@ SPARE_COLOURS = ("#e6dff0", "#e3ecd2", "#f6dcdc", "#d8e8ea", "#f7f0c8")
 class FlatDrawing:
     """Draws the frames of one result in one view."""
 
-    def __init__(self, result: "Result", back: bool = False) -> None:
+    def __init__(self, result: "ResultData", back: bool = False) -> None:
         points, shape = result.specimen.blocks.points, result.specimen.shape
         self.result = result
         self.view = back_view(points, shape) if back else front_view(points, shape)

@@ -13,15 +13,15 @@ from geometry.joints.tributary_areas import tiles
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.history import Frame
-from masonry.pictures.crack_style import LEAST_DAMAGE, crack_colours, widths
+from masonry.pictures.crack_style import crack_colours, widths
 from masonry.pictures.cracks import front_view
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, oblique_sight, visible_pieces
 from masonry.results.deformation import Corners, Deformation
-from masonry.results.dry_joints import as_it_stands, moved_undamaged
+from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, moved_undamaged
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 ALONG = 0.9
 """A face whose normal makes a larger cosine with that of a joint is the joint's own, not one that it comes out on."""
@@ -42,7 +42,7 @@ class JointCracks:
 class SolidDrawing:
     """Draws the frames of one result."""
 
-    def __init__(self, result: "Result") -> None:
+    def __init__(self, result: "ResultData") -> None:
         blocks, joints = result.specimen.blocks, result.joints
         self.result, self.sight = result, oblique_sight()
         self.size = front_view(blocks.points).size

@@ -16,7 +16,7 @@ from masonry.results.joint_resultants import UnitJoints, unit_joints
 from masonry.runtime.text_files import toml_of
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 COLOUR, WIDTH, MARK = "#7a2a8c", 1.5, 4.5
 """Colour, width of the line and size of a mark in points."""
@@ -34,7 +34,7 @@ class ThrustLine:
     order: np.ndarray
     in_a_row: bool
 
-    def forces(self, result: "Result", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
+    def forces(self, result: "ResultData", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
         """Normal force (J,) N, below 0 where it presses, and its place (J, 3) m before loading, of each joint in
         order; the place is not a number where the joint does not press."""
         contact = self.joints.contact
@@ -47,7 +47,7 @@ class ThrustLine:
         place[presses] = moment[presses] / along[presses, None]
         return along[self.order], place[self.order]
 
-    def displaced(self, result: "Result", frame: Frame, times: float) -> np.ndarray:
+    def displaced(self, result: "ResultData", frame: Frame, times: float) -> np.ndarray:
         """(J, 3) m: the places midway between the two sides of their joints, displacements `times` larger."""
         _, place = self.forces(result, frame)
         field = Deformation(Corners(result.specimen.blocks), frame)
@@ -57,13 +57,13 @@ class ThrustLine:
         place[shown] += 0.5 * times * (first + second)
         return place
 
-    def _nearest(self, result: "Result", k: int, place: np.ndarray) -> int:
+    def _nearest(self, result: "ResultData", k: int, place: np.ndarray) -> int:
         """The contact of joint k that is nearest to a place (3,) m."""
         joint = self.order[k]
         contact = self.joints.contact[self.joints.start[joint] : self.joints.start[joint + 1]]
         return int(contact[np.argmin(np.linalg.norm(result.joints.point[contact] - place, axis=1))])
 
-    def draw(self, axes: Any, result: "Result", frame: Frame, view: View, times: float) -> None:
+    def draw(self, axes: Any, result: "ResultData", frame: Frame, view: View, times: float) -> None:
         """Draw the line, broken where a joint does not press, or the marks."""
         flat = view.project(self.displaced(result, frame, times))
         axes.plot(*flat.T, "o-" if self.in_a_row else "o", color=COLOUR, lw=WIDTH, ms=MARK, zorder=4.0)
@@ -76,7 +76,7 @@ class ThrustLine:
         return Line2D([], [], color=COLOUR, lw=WIDTH * self.in_a_row, marker="o", ms=MARK, label=word)
 
 
-def thrust_line(result: "Result", view: View) -> ThrustLine | None:
+def thrust_line(result: "ResultData", view: View) -> ThrustLine | None:
     """What to draw of joints that are seen edge-on; None without gravity, and for fewer or more joints than help."""
     if not _has_weight(result):
         return None
@@ -102,7 +102,7 @@ def row_of(units: np.ndarray) -> np.ndarray | None:
     return np.array(order) if not left else None
 
 
-def _has_weight(result: "Result") -> bool:
+def _has_weight(result: "ResultData") -> bool:
     try:
         return bool(toml_of(result.scene_toml, "scene").get("gravity"))
     except SceneError:

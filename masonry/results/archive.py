@@ -18,7 +18,7 @@ from masonry.runtime.open_archive import require_plain
 from masonry.results.validate import require_whole_result
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 VERSION = 1
 FRAME_UNITS = {
@@ -33,7 +33,7 @@ FRAME_UNITS = {
 """Units of a frame's fields; the others are lengths in m."""
 
 
-def write(path: Path, result: "Result") -> None:
+def write(path: Path, result: "ResultData") -> None:
     """Write history.h5. Raises OSError."""
     import h5py
 
@@ -62,7 +62,7 @@ def write(path: Path, result: "Result") -> None:
 
 
 def read(path: Path) -> dict[str, Any]:
-    """The fields of a Result but its summary. Raises OSError, RuntimeError, KeyError, TypeError, AttributeError or
+    """The fields of a ResultData but its summary. Raises OSError, RuntimeError, KeyError, TypeError, AttributeError or
     ValueError (GeometryError among them) for a file that is damaged, or whose arrays do not fit together.
     """
     import h5py

@@ -11,21 +11,23 @@ from masonry.quantity import convert
 from masonry.runtime.text_files import toml_of
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
+LEAST_DAMAGE = 0.05
+"""Contacts with less damage are not shown as damaged."""
 SHARE = 0.01
 """Of the largest opening or slip in the frame: what moved by less is not told."""
 LEAST = 1e-12
 """Movements (m) up to this one are but rounding."""
 
 
-def moved_undamaged(result: "Result", frame: Frame) -> np.ndarray:
+def moved_undamaged(result: "ResultData", frame: Frame) -> np.ndarray:
     """(C,) which contacts have no damage, and yet slid or opened by more than their stress over their stiffness."""
     opened, slid = _moved(result, frame)
     return (frame.damage == 0.0) & (opened | slid)
 
 
-def as_it_stands(result: "Result", frame: Frame) -> Frame:
+def as_it_stands(result: "ResultData", frame: Frame) -> Frame:
     """The same frame, where the damage of law `friction` says what is open or has slid now.
 
     The law keeps that a contact opened or slid at any time, be it by rounding while the loads were small.
@@ -42,7 +44,7 @@ def as_it_stands(result: "Result", frame: Frame) -> Frame:
     )
 
 
-def _moved(result: "Result", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
+def _moved(result: "ResultData", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
     """(C,) which contacts opened, and which slid, by more than their stress over their stiffness."""
     normal, shear = (_stiffness(result, key) for key in ("normal_stiffness", "shear_stiffness"))
     open_for_good = np.maximum(frame.opening, 0.0) - np.maximum(frame.normal_stress, 0.0) / normal
@@ -53,7 +55,7 @@ def _moved(result: "Result", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
         return open_for_good > least, slid_for_good > least
 
 
-def _stiffness(result: "Result", key: str) -> np.ndarray:
+def _stiffness(result: "ResultData", key: str) -> np.ndarray:
     """(C,) Pa/m of the resolved scene, by contact; not a number where it does not say."""
     try:
         groups = toml_of(result.scene_toml, "scene").get("contact", {})

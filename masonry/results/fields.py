@@ -13,13 +13,13 @@ from masonry.history import Frame
 from masonry.results.vtkhdf import TO_VTK, VTK_POLYGON, VTK_TETRA, Cells, Data, write
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 
 class BlockGrid:
     """The blocks of a result as cells, and their data in a frame."""
 
-    def __init__(self, result: "Result") -> None:
+    def __init__(self, result: "ResultData") -> None:
         blocks, mesh = result.specimen.blocks, result.mesh
         tets_of = np.zeros(blocks.count, int) if mesh is None else np.diff(mesh.tet_start)
         nodes = np.zeros((0, 3)) if mesh is None else mesh.nodes
@@ -53,7 +53,7 @@ class BlockGrid:
         return {"stress": frame.stress[self.block][:, TO_VTK]}
 
 
-def write_blocks(path: Path, result: "Result") -> None:
+def write_blocks(path: Path, result: "ResultData") -> None:
     """Write the VTKHDF file; without frames it holds the blocks only."""
     grid = BlockGrid(result)
     write(path, grid.cells, result.history.frames, grid.point_data, grid.cell_data)

@@ -10,11 +10,12 @@ import numpy as np
 from masonry.loading.cycles import peak_row
 from masonry.errors import SceneError
 from masonry.history import Frame
-from masonry.pictures.curve import without_noise
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
+NOISE = 1e-9
+"""What is smaller than this share of the largest value is written as 0."""
 WORDS = ("peak", "lowest", "last", "first")
 
 
@@ -27,7 +28,7 @@ class Chosen:
     note: str = ""
 
 
-def choose(result: "Result", step: str | int | float = "peak") -> Chosen:
+def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
     """The frame nearest to what is asked.
 
     step  "peak", "lowest" (the lowest stress, of a drive that turns back), "last", "first", a number of a step, or a
@@ -60,7 +61,7 @@ def choose(result: "Result", step: str | int | float = "peak") -> Chosen:
     return Chosen(frame, f"at step {frame.step}, the nearest kept to {step}", note)
 
 
-def at_peak(result: "Result") -> Frame:
+def at_peak(result: "ResultData") -> Frame:
     """The frame nearest to the row of the peak (cycles.peak_row); the last one without rows or without a drive."""
     rows, frames = result.history.rows, result.history.frames
     if not (len(rows.get("stress", ())) and result.has_drive):
@@ -72,7 +73,7 @@ def _nearest(frames: list[Frame], step: float) -> Frame:
     return min(frames, key=lambda frame: abs(frame.step - step))
 
 
-def _at_peak(result: "Result") -> Chosen:
+def _at_peak(result: "ResultData") -> Chosen:
     if not len(result.history.rows.get("stress", ())):
         return Chosen(
             at_peak(result), "at the end", "this result has no rows, so its peak is not known; the end is drawn"
@@ -82,7 +83,7 @@ def _at_peak(result: "Result") -> Chosen:
     return Chosen(at_peak(result), "at the peak")
 
 
-def _at_lowest(result: "Result") -> Chosen:
+def _at_lowest(result: "ResultData") -> Chosen:
     rows = result.history.rows
     stress = rows.get("stress", np.zeros(0))
     if not stress.min(initial=0.0) < 0.0:
@@ -120,3 +121,8 @@ def _length(text: str) -> float:
         raise SceneError(
             f"step '{text}': {', '.join(WORDS)}, the number of a step, or a displacement such as '0.05 mm'{hint}"
         ) from None
+
+
+def without_noise(value: float, values: np.ndarray) -> float:
+    """A value as it is written beside others; 0, never -0, where it is but their rounding."""
+    return value if abs(value) > NOISE * float(np.abs(values).max(initial=0.0)) else 0.0

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.joints.tributary_areas import tiles
-from masonry.pictures.crack_style import LEAST_DAMAGE
+from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.results.deformation import Corners, Deformation
 from masonry.history import Frame
 from masonry.results.vtkhdf import VTK_POLYGON, Cells, Data, write
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 NUMBERS = ("opening", "slip", "normal_stress", "shear_stress", "damage", "damage_tension", "damage_shear")
 
@@ -24,7 +24,7 @@ NUMBERS = ("opening", "slip", "normal_stress", "shear_stress", "damage", "damage
 class JointGrid:
     """The contact points of a result as tiles of their joints, and their data in a frame."""
 
-    def __init__(self, result: "Result") -> None:
+    def __init__(self, result: "ResultData") -> None:
         self.joints = joints = result.joints
         self.shape = Corners(result.specimen.blocks)
         start, points = tiles(joints)
@@ -68,7 +68,7 @@ def mode_of(frame: Frame) -> np.ndarray:
     return np.where(frame.damage > LEAST_DAMAGE, led, 0.0)
 
 
-def write_joints(path: Path, result: "Result") -> None:
+def write_joints(path: Path, result: "ResultData") -> None:
     """Write the VTKHDF file; without frames it holds the joints only."""
     grid = JointGrid(result)
     write(path, grid.cells, result.history.frames, grid.point_data, grid.cell_data)

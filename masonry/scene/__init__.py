@@ -2,6 +2,7 @@
 
 import json
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +12,36 @@ from masonry.errors import SceneError
 from masonry.quantity import parse
 from masonry.scene.errors import explain
 from masonry.scene.overrides import Overrides, apply
-from masonry.scene.schema import Scene
+from masonry.scene.portrait import portrait_html, portrait_text
+from masonry.scene.schema import SceneData
 from masonry.scene.source import Source, packaged, read, titles
 from masonry.scene.tables.own_keys import law_there
 
 __all__ = ["Scene", "changed", "load", "packaged", "titles", "to_toml"]
+
+
+class Scene(SceneData):
+    """A scene, checked and in SI: change it (`with_`), run it (`masonry.run`), print it."""
+
+    def with_(self, settings: Mapping[str, Any] | None = None, /, **top_level: Any) -> "Scene":
+        """Another scene with some keys set anew; this one stays as it is. Same rules as `--set`.
+
+        settings   by dotted key: scene.with_({"drive.accuracy": "0.5 %", "contact.unit_unit.cohesion": "0.6 MPa"})
+        top_level  keys without a dot, for short: scene.with_(law="linear", confinement="0.1 MPa")
+        Raises SceneError: one message with the key, what is wrong, and what is allowed.
+        """
+        for key in top_level:
+            if key in (settings or {}):
+                raise SceneError(f"{key} is given twice: in the settings and by itself")
+        return changed(self, {**(settings or {}), **top_level})
+
+    def __repr__(self) -> str:
+        return portrait_text(self)
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        return portrait_html(self)
 
 
 def load(path_or_name: str | Path, overrides: Overrides = ()) -> Scene:

@@ -10,7 +10,7 @@ from pydantic_core import ErrorDetails
 from masonry.errors import Findings, SceneError
 from masonry.quantity import KINDS, written
 from masonry.scene.lines import split_key
-from masonry.scene.schema import Scene
+from masonry.scene.schema import SceneData
 from masonry.scene.source import Source
 from masonry.scene.tables.own_keys import contact_class
 from masonry.scene.tables.own_specimen import specimen_class
@@ -130,7 +130,7 @@ def _hint(loc: Keys, name: str, raw: Any) -> str:
 def _elsewhere(name: str, raw: Any) -> list[str]:
     """The keys of this name that stand in a table, dotted; of several groups those that have it already."""
     found = []
-    for table in Scene.model_fields:
+    for table in SceneData.model_fields:
         below = raw.get(table)
         if table in ("contact", "material"):
             groups = (
@@ -154,7 +154,7 @@ def _choice(name: str, allowed: list[str]) -> str:
 
 def _fields(loc: Keys, raw: Any) -> dict[str, Any]:
     """The keys, with pydantic's knowledge of each, that the table around the last part of `loc` may hold."""
-    model: Any = Scene
+    model: Any = SceneData
     choices: list[Any] = []
     for n, part in enumerate(loc[:-1]):
         if part in _keys(model):

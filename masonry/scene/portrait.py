@@ -2,25 +2,24 @@
 
 from typing import Any
 
-from masonry.laboratory.notebook import html_table
-from masonry.laboratory.text import Rows, aligned
-from masonry.scene.schema import Scene
+from masonry.runtime.tables import Rows, aligned, html_table
+from masonry.scene.schema import SceneData
 
 READABLE = {"m": ((1e-3, "mm"),), "Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"))}
 """Units of a scene, and those in which people read them: the first that the size reaches."""
 
 
-def portrait_text(scene: Scene) -> str:
+def portrait_text(scene: SceneData) -> str:
     """For a terminal."""
-    return f"Scene {_title(scene)}\n\n{aligned(portrait_rows(scene))}"
+    return f"SceneData {_title(scene)}\n\n{aligned(portrait_rows(scene))}"
 
 
-def portrait_html(scene: Scene) -> str:
+def portrait_html(scene: SceneData) -> str:
     """For a notebook."""
     return html_table(_title(scene), portrait_rows(scene))
 
 
-def portrait_rows(scene: Scene) -> Rows:
+def portrait_rows(scene: SceneData) -> Rows:
     """A word and its lines, for each part that the scene has."""
     told = scene.resolved()
     rows = [
@@ -40,11 +39,11 @@ def portrait_rows(scene: Scene) -> Rows:
     return [(word, lines) for word, lines in rows if lines]
 
 
-def _title(scene: Scene) -> str:
+def _title(scene: SceneData) -> str:
     return f"{scene.name}: {scene.title}" if scene.title else scene.name
 
 
-def _contact(scene: Scene, group: str, values: dict[str, Any]) -> str:
+def _contact(scene: SceneData, group: str, values: dict[str, Any]) -> str:
     """Law and strengths: what is changed most often."""
     shown = ("tensile_strength", "cohesion", "fracture_energy_mode_1", "fracture_energy_mode_2")
     words = {"law": scene.contact[group].law, **{key: values[key] for key in shown if key in values}}

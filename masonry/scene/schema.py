@@ -1,12 +1,11 @@
 """A scene: specimen, properties, supports, loading and solver, checked and in SI."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from difflib import get_close_matches
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
-from masonry.errors import SceneError
 from masonry.history import UNITS
 from masonry.scene.tables.contact import Material
 from masonry.scene.tables.gauge import Curve, Gauge
@@ -25,8 +24,8 @@ def _by_group(value: Any) -> Any:
     return {"default": "rigid", **value} if isinstance(value, dict) else {"default": value}
 
 
-class Scene(Table):
-    """All that a run needs, in SI; `name` is the file's unless it gives one."""
+class SceneData(Table):
+    """All that a run needs, in SI; `name` is the file's unless it gives one. Scene adds what a user does with it."""
 
     name: Annotated[str, Field(pattern=r"^[^/\\\x00]{1,200}$")]
     title: Annotated[str, Field(max_length=500)] = ""
@@ -75,34 +74,8 @@ class Scene(Table):
         data = self.model_dump(exclude_none=True, context={"law": self.law, "confinement": self.confinement})
         return {key: value for key, value in data.items() if value not in ((), {})}
 
-    def with_(self, settings: Mapping[str, Any] | None = None, /, **top_level: Any) -> "Scene":
-        """Another scene with some keys set anew; this one stays as it is. Same rules as `--set`.
-
-        settings   by dotted key: scene.with_({"drive.accuracy": "0.5 %", "contact.unit_unit.cohesion": "0.6 MPa"})
-        top_level  keys without a dot, for short: scene.with_(law="linear", confinement="0.1 MPa")
-        Raises SceneError: one message with the key, what is wrong, and what is allowed.
-        """
-        from masonry.scene import changed
-
-        for key in top_level:
-            if key in (settings or {}):
-                raise SceneError(f"{key} is given twice: in the settings and by itself")
-        return changed(self, {**(settings or {}), **top_level})
-
-    def __repr__(self) -> str:
-        from masonry.scene.portrait import portrait_text
-
-        return portrait_text(self)
-
-    __str__ = __repr__
-
-    def _repr_html_(self) -> str:
-        from masonry.scene.portrait import portrait_html
-
-        return portrait_html(self)
-
     @model_validator(mode="after")
-    def _fits_together(self) -> "Scene":
+    def _fits_together(self) -> Self:
         loads = self.has_dead_loads
         if self.settle is not None and not loads:
             raise KeyedError("settle", "there is no traction and no gravity to settle; leave this table out")

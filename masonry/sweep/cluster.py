@@ -42,7 +42,7 @@ def _client(scheduler: str) -> Any:
 
 
 def work_on(scheduler: str, act: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[tuple[int, Any]]:
-    """As `masonry.runtime.processes.work`, on a cluster. A worker that dies has its task done by another, three times at most.
+    """As `masonry.runtime.processes.work`, on a cluster. If a worker dies, another does its task, three times at most.
 
     Raises SceneError as `require`, and where the scheduler goes away.
     """

@@ -22,7 +22,7 @@ WORKERS = 2
 def run(
     jobs: Sequence[Job], folder: Path, workers: int = WORKERS, tell: Tell | None = None, scheduler: str | None = None
 ) -> list[Row]:
-    """One row a job, in order; each run that ends leaves `folder/runs/KEY/` for `masonry.results.data.load_history`.
+    """One row a job, in order; each run that ends leaves `folder/runs/KEY/` for `masonry.load_result`.
 
     workers    processes on this machine, with one thread each
     tell       is called with a line for each run that ends

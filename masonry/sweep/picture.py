@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.pictures.curve import MEGA, MILLI, plain, write_png
+from masonry.pictures.style import MEGA, MILLI, plain, write_png
 from masonry.results.validate import MOST
 from masonry.runtime.folder import WholeFiles
 from masonry.runtime.text_files import text_of

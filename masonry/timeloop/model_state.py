@@ -8,7 +8,7 @@ import numpy as np
 
 from masonry.model.model import Model
 from masonry.monitors.energy import present
-from masonry.runtime.state_file import Damaged, add_array
+from masonry.runtime.state import Damaged, add_array
 
 CHANGED = ("q", "v", "contact", "hold", "inner", "work", "guess", "load", "change")
 """Arrays of the bodies that a step writes; the expected motion, which the guide does; and loads, which may vary."""

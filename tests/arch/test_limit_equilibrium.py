@@ -9,8 +9,8 @@ import pytest
 from masonry import scene
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import trust
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
+from masonry.results.trust import trust
 from verification.fixtures.arches import Arch, greatest_thrust, least_thrust
 
 WEIGHT = 2000 * 9.81 * 0.3

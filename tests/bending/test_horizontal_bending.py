@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry import scene
 from masonry.laboratory import laboratory
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.paper.bending.by_hand import bending_spec, wall_of
 from verification.paper.bending.crack import flexural_crack
 

@@ -13,7 +13,9 @@ from geometry.joints.find import connected
 from masonry import quantity
 
 LATER = "gmsh matplotlib vtk pyvista meshio skfem h5py pint rich scipy.spatial scipy.sparse scipy.optimize scipy.stats"
-BUILT = "from masonry import laboratory, scene; laboratory.assemble(scene.load('couplet'))"
+BUILT = (
+    "from masonry import scene; from masonry.laboratory import laboratory; laboratory.assemble(scene.load('couplet'))"
+)
 
 
 @pytest.mark.parametrize("code", ["import masonry", BUILT])

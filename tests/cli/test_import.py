@@ -10,7 +10,7 @@ from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import volumes
 from masonry.cli.main import main
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import trust
+from masonry.results.trust import trust
 from masonry.scene import load
 from masonry.scene.schema import INVENTED
 from tests.geometry.files import step_files as files

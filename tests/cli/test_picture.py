@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from geometry.joints.find import find_joints
-from geometry.polyhedra.construct import concatenate, from_boxes
-from geometry.polyhedra.grid import divide
+from geometry.polyhedra.construct import concatenate, divide, from_boxes
 from masonry.assembly.assemble import joined
 from masonry.cli.main import main
 from masonry.drawings.condition_marks import marks, parts_of

@@ -9,7 +9,8 @@ import threading
 
 import pytest
 
-from masonry.laboratory.text import accuracy_text, summary_text, trust
+from masonry.laboratory.text import accuracy_text, summary_text
+from masonry.results.trust import trust
 from masonry.runtime.progress import Progress, duration
 from tests.results.sample import SUMMARY
 

@@ -11,13 +11,14 @@ from PIL import Image
 
 from masonry.cli.main import main
 from masonry.errors import SceneError
+from masonry.laboratory.result import load_result
 from masonry.movies import movie_file as film_file
 from masonry.movies.movie import Film
 from masonry.movies.movie_file import write_film
 from masonry.pictures.crack_picture import drawing_of, frames_to_draw, magnification, panel_title, share_of_way
 from masonry.pictures.frame_picture import draw_frame
-from masonry.results.data import NUMBERS, load_history
 from masonry.results.frames import choose
+from masonry.results.store import NUMBERS
 from tests.results.sample import HEIGHT, LENGTH, sample, with_tets
 from tests.results.test_pictures import blue, red
 
@@ -237,5 +238,5 @@ def test_a_film_that_is_broken_off_leaves_the_old_one(folder, monkeypatch):
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        write_film(load_history(folder), folder / "movie.gif", progress=stop)
+        write_film(load_result(folder), folder / "movie.gif", progress=stop)
     assert new_files(folder) == {"movie.gif"} and (folder / "movie.gif").read_bytes() == b"old"

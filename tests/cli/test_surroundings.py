@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from masonry.pictures.curve import LONGEST_TITLE, plain
+from masonry.pictures.style import LONGEST_TITLE, plain
 from tests.faults.samples import SHORT
 
 

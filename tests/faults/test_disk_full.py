@@ -68,7 +68,7 @@ def test_whatever_fails_as_a_checkpoint_is_written_the_one_before_stays(at, tmp_
 
 
 def test_results_that_cannot_be_written_leave_the_checkpoint(alone, tmp_path, monkeypatch, capsys):
-    from masonry.results.data import Result
+    from masonry.laboratory.result import Result
 
     half_done(tmp_path / "out", monkeypatch)
     with monkeypatch.context() as patched:

@@ -5,7 +5,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from masonry.runtime import state_file
+from masonry.runtime.state import Damaged, read, write
 from tests.faults.samples import half_done, resume
 from verification.faults.compare import differences
 
@@ -52,17 +52,17 @@ def test_a_checkpoint_of_something_else_is_refused_and_kept(what, change, tmp_pa
 
 def other_origin(kept, what: str, value: str) -> None:
     for _, path in kept.states():
-        state = state_file.read(path)
+        state = read(path)
         state["origin"][what] = value
-        state_file.write(path, state)
+        write(path, state)
 
 
 @pytest.mark.parametrize("key", ["origin", "model", "arrays", "run"])
 def test_a_checkpoint_that_lacks_something_counts_as_damaged(key, alone, tmp_path, monkeypatch, capsys):
     kept = half_done(tmp_path / "out", monkeypatch)
     newest = kept.states()[0][1]
-    state = state_file.read(newest)
-    state_file.write(newest, {**state, key: None})
+    state = read(newest)
+    write(newest, {**state, key: None})
     assert resume(tmp_path / "out") == 0
     assert f"is damaged (it has no '{key}'); the one before it is used" in capsys.readouterr().err
     assert differences(alone, tmp_path / "out") == []
@@ -94,30 +94,30 @@ STATE = {
 
 
 def test_a_tree_comes_back_as_it_was_types_and_bits(tmp_path):
-    state_file.write(tmp_path / "x.npz", STATE)
-    back = state_file.read(tmp_path / "x.npz")
+    write(tmp_path / "x.npz", STATE)
+    back = read(tmp_path / "x.npz")
     assert repr(back) == repr(STATE) and type(back["of numpy"]) is np.float64
     for name, array in STATE["arrays"].items():
         assert back["arrays"][name].tobytes() == array.tobytes() and back["arrays"][name].dtype == array.dtype
 
 
 def test_a_wrong_byte_anywhere_is_found_or_changes_nothing(tmp_path):
-    state_file.write(tmp_path / "x.npz", STATE)
+    write(tmp_path / "x.npz", STATE)
     good, draw, found = (tmp_path / "x.npz").read_bytes(), Random(1), 0
     for _ in range(400):
         bad = bytearray(good)
         bad[draw.randrange(len(bad))] ^= 1 << draw.randrange(8)
         (tmp_path / "y.npz").write_bytes(bad)
         try:
-            assert repr(state_file.read(tmp_path / "y.npz")) == repr(STATE)
-        except state_file.Damaged:
+            assert repr(read(tmp_path / "y.npz")) == repr(STATE)
+        except Damaged:
             found += 1
     assert found > 200
 
 
 def test_a_pickle_is_never_loaded(tmp_path):
     np.savez(tmp_path / "x.npz", tree=np.array([print], dtype=object), sum=np.zeros(1))
-    with pytest.raises(state_file.Damaged, match="allow_pickle=False"):
-        state_file.read(tmp_path / "x.npz")
+    with pytest.raises(Damaged, match="allow_pickle=False"):
+        read(tmp_path / "x.npz")
     with pytest.raises(TypeError):
-        state_file.write(tmp_path / "y.npz", {"a": np.array([print], dtype=object)})
+        write(tmp_path / "y.npz", {"a": np.array([print], dtype=object)})

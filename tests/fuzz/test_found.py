@@ -16,7 +16,7 @@ from geometry.blocks import GeometryError
 from geometry.files.blocks_h5 import load_blocks, save_blocks
 from masonry.cli.main import main
 from masonry.errors import Findings, SceneError, visible
-from masonry.results.data import load_history
+from masonry.laboratory.result import load_result
 from masonry.runtime.text_files import json_of
 from masonry.sweep.read import read
 from verification import records
@@ -176,11 +176,11 @@ def _link(name, link):
 )
 def test_a_history_whose_parts_do_not_fit_is_refused(tmp_path, change):
     folder = _results(tmp_path)
-    load_history(folder)
+    load_result(folder)
     with h5py.File(folder / "history.h5", "r+") as file:
         change(file)
     with pytest.raises(SceneError, match="history.h5"):
-        load_history(folder)
+        load_result(folder)
 
 
 def test_a_tessellation_that_is_none_is_not_repeated(tmp_path, capsys):

@@ -6,10 +6,11 @@ import pytest
 from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import sudden_text, trust
+from masonry.laboratory.text import sudden_text
 from masonry.loading.rest import brake
 from masonry.loading.scheduled import Chunk
 from masonry.monitors.energy import kinetic, ledger, observe, velocities
+from masonry.results.trust import trust
 from masonry.timeloop.compiled_step import advance_model, compile_for
 from tests.scenes import load
 from tests.timeloop.test_loop import couplet

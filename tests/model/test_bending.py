@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from masonry.laboratory import laboratory
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from tests.scenes import load
 
 LENGTH, HEIGHT, THICKNESS, INSET, ROLLER = 0.9, 0.1, 0.12, 0.05, 0.01

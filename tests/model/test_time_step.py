@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from masonry.laws.elastic import Elastic
-from masonry.laws.interface import Interface
+from masonry.laws.state import Interface
 from masonry.model.layout import Material
 from masonry.model.model import Stepping
 from verification.fixtures import rig, shapes

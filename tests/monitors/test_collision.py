@@ -13,10 +13,10 @@ from masonry.assembly.assemble import assemble
 from masonry.cli.main import main
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import trust
 from masonry.monitors.collision import Collision
 from masonry.monitors.corners import Corners, own_corners
 from masonry.monitors.stability import corner_displacements
+from masonry.results.trust import trust
 from tests.geometry.polyhedra.test_solids import box as solid_box
 from tests.geometry.polyhedra.test_solids import tube
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables

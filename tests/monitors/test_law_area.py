@@ -7,8 +7,8 @@ import pytest
 from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import trust
 from masonry.monitors.mode_2_area import area
+from masonry.results.trust import trust
 from verification.fixtures.one_contact import law
 from verification.references.closed_forms import Joint, shear_area
 

@@ -8,8 +8,8 @@ import pytest
 from masonry import scene
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import trust
-from masonry.pictures.curve import plain
+from masonry.pictures.style import plain
+from masonry.results.trust import trust
 from masonry.timeloop import compiled_step
 
 

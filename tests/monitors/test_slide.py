@@ -10,8 +10,8 @@ from masonry.assembly.assemble import assemble, joined
 from masonry.cli.main import main
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import trust
 from masonry.monitors.slide import Slide
+from masonry.results.trust import trust
 from masonry.scene import load
 
 FAST = {"drive.accuracy": "5 %"}

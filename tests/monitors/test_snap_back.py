@@ -11,10 +11,10 @@ from masonry import scene
 from masonry.errors import SceneError, Stopped
 from masonry.laboratory import laboratory
 from masonry.laws.exponential import Exponential
-from masonry.laws.interface import Interface
 from masonry.laws.linear import Linear
 from masonry.laws.polynomial import Polynomial
 from masonry.laws.snap_back import least_mode_2_energy
+from masonry.laws.state import Interface
 
 ENERGY = 6.5
 BARELY = {

@@ -6,8 +6,8 @@ from typing import assert_type
 from matplotlib.figure import Figure
 
 import masonry
-from masonry.pictures.curve import Peak
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
+from masonry.results.data import Peak
 from masonry.scene import Scene
 
 

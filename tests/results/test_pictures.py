@@ -13,7 +13,7 @@ from masonry.pictures.cracks import crack_lines, front_view, outlines
 from masonry.results.deformation import Corners, Deformation
 from masonry.pictures.front import FlatDrawing
 from masonry.pictures.crack_picture import cracks_figure, frames_to_draw, magnification
-from masonry.pictures.curve import peak_point
+
 from masonry.pictures.oblique import SolidDrawing
 from tests.results.sample import HEIGHT, LENGTH, joints_of, opened, sample, wall, with_tets
 
@@ -65,10 +65,10 @@ def test_the_curve_is_drawn_at_1200_pixels_with_its_peak_and_its_ledger(tmp_path
 def test_the_peak_is_that_of_the_summary_and_without_one_that_of_the_rows(tmp_path):
     result = sample()
     result.summary["peak_stress_pa"] = 190001.0
-    assert peak_point(result) == (4e-5, 190001.0)
+    assert result.peak == (4e-5, 190001.0)
     result.summary = {"peak_stress_pa": None, "law": {"a": "elastic", "b": "linear"}}
     result.plot(tmp_path / "curve.png")
-    assert peak_point(result) == pytest.approx((4e-5, 190000.0))
+    assert result.peak == pytest.approx((4e-5, 190000.0))
 
 
 def test_a_negative_term_and_an_empty_history_do_not_stop_the_curve(tmp_path):

@@ -11,7 +11,7 @@ from masonry.pictures import crack_picture as picture
 from masonry.errors import SceneError
 from masonry.runtime.folder import claim
 from masonry.history import UNITS
-from masonry.results.data import load_history
+from masonry.laboratory.result import load_result
 from tests.results.sample import sample, with_tets
 
 FILES = {
@@ -42,7 +42,7 @@ def assert_same(a, b):
 def test_a_result_comes_back_from_its_folder_bit_by_bit(tmp_path, make):
     saved = make()
     paths = saved.save(tmp_path / "deep" / "out")
-    loaded = load_history(tmp_path / "deep" / "out")
+    loaded = load_result(tmp_path / "deep" / "out")
     assert set(paths) == FILES and all(path.is_file() for path in paths.values())
     assert {path.name for path in (tmp_path / "deep" / "out").iterdir()} == FILES
     assert loaded.summary == saved.summary and loaded.log == saved.log and loaded.scene_toml == saved.scene_toml
@@ -64,7 +64,7 @@ def test_a_result_without_rows_frames_and_joints_is_saved_too(tmp_path):
     result = sample()
     result.history.rows, result.history.frames = {}, []
     result.save(tmp_path)
-    assert load_history(tmp_path).history.frames == []
+    assert load_result(tmp_path).history.frames == []
 
 
 def test_every_column_of_the_curve_has_its_unit_and_its_full_precision(tmp_path):
@@ -86,7 +86,7 @@ def test_every_row_of_the_history_file_has_its_unit(tmp_path):
 
 
 def test_a_failure_in_the_middle_leaves_no_file_and_no_rest(tmp_path, monkeypatch):
-    monkeypatch.setattr("masonry.results.data.csv_text", lambda rows: 1 / 0)
+    monkeypatch.setattr("masonry.results.store.csv_text", lambda rows: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         sample().save(tmp_path)
     assert list(tmp_path.iterdir()) == []
@@ -98,7 +98,7 @@ def test_a_picture_that_fails_costs_neither_the_numbers_nor_the_old_picture(tmp_
     with pytest.raises(ZeroDivisionError):
         sample().save(tmp_path)
     assert (tmp_path / "cracks.png").read_text() == "old"
-    assert load_history(tmp_path).summary["steps"] == 1000
+    assert load_result(tmp_path).summary["steps"] == 1000
     assert not [path for path in tmp_path.iterdir() if path.name.startswith(".")]
 
 
@@ -109,7 +109,7 @@ def test_rows_and_frames_from_the_first_that_is_not_finite_are_dropped_and_logge
     result.summary["final_stress_pa"] = float("nan")
     result.summary["energy_j"] = {"kinetic": np.float64("inf")}
     result.save(tmp_path)
-    loaded = load_history(tmp_path)
+    loaded = load_result(tmp_path)
     assert len(loaded.history.rows["stress"]) == 60
     assert [frame.step for frame in loaded.history.frames] == [0, 200]
     assert loaded.summary["final_stress_pa"] is None and loaded.summary["energy_j"]["kinetic"] is None
@@ -138,7 +138,7 @@ def test_a_damaged_folder_is_refused_in_one_message(tmp_path, name, damage):
     if damage != "missing":
         path.write_bytes(b"" if damage == "empty" else content[: len(content) // 2])
     with pytest.raises(SceneError, match=name):
-        load_history(tmp_path)
+        load_result(tmp_path)
 
 
 def test_a_history_file_without_a_part_is_refused(tmp_path):
@@ -146,9 +146,9 @@ def test_a_history_file_without_a_part_is_refused(tmp_path):
     with h5py.File(tmp_path / "history.h5", "a") as file:
         del file["joints/area"]
     with pytest.raises(SceneError, match="damaged"):
-        load_history(tmp_path)
+        load_result(tmp_path)
     with pytest.raises(SceneError, match="not a folder"):
-        load_history(tmp_path / "nowhere")
+        load_result(tmp_path / "nowhere")
 
 
 def test_runs_of_one_scene_get_folders_of_their_own(tmp_path):

@@ -10,7 +10,7 @@ import masonry
 from masonry.results.dry_joints import as_it_stands
 from masonry.pictures.front import FlatDrawing
 from masonry.pictures.crack_picture import cracks_figure
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from masonry.pictures.thrust_line import WALL, row_of
 from tests.results.sample import opened, sample
 

@@ -8,7 +8,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from masonry.results.frames import choose
 from masonry.pictures.crack_picture import panel_title
-from masonry.pictures.curve import curve_figure
+from masonry.curves.curve import curve_figure
 from tests.results.sample import sample
 
 

@@ -4,10 +4,11 @@ import h5py
 import numpy as np
 import pytest
 
+from masonry.curves.curve_axes import curve_axes
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
-from masonry.pictures.curve_axes import curve_axes
-from masonry.results.data import csv_text, load_history
+from masonry.laboratory.result import load_result
+from masonry.results.table import csv_text
 from masonry.scene import load, to_toml
 
 GAUGE = {"name": "slip", "at": "top", "direction": "x", "relative_to": {"x": "middle", "y": "50 mm", "z": "0 mm"}}
@@ -72,7 +73,7 @@ def test_readings_are_columns_with_a_unit_in_every_file_and_the_curve_is_drawn_o
     assert (tmp_path / "curve.csv").read_text().startswith("displacement [m],stress [Pa],slip [m],step [1]")
     with h5py.File(tmp_path / "history.h5") as file:
         assert (file["rows/slip"].attrs["unit"], file["rows/force"].attrs["unit"]) == ("m", "N")
-    again = load_history(tmp_path)
+    again = load_result(tmp_path)
     assert csv_text(again.history.rows) == csv_text(result.history.rows)
     axes = curve_axes(again)
     assert (axes.label, axes.name, axes.unit) == ("slip [mm]", "force", "kN")

@@ -12,8 +12,7 @@ from pydantic import BaseModel
 from masonry.history import UNITS
 from masonry.laboratory import laboratory
 from masonry.laws import law_names
-from masonry.scene import load
-from masonry.scene.schema import Scene
+from masonry.scene import Scene, load
 from tests.docs.pages import blocks
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from masonry.errors import SceneError
-from masonry.results.data import load_history
+from masonry.laboratory.result import load_result
 from masonry.runtime.lock import sole
 from masonry.sweep import engine
 from masonry.sweep.folder import DOING
@@ -28,7 +28,7 @@ def test_a_row_has_the_numbers_of_its_run_and_its_folder_the_history(done):
     folder, rows = done
     for job, row in zip(jobs(*FOUR), rows, strict=True):
         assert (row["key"], row["status"], row["reason"]) == (job.key(), "OK", "")
-        result = load_history(folder / "runs" / row["key"])
+        result = load_result(folder / "runs" / row["key"])
         assert row["peak_stress_pa"] == result.summary["peak_stress_pa"] > 1e5
         assert row["energy_j.friction"] == result.summary["energy_j"]["friction"]
         assert len(result.history.rows["stress"]) > 10 and result.history.frames
@@ -123,7 +123,7 @@ def test_no_run_loads_a_source_that_only_shows(tmp_path):
     from fnmatch import fnmatchcase
 
     code = (
-        "import sys; from pathlib import Path; from masonry import laboratory, scene; "
+        "import sys; from pathlib import Path; from masonry import scene; from masonry.laboratory import laboratory; "
         f"laboratory.run(scene.load('couplet', {SHORT!r})).save_numbers(Path(sys.argv[1])); print(*sys.modules)"
     )
     loaded = subprocess.run([sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True)

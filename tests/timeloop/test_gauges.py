@@ -7,7 +7,7 @@ import pytest
 
 from masonry import scene
 from masonry.laboratory import laboratory
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from tests.model.test_bending import ARM, BEAM, HEIGHT, INSET, LENGTH, NORMAL, ROLLER, SHEAR, SPAN, STRIP, THICKNESS
 from tests.scenes import load
 

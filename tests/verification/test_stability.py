@@ -10,7 +10,7 @@ import pytest
 from masonry import scene
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import trust
+from masonry.results.trust import trust
 from verification.html.page import Chapter
 from verification.stability import motion, suite
 from verification.stability.cells import GOOD, KINDS, POOR, STATUSES, Cell, Exact, Grid

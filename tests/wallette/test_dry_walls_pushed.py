@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import trust
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
+from masonry.results.trust import trust
 from tests.scenes import load
 
 MU, SPECIFIC = 0.65, 1800 * 9.81

@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry import scene
 from masonry.laboratory import laboratory
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 
 HEAD_JOINTS_GONE, ALL_JOINTS_AT_PEAK, ALL_AT_PEAK_MODE_2 = 0.114e6, 0.214e6, 0.225e6
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import trust
+from masonry.results.trust import trust
 from masonry.scene import load
 
 PRESSED = 1.21e6 * 0.99 * 0.1

@@ -7,7 +7,7 @@ import pytest
 
 from masonry import scene
 from masonry.laboratory import laboratory
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 
 HEAD_JOINTS_GONE, ALL_JOINTS_AT_PEAK = 0.114e6, 0.214e6
 

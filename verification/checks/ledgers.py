@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from masonry.laboratory.result import Result
 from masonry.monitors import energy
-from masonry.results.data import Result
 from verification import balance
 from verification.case import Check, Findings, Line, Plot
 from verification.fixtures.scene_text import assembled

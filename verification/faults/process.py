@@ -15,15 +15,9 @@ POLL = 0.001
 PATIENCE = 900.0
 """Seconds after which a process is taken to hang."""
 LOADED = (
-    *(
-        "masonry.cli.main",
-        "masonry.cli.run",
-        "masonry.laboratory.laboratory",
-        "masonry.results.archive",
-        "masonry.results.fields",
-        "masonry.pictures.curve",
-    ),
-    *("masonry.pictures.crack_picture", "masonry.laboratory.provenance", "h5py", "scipy.spatial"),
+    *("masonry.cli.main", "masonry.cli.run", "masonry.laboratory.laboratory", "masonry.laboratory.provenance"),
+    *("masonry.results.archive", "masonry.results.fields", "masonry.curves.curve", "masonry.pictures.crack_picture"),
+    *("h5py", "scipy.spatial"),
 )
 """Modules that each process finds loaded: a hundred of them then start in no time."""
 

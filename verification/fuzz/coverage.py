@@ -54,7 +54,7 @@ def search(kind: Kind, seconds: int) -> int:
 def _seeds(name: str) -> tuple[bytes, ...]:
     """Sound files of this kind."""
     from verification.fuzz.inputs.trees import toml
-    from verification.fuzz.kinds import quantity, sweep
+    from verification.fuzz.kinds.runs import quantity, sweep
 
     known: dict[str, Callable[[], tuple[bytes, ...]]] = {
         "tess": seeds.tess,

@@ -48,7 +48,7 @@ class Kind:
 def all_kinds() -> dict[str, Kind]:
     """Name -> kind. Raises ValueError where two share a name."""
     found: dict[str, Kind] = {}
-    for entry in pkgutil.iter_modules(kinds.__path__, f"{kinds.__name__}."):
+    for entry in pkgutil.walk_packages(kinds.__path__, f"{kinds.__name__}."):
         kind = getattr(importlib.import_module(entry.name), "KIND", None)
         if isinstance(kind, Kind):
             if kind.name in found:

@@ -19,7 +19,7 @@ from verification.fuzz.trial import MEMORY, Trial, tried
 ADDRESSES = 4 * MEMORY
 """Bytes that a process may ask for; what it takes of them is measured."""
 BLOCKS, CONTACT_POINTS, TETS = 300, 20_000, 20_000
-"""Sizes that scenes may have here, in the place of those of `masonry.assembly.size_limits`: what is large takes its time."""
+"""Sizes that scenes may have here, in place of those of `masonry.assembly.size_limits`, so that none takes long."""
 
 
 class Task(NamedTuple):

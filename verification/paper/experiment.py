@@ -8,7 +8,7 @@ from typing import Any
 
 from masonry import __version__
 from masonry.jit.compiler import source_hash
-from masonry.results.data import Result, load_history
+from masonry.laboratory.result import Result, load_result
 from verification.html.page import Chapter, Verdict
 from verification.paper.misprints import Misprint
 
@@ -111,7 +111,7 @@ class Done:
             row = self.rows[label]
             raise Missing(f"'{label}' ended as {row['status']}: {row['reason']}")
         if label not in self.loaded:
-            self.loaded[label] = load_history(self.folder / "runs" / self.rows[label]["key"])
+            self.loaded[label] = load_result(self.folder / "runs" / self.rows[label]["key"])
         return self.loaded[label]
 
     def has(self, label: str) -> bool:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.html.figures import COLOURS, sheet
 
 MILLI, MEGA = 1e3, 1e-6

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.paper.experiment import Claim, Done
 
 IMBALANCE, MISMATCH, MOVED = 1e-6, 0.02, 0.01

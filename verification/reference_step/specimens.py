@@ -8,8 +8,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints, TetMesh
 from geometry.joints.find import find_joints
-from geometry.polyhedra.construct import from_boxes
-from geometry.polyhedra.grid import divide
+from geometry.polyhedra.construct import divide, from_boxes
 
 UNIT = np.array([0.24, 0.115, 0.113])
 

@@ -11,7 +11,7 @@ from masonry.jit.compiler import jit
 from masonry.kernels.contact import sweep
 from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
-from masonry.laws.interface import Interface
+from masonry.laws.state import Interface
 from masonry.loading.scheduled import Chunk
 from masonry.model import loads
 from masonry.model.layout import KINDS, Material, lay_out

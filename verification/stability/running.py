@@ -4,7 +4,7 @@ import math
 from pathlib import Path
 from typing import Any
 
-from masonry.laboratory.text import trust
+from masonry.results.trust import trust
 from verification import timed_run as trial
 from verification.stability.cells import GOOD, POOR, Cell, Grid, Outcome
 from verification.timed_run import Trial

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from geometry.blocks import CellReport
 from geometry.cells.domain import box_domain
 from geometry.cells.power import tessellate
 from geometry.cells.power_blocks import cell_volumes, to_blocks
-from geometry.cells.request import CellReport, CellsAsked
+from geometry.cells.request import CellsAsked
 from geometry.joints.find import find_joints
 from geometry.joints.quality import radius_ratios
 from geometry.meshes.tetrahedralise import mesh_blocks

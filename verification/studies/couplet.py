@@ -2,14 +2,12 @@
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
-from masonry import scene
 from verification import timed_run as trial
+from verification.convergence.joint_in_shear import exact_stress, exact_values
 from verification.html import figures, page
-from verification.references import closed_forms
 from verification.timed_run import Trial
 
 ORDER = 10
@@ -19,38 +17,6 @@ KINEMATICS = ("rigid", "affine", "tets")
 FINE = {"drive.steps": 40000}
 TOLERANCE = {"peak": 1e-3, "residual": 1e-3, "curve": 5e-3, "dissipated": 1e-3}
 WORDS = {"peak": "peak", "residual": "final stress", "curve": "whole curve", "dissipated": "dissipated energy"}
-
-
-def exact_stress(case: str, knobs: dict[str, Any], slip: np.ndarray) -> np.ndarray:
-    """Shear stress (Pa) at slips (m) of the couplet as the scene gives it: up with ks, then the law's envelope."""
-    loaded = scene.load(case, knobs)
-    contact = loaded.contact["unit_unit"]
-    joint = closed_forms.Joint(
-        ks=contact.shear_stiffness,
-        c0=contact.cohesion or 0.0,
-        tan0=contact.tan_friction or 0.0,
-        c_res=contact.residual_cohesion or 0.0,
-        tan_res=contact.tan_residual_friction or 0.0,
-        G_II=contact.fracture_energy_mode_2 or 0.0,
-        G_II_slope=contact.fracture_energy_mode_2_slope or 0.0,
-        beta=contact.exponent_shear or 0.0,
-    )
-    return closed_forms.shear(contact.law, joint, slip, loaded.confinement or 0.0)
-
-
-def exact_values(one: Trial) -> dict[str, float]:
-    """Peak and final stress (Pa), and the energy (J) that the joint has dissipated at the end of the drive."""
-    loaded = scene.load(one.case, one.knobs)
-    assert loaded.drive is not None
-    slip = np.linspace(0.0, loaded.drive.farthest, 400_001)
-    tau = exact_stress(one.case, one.knobs, slip)
-    held = 0.5 * tau[-1] ** 2 / loaded.contact["unit_unit"].shear_stiffness
-    area = loaded.specimen.length * loaded.specimen.width  # type: ignore[union-attr]
-    return {
-        "peak": float(tau.max()),
-        "final": float(tau[-1]),
-        "dissipated": area * float(np.trapezoid(tau, slip) - held),
-    }
 
 
 def errors(one: Trial) -> tuple[dict[str, tuple[float, float, float]], tuple[np.ndarray, np.ndarray, np.ndarray]]:

@@ -67,7 +67,7 @@ def _held(where: str, word: str, annotation: Any) -> Any:
         return PLAIN[annotation]
     raise SceneError(
         f"{where}: parameter '{word}': {annotation!r} is no kind of parameter; take Length, Position, Area, Angle, "
-        "Count or Number of geometry.specimens.kinds, bool, str, or a Literal of words"
+        "Count or Number of geometry, bool, str, or a Literal of words"
     )
 
 

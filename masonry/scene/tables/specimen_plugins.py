@@ -1,6 +1,6 @@
 """Specimens of other packages, by entry points of the group `geometry.specimens`: functions, found by name.
 
-Such a function has parameters annotated with the kinds of `geometry.specimens.kinds`, and returns a `geometry.blocks.Specimen`.
+Such a function has parameters annotated with the kinds of `geometry`, and returns a `geometry.Specimen`.
 """
 
 import inspect
@@ -47,9 +47,7 @@ def own_specimen(name: str) -> OwnSpecimen | None:
     parameters: dict[str, tuple[Any, Any]] = {}
     for word, parameter in inspect.signature(function).parameters.items():
         if parameter.kind not in NAMED or word not in hints:
-            raise SceneError(
-                f"{where}: parameter '{word}' needs a kind of geometry.specimens.kinds, for example {word}: Length"
-            )
+            raise SceneError(f"{where}: parameter '{word}' needs a kind of geometry, for example {word}: Length")
         default = ... if parameter.default is inspect.Parameter.empty else parameter.default
         parameters[word] = hints[word], default
     return OwnSpecimen(name, found.origin, function, parameters)

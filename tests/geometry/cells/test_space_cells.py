@@ -8,11 +8,10 @@ import sys
 import numpy as np
 import pytest
 
-from geometry.blocks import GeometryError
+from geometry.blocks import CellReport, GeometryError
 from geometry.cells.domain import Domain, box_domain, hull_domain
 from geometry.cells.power import Power, tessellate
 from geometry.cells.power_blocks import bends, cell_volumes, edge_lengths, to_blocks
-from geometry.cells.request import CellReport
 from geometry.cells.space import divide_space, random_sites_in, space_report
 from geometry.cells.space_energy import Wishes
 from geometry.cells.transport import SpaceDiagram, hold_sizes, relax

@@ -7,8 +7,7 @@ from scipy.spatial.transform import Rotation
 from geometry.blocks import TetMesh
 from geometry.joints.find import find_joints
 from geometry.joints.quality import quality, radius_ratios
-from geometry.polyhedra.construct import from_boxes
-from geometry.polyhedra.grid import divide
+from geometry.polyhedra.construct import divide, from_boxes
 from geometry.specimens.couplet import couplet
 
 REGULAR = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1.0]])

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from geometry.blocks import GeometryError
-from geometry.files.cad_shells import outward
 from geometry.polyhedra.construct import concatenate, from_boxes, from_faces
-from geometry.polyhedra.convex_pieces import convex_pieces
+from geometry.polyhedra.convexity import convex_pieces
 from geometry.polyhedra.intersect import are_convex
 from geometry.polyhedra.measures import volumes
 from geometry.polyhedra.overlaps import check_overlaps
+from geometry.polyhedra.shells import outward
 
 SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
 

@@ -88,7 +88,7 @@ def test_a_parameter_that_is_missing_is_named_with_an_example(package):
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("radius: Length", "radius", "parameter 'radius' needs a kind of geometry.specimens.kinds"),
+        ("radius: Length", "radius", "parameter 'radius' needs a kind of geometry"),
         ("radius: Length", "radius: complex", "parameter 'radius': .*complex.* is no kind of parameter"),
         ("width: Length", "mesh: Length", "parameter 'mesh' is a key of every specimen"),
         ("def vault(", "vault = 3\ndef bow(", "must name a function"),

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from tests.results.sample import DEPTH, HEIGHT, LENGTH, sample
 from verification.paper.walls.crack_path import crack_path
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from tests.results.sample import sample
 from verification.paper.walls.curve_shape import (
     apart,

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from tests.results.sample import LENGTH, sample
 from tests.verification.paper.test_crack_paths import parted
 from verification.paper.sizes.claims import (

@@ -11,7 +11,7 @@ of the internal energy, and the two ends carry the same force within 1 % of the 
 from typing import Any
 
 import masonry
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.case import Case, Check, Findings, Line, Plot, at_most
 
 BASE = {

@@ -13,7 +13,7 @@ error and the limit extrapolated from the two finest meshes.
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.static_row import displacements

@@ -13,7 +13,7 @@ their cells 2:3 in size, against the same with faces that match.
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.structured import row_of_boxes

@@ -7,9 +7,9 @@
          |////////|
          <-  b  ->              sigma(u): exponential softening, eq. (16); compression kn u; unloading to the origin
 
-The reference integrates the envelope, written again in verification.references.closed_forms, over 500 fibres and finds phi for
-each w. Gauss-Legendre points are exact while the joint is elastic; sigma(u) has a kink at its peak, which leaves an
-error between the first and the second order in 1/n.
+The reference integrates the envelope, written again in verification.references.closed_forms, over 500 fibres and finds
+phi for each w. Gauss-Legendre points are exact while the joint is elastic; sigma(u) has a kink at its peak, which
+leaves an error between the first and the second order in 1/n.
 """
 
 import numpy as np

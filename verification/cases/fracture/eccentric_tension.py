@@ -10,8 +10,9 @@
            ////////////// held
 
 Tets with contacts at their nodes are linear finite elements with a joint lumped at the vertices of its facets, so the
-two curves must be one. The interface model (scikit-fem, verification/interface) has its own envelopes, its own pairing
-of facets and Newton's method; it shares the mesh alone. In the run the drive moves in smooth increments and waits.
+two curves must be one. The interface model (scikit-fem, verification.references.interface) has its own envelopes,
+pairing of facets and Newton's method; it shares the mesh alone. In the run the drive moves in smooth increments, and
+waits.
 
 Unloading along the secant makes tension a function of the largest opening so far: the curve does not depend on the
 size of implicit steps where openings only grow.

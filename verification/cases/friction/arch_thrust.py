@@ -15,7 +15,7 @@ joints bear no tension; nothing slides at a friction of 0.7. Weights and centroi
 import numpy as np
 
 from masonry.laboratory import laboratory
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from masonry.scene import load
 from verification.case import Case, Check, Findings, Line, Plot, at_most
 from verification.fixtures.arches import Arch, greatest_thrust, least_thrust

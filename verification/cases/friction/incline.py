@@ -15,7 +15,7 @@ from math import atan, cos, radians, sin, tan
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.thresholds import threshold

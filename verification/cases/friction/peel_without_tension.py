@@ -8,7 +8,7 @@ The drive must be bounded from the first opening on, not only from the first fra
 
 from masonry import scene
 from masonry.laboratory import laboratory
-from masonry.laboratory.text import trust
+from masonry.results.trust import trust
 from verification.case import Case, Check, Findings, at_most
 from verification.fixtures.scenes import path_of
 

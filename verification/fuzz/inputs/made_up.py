@@ -8,7 +8,8 @@ import numpy as np
 
 from geometry.joints.find import find_joints
 from masonry.history import UNITS, Frame, History
-from masonry.results.data import NUMBERS, Result
+from masonry.laboratory.result import Result
+from masonry.results.store import NUMBERS
 from verification.fuzz.inputs.seeds import small
 
 SUMMARY = {

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from masonry.scene.tables.specimen import BendingSpec
 from verification.paper.walls.crack_path import CrackPath, crack_path
 

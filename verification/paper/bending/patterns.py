@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.paper.bending.runs import ASSUMED, SCENES, SEEDS, STRENGTHS, WEAKER, label, name_of
 from verification.paper.bending.strength_map import crack_of
 from verification.paper.experiment import Claim, Done, answer

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from masonry.laboratory.result import Result
 from masonry.laboratory.summary import BROKEN
-from masonry.results.data import Result
 
 Rows = Mapping[str, np.ndarray]
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from masonry.laboratory.result import Result
 from masonry.laboratory.summary import BROKEN
 from masonry.pictures.cracks import CrackLines, crack_lines, front_view
-from masonry.results.data import Result
 from verification.paper.experiment import Done
 
 POINTS = 300

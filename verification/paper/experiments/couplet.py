@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.html.figures import COLOURS
 from verification.html.page import paragraph, picture
 from verification.paper import pictures

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.html import page
 from verification.paper import pictures
 from verification.paper.experiment import Done, Experiment, Run, Section

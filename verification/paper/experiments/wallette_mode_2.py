@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.html import page
 from verification.html.page import percent
 from verification.paper import pictures

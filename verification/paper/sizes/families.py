@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.paper.experiment import Done
 from verification.paper.walls.common import MEGA, crack_spread, mpa
 from verification.paper.walls.crack_path import crack_path

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.html import page
 from verification.html.figures import COLOURS, sheet
 from verification.paper.pictures import Line

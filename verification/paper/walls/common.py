@@ -4,8 +4,8 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from masonry.laboratory.text import KINETIC
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
+from masonry.results.trust import KINETIC
 from verification.html import page
 from verification.html.page import percent
 from verification.paper.experiment import PERCENT, Claim, Done, Run

@@ -6,7 +6,7 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from masonry.history import Frame
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 
 BROKEN = 0.95
 """Damage from which a contact counts as broken, as in summary.json."""

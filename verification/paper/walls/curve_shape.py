@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 
 POINTS = 400
 """At so many equal displacements two curves are compared."""

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.html.page import percent
 from verification.paper.experiment import Claim
 from verification.paper.walls.common import MEGA, MILLI, mpa, where

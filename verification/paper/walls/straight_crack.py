@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from masonry.results.data import Result
+from masonry.laboratory.result import Result
 from verification.paper.experiment import Claim
 from verification.paper.walls.common import MILLI, crack_spread, where
 from verification.paper.walls.crack_path import crack_path

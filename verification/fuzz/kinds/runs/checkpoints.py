@@ -7,7 +7,7 @@ from random import Random
 
 import numpy as np
 
-from masonry.runtime.state_file import write
+from masonry.runtime.state import write
 from masonry.scene import load, to_toml
 from verification.fuzz.inputs.odd import one_of
 from verification.fuzz.inputs.texts import changed_bytes, changed_text

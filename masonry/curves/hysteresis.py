@@ -4,12 +4,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from masonry.curves.curve_axes import CurveAxes, curve_axes
+from masonry.curves.ledger import LEDGER, draw_ledger
 from masonry.loading.cycles import bounds
-from masonry.pictures.curve import LEDGER, draw_ledger, heading, tidy
-from masonry.pictures.curve_axes import CurveAxes, curve_axes
+from masonry.pictures.style import heading, tidy
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 PARTS = ("fracture_mode_1", "fracture_mode_2", "friction")
 NAMED = 8
@@ -19,7 +20,7 @@ ROOM = 1.25
 MILLI = 1e3
 
 
-def hysteresis_figure(result: "Result") -> Any:
+def hysteresis_figure(result: "ResultData") -> Any:
     """A figure of 1200 x 1080 pixels at 120 dpi: loops on top; ledger over the drive's way, and bars, below; their key
     under both."""
     from masonry.pictures.figure import ShownFigure

@@ -4,12 +4,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from masonry.curves.ledger import draw_ledger
 from masonry.history import UNITS
-from masonry.laboratory.text import reaction_lines
-from masonry.pictures.curve import draw_ledger, heading, plain, tidy
+from masonry.pictures.style import heading, plain, tidy
+from masonry.results.reactions import reaction_lines
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 MILLI = 1e3
 TOP, SMALL = 1e-6, 1e-3
@@ -20,7 +21,7 @@ MOST = 5
 COLOURS = ("#1f3b5c", "#e07b00", "#2f7d5b", "#8856a7")
 
 
-def settling_figure(result: "Result") -> Any:
+def settling_figure(result: "ResultData") -> Any:
     """A figure of 1200 x 960 pixels at 120 dpi, over the steps: displacements, with the reactions at the end below
     them, and the energy ledger."""
     from masonry.pictures.figure import ShownFigure
@@ -46,7 +47,7 @@ def settling_figure(result: "Result") -> Any:
     return figure
 
 
-def movements(result: "Result") -> dict[str, tuple[np.ndarray, np.ndarray]]:
+def movements(result: "ResultData") -> dict[str, tuple[np.ndarray, np.ndarray]]:
     """By name, steps and displacements (m): of each gauge at every row, or of the top at every frame, by axis."""
     rows = result.history.rows
     gauges = {name: (rows["step"], values) for name, values in rows.items() if name not in UNITS}

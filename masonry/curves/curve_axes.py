@@ -10,7 +10,7 @@ from masonry.loading.cycles import at_peak
 from masonry.runtime.text_files import toml_of
 
 if TYPE_CHECKING:
-    from masonry.results.data import Result
+    from masonry.results.data import ResultData
 
 UP = {"stress": ("stress", "MPa", 1e-6), "force": ("force", "kN", 1e-3)}
 """What a curve may show: its name, its unit in pictures and the factor to that from SI."""
@@ -31,7 +31,7 @@ class CurveAxes:
         return at_peak(rows, self.across, displacement)
 
 
-def curve_axes(result: "Result") -> CurveAxes:
+def curve_axes(result: "ResultData") -> CurveAxes:
     """The axes that the scene of a result asks for; time across where nothing is driven."""
     asked, rows = _asked(result.scene_toml), result.history.rows
     name, unit, factor = UP.get(str(asked.get("y")), UP["stress"])

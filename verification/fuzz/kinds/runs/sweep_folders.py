@@ -7,7 +7,7 @@ from random import Random
 from verification.fuzz.inputs import made_up, texts
 from verification.fuzz.inputs.odd import one_of, paths
 from verification.fuzz.kind import Attempt, Kind
-from verification.fuzz.kinds.results import summary
+from verification.fuzz.kinds.runs.results import summary
 
 SWEEP = 'scene = "couplet"\n[grid]\n"contact.unit_unit.cohesion" = ["0.6 MPa", "0.8 MPa"]\n'
 

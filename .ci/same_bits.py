@@ -1,0 +1,68 @@
+"""Two checkouts, one answer: runs packaged scenes in both, and compares curves, summaries and crack arrays bit by bit.
+
+    .venv/bin/python .ci/same_bits.py OLD NEW [SCENE ...]
+
+Both run with the packages of this interpreter. Exit code 1 where anything differs but seconds, versions and hashes.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import h5py
+
+PASSING = {"seconds_run", "seconds_compile", "seconds", "version", "source_hash"}
+
+
+def run(checkout: Path, scene: str, out: Path) -> None:
+    """Run a scene with the sources of a checkout."""
+    command = [sys.executable, "-m", "masonry", "run", scene, "--out", str(out), "--quiet"]
+    subprocess.run(command, cwd=checkout, env={**os.environ, "PYTHONPATH": str(checkout)}, check=False)
+
+
+def stripped(value: object) -> object:
+    """A summary without what passes: seconds, versions and hashes."""
+    if isinstance(value, dict):
+        return {key: stripped(below) for key, below in value.items() if key not in PASSING}
+    return [stripped(below) for below in value] if isinstance(value, list) else value
+
+
+def arrays(file: Path) -> dict[str, bytes]:
+    """Every array of history.h5, by its path."""
+    found: dict[str, bytes] = {}
+    with h5py.File(file) as root:
+        root.visititems(lambda name, item: found.update({name: item[()].tobytes()}) if hasattr(item, "shape") else None)
+    return found
+
+
+def differences(old: Path, new: Path) -> list[str]:
+    """The names of what is not the same in two folders of results."""
+    names = [name for name in ("curve.csv", "scene.toml") if (old / name).read_bytes() != (new / name).read_bytes()]
+    summaries = [stripped(json.loads((folder / "summary.json").read_text())) for folder in (old, new)]
+    if summaries[0] != summaries[1]:
+        keys = {key for key in (*summaries[0], *summaries[1]) if summaries[0].get(key) != summaries[1].get(key)}
+        names.append(f"summary.json ({', '.join(sorted(keys))})")
+    first, second = (arrays(folder / "history.h5") for folder in (old, new))
+    return names + [name for name in sorted({*first, *second}) if first.get(name) != second.get(name)]
+
+
+def main() -> int:
+    """Compare; the exit code."""
+    old, new, scenes = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve(), sys.argv[3:]
+    bad = 0
+    for scene in scenes or sorted(file.stem for file in (old / "masonry" / "scenes").glob("*.toml")):
+        with tempfile.TemporaryDirectory() as folder:
+            outs = [Path(folder) / name for name in ("old", "new")]
+            for checkout, out in zip((old, new), outs, strict=True):
+                run(checkout, scene, out)
+            differ = differences(*outs)
+        bad += bool(differ)
+        print(f"{scene:<28} {'the same' if not differ else 'DIFFERENT: ' + ', '.join(differ)}", flush=True)
+    return int(bad > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

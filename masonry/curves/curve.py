@@ -1,0 +1,82 @@
+"""curve.png: stress (or force) against displacement (or a gauge), and the energy ledger below it."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from masonry.curves.curve_axes import CurveAxes, curve_axes
+from masonry.curves.ledger import draw_ledger
+from masonry.loading.cycles import peak_row
+from masonry.pictures.style import heading, tidy
+from masonry.results.frames import without_noise
+
+if TYPE_CHECKING:
+    from masonry.results.data import ResultData
+
+
+def curve_figure(result: "ResultData") -> Any:
+    """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger; loops and cycles
+    of a drive that turns back; movements and reactions where there is none."""
+    if result.summary.get("cycles"):
+        from masonry.curves.hysteresis import hysteresis_figure
+
+        return hysteresis_figure(result)
+    if not result.has_drive and len(result.history.rows.get("step", ())):
+        from masonry.curves.settling import settling_figure
+
+        return settling_figure(result)
+    from masonry.pictures.figure import ShownFigure
+
+    figure = ShownFigure(figsize=(10, 8), layout="constrained")
+    curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
+    heading(figure, result)
+    ledger.set_ylabel("energy [J]")
+    for axes in (curve, ledger):
+        tidy(axes)
+    rows = result.history.rows
+    if not len(rows.get("displacement", ())):
+        curve.text(0.5, 0.5, "no rows were recorded", transform=curve.transAxes, ha="center")
+        return figure
+    drawn = curve_axes(result)
+    curve.set_ylabel(f"{drawn.name} [{drawn.unit}]")
+    ledger.set_xlabel(drawn.label)
+    _draw_curve(curve, rows, drawn, *result.peak)
+    draw_ledger(ledger, rows, drawn.across)
+    for axes in (curve, ledger):
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+    return figure
+
+
+def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_at: float, peak: float) -> None:
+    displacement, unit = drawn.across, drawn.unit
+    peak_at, peak = drawn.place(rows, peak_at), peak * drawn.factor
+    stress, support = rows["stress"] * drawn.factor, rows["support_stress"] * drawn.factor
+    axes.plot(displacement, stress, color="#1f3b5c", linewidth=2.0, label="at the drive")
+    axes.plot(displacement, support, "--", color="#e07b00", linewidth=1.0, label="at the support")
+    if not rows["displacement"].any():
+        return
+    axes.plot(peak_at, peak, "o", color="#b2182b", markersize=7, label="peak")
+    late = peak_at > displacement.min() + 2 / 3 * np.ptp(displacement)
+    axes.annotate(
+        f"peak {peak:.4g} {unit} at {without_noise(peak_at, displacement):.4g} mm",
+        (peak_at, peak),
+        xytext=(-12 if late else 12, 4 if peak >= 0 else -14),
+        ha="right" if late else "left",
+        textcoords="offset points",
+        color="#b2182b",
+        fontsize=11,
+    )
+    axes.margins(y=0.12)
+    if peak_row(rows) < len(stress) - 1:
+        right = displacement[-1] >= displacement.mean()
+        axes.annotate(
+            f"at the end {without_noise(float(stress[-1]), stress):.3g} {unit}",
+            (displacement[-1], stress[-1]),
+            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 and not late else -38),
+            textcoords="offset points",
+            ha="right" if right else "left",
+            color="0.25",
+            fontsize=11,
+            arrowprops={"arrowstyle": "-", "color": "0.6", "linewidth": 0.8, "shrinkA": 0.0},
+            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.0},
+        )

@@ -1,0 +1,79 @@
+"""The result of a run, as a user holds it: what it says, draws, shows and saves."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from masonry.laboratory.text import summary_rows, summary_text
+from masonry.results import store
+from masonry.results.data import ResultData
+from masonry.runtime.folder import WholeFiles
+from masonry.runtime.tables import html_table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+PICTURES = {"curve.png": "plot", "cracks.png": "picture"}
+"""Each picture of a result, and the method that draws it."""
+
+
+@dataclass(repr=False)
+class Result(ResultData):
+    """The result of a run: its data (ResultData), and what is made of them."""
+
+    def save(self, out: Path | str) -> dict[str, Path]:
+        """Write every file to the folder `out`, made if need be; returns file name -> path.
+
+        Each file appears whole or not at all: numbers first, then fields and pictures. Values that are not finite are
+        not written; the log says so. Raises OSError if the folder cannot be written to.
+        """
+        folder = Path(out)
+        result = self.finite()
+        result.save_numbers(folder)
+        store.save_fields(result, folder)
+        result.save_pictures(folder)
+        return {name: folder / name for name in (*store.NUMBERS[:3], *PICTURES, *store.FIELDS, *store.NUMBERS[3:])}
+
+    def save_numbers(self, folder: Path) -> dict[str, Path]:
+        """Write the files of numbers and words only: see results.store.save_numbers."""
+        return store.save_numbers(self, folder)
+
+    def save_pictures(self, folder: Path) -> dict[str, Path]:
+        """Write curve.png and cracks.png only; returns file name -> path."""
+        return {name: self.save_picture(folder, name) for name in PICTURES}
+
+    def save_picture(self, folder: Path, name: str) -> Path:
+        """Write one of PICTURES, whole or not at all."""
+        with WholeFiles(folder) as pictures:
+            getattr(self, PICTURES[name])(pictures.new(name))
+        return folder / name
+
+    def plot(self, path: Path | str | None = None) -> "Figure":
+        """Draw the curve and the energy ledger: to a PNG file, or as a figure that a notebook shows."""
+        from masonry.curves import curve
+        from masonry.pictures import style
+
+        return style.drawn(curve.curve_figure(self), path)
+
+    def picture(self, path: Path | str | None = None) -> "Figure":
+        """Draw the deformed specimen with its cracks: to a PNG file, or as a figure that a notebook shows."""
+        from masonry.pictures import crack_picture, style
+
+        return style.drawn(crack_picture.cracks_figure(self), path)
+
+    def __repr__(self) -> str:
+        return f"Result: {self.title}\n\n{summary_text(self.summary)}"
+
+    def _repr_html_(self) -> str:
+        return html_table(self.title, summary_rows(self.summary))
+
+    def show(self, step: str | int | float = "peak", field: str = "opening", **how: Any) -> None:
+        """Show the specimen in 3D with PyVista: see masonry.movies.viewer.show. Raises SceneError where it cannot."""
+        from masonry.movies.viewer import show
+
+        show(self, step, field, **how)
+
+
+def load_result(folder: Path | str) -> Result:
+    """Read a result back from its folder. Raises SceneError if the folder is not one of results."""
+    return Result(**store.read(folder))

@@ -1,0 +1,103 @@
+"""How far the numbers of a run may be trusted, from the numbers themselves."""
+
+import math
+from typing import Any
+
+MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-9, 0.01, 0.01, 0.01
+"""Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference
+between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
+how far contacts close over the size of their blocks."""
+RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
+"""Limits: what sudden cracks release over all energy lost; over the external work, what damping gives, and takes."""
+TAKEN = 0.02
+"""Share by which a contact may take more energy of mode II than the area under its law's curve."""
+SLID = 0.2
+"""Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
+ROUNDING, BELOW_0 = 1e-11, 1e-5
+"""Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
+of the steps."""
+
+
+def trust(summary: dict[str, Any]) -> str:
+    """How far the numbers may be trusted, from the numbers themselves."""
+    doubts = []
+    if summary.get("interrupted"):
+        doubts.append("the run was interrupted, so this is only its first part")
+    if summary.get("stopped"):
+        doubts.append("the run was stopped, so this is only its first part")
+    imbalance = summary.get("energy_imbalance")
+    if imbalance is None:
+        doubts.append("the energy balance is not known")
+    elif abs(imbalance) > IMBALANCE:
+        doubts.append(f"the energy balance is open by {abs(imbalance):.2g} (should be under {IMBALANCE:g})")
+    mismatch = summary.get("dissipation_mismatch") or 0.0
+    if mismatch > DISSIPATION:
+        doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
+    if (summary.get("unbalanced_after_settling") or 0.0) > UNBALANCED:
+        share = summary["unbalanced_after_settling"]
+        doubts.append(
+            f"the dead loads had not come to rest ({share:.2g} of them unbalanced): raise settle.steps, or leave it out"
+        )
+    if (summary.get("force_balance") or 0.0) > IMBALANCE:
+        doubts.append(f"forces and moments add up to {summary['force_balance']:.2g} of the largest, not to 0")
+    if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
+        doubts.append(
+            f"contacts close by up to {overlap:.2g} of a block's size: the normal stiffness is too low for this load"
+        )
+    if (taken := summary.get("mode_2_over_law") or 0.0) > 1.0 + TAKEN:
+        doubts.append(
+            f"a contact took {taken:.3g} times the energy of mode II that its law has: take smaller steps, or look at "
+            "the law where it is your own"
+        )
+    if (slip := summary.get("slip_max") or 0.0) > SLID * (summary.get("slip_limit") or math.inf):
+        doubts.append(f"contacts slid by up to {slip:.2g} of their joints, but keep the areas that they had at first")
+    if summary.get("met"):
+        doubts.append(f"{summary['met']}: nothing holds them apart")
+    doubts += summary.get("warnings") or []
+    released = summary.get("released_over_dissipated") or 0.0
+    if released > RELEASED:
+        doubts.append(
+            f"sudden cracks released {percent(released)} of all energy that was lost: what happened after them "
+            "depends on how the vibration is damped; `masonry sensitivity` shows by how much"
+        )
+    damping = summary.get("damping_over_external") or 0.0
+    if damping < -PUSHED:
+        doubts.append(f"damping added {percent(-damping)} of the work and removed none: ask for a smaller accuracy")
+    control = summary.get("control") or {}
+    if control.get("drag_at_peak", 0.0) > control.get("accuracy", 1.0):
+        doubts.append(
+            f"damping took {percent(control['drag_at_peak'])} of the force at the peak, which may be too high by as"
+            " much: ask for a smaller accuracy"
+        )
+    slow = (
+        ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),
+        ("kinetic_over_internal_max", KINETIC, "kinetic energy reaches {:.2g} of the internal"),
+    )
+    fast = []
+    for key, limit, words in slow:
+        value = summary.get(key)
+        if value is None:
+            doubts.append(f"{key} is not known")
+        elif value > limit:
+            fast.append(f"{words.format(value)} (should be under {limit:g})")
+    if damping > DAMPING:
+        fast.append(f"damping takes {damping:.2g} of the work (should be under {DAMPING:g})")
+    if fast:
+        doubts.append("not quasi-static: " + " and ".join(fast) + "; load more slowly")
+    if not doubts:
+        return (
+            f"{'quasi-static' if has_drive(summary) else 'at rest'} and the energy balance closes: the numbers solve "
+            "this model; whether the model describes the wall depends on the scene's assumptions."
+        )
+    return "with care: " + "; ".join(doubts) + "."
+
+
+def percent(share: float, digits: int = 2) -> str:
+    """A share as a percentage, 0 where it is rounding."""
+    return f"{0.0 if -BELOW_0 < share < ROUNDING else 100 * share:.{digits}g} %"
+
+
+def has_drive(summary: dict[str, Any]) -> bool:
+    """Whether something is driven: so where nothing else is known."""
+    end = (summary.get("reactions") or {}).get("end")
+    return end is None or "drive" in end

@@ -1,0 +1,35 @@
+"""Tables of words: aligned for a terminal, or as HTML for a notebook."""
+
+import textwrap
+from html import escape
+
+from masonry.errors import visible
+
+WIDTH = 110
+
+Rows = list[tuple[str, list[str]]]
+"""A word and its lines, row by row."""
+
+
+def aligned(rows: Rows, wrap: bool = True) -> str:
+    """Two columns: a word, and lines that are wrapped under each other."""
+    rows = [(visible(word), list(map(visible, entries))) for word, entries in rows]
+    margin = max(len(word) for word, _ in rows) + 2
+    lines = []
+    for word, entries in rows:
+        for number, entry in enumerate(entries):
+            head = f"{word if number == 0 else '':<{margin}}"
+            pieces = (textwrap.wrap(entry, WIDTH - margin) if wrap and len(entry) > WIDTH - margin else [entry]) or [""]
+            lines.append(head + pieces[0])
+            lines += [" " * margin + piece for piece in pieces[1:]]
+    return "\n".join(lines)
+
+
+def html_table(title: str, rows: Rows) -> str:
+    """A title, and a word with its lines in each row; everything escaped."""
+    body = "".join(
+        f'<tr><th style="text-align:left">{escape(word)}</th>'
+        f'<td style="text-align:left">{"<br>".join(map(escape, lines))}</td></tr>'
+        for word, lines in rows
+    )
+    return f"<table><caption>{escape(title)}</caption><tbody>{body}</tbody></table>"

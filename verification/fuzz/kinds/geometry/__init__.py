@@ -1,0 +1,1 @@
+"""Files of blocks, meshes and CAD."""

@@ -1,0 +1,1 @@
+"""Scenes, results, checkpoints, sweeps and words on the command line."""
