@@ -10,7 +10,7 @@ from verification.outcome import Outcome, judge
 
 EXPECTED = (SceneError, GeometryError, Stopped, MemoryError)
 """Errors that say themselves what is wrong; of any other one the place in the code is told as well."""
-Answer = tuple[Findings, str, str, float]
+StressUpdate = tuple[Findings, str, str, float]
 """Findings, status, reason and seconds: an outcome but for its case."""
 
 
@@ -19,7 +19,7 @@ def run_case(case: Case) -> Outcome:
     return Outcome(case, *answer(case))
 
 
-def answer(case: Case) -> Answer:
+def answer(case: Case) -> StressUpdate:
     """What a process that runs the case sends back: the case itself stays where it is."""
     begun = time.perf_counter()
     findings = Findings()

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, Stopped
-from masonry.runtime.interrupts import Asked, listening
+from masonry.runtime.interrupts import Interrupts, interruptible
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, STOPPED, complain
 
@@ -22,7 +22,7 @@ def run(words: argparse.Namespace) -> int:
     from masonry.timeloop.checkpoint import Checkpoints
 
     every = _every(words.checkpoint_every, EVERY)
-    with listening() as asked:
+    with interruptible() as asked:
         loaded = scene.load(words.scene, words.overrides)
         with claimed(words.scene, words.out, overwrite=words.overwrite) as out:
             kept = Checkpoints(out)
@@ -46,7 +46,7 @@ def resume(words: argparse.Namespace) -> int:
     kept = Checkpoints(words.folder)
     if not kept.scene.is_file():
         return _nothing_to_resume(words.folder)
-    with listening() as asked, sole(words.folder, "resumes the run in it"):
+    with interruptible() as asked, sole(words.folder, "resumes the run in it"):
         if not kept.scene.is_file():  # done by another process meanwhile
             return _nothing_to_resume(words.folder)
         kept.sweep_up()
@@ -64,16 +64,16 @@ def resume(words: argparse.Namespace) -> int:
 class _Run:
     """One run of a scene into a folder that this process holds."""
 
-    def __init__(self, scene: Any, kept: Any, threads: int, every: float, asked: Asked, quiet: bool) -> None:
+    def __init__(self, scene: Any, kept: Any, threads: int, every: float, asked: Interrupts, quiet: bool) -> None:
         from masonry.laboratory.provenance import origin_of
         from masonry.scene import to_toml
-        from masonry.timeloop.checkpointer import Keeper
+        from masonry.timeloop.checkpointer import Checkpointer
 
         self.scene, self.kept, self.threads, self.asked, self.quiet = scene, kept, threads, asked, quiet
         self.new = True
         self.out: Path = kept.results
         self.origin = origin_of(to_toml(scene))
-        self.keeper = Keeper(kept if math.isfinite(every) else None, self.origin, every, asked, _tell)
+        self.keeper = Checkpointer(kept if math.isfinite(every) else None, self.origin, every, asked, _tell)
 
     def find_checkpoint(self) -> None:
         """Have the keeper go on from the newest checkpoint that is whole, if the run got to one."""

@@ -6,9 +6,9 @@ from numba import prange
 from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit, jit_parallel
-from masonry.laws.mechanism import evolve, quiet, stored
-from masonry.laws.state import Memory
-from masonry.simd import below, eight, gather, local, or_zero, put_rows, put_where, some, take, unless, width_of
+from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
+from masonry.laws.state import ContactHistory
+from masonry.simd import any_lane, below, eight, gather, local, or_zero, put_rows, put_where, take, unless, width_of
 
 
 @register_jitable
@@ -43,15 +43,15 @@ def _sweep(
         pz = or_zero(take(slip, (c, 2), like), like)
         tx, ty, tz = ks * (sx - px), ks * (sy - py), ks * (sz - pz)
         tau_squared = tx * tx + ty * ty + tz * tz
-        memory = Memory(
+        memory = ContactHistory(
             take(opening_max, c, like), take(intact_n, c, like), take(intact_s, c, like), take(secant, c, like),
             take(uplift, c, like), take(gap, c, like), take(run, c, like),
         )  # fmt: skip
         form, joint = local(shape, c - first, like), local(interface, c - first, like)
-        sigma, unchanged = quiet(form, joint, memory, opening, tau_squared)
-        if some(unless(own, unchanged)):
+        sigma, unchanged = elastic_trial(form, joint, memory, opening, tau_squared)
+        if any_lane(unless(own, unchanged)):
             total = sqrt(sx * sx + sy * sy + sz * sz)
-            answer = evolve(form, joint, memory, opening, total, sqrt(tau_squared))
+            answer = return_mapping(form, joint, memory, opening, total, sqrt(tau_squared))
             put_where(own, opening_max, c, answer.memory.opening_max)
             put_where(own, intact_n, c, answer.memory.intact_n)
             put_where(own, intact_s, c, answer.memory.intact_s)
@@ -109,12 +109,12 @@ def observe(shape, interface, state, first, last, sides, normal, area, u, force,
         py = or_zero(take(state.slip, (c, 1), 0.0), 0.0)
         pz = or_zero(take(state.slip, (c, 2), 0.0), 0.0)
         tau_squared = ks * ks * ((sx - px) ** 2 + (sy - py) ** 2 + (sz - pz) ** 2)
-        memory = Memory(
+        memory = ContactHistory(
             take(state.opening_max, c, 0.0), take(state.intact_n, c, 0.0), take(state.intact_s, c, 0.0),
             take(state.secant, c, 0.0), take(state.uplift, c, 0.0), take(state.gap, c, 0.0), take(state.run, c, 0.0),
         )  # fmt: skip
         form, joint = local(shape, c - first, 0.0), local(interface, c - first, 0.0)
-        energy += area[c] * stored(form, joint, memory, opening, tau_squared)
+        energy += area[c] * stored_energy(form, joint, memory, opening, tau_squared)
         sigma = (force[c, 0] * nx + force[c, 1] * ny + force[c, 2] * nz) / area[c]
         fx, fy, fz = force[c, 0] / area[c], force[c, 1] / area[c], force[c, 2] / area[c]
         seen[c, 0] = opening

@@ -5,7 +5,7 @@ from typing import NamedTuple
 from numba import types
 from numba.extending import overload, register_jitable
 
-from masonry.simd import choose, filled, put, take, total
+from masonry.simd import filled, put, take, total, where
 
 
 class Guided(NamedTuple):
@@ -37,7 +37,7 @@ def resist(damping, pace, force, velocity, now, before):
 def _local(xi, force, velocity):
     """sign(0) = 0: with the printed sgn(0) = +1 a body at rest would answer +F and -F differently (errata)."""
     size = xi * abs(force)
-    return choose(velocity > 0.0, -size, choose(velocity < 0.0, size, filled(0.0, size)))
+    return where(velocity > 0.0, -size, where(velocity < 0.0, size, filled(0.0, size)))
 
 
 @register_jitable
@@ -94,8 +94,8 @@ def book(done, held, half_step_move, contact, hold, load):
     by_hold = hold * half_step_move
     return (
         done[0] + contact * half_step_move,
-        done[1] + choose(held, 0.0, by_hold),
-        done[2] + choose(held, by_hold, 0.0) + load * half_step_move,
+        done[1] + where(held, 0.0, by_hold),
+        done[2] + where(held, by_hold, 0.0) + load * half_step_move,
     )
 
 
@@ -115,7 +115,7 @@ def advance(body, at, contact, inner, dt, damping, clock, done):
         share_of(body.guess, at, contact, clock[3]),
     )
     held = pace == 0.0
-    hold = choose(held, -sum_of_forces, resist(damping, pace, sum_of_forces, velocity, now, before))
+    hold = where(held, -sum_of_forces, resist(damping, pace, sum_of_forces, velocity, now, before))
     contacts = contact + take(body.contact, at, contact)
     holds = hold + take(body.hold, at, contact)
     loads = load + dead_load(body, at, contact, clock[1])
@@ -129,7 +129,7 @@ def advance(body, at, contact, inner, dt, damping, clock, done):
 @register_jitable
 def at_rest_or(velocity):
     """Velocities that damping has brought below 1e-100 m/s are rest: denormal numbers would slow the step tenfold."""
-    return choose(abs(velocity) < 1e-100, filled(0.0, velocity), velocity)
+    return where(abs(velocity) < 1e-100, filled(0.0, velocity), velocity)
 
 
 @register_jitable

@@ -20,7 +20,7 @@ from masonry.results.joint_resultants import resultants
 from masonry.scene import Scene, to_toml
 from masonry.scene.schema import INVENTED
 from masonry.timeloop import timeloop
-from masonry.timeloop.checkpointer import Keeper
+from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.recording import Outcome
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 Progress = Callable[[int, int, str], None]
 
 
-def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper: Keeper | None = None) -> Result:
+def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper: Checkpointer | None = None) -> Result:
     """Run a scene to its end; `progress(step, steps, note)` is called between chunks.
 
     Raises SceneError or GeometryError before anything is computed, Stopped (with `.result`, the rows up to the last

@@ -10,8 +10,8 @@ from masonry.assembly.schedule import FEWEST, plan_of
 from masonry.errors import Stopped
 from masonry.history import UNITS, History
 from masonry.loading.dispatch import pace_of
-from masonry.loading.scheduled import FixedPace
-from masonry.loading.varying_loads import VaryingPace
+from masonry.loading.scheduled import ScheduledLoading
+from masonry.loading.varying_loads import VaryingLoading
 from masonry.model.loads import Controlled, Program
 from masonry.scene import Scene
 from masonry.scene.tables.loading import Settle
@@ -82,7 +82,11 @@ class _Trial:
         pace_of(model, plan, ROWS)  # a drive to an accuracy brings its own damping
         alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0)
         varying = None if isinstance(plan, Controlled) else plan.varying
-        pace = FixedPace(alone, ROWS) if varying is None else VaryingPace(model, alone, varying[:, : steps + 1], ROWS)
+        pace = (
+            ScheduledLoading(alone, ROWS)
+            if varying is None
+            else VaryingLoading(model, alone, varying[:, : steps + 1], ROWS)
+        )
         self.outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
         self.looks: list[float] = []
         self.loop = Loop(model, pace, steps, replace(assembly.recording, frames=1), threads, self.outcome)

@@ -12,7 +12,7 @@ from inspect import signature
 from numba.extending import overload, register_jitable
 
 from masonry.laws.fitting import fitting
-from masonry.simd import choose, filled, some
+from masonry.simd import any_lane, filled, where
 
 DOUBLINGS, HALVINGS = 30, 60
 """Looks at a curve for a slip, from a micrometre to a kilometre."""
@@ -66,13 +66,13 @@ def after(shape, interface, intact, slip, peak, residual, compression):
     low, high = filled(0.0, intact), filled(1e-6, intact)
     for _ in range(DOUBLINGS):
         leaves = shear_curve(shape, interface, high, peak, residual, compression) >= intact
-        if not some(leaves):
+        if not any_lane(leaves):
             break
-        low, high = choose(leaves, high, low), choose(leaves, 2.0 * high, high)
+        low, high = where(leaves, high, low), where(leaves, 2.0 * high, high)
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         leaves = shear_curve(shape, interface, middle, peak, residual, compression) >= intact
-        low, high = choose(leaves, middle, low), choose(leaves, high, middle)
+        low, high = where(leaves, middle, low), where(leaves, high, middle)
     return shear_curve(shape, interface, low + slip, peak, residual, compression)
 
 

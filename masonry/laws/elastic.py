@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from masonry.laws.state import Answer
+from masonry.laws.state import StressUpdate
 
 
 class Elastic(NamedTuple):
@@ -14,17 +14,17 @@ class Elastic(NamedTuple):
 PARAMETERS: dict[str, str] = {}
 
 
-def quiet(shape, interface, memory, opening, tau_squared):
+def elastic_trial(shape, interface, memory, opening, tau_squared):
     """Eq. (5); there is no history to change."""
     return interface.normal_stiffness * opening, True
 
 
-def evolve(shape, interface, memory, opening, total, tau):
+def return_mapping(shape, interface, memory, opening, total, tau):
     """Never needed; the elastic answer."""
-    return Answer(interface.normal_stiffness * opening, 1.0, memory, 0.0, 0.0, 0.0)
+    return StressUpdate(interface.normal_stiffness * opening, 1.0, memory, 0.0, 0.0, 0.0)
 
 
-def stored(shape, interface, memory, opening, tau_squared):
+def stored_energy(shape, interface, memory, opening, tau_squared):
     """All of it is recoverable; without shear stiffness (a frictionless glue) there is no shear to store."""
     normal = 0.5 * interface.normal_stiffness * opening * opening
     if interface.shear_stiffness == 0.0:

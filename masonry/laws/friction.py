@@ -7,8 +7,8 @@ has slid: this is what pictures show of it.
 
 from typing import NamedTuple
 
-from masonry.laws.state import Answer, Memory
-from masonry.simd import choose, filled, larger, smaller, some
+from masonry.laws.state import ContactHistory, StressUpdate
+from masonry.simd import any_lane, filled, maximum, minimum, where
 
 
 class Friction(NamedTuple):
@@ -36,32 +36,32 @@ def shear_intact(shape, interface, intact, slip, peak, residual, compression):
     return shape.left
 
 
-def quiet(shape, interface, memory, opening, tau_squared):
+def elastic_trial(shape, interface, memory, opening, tau_squared):
     """Eq. (5) in compression; the answer stands where the contact neither slides nor opens further."""
-    sigma = interface.normal_stiffness * smaller(opening, 0.0)
+    sigma = interface.normal_stiffness * minimum(opening, 0.0)
     most = interface.tan_friction * sigma
     return sigma, (tau_squared <= most * most) & (opening <= memory.opening_max)
 
 
-def evolve(shape, interface, memory, opening, total, tau):
+def return_mapping(shape, interface, memory, opening, total, tau):
     """Return to the Coulomb line, eq. (8); what lies beyond it becomes slip, and its work friction."""
-    sigma = interface.normal_stiffness * smaller(opening, 0.0)
-    yielded = smaller(tau, -interface.tan_friction * sigma)
+    sigma = interface.normal_stiffness * minimum(opening, 0.0)
+    yielded = minimum(tau, -interface.tan_friction * sigma)
     slides, opens = tau > yielded, opening > memory.opening_max
-    now = Memory(
-        larger(opening, memory.opening_max),
-        choose(opens, 0.0, memory.intact_n),
-        choose(slides, 0.0, memory.intact_s),
+    now = ContactHistory(
+        maximum(opening, memory.opening_max),
+        where(opens, 0.0, memory.intact_n),
+        where(slides, 0.0, memory.intact_s),
         *(memory.secant, memory.uplift, memory.gap, memory.run),
     )
     nothing = filled(0.0, tau)
-    if not some(slides):
-        return Answer(sigma, filled(1.0, tau), now, nothing, nothing, nothing)
+    if not any_lane(slides):
+        return StressUpdate(sigma, filled(1.0, tau), now, nothing, nothing, nothing)
     friction = yielded * (tau - yielded) / interface.shear_stiffness
-    return Answer(sigma, choose(slides, yielded / tau, 1.0), now, nothing, nothing, friction)
+    return StressUpdate(sigma, where(slides, yielded / tau, 1.0), now, nothing, nothing, friction)
 
 
-def stored(shape, interface, memory, opening, tau_squared):
+def stored_energy(shape, interface, memory, opening, tau_squared):
     """What the springs hold."""
-    normal = interface.normal_stiffness * smaller(opening, 0.0)
+    normal = interface.normal_stiffness * minimum(opening, 0.0)
     return 0.5 * (normal * opening + tau_squared / interface.shear_stiffness)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 from numba.extending import register_jitable
 
 from masonry.laws.snap_back import Refusal, lost_in_shear, refuse_in_shear
-from masonry.simd import choose, filled, larger
+from masonry.simd import filled, maximum, where
 
 
 class Linear(NamedTuple):
@@ -47,7 +47,7 @@ def tension_intact(shape, interface, opening):
     fT = interface.tensile_strength
     un0 = fT / interface.normal_stiffness
     uf = 2.0 * shape.G_I / fT
-    return larger((uf - opening) / (uf - un0), 0.0)
+    return maximum((uf - opening) / (uf - un0), 0.0)
 
 
 def tension_area(shape, interface, opening, intact):
@@ -66,7 +66,7 @@ def shear_intact(shape, interface, intact, slip, peak, residual, compression):
     width = 2.0 * mode_2_energy(shape.G_II, shape.G_II_slope, compression) / (peak - residual)
     if interface.plastic_softening is None:
         width -= (peak - residual) / interface.shear_stiffness
-    return choose(width * intact <= slip, 0.0, intact - slip / width)
+    return where(width * intact <= slip, 0.0, intact - slip / width)
 
 
 @register_jitable

@@ -10,31 +10,31 @@ def _of(shape_class: type, name: str):
     return beside(shape_class, name, getattr(softening, name))
 
 
-def quiet(shape, interface, memory, opening, tau_squared):
+def elastic_trial(shape, interface, memory, opening, tau_squared):
     """(sigma in Pa, True if the history does not change) under an opening (m) and elastic shear stress^2 (Pa2)."""
-    return _of(type(shape), "quiet")(shape, interface, memory, opening, tau_squared)
+    return _of(type(shape), "elastic_trial")(shape, interface, memory, opening, tau_squared)
 
 
-def evolve(shape, interface, memory, opening, total, tau):
+def return_mapping(shape, interface, memory, opening, total, tau):
     """Answer of a contact whose history changes; total slip (m), elastic shear stress before any return (Pa)."""
-    return _of(type(shape), "evolve")(shape, interface, memory, opening, total, tau)
+    return _of(type(shape), "return_mapping")(shape, interface, memory, opening, total, tau)
 
 
-def stored(shape, interface, memory, opening, tau_squared):
+def stored_energy(shape, interface, memory, opening, tau_squared):
     """Recoverable energy per area (J/m2), from the state alone."""
-    return _of(type(shape), "stored")(shape, interface, memory, opening, tau_squared)
+    return _of(type(shape), "stored_energy")(shape, interface, memory, opening, tau_squared)
 
 
-@overload(quiet)
+@overload(elastic_trial)
 def _quiet(shape, interface, memory, opening, tau_squared):
-    return _of(shape.instance_class, "quiet")
+    return _of(shape.instance_class, "elastic_trial")
 
 
-@overload(evolve)
+@overload(return_mapping)
 def _evolve(shape, interface, memory, opening, total, tau):
-    return _of(shape.instance_class, "evolve")
+    return _of(shape.instance_class, "return_mapping")
 
 
-@overload(stored)
+@overload(stored_energy)
 def _stored(shape, interface, memory, opening, tau_squared):
-    return _of(shape.instance_class, "stored")
+    return _of(shape.instance_class, "stored_energy")

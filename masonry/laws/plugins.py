@@ -24,9 +24,9 @@ CURVES = {
 BY_TOTAL_SLIP = tuple(word for word in CURVES["shear_intact"] if word != "intact")
 """What `shear_intact` may be given as well, by a law that knows its curve alone: see `door.after`."""
 MECHANISM = {
-    "quiet": ("shape", "interface", "memory", "opening", "tau_squared"),
-    "evolve": ("shape", "interface", "memory", "opening", "total", "tau"),
-    "stored": ("shape", "interface", "memory", "opening", "tau_squared"),
+    "elastic_trial": ("shape", "interface", "memory", "opening", "tau_squared"),
+    "return_mapping": ("shape", "interface", "memory", "opening", "total", "tau"),
+    "stored_energy": ("shape", "interface", "memory", "opening", "tau_squared"),
 }
 LEAST_ENERGY = ("shape", "interface", "compression", "intact")
 """The functions of a law and of a mechanism of its own, by the names of what they are given."""

@@ -9,15 +9,15 @@ from math import inf
 from numba.extending import register_jitable
 
 from masonry.laws.dispatch import shear_intact, tension_area, tension_intact
-from masonry.laws.state import Answer, Memory, grown
-from masonry.simd import choose, filled, larger, or_zero, smaller, some
+from masonry.laws.state import ContactHistory, StressUpdate, grown
+from masonry.simd import any_lane, filled, maximum, minimum, or_zero, where
 
 SECANTS, LEAST_SLOPE, ROUNDS = 4, 1e-3, 2
 """Looks at a curve over the plastic slip in a step, and how near to a snap-back the secants still go by it; looks at
 what dilation and softening by the total slip make of each other."""
 
 
-def quiet(shape, interface, memory, opening, tau_squared):
+def elastic_trial(shape, interface, memory, opening, tau_squared):
     """(sigma, whether the elastic answer stands): the contact neither opens further, nor tears, nor slips."""
     e = opening - or_zero(memory.uplift, opening)
     sigma = normal_stress(interface, memory, e)
@@ -26,34 +26,34 @@ def quiet(shape, interface, memory, opening, tau_squared):
     return sigma, within & (e <= memory.opening_max)
 
 
-def evolve(shape, interface, memory, opening, total, tau):
+def return_mapping(shape, interface, memory, opening, total, tau):
     """Follow the envelope in tension, then return to the Coulomb line: the stress update after eq. (6) of the paper."""
     e = opening - or_zero(memory.uplift, opening)
     torn, mode_1 = tear(shape, interface, memory, e)
     sigma = normal_stress(interface, torn, e)
     peak, residual = coulomb(interface, torn, e, sigma)
     slides = tau > left_of(interface, torn, torn.intact_s, peak, residual)
-    if not some(slides):
-        return Answer(sigma, filled(1.0, e), torn, mode_1, filled(0.0, e), filled(0.0, e))
+    if not any_lane(slides):
+        return StressUpdate(sigma, filled(1.0, e), torn, mode_1, filled(0.0, e), filled(0.0, e))
 
     slip = softening_slip(interface.plastic_softening, shape, interface, torn, e, sigma, tau, peak, residual)
-    whole = choose(slides, softened(shape, interface, torn, slip, peak, residual, sigma), torn.intact_s)
+    whole = where(slides, softened(shape, interface, torn, slip, peak, residual, sigma), torn.intact_s)
     mode_1 += 0.5 * secant_energy(interface, torn, e) * (torn.intact_s - whole)
-    started = smaller(tau, strength(interface, memory, e, sigma))
+    started = minimum(tau, strength(interface, memory, e, sigma))
     rise, peak, last = pressed(interface, torn, e, tau, whole, peak, residual)
-    yielded = choose(slides, left_of(interface, torn, whole, peak, last), tau)
-    slipped, rise = (tau - yielded) / interface.shear_stiffness, choose(slides, rise, 0.0)
+    yielded = where(slides, left_of(interface, torn, whole, peak, last), tau)
+    slipped, rise = (tau - yielded) / interface.shear_stiffness, where(slides, rise, 0.0)
     lift_now, run_now = grown(torn.uplift, rise), grown(torn.run, slipped)
     slid = remember(interface, torn.opening_max, torn.intact_n, whole, lift_now, torn.gap, run_now)
     lifted = normal_stress(interface, slid, e - rise)
     parted, energy = stay_open(slid.gap, interface, slid, e - rise, lifted)
     mode_2 = slipped * 0.5 * (started - residual + yielded - last)
     friction = slipped * 0.5 * (residual + last) + 0.5 * (normal_stress(interface, slid, e) + lifted) * rise
-    share = choose(slides, yielded / tau, 1.0)
-    return Answer(normal_stress(interface, parted, e - rise), share, parted, mode_1 + energy, mode_2, friction)
+    share = where(slides, yielded / tau, 1.0)
+    return StressUpdate(normal_stress(interface, parted, e - rise), share, parted, mode_1 + energy, mode_2, friction)
 
 
-def stored(shape, interface, memory, opening, tau_squared):
+def stored_energy(shape, interface, memory, opening, tau_squared):
     """Recoverable energy per area (J/m2): normal (secant or elastic) and shear."""
     e = opening - or_zero(memory.uplift, opening)
     return 0.5 * (
@@ -66,15 +66,15 @@ def tear(shape, interface, memory, e):
     """The history after an opening e, and the energy of mode I (J/m2) that it cost."""
     held = shared(interface.combined, memory.intact_s) * memory.intact_n * interface.tensile_strength
     opens = e > memory.opening_max
-    if not some(opens):
+    if not any_lane(opens):
         return stay_open(memory.gap, interface, memory, e, held)
-    widest, left = choose(opens, e, memory.opening_max), choose(opens, 0.0, memory.intact_n)
-    if some(interface.tensile_strength > 0.0):
-        left = smaller(memory.intact_n, choose(opens, tension_intact(shape, interface, widest), memory.intact_n))
+    widest, left = where(opens, e, memory.opening_max), where(opens, 0.0, memory.intact_n)
+    if any_lane(interface.tensile_strength > 0.0):
+        left = minimum(memory.intact_n, where(opens, tension_intact(shape, interface, widest), memory.intact_n))
     torn = remember(interface, widest, left, memory.intact_s, memory.uplift, memory.gap, memory.run)
     torn, energy = stay_open(memory.gap, interface, torn, e, held)
-    if some(interface.tensile_strength > 0.0):
-        energy += choose(opens, envelope_energy(memory.gap, shape, interface, memory, widest, left), 0.0)
+    if any_lane(interface.tensile_strength > 0.0):
+        energy += where(opens, envelope_energy(memory.gap, shape, interface, memory, widest, left), 0.0)
     return torn, energy
 
 
@@ -93,7 +93,7 @@ def envelope_energy(gap, shape, interface, memory, e, left):
 def remember(interface, opening_max, intact_n, intact_s, uplift, gap, run):
     """A history with the secant that follows from it."""
     secant = secant_of(gap, interface, opening_max, shared(interface.combined, intact_s) * intact_n)
-    return Memory(opening_max, intact_n, intact_s, secant, uplift, gap, run)
+    return ContactHistory(opening_max, intact_n, intact_s, secant, uplift, gap, run)
 
 
 @register_jitable
@@ -101,7 +101,7 @@ def secant_of(gap, interface, opening_max, intact):
     """Stiffness in tension below the largest opening; a share lost in shear no longer carries tension either."""
     if gap is not None:
         return filled(0.0, opening_max)
-    return choose(opening_max > 0.0, intact * interface.tensile_strength / opening_max, 0.0)
+    return where(opening_max > 0.0, intact * interface.tensile_strength / opening_max, 0.0)
 
 
 @register_jitable
@@ -115,10 +115,10 @@ def stay_open(gap, interface, memory, e, held):
     kn = interface.normal_stiffness
     sigma = kn * (e - gap)
     limit = shared(interface.combined, memory.intact_s) * memory.intact_n * interface.tensile_strength
-    parted = choose(sigma > limit, (sigma - limit) / kn, 0.0)
-    energy = 0.5 * (smaller(sigma, held) + limit) * parted
+    parted = where(sigma > limit, (sigma - limit) / kn, 0.0)
+    energy = 0.5 * (minimum(sigma, held) + limit) * parted
     gap, old = gap + parted, memory
-    return Memory(old.opening_max, old.intact_n, old.intact_s, old.secant, old.uplift, gap, old.run), energy
+    return ContactHistory(old.opening_max, old.intact_n, old.intact_s, old.secant, old.uplift, gap, old.run), energy
 
 
 @register_jitable
@@ -146,7 +146,7 @@ def unload(gap, interface, memory, e):
     """Elastic, or along the secant."""
     if gap is not None:
         return interface.normal_stiffness * (e - gap)
-    return e * choose(e > 0.0, memory.secant, interface.normal_stiffness)
+    return e * where(e > 0.0, memory.secant, interface.normal_stiffness)
 
 
 @register_jitable
@@ -155,10 +155,10 @@ def coulomb(interface, memory, e, sigma):
 
     The residual cohesion acts between faces that touch: torn faces lose it as they open, and find it again on closing.
     """
-    peak = larger(interface.cohesion - sigma * interface.tan_friction, 0.0)
+    peak = maximum(interface.cohesion - sigma * interface.tan_friction, 0.0)
     c_res = residual_cohesion(interface, memory, e)
-    residual = larger(c_res - sigma * interface.tan_residual_friction, 0.0)
-    return larger(peak, residual), residual
+    residual = maximum(c_res - sigma * interface.tan_residual_friction, 0.0)
+    return maximum(peak, residual), residual
 
 
 @register_jitable
@@ -168,10 +168,10 @@ def residual_cohesion(interface, memory, e):
     if interface.residual_cohesion == 0.0:
         return c_res
     stands_open = (e > 0.0) & (memory.intact_n < 1.0)
-    if not some(stands_open):
+    if not any_lane(stands_open):
         return c_res
-    lost = (1.0 - shared(interface.combined, memory.intact_n)) * smaller(e / memory.opening_max, 1.0)
-    return choose(stands_open, c_res * (1.0 - lost), c_res)
+    lost = (1.0 - shared(interface.combined, memory.intact_n)) * minimum(e / memory.opening_max, 1.0)
+    return where(stands_open, c_res * (1.0 - lost), c_res)
 
 
 @register_jitable
@@ -198,8 +198,8 @@ def shared(combined, intact):
 @register_jitable
 def softened(shape, interface, memory, slip, peak, residual, sigma):
     """Share of the shear strength above the residual that is left after a slip (m) of this step; it only falls."""
-    left = shear_intact(shape, interface, memory.intact_s, slip, peak, residual, larger(-sigma, 0.0))
-    return choose((slip > 0.0) & (peak > residual), smaller(memory.intact_s, left), memory.intact_s)
+    left = shear_intact(shape, interface, memory.intact_s, slip, peak, residual, maximum(-sigma, 0.0))
+    return where((slip > 0.0) & (peak > residual), minimum(memory.intact_s, left), memory.intact_s)
 
 
 @register_jitable
@@ -219,13 +219,13 @@ def total_slip(tan_dilation, shape, interface, memory, e, sigma, tau, peak, resi
     under the new stress.
     """
     ks, whole = interface.shear_stiffness, memory.intact_s
-    slip = larger(tau - left_of(interface, memory, whole, peak, residual), 0.0) / ks
+    slip = maximum(tau - left_of(interface, memory, whole, peak, residual), 0.0) / ks
     if tan_dilation is None:
         return slip
     for _ in range(ROUNDS):
         left = softened(shape, interface, memory, slip, peak, residual, sigma)
         _, top, last = pressed(interface, memory, e, tau, left, peak, residual)
-        slip = larger(tau - left_of(interface, memory, whole, top, last), 0.0) / ks
+        slip = maximum(tau - left_of(interface, memory, whole, top, last), 0.0) / ks
     return slip
 
 
@@ -236,23 +236,23 @@ def plastic_slip(shape, interface, memory, e, sigma, tau, peak, residual):
     Solved by secants, exactly where the strength falls along a line. Taken from before the step, it would lag behind.
     """
     ks = interface.shear_stiffness
-    most = larger(tau - residual, 0.0) / ks
+    most = maximum(tau - residual, 0.0) / ks
     before, slip = filled(0.0, tau), filled(0.0, tau)
     wanted = filled(0.0, tau)
     for _ in range(SECANTS):
         left = softened(shape, interface, memory, slip, peak, residual, sigma)
         _, top, last = pressed(interface, memory, e, tau, left, peak, residual)
-        wanted, was = larger(tau - left_of(interface, memory, left, top, last), 0.0) / ks, wanted
+        wanted, was = maximum(tau - left_of(interface, memory, left, top, last), 0.0) / ks, wanted
         way = slip - before
-        rise = choose(abs(way) > 0.0, (wanted - was) / way, 0.0)
-        before, slip = slip, smaller(slip + (wanted - slip) / larger(1.0 - rise, LEAST_SLOPE), most)
+        rise = where(abs(way) > 0.0, (wanted - was) / way, 0.0)
+        before, slip = slip, minimum(slip + (wanted - slip) / maximum(1.0 - rise, LEAST_SLOPE), most)
     return slip
 
 
 @register_jitable
 def pressed(interface, memory, e, tau, whole, peak, residual):
     """Rise (m) by dilation of a contact that slides and keeps a share `whole`; peak and residual (Pa) under it."""
-    excess = larger(tau - left_of(interface, memory, whole, peak, residual), 0.0)
+    excess = maximum(tau - left_of(interface, memory, whole, peak, residual), 0.0)
     rise = dilation(interface.tan_dilation, interface, memory, e, excess, whole)
     top, last = cone_after(interface.tan_dilation, interface, memory, e - rise, peak, residual)
     return rise, top, last
@@ -264,7 +264,7 @@ def secant_energy(interface, memory, e):
     if interface.combined is None:
         return filled(0.0, e)
     held = memory.intact_n * interface.tensile_strength * e * e / memory.opening_max
-    return on_secant(memory.gap, choose(e > 0.0, held, 0.0))
+    return on_secant(memory.gap, where(e > 0.0, held, 0.0))
 
 
 @register_jitable
@@ -283,12 +283,12 @@ def dilation(tan_dilation, interface, memory, e, excess, whole):
     """
     if tan_dilation is None:
         return filled(0.0, e)
-    room = larger(interface.dilation_cutoff - memory.run, 0.0)
-    room = choose((e > 0.0) & (memory.intact_n < 1.0), 0.0, room)
+    room = maximum(interface.dilation_cutoff - memory.run, 0.0)
+    room = where((e > 0.0) & (memory.intact_n < 1.0), 0.0, room)
     tan_res = interface.tan_residual_friction
     slope = tan_res + whole * shared(interface.combined, memory.intact_n) * (interface.tan_friction - tan_res)
     slipped = excess / (interface.shear_stiffness + slope * interface.normal_stiffness * tan_dilation)
-    return tan_dilation * smaller(slipped, room)
+    return tan_dilation * minimum(slipped, room)
 
 
 @register_jitable

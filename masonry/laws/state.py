@@ -39,7 +39,7 @@ class ContactState(NamedTuple):
     run: Any = None
 
 
-class Memory(NamedTuple):
+class ContactHistory(NamedTuple):
     """The history of one contact point, in numbers; units as in ContactState."""
 
     opening_max: Any
@@ -51,7 +51,7 @@ class Memory(NamedTuple):
     run: Any
 
 
-class Answer(NamedTuple):
+class StressUpdate(NamedTuple):
     """How a contact answers when its history changes.
 
     sigma      Pa
@@ -62,7 +62,7 @@ class Answer(NamedTuple):
 
     sigma: float
     share: float
-    memory: Memory
+    memory: ContactHistory
     mode_1: float
     mode_2: float
     friction: float

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from masonry.loading.predictor import Guide
-from masonry.loading.scheduled import Chunk, FixedPace
+from masonry.loading.predictor import Predictor
+from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.model.loads import Controlled, Program, smooth
 from masonry.model.model import Model
 from masonry.monitors.events import PARTED, Events
@@ -71,7 +71,7 @@ REMEMBERED = (
 """Numbers of a paced drive that the next increment depends on."""
 
 
-class ControlledPace:
+class AdaptiveLoading:
     """Smooth increments of the drive, as large as the accuracy allows.
 
     Between two increments the speed changes by a quintic. How fast it becomes follows from what the last increment
@@ -81,9 +81,9 @@ class ControlledPace:
     slower = SLOWER
 
     def __init__(self, model: Model, plan: Controlled, rows: int) -> None:
-        self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Guide(model)
+        self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Predictor(model)
         still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0)
-        self.settling = FixedPace(still, max(1, rows // SETTLING))
+        self.settling = ScheduledLoading(still, max(1, rows // SETTLING))
         self.goal = abs(plan.displacement)
         self.sign = -1.0 if plan.displacement < 0 else 1.0
         self.unit = min(plan.accuracy, FINE * (plan.accuracy / FINE) ** BLUNT)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.loading.adaptive import COARSEST, FEW, FINEST, FIRST, STEPS, ControlledPace
+from masonry.loading.adaptive import COARSEST, FEW, FINEST, FIRST, STEPS, AdaptiveLoading
 from masonry.loading.schedule import Cyclic
 from masonry.model.loads import Controlled
 from masonry.model.model import Model
@@ -18,7 +18,7 @@ LEG = ("goal", "sign", "slowest", "leg", "passed", "farthest", "begin", "end", "
 """What changes from increment to increment: besides what any paced drive remembers."""
 
 
-class CyclicPace(ControlledPace):
+class CyclicLoading(AdaptiveLoading):
     """Increments as those of a drive that goes one way, leg by leg, with a stop at the end of each.
 
     What is measured against the way or the force of the test there is measured against the largest so far here: the

@@ -20,7 +20,7 @@ LEAST, MOST = 0.01, 0.3
 """Bounds of the share c dt / 2."""
 
 
-class Guide:
+class Predictor:
     """Learns the field from increment to increment, and sets the viscosity of the model's damping.
 
     kinetic  energy (J) of the expected motion at the last increment's end

@@ -30,7 +30,7 @@ class Chunk:
         return len(self.speed) - 1
 
 
-class FixedPace:
+class ScheduledLoading:
     """The chunks of a program, with a row every so many steps, and after each step that the program marks."""
 
     def __init__(self, program: Program, rows: int, rest: Rest | None = None) -> None:

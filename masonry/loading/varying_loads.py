@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.loading.scheduled import Chunk, FixedPace
+from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.model.loads import Program
 from masonry.model.model import Model
 
@@ -29,7 +29,7 @@ def knots(shares: np.ndarray, settle: int) -> np.ndarray:
         at = np.union1d(at, (at[:-1] + at[1:])[bent] // 2)
 
 
-class VaryingPace(FixedPace):
+class VaryingLoading(ScheduledLoading):
     """A fixed program in which the loads pass from their shares at the start of a chunk to those at its end.
 
     Within a chunk each load changes in proportion to the steps, so the step itself needs no more than the loads at the

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from masonry.laws.mechanism import evolve, quiet, stored
-from masonry.laws.state import TOUCHING, Interface, Memory
+from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
+from masonry.laws.state import TOUCHING, ContactHistory, Interface
 
 
 class Path(NamedTuple):
@@ -43,15 +43,15 @@ def _follow(shape: Any, interface: Interface, opening: np.ndarray, slip: np.ndar
     rows = np.empty((len(opening), 5))
     for k, (e, s) in enumerate(zip(opening, slip, strict=True)):
         tau = ks * (s - plastic)
-        sigma, unchanged = quiet(shape, interface, memory, e, tau * tau)
+        sigma, unchanged = elastic_trial(shape, interface, memory, e, tau * tau)
         if not unchanged:
-            answer = evolve(shape, interface, memory, e, abs(s), abs(tau))
+            answer = return_mapping(shape, interface, memory, e, abs(s), abs(tau))
             memory, sigma = answer.memory, answer.sigma
             fracture += answer.mode_1 + answer.mode_2
             friction += answer.friction
             plastic += (1.0 - answer.share) * tau / ks
             tau *= answer.share
-        rows[k] = sigma, tau, fracture, friction, stored(shape, interface, memory, e, tau * tau)
+        rows[k] = sigma, tau, fracture, friction, stored_energy(shape, interface, memory, e, tau * tau)
     return Path(opening, slip, *rows.T)
 
 
@@ -60,10 +60,10 @@ def _of_numpy(fields: Any) -> Any:
     return type(fields)(*(value if value is None else np.float64(value) for value in fields))
 
 
-def _fresh(interface: Interface) -> Memory:
+def _fresh(interface: Interface) -> ContactHistory:
     """What a contact remembers at first; None where its options need nothing."""
     limit = 0.0 if interface.tensile_strength is None else interface.tensile_strength / interface.normal_stiffness
-    return Memory(
+    return ContactHistory(
         opening_max=inf if interface.tensile_strength is None else max(limit, TOUCHING),
         intact_n=1.0,
         intact_s=1.0,

@@ -12,7 +12,7 @@ from masonry.runtime.shell import ENDING
 SIGNALS = (signal.SIGINT, *ENDING)
 
 
-class Asked:
+class Interrupts:
     """Whether this process has been asked to end, and by which signal; call it to know."""
 
     def __init__(self) -> None:
@@ -36,9 +36,9 @@ class Asked:
 
 
 @contextlib.contextmanager
-def listening() -> Iterator[Asked]:
+def interruptible() -> Iterator[Interrupts]:
     """Listen to them for a while, but to what is ignored (nohup); outside the main thread nothing changes."""
-    asked = Asked()
+    asked = Interrupts()
     if threading.current_thread() is not threading.main_thread():
         yield asked
         return

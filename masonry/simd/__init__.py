@@ -1,6 +1,6 @@
 """Several numbers at once: a Numba type for the processor's vectors, so that one formula serves one number or eight.
 
-`Lanes` are 4 or 8 doubles that add, multiply and compare like one; `choose` takes the place of `if`. With
+`Lanes` are 4 or 8 doubles that add, multiply and compare like one; `where` takes the place of `if`. With
 MASONRY_LANES=0 the functions of `memory.py` and `rows.py` hand out plain numbers one by one instead, and the same
 kernels, compiled for numbers, do the same work.
 """
@@ -11,7 +11,7 @@ from masonry.simd.gather import gather, gather_corners, put_rows, scatter, take_
 from masonry.simd.load_store import EIGHT, FOUR, eight, four, or_zero, put, put_where, take, width_of
 from masonry.simd.local import local
 from masonry.simd.rows import numbers, pack, part, plus, put_row, take_row
-from masonry.simd.select import below, choose, filled, larger, smaller, some, total, unless
+from masonry.simd.select import any_lane, below, filled, maximum, minimum, total, unless, where
 
 __all__ = [
     "PLAIN",
@@ -25,12 +25,12 @@ __all__ = [
     "put_where",
     "or_zero",
     "below",
-    "choose",
+    "where",
     "filled",
-    "larger",
+    "maximum",
     "local",
-    "smaller",
-    "some",
+    "minimum",
+    "any_lane",
     "total",
     "unless",
     "gather",

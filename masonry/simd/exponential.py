@@ -9,7 +9,7 @@ from llvmlite import ir
 from numba.extending import intrinsic, overload
 
 from masonry.simd.arithmetic import Lanes
-from masonry.simd.select import choose
+from masonry.simd.select import where
 
 PER_LOG_2 = 1.4426950408889634
 LOG_2_HIGH, LOG_2_LOW = 6.93147180369123816490e-01, 1.90821492927058770002e-10
@@ -39,7 +39,7 @@ def _exp(x):
         return None
 
     def of_lanes(x):
-        within = choose(x < LEAST, LEAST, choose(x > MOST, MOST, x))
+        within = where(x < LEAST, LEAST, where(x > MOST, MOST, x))
         power = within * PER_LOG_2 + TO_WHOLE
         n = power - TO_WHOLE
         r = (within - n * LOG_2_HIGH) - n * LOG_2_LOW
@@ -47,6 +47,6 @@ def _exp(x):
         low = 1.0 + r + r2 * (C2 + r * C3) + r2 * r2 * (C4 + r * C5)
         high = C6 + r * C7 + r2 * (C8 + r * C9) + r2 * r2 * (C10 + r * C11)
         result = _scale(low + r2 * r2 * r2 * high, power)
-        return choose(x < LEAST, 0.0, choose(x > MOST, math.inf, result))
+        return where(x < LEAST, 0.0, where(x > MOST, math.inf, result))
 
     return of_lanes

@@ -7,7 +7,7 @@ from numba.extending import overload
 
 from masonry.simd.arithmetic import Lanes
 from masonry.simd.each import by_lane
-from masonry.simd.select import larger, smaller
+from masonry.simd.select import maximum, minimum
 
 ONE_BY_ONE = (
     *(math.log, math.log10, math.log1p, math.expm1, math.erf),
@@ -33,12 +33,12 @@ for _function in ONE_BY_ONE:
 
 @overload(max)
 def _max(a, b):
-    return (lambda a, b: larger(a, b)) if isinstance(a, Lanes) or isinstance(b, Lanes) else None
+    return (lambda a, b: maximum(a, b)) if isinstance(a, Lanes) or isinstance(b, Lanes) else None
 
 
 @overload(min)
 def _min(a, b):
-    return (lambda a, b: smaller(a, b)) if isinstance(a, Lanes) or isinstance(b, Lanes) else None
+    return (lambda a, b: minimum(a, b)) if isinstance(a, Lanes) or isinstance(b, Lanes) else None
 
 
 @overload(math.fabs)

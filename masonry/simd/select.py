@@ -39,12 +39,12 @@ def _filled(number, like):
     return lambda number, like: number
 
 
-def choose(condition, a, b):
+def where(condition, a, b):
     """Lane by lane: a where the condition holds, else b."""
     return a if condition else b
 
 
-@overload(choose)
+@overload(where)
 def _choose(condition, a, b):
     if isinstance(condition, Choice):
         return lambda condition, a, b: _select(condition, a, b)
@@ -92,7 +92,7 @@ def _unless(condition, other):
     if isinstance(condition, Choice) and isinstance(other, Choice):
         return lambda condition, other: _and_not(condition, other)
     if isinstance(condition, Choice):
-        return lambda condition, other: False if other else some(condition)
+        return lambda condition, other: False if other else any_lane(condition)
     return lambda condition, other: condition and not other
 
 
@@ -105,12 +105,12 @@ def _any_lane(context, choice):
     return types.boolean(choice), generate
 
 
-def some(condition):
+def any_lane(condition):
     """Whether a condition holds in any lane."""
     return condition
 
 
-@overload(some)
+@overload(any_lane)
 def _some(condition):
     if isinstance(condition, Choice):
         return lambda condition: _any_lane(condition)
@@ -118,15 +118,15 @@ def _some(condition):
 
 
 @register_jitable
-def larger(a, b):
+def maximum(a, b):
     """The larger of two, lane by lane."""
-    return choose(a > b, a, b)
+    return where(a > b, a, b)
 
 
 @register_jitable
-def smaller(a, b):
+def minimum(a, b):
     """The smaller of two, lane by lane."""
-    return choose(a < b, a, b)
+    return where(a < b, a, b)
 
 
 @intrinsic

@@ -23,7 +23,7 @@ class Remembers(Protocol):
     def restore(self, state: State) -> None: ...
 
 
-class Keeper:
+class Checkpointer:
     """Checkpoints of one run.
 
     checkpoints  where they go; None: nothing is kept

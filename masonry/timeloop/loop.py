@@ -11,7 +11,7 @@ from masonry.kernels.step import reaction
 from masonry.loading.cycles import reached
 from masonry.loading.dispatch import Pace
 from masonry.loading.scheduled import Chunk
-from masonry.loading.varying_loads import VaryingPace
+from masonry.loading.varying_loads import VaryingLoading
 from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.collision import Collision
@@ -20,7 +20,7 @@ from masonry.monitors.overlap import Overlap
 from masonry.monitors.slide import Slide
 from masonry.monitors.stability import Watch, frame_of
 from masonry.runtime.state import State, attributes, put_back
-from masonry.timeloop.checkpointer import Keeper
+from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import advance_model
 from masonry.timeloop.reactions import Standing, WorkOfLoads
 from masonry.timeloop.recording import Outcome, Recording
@@ -65,7 +65,7 @@ class Loop:
         """Wall time of the run so far, that of processes before this one included."""
         return self.earlier + time.perf_counter() - self.begun
 
-    def run(self, progress: Callable[[int, int, str], None] | None, keeper: Keeper | None) -> None:
+    def run(self, progress: Callable[[int, int, str], None] | None, keeper: Checkpointer | None) -> None:
         if not self.rows:
             self.take_row(0, energy.velocities(self.model))
         while (chunk := self.pace.next()) is not None:
@@ -141,7 +141,7 @@ class Loop:
 
     def shares(self) -> list[float]:
         """The share of each dead load now."""
-        varying = self.pace.shares[:, self.done] if isinstance(self.pace, VaryingPace) else ()
+        varying = self.pace.shares[:, self.done] if isinstance(self.pace, VaryingLoading) else ()
         loads = self.recording.surroundings.loads
         return [self.share * (1.0 if load.varies is None else float(varying[load.varies])) for load in loads]
 

@@ -15,7 +15,7 @@ from masonry.loading.dispatch import pace_of
 from masonry.model.loads import Controlled, Program
 from masonry.model.model import Model
 from masonry.runtime.progress import Progress
-from masonry.timeloop.checkpointer import Keeper
+from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import compile_for, is_compiled
 from masonry.timeloop.loop import Loop
 from masonry.timeloop.recording import Outcome, Recording
@@ -27,7 +27,7 @@ def run(
     recording: Recording,
     threads: int = 1,
     progress: Callable[[int, int, str], None] | None = None,
-    keeper: Keeper | None = None,
+    keeper: Checkpointer | None = None,
 ) -> Outcome:
     """Run the whole plan. An unstable or too large motion ends it: Outcome.stopped says why, rows stay trusted.
 

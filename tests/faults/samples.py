@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from masonry.cli.main import main
-from masonry.runtime.interrupts import Asked
+from masonry.runtime.interrupts import Interrupts
 from masonry.timeloop.checkpoint import Checkpoints
 
 SHORT = [*("--set", "settle.steps=100"), *("--set", "drive.steps=2000"), *("--set", "solver.rows=40")]
@@ -38,13 +38,13 @@ def ended_after(chunks: int, number: int, monkeypatch: pytest.MonkeyPatch) -> It
     with monkeypatch.context() as patched:
         calls: list[int] = []
 
-        def told(asked: Asked) -> bool:
+        def told(asked: Interrupts) -> bool:
             calls.append(1)
             if len(calls) > chunks:
                 asked.number = number
             return asked.number != 0
 
-        patched.setattr(Asked, "__call__", told)
+        patched.setattr(Interrupts, "__call__", told)
         yield
 
 

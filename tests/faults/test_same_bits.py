@@ -13,7 +13,7 @@ from masonry.laboratory import laboratory
 from masonry.scene import load as load_scene
 from masonry.timeloop import model_state
 from masonry.timeloop.checkpoint import Checkpoints
-from masonry.timeloop.checkpointer import Keeper
+from masonry.timeloop.checkpointer import Checkpointer
 from tests.scenes import load
 from tests.timeloop.test_loop import couplet
 
@@ -54,18 +54,18 @@ def after(chunks: int):
 @pytest.mark.parametrize("name", SCENES)
 def test_a_run_in_pieces_on_changing_threads_has_the_bits_of_the_run_in_one(name, tmp_path):
     scene, kept, looks = SCENES[name](), Checkpoints(tmp_path), []
-    whole = everything(laboratory.run(scene, keeper=Keeper(None, {}, inf, asked=lambda: bool(looks.append(1)))))
+    whole = everything(laboratory.run(scene, keeper=Checkpointer(None, {}, inf, asked=lambda: bool(looks.append(1)))))
     ends = sorted(Random(name).sample(range(1, len(looks) - 2), 5))
     kept.begin("", {})
     saved = None
     for n, chunks in enumerate(np.diff([0, *ends])):
-        keeper = Keeper(kept, {}, inf, asked=after(int(chunks)))
+        keeper = Checkpointer(kept, {}, inf, asked=after(int(chunks)))
         keeper.saved = saved
         part = laboratory.run(scene, threads=1 if "wall" in name else 1 + n % 2, keeper=keeper)
         assert part.summary["interrupted"]
         saved, wrong = kept.newest()
         assert not wrong and saved["run"]["done"] >= part.summary["steps"]
-    keeper = Keeper(kept, {}, inf)
+    keeper = Checkpointer(kept, {}, inf)
     keeper.saved = saved
     result = laboratory.run(scene, keeper=keeper)
     assert result.log[-1] == f"resumed at step {saved['run']['done']}"
@@ -87,8 +87,8 @@ def test_what_steps_change_is_what_is_kept_and_nothing_else_in_a_model_changes(n
 def test_a_checkpoint_of_another_model_is_refused(tmp_path):
     kept = Checkpoints(tmp_path)
     kept.begin("", {})
-    laboratory.run(SCENES["rigid, steps"](), keeper=Keeper(kept, {}, inf, asked=after(4)))
-    other = Keeper(kept, {}, inf)
+    laboratory.run(SCENES["rigid, steps"](), keeper=Checkpointer(kept, {}, inf, asked=after(4)))
+    other = Checkpointer(kept, {}, inf)
     other.saved, _ = kept.newest()
     with pytest.raises(SceneError, match="of another model"):
         laboratory.run(load(couplet("rigid", settle=400, pace="steps = 800", masses="real")), keeper=other)

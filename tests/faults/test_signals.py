@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from masonry.runtime.interrupts import listening
+from masonry.runtime.interrupts import interruptible
 from tests.faults.samples import LONG, ended_after, resume, run
 from verification.faults.compare import differences
 from verification.faults.process import Process, states
@@ -71,7 +71,7 @@ def test_outside_the_main_thread_signals_stay_as_they_are():
     before, found = signal.getsignal(signal.SIGTERM), []
 
     def listen() -> None:
-        with listening() as asked:
+        with interruptible() as asked:
             found.append((asked(), signal.getsignal(signal.SIGTERM)))
 
     thread = threading.Thread(target=listen)
@@ -82,7 +82,7 @@ def test_outside_the_main_thread_signals_stay_as_they_are():
 
 def test_signals_are_given_back_afterwards():
     usual = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)
-    with listening() as asked:
+    with interruptible() as asked:
         os.kill(os.getpid(), signal.SIGTERM)
         assert asked() and asked.code == 143
         with pytest.raises(KeyboardInterrupt):

@@ -8,13 +8,13 @@ from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import summary_text
 from masonry.laws.factory import build
-from masonry.laws.mechanism import evolve, quiet, stored
-from masonry.laws.state import Memory
+from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
+from masonry.laws.state import ContactHistory
 from masonry.results.frames import choose
 
 KN, KS, MU = 30e9, 12e9, 0.65
 GIVEN = {"law": "friction", "normal_stiffness": KN, "shear_stiffness": KS, "tan_friction": MU}
-FRESH = Memory(1e-9, 1.0, 1.0, 0.0, None, None, None)
+FRESH = ContactHistory(1e-9, 1.0, 1.0, 0.0, None, None, None)
 
 
 @pytest.fixture(scope="module")
@@ -71,19 +71,22 @@ def test_brittle_with_zeros_has_the_same_curve(triplet):
 
 def test_a_contact_presses_rubs_and_lets_go():
     shape, interface = build("unit_unit", GIVEN)
-    assert quiet(shape, interface, FRESH, -1e-5, 0.0) == (-3e5, True)
-    assert quiet(shape, interface, FRESH, 1e-5, 0.0) == (0.0, False)
-    assert not quiet(shape, interface, FRESH, -1e-5, (MU * 3e5 * 1.001) ** 2)[1]
-    opened = evolve(shape, interface, FRESH, 1e-5, 0.0, 0.0)
+    assert elastic_trial(shape, interface, FRESH, -1e-5, 0.0) == (-3e5, True)
+    assert elastic_trial(shape, interface, FRESH, 1e-5, 0.0) == (0.0, False)
+    assert not elastic_trial(shape, interface, FRESH, -1e-5, (MU * 3e5 * 1.001) ** 2)[1]
+    opened = return_mapping(shape, interface, FRESH, 1e-5, 0.0, 0.0)
     assert (opened.sigma, opened.memory.intact_n, opened.memory.intact_s) == (0.0, 0.0, 1.0)
     tau = 2.5e5
-    slid = evolve(shape, interface, FRESH, -1e-5, tau / KS, tau)
+    slid = return_mapping(shape, interface, FRESH, -1e-5, tau / KS, tau)
     assert slid.share * tau == pytest.approx(MU * 3e5, rel=1e-12) and slid.memory.intact_s == 0.0
     assert (slid.mode_1, slid.mode_2) == (0.0, 0.0)
-    before, after = (stored(shape, interface, FRESH, -1e-5, t * t) for t in (tau, slid.share * tau))
+    before, after = (stored_energy(shape, interface, FRESH, -1e-5, t * t) for t in (tau, slid.share * tau))
     excess = (tau - MU * 3e5) ** 2 / (2 * KS)
     assert before - after == pytest.approx(slid.friction + excess, rel=1e-9), "the overshoot of a step is its error"
-    assert np.isfinite(stored(shape, interface, FRESH, 1e-5, 0.0)) and stored(shape, interface, FRESH, 1e-5, 0.0) == 0
+    assert (
+        np.isfinite(stored_energy(shape, interface, FRESH, 1e-5, 0.0))
+        and stored_energy(shape, interface, FRESH, 1e-5, 0.0) == 0
+    )
 
 
 def test_it_needs_stiffnesses_and_friction_and_reads_no_strength():

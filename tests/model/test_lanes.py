@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from masonry.jit.compiler import jit
-from masonry.simd import PLAIN, choose, eight, put, take
+from masonry.simd import PLAIN, eight, put, take, where
 
 RUNS = {
     "rigid": ["wallette-mode-1", "specimen.divisions=[2, 1]", "drive.rate=20 mm/s"],
@@ -86,7 +86,7 @@ def test_functions_that_a_law_may_call_give_in_lanes_what_they_give_for_numbers(
             a = take(x, 8 * k, eight())
             put(y, 8 * k, math.log(a) + math.sin(a) + math.tanh(a) + math.atan(a) + 2.0**a + a**1.5 + math.sqrt(a))
             b = max(min(a, 3.0), 0.5) + math.fabs(-a)
-            put(y, 8 * k, choose((a < 1.0) | (a > 5.0), take(y, 8 * k, eight()), b))
+            put(y, 8 * k, where((a < 1.0) | (a > 5.0), take(y, 8 * k, eight()), b))
 
     x = np.random.default_rng(1).uniform(0.01, 8.0, 800)
     y = np.zeros_like(x)

@@ -11,7 +11,7 @@ from masonry.laboratory import laboratory
 from masonry.laboratory.settling import AT_REST
 from masonry.scene import load as load_scene
 from masonry.timeloop.checkpoint import Checkpoints
-from masonry.timeloop.checkpointer import Keeper
+from masonry.timeloop.checkpointer import Checkpointer
 from tests.faults.test_same_bits import TURNS, WAVE, after, everything
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 from tests.timeloop.test_loop import couplet
@@ -100,10 +100,10 @@ def test_a_run_that_goes_on_finds_the_steps_in_its_scene(tmp_path):
     scene, kept = without_steps(SCENES["rigid, steps"]()), Checkpoints(tmp_path)
     kept.begin("", {})
     looks = []
-    whole = laboratory.run(scene, keeper=Keeper(None, {}, inf, asked=lambda: bool(looks.append(1))))
-    part = laboratory.run(scene, keeper=Keeper(kept, {}, inf, asked=after(len(looks) - 3)))
+    whole = laboratory.run(scene, keeper=Checkpointer(None, {}, inf, asked=lambda: bool(looks.append(1))))
+    part = laboratory.run(scene, keeper=Checkpointer(kept, {}, inf, asked=after(len(looks) - 3)))
     assert part.summary["interrupted"]
-    going_on = Keeper(kept, {}, inf)
+    going_on = Checkpointer(kept, {}, inf)
     going_on.saved, _ = kept.newest()
     assert going_on.saved["origin"]["its scene"]
     result = laboratory.run(load_scene(kept.scene), keeper=going_on)
@@ -112,7 +112,7 @@ def test_a_run_that_goes_on_finds_the_steps_in_its_scene(tmp_path):
 
 def test_a_trial_ends_when_the_run_is_asked_to_end():
     with pytest.raises(KeyboardInterrupt):
-        laboratory.run(without_steps(SCENES["rigid, steps"]()), keeper=Keeper(None, {}, inf, asked=after(3)))
+        laboratory.run(without_steps(SCENES["rigid, steps"]()), keeper=Checkpointer(None, {}, inf, asked=after(3)))
 
 
 def test_progress_and_the_check_say_that_the_steps_are_looked_for():
