@@ -3,8 +3,8 @@
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.loading.adaptive import DEFORMABLE, FEW, SETTLING, STEPS
 from masonry.loading.schedule import Cyclic
+from masonry.loading.settings import SETTINGS
 from masonry.model.loads import Controlled
 
 PRESCRIBED = 110
@@ -43,20 +43,22 @@ def expected_rows(assembly: Assembly) -> int:
     plan, rows = assembly.plan, assembly.recording.rows
     if not isinstance(plan, Controlled):
         return min(rows, plan.steps) + len(plan.marks)
-    settling = min(max(1, rows // SETTLING), plan.settle)
-    return settling + round(_paced(assembly, plan) / (FEW if drive_prescribes_all(assembly) else STEPS))
+    settling = min(max(1, rows // SETTINGS.settling_rows), plan.settle)
+    return settling + round(
+        _paced(assembly, plan) / (SETTINGS.few_steps if drive_prescribes_all(assembly) else SETTINGS.steps)
+    )
 
 
 def _paced(assembly: Assembly, plan: Controlled) -> float:
     """Steps after the settling."""
     turns = np.array(plan.turns if isinstance(plan, Cyclic) else (plan.displacement,))
     if drive_prescribes_all(assembly):
-        return PRESCRIBED * FEW * len(turns)
+        return PRESCRIBED * SETTINGS.few_steps * len(turns)
     if isinstance(plan, Cyclic):
         reached = [np.maximum(side, 0.0).max() for side in (turns, -turns)]
         return LEG * len(turns) + WIDER / plan.accuracy * sum(reached) / max(reached)
     deformable = any(len(assembly.model.layout.members[kind]) for kind in ("affine", "tets"))
-    return WAY + CRACKS / (plan.accuracy * (DEFORMABLE if deformable else 1.0))
+    return WAY + CRACKS / (plan.accuracy * (SETTINGS.deformable if deformable else 1.0))
 
 
 def drive_prescribes_all(assembly: Assembly) -> bool:

@@ -6,48 +6,13 @@ import numpy as np
 
 from masonry.loading.predictor import Predictor
 from masonry.loading.scheduled import Chunk, ScheduledLoading
+from masonry.loading.settings import SETTINGS, AdaptiveSettings
 from masonry.model.loads import Controlled, Program, smooth
 from masonry.model.model import Model
 from masonry.monitors.events import PARTED, Events
 from masonry.monitors.stability import LEAP, smallest_block
 from masonry.monitors.utilisation import utilisation
 from masonry.runtime.state import State, attributes, put_back
-
-SETTLING = 10
-"""One in so many of the rows goes to the settling, which nobody looks at but for its end."""
-STEPS = 80
-"""Steps of an increment: about a period of the slowest swing of a wallette."""
-FEW, STILL = 4, 1e-12
-"""Steps of an increment where all that moves is prescribed, and kinetic over stored energy below which it is so."""
-CURVE = 0.05
-"""Accuracy of increments there at one of FINE or coarser: nothing lags, and only the curve is followed."""
-COARSEST, FINEST = 30, 40_000
-"""Increments in which the whole displacement is made, at least and at most."""
-FIRST, LEARNING = 1e-4, 4
-"""Share of the displacement that the first increment makes; increments before the speed may rise."""
-INTACT = 1e-6
-"""Nothing counts as damaged while fracture has taken less than this share of the stored energy."""
-RISE, FALL = 2.0, 0.1
-"""Most and least change of the speed from one increment to the next, while all is elastic."""
-APPROACH = 0.4
-"""Share of the way to the first damage, slip or opening that an increment may make, unless it is as short as the
-accuracy anyway."""
-FASTER, SLOWER = 1.3, 0.2
-"""Most and least change of the speed from then on."""
-STORED, FRACTURE, LAG, SWAY, ENDS, DRAG = 20.0, 5.0, 1.0, 7.0, 0.4, 0.5
-"""What an increment may bring, in accuracies: change of the stored energy and energy spent on fracture, over the most
-that was stored; energy by which the drive runs ahead, over the work of the drive; the root of kinetic over stored
-energy; the difference between the forces of the two ends, and the force that damping takes on average (its work over
-the way), over the largest force. Measured: benchmarks/test_controlled.py."""
-UNEXPECTED, AT_REST, LOOKS, MOST = 0.5, 1e-7, 4, 600
-"""A sudden crack: share of the kinetic energy that was not expected, from which on the drive is held. It goes on when
-the kinetic energy was below AT_REST of the stored energy in so many looks, one an increment, or after so many looks."""
-FINE, BLUNT = 0.01, 0.4
-"""Accuracies coarser than this one are taken for (accuracy / FINE) ** BLUNT of it: sudden cracks would be overrun."""
-
-DEFORMABLE = 0.5
-"""Of the accuracy: what is aimed at where units deform. In failure mode 1 the same bounds left 2.4 (affine) and 4.8 %
-(tets) of error in the dissipated energy at an accuracy of 1 %, against 0.7 % with rigid units."""
 
 REMEMBERED = (
     *("speed", "moved", "made", "used", "target", "steps", "increments"),
@@ -78,20 +43,23 @@ class AdaptiveLoading:
     brought: larger increments while elastic, smaller ones while cracking.
     """
 
-    slower = SLOWER
-
-    def __init__(self, model: Model, plan: Controlled, rows: int) -> None:
+    def __init__(self, model: Model, plan: Controlled, rows: int, settings: AdaptiveSettings = SETTINGS) -> None:
+        self.settings = settings
         self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Predictor(model)
         still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0)
-        self.settling = ScheduledLoading(still, max(1, rows // SETTLING))
+        self.settling = ScheduledLoading(still, max(1, rows // self.settings.settling_rows))
         self.goal = abs(plan.displacement)
         self.sign = -1.0 if plan.displacement < 0 else 1.0
-        self.unit = min(plan.accuracy, FINE * (plan.accuracy / FINE) ** BLUNT)
+        self.unit = min(plan.accuracy, self.settings.fine * (plan.accuracy / self.settings.fine) ** self.settings.blunt)
         if len(model.layout.members["affine"]) or len(model.layout.members["tets"]):
-            self.unit *= DEFORMABLE
-        whole = self.goal / (STEPS * model.dt)
+            self.unit *= self.settings.deformable
+        whole = self.goal / (self.settings.steps * model.dt)
         self.leap = 0.5 * LEAP * smallest_block(model) / model.dt
-        self.slowest, self.target, self.steps = whole / FINEST, whole * FIRST, STEPS
+        self.slowest, self.target, self.steps = (
+            whole / self.settings.finest,
+            whole * self.settings.first,
+            self.settings.steps,
+        )
         self.speed = self.moved = self.made = self.used = 0.0
         self.most_stored = self.stored = self.broken = self.most_force = self.damped = self.work = 0.0
         self.settled_force = 0.0
@@ -168,7 +136,7 @@ class AdaptiveLoading:
         self.most_force = max(self.most_force, abs(force), 1e-300)
         self.work += abs(force) * self.made
         if self.held:
-            self.wait(force, abs(terms["kinetic"]) <= AT_REST * max(stored, PARTED * self.most_stored))
+            self.wait(force, abs(terms["kinetic"]) <= self.settings.at_rest * max(stored, PARTED * self.most_stored))
         else:
             self.go_on(force, support, seen, terms)
         self.stored, self.broken, self.damped = stored, broken, terms["damping"]
@@ -178,7 +146,7 @@ class AdaptiveLoading:
         self.events.sudden(self.step)
         self.calm = self.calm + 1 if at_rest else 0
         self.held += 1
-        if self.calm >= LOOKS or self.held > MOST:
+        if self.calm >= self.settings.looks or self.held > self.settings.longest_hold:
             self.held = 0
             self.target = min(self.target, 0.5 * (self.goal - self.moved) / (self.steps * self.dt))
             self.settle(force)
@@ -190,19 +158,25 @@ class AdaptiveLoading:
         broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
         self.learn(force)
         used = utilisation(self.model, seen, self.rest)
-        self.elastic = self.elastic and used < 1.0 and broken <= INTACT * self.most_stored
+        self.elastic = self.elastic and used < 1.0 and broken <= self.settings.intact * self.most_stored
         if self.elastic:
             factor = self.towards_damage(used)
         else:
             factor = self.through_damage(stored, broken, force, support, terms)
-        if self.elastic or self.guide.trust > UNEXPECTED or abs(terms["kinetic"]) <= AT_REST * stored:
+        if (
+            self.elastic
+            or self.guide.trust > self.settings.unexpected
+            or abs(terms["kinetic"]) <= self.settings.at_rest * stored
+        ):
             self.events.calm(self.step)
         else:
             self.events.sudden(self.step)
             self.held = int(self.speed * self.steps * self.dt < self.goal - self.moved)
             self.calm = 0
-        self.steps = FEW if abs(terms["kinetic"]) <= STILL * stored else STEPS
-        fastest = min(self.goal / (COARSEST * self.steps * self.dt), self.leap)
+        self.steps = (
+            self.settings.few_steps if abs(terms["kinetic"]) <= self.settings.still * stored else self.settings.steps
+        )
+        fastest = min(self.goal / (self.settings.coarsest * self.steps * self.dt), self.leap)
         self.target = float(np.clip(self.target * factor, self.slowest, fastest))
 
     def learn(self, force: float) -> None:
@@ -217,9 +191,9 @@ class AdaptiveLoading:
         """Factor of the speed while the contacts use a share `used` of their strength, which grows with the way."""
         left = self.made * max(1.0 - used, 0.0) / max(used - self.used, 1e-9)
         self.used = used
-        way = max(APPROACH * left, self.unit * self.moved)
-        most = RISE if self.increments > LEARNING else 1.0
-        return float(np.clip(way / (self.steps * self.dt * self.target), FALL, most))
+        way = max(self.settings.approach * left, self.unit * self.moved)
+        most = self.settings.rise if self.increments > self.settings.learning else 1.0
+        return float(np.clip(way / (self.steps * self.dt * self.target), self.settings.fall, most))
 
     def through_damage(
         self, stored: float, broken: float, force: float, support: float, terms: dict[str, float]
@@ -234,15 +208,20 @@ class AdaptiveLoading:
         fracture = (broken - self.broken) / self.most_stored
         lag = 2.0 * np.sqrt(self.guide.kinetic * min(abs(stored), self.work)) / max(self.work, 1e-300)
         sway = np.sqrt(abs(terms["kinetic"]) / max(abs(stored), PARTED * self.most_stored))
-        curve = CURVE * min(self.plan.accuracy / FINE, 1.0)
-        unit = max(self.unit, curve) if self.steps == FEW else self.unit
-        brought = max(change / STORED, fracture / FRACTURE, 1e-12) / unit
+        curve = self.settings.curve * min(self.plan.accuracy / self.settings.fine, 1.0)
+        unit = max(self.unit, curve) if self.steps == self.settings.few_steps else self.unit
+        brought = max(change / self.settings.stored, fracture / self.settings.fracture, 1e-12) / unit
         ends = abs(force - support) / self.most_force
         drag = abs(terms["damping"] - self.damped) / (self.most_force * self.made)
         self.looks.append((float(lag), self.made, float(drag), abs(force)))
-        shares = (lag / LAG, sway / SWAY, ends / ENDS, drag / DRAG)
+        shares = (
+            lag / self.settings.lag,
+            sway / self.settings.sway,
+            ends / self.settings.ends,
+            drag / self.settings.drag,
+        )
         excess = max(np.sqrt(brought), *(share / self.unit for share in shares))
-        return float(np.clip(1.0 / excess, self.slower, FASTER))
+        return float(np.clip(1.0 / excess, self.settings.slower, self.settings.faster))
 
     def progress(self) -> tuple[int, int]:
         """How far the displacement is made, in millionths."""

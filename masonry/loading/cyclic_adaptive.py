@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.loading.adaptive import COARSEST, FEW, FINEST, FIRST, STEPS, AdaptiveLoading
+from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.schedule import Cyclic
 from masonry.model.loads import Controlled
 from masonry.model.model import Model
@@ -10,8 +10,6 @@ from masonry.runtime.state import State, attributes, put_back
 
 RESTART = 0.25
 """Speed after a turn over the speed at which the drive came to it."""
-BRAKE = 0.2
-"""Least change of the speed from one increment to the next: contacts that close make a soft specimen stiff at once."""
 CURVED = 100
 """Increments of a leg, at least, where all that moves is prescribed: they are cheap, and show the corners."""
 LEG = ("goal", "sign", "slowest", "leg", "passed", "farthest", "begin", "end", "place", "force")
@@ -24,8 +22,6 @@ class CyclicLoading(AdaptiveLoading):
     What is measured against the way or the force of the test there is measured against the largest so far here: the
     force may pass through zero, and the drive through its start.
     """
-
-    slower = BRAKE
 
     def __init__(self, model: Model, plan: Cyclic, rows: int) -> None:
         super().__init__(model, Controlled(plan.dead_load, plan.turns[0], plan.accuracy), rows)
@@ -43,8 +39,10 @@ class CyclicLoading(AdaptiveLoading):
         self.leg += 1
         self.goal, self.sign, self.moved = abs(self.end - self.begin), -1.0 if self.end < self.begin else 1.0, 0.0
         whole = self.goal / (self.steps * self.dt)
-        self.slowest = self.goal / (STEPS * self.dt) / FINEST
-        self.target = float(np.clip(RESTART * self.cruise, whole * FIRST, min(whole / COARSEST, self.leap)))
+        self.slowest = self.goal / (self.settings.steps * self.dt) / self.settings.finest
+        self.target = float(
+            np.clip(RESTART * self.cruise, whole * self.settings.first, min(whole / self.settings.coarsest, self.leap))
+        )
         return True
 
     def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
@@ -52,7 +50,7 @@ class CyclicLoading(AdaptiveLoading):
         if self.increments == 0:
             self.force = force
         super().look(force, support, seen, terms)
-        if self.steps == FEW:
+        if self.steps == self.settings.few_steps:
             self.target = min(self.target, self.goal / (CURVED * self.steps * self.dt))
 
     def learn(self, force: float) -> None:

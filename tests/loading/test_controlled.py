@@ -8,7 +8,8 @@ from masonry.errors import SceneError
 from masonry.kinematics.motion import Guided, resist
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import accuracy_text
-from masonry.loading.adaptive import STEPS, AdaptiveLoading
+from masonry.loading.adaptive import AdaptiveLoading
+from masonry.loading.settings import SETTINGS
 from masonry.model.loads import controlled
 from masonry.scene import load
 from tests.timeloop.test_loop import bits, corner_numbers, couplet
@@ -86,9 +87,9 @@ def test_while_elastic_a_guided_drive_meets_no_drag():
 def test_a_tighter_accuracy_takes_smaller_increments_and_says_so():
     done = [laboratory.run(load("wallette-mode-2", {"drive.accuracy": a})).summary for a in (0.05, 0.005)]
     assert done[1]["steps"] > 1.5 * done[0]["steps"]
-    assert done[1]["control"]["accuracy"] == 0.005 and done[1]["control"]["increments"] * STEPS == pytest.approx(
-        done[1]["steps"], rel=0.01
-    )
+    control = done[1]["control"]
+    assert control["accuracy"] == 0.005
+    assert control["increments"] * SETTINGS.steps == pytest.approx(done[1]["steps"], rel=0.01)
     assert done[0]["dissipation_mismatch"] < 0.02 and done[1]["peak_stress_pa"] < done[0]["peak_stress_pa"] * 1.001
 
 

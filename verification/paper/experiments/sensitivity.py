@@ -22,8 +22,6 @@ PACE: dict[str, dict[str, Any]] = {
 At 1 % some variations leave the ends of a specimen with forces that differ by more than 2 % for a moment. Six points
 through the thickness of the wall in bending change its peak by 0.3 %.
 """
-SUDDEN: dict[str, str] = {}
-"""Varied runs whose ends differ by over 2 % of the peak in a row or two past it, where the force drops -> why."""
 DEAR = ("couplet-meso-coarse", "bending-0")
 SPARED = ("density", "displacement", "accuracy")
 """In the dear scenes blocks stay rigid, and what was seen to matter little in the others is not varied."""
@@ -57,7 +55,7 @@ def pair(case: str, v: Variation) -> dict[str, Run]:
     named = ", ".join(f"{key} = {value}" for key, value in v.base.items())
     return {
         f"{case}: {named or 'base'}": Run(case, base),
-        varied: Run(case, {**base, **v.knobs}, sudden=SUDDEN.get(varied, "")),
+        varied: Run(case, {**base, **v.knobs}),
     }
 
 
