@@ -15,7 +15,7 @@ from masonry.scene.tables.loading import Drive
 def contact_remarks(assembly: Assembly) -> list[str]:
     """One line for each number that is cut, or that nothing can come of in this specimen."""
     model, found = assembly.model, []
-    for name, interface in zip(model.group_names, model.groups[1], strict=True):
+    for name, interface in zip(model.group_names, model.groups.properties, strict=True):
         given = assembly.scene.contact[name]
         reads = "tensile_strength" in properties_of(given.law)
         if reads and interface.tensile_strength is not None and np.ndim(interface.tensile_strength) == 0:

@@ -142,7 +142,7 @@ def left_out(assembly: Assembly) -> list[str]:
         out.append("drive")
     if all(body is None or body.guess is None for body in m.bodies):
         out.append("expected motion: a drive at a rate or in steps does not need it")
-    for name, interface in zip(m.group_names, m.groups[1], strict=True):
+    for name, interface in zip(m.group_names, m.groups.properties, strict=True):
         lacks = []
         if interface.tensile_strength is None:
             lacks = ["strength", "softening", "history"]
@@ -163,7 +163,7 @@ def compiled(assembly: Assembly) -> list[str]:
     """What the step does contain."""
     m = assembly.model
     names = [f"{len(v)} {k} blocks" for k, v in m.layout.members.items() if len(v)]
-    laws = [f"{n}: {word_of(s)} law" for n, s in zip(m.group_names, m.groups[0], strict=True)]
+    laws = [f"{n}: {word_of(s)} law" for n, s in zip(m.group_names, m.groups.parameters, strict=True)]
     return [*names, *laws, damping_text(m.damping), "energy ledger"]
 
 

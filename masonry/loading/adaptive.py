@@ -9,6 +9,7 @@ from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.loading.settings import SETTINGS, AdaptiveSettings
 from masonry.model.loads import Controlled, Program, smooth
 from masonry.model.model import Model
+from masonry.monitors.energy import Seen
 from masonry.monitors.events import PARTED, Events
 from masonry.monitors.stability import LEAP, smallest_block
 from masonry.monitors.utilisation import utilisation
@@ -122,13 +123,13 @@ class AdaptiveLoading:
         """Each increment is a row, and is looked at there."""
         self.step = step
 
-    def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+    def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """Choose the next speed by the forces of drive and support (N), what contacts show, and the ledger (J)."""
         stored = terms["elastic_blocks"] + terms["elastic_contacts"]
         broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
         if self.increments == 0:
             self.stored = self.most_stored = stored
-            self.rest, self.settled_force = seen[:, 2].copy(), abs(force)
+            self.rest, self.settled_force = seen.sigma.copy(), abs(force)
             self.used = utilisation(self.model, seen, self.rest)
             self.guide.settle()
             return
@@ -152,7 +153,7 @@ class AdaptiveLoading:
             self.settle(force)
             self.events.calm(self.step)
 
-    def go_on(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+    def go_on(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """Choose the next speed, or hold the drive."""
         stored = terms["elastic_blocks"] + terms["elastic_contacts"]
         broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]

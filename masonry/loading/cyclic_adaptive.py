@@ -6,6 +6,7 @@ from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.schedule import Cyclic
 from masonry.model.loads import Controlled
 from masonry.model.model import Model
+from masonry.monitors.energy import Seen
 from masonry.runtime.state import State, attributes, put_back
 
 RESTART = 0.25
@@ -45,7 +46,7 @@ class CyclicLoading(AdaptiveLoading):
         )
         return True
 
-    def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+    def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """Choose the next speed as for one way."""
         if self.increments == 0:
             self.force = force

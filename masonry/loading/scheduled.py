@@ -6,6 +6,7 @@ import numpy as np
 
 from masonry.loading.rest import Rest
 from masonry.model.loads import Program
+from masonry.monitors.energy import Seen
 from masonry.runtime.state import State
 
 LONGEST_CHUNK = 100
@@ -73,7 +74,7 @@ class ScheduledLoading:
         if self.rest is not None and self.done > self.program.settle:
             self.rest.look(step, self.speed, before)
 
-    def look(self, force: float, support: float, seen: np.ndarray, terms: dict[str, float]) -> None:
+    def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """The drive is held by what the specimen stores."""
         if self.rest is not None:
             self.rest.see(terms["elastic_blocks"] + terms["elastic_contacts"])

@@ -1,5 +1,7 @@
 """Flat arrays of a model: the sides of the contacts in the order of their bodies, the bodies, the contacts' memory."""
 
+from typing import Any, NamedTuple
+
 import numpy as np
 
 from geometry.blocks import TetMesh
@@ -11,6 +13,33 @@ from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
 from masonry.model.loads import Conditions
 from masonry.model.stable_step import BETWEEN
 from masonry.simd.alignment import BEHIND, aligned
+
+
+class Groups(NamedTuple):
+    """What belongs to each contact group, and bounds (G + 1,): which contacts are its."""
+
+    parameters: tuple
+    properties: tuple
+    states: tuple
+    bounds: np.ndarray
+
+
+class Contacts(NamedTuple):
+    """Rows of u of both sides (C, 2), normal (C, 3), area (C,) m2, displacements u (m), and force (C, 3) N."""
+
+    sides: np.ndarray
+    normal: np.ndarray
+    area: np.ndarray
+    u: np.ndarray
+    force: np.ndarray
+
+
+class Bodies(NamedTuple):
+    """Blocks by how they move (Rigid, Affine, Tets), None where there are none."""
+
+    rigid: Any
+    affine: Any
+    tets: Any
 
 
 def number_sides(sides: tuple, first: dict[str, int], rows: dict[str, int]) -> tuple:
@@ -52,8 +81,8 @@ def bodies_of(
     ordered: dict,
     first: dict,
     guided: bool,
-) -> tuple:
-    """(rigid, affine, tets), None where absent; guided bodies have room for their expected velocities."""
+) -> Bodies:
+    """The blocks by how they move; guided bodies have room for their expected velocities."""
     common = {}
     for kind in KINDS:
         held, load = conditions.prescribed[kind], conditions.load[kind]
@@ -97,7 +126,7 @@ def bodies_of(
     if layout.mesh is not None and len(which["tets"]):
         between = _between(layout, layout.mesh, ordered["between"], first["between"]) if "between" in ordered else {}
         tets = _tets(layout, layout.mesh, lame, {**common["tets"], **between})
-    return rigid, affine, tets
+    return Bodies(rigid, affine, tets)
 
 
 def _tets(layout: Layout, mesh: TetMesh, lame: np.ndarray, common: dict) -> Tets:

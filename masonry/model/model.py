@@ -8,7 +8,7 @@ from geometry.blocks import Blocks, Joints
 from masonry.kinematics.motion import Guided
 from masonry.laws.state import ContactState
 from masonry.model import stable_step as stiffness
-from masonry.model.arrays import bodies_of, in_rows, memory_of, number_sides, own_memory
+from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, in_rows, memory_of, number_sides, own_memory
 from masonry.model.contact_groups import contact_groups
 from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
@@ -39,9 +39,9 @@ class Model:
     group_names: tuple[str, ...]
     group: np.ndarray
     state: ContactState
-    groups: tuple
-    contacts: tuple
-    bodies: tuple
+    groups: Groups
+    contacts: Contacts
+    bodies: Bodies
     drives: tuple
     supports: tuple
     masses: dict[str, np.ndarray]
@@ -52,6 +52,11 @@ class Model:
     cost: StepCost | None
     varying: list[dict[str, np.ndarray | None]]
     scaled: bool = True
+
+    def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
+        """Groups, contacts, bodies and drives as kernels.step.advance takes them: plain tuples, as named ones within
+        named ones break its threads."""
+        return tuple(self.groups), tuple(self.contacts), tuple(self.bodies), self.drives
 
     @property
     def freedoms(self) -> int:
@@ -124,8 +129,10 @@ def build(
         group_names=names,
         group=group,
         state=state,
-        groups=(tuple(laws[n][0] for n in names), tuple(interfaces), states, bounds),
-        contacts=(side_rows, aligned(joints.normal), aligned(joints.area), u, in_rows(np.zeros((len(group), 3)))),
+        groups=Groups(tuple(laws[n][0] for n in names), tuple(interfaces), states, bounds),
+        contacts=Contacts(
+            side_rows, aligned(joints.normal), aligned(joints.area), u, in_rows(np.zeros((len(group), 3)))
+        ),
         bodies=bodies,
         drives=tuple(_row_and_number(conditions.driven.get(kind), kind) for kind in KINDS),
         supports=tuple(_row_and_number(conditions.support.get(kind), kind) for kind in KINDS),

@@ -14,11 +14,11 @@ def contact_stress(model: Model) -> np.ndarray:
     That is the mean stress of a block in equilibrium under its contacts and its weight (Love 1927, art. 123). Zero for
     blocks that are held or driven, where forces act whose places are not known; a traction on a block is missing in it.
     """
-    rigid, layout, joints = model.bodies[0], model.layout, model.joints
+    rigid, layout, joints = model.bodies.rigid, model.layout, model.joints
     which = layout.members["rigid"]
     free = np.zeros(layout.volume.shape)
     free[which[(rigid.pace > 0.0).all(axis=1)]] = 1.0
-    force = model.contacts[4]
+    force = model.contacts.force
     block = np.concatenate([joints.block_a, joints.block_b])
     arm = np.concatenate([joints.point, joints.point]) - layout.centroid[block]
     acting = np.concatenate([force, -force])

@@ -28,7 +28,7 @@ class Corners:
         moved = shift[:, None] + sum(gradient[:, j, None] * self.arm[j] for j in range(3))
         if self.nearest is not None:
             which = self.model.layout.members["tets"]
-            moved[:, :, which] = self.model.contacts[3][self.nearest[self.points[:, which]]].transpose(2, 0, 1)
+            moved[:, :, which] = self.model.contacts.u[self.nearest[self.points[:, which]]].transpose(2, 0, 1)
         return moved, gradient
 
     def displaced(self) -> Blocks:

@@ -6,7 +6,7 @@ energy must equal what the laws booked as fracture and friction: equal only as f
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -16,11 +16,20 @@ from masonry.model.layout import KINDS
 from masonry.model.model import Model
 
 
+class Seen(NamedTuple):
+    """What contacts show, (C,) each: opening and slip (m), normal (tension above 0) and shear stress (Pa)."""
+
+    opening: np.ndarray
+    slip: np.ndarray
+    sigma: np.ndarray
+    tau: np.ndarray
+
+
 @dataclass(frozen=True)
 class Observation:
-    """What contacts and blocks show at one moment: seen (C, 4) opening, slip, sigma, tau; stress (B, 6) Pa."""
+    """What contacts and blocks show at one moment; stress (B, 6) Pa, energies in J."""
 
-    seen: np.ndarray
+    seen: Seen
     stress: np.ndarray
     elastic_contacts: float
     elastic_blocks: float
@@ -41,9 +50,9 @@ def observe(model: Model) -> Observation:
             continue
         which = model.layout.members[kind]
         part = np.zeros((len(which), 6))
-        elastic += file.observe(body, part) if kind == "affine" else file.observe(body, model.contacts[3], part)
+        elastic += file.observe(body, part) if kind == "affine" else file.observe(body, model.contacts.u, part)
         stress[which] = part / model.layout.volume[which, None]
-    return Observation(seen, stress, stored, elastic)
+    return Observation(Seen(*seen.T), stress, stored, elastic)
 
 
 def kinetic(model: Model, before: list[np.ndarray]) -> float:

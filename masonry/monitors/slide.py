@@ -7,6 +7,7 @@ import numpy as np
 from geometry.joints.extents import joint_extents
 from masonry.errors import Stopped
 from masonry.model.model import Model
+from masonry.monitors.energy import Seen
 from masonry.runtime.state import State
 
 APART = 1e-3
@@ -28,24 +29,25 @@ class Slide:
         self.largest = 0.0
         self.axes, self.extent = joint_extents(model.blocks, model.joints)
         self.least = self.extent.min(axis=1, initial=np.inf)
-        self.sticks = np.array([not is_roller(interface) for interface in model.groups[1]], dtype=bool)[model.group]
+        sticks = [not is_roller(interface) for interface in model.groups.properties]
+        self.sticks = np.array(sticks, dtype=bool)[model.group]
 
-    def look(self, step: int, seen: np.ndarray) -> None:
-        """Raise Stopped if a contact slid by more than the limit; seen (C, 4) as `energy.observe` has it."""
-        opening, slip, sigma, tau = seen.T
+    def look(self, step: int, seen: Seen) -> None:
+        """Raise Stopped if a contact slid by more than the limit."""
+        opening, slip, sigma, tau = seen
         further = self.sticks & (slip > self.largest * self.least) & ((sigma < 0.0) | (tau > 0.0))
         which = np.flatnonzero(further)
         which = which[(sigma[which] < 0.0) | (opening[which] < APART * self.least[which])]
         if len(which) == 0:
             return
-        (one, two), u = self.model.contacts[0][which].T, self.model.contacts[3]
+        (one, two), u = self.model.contacts.sides[which].T, self.model.contacts.u
         share = np.abs(np.einsum("ckj,cj->ck", self.axes[which], u[two] - u[one])) / self.extent[which]
         highest = int(np.argmax(share.max(axis=1)))
         worst, reached = int(which[highest]), float(share[highest].max())
         self.largest = max(self.largest, reached)
         if reached > self.limit:
             raise Stopped(
-                f"step {step}: {self.model.contact(worst)} has slid by {seen[worst, 1]:.3g} m, {reached:.3g} of the "
+                f"step {step}: {self.model.contact(worst)} has slid by {slip[worst]:.3g} m, {reached:.3g} of the "
                 f"extent of its joint, more than solver.slip_limit = {self.limit:g}; contacts keep the place and the "
                 "area that they begin with"
             )

@@ -60,7 +60,7 @@ class SnapBack:
         return self.model.state.intact_s[span].copy()
 
     def _stop(self, step: int, g: int, contact: int, compression: float, lacking: float) -> None:
-        shape, bounds = self.model.groups[0][g], self.model.groups[3]
+        shape, bounds = self.model.groups.parameters[g], self.model.groups.bounds
         if np.ndim(shape.G_II) == 0:
             wanted = f"above {shape.G_II + lacking:.4g} N/m"
         else:

@@ -99,7 +99,7 @@ class Watch:
             h = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), self.model.layout.axes[self.affine])
             turns.append((0.5 * np.abs(h - h.transpose(0, 2, 1)).max(axis=(1, 2)), "affine"))
         if tets is not None:
-            mean_turn(tets, self.model.contacts[3], self.tet_turn)
+            mean_turn(tets, self.model.contacts.u, self.tet_turn)
             turns.append((np.abs(self.tet_turn).max(axis=1), "tets"))
         for turn, kind in turns:
             self.rotation = max(self.rotation, float(turn.max()))
@@ -123,10 +123,10 @@ def smallest_block(model: Model) -> float:
 def frame_of(model: Model, view: Observation, step: int, displacement: float, nearest: np.ndarray | None) -> Frame:
     """The specimen now; nearest: as nearest_nodes, found once for a run."""
     seen, state = view.seen, model.state
-    tets = model.bodies[2]
-    nodes = model.contacts[3][: len(tets.v)].copy() if tets is not None else np.zeros((0, 3))
+    tets = model.bodies.tets
+    nodes = model.contacts.u[: len(tets.v)].copy() if tets is not None else np.zeros((0, 3))
     stress = view.stress.copy()
-    if model.bodies[0] is not None:
+    if model.bodies.rigid is not None:
         stress[model.layout.members["rigid"]] = contact_stress(model)
     return Frame(
         step=step,
@@ -134,10 +134,10 @@ def frame_of(model: Model, view: Observation, step: int, displacement: float, ne
         displacement=displacement,
         corners=corner_displacements(model, nearest),
         nodes=nodes,
-        opening=seen[:, 0].copy(),
-        slip=seen[:, 1].copy(),
-        normal_stress=seen[:, 2].copy(),
-        shear_stress=seen[:, 3].copy(),
+        opening=seen.opening.copy(),
+        slip=seen.slip.copy(),
+        normal_stress=seen.sigma.copy(),
+        shear_stress=seen.tau.copy(),
         damage_tension=1.0 - state.intact_n,
         damage_shear=1.0 - state.intact_s,
         stress=stress,
@@ -163,7 +163,7 @@ def corner_displacements(model: Model, nearest: np.ndarray | None) -> np.ndarray
         moved[p] = affine.q[local[p], :3] + np.einsum("cij,ckj,ck->ci", h, axes[p], arm[p])
     if nearest is not None:
         p = np.flatnonzero(kind == KINDS.index("tets"))
-        moved[p] = model.contacts[3][nearest[p]]
+        moved[p] = model.contacts.u[nearest[p]]
     return moved
 
 

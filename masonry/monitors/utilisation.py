@@ -3,12 +3,12 @@
 import numpy as np
 
 from masonry.model.model import Model
+from masonry.monitors.energy import Seen
 
 
-def utilisation(model: Model, seen: np.ndarray, rest: np.ndarray) -> float:
+def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
     """Largest share of its strength that a contact uses, in tension or in shear; at 1 it tears, slips or opens.
 
-    seen  (C, 4) as in energy.py
     rest  (C,) Pa, normal stress under the dead loads alone: a joint without tensile strength opens when that has gone
     """
     _, interfaces, _, bounds = model.groups
@@ -17,7 +17,7 @@ def utilisation(model: Model, seen: np.ndarray, rest: np.ndarray) -> float:
         if interface.tensile_strength is None:
             continue
         span = slice(bounds[g], bounds[g + 1])
-        sigma, tau = seen[span, 2:4].T
+        sigma, tau = seen.sigma[span], seen.tau[span]
         strength = interface.cohesion - sigma * interface.tan_friction
         in_shear = np.where(tau > 0.0, np.divide(tau, strength, out=np.ones_like(tau), where=strength > 0.0), 0.0)
         capacity = interface.tensile_strength - np.minimum(rest[span], 0.0)

@@ -29,7 +29,7 @@ def is_compiled(model: Model, threads: int) -> bool:
 def _kind(model: Model, threads: int) -> str:
     """The name of all models that one compiled step serves."""
     parallel = True if threads > 1 else None
-    return kind_of((parallel, model.damping, model.groups, model.contacts, model.bodies, model.drives))
+    return kind_of((parallel, model.damping, *model.step_arguments()))
 
 
 @contextlib.contextmanager
@@ -62,9 +62,6 @@ def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: i
         model.damping,
         chunk.dead_load,
         chunk.speed,
-        model.groups,
-        model.contacts,
-        model.bodies,
-        model.drives,
+        *model.step_arguments(),
         gauge,
     )

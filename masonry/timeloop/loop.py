@@ -155,7 +155,7 @@ class Loop:
         terms = energy.ledger(model, view, before)
         self.watch.check_energies(step, terms)
         self.slide.look(step, view.seen)
-        self.collision.look(step, view.seen[:, 0], self.watch.rotation)
+        self.collision.look(step, view.seen.opening, self.watch.rotation)
         self.outcome.met = self.collision.words
         self.outcome.slip_max = self.slide.largest
         if step <= self.settle:
@@ -167,9 +167,9 @@ class Loop:
         self.rows.append([*motion, *(terms[k] for k in list(UNITS)[len(motion) :]), *gauges])
         self.pace.look(stress * force, -support * force, view.seen, terms)
         self.outcome.rotation_max = self.watch.rotation
-        self.overlap.look(view.seen[:, 0])
-        self.law_area.look(view.seen[:, 2])
-        self.outcome.widest.append(float(view.seen[:, 0].max(initial=0.0)))
+        self.overlap.look(view.seen.opening)
+        self.law_area.look(view.seen.sigma)
+        self.outcome.widest.append(float(view.seen.opening.max(initial=0.0)))
         self.outcome.overlap_max = self.overlap.largest
         self.work_of_loads.look(model, self.shares(), step <= self.settle)
         higher = stress > self.highest_row and step > 0

@@ -16,10 +16,10 @@ CHANGED = ("q", "v", "contact", "hold", "inner", "work", "guess", "load", "chang
 
 def changing(model: Model) -> dict[str, np.ndarray]:
     """By name, each array that a step or the guide writes; what contacts remember once, whoever looks at it."""
-    found = {"u": model.contacts[3], "force": model.contacts[4]}
+    found: dict[str, np.ndarray | None] = {"u": model.contacts.u, "force": model.contacts.force}
     for kind, body in present(model):
         found |= {f"{kind}.{name}": getattr(body, name, None) for name in CHANGED}
-    for g, memory in enumerate((model.state, *model.groups[2])):
+    for g, memory in enumerate((model.state, *model.groups.states)):
         seen = {id(array) for array in found.values()}
         found |= {f"memory.{g}.{k}": array for k, array in enumerate(memory) if id(array) not in seen}
     return {name: array for name, array in found.items() if array is not None}

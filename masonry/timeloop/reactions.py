@@ -72,7 +72,7 @@ class Surroundings:
             for kind, (rows, mask) in one.parts.items():
                 held[k] += resultant(layout, kind, rows, mask * bodies[kind].hold[rows])
         loads = self.resultants(layout, shares)
-        return Standing(step, displacement, held, loads, *of_motion(model, before), model.contacts[4].copy())
+        return Standing(step, displacement, held, loads, *of_motion(model, before), model.contacts.force.copy())
 
     def resultants(self, layout: Layout, shares: list[float]) -> np.ndarray:
         """(L, 6) of the loads at their shares."""
@@ -88,7 +88,7 @@ class Surroundings:
         found = np.zeros(len(self.loads))
         for k, one in enumerate(self.loads):
             for kind, (rows, load) in one.parts.items():
-                way = model.contacts[3][: len(bodies[kind].v)] if kind == "tets" else bodies[kind].q
+                way = model.contacts.u[: len(bodies[kind].v)] if kind == "tets" else bodies[kind].q
                 found[k] += float(np.sum(load * way[rows]))
         return found
 

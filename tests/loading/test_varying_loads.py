@@ -61,7 +61,7 @@ def test_each_load_follows_its_own_history_beside_one_that_stays():
 def acting(scene, rows: int) -> np.ndarray:
     """Shear (N) on the top block at each step, as the chunks of a run hand it to the step."""
     assembly = assemble(scene)
-    pace, body = pace_of(assembly.model, assembly.plan, rows), assembly.model.bodies[0]
+    pace, body = pace_of(assembly.model, assembly.plan, rows), assembly.model.bodies.rigid
     found = np.zeros(1)
     while (chunk := pace.next()) is not None:
         stays, comes = np.minimum(chunk.dead_load, 1.0), np.maximum(chunk.dead_load - 1.0, 0.0)

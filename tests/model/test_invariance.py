@@ -60,7 +60,7 @@ def test_a_rigid_motion_of_all_blocks_makes_no_force(kinds, shape):
     noise = rng.normal(size=len(rigid)) * np.abs(rigid).max()
     scale = np.abs(rig.forces(model, noise)).max()
     assert np.abs(rig.forces(model, rigid)).max() < 1e-13 * scale
-    assert np.abs(model.contacts[4]).max() < 1e-13 * scale, "no contact feels it"
+    assert np.abs(model.contacts.force).max() < 1e-13 * scale, "no contact feels it"
 
 
 @pytest.mark.parametrize("kinds", MIXTURES.values(), ids=MIXTURES)
@@ -68,7 +68,7 @@ def test_contacts_push_both_sides_alike_and_along_one_line(kinds):
     model = rig.make(shapes.mapped(specimen(kinds, "skewed"), TURN))
     noise = np.random.default_rng(2).normal(size=len(rig.free(model)))
     rig.forces(model, noise)
-    everywhere = np.abs(model.contacts[4]).sum()
+    everywhere = np.abs(model.contacts.force).sum()
     assert np.abs(contact_forces(model)).max() < 1e-13 * everywhere
 
 

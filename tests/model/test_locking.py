@@ -49,7 +49,7 @@ def excess(assembly, nu, moved):
     members = assembly.mesh
     mesh = MeshTet(np.ascontiguousarray(members.nodes.T), np.ascontiguousarray(members.tets.T))
     u, twice = solution(mesh, nu, ElementTetP1(), moved)
-    assembly.model.contacts[3][: len(members.nodes)] = u.reshape(-1, 3)
+    assembly.model.contacts.u[: len(members.nodes)] = u.reshape(-1, 3)
     assert 2.0 * energy.observe(assembly.model).elastic_blocks == pytest.approx(twice, rel=1e-9)
     return twice / solution(mesh, nu, ElementTetP2(), moved)[1] - 1.0
 

@@ -28,7 +28,7 @@ def oscillator(damping: float, fraction: float):
 
 def path_of(model, steps: int) -> np.ndarray:
     """Height of the moving block after each step."""
-    q = model.bodies[0].q
+    q = model.bodies.rigid.q
     path = np.empty(steps)
     for k in range(steps):
         rig.march(model, 1)
@@ -46,7 +46,7 @@ def peaks(path: np.ndarray, dt: float) -> tuple[np.ndarray, np.ndarray]:
 
 def test_a_block_on_a_contact_swings_with_the_period_of_its_mass_and_spring():
     model, omega = oscillator(0.0, 0.002)
-    model.bodies[0].v[1, 2] = 1e-3
+    model.bodies.rigid.v[1, 2] = 1e-3
     when, height = peaks(path_of(model, 8000), model.dt)
     assert np.diff(when) == pytest.approx(np.pi / omega, rel=1e-5)
     assert np.abs(height) == pytest.approx(1e-3 / omega, rel=1e-5)
@@ -56,7 +56,7 @@ def test_a_block_on_a_contact_swings_with_the_period_of_its_mass_and_spring():
 def test_the_leapfrog_shortens_the_period_exactly_as_its_theory_says(fraction):
     """sin(w' dt/2) = w dt/2: at any step up to the limit 2/w."""
     model, omega = oscillator(0.0, fraction)
-    model.bodies[0].v[1, 2] = 1e-3
+    model.bodies.rigid.v[1, 2] = 1e-3
     path = path_of(model, 400)
     phase = 2 * np.arcsin(omega * model.dt / 2)
     exact = np.sin(phase * np.arange(1, 401)) * path[0] / np.sin(phase)
@@ -67,7 +67,7 @@ def test_the_leapfrog_shortens_the_period_exactly_as_its_theory_says(fraction):
 def test_local_damping_shrinks_and_times_each_half_swing_as_the_closed_form_says(xi):
     """The force jumps by (1 + xi)/(1 - xi) at a turning point, so its time is sharp to some steps only."""
     model, omega = oscillator(xi, 2.5e-4)
-    model.bodies[0].v[1, 2] = 1e-3
+    model.bodies.rigid.v[1, 2] = 1e-3
     when, height = peaks(path_of(model, 32000), model.dt)
     assert np.abs(height[1:] / height[:-1]) == pytest.approx(np.sqrt((1 - xi) / (1 + xi)), rel=1e-4)
     half = np.pi / (2 * omega) * (1 / np.sqrt(1 - xi) + 1 / np.sqrt(1 + xi))
@@ -129,11 +129,11 @@ def test_a_skewed_block_released_in_its_lowest_mode_swings_in_time_at_that_frequ
     mode = eigh(stiffness, np.diag(mass[which]))[1][:, 0]
     velocity = np.zeros(len(which))
     velocity[which] = 1e-3 * mode
-    rig.put(model, {"rigid": model.bodies[0].v}, velocity)
+    rig.put(model, {"rigid": model.bodies.rigid.v}, velocity)
     path = []
     for _ in range(400):
         rig.march(model, 1)
-        path.append(model.bodies[0].q.ravel()[which] @ np.diag(mass[which]) @ mode)
+        path.append(model.bodies.rigid.q.ravel()[which] @ np.diag(mass[which]) @ mode)
     phase = 2 * np.arcsin(omega * model.dt / 2)
     exact = np.sin(phase * np.arange(1, 401)) * path[0] / np.sin(phase)
     assert np.abs(path - exact).max() < 1e-9 * np.abs(path).max()
@@ -174,7 +174,7 @@ def test_one_block_between_plates_stretches_by_its_own_and_its_contacts_complian
     push = Push(np.array([top]), np.array([0.0, 0.0, 0.5e6]))
     model = rig.make(s, rig.GLUE, Stepping(damping=0.8), [rig.everything(0)], [push], material=material)
     rig.march(model, 12000)
-    assert model.bodies[0].q[1, 2] == pytest.approx(0.5e6 * (0.2 / 5e9 + 2 / KN), rel=1e-9)
+    assert model.bodies.rigid.q[1, 2] == pytest.approx(0.5e6 * (0.2 / 5e9 + 2 / KN), rel=1e-9)
 
 
 def test_a_bar_of_tets_sings_at_its_first_frequency_and_converges_with_the_mesh():

@@ -7,6 +7,7 @@ from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
+from masonry.monitors.energy import Seen
 from masonry.monitors.snap_back import SnapBack
 from masonry.monitors.utilisation import utilisation
 
@@ -63,17 +64,17 @@ def test_a_couplet_breaks_at_the_strength_that_its_joint_has_drawn():
 def test_each_contact_begins_with_the_elastic_limit_and_the_utilisation_of_its_own_strength():
     model = assemble(scene.load("wallette-mode-1", SMALL | scatter(0.5, "unit_unit"))).model
     g = model.group_names.index("unit_unit")
-    own = slice(int(model.groups[3][g]), int(model.groups[3][g + 1]))
-    interface = model.groups[1][g]
+    own = slice(int(model.groups.bounds[g]), int(model.groups.bounds[g + 1]))
+    interface = model.groups.properties[g]
     strength = interface.tensile_strength
     np.testing.assert_allclose(model.state.opening_max[own], strength / interface.normal_stiffness, rtol=1e-15)
     units = np.sort(model.blocks.unit[np.column_stack([model.joints.block_a, model.joints.block_b])[own]], axis=1)
     for pair in np.unique(units, axis=0):
         assert len(np.unique(strength[(units == pair).all(axis=1)])) == 1
     assert len(np.unique(strength)) == 18
-    seen = np.zeros((len(model.group), 4))
-    seen[own, 2] = 0.5 * strength.min()
-    assert utilisation(model, seen, np.zeros(len(seen))) == pytest.approx(0.5, rel=1e-12)
+    seen = Seen(*np.zeros((4, len(model.group))))
+    seen.sigma[own] = 0.5 * strength.min()
+    assert utilisation(model, seen, np.zeros(len(model.group))) == pytest.approx(0.5, rel=1e-12)
 
 
 def test_snap_back_in_a_run_is_looked_for_with_the_energy_drawn_and_the_message_says_it():
@@ -81,15 +82,15 @@ def test_snap_back_in_a_run_is_looked_for_with_the_energy_drawn_and_the_message_
     changes = {"law": "linear", "contact.unit_unit.tan_residual_friction_angle": 0.5}
     model = assemble(scene.load("wallette-mode-1", SMALL | changes | scatter(0.3, "unit_unit"))).model
     g = model.group_names.index("unit_unit")
-    shape, interface = model.groups[0][g], model.groups[1][g]
-    first, count = int(model.groups[3][g]), len(shape.G_II)
+    shape, interface = model.groups.parameters[g], model.groups.properties[g]
+    first, count = int(model.groups.bounds[g]), len(shape.G_II)
     limit = (np.sqrt(2.0 * interface.shear_stiffness * shape.G_II) - interface.cohesion) / (
         interface.tan_friction - 0.5
     )
     worst = int(np.argmin(limit))
     for share, c in ((0.99, worst), (1.01, worst)):
         watch = SnapBack(model)
-        normal, area, force = model.contacts[1], model.contacts[2], model.contacts[4]
+        normal, area, force = model.contacts.normal, model.contacts.area, model.contacts.force
         force[first + c] = -share * limit[c] * area[first + c] * normal[first + c]
         model.state.intact_s[first + c] -= 0.1
         if share < 1.0:

@@ -98,7 +98,7 @@ def crossing():
 
 def pushed(model, shift, turn=0.0, opening=0.0):
     """Look with the last block shifted (m) and turned about y (rad); whether it lies on the one across."""
-    body, look = model.bodies[0], Collision(model, {})
+    body, look = model.bodies.rigid, Collision(model, {})
     body.q[3, :3], body.q[3, 4] = shift, turn
     look.look(0, np.full(len(model.group), opening), abs(turn))
     return look.words != ""
@@ -158,13 +158,13 @@ def test_blocks_that_touched_along_an_edge_lie_on_each_other_a_little_with_a_dou
     model = crossing()
     look, closed = Collision(model, {"corner": np.array([3])}), np.zeros(len(model.group))
     for depth in (2e-5, 9.9e-4):  # 1 % of 100 mm is 1 mm
-        model.bodies[0].q[3, :3] = -depth, 0.0, -depth
+        model.bodies.rigid.q[3, :3] = -depth, 0.0, -depth
         look.look(7, closed, 0.0)
         assert "(unit 0) and 'corner' meet" in look.words and "from step 7 on" in look.words
     again = Collision(model, {})
     again.restore(look.state())
     assert again.words == look.words
-    model.bodies[0].q[3, :3] = -1.1e-3, 0.0, -1.1e-3
+    model.bodies.rigid.q[3, :3] = -1.1e-3, 0.0, -1.1e-3
     for one in (look, again):
         with pytest.raises(Stopped, match="meet around"):
             one.look(8, closed, 0.0)
@@ -183,7 +183,7 @@ def test_corners_move_as_pictures_show_them(kinematics):
         if body is not None:
             body.q[...] = 1e-3 * rng.standard_normal(body.q.shape)
     if tets is not None:
-        model.contacts[3][...] = rng.standard_normal(model.contacts[3].shape)
+        model.contacts.u[...] = rng.standard_normal(model.contacts.u.shape)
     corners = Corners(model)
     moved = corner_displacements(corners.model, corners.nearest)[corners.points]
     np.testing.assert_allclose(corners.moved()[0].transpose(1, 2, 0), moved, atol=1e-15)
@@ -194,7 +194,7 @@ def test_candidates_are_neighbours_and_a_face_that_turns_with_its_block_still_pa
     look, closed = Collision(model, {}), np.zeros(len(model.group))
     look.look(0, closed, 0.0)
     assert len(look.pairs) == 0  # the stop is 0.1 mm away and nothing has moved
-    model.bodies[0].q[1:, 4] = 0.02  # both turn alike: their boxes overlap by 1.9 mm, and their faces do not
+    model.bodies.rigid.q[1:, 4] = 0.02  # both turn alike: their boxes overlap by 1.9 mm, and their faces do not
     moved, gradient = look.corners.moved()
     look.look(1, closed, 0.02)
     assert look.pairs.tolist() == [[1, 2]]

@@ -60,7 +60,7 @@ def test_a_roller_may_slide_as_far_as_it_likes():
 
 def test_what_is_apart_touches_nothing_and_does_not_count():
     model = assemble(load("couplet")).model
-    model.contacts[3][model.contacts[0][:, 1], 0] = 0.06
+    model.contacts.u[model.contacts.sides[:, 1], 0] = 0.06
     slide, seen = Slide(model, 0.25), np.tile([1e-3, 0.06, 0.0, 0.0], (len(model.group), 1))
     seen[:, 3] = 1.0  # what a softening law leaves of its strength
     slide.look(0, seen)
@@ -103,6 +103,6 @@ def test_a_slip_across_is_measured_by_the_width():
     slide, seen = Slide(model, 0.25), np.tile([0.0, 0.01, -1.0, 0.0], (len(model.group), 1))
     for axis, length in ((0, 0.2), (1, 0.05)):
         slide.largest = 0.0
-        model.contacts[3][model.contacts[0][:, 1]] = 0.01 * np.eye(3)[axis]
+        model.contacts.u[model.contacts.sides[:, 1]] = 0.01 * np.eye(3)[axis]
         slide.look(0, seen)
         assert slide.largest == pytest.approx(0.01 / length)

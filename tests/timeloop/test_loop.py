@@ -194,7 +194,7 @@ def test_threads_are_as_many_as_asked(monkeypatch):
 
 def test_a_corner_moves_with_the_nodes_of_its_own_block_where_two_blocks_have_one_there():
     model = assemble(scene.load("couplet", ["kinematics=tets", "specimen.mesh=fan"])).model
-    mesh, displacement = model.layout.mesh, model.contacts[3]
+    mesh, displacement = model.layout.mesh, model.contacts.u
     for block in range(model.blocks.count):
         displacement[mesh.node_start[block] : mesh.node_start[block + 1]] = block + 1.0
     moved = corner_displacements(model, nearest_nodes(model))

@@ -48,7 +48,7 @@ def rigid_motion(findings: Findings, kinds: Sequence[str], words: str) -> None:
     rigid = rig.linear_field(model, random.normal(size=3), np.cross(np.eye(3), -spin))
     noise = random.normal(size=len(rigid)) * np.abs(rigid).max()
     scale = float(np.abs(rig.forces(model, noise)).max())
-    everywhere = float(np.abs(model.contacts[4]).sum())
+    everywhere = float(np.abs(model.contacts.force).sum())
     unequal = float(np.abs(contact_forces(model)).max())
     left = float(np.abs(rig.forces(model, rigid)).max())
     findings.checks += [

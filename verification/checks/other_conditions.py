@@ -27,7 +27,7 @@ def rebuilt(assembly: Assembly, change: Callable[[Conditions, Layout], None]) ->
     change(conditions, layout)
     laws = {
         name: (shape, interface)
-        for name, shape, interface in zip(old.group_names, old.groups[0], old.groups[1], strict=True)
+        for name, shape, interface in zip(old.group_names, old.groups.parameters, old.groups.properties, strict=True)
     }
     solver = scene.solver
     stepping = model.Stepping(solver.masses, solver.time_step, solver.step_fraction, solver.damping)

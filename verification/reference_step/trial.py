@@ -14,6 +14,7 @@ from masonry.laws.exponential import Exponential
 from masonry.laws.state import Interface
 from masonry.loading.scheduled import Chunk
 from masonry.model import loads
+from masonry.model.arrays import Bodies
 from masonry.model.layout import KINDS, Material, lay_out
 from masonry.model.model import Model, Stepping, build, sort_by_group
 from masonry.timeloop import compiled_step
@@ -63,7 +64,7 @@ def stepping(model: Model, steps: int, threads: int = 1) -> Callable[[], None]:
 
 def replace_bodies(model: Model, **values) -> None:
     """Fields of all bodies, such as work=None."""
-    model.bodies = tuple(None if body is None else body._replace(**values) for body in model.bodies)
+    model.bodies = Bodies(*(None if body is None else body._replace(**values) for body in model.bodies))
 
 
 def set_velocity(model: Model, velocity: np.ndarray) -> None:
@@ -101,7 +102,7 @@ def used(model: Model) -> set[str]:
         "second law": len(shapes) > 1,
         "expected motion": any(body.guess is not None for body in bodies),
         "turned axes": any(getattr(body, "axes", None) is not None for body in bodies),
-        "tets": model.bodies[2] is not None,
+        "tets": model.bodies.tets is not None,
     }
     return {name for name, there in parts.items() if there}
 
@@ -110,7 +111,7 @@ def moved(model: Model) -> np.ndarray:
     """(rows, 3) displacement of every block, or of every node of tets."""
     for kind, body in zip(KINDS, model.bodies, strict=True):
         if body is not None:
-            return model.contacts[3][: len(body.v), :3] if kind == "tets" else body.q[:, :3]
+            return model.contacts.u[: len(body.v), :3] if kind == "tets" else body.q[:, :3]
     raise ValueError("no bodies")
 
 
@@ -144,7 +145,7 @@ def sweeping(model: Model, by: np.ndarray, rounds: int, sweeps: bool = True) -> 
 
 def forces(model: Model) -> np.ndarray:
     """(C, 3) N, of every contact."""
-    return model.contacts[4][:, :3]
+    return model.contacts.force[:, :3]
 
 
 def history(model: Model) -> np.ndarray:

@@ -29,7 +29,7 @@ class Twin:
     def __init__(self, model: Model, law: str = "exponential", damped: bool = True, booked: bool = True) -> None:
         self.model, self.dt, self.xi = model, model.dt, model.damping if damped else 0.0
         joints, count = model.joints, len(model.joints.area)
-        shape, interface = model.groups[0][0], model.groups[1][0]
+        shape, interface = model.groups.parameters[0], model.groups.properties[0]
         i = interface
         self.law = (i.normal_stiffness, i.shear_stiffness)
         self.past, self.slip, self.spent = (np.zeros((count if law != "elastic" else 0, 4)) for _ in range(3))

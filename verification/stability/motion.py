@@ -111,7 +111,7 @@ def swing(count: int, knobs: Knobs) -> Trial:
     import time
 
     model = assemble(scene.load(CHAIN, knobs)).model
-    body = model.bodies[0]
+    body = model.bodies.rigid
     free = int(np.flatnonzero(body.pace[:, 2])[0])
     mass = model.masses["rigid"][free, 2]
     stiffness = 2.0 * joint_of(CHAIN, knobs).kn * 0.01

@@ -13,7 +13,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.kinematics.motion import Guided
 from masonry.loading.scheduled import Chunk
-from masonry.model.arrays import in_rows, memory_of, own_memory
+from masonry.model.arrays import Bodies, Groups, in_rows, memory_of, own_memory
 from masonry.model.loads import Program
 from masonry.model.model import Model
 from masonry.timeloop.compiled_step import advance_model
@@ -78,7 +78,7 @@ def few_steps(assembly: Assembly, steps: int) -> list[np.ndarray]:
     speed = np.full(steps + 1, plan.speed[np.argmax(np.abs(plan.speed))])
     gauge = np.zeros(steps)
     advance_model(model, Chunk(np.zeros(steps + 1), speed, False), 1, 0, steps, gauge)
-    return [gauge, model.contacts[3], *(body.v for body in model.bodies if body is not None)]
+    return [gauge, model.contacts.u, *(body.v for body in model.bodies if body is not None)]
 
 
 def put_in_the_state_of(other: Model, model: Model) -> None:
@@ -96,7 +96,7 @@ def put_in_the_state_of(other: Model, model: Model) -> None:
 
 
 def _bodies(model: Model, values: Callable[[Any], dict[str, Any]]) -> None:
-    model.bodies = tuple(None if body is None else body._replace(**values(body)) for body in model.bodies)
+    model.bodies = Bodies(*(None if body is None else body._replace(**values(body)) for body in model.bodies))
 
 
 def load_with_nothing(model: Model) -> None:
@@ -127,7 +127,7 @@ def dilate_by_nothing(model: Model) -> None:
         i if i.tensile_strength is None else i._replace(tan_dilation=0.0, dilation_cutoff=1.0) for i in interfaces
     )
     model.state = memory_of(model.group, list(interfaces))
-    model.groups = shapes, interfaces, tuple(own_memory(model.state, i) for i in interfaces), bounds
+    model.groups = Groups(shapes, interfaces, tuple(own_memory(model.state, i) for i in interfaces), bounds)
 
 
 def damp_by_nothing(model: Model) -> None:
@@ -140,7 +140,8 @@ def split(model: Model) -> None:
     shapes, interfaces, states, bounds = model.groups
     middle = (bounds[:-1] + bounds[1:]) // 2
     twice = np.sort(np.concatenate([bounds, middle])).astype(bounds.dtype)
-    model.groups = *(tuple(x for x in of for _ in range(2)) for of in (shapes, interfaces, states)), twice
+    shapes, interfaces, states = (tuple(x for x in of for _ in range(2)) for of in (shapes, interfaces, states))
+    model.groups = Groups(shapes, interfaces, states, twice)
 
 
 def glued(kind: str) -> dict[str, Any]:

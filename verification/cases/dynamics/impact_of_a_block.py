@@ -33,11 +33,11 @@ def hit(findings: Findings, count: int) -> tuple[np.ndarray, float, float, float
     dt = np.pi / (OMEGA * (count + 0.5))
     stepping = Stepping("real", dt, damping=0.0)
     model = rig.make(setup, loose(KN), stepping, [rig.everything(0)])
-    model.bodies[0].v[1, 2] = -SPEED
+    model.bodies.rigid.v[1, 2] = -SPEED
     steps = count + 20
     look = follow(
         findings, f"impact, {count} steps", model, steps,
-        lambda m: np.array([-m.contacts[4][:, 2].sum(), m.bodies[0].q[1, 2], m.bodies[0].v[1, 2]]),
+        lambda m: np.array([-m.contacts.force[:, 2].sum(), m.bodies.rigid.q[1, 2], m.bodies.rigid.v[1, 2]]),
     )  # fmt: skip
     force, place, speed = look.T
     out = int(np.argmax((place > 0) & (np.arange(steps + 1) > 1)))

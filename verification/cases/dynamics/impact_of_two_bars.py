@@ -38,7 +38,7 @@ def bars(count: int, fraction: float) -> tuple[Model, np.ndarray]:
     model = rig.make(setup, glued(KN, KN), Stepping("real", fraction / OMEGA, damping=0.0))
     between = (setup.joints.block_a == count - 1) & (setup.joints.block_b == count)
     model.state.intact_n[between], model.state.secant[between] = 0.0, 0.0  # torn: the middle only presses
-    model.bodies[0].v[:count, 2], model.bodies[0].v[count:, 2] = 0.5 * SPEED, -0.5 * SPEED
+    model.bodies.rigid.v[:count, 2], model.bodies.rigid.v[count:, 2] = 0.5 * SPEED, -0.5 * SPEED
     return model, between
 
 
@@ -48,7 +48,7 @@ def meet(findings: Findings, count: int, fraction: float, until: float) -> tuple
     name = f"{count} blocks a bar, {fraction:g} w dt"
 
     def look(m: Model) -> np.ndarray:
-        return np.array([-m.contacts[4][between, 2].sum(), m.bodies[0].v[count:, 2].mean()])
+        return np.array([-m.contacts.force[between, 2].sum(), m.bodies.rigid.v[count:, 2].mean()])
 
     seen = follow(findings, name, model, round(until / fraction), look, every=2)
     return 2 * fraction * np.arange(len(seen)), seen[:, 0], seen[:, 1]

@@ -36,11 +36,11 @@ def made(law: tuple, dt: float, gravity: float = 0.0) -> Model:
 def swung(findings: Findings, fraction: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Places (m) at every step of a swing from rest; times (s), shares r and places (m) of its first turning points."""
     model = made(glued(KN, KN), 2 * fraction / OMEGA)
-    model.bodies[0].q[1, 2] = START
+    model.bodies.rigid.q[1, 2] = START
     steps = int(2.3 * HALF / model.dt)
     name = f"swing, {fraction:g} of the limit"
     place, speed = follow(
-        findings, name, model, steps, lambda m: np.array([m.bodies[0].q[1, 2], m.bodies[0].v[1, 2]])
+        findings, name, model, steps, lambda m: np.array([m.bodies.rigid.q[1, 2], m.bodies.rigid.v[1, 2]])
     ).T
     turns = np.flatnonzero(speed[1:-1] * speed[2:] < 0)[:2] + 1
     share = np.abs(speed[turns]) / (np.abs(speed[turns]) + np.abs(speed[turns + 1]))
@@ -70,7 +70,7 @@ def run() -> Findings:
               3 * dt / HALF * OMEGA * dt, dt / HALF * OMEGA * dt, "of second order: (w dt)^2 over w times the period"),
     ]  # fmt: skip
     model = made(loose(KN), 1e-5, GRAVITY)
-    speed = follow(found, "free fall", model, 200, lambda m: m.bodies[0].v[1, 2:3])[:, 0]
+    speed = follow(found, "free fall", model, 200, lambda m: m.bodies.rigid.v[1, 2:3])[:, 0]
     found.checks.append(
         Check("acceleration of free fall, away from the joint", "m/s2", float((speed[-1] - speed[1]) / (199 * 1e-5)),
               (1 - XI) * GRAVITY, kind, 1e-12, 1e-14, "a constant force: rounding of 200 sums")

@@ -75,7 +75,7 @@ def of_contacts(found: Findings) -> None:
     blocks = shapes.boxes([(low + shift, low + shift + SIZE) for shift in (np.zeros(3), *sides)])
     model = rig.make(shapes.setup(blocks, ["rigid"] * 7), GLUE)
     joints = model.joints
-    model.contacts[4][:] = joints.area[:, None] * (joints.normal @ STRESS)
+    model.contacts.force[:] = joints.area[:, None] * (joints.normal @ STRESS)
     compare(found, "rigid", contact_stress(model)[0], STRESS)
     turn = 0.5 * (GRADIENT - GRADIENT.T)
     rig.put(model, rig.positions(model), rig.linear_field(model, np.zeros(3), turn))

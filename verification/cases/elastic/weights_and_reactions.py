@@ -66,7 +66,7 @@ def oblique(found: Findings, kind: str) -> None:
     terms = at_rest(found, f"{kind}, oblique", model)
     for upper in (1, 2):
         below = model.joints.block_b == upper
-        had = -model.contacts[4][below].sum(axis=0)
+        had = -model.contacts.force[below].sum(axis=0)
         wanted = -(TRACTION * AREA + WEIGHTS[upper - 1 :].sum(axis=0))
         found.checks += [
             Check(f"{kind}: reaction below block {upper} along {axis}", "N", float(value), float(reference),
@@ -74,7 +74,7 @@ def oblique(found: Findings, kind: str) -> None:
             for axis, value, reference in zip("xyz", had, wanted, strict=True)
         ]  # fmt: skip
         foot = np.array([0.5 * SIDES[0], 0.5 * SIDES[1], sum(HEIGHTS[:upper])])
-        turning = np.cross(model.joints.point[below] - foot, -model.contacts[4][below]).sum(axis=0)
+        turning = np.cross(model.joints.point[below] - foot, -model.contacts.force[below]).sum(axis=0)
         places = [(sum(HEIGHTS[: b + 1]) - 0.5 * HEIGHTS[b], WEIGHTS[b - 1]) for b in range(upper, 3)]
         places.append((sum(HEIGHTS), TRACTION * AREA))
         upset = -np.sum([np.cross([0.0, 0.0, level - foot[2]], force) for level, force in places], axis=0)
