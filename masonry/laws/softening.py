@@ -1,7 +1,7 @@
 """The mechanism that all softening laws share: envelope, unloading, return to the Coulomb line, dilation, energies.
 
 A law file gives the curves (`tension_intact`, `tension_area`, `shear_intact`); this file says when a contact follows
-them. Tension is positive. History never heals: `intact_n` and `intact_s` only fall, `opening_max` only grows.
+them. Sign: sigma > 0 is tension. History never heals: `intact_n`, `intact_s` only fall, `opening_max` only grows.
 """
 
 from math import inf

@@ -8,7 +8,7 @@ import types
 
 import pytest
 
-import masonry
+import masonry.laboratory
 from geometry.blocks import GeometryError
 from masonry import scene
 from masonry.cli.main import main
@@ -48,7 +48,7 @@ def laboratory(monkeypatch, tmp_path):
 
     fake.run, fake.check = run, lambda loaded: REPORT
     monkeypatch.setitem(sys.modules, "masonry.laboratory.laboratory", fake)
-    monkeypatch.setattr(masonry, "laboratory", fake, raising=False)
+    monkeypatch.setattr(masonry.laboratory, "laboratory", fake, raising=False)
     return fake
 
 

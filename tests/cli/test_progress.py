@@ -158,7 +158,7 @@ def test_while_something_is_compiled_the_seconds_are_told_and_nothing_after_it(m
 def test_compiling_is_told_once_and_only_where_something_is_compiled(tmp_path):
     """In a process with an empty cache, and again in one that finds the step there."""
     code = (
-        "import masonry\nfrom masonry import laboratory\n"
+        "import masonry\nfrom masonry.laboratory import laboratory\n"
         "scene = masonry.load('couplet', ['law=elastic', 'settle.steps=100', 'drive.steps=600', 'solver.rows=10'])\n"
         "laboratory.run(scene, progress=lambda step, steps, note: print(step, note))\n"
     )

@@ -90,5 +90,5 @@ def test_a_checkpoint_of_another_model_is_refused(tmp_path):
     laboratory.run(SCENES["rigid, steps"](), keeper=Checkpointer(kept, {}, inf, asked=after(4)))
     other = Checkpointer(kept, {}, inf)
     other.saved, _ = kept.newest()
-    with pytest.raises(SceneError, match="of another model"):
+    with pytest.raises(SceneError, match="belongs to another model"):
         laboratory.run(load(couplet("rigid", settle=400, pace="steps = 800", masses="real")), keeper=other)

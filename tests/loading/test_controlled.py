@@ -11,6 +11,7 @@ from masonry.laboratory.text import accuracy_text
 from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.settings import SETTINGS
 from masonry.model.loads import controlled
+from masonry.monitors.energy import Seen
 from masonry.scene import load
 from tests.timeloop.test_loop import bits, corner_numbers, couplet
 from tests.timeloop.test_loop import load as load_text
@@ -124,7 +125,7 @@ def test_increments_add_up_whatever_the_energies_say():
         moved += chunk.speed[:-1].sum() * assembly.model.dt
         assert np.all(chunk.speed <= 0.0)
         force, *energies = (float(x) for x in rng.lognormal(0, 3, 7))
-        seen = rng.lognormal(0, 3, (len(assembly.model.group), 4))
+        seen = Seen(*rng.lognormal(0, 3, (4, len(assembly.model.group))))
         pace.look(force, 0.9 * force, seen, dict(zip(TERMS, energies, strict=True)))
     assert moved == pytest.approx(-3e-4, rel=1e-10)
 
@@ -157,7 +158,7 @@ def test_the_drive_slows_down_before_the_first_crack_and_says_how_far_it_ran_ahe
     ways = np.diff(rows["displacement"])
     assert ways[first - 1] < 0.2 * ways[:first].max() and ways[first - 1] < 0.1 * rows["displacement"][first]
     assert 0.0 < control["mean_lag"] <= control["largest_lag"] < 0.1
-    assert f"{100 * control['mean_lag']:.2g} % of the work" in accuracy_text(result.summary)
+    assert f"{100 * control['mean_lag']:.2g} % of its work" in accuracy_text(result.summary)
 
 
 def test_a_specimen_that_came_apart_holds_up_the_drive_no_longer() -> None:
