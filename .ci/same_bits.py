@@ -13,6 +13,7 @@ import tempfile
 from pathlib import Path
 
 import h5py
+import numpy as np
 
 PASSING = {"seconds_run", "seconds_compile", "seconds", "version", "source_hash"}
 
@@ -31,10 +32,16 @@ def stripped(value: object) -> object:
 
 
 def arrays(file: Path) -> dict[str, bytes]:
-    """Every array of history.h5, by its path."""
+    """The bytes of every array of history.h5, by its path."""
     found: dict[str, bytes] = {}
+
+    def take(name: str, item: h5py.Group | h5py.Dataset) -> None:
+        if isinstance(item, h5py.Dataset):
+            value = np.asarray(item[()])
+            found[name] = repr(value.tolist()).encode() if value.dtype == object else value.tobytes()
+
     with h5py.File(file) as root:
-        root.visititems(lambda name, item: found.update({name: item[()].tobytes()}) if hasattr(item, "shape") else None)
+        root.visititems(take)
     return found
 
 
