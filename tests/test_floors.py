@@ -177,7 +177,7 @@ def test_every_folder_of_modules_is_a_package_so_that_it_is_installed() -> None:
         ("geometry.blocks", "def f():\n    from masonry import errors"),
         ("geometry.blocks", "from masonry import anything"),
         ("geometry.joints.find", "import gmsh"),
-        ("geometry.polyhedra.weld", "from geometry.joints import find"),
+        ("geometry.polyhedra.indexing", "from geometry.joints import find"),
         ("masonry.laws.dispatch", "from .. import scene"),
         ("masonry.laws.dispatch", "from ..scene import Scene"),
         ("masonry.kernels.step", "import scipy.sparse"),

@@ -5,8 +5,8 @@ from contextlib import closing
 from typing import Any
 
 from masonry.runtime.processes import Lost, work
+from masonry.runtime.progress import Tally, Tell
 from masonry.runtime.shell import INTERRUPTED
-from masonry.runtime.tally import Tally, Tell
 from verification.case import Case, Findings
 from verification.outcome import Outcome
 from verification.worker import answer, run_case

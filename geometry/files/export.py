@@ -9,8 +9,7 @@ import numpy as np
 from geometry.blocks import Blocks, GeometryError, Specimen, TetMesh
 from geometry.files.atomic import whole_file
 from geometry.files.step_writer import step_text
-from geometry.meshes.fan_tets import fan_tets
-from geometry.meshes.tet_meshes import gathered
+from geometry.meshes.fan_tets import fan_tets, gathered
 
 SUFFIXES = (".step", ".stp", ".msh", ".vtu")
 

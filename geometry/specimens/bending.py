@@ -8,7 +8,7 @@ from geometry.checks import require_counts, require_lengths
 from geometry.polyhedra.construct import concatenate, from_boxes
 from geometry.polyhedra.overlaps import check_overlaps
 from geometry.specimens.bond import lay, require_units
-from geometry.specimens.layers import Filling
+from geometry.specimens.stacked import Filling
 from geometry.specimens.walls import fill_bond, wall_sets
 
 

@@ -13,8 +13,8 @@ from geometry.polyhedra.construct import concatenate, from_faces
 from geometry.polyhedra.intersect import are_convex
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids, volumes
 from geometry.specimens.filling import plane_cells, space_cells
-from geometry.specimens.layers import Filling
 from geometry.specimens.plane_cuts import in_grid
+from geometry.specimens.stacked import Filling
 
 SAME = 1e-9
 """Of the specimen's longest side, and of a unit vector: faces of a block that are nearer lie in one plane."""

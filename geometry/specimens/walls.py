@@ -9,7 +9,7 @@ from geometry.cells.request import CellsAsked
 from geometry.polyhedra.measures import bounds
 from geometry.specimens.bond import WHOLE, Bond
 from geometry.specimens.filling import fill_with_cells, fill_with_grid
-from geometry.specimens.layers import Filling
+from geometry.specimens.stacked import Filling
 
 
 def fill_bond(kind: str, bond: Bond, filling: Filling) -> tuple[Blocks, tuple[CellReport, ...]]:

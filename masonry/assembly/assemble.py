@@ -6,16 +6,15 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
 from geometry.joints import find as joint_search
-from geometry.meshes.tet_meshes import within
+from geometry.meshes.fan_tets import within
 from geometry.polyhedra import overlaps
-from masonry.assembly.block_files import blocks_from
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.gauge_places import gauges_of
 from masonry.assembly.restraint import require_held
 from masonry.assembly.scatter import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of
 from masonry.assembly.size_limits import require_sane_size
-from masonry.assembly.specimens import is_outside, specimen_of
+from masonry.assembly.specimens import blocks_from, is_outside, specimen_of
 from masonry.errors import SceneError, nearest
 from masonry.laws import factory as law_build
 from masonry.loading.predictor import LITTLE

@@ -6,8 +6,7 @@ from typing import Any
 import numpy as np
 
 from geometry.polyhedra.measures import volumes
-from masonry.assembly.block_files import blocks_from
-from masonry.assembly.specimens import is_outside, outside_specimen
+from masonry.assembly.specimens import blocks_from, is_outside, outside_specimen
 from masonry.errors import SceneError
 from masonry.scene import Scene
 from masonry.scene.tables.points import DENSITIES

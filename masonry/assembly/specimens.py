@@ -3,17 +3,18 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
-from geometry.blocks import Specimen
+from geometry.blocks import Specimen, TetMesh
 from geometry.cells.request import CellsAsked
+from geometry.files.blocks_h5 import load_blocks
 from geometry.specimens.arch import arch
 from geometry.specimens.bending import bending
 from geometry.specimens.boxes import boxes
-from geometry.specimens.couplet import couplet
-from geometry.specimens.prism import prism
+from geometry.specimens.stacked import couplet, prism
 from geometry.specimens.wallette import wallette
-from masonry.assembly.block_files import blocks_from
+from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
 from masonry.scene import Scene
 from masonry.scene.tables.own_specimen import parameters_of
@@ -94,3 +95,21 @@ def _filling(table: Any) -> Sequence[int] | CellsAsked:
     plain = ("total", "per_unit", "size", "spread", "sizes", "sites", "seed", "regularise")
     given = {key: getattr(cells, key) for key in plain}
     return CellsAsked(**given, space=cells.form == "space", laguerre=cells.kind == "laguerre")
+
+
+def blocks_from(path: str) -> tuple[Specimen, TetMesh | None]:
+    """Blocks and sets of the file, and the tets if it holds any. Raises SceneError or GeometryError."""
+    try:
+        state = Path(path).stat()
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise SceneError(
+            f"specimen.path = '{path}' cannot be read: {reason}; `masonry import` and "
+            "`masonry.write_blocks` write such files"
+        ) from None
+    return _read(path, state.st_mtime_ns, state.st_size)
+
+
+@lru_cache(maxsize=2)
+def _read(path: str, changed: int, size: int) -> tuple[Specimen, TetMesh | None]:
+    return load_blocks(Path(path))

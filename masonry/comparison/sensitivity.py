@@ -13,7 +13,7 @@ from masonry.errors import SceneError
 from masonry.runtime.folder import WholeFiles
 from masonry.runtime.lock import sole
 from masonry.runtime.processors import processors
-from masonry.runtime.tally import Tell
+from masonry.runtime.progress import Tell
 from masonry.scene import Scene
 
 PICTURE, CSV = "sensitivity.png", "sensitivity.csv"

@@ -10,7 +10,7 @@ from masonry.errors import SceneError
 from masonry.results.trust import trust
 from masonry.runtime.folder import RESULTS, WholeFiles, claim, scene_name
 from masonry.runtime.lock import sole
-from masonry.runtime.tally import Tell
+from masonry.runtime.progress import Tell
 from masonry.runtime.text_files import json_of, text_of
 from masonry.scene import Scene, to_toml
 from masonry.sweep.engine import run_alone

@@ -4,6 +4,7 @@ import hashlib
 import os
 import platform
 import tomllib
+from collections.abc import Iterable
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
@@ -12,7 +13,11 @@ from geometry.files.atomic import require_file
 from geometry.files.blocks_h5 import LARGEST
 from masonry import __version__
 from masonry.errors import SceneError
-from masonry.jit.sources import ALL, source_hash
+from masonry.jit.sources import ALL, package_hash, source_hash
+from masonry.laws import law_names
+from masonry.laws.plugins import outside_law
+from masonry.scene.tables.specimen import kinds
+from masonry.scene.tables.specimen_plugins import own_specimen
 
 SHOWING = (
     *("masonry/__main__.py", "masonry/cli/*", "masonry/sweep/*", "masonry/comparison/*", "masonry/importing/*"),
@@ -39,7 +44,7 @@ def file_of_blocks(toml: str) -> bytes:
 
 def other_sources(toml: str) -> str:
     """Hash of the packages that a scene has laws or its specimen from; nothing where all are ours."""
-    from masonry.laboratory.plugin_sources import own_sources
+    from masonry.laboratory.provenance import own_sources
 
     scene = tomllib.loads(toml)
     laws = scene.get("law"), *(contact.get("law") for contact in scene["contact"].values())
@@ -93,3 +98,12 @@ def _processor() -> str:
     from llvmlite import binding
 
     return f"{platform.machine()} {binding.get_host_cpu_name()}"
+
+
+def own_sources(laws: Iterable[str | None], kind: str) -> str:
+    """Hash (hex) of the packages that bring some laws (None is none) and a kind of specimen; "" where all are ours."""
+    found = [outside_law(law) for law in sorted({law for law in laws if law is not None and law not in law_names()})]
+    hashes = [package_hash(law.shape) for law in found if law is not None]
+    if kind not in kinds() and (specimen := own_specimen(kind)) is not None:
+        hashes.append(package_hash(specimen.function))
+    return hashlib.sha256(" ".join(hashes).encode()).hexdigest()[:16] if hashes else ""

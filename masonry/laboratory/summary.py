@@ -10,7 +10,7 @@ from geometry.blocks import CellReport
 from masonry import __version__
 from masonry.assembly.assemble import Assembly
 from masonry.jit.sources import source_hash
-from masonry.laboratory.plugin_sources import own_sources
+from masonry.laboratory.provenance import own_sources
 from masonry.loading.cycles import SPENT, at_peak, goes_one_way, table
 from masonry.model.loads import Controlled
 from masonry.monitors import events

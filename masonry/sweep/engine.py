@@ -9,7 +9,7 @@ from typing import Any
 from masonry.errors import SceneError
 from masonry.runtime.lock import sole
 from masonry.runtime.processes import Lost, work
-from masonry.runtime.tally import Tally, Tell
+from masonry.runtime.progress import Tally, Tell
 from masonry.sweep.folder import DOING
 from masonry.sweep.job import Job
 from masonry.sweep.names import names

@@ -7,7 +7,7 @@ from geometry.blocks import Specimen
 from geometry.files.blocks_h5 import load_blocks
 from geometry.files.export import export
 from geometry.joints.find import find_joints
-from geometry.meshes.tet_meshes import gathered
+from geometry.meshes.fan_tets import gathered
 from geometry.meshes.tetrahedralise import mesh_blocks
 from geometry.specimens.boxes import boxes
 from masonry import scene

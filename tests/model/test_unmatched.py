@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from geometry.joints.find import find_joints
+from geometry.meshes.fan_tets import gathered
 from geometry.meshes.nonmatching import surface_joints
-from geometry.meshes.tet_meshes import gathered
 from geometry.meshes.tetrahedralise import mesh_blocks
 from masonry.model.layout import KINDS, Material
 from masonry.model.model import Stepping, sort_by_group

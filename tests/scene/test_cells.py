@@ -6,7 +6,6 @@ import pytest
 from geometry.blocks import GeometryError
 from geometry.cells.request import CellsAsked
 from geometry.polyhedra.construct import from_boxes
-from geometry.specimens import layers
 from masonry.assembly.specimens import specimen_of
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
@@ -43,7 +42,7 @@ def test_every_key_of_cells_reaches_the_division(monkeypatch):
         heard.append(asked)
         return from_boxes(low, high, np.arange(len(low)), np.zeros(len(low)), (group,)), None
 
-    monkeypatch.setattr(layers, "fill_with_cells", fill)
+    monkeypatch.setattr(stacked, "fill_with_cells", fill)
     sites = [["50 mm", "2 mm", "55 mm"], ["100 mm", "2 mm", "58 mm"]]
     cells = {"total": 2, "kind": "voronoi", "form": "space", "seed": 9, "regularise": False, "sites": sites}
     for table in (cells, {"per_unit": 2, "sizes": [1.0, 2.0]}, {"size": "5 mm", "spread": 0.3}):

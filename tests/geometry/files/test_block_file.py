@@ -11,7 +11,7 @@ from geometry.files.atomic import whole_file
 from geometry.files.blocks_h5 import load_blocks, save_blocks
 from geometry.joints.find import find_joints
 from geometry.meshes.tetrahedralise import mesh_blocks
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 
 
 @pytest.fixture

@@ -15,7 +15,7 @@ from geometry.meshes.gmsh_session import gmsh_model
 from geometry.meshes.tetrahedralise import mesh_blocks
 from geometry.polyhedra.measures import face_areas_normals_centroids, volumes
 from geometry.polyhedra.validate import require_sound, require_sound_mesh
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 
 CUBE = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dtype=float)
 SIX = np.array([[0, 1, 3, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 6, 4, 7], [0, 4, 5, 7], [0, 5, 1, 7]])

@@ -8,7 +8,7 @@ from geometry.meshes.tetrahedralise import mesh_blocks
 from geometry.polyhedra.construct import from_faces
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.specimens.boxes import boxes
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 
 
 @pytest.fixture(scope="module")

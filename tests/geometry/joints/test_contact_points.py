@@ -10,7 +10,7 @@ from geometry.joints.contact_points import contact_points
 from geometry.joints.find import find_joints
 from geometry.joints.point_density import Density, widest_gap
 from geometry.polyhedra.construct import concatenate, from_faces
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 
 DENSITIES = [
     *({"per_edge": n} for n in (1, 2, 3, 5, (2, 10, 3))),

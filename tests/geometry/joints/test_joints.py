@@ -14,7 +14,7 @@ from geometry.polyhedra.construct import concatenate, from_boxes, from_faces
 from geometry.polyhedra.measures import centroids
 from geometry.polyhedra.polygons import areas_normals_centroids
 from geometry.specimens.boxes import boxes
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 from geometry.specimens.wallette import wallette
 
 WALL = {

@@ -8,7 +8,7 @@ from geometry.blocks import TetMesh
 from geometry.joints.find import find_joints
 from geometry.joints.quality import quality, radius_ratios
 from geometry.polyhedra.construct import divide, from_boxes
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 
 REGULAR = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1.0]])
 CORNER = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])

@@ -6,11 +6,11 @@ from geometry.files.export import export
 from geometry.files.mesh_files import read_mesh
 from geometry.joints.find import find_joints
 from geometry.meshes.fan import mesh_by_fans
+from geometry.meshes.fan_tets import gathered
 from geometry.meshes.nonmatching import surface_joints
-from geometry.meshes.tet_meshes import gathered
 from geometry.meshes.tetrahedralise import mesh_blocks
 from geometry.specimens.boxes import boxes
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 
 
 def meshed_apart(blocks, sizes):

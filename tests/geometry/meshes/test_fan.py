@@ -12,7 +12,7 @@ from geometry.meshes.fan import mesh_by_fans
 from geometry.meshes.tetrahedralise import mesh_blocks
 from geometry.polyhedra.construct import from_boxes, from_faces
 from geometry.polyhedra.measures import volumes
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 from geometry.specimens.wallette import wallette
 
 

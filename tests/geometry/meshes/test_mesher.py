@@ -11,7 +11,7 @@ from geometry.meshes.tetrahedralise import mesh_blocks
 from geometry.polyhedra.construct import concatenate, from_faces
 from geometry.polyhedra.measures import bounds, volumes
 from geometry.specimens.boxes import boxes
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 from geometry.specimens.wallette import wallette
 
 WALL = {

@@ -8,8 +8,7 @@ from geometry.cells.request import CellsAsked
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import bounds, volumes
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
-from geometry.specimens.couplet import couplet
-from geometry.specimens.prism import prism
+from geometry.specimens.stacked import couplet, prism
 
 SIZE = (0.2, 0.1, 0.05)
 

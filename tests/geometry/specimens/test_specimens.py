@@ -5,7 +5,7 @@ from geometry.blocks import GeometryError
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import bounds, centroids, volumes
 from geometry.specimens.boxes import boxes
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 from geometry.specimens.wallette import wallette
 
 PAPER = {

@@ -11,7 +11,7 @@ from geometry.blocks import Blocks, Specimen
 from geometry.files.blocks_h5 import save_blocks
 from geometry.files.export import export
 from geometry.meshes.fan_tets import fan_tets
-from geometry.specimens.couplet import couplet
+from geometry.specimens.stacked import couplet
 
 
 @cache

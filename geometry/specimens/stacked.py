@@ -1,4 +1,4 @@
-"""Layers one above the other: units, beds of mortar between them, plates; what prism and couplet are made of."""
+"""Units one above the other with beds of mortar or bare joints between them: the couplet and the prism."""
 
 from collections.abc import Sequence
 
@@ -85,3 +85,42 @@ def _boxes(low: np.ndarray, high: np.ndarray, size: tuple[float, float, float]) 
     """Low and high corners (n, 3) of boxes over the whole plan from level low (n,) to high (n,)."""
     zero = np.zeros(len(low))
     return np.stack([zero, zero, low], axis=1), np.stack([zero + size[0], zero + size[1], high], axis=1)
+
+
+def couplet(
+    length: float,
+    width: float,
+    height: float,
+    divisions: Filling = (1, 1, 1),
+    mortar: tuple[float, Filling] | None = None,
+    plates: float | None = None,
+) -> Specimen:
+    """Two units length x width x height (m, along x, y, z), each divided into (nx, ny, nz) blocks, or both into cells.
+
+    mortar  thickness (m) and division of a bed between them; without it the units meet in a joint of no thickness
+    plates  thickness (m) of an end plate below and above, one block each
+    The section is length * width. Raises GeometryError for a size that is not positive.
+    """
+    return stack("couplet", 2, (length, width, height), divisions, mortar, plates)
+
+
+def prism(
+    units: int,
+    length: float,
+    width: float,
+    height: float,
+    divisions: Filling = (1, 1, 1),
+    mortar: tuple[float, Filling] | None = None,
+    plates: float | None = None,
+) -> Specimen:
+    """Units length x width x height (m, along x, y, z), each divided into (nx, ny, nz) blocks, or all into cells.
+
+    mortar  thickness (m) of the beds between them, and how they are divided
+    plates  thickness (m) of an end plate below and above, one block each
+    There is a set for every unit, "unit 1" (the lowest), "unit 2", .... The section is length * width. Raises
+    GeometryError for a size that is not positive.
+    """
+    specimen = stack("prism", units, (length, width, height), divisions, mortar, plates)
+    laid = specimen.blocks.unit[specimen.sets["units"]]
+    specimen.sets.update({f"unit {u + 1}": np.flatnonzero(laid == u) for u in range(units)})
+    return specimen
