@@ -6,6 +6,7 @@ import pytest
 from geometry.blocks import GeometryError
 from geometry.cells.request import CellsAsked
 from geometry.polyhedra.construct import from_boxes
+from geometry.specimens import stacked
 from masonry.assembly.specimens import specimen_of
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory

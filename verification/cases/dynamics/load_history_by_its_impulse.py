@@ -13,6 +13,7 @@ Reference: Newton; areas by hand.
 import numpy as np
 
 from verification.case import Case, Check, Findings
+from verification.fixtures.scene_text import TWO_BOXES
 from verification.fixtures.scene_text import run as run_text
 
 SIDES, HEIGHT, DENSITY = (0.2, 0.1), 0.05, 1900.0
@@ -27,14 +28,7 @@ RISES = 1.0, -1.7
 SCENE = f"""title = "A block under loads that vary"
 law = "elastic"
 kinematics = "rigid"
-[specimen]
-kind = "boxes"
-section = "0.02 m^2"
-box = [
-  {{name = "low", origin = ["0 m", "0 m", "0 m"], size = ["0.2 m", "0.1 m", "0.05 m"], unit = 0}},
-  {{name = "top", origin = ["0 m", "0 m", "0.05 m"], size = ["0.2 m", "0.1 m", "0.05 m"], unit = 1}},
-]
-[material.units]
+{TWO_BOXES}[material.units]
 density = "{DENSITY!r} kg/m^3"
 [contact.unit_unit]
 normal_stiffness = "{SOFT!r} Pa/m"

@@ -16,6 +16,7 @@ import numpy as np
 from masonry.pictures.cracks import crack_lines, front_view
 from verification.case import Case, Check, Findings
 from verification.cases.friction import triplet
+from verification.fixtures.scene_text import TWO_BOXES
 from verification.fixtures.scene_text import run as run_text
 from verification.references.closed_forms import Joint, shear
 
@@ -23,14 +24,7 @@ KN, PULLS = 150e9, (20e-6, 30e-6)
 PULLED = f"""title = "A joint pulled twice"
 law = "elastic"
 kinematics = "rigid"
-[specimen]
-kind = "boxes"
-section = "0.02 m^2"
-box = [
-  {{name = "low", origin = ["0 m", "0 m", "0 m"], size = ["0.2 m", "0.1 m", "0.05 m"], unit = 0}},
-  {{name = "top", origin = ["0 m", "0 m", "0.05 m"], size = ["0.2 m", "0.1 m", "0.05 m"], unit = 1}},
-]
-[material.units]
+{TWO_BOXES}[material.units]
 density = "1900 kg/m^3"
 [contact.unit_unit]
 normal_stiffness = "{KN!r} Pa/m"
