@@ -78,7 +78,7 @@ def assemble(scene: Scene) -> Assembly:
     gauges = gauges_of(scene, specimen, joints, layout)
     recording = Recording(
         *(specimen.section, sign, s.rows, s.rotation_limit, gauges, s.frames, s.slip_limit, specimen.sets),
-        Surroundings(conditions),
+        *(Surroundings(conditions), None if scene.drive is None else "xyz".index(scene.drive.direction[-1])),
     )
     return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn)
 

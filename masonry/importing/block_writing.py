@@ -15,6 +15,9 @@ from masonry.errors import SceneError
 from masonry.importing.importing import SECTIONS, SUFFIX, section_of, sets_of
 from masonry.quantity import parse
 
+LARGEST = 10**9
+"""Number of a unit, as in a scene of boxes."""
+
 
 def write_blocks(
     path: str | Path,
@@ -36,14 +39,27 @@ def write_blocks(
     in_group = [groups] * len(solids) if isinstance(groups, str) else groups
     of_group = _for_each(in_group, len(solids), "groups", str, "units")
     of_unit = _for_each(range(len(solids)) if units is None else units, len(solids), "units", int, 0)
-    if min(of_unit, default=0) < 0:
-        raise SceneError(f"units: {min(of_unit)} is no number of a unit; allowed: 0 and more")
+    for unit in of_unit:
+        if not 0 <= unit <= LARGEST:
+            raise SceneError(f"units: {unit} is no number of a unit; allowed: 0 to {LARGEST}")
     width = parse(tolerance, "length", "tolerance", "[1e-9, 1]")
     area = None if section is None else parse(section, "area", "section", f"[{SECTIONS[0]}, {SECTIONS[1]}]")
     found = _mended(polyhedra(solids, called, of_unit, of_group), width, called, open_gaps)
     require_sound(found)
+    _require_own_names(found, named)
     save_blocks(path, Specimen(found, sets_of(found, named), section_of(found, area), "file"))
     return path
+
+
+def _require_own_names(blocks: Blocks, names: Sequence[str]) -> None:
+    """Raise SceneError where a name stands for other blocks than the set of this name that every file has."""
+    for name, members in sets_of(blocks, [""] * blocks.count).items():
+        called = [b for b, other in enumerate(names) if other == name]
+        if called and called != members.tolist():
+            raise SceneError(
+                f"names: '{name}' is the set of {len(members)} blocks, {members[:4].tolist()} at first, and cannot be "
+                f"block {called[0]} besides; give another name"
+            )
 
 
 def _arrays(block: Any, b: int) -> tuple[Any, Any]:

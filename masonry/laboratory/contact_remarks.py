@@ -4,12 +4,20 @@ from math import inf
 
 import numpy as np
 
+from geometry.blocks import Joints
 from masonry.assembly.assemble import Assembly
+from masonry.history import Frame
 from masonry.laws.factory import properties_of
 from masonry.laws.state import Interface
+from masonry.monitors.energy import present
 from masonry.monitors.stability import smallest_block
 from masonry.scene.tables.contact import Contact
 from masonry.scene.tables.loading import Drive
+
+REACH = 0.9
+"""Share of the way from the middle of a joint to its corners from which on contact points count as at its edge."""
+LIFTED = 1e-3
+"""Share of the largest opening or closing of all contacts from which on one is open."""
 
 
 def contact_remarks(assembly: Assembly) -> list[str]:
@@ -23,6 +31,64 @@ def contact_remarks(assembly: Assembly) -> list[str]:
         if interface.tan_dilation is not None:
             found += _of_dilation(name, given, interface, way_of(assembly.scene.drive))
     return found
+
+
+def rocking_remarks(assembly: Assembly) -> list[str]:
+    """Of joints that may rock: the lever arm that their contact points leave of that to the edge."""
+    turns = _may_turn(assembly)
+    joints = assembly.joints
+    return _of_rocking(assembly, turns[joints.block_a] | turns[joints.block_b], "turn, where they rock,")
+
+
+def rocked_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
+    """The same of joints that were open on one side and pressed on the other in one of these frames."""
+    patch = assembly.joints.patch
+    rocked = np.zeros(len(patch), dtype=bool)
+    for frame in frames:
+        pressed = frame.normal_stress < 0.0
+        apart = frame.opening > LIFTED * float(np.abs(frame.opening).max(initial=0.0))
+        rocked |= np.isin(patch, patch[pressed]) & np.isin(patch, patch[apart])
+    return _of_rocking(assembly, rocked, "opened on one side and turn")
+
+
+def _of_rocking(assembly: Assembly, which: np.ndarray, what: str) -> list[str]:
+    """One line for each group with joints, among these contacts (C,), that neither pull nor have points at the edge."""
+    model, found, reach = assembly.model, [], _reach(assembly.joints)
+    for g, (name, interface) in enumerate(zip(model.group_names, model.groups[1], strict=True)):
+        law = assembly.scene.contact[name].law
+        dry = law == "friction" or ("tensile_strength" in properties_of(law) and not np.any(interface.tensile_strength))
+        mine = which & (model.group == g)
+        if not (dry and interface.tan_friction and mine.any()) or (least := float(reach[mine].min())) > REACH:
+            continue
+        found.append(
+            f"contact.{name}: joints without tension {what} about their outermost contact points, which reach "
+            f'{least:.2g} of the way from the middle to the corners: take specimen.contact_points = "vertex"'
+        )
+    return found
+
+
+def _reach(joints: Joints) -> np.ndarray:
+    """(C,) how far the points of the same joint face lie from its middle, over how far its corners do."""
+    count = len(joints.patch_start) - 1
+    weight = np.bincount(joints.patch, joints.area, count)
+    sums = [np.bincount(joints.patch, joints.area * along, count) for along in joints.point.T]
+    middle = np.stack(sums, axis=1) / np.maximum(weight, 1e-300)[:, None]
+    of_corner = np.repeat(np.arange(count), np.diff(joints.patch_start))
+    inner, outer = np.zeros(count), np.zeros(count)
+    np.maximum.at(inner, joints.patch, np.linalg.norm(joints.point - middle[joints.patch], axis=1))
+    np.maximum.at(outer, of_corner, np.linalg.norm(joints.patch_points - middle[of_corner], axis=1))
+    return (inner / np.maximum(outer, 1e-300))[joints.patch]
+
+
+def _may_turn(assembly: Assembly) -> np.ndarray:
+    """(B,) which blocks are free to rotate about some axis."""
+    model, turns = assembly.model, np.zeros(assembly.specimen.blocks.count, dtype=bool)
+    for kind, body in present(model):
+        if kind == "tets":
+            turns[model.layout.members[kind]] = True
+        else:
+            turns[model.layout.members[kind]] = np.any(body.pace[:, 3:] > 0.0, axis=1)
+    return turns
 
 
 def _of_tension(name: str, given: Contact, interface: Interface, block: float) -> list[str]:

@@ -8,7 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
-from masonry.laboratory.contact_remarks import contact_remarks
+from masonry.laboratory.contact_remarks import contact_remarks, rocked_remarks, rocking_remarks
 from masonry.laboratory.cost import expected_seconds, expected_steps
 from masonry.laboratory.provenance import origin_of
 from masonry.laboratory.quality import quality_lines
@@ -62,8 +62,9 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper
 
 def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     """What is kept of a run."""
+    remarks = [*warnings(assembly), *rocked_remarks(assembly, outcome.history.frames)]
     return Result(
-        summary={**summarise(assembly, outcome), "warnings": warnings(assembly)},
+        summary={**summarise(assembly, outcome), "warnings": remarks},
         history=outcome.history,
         specimen=assembly.specimen,
         joints=assembly.joints,
@@ -102,7 +103,7 @@ def check(scene: Scene) -> "Report":
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),
         "compiled": compiled(assembly),
-        "warnings": warnings(assembly),
+        "warnings": [*warnings(assembly), *rocking_remarks(assembly)],
     }
     from masonry.laboratory.text import Report
 
@@ -116,8 +117,8 @@ def settling_text(assembly: Assembly) -> str:
     if assembly.scene.settle is not None:
         return f"{assembly.plan.settle} steps, as the scene says"
     return (
-        f"until less than {AT_REST:g} of the dead loads is unbalanced: how many steps this takes is found as the run "
-        f"begins; {assembly.plan.settle} are counted here"
+        f"until less than {AT_REST:g} of the dead loads is unbalanced and nothing moves: how many steps this takes is "
+        f"found as the run begins; {assembly.plan.settle} are counted here"
     )
 
 

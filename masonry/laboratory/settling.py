@@ -19,8 +19,10 @@ from masonry.timeloop import model_state
 from masonry.timeloop.loop import Loop
 from masonry.timeloop.recording import Outcome
 
-AT_REST = 1e-3
-"""Unbalanced force, over the dead loads, below which they have settled."""
+AT_REST, STILL = 1e-4, 1e-8
+"""Unbalanced force over the dead loads, and kinetic over stored energy, below which the dead loads have settled. A
+swing that is left has about the root of the second as its share of the displacements. What slides or falls slowly is
+told from it by its energy: it gathers way, while the force that drives it may be small."""
 LONGEST = 128_000
 """Steps of the last trial."""
 ROWS, LAST = 50, 5
@@ -44,12 +46,12 @@ def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: 
         found = trial.run()
         model_state.restore(model, fresh)
         model.damping = damping
-        if not found and trial.unbalanced < AT_REST:
+        if not found and trial.unbalanced < AT_REST and trial.still_moving < STILL:
             return replace(assembly, scene=scene, plan=plan_of(scene, model.dt))
         if found and gave_way:
             raise Stopped(f"the dead loads move the specimen away: {found}; {ADVICE}")
         if steps >= LONGEST:
-            why = found or f"{trial.unbalanced:.2g} of them are still unbalanced, more than {AT_REST:g}"
+            why = found or trial.words
             raise Stopped(f"the dead loads have not come to rest in {steps} steps: {why}; {ADVICE}")
         steps, gave_way = 2 * steps, found
 
@@ -88,13 +90,26 @@ class _Trial:
             else VaryingLoading(model, alone, varying[:, : steps + 1], ROWS)
         )
         self.outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
-        self.looks: list[float] = []
+        self.looks: list[tuple[float, float]] = []
         self.loop = Loop(model, pace, steps, replace(assembly.recording, frames=1), threads, self.outcome)
 
     @property
     def unbalanced(self) -> float:
-        """The most of the last looks."""
-        return max(self.looks[-LAST:])
+        """Force, over the dead loads: the most of the last looks."""
+        return max(force for force, _ in self.looks[-LAST:])
+
+    @property
+    def still_moving(self) -> float:
+        """Kinetic energy, over the stored one: the most of the last looks."""
+        return max(kinetic for _, kinetic in self.looks[-LAST:])
+
+    @property
+    def words(self) -> str:
+        """What is left of both."""
+        return (
+            f"{self.unbalanced:.2g} of them are still unbalanced (should be under {AT_REST:g}), and the kinetic energy "
+            f"is {self.still_moving:.2g} of the stored (should be under {STILL:g})"
+        )
 
     def run(self) -> str:
         """Take the steps; returns why they had to be ended, nothing where they came to their end."""
@@ -108,6 +123,6 @@ class _Trial:
         """After each row."""
         if self.asked():
             raise KeyboardInterrupt
-        self.looks.append(self.outcome.unbalanced)
+        self.looks.append((self.outcome.unbalanced, self.outcome.still_moving))
         if self.progress is not None:
             self.progress(0, 0, f"settling, trial of {self.steps} steps: {words}")

@@ -30,7 +30,8 @@ SUDDEN = 1e-3
 MOVED = 1e-12
 """Openings and slips (m) up to this one, far less than an atom, are but rounding."""
 ROUNDING = 1e-9
-"""Share of the external work below which what the laws dissipated is but rounding, and is held against this share."""
+"""Share of the external work below which what the laws dissipated is but rounding, and is held against this share; so
+is what sudden cracks released."""
 
 
 def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
@@ -45,13 +46,12 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     at_peak = rows["step"][settled][int(np.argmax(rows["stress"][settled]))] if settled.any() else 0
     after = settled & (rows["step"] >= min(plan.settle + plan.ramp, at_peak))
     peak = outcome.peak_force / assembly.specimen.section
-    internal, highest = rows["elastic_blocks"] + rows["contact_work"], peak
+    lowest = outcome.lowest_force / assembly.specimen.section
+    internal, highest = rows["elastic_blocks"] + rows["contact_work"], peak if peak > 0.0 else -lowest
     if not goes_one_way(rows["displacement"]):  # on the way back work comes back, and the force may be negative
-        internal, highest = (
-            np.maximum.accumulate(internal),
-            max(peak, -outcome.lowest_force / assembly.specimen.section),
-        )
+        internal, highest = np.maximum.accumulate(internal), max(peak, -lowest)
     work = float(np.abs(rows["external_work"]).max())
+    moved = max(work, float(np.abs(outcome.work_of_loads[0]).max(initial=0.0)))  # a load that is lifted takes all work
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
     after_settling = np.subtract(*outcome.work_of_loads)
     begun = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1  # the last row of the settling
@@ -59,7 +59,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     driven = float(np.abs(rows["external_work"][begun:] - rows["external_work"][begun]).max(initial=0.0))
     taken = float((rows["damping"] + rows["kinetic"])[-1] - (rows["damping"] + rows["kinetic"])[begun])
     lost = spent + max(taken, 0.0)
-    sudden = events.table(model, outcome.events, rows, SUDDEN * lost)
+    sudden = events.table(model, outcome.events, rows, max(SUDDEN * lost, ROUNDING * work))
     released = sum(event["released_j"] for event in sudden)
     for event in outcome.events:
         follows = (rows["step"] <= event.first) | (rows["step"] > event.last)
@@ -92,7 +92,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "displacement_at_peak_m": outcome.displacement_at_peak,
         "final_stress_pa": float(rows["stress"][-1]),
         "peak_force_n": outcome.peak_force,
-        "lowest_stress_pa": outcome.lowest_force / assembly.specimen.section,
+        "lowest_stress_pa": lowest,
         "displacement_at_lowest_m": outcome.displacement_at_lowest,
         "cycles": table(rows, np.array(outcome.widest)),
         "gauges": _readings(assembly, outcome),
@@ -105,9 +105,10 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and dynamic.any() else 0.0,
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
-        "energy_imbalance": float(np.abs(rows["imbalance"]).max() / work) if work > 0 else 0.0,
+        "energy_imbalance": float(np.abs(rows["imbalance"]).max() / moved) if moved > 0 else 0.0,
         "dissipation_mismatch": abs(booked - spent) / max(abs(spent), ROUNDING * work) if spent else 0.0,
         "unbalanced_after_settling": outcome.unbalanced,
+        "kinetic_after_settling": outcome.still_moving,
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
         "released_over_dissipated": released / lost if sudden else 0.0,

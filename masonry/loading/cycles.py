@@ -89,8 +89,12 @@ def _between(values: np.ndarray, begin: float, end: float) -> float:
 
 
 def peak_row(rows: dict[str, np.ndarray]) -> int:
-    """The first row at which the stress, positive along the drive, is within AT_PEAK of the highest of all rows."""
-    return int(np.argmax(rows["stress"] >= reached(float(rows["stress"].max()))))
+    """The first row at which the stress, positive along the drive, is within AT_PEAK of the highest of all rows from
+    the last one on before the drive moves."""
+    moved = np.flatnonzero(rows["displacement"] != 0.0)
+    begun = max(int(moved[0]) - 1, 0) if len(moved) else 0
+    stress = rows["stress"][begun:]
+    return begun + int(np.argmax(stress >= reached(float(stress.max()))))
 
 
 def reached(peak: float) -> float:

@@ -3,10 +3,15 @@
 import math
 from typing import Any
 
-MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-9, 0.01, 0.01, 0.01
+MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-9, 0.01, 1e-3, 0.01
 """Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference
 between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
 how far contacts close over the size of their blocks."""
+STILL = 1e-6
+"""Limit of the kinetic over the stored energy after settling: what is left of a swing then is a thousandth of the
+displacements, and what slides or falls, be its load only a thousandth too large, has more."""
+LEAST_STORED = 1e-6
+"""Share of the external work that counts as stored at least."""
 RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
 """Limits: what sudden cracks release over all energy lost; over the external work, what damping gives, and takes."""
 TAKEN = 0.02
@@ -33,11 +38,14 @@ def trust(summary: dict[str, Any]) -> str:
     mismatch = summary.get("dissipation_mismatch") or 0.0
     if mismatch > DISSIPATION:
         doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
-    if (summary.get("unbalanced_after_settling") or 0.0) > UNBALANCED:
-        share = summary["unbalanced_after_settling"]
+    share, moving = (summary.get(f"{what}_after_settling") or 0.0 for what in ("unbalanced", "kinetic"))
+    if share > UNBALANCED or moving > STILL:
         doubts.append(
-            f"the dead loads had not come to rest ({share:.2g} of them unbalanced): raise settle.steps, or leave it out"
+            f"the dead loads had not come to rest ({share:.2g} of them unbalanced, kinetic energy {moving:.2g} of the "
+            "stored): raise settle.steps, or leave it out; if that does not help, the specimen cannot stand under them"
         )
+    elif not has_drive(summary) and (moving := moving_at_end(summary)) > STILL:
+        doubts.append(f"the specimen still moves at the end: its kinetic energy is {moving:.2g} of the stored")
     if (summary.get("force_balance") or 0.0) > IMBALANCE:
         doubts.append(f"forces and moments add up to {summary['force_balance']:.2g} of the largest, not to 0")
     if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
@@ -95,6 +103,13 @@ def trust(summary: dict[str, Any]) -> str:
 def percent(share: float, digits: int = 2) -> str:
     """A share as a percentage, 0 where it is rounding."""
     return f"{0.0 if -BELOW_0 < share < ROUNDING else 100 * share:.{digits}g} %"
+
+
+def moving_at_end(summary: dict[str, Any]) -> float:
+    """Kinetic over stored energy at the end."""
+    energies = summary.get("energy_j") or {}
+    kinetic, *stored = (energies.get(key) or 0.0 for key in ("kinetic", "elastic_blocks", "elastic_contacts"))
+    return abs(kinetic) / max(abs(sum(stored)), LEAST_STORED * abs(energies.get("external_work") or 0.0), 1e-300)
 
 
 def has_drive(summary: dict[str, Any]) -> bool:

@@ -27,7 +27,7 @@ from masonry.timeloop.recording import Outcome, Recording
 
 FOUND = (
     *("peak_force", "displacement_at_peak", "lowest_force", "displacement_at_lowest", "widest"),
-    *("rotation_max", "unbalanced", "overlap_max", "slip_max", "met", "steps", "log"),
+    *("rotation_max", "unbalanced", "still_moving", "overlap_max", "slip_max", "met", "steps", "log"),
 )
 """What an outcome has besides the history before the run is over."""
 REMEMBERED = ("place", "done", "frames_done", "highest_row", "share", "heights")
@@ -53,6 +53,7 @@ class Loop:
         self.slide = Slide(model, recording.slip_limit)
         self.collision = Collision(model, recording.sets)
         self.work_of_loads = WorkOfLoads(recording.surroundings)
+        self.loads_along = recording.surroundings.along(model.layout, recording.axis)
         self.frames: list[Frame] = []
         self.peak_frame: Frame | None = None
         self.near_peak: list[tuple[float, Frame, Standing]] = []
@@ -105,12 +106,18 @@ class Loop:
         self.watch.check(done + count)
         path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
         self.place = float(path[-1]) if chunk.place is None else chunk.place
-        self.find_peak(path, gauge)
+        begun = max(self.settle - done - 1, 0)
+        if begun < count:
+            self.find_peak(path[begun:], gauge[begun:], done < self.settle)
         return before
 
-    def find_peak(self, path: np.ndarray, gauge: np.ndarray) -> None:
-        """The peak, and the lowest force, are looked for at every step, not only at rows."""
+    def find_peak(self, path: np.ndarray, gauge: np.ndarray, begins: bool) -> None:
+        """The peak, and the lowest force, are looked for at every step from the last one of the settling on, where it
+        `begins`, not only at rows."""
         force = gauge * self.recording.sign
+        if begins:
+            self.outcome.peak_force = float(force[0])
+            self.heights = np.array([[force[0], path[0]]])
         k, low = int(np.argmax(force)), int(np.argmin(force))
         if force[k] > self.outcome.peak_force:
             self.rise(force[: k + 1], path[: k + 1])
@@ -152,6 +159,7 @@ class Loop:
             sum(reaction(b, f) for b, f in zip(model.bodies, freedoms, strict=True)) / area * self.recording.sign
             for freedoms in (model.drives, model.supports)
         )
+        support += float(self.loads_along @ self.shares()) / area * self.recording.sign
         terms = energy.ledger(model, view, before)
         self.watch.check_energies(step, terms)
         self.slide.look(step, view.seen)
@@ -160,6 +168,7 @@ class Loop:
         self.outcome.slip_max = self.slide.largest
         if step <= self.settle:
             self.outcome.unbalanced = energy.unbalanced(model, before)
+            self.outcome.still_moving = energy.still_moving(terms)
         place = self.along(self.place)
         force = area * self.recording.sign
         gauges = [gauge.read(model) for gauge in self.recording.gauges]
@@ -172,7 +181,7 @@ class Loop:
         self.outcome.widest.append(float(view.seen.opening.max(initial=0.0)))
         self.outcome.overlap_max = self.overlap.largest
         self.work_of_loads.look(model, self.shares(), step <= self.settle)
-        higher = stress > self.highest_row and step > 0
+        higher = stress > self.highest_row and step >= max(self.settle, 1)
         if frame_due or higher:
             standing = self.recording.surroundings.standing(model, before, step, place, self.shares())
             frame = frame_of(model, view, step, place, self.watch.nearest)

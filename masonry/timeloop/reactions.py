@@ -82,6 +82,11 @@ class Surroundings:
                 found[k] += share * resultant(layout, kind, rows, load)
         return found
 
+    def along(self, layout: Layout, axis: int | None) -> np.ndarray:
+        """(L,) N: the force of each load along an axis at a share of 1; none without an axis."""
+        count = len(self.loads)
+        return np.zeros(count) if axis is None else self.resultants(layout, [1.0] * count)[:, axis]
+
     def moved(self, model: Model) -> np.ndarray:
         """(L,) J: what each load at a share of 1 would have done on the way to where the specimen stands."""
         bodies = dict(present(model))

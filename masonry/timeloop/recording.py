@@ -14,11 +14,12 @@ from masonry.timeloop.reactions import Standing, Surroundings
 @dataclass
 class Outcome:
     """What the loop found besides the rows: the peak seen at any step, and the lowest force; the largest rotation, the
-    times, the force that was still unbalanced when the dead loads had settled, over the dead loads, how far a contact
-    closed, over the extent of its thinner block, the most energy of mode II of a contact over what its law has, how far
-    one slid, over the extent of its joint, which blocks without a joint lie on each other, the widest opening at each
-    row (m), the sudden cracks, the forces from outside and of the contacts at the frames of the peak and of the end,
-    and the work (J) of each dead load, (L,) in all and while they settled.
+    times, the force that was still unbalanced when the dead loads had settled, over the dead loads, and the kinetic
+    energy then, over the stored one, how far a contact closed, over the extent of its thinner block, the most energy of
+    mode II of a contact over what its law has, how far one slid, over the extent of its joint, which blocks without a
+    joint lie on each other, the widest opening at each row (m), the sudden cracks, the forces from outside and of the
+    contacts at the frames of the peak and of the end, and the work (J) of each dead load, (L,) in all and while they
+    settled.
     """
 
     history: History
@@ -30,6 +31,7 @@ class Outcome:
     seconds_compile: float = 0.0
     rotation_max: float = 0.0
     unbalanced: float = 0.0
+    still_moving: float = 0.0
     overlap_max: float = 0.0
     mode_2_over_law: float = 0.0
     slip_max: float = 0.0
@@ -48,8 +50,8 @@ class Outcome:
 @dataclass(frozen=True)
 class Recording:
     """How forces become stresses (section, m2; sign of the drive), how often to look, which gauges to read then,
-    how many frames to keep, about, the slip that stops a run, the sets of blocks by name, to blame them, and what acts
-    from outside."""
+    how many frames to keep, about, the slip that stops a run, the sets of blocks by name, to blame them, what acts
+    from outside, and the axis (0, 1, 2) of the drive, None without one."""
 
     section: float
     sign: float = 1.0
@@ -60,3 +62,4 @@ class Recording:
     slip_limit: float = 0.25
     sets: Mapping[str, np.ndarray] = field(default_factory=dict)
     surroundings: Surroundings = field(default_factory=Surroundings)
+    axis: int | None = None
