@@ -7,6 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from masonry.laws.state import TOUCHING
 from verification.fixtures.one_contact import Walk, contact, law, walk
 from verification.references.closed_forms import LAWS, Joint, shear_area
 
@@ -113,6 +114,8 @@ def test_work_less_stored_less_spent_vanishes_with_the_step(name, options, point
     errors = [np.max(np.abs(w.gap)) for w in walks]
     scale = walks[-1].dissipated[-1] + np.max(walks[-1].stored) + 1e-9
     allowed = 0.3 * max(errors[:3]) + 1e-9 * scale
+    if chosen_law[1].tensile_strength == 0.0:  # faces part within a nanometre, which long steps skip
+        allowed += 0.5 * KN * TOUCHING**2
     if name == "brittle":  # a drop falls anywhere in its step, whose work is known to drop x step and no better
         step = np.max(np.linalg.norm(np.diff(walks[-1].path, axis=0), axis=1))
         allowed += 2.0 * np.max(np.linalg.norm(walks[-1].stress, axis=1)) * step
