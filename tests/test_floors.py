@@ -32,7 +32,7 @@ FLOORS = (
     *("verification.printout", "verification.timed_run", "verification.ladder", "verification.html"),
     *("verification.convergence", "verification.reference_step", "verification.self_test", "verification.stability"),
     *("verification.studies", "verification.paper", "verification.report", "verification.command"),
-    *("verification.faults", "verification.fuzz", "verification", "tests", "benchmarks"),
+    *("verification", "tests", "benchmarks"),
 )
 """From the lowest to the highest: folders, and the files that stand at the top of a package."""
 PACKAGES = {

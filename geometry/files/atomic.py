@@ -19,7 +19,7 @@ def whole_file(path: Path) -> Iterator[Path]:
     Raises GeometryError if the folder cannot be written to.
     """
     path = Path(path)
-    if not path.name or not _is_name(str(path)):
+    if not path.name or not is_name(str(path)):
         raise GeometryError(f"cannot write '{path}': this is no name of a file")
     beside = path.with_name(f".{os.getpid()}-{path.name[-LONGEST_NAME:]}")
     try:
@@ -32,7 +32,7 @@ def whole_file(path: Path) -> Iterator[Path]:
             beside.unlink()
 
 
-def _is_name(path: str) -> bool:
+def is_name(path: str) -> bool:
     """Whether a file system can have it: no NUL, no halves of letters."""
     try:
         return b"\0" not in os.fsencode(path)

@@ -17,7 +17,7 @@ AGAIN = "install it again, in the clone of masonry-dem: pip install --force-rein
 COMPUTING = ("numpy", "scipy", "numba", "h5py", "pyarrow", "matplotlib", "gmsh")
 """Packages of compiled code, which may be there and yet not load."""
 DISTRIBUTION = "masonry-dem"
-TOOLS = ("dev", "docs", "fuzz")
+TOOLS = ("dev", "docs")
 """Extras for those who change the program; a user lacks nothing without them."""
 Finding = tuple[bool, str]
 

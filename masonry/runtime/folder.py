@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
 
+from geometry.files.atomic import is_name
 from masonry.errors import SceneError
 from masonry.runtime.lock import LOCK, sole
 
@@ -48,6 +49,8 @@ def claimed(scene: str, out: Path | None = None, *, overwrite: bool = False) -> 
     existed = out is not None and out.exists()
     if out is not None and existed and not out.is_dir():
         raise SceneError(f"--out '{out}' is a file; results need a folder")
+    if out is not None and not is_name(str(out)):
+        raise SceneError(f"--out '{out}': no folder can have this name")
     folder = claim(scene) if out is None else out
     try:
         with sole(folder, "runs a scene into it"):

@@ -6,6 +6,10 @@ from masonry.runtime.folder import RESULTS
 from tests.faults.samples import run
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--kills", type=int, default=100, metavar="N", help="runs killed by the slow test of faults")
+
+
 @pytest.fixture(scope="session")
 def alone(tmp_path_factory):
     """Folder of the results of a run that nothing happened to."""

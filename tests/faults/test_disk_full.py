@@ -7,9 +7,9 @@ import pytest
 
 from masonry.timeloop import checkpoint
 from masonry.timeloop.checkpoint import Checkpoints
+from tests.faults.compare import differences
+from tests.faults.process import Process
 from tests.faults.samples import ALWAYS, LONG, disk, half_done, remount, resume, run
-from verification.faults.compare import differences
-from verification.faults.process import Process
 
 FULL = "No space left on device"
 

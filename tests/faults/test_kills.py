@@ -1,16 +1,17 @@
 """Killed, a run loses nothing that was written: it goes on from there, to the same bits."""
 
 import random
+import shutil
 import signal
 
 import pytest
 
 from masonry.cli.main import main
+from tests.faults.compare import differences
+from tests.faults.kills import MOMENTS, kill_and_resume, leave_alone
+from tests.faults.process import Process
 from tests.faults.samples import half_done, resume, run
-from verification.faults.compare import differences
-from verification.faults.kills import MOMENTS, kill_and_resume, leave_alone
-from verification.faults.process import Process
-from verification.faults.trials import TRIALS
+from tests.faults.trials import TRIALS
 
 
 def test_a_run_killed_at_any_moment_goes_on_to_the_same_bits(tmp_path):
@@ -22,11 +23,14 @@ def test_a_run_killed_at_any_moment_goes_on_to_the_same_bits(tmp_path):
 
 
 @pytest.mark.slow
-def test_of_a_hundred_runs_killed_at_random_moments_all_go_on_to_the_same_bits(capsys, monkeypatch):
-    from verification.faults.__main__ import main
-
-    monkeypatch.setattr("sys.argv", ["faults", "--kills", "100"])
-    assert main() == 0, capsys.readouterr().out
+@pytest.mark.parametrize("trial", TRIALS, ids=lambda trial: trial.name)
+def test_every_kind_of_run_killed_at_random_moments_goes_on_to_the_same_bits(trial, tmp_path, request):
+    left_alone = leave_alone(trial, tmp_path / "alone")
+    for number in range(-(-request.config.getoption("--kills", 100) // len(TRIALS))):
+        moment = MOMENTS[number % len(MOMENTS)]
+        killed = kill_and_resume(trial, left_alone, tmp_path / f"{number}", moment, random.Random(number))
+        assert not killed.differs, f"kill {number} at {moment}, found {killed.found}: {killed.differs}"
+        shutil.rmtree(tmp_path / f"{number}")
 
 
 def test_a_run_that_dies_again_and_again_still_comes_to_the_same_bits(alone, tmp_path, monkeypatch):

@@ -7,9 +7,9 @@ import threading
 import pytest
 
 from masonry.runtime.interrupts import interruptible
+from tests.faults.compare import differences
+from tests.faults.process import Process, states
 from tests.faults.samples import LONG, ended_after, resume, run
-from verification.faults.compare import differences
-from verification.faults.process import Process, states
 
 WORDS = ["run", "couplet", *LONG, "--out", "out", "--quiet", "--checkpoint-every", "0.02 s"]
 

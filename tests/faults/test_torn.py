@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from masonry.runtime.state import Damaged, read, write
+from tests.faults.compare import differences
 from tests.faults.samples import half_done, resume
-from verification.faults.compare import differences
 
 
 def tear(path) -> None:

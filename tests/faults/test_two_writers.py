@@ -8,9 +8,9 @@ import pytest
 
 from masonry.errors import SceneError
 from masonry.runtime.lock import LOCK, sole
+from tests.faults.compare import differences
+from tests.faults.process import Process, states
 from tests.faults.samples import LONG, forbid_writing, half_done, read_only, resume, run
-from verification.faults.compare import differences
-from verification.faults.process import Process, states
 
 WORDS = ["run", "couplet", *LONG, "--out", "out", "--quiet", "--checkpoint-every", "0.02 s"]
 

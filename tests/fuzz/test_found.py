@@ -19,8 +19,8 @@ from masonry.errors import Findings, SceneError, visible
 from masonry.laboratory.result import load_result
 from masonry.runtime.text_files import json_of
 from masonry.sweep.read import read
+from tests.fuzz import sound
 from verification import records
-from verification.fuzz.inputs import made_up, seeds
 
 SWEEP = 'scene = "couplet"\n[grid]\n"drive.steps" = [1]\n'
 
@@ -125,7 +125,7 @@ def test_a_sweep_on_blocks_from_a_pipe_is_refused(tmp_path, capsys):
 
 def test_an_array_in_the_place_of_a_group_is_not_searched(tmp_path):
     path = tmp_path / "a.blocks.h5"
-    save_blocks(path, seeds.small())
+    save_blocks(path, sound.small())
     with h5py.File(path, "r+") as file:
         del file["blocks"]
         file.create_dataset("blocks", shape=(10**12,), dtype="f8", chunks=(10,))
@@ -134,7 +134,7 @@ def test_an_array_in_the_place_of_a_group_is_not_searched(tmp_path):
 
 
 def _results(tmp_path: Path) -> Path:
-    for name, content in made_up.files().items():
+    for name, content in sound.results().items():
         (tmp_path / name).write_bytes(content)
     return tmp_path
 
@@ -160,14 +160,14 @@ def _link(name, link):
     [
         _replace("rows/stress", shape=(10**12,), dtype="f8", chunks=(10,)),
         _replace("rows/stress", data=np.zeros(3)),
-        _replace("rows/stress", data=np.full(11, np.nan)),
-        _replace("rows/stress", data=np.full(11, 1e300)),
+        _replace("rows/stress", data=np.full(101, np.nan)),
+        _replace("rows/stress", data=np.full(101, 1e300)),
         _replace("joints/block_a", data=np.zeros(3, dtype=int)),
         _replace("frames/corners", data=np.zeros((2, 1, 3))),
-        _replace("specimen/blocks/face_points", data=np.full(96, 10**9)),
+        _replace("specimen/blocks/face_points", data=np.full(432, 10**9)),
         _replace("specimen", shape=(10**12,), dtype="f8", chunks=(10,)),
         _replace("log", data=np.zeros(60_000_000, dtype="u1"), chunks=(60_000_000,), compression="lzf"),
-        _replace("joints/area", shape=(16,), dtype="f8", external=[("/etc/passwd", 0, 128)]),
+        _replace("joints/area", shape=(128,), dtype="f8", external=[("/etc/passwd", 0, 1024)]),
         _link("rows/stress", h5py.ExternalLink("/etc/passwd", "x")),
         _link("rows/stress", h5py.SoftLink("/")),
         _link("frames", h5py.SoftLink("/frames")),
@@ -252,3 +252,6 @@ def test_a_lock_that_leads_elsewhere_is_not_written_through(tmp_path, capsys):
 def test_a_name_that_no_file_can_have_is_refused(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert "no name of a file" in said(capsys, "export", "couplet", "--to", "\ud800.step")
+    for name in ("a\0b", "\ud800"):
+        assert "no folder can have this name" in said(capsys, "run", "couplet", "--out", name)
+    assert os.listdir() == []

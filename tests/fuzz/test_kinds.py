@@ -1,93 +1,114 @@
-"""Bad input of every kind, a few of each: one message, and nothing else. More: `python -m verification.fuzz`."""
+"""Bad input of every kind: one message, and nothing else. `--inputs 10000` tries so many, others each time."""
 
+import contextlib
 import os
 import tempfile
+from importlib import import_module
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
-from verification.fuzz.campaign import shared_out, tasks_of
-from verification.fuzz.kind import Attempt, Kind, all_kinds
-from verification.fuzz.room import Room
-from verification.fuzz.trial import tried
-from verification.fuzz.worker import no_runs
+from masonry.jit.compiler import cache_root
+from masonry.quantity import parse
+from masonry.runtime.processes import Lost
+from masonry.runtime.shell import OK
+from tests.fuzz.attempt import KINDS, Attempt
+from tests.fuzz.forked import Forked
+from tests.fuzz.odd import FORGED, SECRET
+from tests.fuzz.room import HANG, Room
 
-FEW = {"results": 3, "sweep-folders": 3, "iges-brep": 4, "step": 6, "vtu": 8, "msh": 8, "tess": 10}
-"""Inputs of the kinds whose every input takes long; the others have 25."""
+for module in ("geometry", "runs", "scenes"):
+    import_module(f"tests.fuzz.kinds.{module}")
+SMALL = {"BLOCKS": 100, "CONTACT_POINTS": 5000, "TETS": 5000}
+LARGE = {"BLOCKS": 300, "CONTACT_POINTS": 20_000, "TETS": 20_000}
+"""Sizes that scenes may have here, in a campaign larger ones, in place of those of the program: none takes long."""
+START = 5
+"""Seconds of processor time that a reader has for a small file."""
 
 
 @pytest.fixture
-def room(tmp_path, monkeypatch):
+def room(tmp_path, monkeypatch, capfd, campaign):
     """A room that leaves this process as it was."""
+    caches = cache_root()
+    fonts = Path(os.environ.get("MPLCONFIGDIR") or caches / "matplotlib")
+    fonts.mkdir(parents=True, exist_ok=True)
+    (tmp_path / "tmp").mkdir()
+    places = {"HOME": tmp_path / "home", "TMPDIR": tmp_path / "tmp", "MASONRY_CACHE": caches, "MPLCONFIGDIR": fonts}
+    for name, place in places.items():
+        monkeypatch.setenv(name, str(place))
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
-    for name, most in (("BLOCKS", 100), ("CONTACT_POINTS", 5000), ("TETS", 5000)):
+    monkeypatch.setattr("sys.dont_write_bytecode", True)
+    for name, most in (LARGE if campaign else SMALL).items():
         monkeypatch.setattr(f"masonry.assembly.size_limits.{name}", most)
-    monkeypatch.setattr("masonry.sweep.engine.work", no_runs)
-    there = os.getcwd()
-    yield Room(tmp_path, ())
-    os.chdir(there)
+    monkeypatch.setattr("masonry.sweep.engine.work", _no_runs)
+    monkeypatch.setattr("geometry.files.sandbox.begin", Forked)
+    monkeypatch.setattr("geometry.files.sandbox.START", START)
+    parse("1 furlong", "length", "")  # loads what knows the units, and pickles of its own
+    with contextlib.chdir(tmp_path):
+        yield Room(tmp_path, (caches, fonts), capfd)
 
 
-@pytest.mark.parametrize("name", sorted(set(all_kinds()) - {"scene"} - set(FEW)))
-def test_bad_input_ends_in_one_message(name, room):
-    _try_some(name, 25, room)
+@pytest.fixture
+def campaign(request) -> int | None:
+    """How many inputs over all kinds, where they were asked for."""
+    return request.config.getoption("--inputs", None)
 
 
-def test_a_bad_scene_ends_in_one_message(room):
-    _try_some("scene", 40, room)
+def _no_runs(act, tasks, workers, limit):
+    """A sweep whose runs are not done already ends with a row that says so."""
+    yield from ((number, Lost("no runs here", 0.0)) for number in range(len(tasks)))
 
 
-@pytest.mark.parametrize("name", sorted(FEW))
-def test_a_bad_file_of_another_program_ends_in_one_message(name, room, monkeypatch):
-    from verification.fuzz.inputs import reading
+@pytest.mark.parametrize("name", sorted(KINDS))
+def test_bad_input_ends_in_one_message(name, room, campaign):
+    kind = KINDS[name]
+    part = kind.share / sum(other.share for other in KINDS.values())
 
-    monkeypatch.setattr("geometry.files.sandbox.begin", lambda task, folder, alive: reading.Forked(task, folder))
-    _try_some(name, FEW[name], room)
+    def ends_well(attempt):
+        faults = room.tried(attempt)
+        assert not faults, "\n".join(faults)
+
+    ends_well.__name__ = name.replace("-", "_")  # Hypothesis keeps by it what failed
+    quick = {} if campaign else {"database": None}
+    settings(
+        max_examples=max(1, round(campaign * part)) if campaign else kind.few,
+        derandomize=not campaign,
+        deadline=None,
+        print_blob=True,
+        suppress_health_check=list(HealthCheck),
+        **quick,
+    )(given(kind.inputs)(ends_well))()
 
 
-def _try_some(name: str, count: int, room: Room) -> None:
-    @settings(
-        max_examples=count, derandomize=True, database=None, deadline=None, suppress_health_check=list(HealthCheck)
-    )
-    @given(st.randoms(use_true_random=False))
-    def ends_well(draw):
-        trial = tried(all_kinds()[name], draw, 0, room)
-        assert not trial.faults
-
-    ends_well()
-
-
-def _clumsy(draw, folder: Path) -> Attempt:
-    return Attempt(["list"])
+def test_sixteen_kinds_are_known():
+    assert len(KINDS) == 16
 
 
 @pytest.mark.parametrize(
     ("act", "words"),
     [
         (lambda words: (_ for _ in ()).throw(ValueError("no")), "traceback"),
-        (lambda words: Path("elsewhere").write_text("x") and 0, "outside: elsewhere"),
-        (lambda words: (Path(tempfile.tempdir) / "left").write_text("x") and 0, "left over: tmp/left"),
-        (lambda words: print("\x1b[2J") or 0, "control characters"),
-        (lambda words: print("masonry-fuzz-forged-line") or 0, "a line of its own"),
-        (lambda words: print("root:$6$fuzzsecretsalt") or 0, "repeated"),
+        (lambda words: __import__("time").sleep(1), "hangs"),
+        (lambda words: Path("elsewhere").write_text("x") and OK, "outside: elsewhere"),
+        (lambda words: Path("../elsewhere").write_text("x") and OK, "open /"),
+        (lambda words: (Path(tempfile.tempdir) / "left").write_text("x") and OK, "left over: tmp/left"),
+        (lambda words: __import__("subprocess").Popen(["sleep", "1"]) and OK, "left running"),
+        (lambda words: os.system("true"), "os.system"),
+        (lambda words: __import__("warnings").warn("x", stacklevel=2) or OK, "a warning"),
+        (lambda words: print("\ud800"), "traceback"),
+        (lambda words: print("\x1b[2J") or OK, "control characters"),
+        (lambda words: print("x" * 5000, file=__import__("sys").stderr) or OK, "a message of"),
+        (lambda words: print(FORGED) or OK, "a line of its own"),
+        (lambda words: print(SECRET[:25]) or OK, "repeated"),
         (lambda words: 2, "no message"),
-        (lambda words: 1000, "exit code"),
-        (lambda words: len(bytearray(b"x" * (200 << 20))) * 0, "memory"),
+        (lambda words: 1, "exit code"),
+        (lambda words: len(bytearray(b"x" * (200 << 20))) * OK, "memory"),
     ],
 )
 def test_a_clumsy_program_is_found_out(act, words, room, monkeypatch):
     monkeypatch.setattr("masonry.cli.main.main", act)
-    monkeypatch.setattr("verification.fuzz.trial.MEMORY", 0 if words == "memory" else 1 << 40)
-    trial = tried(Kind("clumsy", "", 1, _clumsy), None, 0, room)
-    assert any(words in fault for fault in trial.faults), trial.faults
-
-
-def test_inputs_are_shared_out_among_all_kinds_and_add_up():
-    counts = shared_out(1000, list(all_kinds().values()))
-    assert sum(counts.values()) == 1000
-    assert min(counts.values()) >= 1
-    tasks = tasks_of(counts, 1, Path("/tmp"))
-    first = {task.kind for task in tasks[:500]}
-    assert first == set(counts)
+    monkeypatch.setattr("tests.fuzz.room.MEMORY", 0 if words == "memory" else 1 << 40)
+    monkeypatch.setattr("tests.fuzz.room.HANG", 0.1 if words == "hangs" else HANG)
+    faults = room.tried(Attempt(["list"]))
+    assert any(words in fault for fault in faults), faults

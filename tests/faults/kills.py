@@ -6,9 +6,9 @@ import signal
 from dataclasses import dataclass
 from pathlib import Path
 
-from verification.faults.compare import differences
-from verification.faults.process import Process, half_written, states
-from verification.faults.trials import Trial
+from tests.faults.compare import differences
+from tests.faults.process import Process, half_written, states
+from tests.faults.trials import Trial
 
 MOMENTS = ("start", "any", "any", "writing")
 """How the moments of the kills are drawn, in turn: before the first checkpoint, any time after it, or as soon as the

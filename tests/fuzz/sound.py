@@ -5,13 +5,18 @@ from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
+import meshio
 import numpy as np
 
 from geometry.blocks import Blocks, Specimen
 from geometry.files.blocks_h5 import save_blocks
 from geometry.files.export import export
 from geometry.meshes.fan_tets import fan_tets
+from geometry.meshes.gmsh_session import gmsh_model
 from geometry.specimens.stacked import couplet
+from masonry.results.store import NUMBERS
+from masonry.scene import packaged
+from tests.results.sample import sample
 
 
 @cache
@@ -21,15 +26,25 @@ def small() -> Specimen:
 
 
 @cache
-def scenes() -> dict[str, str]:
-    """The packaged scenes, name -> TOML."""
-    from masonry.scene import packaged
+def scenes() -> list[str]:
+    """The packaged scenes, as TOML."""
+    return [file.read_text(encoding="utf-8") for file in packaged().values()]
 
-    return {name: file.read_text(encoding="utf-8") for name, file in packaged().items()}
+
+@cache
+def results() -> dict[str, bytes]:
+    """Name -> content of what a run leaves."""
+    result = sample()
+    result.summary |= {"gauges": {"deflection": {"at_peak_m": 1e-5, "final_m": 2e-5}}, "warnings": ["none"]}
+    result.history.rows["deflection"] = result.history.rows["displacement"] / 2
+    result.scene_toml += '[curve]\nx = "deflection"\ny = "force"\n'
+    with tempfile.TemporaryDirectory() as folder:
+        result.save_numbers(Path(folder))
+        return {name: (Path(folder) / name).read_bytes() for name in NUMBERS}
 
 
 def _written(suffix: str, write: Callable[[Path], None]) -> bytes:
-    with tempfile.TemporaryDirectory(prefix="masonry-fuzz-") as folder:
+    with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"seed{suffix}"
         write(path)
         return path.read_bytes()
@@ -38,23 +53,12 @@ def _written(suffix: str, write: Callable[[Path], None]) -> bytes:
 @cache
 def step() -> tuple[bytes, ...]:
     """As this program writes it, and as a CAD kernel does."""
-    return (_written(".step", lambda path: export(path, small())), _cad(".step"))
+    return _written(".step", lambda path: export(path, small())), cad(".step")
 
 
 @cache
-def iges() -> tuple[bytes, ...]:
+def cad(suffix: str) -> bytes:
     """Two boxes and a drilled one."""
-    return (_cad(".igs"),)
-
-
-@cache
-def brep() -> tuple[bytes, ...]:
-    """The same."""
-    return (_cad(".brep"),)
-
-
-def _cad(suffix: str) -> bytes:
-    from geometry.meshes.gmsh_session import gmsh_model
 
     def write(path: Path) -> None:
         with gmsh_model({}) as gmsh:
@@ -71,38 +75,23 @@ def _cad(suffix: str) -> bytes:
 @cache
 def msh() -> tuple[bytes, ...]:
     """Gmsh 2.2 and 4.1, as text and binary."""
-    import meshio
-
-    mesh = _mesh(meshio)
-    return tuple(
-        _written(".msh", lambda path, v=version, b=binary: meshio.gmsh.write(path, mesh, v, binary=b))  # type: ignore[misc]
-        for version in ("2.2", "4.1")
-        for binary in (False, True)
-    )
+    ways = [(version, binary) for version in ("2.2", "4.1") for binary in (False, True)]
+    return tuple(_written(".msh", lambda path, w=way: meshio.gmsh.write(path, _mesh(), *w)) for way in ways)
 
 
 @cache
 def vtu() -> tuple[bytes, ...]:
     """As text, as base64, compressed, and raw at the end of the file."""
-    import meshio
-
-    mesh = _mesh(meshio)
-    kinds: tuple[dict[str, object], ...] = (
-        {"binary": False},
-        {"compression": None},
-        {"compression": "zlib"},
-        {"compression": "lzma"},
-    )
-    found = [_written(".vtu", lambda path, w=words: meshio.vtu.write(path, mesh, **w)) for words in kinds]  # type: ignore[misc]
-    return (*found, _appended())
+    ways = ({"binary": False}, {"compression": None}, {"compression": "zlib"}, {"compression": "lzma"})
+    return (*(_written(".vtu", lambda path, w=way: meshio.vtu.write(path, _mesh(), **w)) for way in ways), _appended())
 
 
-def _mesh(meshio: object) -> object:
+def _mesh() -> meshio.Mesh:
     filling = fan_tets(small().blocks, np.ones(small().blocks.count, dtype=bool))
     block = np.repeat(np.arange(small().blocks.count), np.diff(filling.tet_start)).astype(np.int32)
     data = {"gmsh:physical": [block // 2 + 1], "gmsh:geometrical": [block + 1]}
     names = {"units": np.array([1, 3]), "plates": np.array([2, 3])}
-    return meshio.Mesh(filling.nodes, [("tetra", filling.tets)], cell_data=data, field_data=names)  # type: ignore[attr-defined]
+    return meshio.Mesh(filling.nodes, [("tetra", filling.tets)], cell_data=data, field_data=names)
 
 
 def _appended() -> bytes:
@@ -111,10 +100,11 @@ def _appended() -> bytes:
     raw = b"".join(len(part).to_bytes(8, "little") + part for part in parts)
     starts = np.cumsum([0, *(8 + len(part) for part in parts)])
     names = ("Points", "connectivity", "offsets", "types")
-    kinds = ("Float64", "Int64", "Int64", "UInt8")
     arrays = [
         f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{wide}" format="appended" offset="{at}"/>'
-        for name, kind, wide, at in zip(names, kinds, (3, 1, 1, 1), starts, strict=False)
+        for name, kind, wide, at in zip(
+            names, ("Float64", "Int64", "Int64", "UInt8"), (3, 1, 1, 1), starts, strict=False
+        )
     ]
     head = (
         '<?xml version="1.0"?><VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" '
@@ -129,13 +119,13 @@ def _appended() -> bytes:
 def blocks() -> tuple[bytes, ...]:
     """Files of blocks, without and with tets."""
     mesh = fan_tets(small().blocks, np.ones(small().blocks.count, dtype=bool))
-    return tuple(_written(".blocks.h5", lambda path, m=m: save_blocks(path, small(), m)) for m in (None, mesh))  # type: ignore[misc]
+    return tuple(_written(".blocks.h5", lambda path, m=m: save_blocks(path, small(), m)) for m in (None, mesh))
 
 
 @cache
 def tess() -> tuple[bytes, ...]:
     """Cells in space, and plane ones."""
-    return (_tess(small().blocks), PLANE.encode())
+    return _tess(small().blocks), PLANE.encode()
 
 
 def _tess(of: Blocks) -> bytes:

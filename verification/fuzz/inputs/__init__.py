@@ -1,1 +1,0 @@
-"""Where inputs for fuzzing come from: valid seeds, and ways to spoil them."""

@@ -1,1 +1,0 @@
-"""Kinds of bad input, one a file."""

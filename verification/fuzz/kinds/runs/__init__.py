@@ -1,1 +1,0 @@
-"""Scenes, results, checkpoints, sweeps and words on the command line."""
