@@ -33,9 +33,8 @@ class Checkpoints:
         self.clear()
         with WholeFiles(self.folder) as files:
             files.text("run.json", json.dumps(how) + "\n")
-            files.text(
-                "HOW-TO-GO-ON.txt", f"This run is not finished. To continue it:\n\n    masonry resume {self.results}\n"
-            )
+            how_to = f"This run is not finished. To continue it:\n\n    masonry resume {self.results}\n"
+            files.new("HOW-TO-GO-ON.txt").write_bytes(os.fsencode(how_to))  # a name of a folder may be no text
             files.text("scene.toml", scene_toml)
 
     def resolve(self, scene_toml: str) -> None:

@@ -1,5 +1,7 @@
 """A mesh file from import to results: its own tets, on nodes where they match and between nodes where they do not."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -71,47 +73,12 @@ def test_a_file_without_tets_asks_for_a_mesh_size(tmp_path, capsys):
     assert "mesh_size" in capsys.readouterr().err
 
 
-PLANE = """***tess
- **format
-   3.4
- **general
-   2 standard
- **cell
-  2
- **vertex
- 6
-  1 0 0 0 0
-  2 1 0 0 0
-  3 2 0 0 0
-  4 0 1 0 0
-  5 1.2 1 0 0
-  6 2 1 0 0
- **edge
- 7
-  1 1 2 0
-  2 2 3 0
-  3 4 5 0
-  4 5 6 0
-  5 1 4 0
-  6 2 5 0
-  7 3 6 0
- **face
- 2
-  1 4 1 2 5 4
-    4 1 6 -3 -5
-   0 0 0 1
-    0 -1 0 0 0
-  2 4 2 3 6 5
-    4 2 7 -4 -6
-   0 0 0 1
-    0 -1 0 0 0
-***end
-"""
+PLANE = Path(__file__).resolve().parents[1] / "geometry" / "files" / "plane.tess"
 
 
 def test_a_plane_tessellation_is_imported_with_a_thickness(tmp_path, capsys):
     path, out = tmp_path / "cells.tess", tmp_path / "cells.toml"
-    path.write_text(PLANE)
+    path.write_bytes(PLANE.read_bytes())
     assert main(["import", str(path), "--out", str(out)]) == 2
     assert "thickness" in capsys.readouterr().err
     assert main(["import", str(path), "--unit", "100 mm", "--thickness", "50 mm", "--out", str(out)]) == 0

@@ -16,7 +16,12 @@ ODD = (
     *(b"1000000000", b"999999999999999999999", b"1.5", b"", b"x", b"0x10", b"--1", b"1_0", b"\xd9\xa3"),
 )
 INSERTED = tuple(text.encode("utf-8", "surrogatepass") for text in (*TEXTS, *QUANTITIES))
-INTEGERS, REALS = (0, 1, -1, 2**31 - 1, 10**9, 2**62, -(2**63)), (float("nan"), float("inf"), 1e308, -1e300, 5e-324)
+WORDS = (
+    *(struct.pack("<q", number) for number in (0, 1, -1, 2**31 - 1, 10**9, 2**62, -(2**63))),
+    *(struct.pack("<d", number) for number in (float("nan"), float("inf"), 1e308, -1e300, 5e-324)),
+    *(b"\xff" * 4, b"\0" * 4, b"\xff\xff\xff\x7f", b"\0\xca\x9a\x3b"),
+)
+"""Numbers as binary files hold them."""
 LARGEST = 300_000
 """Bytes of what is made; repeated parts stop there."""
 DEEP = 100
@@ -84,12 +89,9 @@ def changed_bytes(draw: Draw, content: bytes) -> bytes:
         del data[at : at + 1 + below(draw, 64)]
     elif kind == 3:
         data[at:at] = data[at : at + 1 + below(draw, 256)] * pick(draw, (1, 3, 100))
-    elif kind == 4:
-        data[at : at + 8] = struct.pack("<q", pick(draw, INTEGERS))
-    elif kind == 5:
-        data[at : at + 4] = pick(draw, (b"\xff" * 4, b"\0" * 4, b"\xff\xff\xff\x7f", b"\0\xca\x9a\x3b"))
     else:
-        data[at : at + 8] = struct.pack("<d", pick(draw, REALS))
+        word = pick(draw, WORDS)
+        data[at : at + len(word)] = word
     return bytes(data[:LARGEST])
 
 

@@ -18,6 +18,8 @@ from masonry.results.store import NUMBERS
 from masonry.scene import packaged
 from tests.results.sample import sample
 
+PLANE = Path(__file__).resolve().parents[1] / "geometry" / "files" / "plane.tess"
+
 
 @cache
 def small() -> Specimen:
@@ -125,7 +127,7 @@ def blocks() -> tuple[bytes, ...]:
 @cache
 def tess() -> tuple[bytes, ...]:
     """Cells in space, and plane ones."""
-    return _tess(small().blocks), PLANE.encode()
+    return _tess(small().blocks), PLANE.read_bytes()
 
 
 def _tess(of: Blocks) -> bytes:
@@ -143,36 +145,3 @@ def _tess(of: Blocks) -> bytes:
         faces = of.faces_of(b)
         lines.append(f"   {b + 1} {len(faces)} " + " ".join(str(f + 1) for f in faces))
     return ("\n".join([*lines, "***end"]) + "\n").encode()
-
-
-PLANE = """***tess
- **format
-   3.4
- **general
-   2 standard
- **cell
-  2
-  *id
-   1 2
- **vertex
-  6
-   1 0 0 0 0
-   2 1 0 0 0
-   3 2 0 0 0
-   4 0 1 0 0
-   5 1.2 1 0 0
-   6 2 1 0 0
- **edge
-  0
- **face
-  2
-   1 4 1 2 5 4
-     4 1 2 3 4
-     0 0 0 1
-     0 0 0 0 0
-   2 4 2 3 6 5
-     4 2 5 6 7
-     0 0 0 1
-     0 0 0 0 0
-***end
-"""

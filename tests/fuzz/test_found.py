@@ -19,6 +19,7 @@ from masonry.errors import Findings, SceneError, visible
 from masonry.laboratory.result import load_result
 from masonry.runtime.text_files import json_of
 from masonry.sweep.read import read
+from masonry.timeloop.checkpoint import Checkpoints
 from tests.fuzz import sound
 from verification import records
 
@@ -255,3 +256,9 @@ def test_a_name_that_no_file_can_have_is_refused(tmp_path, monkeypatch, capsys):
     for name in ("a\0b", "\ud800"):
         assert "no folder can have this name" in said(capsys, "run", "couplet", "--out", name)
     assert os.listdir() == []
+
+
+def test_a_run_whose_folder_has_a_name_that_is_no_text_says_how_to_go_on(tmp_path):
+    place = Checkpoints(tmp_path / "a\udcffb")
+    place.begin("", {})
+    assert b"masonry resume " + os.fsencode(place.results) in (place.folder / "HOW-TO-GO-ON.txt").read_bytes()
