@@ -133,7 +133,7 @@ def _change_of_tree(draw: Draw, places: list[tuple[Any, Any]], spare: tuple[Any,
     elif kind == 5 and isinstance(old, str):
         table[key] = _other_quantity(draw, old)
     elif kind == 6 and spare:
-        table[key] = pick(draw, spare)
+        table[key] = deepcopy(pick(draw, spare))
     elif kind == 7:
         table[key] = pick(draw, NUMBERS)
     else:

@@ -14,14 +14,17 @@ PIECES = (
     *(b"a.", b"[", b"[[a]]\n", b"{a=", b"a = 1\n", b'"', b"'''", b"\\", b"#", b"[a.b.c]\n", b"x = [", b"\n", b"0_"),
     *(b"a = 1e", b"1", b"a.a.a.a.a = 1\n", b"\xff", b"a = '\n", b"[specimen]\n"),
 )
-NUMBERS_WITH_UNITS = (
-    *("0.87 MPa", "150 GPa/m", "58 N/m", "45 deg", "-9.81 m/s^2", "1900 kg/m^3", "25.4 mm", "1 %", "130 N/m/MPa"),
-    *("2 inch*ft", *QUANTITIES, *TEXTS),
-)
-KEYS_OF_QUANTITIES = (
-    *("specimen.length", "contact.unit_unit.cohesion", "contact.unit_unit.normal_stiffness", "drive.displacement"),
-    *("contact.unit_unit.friction_angle", "material.units.density", "drive.accuracy", "confinement", "gravity.z"),
-)
+SOUND = {
+    **{"specimen.length": "25.4 mm", "contact.unit_unit.cohesion": "0.87 MPa", "drive.displacement": "1e-4 m"},
+    **{"contact.unit_unit.normal_stiffness": "150 GPa/m", "contact.unit_unit.friction_angle": "45 deg"},
+    **{
+        "material.units.density": "1900 kg/m^3",
+        "drive.accuracy": "1 %",
+        "confinement": "2 MPa",
+        "gravity.z": "-9.81 m/s^2",
+    },
+}
+NUMBERS_WITH_UNITS = (*SOUND.values(), "58 N/m", "130 N/m/MPa", "2 inch*ft", *QUANTITIES, *TEXTS)
 HISTORIES = (
     "0.1 mm * sin(2 pi t / 1 s) * ramp(t / 4 s)",
     "0.2 mm * triangle(t / 2 s) - 0.1 mm * sin(pi t / 3 s) * (1 - ramp(t / 1 s))",
@@ -110,9 +113,10 @@ def _large(draw: Draw) -> bytes:
 @kind("quantity", 8)
 def quantity(draw: Draw) -> Attempt:
     """Numbers with units, in --set and in options that take one."""
-    changed = changed_word(draw, pick(draw, NUMBERS_WITH_UNITS))
+    key = pick(draw, list(SOUND))
+    changed = changed_word(draw, SOUND[key] if chance(draw, 40) else pick(draw, NUMBERS_WITH_UNITS))
     if chance(draw, 80):
-        return Attempt(["check", "couplet", "--set", f"{pick(draw, KEYS_OF_QUANTITIES)}={changed}"])
+        return Attempt(["check", "couplet", "--set", f"{key}={changed}"])
     option = pick(draw, ("--unit", "--tolerance", "--thickness", "--facet", "--section"))
     return Attempt(["import", "none.step", "--out", "new.toml", option, changed])
 
