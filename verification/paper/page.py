@@ -15,9 +15,11 @@ WORDS = {True: ("holds", "ok"), False: ("does not hold", "bad"), None: ("cannot 
 REFERENCE = (
     "Discontinuum analysis of the fracture mechanism in masonry prisms and wallettes via discrete element method"
 )
-"""Title of the reference paper. Its authors, year and DOI are not in the text that this project has of it."""
+"""Title of the reference paper."""
+CITATION = "Pulatsu, Erdogmus, Lourenço, Lemos and Hazzard, Meccanica 55 (2020), doi:10.1007/s11012-020-01133-1"
+"""Its authors, year and DOI: not checked against the publisher, see docs/paper.md."""
 LEAD = (
-    f"The reference paper is “{REFERENCE}”. All its experiments were run again. This page shows its figures as this "
+    f"The reference paper is “{REFERENCE}” ({CITATION}; not checked against the publisher). All its experiments were run again. This page shows its figures as this "
     "program computes them, and compares each of its claims with what came out. The figures of the paper are lost, so "
     "no curve of the paper stands beside ours. Where a claim does not hold, the row says why, and what was done to "
     "make sure that it is not an error of solving."
