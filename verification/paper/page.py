@@ -19,7 +19,8 @@ REFERENCE = (
 CITATION = "Pulatsu, Erdogmus, Lourenço, Lemos and Hazzard, Meccanica 55 (2020), doi:10.1007/s11012-020-01133-1"
 """Its authors, year and DOI: not checked against the publisher, see docs/paper.md."""
 LEAD = (
-    f"The reference paper is “{REFERENCE}” ({CITATION}; not checked against the publisher). All its experiments were run again. This page shows its figures as this "
+    f"The reference paper is “{REFERENCE}” ({CITATION}; not checked against the publisher). "
+    "All its experiments were run again. This page shows its figures as this "
     "program computes them, and compares each of its claims with what came out. The figures of the paper are lost, so "
     "no curve of the paper stands beside ours. Where a claim does not hold, the row says why, and what was done to "
     "make sure that it is not an error of solving."
