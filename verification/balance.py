@@ -36,10 +36,12 @@ def honest(terms: Terms) -> bool:
 def open_by(result: Result) -> float:
     """Largest residual of all rows over the largest external work; infinite where the run tells another one.
 
-    Where nothing does work from outside, over the largest of the terms.
+    A load that is lifted takes all work of the drive, so the work of each load counts as well. Where nothing does work
+    from outside, over the largest of the terms.
     """
     rows = result.history.rows
-    work, size = float(np.abs(rows["external_work"]).max()), largest(rows)
+    loads = [abs(work) for work in result.summary["work_of_loads_j"].values()]
+    work, size = max(float(np.abs(rows["external_work"]).max()), *loads, 0.0), largest(rows)
     gap = float(np.abs(residual(rows)).max())
     share = gap / (work or size) if gap else 0.0
     told = float(result.summary["energy_imbalance"])

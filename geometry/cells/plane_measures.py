@@ -8,7 +8,7 @@ from geometry.blocks import CellReport
 from geometry.cells.plane import PlaneDiagram, areas_and_centroids, edges
 from geometry.cells.plane_energy import joint_points
 from geometry.cells.request import report_of
-from geometry.polyhedra.indexing import weld
+from geometry.polyhedra.weld import weld
 
 WELD = 1e-8
 """Corners closer than this share of h are one."""

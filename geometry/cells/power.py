@@ -14,7 +14,7 @@ from scipy.spatial import ConvexHull
 
 from geometry.blocks import GeometryError
 from geometry.cells.domain import Domain
-from geometry.polyhedra.indexing import weld
+from geometry.polyhedra.weld import weld
 
 WELD = 5e-10
 """Vertices closer than this share of h are one; h is the cube root of the mean volume."""

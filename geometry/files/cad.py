@@ -17,9 +17,9 @@ from geometry.files.step_reader import length_unit, records
 from geometry.meshes.gmsh_session import gmsh_model
 from geometry.polyhedra.construct import from_faces
 from geometry.polyhedra.convexity import convex_pieces
-from geometry.polyhedra.indexing import weld
 from geometry.polyhedra.measures import volumes
 from geometry.polyhedra.shells import outward
+from geometry.polyhedra.weld import weld
 
 STEP, IGES, BREP = (".step", ".stp"), (".iges", ".igs"), (".brep",)
 MOST_SOLIDS = 50_000

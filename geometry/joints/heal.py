@@ -9,10 +9,10 @@ from scipy.sparse.csgraph import connected_components
 
 from geometry.blocks import Blocks, GeometryError
 from geometry.joints.gaps import Facing, facing_faces, require_small
-from geometry.polyhedra.indexing import weld
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids, volumes
 from geometry.polyhedra.overlaps import check_overlaps
 from geometry.polyhedra.polygons import pad
+from geometry.polyhedra.weld import weld
 
 SUSPICIOUS = 10.0
 """Gaps up to so many times the tolerance are taken for mistakes."""

@@ -11,9 +11,10 @@ from scipy.spatial import cKDTree
 
 from geometry.blocks import Blocks, Joints
 from geometry.joints.find import patch_faces
-from geometry.polyhedra.indexing import ranges, weld
+from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.loops import free_regions, reverse
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids
+from geometry.polyhedra.weld import weld
 
 Loop = list[int]
 

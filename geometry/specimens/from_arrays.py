@@ -10,11 +10,11 @@ from scipy.sparse.csgraph import connected_components
 from geometry.blocks import Blocks, GeometryError
 from geometry.polyhedra.construct import from_faces
 from geometry.polyhedra.convexity import triangles
-from geometry.polyhedra.indexing import weld
 from geometry.polyhedra.merged_faces import merged_faces
 from geometry.polyhedra.polygons import areas_normals_centroids
 from geometry.polyhedra.shells import outward
 from geometry.polyhedra.validate import FARTHEST, FLAT
+from geometry.polyhedra.weld import weld
 
 SAME = 1e-9
 """Of the longest side of a block: vertices that lie closer together are one."""

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from geometry.polyhedra.indexing import weld
+from geometry.polyhedra.weld import weld
 
 Body = list[np.ndarray]
 """The faces (n, 3) of a convex body, counter-clockwise seen from outside."""

@@ -11,6 +11,7 @@ from masonry.loading.cycles import bounds, table
 from masonry.loading.cyclic_adaptive import CyclicLoading
 from masonry.loading.schedule import cyclic
 from masonry.loading.scheduled import ScheduledLoading
+from masonry.monitors.energy import Seen
 from masonry.scene import load
 from tests.loading.test_controlled import TERMS
 from verification.cases.fracture.joint_that_closes import KEYS
@@ -113,7 +114,7 @@ def test_increments_reach_every_turning_point_whatever_the_energies_say():
             assert place == pytest.approx(chunk.place, abs=1e-14) and chunk.speed[-1] == 0.0
             visited.append(chunk.place)
         force, *energies = (float(x) for x in rng.lognormal(0, 1, 7))
-        seen = rng.lognormal(0, 1, (len(assembly.model.group), 4))
+        seen = Seen(*rng.lognormal(0, 1, (4, len(assembly.model.group))))
         pace.look(force, 0.9 * force, seen, dict(zip(TERMS, energies, strict=True)))
     assert tuple(visited) == turns
     assert pace.progress() == (1_000_000, 1_000_000)

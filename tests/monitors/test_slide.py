@@ -10,11 +10,17 @@ from masonry.assembly.assemble import assemble, joined
 from masonry.cli.main import main
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
+from masonry.monitors.energy import Seen
 from masonry.monitors.slide import Slide
 from masonry.results.trust import trust
 from masonry.scene import load
 
 FAST = {"drive.accuracy": "5 %"}
+
+
+def contacts_show(model, *values):
+    """All contacts show the same opening, slip, normal and shear stress."""
+    return Seen(*(np.full(len(model.group), value) for value in values))
 
 
 def slid(displacement, **more):
@@ -61,11 +67,11 @@ def test_a_roller_may_slide_as_far_as_it_likes():
 def test_what_is_apart_touches_nothing_and_does_not_count():
     model = assemble(load("couplet")).model
     model.contacts.u[model.contacts.sides[:, 1], 0] = 0.06
-    slide, seen = Slide(model, 0.25), np.tile([1e-3, 0.06, 0.0, 0.0], (len(model.group), 1))
-    seen[:, 3] = 1.0  # what a softening law leaves of its strength
+    slide, seen = Slide(model, 0.25), contacts_show(model, 1e-3, 0.06, 0.0, 0.0)
+    seen.tau[:] = 1.0  # what a softening law leaves of its strength
     slide.look(0, seen)
     assert slide.largest == 0.0
-    seen[:, 2] = -1.0  # pressed, as dilation does
+    seen.sigma[:] = -1.0  # pressed, as dilation does
     with pytest.raises(Stopped):
         slide.look(0, seen)
 
@@ -100,7 +106,7 @@ def test_extents_do_not_depend_on_the_order_of_blocks_and_units():
 
 def test_a_slip_across_is_measured_by_the_width():
     model = assemble(load("couplet")).model
-    slide, seen = Slide(model, 0.25), np.tile([0.0, 0.01, -1.0, 0.0], (len(model.group), 1))
+    slide, seen = Slide(model, 0.25), contacts_show(model, 0.0, 0.01, -1.0, 0.0)
     for axis, length in ((0, 0.2), (1, 0.05)):
         slide.largest = 0.0
         model.contacts.u[model.contacts.sides[:, 1]] = 0.01 * np.eye(3)[axis]
