@@ -14,7 +14,7 @@ def require_balance(summary):
     end; and damping and inertia have almost no part in it at the end."""
     for balance in summary["reactions"].values():
         acts = {name: act for name, act in balance.items() if isinstance(act, dict) and name != "sum"}
-        assert acts.keys() > {"support.0", "drive", "damping", "inertia"}
+        assert acts.keys() > {"support.0", "damping", "inertia"}
         for key in ("force_n", "moment_nm"):
             each = np.array([act[key] for act in acts.values()])
             left = each.sum(axis=0)
@@ -39,7 +39,7 @@ def test_a_packaged_scene_runs_to_its_end(name):
     if scene.drive is None:
         assert summary["unbalanced_after_settling"] < 1e-9
     else:
-        assert summary["peak_stress_pa"] > abs(summary["final_stress_pa"])
+        assert summary["peak_stress_pa"] >= abs(summary["final_stress_pa"])
         assert summary["final_stress_pa"] > 0.0 or summary["cycles"]
     assert all(cycle["closed"] and cycle["dissipated_j"] > 0.0 for cycle in summary["cycles"])
     require_balance(summary)
