@@ -71,3 +71,13 @@ class History:
 
     rows: dict[str, np.ndarray] = field(default_factory=dict)
     frames: list[Frame] = field(default_factory=list)
+
+
+LEAST_STORED = 1e-6
+"""Share of the external work that counts as stored at least, where kinetic energy is held against what is stored."""
+
+
+def still_moving(terms: dict[str, float]) -> float:
+    """Kinetic energy over what the specimen stores, by its ledger (J)."""
+    stored = abs(terms["elastic_blocks"] + terms["elastic_contacts"])
+    return abs(terms["kinetic"]) / max(stored, LEAST_STORED * abs(terms["external_work"]), 1e-300)

@@ -5,9 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from masonry.errors import SceneError
 from masonry.loading.cycles import at_peak
-from masonry.runtime.text_files import toml_of
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -33,7 +31,7 @@ class CurveAxes:
 
 def curve_axes(result: "ResultData") -> CurveAxes:
     """The axes that the scene of a result asks for; time across where nothing is driven."""
-    asked, rows = _asked(result.scene_toml), result.history.rows
+    asked, rows = _asked(result), result.history.rows
     name, unit, factor = UP.get(str(asked.get("y")), UP["stress"])
     if name == "force":
         factor *= result.specimen.section
@@ -44,9 +42,6 @@ def curve_axes(result: "ResultData") -> CurveAxes:
     return CurveAxes(rows[across] * 1e3, f"{across} [mm]", name, unit, factor)
 
 
-def _asked(scene_toml: str) -> dict[str, object]:
-    try:
-        curve = toml_of(scene_toml, "scene").get("curve", {})
-    except SceneError:
-        return {}
+def _asked(result: "ResultData") -> dict[str, object]:
+    curve = result.scene_table.get("curve", {})
     return curve if isinstance(curve, dict) else {}

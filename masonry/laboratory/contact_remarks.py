@@ -54,7 +54,7 @@ def rocked_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
 def _of_rocking(assembly: Assembly, which: np.ndarray, what: str) -> list[str]:
     """One line for each group with joints, among these contacts (C,), that neither pull nor have points at the edge."""
     model, found, reach = assembly.model, [], _reach(assembly.joints)
-    for g, (name, interface) in enumerate(zip(model.group_names, model.groups[1], strict=True)):
+    for g, (name, interface) in enumerate(zip(model.group_names, model.groups.properties, strict=True)):
         law = assembly.scene.contact[name].law
         dry = law == "friction" or ("tensile_strength" in properties_of(law) and not np.any(interface.tensile_strength))
         mine = which & (model.group == g)

@@ -15,9 +15,6 @@ from masonry.kinematics import affine, tets
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
 
-LEAST_STORED = 1e-6
-"""Share of the external work that counts as stored at least, where kinetic energy is held against what is stored."""
-
 
 class Seen(NamedTuple):
     """What contacts show, (C,) each: opening and slip (m), normal (tension above 0) and shear stress (Pa)."""
@@ -72,12 +69,6 @@ def unbalanced(model: Model, before: list[np.ndarray]) -> float:
             load += float(np.abs(body.load[:, :3])[body.pace[:, :3] > 0.0].sum())
         force += float(np.abs(model.masses[kind] * (body.v - old))[:, :3].sum()) / model.dt
     return force / load if load > 0.0 else 0.0
-
-
-def still_moving(terms: dict[str, float]) -> float:
-    """Kinetic energy over what the specimen stores, by its ledger (J)."""
-    stored = abs(terms["elastic_blocks"] + terms["elastic_contacts"])
-    return abs(terms["kinetic"]) / max(stored, LEAST_STORED * abs(terms["external_work"]), 1e-300)
 
 
 def velocities(model: Model) -> list[np.ndarray]:

@@ -8,12 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from masonry.errors import SceneError
 from masonry.history import Frame
 from masonry.pictures.cracks import EDGE_ON, View
 from masonry.results.deformation import Corners, Deformation
 from masonry.results.joint_resultants import UnitJoints, unit_joints
-from masonry.runtime.text_files import toml_of
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -78,7 +76,7 @@ class ThrustLine:
 
 def thrust_line(result: "ResultData", view: View) -> ThrustLine | None:
     """What to draw of joints that are seen edge-on; None without gravity, and for fewer or more joints than help."""
-    if not _has_weight(result):
+    if not result.scene_table.get("gravity"):
         return None
     joints = unit_joints(result.specimen.blocks, result.joints)
     if (row := row_of(joints.units)) is not None:
@@ -100,10 +98,3 @@ def row_of(units: np.ndarray) -> np.ndarray | None:
         order.append(joint)
         here = b if here == a else a
     return np.array(order) if not left else None
-
-
-def _has_weight(result: "ResultData") -> bool:
-    try:
-        return bool(toml_of(result.scene_toml, "scene").get("gravity"))
-    except SceneError:
-        return False

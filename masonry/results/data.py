@@ -51,11 +51,15 @@ class ResultData:
     @property
     def title(self) -> str:
         """The scene's title, or its name where it has none."""
+        return str(self.scene_table.get("title") or self.summary.get("scene", "masonry"))
+
+    @property
+    def scene_table(self) -> dict[str, Any]:
+        """The resolved scene as it was read, not checked; empty where it cannot be read."""
         try:
-            title = toml_of(self.scene_toml, "scene").get("title")
+            return toml_of(self.scene_toml, "scene")
         except SceneError:
-            title = None
-        return str(title or self.summary.get("scene", "masonry"))
+            return {}
 
     @property
     def has_drive(self) -> bool:

@@ -58,8 +58,8 @@ def _moved(result: "ResultData", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
 def _stiffness(result: "ResultData", key: str) -> np.ndarray:
     """(C,) Pa/m of the resolved scene, by contact; not a number where it does not say."""
     try:
-        groups = toml_of(result.scene_toml, "scene").get("contact", {})
+        groups = result.scene_table.get("contact", {})
         known = [convert(groups[name][key], "stiffness", key) for name in result.joint_groups]
-    except (SceneError, ValueError, KeyError, TypeError, AttributeError):
+    except (ValueError, KeyError, TypeError, AttributeError):
         return np.full(len(result.joint_group), np.nan)
     return np.array(known)[result.joint_group]

@@ -3,6 +3,8 @@
 import math
 from typing import Any
 
+from masonry.history import still_moving
+
 MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-9, 0.01, 1e-3, 0.01
 """Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference
 between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
@@ -10,8 +12,6 @@ how far contacts close over the size of their blocks."""
 STILL = 1e-6
 """Limit of the kinetic over the stored energy after settling: what is left of a swing then is a thousandth of the
 displacements, and what slides or falls, be its load only a thousandth too large, has more."""
-LEAST_STORED = 1e-6
-"""Share of the external work that counts as stored at least."""
 RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
 """Limits: what sudden cracks release over all energy lost; over the external work, what damping gives, and takes."""
 TAKEN = 0.02
@@ -108,8 +108,8 @@ def percent(share: float, digits: int = 2) -> str:
 def moving_at_end(summary: dict[str, Any]) -> float:
     """Kinetic over stored energy at the end."""
     energies = summary.get("energy_j") or {}
-    kinetic, *stored = (energies.get(key) or 0.0 for key in ("kinetic", "elastic_blocks", "elastic_contacts"))
-    return abs(kinetic) / max(abs(sum(stored)), LEAST_STORED * abs(energies.get("external_work") or 0.0), 1e-300)
+    terms = ("kinetic", "elastic_blocks", "elastic_contacts", "external_work")
+    return still_moving({key: energies.get(key) or 0.0 for key in terms})
 
 
 def has_drive(summary: dict[str, Any]) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import fields
 
 import numpy as np
 
-from masonry.history import UNITS, Frame
+from masonry.history import UNITS, Frame, still_moving
 from masonry.kernels.step import reaction
 from masonry.loading.cycles import reached
 from masonry.loading.dispatch import Pace
@@ -153,13 +153,13 @@ class Loop:
         return [self.share * (1.0 if load.varies is None else float(varying[load.varies])) for load in loads]
 
     def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
-        model, area = self.model, self.recording.section
+        model, area, shares = self.model, self.recording.section, self.shares()
         view = energy.observe(model)
         stress, support = (
             sum(reaction(b, f) for b, f in zip(model.bodies, freedoms, strict=True)) / area * self.recording.sign
             for freedoms in (model.drives, model.supports)
         )
-        support += float(self.loads_along @ self.shares()) / area * self.recording.sign
+        support += float(self.loads_along @ shares) / area * self.recording.sign
         terms = energy.ledger(model, view, before)
         self.watch.check_energies(step, terms)
         self.slide.look(step, view.seen)
@@ -168,7 +168,7 @@ class Loop:
         self.outcome.slip_max = self.slide.largest
         if step <= self.settle:
             self.outcome.unbalanced = energy.unbalanced(model, before)
-            self.outcome.still_moving = energy.still_moving(terms)
+            self.outcome.still_moving = still_moving(terms)
         place = self.along(self.place)
         force = area * self.recording.sign
         gauges = [gauge.read(model) for gauge in self.recording.gauges]
@@ -180,10 +180,10 @@ class Loop:
         self.law_area.look(view.seen.sigma)
         self.outcome.widest.append(float(view.seen.opening.max(initial=0.0)))
         self.outcome.overlap_max = self.overlap.largest
-        self.work_of_loads.look(model, self.shares(), step <= self.settle)
+        self.work_of_loads.look(model, shares, step <= self.settle)
         higher = stress > self.highest_row and step >= max(self.settle, 1)
         if frame_due or higher:
-            standing = self.recording.surroundings.standing(model, before, step, place, self.shares())
+            standing = self.recording.surroundings.standing(model, before, step, place, shares)
             frame = frame_of(model, view, step, place, self.watch.nearest)
             if frame_due:
                 self.frames.append(frame)

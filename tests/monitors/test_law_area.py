@@ -29,7 +29,7 @@ def test_cycles_of_a_couplet_take_what_the_law_has(variable):
 
 def test_only_a_scene_that_turns_back_and_names_no_variable_softens_over_plastic_slip():
     def plastic(name, over=None):
-        return assemble(scene.load(name, over or {})).model.groups[1][0].plastic_softening is not None
+        return assemble(scene.load(name, over or {})).model.groups.properties[0].plastic_softening is not None
 
     assert plastic("couplet-cyclic") and not plastic("couplet")
     assert not plastic("couplet-cyclic", {JOINT + "softening_variable": "displacement"})

@@ -87,7 +87,7 @@ def put_in_the_state_of(other: Model, model: Model) -> None:
         for name in ("q", "v", "contact", "hold"):
             if body is not None and hasattr(body, name):
                 getattr(body, name)[...] = getattr(its, name)
-    for array, its in zip(model.contacts[3:], other.contacts[3:], strict=True):
+    for array, its in ((model.contacts.u, other.contacts.u), (model.contacts.force, other.contacts.force)):
         array[...] = its
     for name, its in other.state._asdict().items():
         array = getattr(model.state, name)
