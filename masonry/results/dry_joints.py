@@ -5,10 +5,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from masonry.errors import SceneError
 from masonry.history import Frame
 from masonry.quantity import convert
-from masonry.runtime.text_files import toml_of
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
