@@ -1,0 +1,72 @@
+"""Levers of contact forces on blocks that turn: both sides of a contact act at one point, the material point of side b.
+
+So the lever of side a is that of its own material point and `apart`, u_b - u_a: then the two forces have no couple, and
+the angular momentum of the pair is kept.
+"""
+
+from numba.extending import register_jitable
+
+from masonry.kinematics.matrices import vector_at
+from masonry.simd import numbers, pack, plus, take_row
+
+
+@register_jitable
+def moments(start, code, arm, force, b):
+    """Force (3) on block b, and its first moments (9), row by row: force times arm, of the arms as they are given."""
+    nothing = pack((0.0, 0.0, 0.0, 0.0))
+    whole, by_x, by_y, by_z = nothing, nothing, nothing, nothing
+    for k in range(start[b], start[b + 1]):
+        own, side = take_row(force, code[k] >> 1), 1.0 - 2.0 * (code[k] & 1)
+        whole = plus(whole, side, own)
+        by_x = plus(by_x, side * arm[k, 0], own)
+        by_y = plus(by_y, side * arm[k, 1], own)
+        by_z = plus(by_z, side * arm[k, 2], own)
+    f, x, y, z = numbers(whole), numbers(by_x), numbers(by_y), numbers(by_z)
+    return (f[0], f[1], f[2]), (x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2])
+
+
+@register_jitable
+def moments_apart(apart, start, code, force, b):
+    """First moments (9) of the forces on sides a of block b about their own material points, global; 0 without `apart`."""
+    if apart is None:
+        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    nothing = pack((0.0, 0.0, 0.0, 0.0))
+    by_x, by_y, by_z = nothing, nothing, nothing
+    for k in range(start[b], start[b + 1]):
+        c = code[k] >> 1
+        own, on_a = take_row(force, c), 1.0 - (code[k] & 1)
+        by_x = plus(by_x, on_a * apart[c, 0], own)
+        by_y = plus(by_y, on_a * apart[c, 1], own)
+        by_z = plus(by_z, on_a * apart[c, 2], own)
+    x, y, z = numbers(by_x), numbers(by_y), numbers(by_z)
+    return x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]
+
+
+@register_jitable
+def axial(m):
+    """The moment, sum of x cross f, of first moments (9), sum of f_i x_j row by row."""
+    return m[7] - m[5], m[2] - m[6], m[3] - m[1]
+
+
+@register_jitable
+def patch_force(patches, b):
+    """Force of the detected contacts on block b; 0 where there are none."""
+    if patches is None:
+        return 0.0, 0.0, 0.0
+    return vector_at(patches, b, 0)
+
+
+@register_jitable
+def patch_couple(patches, b):
+    """Moment of the detected contacts about the centroid of block b; 0 where there are none."""
+    if patches is None:
+        return 0.0, 0.0, 0.0
+    return vector_at(patches, b, 3)
+
+
+@register_jitable
+def patch_moments(patches, b):
+    """First moments (9) of the detected contacts about the centroid of block b, global; 0 where there are none."""
+    if patches is None:
+        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    return *vector_at(patches, b, 3), *vector_at(patches, b, 6), *vector_at(patches, b, 9)

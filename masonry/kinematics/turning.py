@@ -1,0 +1,290 @@
+"""Rigid blocks that turn as far as they like: x = centroid + t + R arm; momentum is kept to the bit in free flight.
+
+What a block keeps is its angular momentum L; its angular velocity is w = J^-1 L with J = R I R^T. Over a step it turns
+by exp(w* dt) with w* = w + dt/2 w', and w' = J^-1 (L x w) of Euler's equations of free motion (Buss 2000, second
+order). Contact moments change L at the end of the step, as forces change momenta in leapfrog.
+
+Held rotations are about global axes. Of a block that is held about some of them the other components of L move on, and
+w follows from L and what is prescribed; R is then turned by the midpoint rule. Reactions leave the block's inertia out, as
+for translations; where it turns about prescribed axes and freely about others, that inertia's work is in `work[:, 3]`.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import prange
+from numba.extending import register_jitable
+
+from masonry.jit.compiler import jit
+from masonry.kinematics.levers import axial, moments, moments_apart, patch_couple, patch_force
+from masonry.kinematics.matrices import (
+    added,
+    cross,
+    dot,
+    each,
+    exponential,
+    inverse,
+    matrix_at,
+    product,
+    put_matrix,
+    put_vector,
+    scaled,
+    straightened,
+    times,
+    transposed,
+    transposed_times,
+    vector_at,
+)
+from masonry.kinematics.motion import advance, at_rest_or, dead_load, resist
+from masonry.simd import pack, plus, put_row
+
+
+class Turning(NamedTuple):
+    """Arrays of B rigid blocks that have S contact sides in all; components are global but where it says otherwise.
+
+    q               (B, 6) displacement of the centroid (m), and the sum of all small turns (rad), which is no rotation
+    v, pace         (B, 6) velocity and angular velocity; dt/mass, and 0 where prescribed; of turns only whether it is 0
+    contact, hold   (B, 6) force and moment at the last step: contacts and patches; damping or reaction
+    frame           (B, 3, 3) rotation R since the start
+    momentum        (B, 3) kg m2/s, angular momentum L about the centroid; 0 about held axes. It belongs to v: `spin`
+    inertia         (B, 3) kg m2 about the principal axes
+    start, code     sides of each block, as for Rigid
+    arm             (S, 3) m, from the centroid to the point, as at the start
+    first_point     row of u at which the sides begin
+    work            (B, 4) J: contacts, damping, external, and what the free rotor loses while R turns and L stays
+    load, change    (B, 6) dead loads, which do not turn; moments about global axes; or None
+    guess           (B, 6) expected velocity for a unit speed of the drive, or None
+    axes            (B, 3, 3) principal axes at the start in columns; None where they are x, y, z
+    apart           rows like force: u_b - u_a of every contact, see levers.py; None for 0
+    patches         (B, 6) force and moment about the centroid of detected contacts, or None
+    """
+
+    q: np.ndarray
+    v: np.ndarray
+    pace: np.ndarray
+    contact: np.ndarray
+    hold: np.ndarray
+    frame: np.ndarray
+    momentum: np.ndarray
+    inertia: np.ndarray
+    start: np.ndarray
+    code: np.ndarray
+    arm: np.ndarray
+    first_point: np.uint32
+    work: np.ndarray | None = None
+    load: np.ndarray | None = None
+    guess: np.ndarray | None = None
+    axes: np.ndarray | None = None
+    change: np.ndarray | None = None
+    apart: np.ndarray | None = None
+    patches: np.ndarray | None = None
+
+
+@register_jitable
+def _principal(axes, b, r):
+    """The principal axes of block b now, in columns."""
+    if axes is None:
+        return r
+    return product(r, matrix_at(axes, b))
+
+
+@register_jitable
+def _over_inertia(q, inertia, b, momentum):
+    """J^-1 momentum, with principal axes q."""
+    x, y, z = transposed_times(q, momentum)
+    return times(q, (x / inertia[b, 0], y / inertia[b, 1], z / inertia[b, 2]))
+
+
+@register_jitable
+def _inertia_now(q, inertia, b):
+    """J."""
+    i, j, k = inertia[b, 0], inertia[b, 1], inertia[b, 2]
+    scaled = q[0] * i, q[1] * j, q[2] * k, q[3] * i, q[4] * j, q[5] * k, q[6] * i, q[7] * j, q[8] * k
+    return product(scaled, transposed(q))
+
+
+@register_jitable
+def _freedom(pace, b):
+    """1 for each axis that block b turns about freely, 0 where that is prescribed."""
+    x, y, z = 1.0, 1.0, 1.0
+    if pace[b, 3] == 0.0:
+        x = 0.0
+    if pace[b, 4] == 0.0:
+        y = 0.0
+    if pace[b, 5] == 0.0:
+        z = 0.0
+    return x, y, z
+
+
+@register_jitable
+def _held_spin(q, inertia, b, free, momentum, prescribed):
+    """w: prescribed where not free, elsewhere such that J w has the given momentum."""
+    j = _inertia_now(q, inertia, b)
+    x, y, z = free
+    rows = (
+        *(x * j[0] + (1.0 - x), x * j[1], x * j[2], y * j[3], y * j[4] + (1.0 - y), y * j[5]),
+        *(z * j[6], z * j[7], z * j[8] + (1.0 - z)),
+    )
+    held = 1.0 - x, 1.0 - y, 1.0 - z
+    return times(inverse(rows), added(each(free, momentum), each(held, prescribed)))
+
+
+@register_jitable
+def _spin(q, inertia, b, free, momentum, prescribed):
+    """w of block b."""
+    if free[0] + free[1] + free[2] == 3.0:
+        return _over_inertia(q, inertia, b, momentum)
+    return _held_spin(q, inertia, b, free, momentum, prescribed)
+
+
+@register_jitable
+def _mean_spin(r, axes, inertia, b, free, momentum, w, dt):
+    """w*: the angular velocity in the middle of the step, to second order."""
+    if free[0] + free[1] + free[2] == 3.0:
+        q = _principal(axes, b, r)
+        change = _over_inertia(q, inertia, b, cross(momentum, w))
+        return added(w, scaled(0.5 * dt, change))
+    now = _held_spin(_principal(axes, b, r), inertia, b, free, momentum, w)
+    half = product(exponential(scaled(0.5 * dt, now)), r)
+    return _held_spin(_principal(axes, b, half), inertia, b, free, momentum, w)
+
+
+def place(body, dt, u):
+    """Move and turn every block with its velocities, and write the displacement of every contact point."""
+    q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
+    frame, momentum, inertia, pace = body.frame, body.momentum, body.inertia, body.pace
+    for b in prange(len(q)):
+        r = matrix_at(frame, b)
+        w = _mean_spin(r, axes, inertia, b, _freedom(pace, b), vector_at(momentum, b, 0), vector_at(v, b, 3), dt)
+        turn = scaled(dt, w)
+        r = straightened(product(exponential(turn), r))
+        put_matrix(frame, b, r)
+        put_vector(q, b, 0, added(vector_at(q, b, 0), scaled(dt, vector_at(v, b, 0))))
+        put_vector(q, b, 3, added(vector_at(q, b, 3), turn))
+        moved = pack((q[b, 0], q[b, 1], q[b, 2], 0.0))
+        by_x, by_y = pack((r[0] - 1.0, r[3], r[6], 0.0)), pack((r[1], r[4] - 1.0, r[7], 0.0))
+        by_z = pack((r[2], r[5], r[8] - 1.0, 0.0))
+        for k in range(start[b], start[b + 1]):
+            put_row(u, first + k, plus(plus(plus(moved, arm[k, 0], by_x), arm[k, 1], by_y), arm[k, 2], by_z))
+
+
+def move(body, dt, damping, clock, force, u):
+    """Sum the forces and moments of each block, damp, book the work, and kick its momenta."""
+    arm, start, code, frame, axes = body.arm, body.start, body.code, body.frame, body.axes
+    apart, patches, work = body.apart, body.patches, body.work
+    for b in prange(len(body.q)):
+        r = matrix_at(frame, b)
+        own, moment = moments(start, code, arm, force, b)
+        beside = moments_apart(apart, start, code, force, b)
+        moment = added(added(axial(product(moment, transposed(r))), axial(beside)), patch_couple(patches, b))
+        own = added(own, patch_force(patches, b))
+        done = 0.0, 0.0, 0.0
+        done = advance(body, (b, 0), own[0], 0.0, dt, damping, clock, done)
+        done = advance(body, (b, 1), own[1], 0.0, dt, damping, clock, done)
+        done = advance(body, (b, 2), own[2], 0.0, dt, damping, clock, done)
+        turned = _kick(body, b, _principal(axes, b, r), moment, dt, damping, clock)
+        _keep(work, b, done, turned)
+
+
+@register_jitable
+def _kick(body, b, q, moment, dt, damping, clock):
+    """Change the angular momentum of block b, and with it v; works of contacts, damping, loads, and the rotor's loss.
+
+    With K = L(n-1/2) J(n)^-1 L(n+1/2) / 2 the works close to round-off: what K gains is dt/2 (M(n-1) w+ + M(n) w-), with
+    w+ and w- of one momentum before and after the turn, and L (w- - w+) / 2, which is the rotor's.
+    """
+    free, inertia = _freedom(body.pace, b), body.inertia
+    held = 1.0 - free[0], 1.0 - free[1], 1.0 - free[2]
+    before, momentum = vector_at(body.v, b, 3), vector_at(body.momentum, b, 0)
+    w = _spin(q, inertia, b, free, momentum, before)
+    load, earlier = _moment_of_load(body, b, moment, clock[0]), _moment_of_load(body, b, moment, clock[1])
+    acting = added(moment, load)
+    driving = each(free, acting)
+    damped = each(free, _damping(damping, body.guess, inertia, b, q, driving, w, dt, clock))
+    hold = added(damped, scaled(-1.0, each(held, acting)))
+    half, hold_before = 0.5 * dt, vector_at(body.hold, b, 3)
+    by_contacts = half * (dot(moment, w) + dot(vector_at(body.contact, b, 3), before))
+    by_damping = half * (dot(damped, w) + dot(each(free, hold_before), before))
+    by_reaction = half * (dot(each(held, hold), w) + dot(each(held, hold_before), before))
+    by_load = half * (dot(load, w) + dot(earlier, before))
+    loss = 0.5 * dot(momentum, added(before, scaled(-1.0, w)))
+    push = added(driving, damped)
+    if free[0] + free[1] + free[2] < 3.0:  # turned about one axis, a block gets momentum about the others
+        alone = _held_spin(q, inertia, b, free, momentum, (0.0, 0.0, 0.0))
+        loss -= half * dot(push, added(alone, scaled(-1.0, w)))
+    kicked = added(momentum, scaled(dt, push))
+    kicked = at_rest_or(kicked[0]), at_rest_or(kicked[1]), at_rest_or(kicked[2])
+    after = added(each(free, _spin(q, inertia, b, free, kicked, before)), each(held, before))
+    put_vector(body.contact, b, 3, moment)
+    put_vector(body.hold, b, 3, hold)
+    put_vector(body.momentum, b, 0, kicked)
+    put_vector(body.v, b, 3, after)
+    return by_contacts, by_damping, by_reaction + by_load, loss
+
+
+@register_jitable
+def _moment_of_load(body, b, like, share):
+    """Moment of the dead loads; 0 where there are none."""
+    return (
+        dead_load(body, (b, 3), like[0], share),
+        dead_load(body, (b, 4), like[1], share),
+        dead_load(body, (b, 5), like[2], share),
+    )
+
+
+@register_jitable
+def _damping(damping, guess, inertia, b, q, driving, w, dt, clock):
+    """Moment that damps, formed along the block's principal axes: so it is the same from wherever one looks, and each
+    axis has its own inertia. It brakes the power of every axis, and so it does about the free ones alone.
+    """
+    if damping is None:
+        return 0.0, 0.0, 0.0
+    m, turning = transposed_times(q, driving), transposed_times(q, w)
+    now = transposed_times(q, _expected(guess, b, clock[2]))
+    before = transposed_times(q, _expected(guess, b, clock[3]))
+    braking = (
+        resist(damping, dt / inertia[b, 0], m[0], turning[0], now[0], before[0]),
+        resist(damping, dt / inertia[b, 1], m[1], turning[1], now[1], before[1]),
+        resist(damping, dt / inertia[b, 2], m[2], turning[2], now[2], before[2]),
+    )
+    return times(q, braking)
+
+
+@register_jitable
+def _expected(guess, b, speed):
+    """Angular velocity that block b is expected to have at a speed of the drive."""
+    if guess is None:
+        return 0.0, 0.0, 0.0
+    return scaled(speed, vector_at(guess, b, 3))
+
+
+@register_jitable
+def _keep(work, b, done, turned):
+    """Add the works of moving and of turning to a block's account, where one is kept."""
+    if work is not None:
+        work[b, 0] += done[0] + turned[0]
+        work[b, 1] += done[1] + turned[1]
+        work[b, 2] += done[2] + turned[2]
+        work[b, 3] += turned[3]
+
+
+@jit
+def spin(body):
+    """Give every block the momentum that belongs to v, after v was set from outside; none about held axes."""
+    for b in range(len(body.q)):
+        j = _inertia_now(_principal(body.axes, b, matrix_at(body.frame, b)), body.inertia, b)
+        put_vector(body.momentum, b, 0, each(_freedom(body.pace, b), times(j, vector_at(body.v, b, 3))))
+
+
+def momenta(body: Turning) -> np.ndarray:
+    """(B, 6) velocity and angular momentum now: what `kinetic` needs a step later."""
+    return np.concatenate([body.v[:, :3], body.momentum], axis=1)
+
+
+def kinetic(body: Turning, masses: np.ndarray, before: np.ndarray) -> float:
+    """v(n-1/2) m v(n+1/2) / 2 + L(n-1/2) w(n+1/2) / 2 (J), with which the balance closes to round-off.
+
+    masses (B, >= 3) kg, 0 where held; before: `momenta` a step earlier
+    """
+    moving = np.sum(masses[:, :3] * before[:, :3] * body.v[:, :3])
+    return 0.5 * float(moving + np.sum(before[:, 3:] * body.v[:, 3:]))
