@@ -6,10 +6,21 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints
 from masonry.kinematics.motion import Guided
+from masonry.laws.friction import Friction
 from masonry.laws.state import ContactState
 from masonry.model import stable_step as stiffness
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, in_rows, memory_of, number_sides, own_memory
-from masonry.model.contact_groups import contact_groups
+from masonry.model.contact_groups import contact_group_name, contact_groups
+from masonry.model.large import (
+    Large,
+    Meeting,
+    alike_along_all_axes,
+    bonds_of,
+    face_row_sums,
+    near_of,
+    stiffest,
+    turning_of,
+)
 from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.step_cost import StepCost, step_cost
@@ -52,6 +63,7 @@ class Model:
     cost: StepCost | None
     varying: list[dict[str, np.ndarray | None]]
     scaled: bool = True
+    large: Large | None = None
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
         """Groups, contacts, bodies and drives as kernels.step.advance takes them: plain tuples, as named ones within
@@ -89,8 +101,12 @@ def build(
     stepping: Stepping,
     conditions: Conditions,
     layout: Layout,
+    meetings: dict[str, Meeting] | None = None,
 ) -> Model:
-    """Arrays of a model. `joints` sorted by group (sort_by_group); laws: contact group -> (shape, Interface)."""
+    """Arrays of a model. `joints` sorted by group (sort_by_group); laws: contact group -> (shape, Interface).
+
+    meetings  of large displacement: how blocks meet, by contact group
+    """
     names, group = contact_groups(blocks, joints)
     interfaces = [laws[name][1] for name in names]
     sides = _side(layout, joints, "a"), _side(layout, joints, "b")
@@ -105,7 +121,11 @@ def build(
     stiffness.contact_row_sums(sums, sides, joints.normal, dilated, shear)
     stiffness.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
     stiffness.tet_row_sums(sums["tets"], layout, lame)
+    if meetings is not None:
+        sums["rigid"] = np.maximum(sums["rigid"], face_row_sums(blocks, layout, length, *stiffest(meetings, blocks)))
     stiffness.unscale(sums, layout, length)
+    if meetings is not None:
+        sums["rigid"] = alike_along_all_axes(sums["rigid"])
 
     density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
     real = real_masses(layout, density)
@@ -122,7 +142,7 @@ def build(
     state = memory_of(group, interfaces)
     bounds = np.searchsorted(group, np.arange(len(names) + 1)).astype(np.uint32)
     states = tuple(own_memory(state, i) for i in interfaces)
-    return Model(
+    model = Model(
         blocks=blocks,
         joints=joints,
         layout=layout,
@@ -144,6 +164,30 @@ def build(
         cost=step_cost(layout, sums, real, free, stepping.masses == "scaled"),
         varying=conditions.varying,
         scaled=stepping.masses == "scaled",
+    )
+    return model if meetings is None else enlarged(model, meetings, masses["rigid"], density * layout.volume)
+
+
+def enlarged(model: Model, meetings: dict[str, Meeting], masses: np.ndarray, real: np.ndarray) -> Model:
+    """The same model in large displacement; masses (B, 6) of motion, real (B,) kg. Contacts without strength become
+    patches, and only show from then on how material points part."""
+    joints, layout, count = model.joints, model.layout, len(model.group)
+    assert model.bodies.rigid is not None
+    apart, push = (in_rows(np.zeros(shape)) for shape in ((count, 3), (layout.rows("rigid"), 6)))
+    body = turning_of(model.bodies.rigid, masses, apart, push)
+    dry = np.array([isinstance(shape, Friction) for shape in model.groups.parameters], dtype=bool)[model.group]
+    rows = np.column_stack([np.zeros(count), np.arange(1, count + 1)]).astype(np.uint32)
+    bonds = bonds_of(model.contacts.sides, joints, layout, body, model.contacts.u)
+    contacts = model.contacts._replace(
+        sides=aligned(rows), u=in_rows(np.zeros((count + 1, 3))), area=aligned(np.where(dry, 0.0, joints.area))
+    )
+    bonded = np.column_stack([joints.block_a, joints.block_b])[~dry]
+    near = near_of(model.blocks, layout, body, real, meetings, contact_group_name, bonded)
+    return replace(
+        model,
+        contacts=contacts,
+        bodies=Bodies(body, None, None),  # type: ignore[arg-type]
+        large=Large(bonds, near, ~dry),
     )
 
 

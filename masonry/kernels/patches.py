@@ -1,0 +1,227 @@
+"""Patches: contacts that are detected, press and slide with friction, and have no strength.
+
+A point of a patch is a material point of one of the two blocks; the plane that it meets is fixed in the other, the
+reference. Its gap is measured from that geometry at every step, never summed up. The force acts on both blocks at this
+one point: as the plane turns with the reference, the rate of the gap is the velocity of the point less that of the
+reference at the same place, so the springs are conservative and no couple is left.
+"""
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from masonry.jit.compiler import jit
+
+
+class Pairs(NamedTuple):
+    """Pairs of convex pieces that are near to each other, sorted; there is room for more than there are.
+
+    number    (1,) how many there are; the arrays below have a row for each
+    piece     (P, 2) numbers of the pieces, the lower first     body  (P, 2) their blocks
+    slot      (P,) where its points are kept; -1 where the two are apart
+    points_of (P,) which side the points belong to (0, 1); the plane is fixed in the other one, the reference
+    normal    (P, 3) of the plane, from side 0 to side 1, in the frame of the reference
+    axis      (P, 3) the same at the last look, in space     witness (P, 3) of that look (detection/narrow.py)
+    mark      (P,) m, travel of both blocks at the last look     limit  (P,) m, travel until the next one
+    law       (P,) row of Rules    dashpot (P,) Pa s/m
+    """
+
+    number: np.ndarray
+    piece: np.ndarray
+    body: np.ndarray
+    slot: np.ndarray
+    points_of: np.ndarray
+    normal: np.ndarray
+    axis: np.ndarray
+    witness: np.ndarray
+    mark: np.ndarray
+    limit: np.ndarray
+    law: np.ndarray
+    dashpot: np.ndarray
+
+
+class Points(NamedTuple):
+    """Points of the pairs that touch, or nearly: S slots of up to K points, and which slots are free.
+
+    count    (S,) points of a slot
+    material (S, K, 3) m, from the centroid of the block that they belong to, in its frame
+    level    (S, K) m, of the plane that the point meets, along the normal from the centroid of the reference
+    area     (S, K) m2       feature (S, K) names
+    shear    (S, K, 3) Pa, elastic shear traction on side 0, in space
+    free     (S + 1,) the last number is how many slots are free, the first ones which
+    """
+
+    count: np.ndarray
+    material: np.ndarray
+    level: np.ndarray
+    area: np.ndarray
+    feature: np.ndarray
+    shear: np.ndarray
+    free: np.ndarray
+
+
+class Rules(NamedTuple):
+    """What two groups of blocks do where they meet, (R,) each: Pa/m, Pa/m, tangent, share of critical damping."""
+
+    normal_stiffness: np.ndarray
+    shear_stiffness: np.ndarray
+    tan_friction: np.ndarray
+    dashpot: np.ndarray
+
+
+class Motion(NamedTuple):
+    """How B rigid blocks stand and move.
+
+    centre  (B, 3) m, centroids of the undeformed shape     moved (B, 6) m, the first three: how far they are from there
+    frame   (B, 3, 3) rotation from the start
+    v       (B, 6) velocity and spin about x, y, z
+    push    (B, 6) out: force and moment about the centroid
+    radius  (B,) m, of the sphere about the centroid that holds the block
+    travel  (B,) m, bound of how far any point has moved so far
+    """
+
+    centre: np.ndarray
+    moved: np.ndarray
+    frame: np.ndarray
+    v: np.ndarray
+    push: np.ndarray
+    radius: np.ndarray
+    travel: np.ndarray
+
+
+@jit
+def press(pairs, points, rules, motion, dt, account):
+    """Forces and moments of all points of all patches into motion.push, from their gaps and the slip of this step.
+
+    account  J, added to: what friction [0] and the dashpots [1] have dissipated
+    """
+    centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
+    body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
+    law, dashpot, count = pairs.law, pairs.dashpot, points.count
+    material, level, area, shear = points.material, points.level, points.area, points.shear
+    friction = damped = 0.0
+    for b in range(len(push)):
+        for i in range(6):
+            push[b, i] = 0.0
+    for p in range(pairs.number[0]):
+        s = slot[p]
+        if s < 0:
+            continue
+        own = points_of[p]
+        ref, other = body[p, 1 - own], body[p, own]
+        kn, ks, tan = rules.normal_stiffness[law[p]], rules.shear_stiffness[law[p]], rules.tan_friction[law[p]]
+        side = 1.0 if own == 1 else -1.0  # the normal points from side 0 to side 1
+        nx, ny, nz = turned(frame, ref, normal[p, 0], normal[p, 1], normal[p, 2])
+        cx, cy, cz = centre[ref, 0] + moved[ref, 0], centre[ref, 1] + moved[ref, 1], centre[ref, 2] + moved[ref, 2]
+        ox, oy, oz = (
+            centre[other, 0] + moved[other, 0],
+            centre[other, 1] + moved[other, 1],
+            centre[other, 2] + moved[other, 2],
+        )
+        wx, wy, wz = 0.5 * (v[ref, 3] + v[other, 3]), 0.5 * (v[ref, 4] + v[other, 4]), 0.5 * (v[ref, 5] + v[other, 5])
+        fx = fy = fz = rx = ry = rz = qx = qy = qz = 0.0
+        for k in range(count[s]):
+            ax, ay, az = turned(frame, other, material[s, k, 0], material[s, k, 1], material[s, k, 2])
+            bx, by, bz = ax + ox - cx, ay + oy - cy, az + oz - cz
+            gap = side * (nx * bx + ny * by + nz * bz - level[s, k])
+            if gap >= 0.0:
+                shear[s, k, 0] = shear[s, k, 1] = shear[s, k, 2] = 0.0
+                continue
+            # velocity of side 1 against side 0 at the point
+            dx = v[other, 0] - v[ref, 0] + v[other, 4] * az - v[other, 5] * ay - v[ref, 4] * bz + v[ref, 5] * by
+            dy = v[other, 1] - v[ref, 1] + v[other, 5] * ax - v[other, 3] * az - v[ref, 5] * bx + v[ref, 3] * bz
+            dz = v[other, 2] - v[ref, 2] + v[other, 3] * ay - v[other, 4] * ax - v[ref, 3] * by + v[ref, 4] * bx
+            dx, dy, dz = side * dx, side * dy, side * dz
+            rate = dx * nx + dy * ny + dz * nz
+            sigma = kn * gap
+            if dashpot[p] > 0.0:
+                damper = min(dashpot[p] * rate, -sigma)
+                damped += damper * rate * dt * area[s, k]
+                sigma += damper
+            tx, ty, tz = turned_with(shear, s, k, wx * dt, wy * dt, wz * dt, nx, ny, nz)
+            tx += ks * dt * (dx - rate * nx)
+            ty += ks * dt * (dy - rate * ny)
+            tz += ks * dt * (dz - rate * nz)
+            trial, most = sqrt(tx * tx + ty * ty + tz * tz), -tan * sigma
+            if trial > most:
+                share = most / trial
+                tx, ty, tz = share * tx, share * ty, share * tz
+                friction += most * (trial - most) / ks * area[s, k]
+            shear[s, k, 0], shear[s, k, 1], shear[s, k, 2] = tx, ty, tz
+            gx = area[s, k] * (sigma * nx + tx)
+            gy = area[s, k] * (sigma * ny + ty)
+            gz = area[s, k] * (sigma * nz + tz)
+            fx, fy, fz = fx + gx, fy + gy, fz + gz
+            rx, ry, rz = rx + by * gz - bz * gy, ry + bz * gx - bx * gz, rz + bx * gy - by * gx
+            qx, qy, qz = qx + ay * gz - az * gy, qy + az * gx - ax * gz, qz + ax * gy - ay * gx
+        add(push, ref, side, fx, fy, fz, rx, ry, rz)
+        add(push, other, -side, fx, fy, fz, qx, qy, qz)
+    account[0] += friction
+    account[1] += damped
+
+
+@jit
+def turned(frame, b, x, y, z):
+    """A vector in the frame of a block, in space."""
+    return (
+        frame[b, 0, 0] * x + frame[b, 0, 1] * y + frame[b, 0, 2] * z,
+        frame[b, 1, 0] * x + frame[b, 1, 1] * y + frame[b, 1, 2] * z,
+        frame[b, 2, 0] * x + frame[b, 2, 1] * y + frame[b, 2, 2] * z,
+    )
+
+
+@jit
+def turned_with(shear, s, k, wx, wy, wz, nx, ny, nz):
+    """The shear traction of a point after a turn (rad) of the two blocks: in the plane, and of the same size."""
+    x, y, z = shear[s, k, 0], shear[s, k, 1], shear[s, k, 2]
+    before = x * x + y * y + z * z
+    if before == 0.0:
+        return 0.0, 0.0, 0.0
+    x, y, z = x + wy * z - wz * y, y + wz * x - wx * z, z + wx * y - wy * x
+    along = x * nx + y * ny + z * nz
+    x, y, z = x - along * nx, y - along * ny, z - along * nz
+    after = x * x + y * y + z * z
+    if after == 0.0:
+        return 0.0, 0.0, 0.0
+    share = sqrt(before / after)
+    return share * x, share * y, share * z
+
+
+@jit
+def add(push, b, side, fx, fy, fz, mx, my, mz):
+    """Add a force and its moment, times a sign, to what a block is pushed by."""
+    push[b, 0] += side * fx
+    push[b, 1] += side * fy
+    push[b, 2] += side * fz
+    push[b, 3] += side * mx
+    push[b, 4] += side * my
+    push[b, 5] += side * mz
+
+
+@jit
+def stored(pairs, points, rules, motion, p):
+    """Elastic energies (J) of the points of a pair as they stand: normal, and shear."""
+    pressed, sheared, s = 0.0, 0.0, pairs.slot[p]
+    kn, ks = rules.normal_stiffness[pairs.law[p]], rules.shear_stiffness[pairs.law[p]]
+    for k in range(points.count[s] if s >= 0 else 0):
+        gap = gap_of(pairs, points, motion, p, k)
+        if gap < 0.0:
+            x, y, z = points.shear[s, k, 0], points.shear[s, k, 1], points.shear[s, k, 2]
+            pressed += 0.5 * points.area[s, k] * kn * gap * gap
+            sheared += 0.5 * points.area[s, k] * (x * x + y * y + z * z) / ks
+    return pressed, sheared
+
+
+@jit
+def gap_of(pairs, points, motion, p, k):
+    """Gap (m) of a point now, below 0 where the blocks press."""
+    own, s = pairs.points_of[p], pairs.slot[p]
+    ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
+    n = turned(motion.frame, ref, pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2])
+    a = turned(motion.frame, other, points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2])
+    along = 0.0
+    for i in range(3):
+        between = motion.centre[other, i] + motion.moved[other, i] - motion.centre[ref, i] - motion.moved[ref, i]
+        along += n[i] * (a[i] + between)
+    return (along - points.level[s, k]) * (1.0 if own == 1 else -1.0)

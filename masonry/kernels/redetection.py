@@ -1,0 +1,387 @@
+"""Looking for contacts again: which pairs are near, where they touch, and what their points remember.
+
+A block's travel bounds how far any of its points has moved. A pair is looked at again when the travel of its two blocks
+exceeds a limit: 1 % of the patch, or what keeps them apart. All pairs are found anew when the two largest travels since
+the last search exceed the skin.
+"""
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from masonry.detection import placing
+from masonry.detection.broad import Cells, near_pairs, write_boxes
+from masonry.detection.narrow import NONE, touch
+from masonry.detection.overlap import Scratch
+from masonry.detection.pieces import Pieces
+from masonry.detection.placing import Turned
+from masonry.jit.compiler import jit
+from masonry.kernels.patches import Motion, Pairs, Points, Rules, stored, turned
+
+MOVED = 0.01
+"""Of the size of a patch: travel of its two blocks after which it is looked at again."""
+FAR = 1e30
+"""m: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks."""
+FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
+"""Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
+points that press changed, and by points that were born pressing."""
+NEED_POINTS, NEED_PAIRS, TOO_DEEP = 1, 2, 3
+"""Why a step was not taken: no free slot, no room for pairs, or a contact that was born with a deep overlap."""
+
+
+class Search(NamedTuple):
+    """What looking for contacts needs.
+
+    group, unit (B,) of each block      law_of (G, G, 2) row of Rules for two groups, of two units or of one
+    bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;
+             N pieces in all
+    moves    (B,) whether it can move
+    mass     (B,) kg, real     least (B,) m2, area of a contact of edges     position (B, 3) m, of centroids now
+    built    (B,) m, travel at the last search      skin (1,) m
+    point, gap, area, feature  room for what one look finds
+    shear, was_area, was_feature  (K, 3) Pa, (K,) m2, (K,) room for what a patch was before
+    found    (F, 2) room for the pairs that a search finds
+    flag     (4,) why no step was taken, the pair to blame; searches and looks so far
+    """
+
+    group: np.ndarray
+    unit: np.ndarray
+    law_of: np.ndarray
+    bonded: np.ndarray
+    moves: np.ndarray
+    mass: np.ndarray
+    least: np.ndarray
+    position: np.ndarray
+    built: np.ndarray
+    skin: np.ndarray
+    point: np.ndarray
+    gap: np.ndarray
+    area: np.ndarray
+    feature: np.ndarray
+    shear: np.ndarray
+    was_area: np.ndarray
+    was_feature: np.ndarray
+    found: np.ndarray
+    flag: np.ndarray
+
+
+class Near(NamedTuple):
+    """All of what blocks meet; `before` is room for the pairs of the last search; account (5,) J."""
+
+    pieces: Pieces
+    turned: Turned
+    cells: Cells
+    pairs: Pairs
+    before: Pairs
+    points: Points
+    rules: Rules
+    motion: Motion
+    search: Search
+    scratch: Scratch
+    account: np.ndarray
+
+
+@jit
+def refresh(near, dt):
+    """Count the travel of the coming step, and look at all pairs that it may change; False where a step cannot go on."""
+    motion, search, pairs = near.motion, near.search, near.pairs
+    count_travel(motion, dt)
+    travel = motion.travel
+    if needs_search(travel, search.built, search.skin[0]):
+        if not find_pairs(near):
+            return False
+    body, mark, limit = pairs.body, pairs.mark, pairs.limit
+    for p in range(pairs.number[0]):
+        if travel[body[p, 0]] + travel[body[p, 1]] - mark[p] > limit[p]:
+            if not look(near, p):
+                return False
+    return True
+
+
+@jit
+def count_travel(motion, dt):
+    """Add to each block's travel what this step can add to it at most."""
+    v, travel, radius = motion.v, motion.travel, motion.radius
+    for b in range(len(travel)):
+        speed = sqrt(v[b, 0] ** 2 + v[b, 1] ** 2 + v[b, 2] ** 2)
+        spin = sqrt(v[b, 3] ** 2 + v[b, 4] ** 2 + v[b, 5] ** 2)
+        travel[b] += (speed + spin * radius[b]) * dt
+
+
+@jit
+def needs_search(travel, built, skin):
+    """Whether two blocks may have come nearer to each other by the skin since the last search."""
+    first = second = 0.0
+    for b in range(len(travel)):
+        moved = travel[b] - built[b]
+        if moved > first:
+            first, second = moved, first
+        elif moved > second:
+            second = moved
+    return first + second > skin
+
+
+@jit
+def look(near, p):
+    """Where pair p touches now; its points take over what they remember. False without room, or where it is too deep."""
+    pieces, pairs, points, motion, search = near.pieces, near.pairs, near.points, near.motion, near.search
+    a, b = pairs.body[p, 0], pairs.body[p, 1]
+    for side in range(2):
+        block = pairs.body[p, side]
+        placing.place(pieces, pairs.piece[p, side], motion.frame[block], near.turned)
+        for i in range(3):
+            search.position[block, i] = motion.centre[block, i] + motion.moved[block, i]
+    skin, least, axis = search.skin[0], min(search.least[a], search.least[b]), pairs.axis[p]
+    search.flag[3] += 1
+    kind, count, separation, blend, size = touch(
+        *(pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], skin, FAR, least),
+        *(axis, pairs.witness[p], near.scratch, search.point, search.gap, search.area, search.feature),
+    )
+    pairs.mark[p] = motion.travel[a] + motion.travel[b]
+    if kind == NONE:
+        pairs.limit[p] = max(separation - 0.5 * skin, 0.25 * skin)
+        let_go(near, p)
+        return True
+    pairs.limit[p] = MOVED * size
+    if pairs.slot[p] < 0 and points.free[len(points.count)] == 0:
+        search.flag[0], search.flag[1] = NEED_POINTS, p
+        pairs.mark[p] = -FAR
+        return False
+    return renew(near, p, count, 1 if blend >= 0.5 else 0)
+
+
+@jit
+def let_go(near, p):
+    """A pair touches no more: its slot is free again, and what its points held is lost."""
+    pairs, points, s = near.pairs, near.points, near.pairs.slot[p]
+    if s < 0:
+        return
+    pressed, sheared = stored(pairs, points, near.rules, near.motion, p)
+    near.account[SHEAR_LOST] += sheared
+    near.account[NORMAL_GAINED] -= pressed
+    room = len(points.count)
+    points.free[points.free[room]] = s
+    points.free[room] += 1
+    points.count[s] = 0
+    pairs.slot[p] = -1
+
+
+@jit
+def renew(near, p, count, own):
+    """Give pair p the points that a look found; `own` is the side that they belong to. False where one is too deep."""
+    pairs, points, motion, search = near.pairs, near.points, near.motion, near.search
+    pressed, sheared = stored(pairs, points, near.rules, motion, p)
+    s, had = pairs.slot[p], 0
+    if s < 0:
+        room = len(points.count)
+        points.free[room] -= 1
+        s = points.free[points.free[room]]
+        pairs.slot[p] = s
+    else:
+        had = remember(pairs, points, motion, search, p)
+    ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
+    side = 1.0 if own == 1 else -1.0
+    axis, frame, position = pairs.axis[p], motion.frame, search.position
+    pairs.points_of[p] = own
+    for i in range(3):
+        pairs.normal[p, i] = frame[ref, 0, i] * axis[0] + frame[ref, 1, i] * axis[1] + frame[ref, 2, i] * axis[2]
+    total = 0.0
+    for k in range(count):
+        along, gap = 0.0, search.gap[k]
+        for i in range(3):
+            search.point[k, i] += 0.5 * side * gap * axis[i]  # from the middle to the face that the points belong to
+            along += axis[i] * (search.point[k, i] - position[ref, i])
+        x, y, z = (search.point[k, i] - position[other, i] for i in range(3))
+        for i in range(3):
+            points.material[s, k, i] = frame[other, 0, i] * x + frame[other, 1, i] * y + frame[other, 2, i] * z
+        points.level[s, k] = along - side * gap
+        points.area[s, k] = search.area[k]
+        points.feature[s, k] = search.feature[k]
+        total += search.area[k]
+    points.count[s] = count
+    if had > 0:
+        hand_over(points, search, s, had)
+    else:
+        for k in range(count):
+            points.shear[s, k, 0] = points.shear[s, k, 1] = points.shear[s, k, 2] = 0.0
+    set_dashpot(pairs, near.rules, search, p, total)
+    now_pressed, now_sheared = stored(pairs, points, near.rules, motion, p)
+    near.account[SHEAR_LOST] += sheared - now_sheared
+    near.account[NORMAL_GAINED if had > 0 else BORN] += now_pressed - pressed
+    return True
+
+
+@jit
+def remember(pairs, points, motion, search, p):
+    """Keep the names, areas and shear tractions of a patch, these turned to the new normal; returns how many."""
+    s, ref, axis = pairs.slot[p], pairs.body[p, 1 - pairs.points_of[p]], pairs.axis[p]
+    n = turned(motion.frame, ref, pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2])
+    cosine = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]
+    ax, ay, az = n[1] * axis[2] - n[2] * axis[1], n[2] * axis[0] - n[0] * axis[2], n[0] * axis[1] - n[1] * axis[0]
+    for k in range(points.count[s]):
+        x, y, z = points.shear[s, k, 0], points.shear[s, k, 1], points.shear[s, k, 2]
+        if cosine > -0.5:  # by the least rotation from one normal to the other
+            along = (ax * x + ay * y + az * z) / (1.0 + cosine)
+            search.shear[k, 0] = cosine * x + ay * z - az * y + along * ax
+            search.shear[k, 1] = cosine * y + az * x - ax * z + along * ay
+            search.shear[k, 2] = cosine * z + ax * y - ay * x + along * az
+        else:
+            search.shear[k, 0] = search.shear[k, 1] = search.shear[k, 2] = 0.0
+        search.was_area[k], search.was_feature[k] = points.area[s, k], points.feature[s, k]
+    return points.count[s]
+
+
+@jit
+def hand_over(points, search, s, had):
+    """Shear tractions of the points of slot s from those before: by name; of the rest the force, over the larger area.
+
+    New area begins without traction, so that no energy is added: area times traction squared never grows.
+    """
+    fx = fy = fz = left = area = 0.0
+    for k in range(points.count[s]):
+        points.shear[s, k, 0] = points.shear[s, k, 1] = points.shear[s, k, 2] = 0.0
+        match = -1
+        for j in range(had):
+            if search.was_feature[j] == points.feature[s, k]:
+                match = j
+        if match < 0:
+            area += points.area[s, k]
+            continue
+        share = min(1.0, search.was_area[match] / points.area[s, k]) if points.area[s, k] > 0.0 else 0.0
+        for i in range(3):
+            points.shear[s, k, i] = share * search.shear[match, i]
+        search.was_feature[match] = -1
+    for j in range(had):
+        if search.was_feature[j] >= 0:
+            left += search.was_area[j]
+            fx += search.was_area[j] * search.shear[j, 0]
+            fy += search.was_area[j] * search.shear[j, 1]
+            fz += search.was_area[j] * search.shear[j, 2]
+    if left == 0.0 or area == 0.0:
+        return
+    share = 1.0 / max(left, area)
+    for k in range(points.count[s]):
+        match = -1
+        for i in range(3):
+            if points.shear[s, k, i] != 0.0:
+                match = 1
+        if match < 0:
+            points.shear[s, k, 0], points.shear[s, k, 1], points.shear[s, k, 2] = share * fx, share * fy, share * fz
+
+
+@jit
+def set_dashpot(pairs, rules, search, p, area):
+    """The dashpot of a patch (Pa s/m): its share of the critical damping of the two masses on the whole patch."""
+    share, kn = rules.dashpot[pairs.law[p]], rules.normal_stiffness[pairs.law[p]]
+    pairs.dashpot[p] = 0.0
+    if share > 0.0 and area > 0.0:
+        a, b = search.mass[pairs.body[p, 0]], search.mass[pairs.body[p, 1]]
+        pairs.dashpot[p] = 2.0 * share * sqrt(kn * (a * b / (a + b)) / area)
+
+
+@jit
+def find_pairs(near):
+    """All pairs that may meet before the next search; what is known of those that were near before stays.
+
+    Blocks that do not move are no pair, nor are two that bonds hold together. False where there is no room.
+    """
+    pieces, motion, search = near.pieces, near.motion, near.search
+    placing.place_all(pieces, motion.frame, near.turned)
+    for b in range(len(motion.travel)):
+        search.built[b] = motion.travel[b]
+        for i in range(3):
+            search.position[b, i] = motion.centre[b, i] + motion.moved[b, i]
+    search.flag[2] += 1
+    write_boxes(pieces, near.turned, search.position, 2.0 * search.skin[0], near.cells)
+    count = near_pairs(near.cells, search.found)
+    if count > len(search.found):
+        search.flag[0], search.flag[1] = NEED_PAIRS, count
+        return False
+    copy_pairs(near.pairs, near.before)
+    merge(near.pairs, near.before, near.points, pieces.body, search, count)
+    return True
+
+
+@jit
+def copy_pairs(pairs, before):
+    """Keep what is known of all pairs."""
+    before.number[0] = pairs.number[0]
+    for p in range(pairs.number[0]):
+        copy_pair(pairs, p, before, p)
+
+
+@jit
+def copy_pair(source, p, target, q):
+    """Row q of the target becomes row p of the source."""
+    for i in range(2):
+        target.piece[q, i], target.body[q, i] = source.piece[p, i], source.body[p, i]
+    for i in range(3):
+        target.normal[q, i], target.axis[q, i] = source.normal[p, i], source.axis[p, i]
+        target.witness[q, i] = source.witness[p, i]
+    target.slot[q], target.points_of[q] = source.slot[p], source.points_of[p]
+    target.mark[q], target.limit[q] = source.mark[p], source.limit[p]
+    target.law[q], target.dashpot[q] = source.law[p], source.dashpot[p]
+
+
+@jit
+def merge(pairs, before, points, body, search, count):
+    """Write the sorted pairs that were found, with what is known of them; slots of those that are gone become free."""
+    number, p, had, room = 0, 0, before.number[0], len(points.count)
+    for k in range(count):
+        i, j = search.found[k, 0], search.found[k, 1]
+        while p < had and (before.piece[p, 0] < i or (before.piece[p, 0] == i and before.piece[p, 1] < j)):
+            if before.slot[p] >= 0:
+                points.free[points.free[room]] = before.slot[p]
+                points.free[room] += 1
+                points.count[before.slot[p]] = 0
+            p += 1
+        a, b = body[i], body[j]
+        known = p < had and before.piece[p, 0] == i and before.piece[p, 1] == j
+        if known:
+            copy_pair(before, p, pairs, number)
+            p, number = p + 1, number + 1
+        elif (search.moves[a] or search.moves[b]) and not is_bonded(search.bonded, a, b, len(body)):
+            one = 1 if search.unit[a] == search.unit[b] else 0
+            pairs.piece[number, 0], pairs.piece[number, 1] = i, j
+            pairs.body[number, 0], pairs.body[number, 1] = a, b
+            pairs.slot[number], pairs.mark[number], pairs.limit[number] = -1, -FAR, 0.0
+            pairs.law[number], pairs.dashpot[number] = search.law_of[search.group[a], search.group[b], one], 0.0
+            for m in range(3):
+                pairs.axis[number, m], pairs.witness[number, m] = 0.0, -1
+            number += 1
+    while p < had:
+        if before.slot[p] >= 0:
+            points.free[points.free[room]] = before.slot[p]
+            points.free[room] += 1
+            points.count[before.slot[p]] = 0
+        p += 1
+    pairs.number[0] = number
+
+
+@jit
+def is_bonded(bonded, a, b, count):
+    """Whether bonds hold two blocks together."""
+    key = min(a, b) * count + max(a, b)
+    k = np.searchsorted(bonded, key)
+    return k < len(bonded) and bonded[k] == key
+
+
+def no_pairs(room: int) -> Pairs:
+    """Room for so many pairs, and none in it."""
+    whole = [np.zeros((room, 2), dtype=np.int64) for _ in range(2)]
+    vectors = [np.zeros((room, 3)) for _ in range(2)]
+    return Pairs(
+        np.zeros(1, dtype=np.int64), *whole, np.full(room, -1, dtype=np.int64), np.zeros(room, dtype=np.int64),
+        *vectors, np.full((room, 3), -1, dtype=np.int64), np.zeros(room), np.zeros(room),
+        np.zeros(room, dtype=np.int64), np.zeros(room),
+    )  # fmt: skip
+
+
+def no_points(room: int, most: int) -> Points:
+    """Room for the points of so many pairs, `most` (K) each, and none in it."""
+    return Points(
+        np.zeros(room, dtype=np.int64), np.zeros((room, most, 3)), np.zeros((room, most)), np.zeros((room, most)),
+        np.zeros((room, most), dtype=np.int64), np.zeros((room, most, 3)),
+        np.append(np.arange(room)[::-1], room).astype(np.int64),
+    )  # fmt: skip

@@ -1,0 +1,213 @@
+"""A model of large displacement: rigid blocks that turn, bonds in frames that turn with them, and what may meet.
+
+It is made from the model of small displacement of the same scene: its freedoms, masses, loads and contacts.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from geometry.blocks import Blocks, Joints
+from geometry.polyhedra.polygons import areas_normals_centroids
+from masonry.detection.broad import cells_for
+from masonry.detection.overlap import most_points, scratch_of
+from masonry.detection.pieces import pieces_of
+from masonry.detection.placing import turned_of
+from masonry.kernels.bonds import Bonds
+from masonry.kernels.patches import Motion, Rules
+from masonry.kernels.redetection import Near, Search, no_pairs, no_points
+from masonry.kinematics.rigid import Rigid
+from masonry.kinematics.turning import Turning
+from masonry.model.arrays import in_rows
+from masonry.model.layout import Layout
+from masonry.model.stable_step import Side, contact_row_sums
+
+SKIN = 0.02
+"""Of the mean size of a block: how far blocks may come nearer before all pairs are found anew."""
+LEAST = 1e-2
+"""Of the area of a face of a cube of the block's volume: what a contact of two edges or a corner stands on."""
+
+
+@dataclass(frozen=True)
+class Meeting:
+    """How two groups of blocks meet, by name of the contact group; SI."""
+
+    normal_stiffness: float
+    shear_stiffness: float
+    tan_friction: float
+    dashpot: float = 0.0
+
+
+@dataclass(frozen=True)
+class Large:
+    """What a model of large displacement has besides: bonds, and what may meet; which contacts still hold (C,)."""
+
+    bonds: Bonds
+    near: Near
+    alive: np.ndarray
+
+
+def face_row_sums(blocks: Blocks, layout: Layout, length: np.ndarray, kn: np.ndarray, ks: np.ndarray) -> np.ndarray:
+    """(B, 6) row sums of blocks whose faces all press over their whole area, on blocks with arms like their own.
+
+    A face counts with its corners, each with the area of its share of the triangles between corners and centroid. A
+    patch lies within the faces, and lumping a part of a face at its corners gives no larger sum for a convex function
+    of the place than lumping the whole face does. kn, ks (B,) Pa/m: the stiffest that a block may meet.
+    """
+    corner, normal, area, block = _face_corners(blocks)
+    arm = np.einsum("cji,cj->ci", layout.axes[block], corner - layout.centroid[block])
+    kind, own = np.zeros(len(block), dtype=np.int64), layout.local[block]
+    count = layout.rows("rigid")
+    one = Side(kind, own, arm, layout.axes[block], length[block])
+    sums = {"rigid": np.zeros((2 * count, 6)), "affine": np.zeros((0, 12)), "tets": np.zeros((0, 3))}
+    contact_row_sums(sums, (one, replace(one, row=own + count)), normal, kn[block] * area, ks[block] * area)
+    return sums["rigid"][:count]
+
+
+def stiffest(meetings: dict[str, Meeting], blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
+    """(B,), (B,) Pa/m: the largest stiffnesses, normal and in shear, of all ways in which blocks meet."""
+    kn, ks = (max(getattr(m, key) for m in meetings.values()) for key in ("normal_stiffness", "shear_stiffness"))
+    return np.full(blocks.count, kn), np.full(blocks.count, ks)
+
+
+def _face_corners(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Corners of all faces (c, 3), normal and area of each, and its block (c,)."""
+    parts = []
+    owner = blocks.face_block()
+    for f in range(len(owner)):
+        face = blocks.face(f)
+        area, normal, centre = (x[0] for x in areas_normals_centroids(face[None]))
+        triangle = 0.5 * np.linalg.norm(np.cross(face - centre, np.roll(face, -1, axis=0) - centre), axis=1)
+        share = 0.5 * (triangle + np.roll(triangle, 1))
+        parts.append((face, np.tile(normal, (len(face), 1)), share, np.full(len(face), owner[f])))
+    corner, normal, area, block = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return corner, normal, area, block
+
+
+def alike_along_all_axes(masses: np.ndarray) -> np.ndarray:
+    """Masses (B, 6) of which a block has one for all movements: what it moves along turns with it."""
+    found = masses.copy()
+    found[:, :3] = masses[:, :3].max(axis=1, keepdims=True)
+    return found
+
+
+def turning_of(rigid: Rigid, masses: np.ndarray, apart: np.ndarray, push: np.ndarray) -> Turning:
+    """The same blocks with finite rotations; masses (B, 6) with their inertia about the principal axes."""
+    count = len(rigid.q)
+    axes = np.broadcast_to(np.eye(3), (count, 3, 3)) if rigid.axes is None else rigid.axes
+    load, change = (None if x is None else in_rows(_global(x, axes)) for x in (rigid.load, rigid.change))
+    return Turning(
+        q=rigid.q,
+        v=rigid.v,
+        pace=in_rows(_held_globally(rigid.pace, axes)),
+        contact=rigid.contact,
+        hold=rigid.hold,
+        frame=np.tile(np.eye(3), (count, 1, 1)),
+        momentum=np.zeros((count, 3)),
+        inertia=np.ascontiguousarray(masses[:, 3:]),
+        start=rigid.start,
+        code=rigid.code,
+        arm=rigid.arm,
+        first_point=rigid.first_point,
+        work=np.zeros((count, 4)),
+        load=load,
+        guess=rigid.guess,
+        axes=rigid.axes,
+        change=change,
+        apart=apart,
+        patches=push,
+    )
+
+
+def _global(load: np.ndarray, axes: np.ndarray) -> np.ndarray:
+    """Loads (B, 6) whose moments are about x, y, z, from those about the principal axes."""
+    return np.column_stack([load[:, :3], np.einsum("bij,bj->bi", axes, load[:, 3:])])
+
+
+def _held_globally(pace: np.ndarray, axes: np.ndarray) -> np.ndarray:
+    """Pace (B, 6) whose turns are about x, y, z: a held principal axis lies along one of them."""
+    along = np.abs(axes).argmax(axis=1)  # (B, 3): x, y or z of each principal axis
+    found = np.array(pace)
+    np.put_along_axis(found[:, 3:], along, pace[:, 3:], axis=1)
+    return found
+
+
+def near_of(
+    blocks: Blocks,
+    layout: Layout,
+    body: Turning,
+    mass: np.ndarray,
+    meetings: dict[str, Meeting],
+    group_name: Callable[[str, str, bool], str],
+    bonded: np.ndarray,
+) -> Near:
+    """What may meet, with room for the contacts of the undeformed shape twice over.
+
+    mass      (B,) kg, real
+    bonded    (K, 2) blocks that bonds hold together
+    """
+    pieces = pieces_of(blocks)
+    count = blocks.count
+    names = sorted(meetings)
+    rules = Rules(*(np.array(column) for column in zip(*(_numbers(meetings[name]) for name in names), strict=True)))
+    groups = len(blocks.groups)
+    law_of = np.zeros((groups, groups, 2), dtype=np.int64)
+    for a in range(groups):
+        for b in range(groups):
+            for same in range(2):
+                name = group_name(blocks.groups[a], blocks.groups[b], bool(same))
+                law_of[a, b, same] = names.index(name) if name in meetings else -1
+    size = np.cbrt(layout.volume)
+    most, room = most_points(pieces), 8 * len(pieces.body) + 64
+    k = (np.zeros((most, 3)), np.zeros(most), np.zeros(most), np.zeros(most, dtype=np.int64))
+    search = Search(
+        group=blocks.group.astype(np.int64),
+        unit=blocks.unit.astype(np.int64),
+        law_of=law_of,
+        bonded=keys(bonded, len(pieces.body)),
+        moves=body.pace.any(axis=1),
+        mass=mass,
+        least=LEAST * size**2,
+        position=np.zeros((count, 3)),
+        built=np.full(count, -1e30),
+        skin=np.array([SKIN * size.mean()]),
+        point=k[0],
+        gap=k[1],
+        area=k[2],
+        feature=k[3],
+        shear=np.zeros((most, 3)),
+        was_area=np.zeros(most),
+        was_feature=np.zeros(most, dtype=np.int64),
+        found=np.zeros((room, 2), dtype=np.int64),
+        flag=np.zeros(4, dtype=np.int64),
+    )
+    motion = Motion(
+        layout.centroid.copy(), body.q, body.frame, body.v, body.patches, pieces.reach.copy(), np.zeros(count)
+    )
+    return Near(
+        pieces, turned_of(pieces), cells_for(pieces, room), no_pairs(room), no_pairs(room), no_points(room, most),
+        rules, motion, search, scratch_of(pieces), np.zeros(5),
+    )  # fmt: skip
+
+
+def keys(pairs: np.ndarray, count: int) -> np.ndarray:
+    """Pairs (K, 2) of blocks as sorted numbers."""
+    return np.unique(pairs.min(axis=1) * count + pairs.max(axis=1)).astype(np.int64)
+
+
+def _numbers(meeting: Meeting) -> tuple[float, float, float, float]:
+    return meeting.normal_stiffness, meeting.shear_stiffness, meeting.tan_friction, meeting.dashpot
+
+
+def bonds_of(sides: np.ndarray, joints: Joints, layout: Layout, body: Turning, u: np.ndarray) -> Bonds:
+    """Frames and displacements of the contacts; sides (C, 2) rows of u."""
+    count = len(sides)
+    return Bonds(
+        rows=np.array(sides),
+        frames=body.frame,
+        owner=layout.local[joints.block_a].astype(np.int64),
+        u=u,
+        force=in_rows(np.zeros((count, 3))),
+        apart=body.apart,
+    )
