@@ -9,6 +9,9 @@ from masonry.jit.compiler import jit
 
 SMALL_ANGLE_SQUARED = 0.01
 """rad2: below, five terms of the series are exact to round-off."""
+SINE = -1.0 / 6.0, 1.0 / 120.0, -1.0 / 5040.0, 1.0 / 362880.0
+COSINE = -1.0 / 24.0, 1.0 / 720.0, -1.0 / 40320.0, 1.0 / 3628800.0
+"""Of sin(x) / x and (1 - cos x) / x2, in powers of x2."""
 
 
 @register_jitable
@@ -49,6 +52,12 @@ def dot(a, b):
 def added(a, b):
     """Sum of two vectors."""
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+@register_jitable
+def minus(a, b):
+    """Difference of two vectors."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 @register_jitable
@@ -156,8 +165,8 @@ def exponential(turn):
     x, y, z = turn
     square = x * x + y * y + z * z
     if square < SMALL_ANGLE_SQUARED:
-        s = 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0 * (1.0 - square / 72.0)))
-        c = 0.5 - square / 24.0 * (1.0 - square / 30.0 * (1.0 - square / 56.0 * (1.0 - square / 90.0)))
+        s = 1.0 + square * (SINE[0] + square * (SINE[1] + square * (SINE[2] + square * SINE[3])))
+        c = 0.5 + square * (COSINE[0] + square * (COSINE[1] + square * (COSINE[2] + square * COSINE[3])))
     else:
         angle = sqrt(square)
         s, c = sin(angle) / angle, (1.0 - cos(angle)) / square
