@@ -6,6 +6,7 @@ import numpy as np
 from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit
+from masonry.simd import maximum
 
 SMALL_ANGLE_SQUARED = 0.01
 """rad2: below, five terms of the series are exact to round-off."""
@@ -104,7 +105,7 @@ def product(m, a):
 
 @register_jitable
 def determinant(m):
-    """det m."""
+    """Determinant."""
     return m[0] * (m[4] * m[8] - m[5] * m[7]) + m[1] * (m[5] * m[6] - m[3] * m[8]) + m[2] * (m[3] * m[7] - m[4] * m[6])
 
 
@@ -160,6 +161,15 @@ def work_density(s, e):
 
 
 @register_jitable
+def largest_stretch(e):
+    """A bound on the stretch of any line, from Green's strain: C = 1 + 2 E has no eigenvalue above its row sums."""
+    x = abs(1.0 + 2.0 * e[0]) + 2.0 * (abs(e[5]) + abs(e[4]))
+    y = abs(1.0 + 2.0 * e[1]) + 2.0 * (abs(e[5]) + abs(e[3]))
+    z = abs(1.0 + 2.0 * e[2]) + 2.0 * (abs(e[4]) + abs(e[3]))
+    return sqrt(maximum(x, maximum(y, z)))
+
+
+@register_jitable
 def exponential(turn):
     """The rotation by a vector of rad (Rodrigues)."""
     x, y, z = turn
@@ -181,7 +191,7 @@ def exponential(turn):
 
 @register_jitable
 def straightened(r):
-    """The rotation next to r, which is one but for round-off: r (3 - r^T r) / 2. It turns nothing, so no energy drifts."""
+    """The rotation next to r, one but for round-off: r (3 - r^T r) / 2. That turns nothing, so no energy drifts."""
     a, b, c, d, e, f = strain((r[0] - 1.0, r[1], r[2], r[3], r[4] - 1.0, r[5], r[6], r[7], r[8] - 1.0))
     off = times_symmetric(r, (a, b, c, d, e, f))
     return (

@@ -5,8 +5,8 @@ by exp(w* dt) with w* = w + dt/2 w', and w' = J^-1 (L x w) of Euler's equations 
 order). Contact moments change L at the end of the step, as forces change momenta in leapfrog.
 
 Held rotations are about global axes. Of a block that is held about some of them the other components of L move on, and
-w follows from L and what is prescribed; R is then turned by the midpoint rule. Reactions leave the block's inertia out, as
-for translations; where it turns about prescribed axes and freely about others, that inertia's work is in `work[:, 3]`.
+w follows from L and what is prescribed; R is then turned by the midpoint rule. Reactions leave the block's inertia out,
+as for translations; where it turns about prescribed axes and freely about others, its work is in `work[:, 3]`.
 """
 
 from typing import NamedTuple
@@ -100,7 +100,9 @@ def _over_inertia(q, inertia, momentum):
 def _inertia_now(q, inertia):
     """J."""
     i, j, k = inertia
-    return product((q[0] * i, q[1] * j, q[2] * k, q[3] * i, q[4] * j, q[5] * k, q[6] * i, q[7] * j, q[8] * k), transposed(q))
+    return product(
+        (q[0] * i, q[1] * j, q[2] * k, q[3] * i, q[4] * j, q[5] * k, q[6] * i, q[7] * j, q[8] * k), transposed(q)
+    )
 
 
 @register_jitable
@@ -124,7 +126,7 @@ def _held_spin(q, inertia, free, momentum, prescribed):
 
 @register_jitable
 def _spin(q, inertia, free, momentum, prescribed):
-    """w of a block."""
+    """Angular velocity w of a block."""
     if free[0] + free[1] + free[2] == 3.0:
         return _over_inertia(q, inertia, momentum)
     return _held_spin(q, inertia, free, momentum, prescribed)
@@ -164,10 +166,11 @@ def place(body, dt, u):
 def move(body, dt, damping, clock, force, u):
     """Sum the forces and moments of each block, damp, book the work, and kick its momenta.
 
-    With K = L(n-1/2) J(n)^-1 L(n+1/2) / 2 the works close to round-off: what K gains is dt/2 (M(n-1) w+ + M(n) w-), with
-    w+ and w- of one momentum before and after the turn, and L (w- - w+) / 2, which is the rotor's.
+    With K = L(n-1/2) J(n)^-1 L(n+1/2) / 2 the works close to round-off: K gains dt/2 (M(n-1) w+ + M(n) w-), with w+ and
+    w- of one momentum before and after the turn, and L (w- - w+) / 2, which is the rotor's.
     """
-    arm, start, code, frame, axes, pace, inertia = *(body.arm, body.start, body.code, body.frame), *(body.axes, body.pace, body.inertia)
+    arm, start, code, frame, axes = body.arm, body.start, body.code, body.frame, body.axes
+    pace, inertia = body.pace, body.inertia
     v, contact, reaction, momentum, guess = body.v, body.contact, body.hold, body.momentum, body.guess
     dead, change, apart, patches, work = body.load, body.change, body.apart, body.patches, body.work
     for b in prange(len(body.q)):
@@ -194,7 +197,10 @@ def move(body, dt, damping, clock, force, u):
         turned = (
             dot(moment, w) + dot(vector_at(contact, b, 3), before),
             dot(damped, w) + dot(each(free, was), before),
-            dot(minus(hold, damped), w) + dot(minus(was, each(free, was)), before) + dot(load, w) + dot(earlier, before),
+            dot(minus(hold, damped), w)
+            + dot(minus(was, each(free, was)), before)
+            + dot(load, w)
+            + dot(earlier, before),
         )
         loss = 0.5 * dot(angular, minus(before, w)) - 0.5 * dt * dot(push, _given(q, principal, free, angular, w))
         after = _spin(q, principal, free, kicked, before)
@@ -212,7 +218,7 @@ def _rested(a):
 
 @register_jitable
 def _given(q, inertia, free, momentum, w):
-    """What of w is due to prescribed turns about other axes, negative: it is no freedom's own, and kicks do not add to it."""
+    """Less what w owes to prescribed turns about other axes; the kinetic energy of the free ones leaves that out."""
     if free[0] + free[1] + free[2] == 3.0:
         return 0.0, 0.0, 0.0
     return minus(_held_spin(q, inertia, free, momentum, (0.0, 0.0, 0.0)), w)
