@@ -27,7 +27,7 @@ def moments(start, code, arm, force, b):
 
 @register_jitable
 def moments_apart(apart, start, code, force, b):
-    """First moments (9) of the forces on sides a of block b about their own material points, global; 0 without `apart`."""
+    """First moments (9) of the forces on sides a of block b about their material points, global; 0 without `apart`."""
     if apart is None:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     nothing = pack((0.0, 0.0, 0.0, 0.0))

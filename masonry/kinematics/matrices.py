@@ -6,9 +6,13 @@ import numpy as np
 from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit
+from masonry.simd import maximum
 
 SMALL_ANGLE_SQUARED = 0.01
 """rad2: below, five terms of the series are exact to round-off."""
+SINE = -1.0 / 6.0, 1.0 / 120.0, -1.0 / 5040.0, 1.0 / 362880.0
+COSINE = -1.0 / 24.0, 1.0 / 720.0, -1.0 / 40320.0, 1.0 / 3628800.0
+"""Of sin(x) / x and (1 - cos x) / x2, in powers of x2."""
 
 
 @register_jitable
@@ -49,6 +53,12 @@ def dot(a, b):
 def added(a, b):
     """Sum of two vectors."""
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+@register_jitable
+def minus(a, b):
+    """Difference of two vectors."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 @register_jitable
@@ -95,7 +105,7 @@ def product(m, a):
 
 @register_jitable
 def determinant(m):
-    """det m."""
+    """Determinant."""
     return m[0] * (m[4] * m[8] - m[5] * m[7]) + m[1] * (m[5] * m[6] - m[3] * m[8]) + m[2] * (m[3] * m[7] - m[4] * m[6])
 
 
@@ -151,13 +161,22 @@ def work_density(s, e):
 
 
 @register_jitable
+def largest_stretch(e):
+    """A bound on the stretch of any line, from Green's strain: C = 1 + 2 E has no eigenvalue above its row sums."""
+    x = abs(1.0 + 2.0 * e[0]) + 2.0 * (abs(e[5]) + abs(e[4]))
+    y = abs(1.0 + 2.0 * e[1]) + 2.0 * (abs(e[5]) + abs(e[3]))
+    z = abs(1.0 + 2.0 * e[2]) + 2.0 * (abs(e[4]) + abs(e[3]))
+    return sqrt(maximum(x, maximum(y, z)))
+
+
+@register_jitable
 def exponential(turn):
     """The rotation by a vector of rad (Rodrigues)."""
     x, y, z = turn
     square = x * x + y * y + z * z
     if square < SMALL_ANGLE_SQUARED:
-        s = 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0 * (1.0 - square / 72.0)))
-        c = 0.5 - square / 24.0 * (1.0 - square / 30.0 * (1.0 - square / 56.0 * (1.0 - square / 90.0)))
+        s = 1.0 + square * (SINE[0] + square * (SINE[1] + square * (SINE[2] + square * SINE[3])))
+        c = 0.5 + square * (COSINE[0] + square * (COSINE[1] + square * (COSINE[2] + square * COSINE[3])))
     else:
         angle = sqrt(square)
         s, c = sin(angle) / angle, (1.0 - cos(angle)) / square
@@ -172,7 +191,7 @@ def exponential(turn):
 
 @register_jitable
 def straightened(r):
-    """The rotation next to r, which is one but for round-off: r (3 - r^T r) / 2. It turns nothing, so no energy drifts."""
+    """The rotation next to r, one but for round-off: r (3 - r^T r) / 2. That turns nothing, so no energy drifts."""
     a, b, c, d, e, f = strain((r[0] - 1.0, r[1], r[2], r[3], r[4] - 1.0, r[5], r[6], r[7], r[8] - 1.0))
     off = times_symmetric(r, (a, b, c, d, e, f))
     return (

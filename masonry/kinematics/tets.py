@@ -101,11 +101,11 @@ def place(body, dt, u):
         for n in range(start[b], start[b + 1]):
             for i in range(0, 3, FOUR):
                 put(u, (n, i), take(u, (n, i), four()) + dt * take(v, (n, i), four()))
-        _interpolate(corner, share, own, first, b, u)
+        interpolate(corner, share, own, first, b, u)
 
 
 @register_jitable
-def _interpolate(corner, share, start, first, b, u):
+def interpolate(corner, share, start, first, b, u):
     """Displacement of the contact points of block b that lie between nodes: sum of N_j u_j."""
     if start is None:
         return
@@ -116,7 +116,7 @@ def _interpolate(corner, share, start, first, b, u):
 
 
 @register_jitable
-def _pulled(start, code, share, n, force, contact):
+def pulled(start, code, share, n, force, contact):
     """The force on node n with what the contact points between nodes add to it: N_j times their force."""
     if start is None:
         return contact
@@ -151,7 +151,7 @@ def move(body, dt, damping, clock, force, u):
             contact = pack((0.0, 0.0, 0.0, 0.0))
             for k in range(start[n], start[n + 1]):
                 contact = plus(contact, 1.0 - 2.0 * (code[k] & 1), take_row(force, code[k] >> 1))
-            contact = _pulled(pull_start, pull_code, pull_share, n, force, contact)
+            contact = pulled(pull_start, pull_code, pull_share, n, force, contact)
             for i in range(0, 3, FOUR):
                 done = advance(body, (n, i), part(contact, i), take(inner, (n, i), four()), dt, damping, clock, done)
         keep(body.work, b, done)

@@ -5,8 +5,8 @@ by exp(w* dt) with w* = w + dt/2 w', and w' = J^-1 (L x w) of Euler's equations 
 order). Contact moments change L at the end of the step, as forces change momenta in leapfrog.
 
 Held rotations are about global axes. Of a block that is held about some of them the other components of L move on, and
-w follows from L and what is prescribed; R is then turned by the midpoint rule. Reactions leave the block's inertia out, as
-for translations; where it turns about prescribed axes and freely about others, that inertia's work is in `work[:, 3]`.
+w follows from L and what is prescribed; R is then turned by the midpoint rule. Reactions leave the block's inertia out,
+as for translations; where it turns about prescribed axes and freely about others, its work is in `work[:, 3]`.
 """
 
 from typing import NamedTuple
@@ -25,6 +25,7 @@ from masonry.kinematics.matrices import (
     exponential,
     inverse,
     matrix_at,
+    minus,
     product,
     put_matrix,
     put_vector,
@@ -35,8 +36,8 @@ from masonry.kinematics.matrices import (
     transposed_times,
     vector_at,
 )
-from masonry.kinematics.motion import advance, at_rest_or, dead_load, resist
-from masonry.simd import pack, plus, put_row
+from masonry.kinematics.motion import advance, at_rest_or, resist
+from masonry.simd import pack, plus, put_row, where
 
 
 class Turning(NamedTuple):
@@ -89,37 +90,31 @@ def _principal(axes, b, r):
 
 
 @register_jitable
-def _over_inertia(q, inertia, b, momentum):
+def _over_inertia(q, inertia, momentum):
     """J^-1 momentum, with principal axes q."""
     x, y, z = transposed_times(q, momentum)
-    return times(q, (x / inertia[b, 0], y / inertia[b, 1], z / inertia[b, 2]))
+    return times(q, (x / inertia[0], y / inertia[1], z / inertia[2]))
 
 
 @register_jitable
-def _inertia_now(q, inertia, b):
+def _inertia_now(q, inertia):
     """J."""
-    i, j, k = inertia[b, 0], inertia[b, 1], inertia[b, 2]
-    scaled = q[0] * i, q[1] * j, q[2] * k, q[3] * i, q[4] * j, q[5] * k, q[6] * i, q[7] * j, q[8] * k
-    return product(scaled, transposed(q))
+    i, j, k = inertia
+    return product(
+        (q[0] * i, q[1] * j, q[2] * k, q[3] * i, q[4] * j, q[5] * k, q[6] * i, q[7] * j, q[8] * k), transposed(q)
+    )
 
 
 @register_jitable
-def _freedom(pace, b):
-    """1 for each axis that block b turns about freely, 0 where that is prescribed."""
-    x, y, z = 1.0, 1.0, 1.0
-    if pace[b, 3] == 0.0:
-        x = 0.0
-    if pace[b, 4] == 0.0:
-        y = 0.0
-    if pace[b, 5] == 0.0:
-        z = 0.0
-    return x, y, z
+def _free(pace):
+    """1 for each axis that a block turns about freely, 0 where that is prescribed, of its three paces."""
+    return where(pace[0] > 0.0, 1.0, 0.0), where(pace[1] > 0.0, 1.0, 0.0), where(pace[2] > 0.0, 1.0, 0.0)
 
 
 @register_jitable
-def _held_spin(q, inertia, b, free, momentum, prescribed):
+def _held_spin(q, inertia, free, momentum, prescribed):
     """w: prescribed where not free, elsewhere such that J w has the given momentum."""
-    j = _inertia_now(q, inertia, b)
+    j = _inertia_now(q, inertia)
     x, y, z = free
     rows = (
         *(x * j[0] + (1.0 - x), x * j[1], x * j[2], y * j[3], y * j[4] + (1.0 - y), y * j[5]),
@@ -130,23 +125,22 @@ def _held_spin(q, inertia, b, free, momentum, prescribed):
 
 
 @register_jitable
-def _spin(q, inertia, b, free, momentum, prescribed):
-    """w of block b."""
+def _spin(q, inertia, free, momentum, prescribed):
+    """Angular velocity w of a block."""
     if free[0] + free[1] + free[2] == 3.0:
-        return _over_inertia(q, inertia, b, momentum)
-    return _held_spin(q, inertia, b, free, momentum, prescribed)
+        return _over_inertia(q, inertia, momentum)
+    return _held_spin(q, inertia, free, momentum, prescribed)
 
 
 @register_jitable
-def _mean_spin(r, axes, inertia, b, free, momentum, w, dt):
+def _mean_spin(r, axes, b, inertia, free, momentum, w, dt):
     """w*: the angular velocity in the middle of the step, to second order."""
     if free[0] + free[1] + free[2] == 3.0:
-        q = _principal(axes, b, r)
-        change = _over_inertia(q, inertia, b, cross(momentum, w))
+        change = _over_inertia(_principal(axes, b, r), inertia, cross(momentum, w))
         return added(w, scaled(0.5 * dt, change))
-    now = _held_spin(_principal(axes, b, r), inertia, b, free, momentum, w)
+    now = _held_spin(_principal(axes, b, r), inertia, free, momentum, w)
     half = product(exponential(scaled(0.5 * dt, now)), r)
-    return _held_spin(_principal(axes, b, half), inertia, b, free, momentum, w)
+    return _held_spin(_principal(axes, b, half), inertia, free, momentum, w)
 
 
 def place(body, dt, u):
@@ -155,7 +149,8 @@ def place(body, dt, u):
     frame, momentum, inertia, pace = body.frame, body.momentum, body.inertia, body.pace
     for b in prange(len(q)):
         r = matrix_at(frame, b)
-        w = _mean_spin(r, axes, inertia, b, _freedom(pace, b), vector_at(momentum, b, 0), vector_at(v, b, 3), dt)
+        free, moving = _free(vector_at(pace, b, 3)), vector_at(v, b, 3)
+        w = _mean_spin(r, axes, b, vector_at(inertia, b, 0), free, vector_at(momentum, b, 0), moving, dt)
         turn = scaled(dt, w)
         r = straightened(product(exponential(turn), r))
         put_matrix(frame, b, r)
@@ -169,9 +164,15 @@ def place(body, dt, u):
 
 
 def move(body, dt, damping, clock, force, u):
-    """Sum the forces and moments of each block, damp, book the work, and kick its momenta."""
+    """Sum the forces and moments of each block, damp, book the work, and kick its momenta.
+
+    With K = L(n-1/2) J(n)^-1 L(n+1/2) / 2 the works close to round-off: K gains dt/2 (M(n-1) w+ + M(n) w-), with w+ and
+    w- of one momentum before and after the turn, and L (w- - w+) / 2, which is the rotor's.
+    """
     arm, start, code, frame, axes = body.arm, body.start, body.code, body.frame, body.axes
-    apart, patches, work = body.apart, body.patches, body.work
+    pace, inertia = body.pace, body.inertia
+    v, contact, reaction, momentum, guess = body.v, body.contact, body.hold, body.momentum, body.guess
+    dead, change, apart, patches, work = body.load, body.change, body.apart, body.patches, body.work
     for b in prange(len(body.q)):
         r = matrix_at(frame, b)
         own, moment = moments(start, code, arm, force, b)
@@ -182,98 +183,96 @@ def move(body, dt, damping, clock, force, u):
         done = advance(body, (b, 0), own[0], 0.0, dt, damping, clock, done)
         done = advance(body, (b, 1), own[1], 0.0, dt, damping, clock, done)
         done = advance(body, (b, 2), own[2], 0.0, dt, damping, clock, done)
-        turned = _kick(body, b, _principal(axes, b, r), moment, dt, damping, clock)
-        _keep(work, b, done, turned)
+
+        q, free, principal = _principal(axes, b, r), _free(vector_at(pace, b, 3)), vector_at(inertia, b, 0)
+        before, angular = vector_at(v, b, 3), vector_at(momentum, b, 0)
+        w = _spin(q, principal, free, angular, before)
+        load, earlier = _moment_of_load(dead, change, b, clock[0]), _moment_of_load(dead, change, b, clock[1])
+        driving = each(free, added(moment, load))
+        damped = each(free, _damping(damping, _expected(guess, b, clock), principal, q, driving, w, dt))
+        hold = added(damped, minus(driving, added(moment, load)))
+        was = vector_at(reaction, b, 3)
+        push = added(driving, damped)
+        kicked = _rested(added(angular, scaled(dt, push)))
+        turned = (
+            dot(moment, w) + dot(vector_at(contact, b, 3), before),
+            dot(damped, w) + dot(each(free, was), before),
+            dot(minus(hold, damped), w)
+            + dot(minus(was, each(free, was)), before)
+            + dot(load, w)
+            + dot(earlier, before),
+        )
+        loss = 0.5 * dot(angular, minus(before, w)) - 0.5 * dt * dot(push, _given(q, principal, free, angular, w))
+        after = _spin(q, principal, free, kicked, before)
+        put_vector(contact, b, 3, moment)
+        put_vector(reaction, b, 3, hold)
+        put_vector(momentum, b, 0, kicked)
+        put_vector(v, b, 3, added(before, each(free, minus(after, before))))
+        _keep(work, b, done, scaled(0.5 * dt, turned), loss)
 
 
 @register_jitable
-def _kick(body, b, q, moment, dt, damping, clock):
-    """Change the angular momentum of block b, and with it v; works of contacts, damping, loads, and the rotor's loss.
-
-    With K = L(n-1/2) J(n)^-1 L(n+1/2) / 2 the works close to round-off: what K gains is dt/2 (M(n-1) w+ + M(n) w-), with
-    w+ and w- of one momentum before and after the turn, and L (w- - w+) / 2, which is the rotor's.
-    """
-    free, inertia = _freedom(body.pace, b), body.inertia
-    held = 1.0 - free[0], 1.0 - free[1], 1.0 - free[2]
-    before, momentum = vector_at(body.v, b, 3), vector_at(body.momentum, b, 0)
-    w = _spin(q, inertia, b, free, momentum, before)
-    load, earlier = _moment_of_load(body, b, moment, clock[0]), _moment_of_load(body, b, moment, clock[1])
-    acting = added(moment, load)
-    driving = each(free, acting)
-    damped = each(free, _damping(damping, body.guess, inertia, b, q, driving, w, dt, clock))
-    hold = added(damped, scaled(-1.0, each(held, acting)))
-    half, hold_before = 0.5 * dt, vector_at(body.hold, b, 3)
-    by_contacts = half * (dot(moment, w) + dot(vector_at(body.contact, b, 3), before))
-    by_damping = half * (dot(damped, w) + dot(each(free, hold_before), before))
-    by_reaction = half * (dot(each(held, hold), w) + dot(each(held, hold_before), before))
-    by_load = half * (dot(load, w) + dot(earlier, before))
-    loss = 0.5 * dot(momentum, added(before, scaled(-1.0, w)))
-    push = added(driving, damped)
-    if free[0] + free[1] + free[2] < 3.0:  # turned about one axis, a block gets momentum about the others
-        alone = _held_spin(q, inertia, b, free, momentum, (0.0, 0.0, 0.0))
-        loss -= half * dot(push, added(alone, scaled(-1.0, w)))
-    kicked = added(momentum, scaled(dt, push))
-    kicked = at_rest_or(kicked[0]), at_rest_or(kicked[1]), at_rest_or(kicked[2])
-    after = added(each(free, _spin(q, inertia, b, free, kicked, before)), each(held, before))
-    put_vector(body.contact, b, 3, moment)
-    put_vector(body.hold, b, 3, hold)
-    put_vector(body.momentum, b, 0, kicked)
-    put_vector(body.v, b, 3, after)
-    return by_contacts, by_damping, by_reaction + by_load, loss
+def _rested(a):
+    return at_rest_or(a[0]), at_rest_or(a[1]), at_rest_or(a[2])
 
 
 @register_jitable
-def _moment_of_load(body, b, like, share):
-    """Moment of the dead loads; 0 where there are none."""
-    return (
-        dead_load(body, (b, 3), like[0], share),
-        dead_load(body, (b, 4), like[1], share),
-        dead_load(body, (b, 5), like[2], share),
-    )
+def _given(q, inertia, free, momentum, w):
+    """Less what w owes to prescribed turns about other axes; the kinetic energy of the free ones leaves that out."""
+    if free[0] + free[1] + free[2] == 3.0:
+        return 0.0, 0.0, 0.0
+    return minus(_held_spin(q, inertia, free, momentum, (0.0, 0.0, 0.0)), w)
 
 
 @register_jitable
-def _damping(damping, guess, inertia, b, q, driving, w, dt, clock):
+def _moment_of_load(load, change, b, share):
+    """Moment of the dead loads at a share of them, as in motion.dead_load; 0 where there are none."""
+    if load is None:
+        return 0.0, 0.0, 0.0
+    if change is None:
+        return scaled(share, vector_at(load, b, 3))
+    return added(scaled(min(share, 1.0), vector_at(load, b, 3)), scaled(max(share - 1.0, 0.0), vector_at(change, b, 3)))
+
+
+@register_jitable
+def _damping(damping, expected, inertia, q, driving, w, dt):
     """Moment that damps, formed along the block's principal axes: so it is the same from wherever one looks, and each
     axis has its own inertia. It brakes the power of every axis, and so it does about the free ones alone.
     """
     if damping is None:
         return 0.0, 0.0, 0.0
     m, turning = transposed_times(q, driving), transposed_times(q, w)
-    now = transposed_times(q, _expected(guess, b, clock[2]))
-    before = transposed_times(q, _expected(guess, b, clock[3]))
+    now, before = transposed_times(q, expected[0]), transposed_times(q, expected[1])
     braking = (
-        resist(damping, dt / inertia[b, 0], m[0], turning[0], now[0], before[0]),
-        resist(damping, dt / inertia[b, 1], m[1], turning[1], now[1], before[1]),
-        resist(damping, dt / inertia[b, 2], m[2], turning[2], now[2], before[2]),
+        resist(damping, dt / inertia[0], m[0], turning[0], now[0], before[0]),
+        resist(damping, dt / inertia[1], m[1], turning[1], now[1], before[1]),
+        resist(damping, dt / inertia[2], m[2], turning[2], now[2], before[2]),
     )
     return times(q, braking)
 
 
 @register_jitable
-def _expected(guess, b, speed):
-    """Angular velocity that block b is expected to have at a speed of the drive."""
+def _expected(guess, b, clock):
+    """Angular velocities that block b is expected to have after this step and before."""
     if guess is None:
-        return 0.0, 0.0, 0.0
-    return scaled(speed, vector_at(guess, b, 3))
+        return (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    return scaled(clock[2], vector_at(guess, b, 3)), scaled(clock[3], vector_at(guess, b, 3))
 
 
 @register_jitable
-def _keep(work, b, done, turned):
+def _keep(work, b, done, turned, loss):
     """Add the works of moving and of turning to a block's account, where one is kept."""
     if work is not None:
-        work[b, 0] += done[0] + turned[0]
-        work[b, 1] += done[1] + turned[1]
-        work[b, 2] += done[2] + turned[2]
-        work[b, 3] += turned[3]
+        put_vector(work, b, 0, added(vector_at(work, b, 0), added(done, turned)))
+        work[b, 3] += loss
 
 
 @jit
 def spin(body):
     """Give every block the momentum that belongs to v, after v was set from outside; none about held axes."""
     for b in range(len(body.q)):
-        j = _inertia_now(_principal(body.axes, b, matrix_at(body.frame, b)), body.inertia, b)
-        put_vector(body.momentum, b, 0, each(_freedom(body.pace, b), times(j, vector_at(body.v, b, 3))))
+        j = _inertia_now(_principal(body.axes, b, matrix_at(body.frame, b)), vector_at(body.inertia, b, 0))
+        put_vector(body.momentum, b, 0, each(_free(vector_at(body.pace, b, 3)), times(j, vector_at(body.v, b, 3))))
 
 
 def momenta(body: Turning) -> np.ndarray:

@@ -1,0 +1,207 @@
+"""Affine blocks that turn and deform as far as they like: x = centroid + t + F (X - centroid), St Venant-Kirchhoff.
+
+H = F - 1 is held along the block's axes at the start, as in affine.py: column k is the derivative along axis k. The
+mass matrix is constant, no term is gyroscopic, and a rigid turn of the whole changes neither energy nor stress in the
+block. A force at a point y from the centroid, in space, acts on H with the lever F^-1 y that its material has.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import prange
+from numba.extending import register_jitable
+
+from masonry.jit.compiler import jit
+from masonry.kinematics.levers import moments, moments_apart, patch_force, patch_moments
+from masonry.kinematics.matrices import (
+    added,
+    determinant,
+    inverse,
+    largest_stretch,
+    matrix_at,
+    product,
+    put_matrix,
+    second_piola,
+    strain,
+    times_symmetric,
+    transposed,
+    work_density,
+)
+from masonry.kinematics.motion import advance, keep
+from masonry.simd import FOUR, four, pack, part, plus, put, put_row, take, total
+
+
+class Deforming(NamedTuple):
+    """Arrays of B affine blocks that have S contact sides in all.
+
+    q, v, pace      (B, 12): t, then H row by row; dt/mass (0 = prescribed); the masses of a column of H are equal
+    contact, hold   (B, 12) generalised forces at the last step: contacts and patches; damping or reaction
+    inner           (B, 12) generalised force of the block's own stiffness at the last step
+    frame           (B, 3, 3) deformation gradient F, along x, y, z
+    start, code     sides of each block, as for Rigid
+    arm             (S, 3) m, from the centroid to the point at the start, along the block's axes
+    stiffness       (B, 2) J: volume at the start times the Lame constants lambda, mu
+    first_point     row of u at which the sides begin
+    work            (B, 4) J: contacts, damping, external, and what was put into the block's own stiffness
+    load, guess, axes, change  as for Affine; None where absent
+    apart           rows like force: u_b - u_a of every contact, see levers.py; None for 0
+    patches         (B, 12) detected contacts: force, then first moments about the centroid, sum of f_i y_j row by row,
+                    with y from the centroid now; all global; or None
+    """
+
+    q: np.ndarray
+    v: np.ndarray
+    pace: np.ndarray
+    contact: np.ndarray
+    hold: np.ndarray
+    inner: np.ndarray
+    frame: np.ndarray
+    start: np.ndarray
+    code: np.ndarray
+    arm: np.ndarray
+    stiffness: np.ndarray
+    first_point: np.uint32
+    work: np.ndarray | None = None
+    load: np.ndarray | None = None
+    guess: np.ndarray | None = None
+    axes: np.ndarray | None = None
+    change: np.ndarray | None = None
+    apart: np.ndarray | None = None
+    patches: np.ndarray | None = None
+
+
+def place(body, dt, u):
+    """Advance the freedoms by dt v, write F and the displacement of every contact point."""
+    q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
+    frame = body.frame
+    for b in prange(len(q)):
+        for i in range(0, 12, FOUR):
+            put(q, (b, i), take(q, (b, i), four()) + dt * take(v, (b, i), four()))
+        h = _columns(q, b)
+        put_matrix(frame, b, _plus_one(_times_axes(h, axes, b)))
+        moved = pack((q[b, 0], q[b, 1], q[b, 2], 0.0))
+        by_a, by_b = pack((h[0], h[3], h[6], 0.0)), pack((h[1], h[4], h[7], 0.0))
+        by_c = pack((h[2], h[5], h[8], 0.0))
+        for k in range(start[b], start[b + 1]):
+            put_row(u, first + k, plus(plus(plus(moved, arm[k, 0], by_a), arm[k, 1], by_b), arm[k, 2], by_c))
+
+
+def move(body, dt, damping, clock, force, u):
+    """Sum contact forces and their first moments, add the block's own stiffness, and advance."""
+    arm, start, code, q, axes, stiffness = body.arm, body.start, body.code, body.q, body.axes, body.stiffness
+    apart, patches, work = body.apart, body.patches, body.work
+    for b in prange(len(q)):
+        h = _columns(q, b)
+        f, m = moments(start, code, arm, force, b)
+        f, m = added(f, patch_force(patches, b)), _with_spatial(apart, patches, start, code, force, b, m, h, axes)
+        p = times_symmetric(_edges(h, axes, b), _stress(h, axes, b, -stiffness[b, 0], -stiffness[b, 1]))
+        done, drawn = (four(), four(), four()), four()
+        own, inner = (f[0], f[1], f[2], m[0]), (0.0, 0.0, 0.0, p[0])
+        done, drawn = _advance_row(body, b, 0, own, inner, dt, damping, clock, done, drawn)
+        done, drawn = _advance_row(body, b, 4, m[1:5], p[1:5], dt, damping, clock, done, drawn)
+        done, drawn = _advance_row(body, b, 8, m[5:9], p[5:9], dt, damping, clock, done, drawn)
+        keep(work, b, done)
+        keep_drawn(work, b, 0.5 * dt * total(drawn))
+
+
+@register_jitable
+def _advance_row(body, b, first, contact, inner, dt, damping, clock, done, drawn):
+    """Four freedoms; `drawn` grows by what the stiffness gives, the sum of its forces now and before times v."""
+    contacts, inners = pack(contact), pack(inner)
+    for i in range(0, 4, FOUR):
+        at, own = (b, first + i), part(inners, i)
+        drawn = drawn + (own + take(body.inner, at, own)) * take(body.v, at, own)
+        put(body.inner, at, own)
+        done = advance(body, at, part(contacts, i), own, dt, damping, clock, done)
+    return done, drawn
+
+
+@register_jitable
+def keep_drawn(work, b, drawn):
+    """Take what a block's stiffness gave (J) from what was put into it, where an account is kept."""
+    if work is not None:
+        work[b, 3] -= drawn
+
+
+@register_jitable
+def _columns(q, b):
+    """H of block b."""
+    return q[b, 3], q[b, 4], q[b, 5], q[b, 6], q[b, 7], q[b, 8], q[b, 9], q[b, 10], q[b, 11]
+
+
+@register_jitable
+def _plus_one(h):
+    return 1.0 + h[0], h[1], h[2], h[3], 1.0 + h[4], h[5], h[6], h[7], 1.0 + h[8]
+
+
+@register_jitable
+def _times_axes(h, axes, b):
+    """H by derivatives along x, y, z."""
+    if axes is None:
+        return h
+    return product(h, transposed(matrix_at(axes, b)))
+
+
+@register_jitable
+def _edges(h, axes, b):
+    """What the block's axes have become, in columns: F times the axes."""
+    if axes is None:
+        return _plus_one(h)
+    a = matrix_at(axes, b)
+    return (
+        *(a[0] + h[0], a[1] + h[1], a[2] + h[2], a[3] + h[3], a[4] + h[4], a[5] + h[5]),
+        *(a[6] + h[6], a[7] + h[7], a[8] + h[8]),
+    )
+
+
+@register_jitable
+def _green(h, axes, b):
+    """Green's strain along the block's axes."""
+    if axes is None:
+        return strain(h)
+    return strain(product(transposed(matrix_at(axes, b)), h))
+
+
+@register_jitable
+def _stress(h, axes, b, lame, mu):
+    """Second Piola-Kirchhoff stress along the block's axes."""
+    return second_piola(_green(h, axes, b), lame, mu)
+
+
+@register_jitable
+def _with_spatial(apart, patches, start, code, force, b, moment, h, axes):
+    """First moments by material levers, and what levers in space add to them."""
+    if apart is None and patches is None:
+        return moment
+    more, detected = moments_apart(apart, start, code, force, b), patch_moments(patches, b)
+    total_more = (
+        *(more[0] + detected[0], more[1] + detected[1], more[2] + detected[2]),
+        *(more[3] + detected[3], more[4] + detected[4], more[5] + detected[5]),
+        *(more[6] + detected[6], more[7] + detected[7], more[8] + detected[8]),
+    )
+    more = product(total_more, transposed(inverse(_edges(h, axes, b))))
+    return (
+        *(moment[0] + more[0], moment[1] + more[1], moment[2] + more[2]),
+        *(moment[3] + more[3], moment[4] + more[4], moment[5] + more[5]),
+        *(moment[6] + more[6], moment[7] + more[7], moment[8] + more[8]),
+    )
+
+
+@jit
+def observe(body, stress):
+    """Write Cauchy's stress (B, 6) Pa times the volume at the start; from the state.
+
+    Returns the elastic energy (J), the least det F, and a bound on the largest stretch of any line.
+    """
+    energy, least, largest = 0.0, np.inf, 0.0
+    for b in range(len(body.q)):
+        h = _columns(body.q, b)
+        e = _green(h, body.axes, b)
+        s, edges = second_piola(e, body.stiffness[b, 0], body.stiffness[b, 1]), _edges(h, body.axes, b)
+        jacobian = determinant(_plus_one(_times_axes(h, body.axes, b)))
+        t = product(times_symmetric(edges, s), transposed(edges))
+        for i, value in enumerate((t[0], t[4], t[8], t[5], t[2], t[1])):
+            stress[b, i] = value / jacobian
+        energy += work_density(s, e)
+        least, largest = min(least, jacobian), max(largest, largest_stretch(e))
+    return energy, least, largest
