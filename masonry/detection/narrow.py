@@ -149,7 +149,9 @@ def _ordered(
         a, b, dx, dy, dz, ax, ay, az, bx, by, bz, beyond, flat, full > 0.0, u, v, row, count, plane, wide,
         edge_start, edge, vertex, normal, offset, edges,
     )  # fmt: skip
-    if ea >= 0 and apart <= skin:
+    if ea >= 0 and apart > skin:
+        return NONE, 0, apart, blend, 0.0, fa, fb, nx, ny, nz
+    if ea >= 0:
         found = crossing_point(
             vertex, edge, edge_start[a], edge_start[b], ea, eb, dx, dy, dz, ex, ey, ez, apart, least,
             point, gap, area, feature,

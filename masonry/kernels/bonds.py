@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.jit.compiler import jit
+from masonry.detection.bare import bare
 
 
 class Bonds(NamedTuple):
@@ -32,7 +32,7 @@ class Bonds(NamedTuple):
     apart: np.ndarray
 
 
-@jit
+@bare
 def to_frames(bonds, local):
     """Write the displacement of side b against side a, in the frame of a, to row 1 + c of `local` (1 + C, 3)."""
     rows, frames, owner, u, apart = bonds.rows, bonds.frames, bonds.owner, bonds.u, bonds.apart
@@ -44,7 +44,7 @@ def to_frames(bonds, local):
             local[1 + c, i] = frames[f, 0, i] * x + frames[f, 1, i] * y + frames[f, 2, i] * z
 
 
-@jit
+@bare
 def from_frames(bonds, local):
     """Turn the forces (C, 3) of the law, in the frames of side a, to x, y, z."""
     frames, owner, force = bonds.frames, bonds.owner, bonds.force

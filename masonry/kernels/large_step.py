@@ -30,7 +30,7 @@ def advance(first, steps, dt, damping, dead_load, speed, groups, contacts, bonds
         to_frames(bonds, local)
         sweep_groups(None, parameters, properties, states, 0, bounds, sides, normal, area, local, force)
         from_frames(bonds, force)
-        press(near.pairs, near.points, near.rules, near.motion, dt, near.account)
+        press(near, dt)
         clock = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
         move(None, blocks, dt, damping, clock, bonds.force, bonds.u)
         gauge[k] = reaction(blocks, drive)

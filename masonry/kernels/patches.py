@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.jit.compiler import jit
+from masonry.detection.bare import bare
 
 
 class Pairs(NamedTuple):
@@ -90,12 +90,13 @@ class Motion(NamedTuple):
     travel: np.ndarray
 
 
-@jit
-def press(pairs, points, rules, motion, dt, account):
+@bare
+def press(near, dt):
     """Forces and moments of all points of all patches into motion.push, from their gaps and the slip of this step.
 
-    account  J, added to: what friction [0] and the dashpots [1] have dissipated
+    near is what redetection.Near says; its account gets what friction and the dashpots dissipate.
     """
+    pairs, points, rules, motion, account = near.pairs, near.points, near.rules, near.motion, near.account
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
     body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
     law, dashpot, count = pairs.law, pairs.dashpot, points.count
@@ -161,7 +162,7 @@ def press(pairs, points, rules, motion, dt, account):
     account[1] += damped
 
 
-@jit
+@bare
 def turned(frame, b, x, y, z):
     """A vector in the frame of a block, in space."""
     return (
@@ -171,7 +172,7 @@ def turned(frame, b, x, y, z):
     )
 
 
-@jit
+@bare
 def turned_with(shear, s, k, wx, wy, wz, nx, ny, nz):
     """The shear traction of a point after a turn (rad) of the two blocks: in the plane, and of the same size."""
     x, y, z = shear[s, k, 0], shear[s, k, 1], shear[s, k, 2]
@@ -188,7 +189,7 @@ def turned_with(shear, s, k, wx, wy, wz, nx, ny, nz):
     return share * x, share * y, share * z
 
 
-@jit
+@bare
 def add(push, b, side, fx, fy, fz, mx, my, mz):
     """Add a force and its moment, times a sign, to what a block is pushed by."""
     push[b, 0] += side * fx
@@ -199,7 +200,7 @@ def add(push, b, side, fx, fy, fz, mx, my, mz):
     push[b, 5] += side * mz
 
 
-@jit
+@bare
 def stored(pairs, points, rules, motion, p):
     """Elastic energies (J) of the points of a pair as they stand: normal, and shear."""
     pressed, sheared, s = 0.0, 0.0, pairs.slot[p]
@@ -213,7 +214,7 @@ def stored(pairs, points, rules, motion, p):
     return pressed, sheared
 
 
-@jit
+@bare
 def gap_of(pairs, points, motion, p, k):
     """Gap (m) of a point now, below 0 where the blocks press."""
     own, s = pairs.points_of[p], pairs.slot[p]

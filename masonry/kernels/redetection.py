@@ -11,12 +11,12 @@ from typing import NamedTuple
 import numpy as np
 
 from masonry.detection import placing
+from masonry.detection.bare import bare
 from masonry.detection.broad import Cells, near_pairs, write_boxes
 from masonry.detection.narrow import NONE, touch
 from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
-from masonry.jit.compiler import jit
 from masonry.kernels.patches import Motion, Pairs, Points, Rules, stored, turned
 
 MOVED = 0.01
@@ -82,7 +82,7 @@ class Near(NamedTuple):
     account: np.ndarray
 
 
-@jit
+@bare
 def refresh(near, dt):
     """Count the travel of the coming step, and look at all pairs that it may change; False where a step cannot go on."""
     motion, search, pairs = near.motion, near.search, near.pairs
@@ -99,7 +99,7 @@ def refresh(near, dt):
     return True
 
 
-@jit
+@bare
 def count_travel(motion, dt):
     """Add to each block's travel what this step can add to it at most."""
     v, travel, radius = motion.v, motion.travel, motion.radius
@@ -109,7 +109,7 @@ def count_travel(motion, dt):
         travel[b] += (speed + spin * radius[b]) * dt
 
 
-@jit
+@bare
 def needs_search(travel, built, skin):
     """Whether two blocks may have come nearer to each other by the skin since the last search."""
     first = second = 0.0
@@ -122,7 +122,7 @@ def needs_search(travel, built, skin):
     return first + second > skin
 
 
-@jit
+@bare
 def look(near, p):
     """Where pair p touches now; its points take over what they remember. False without room, or where it is too deep."""
     pieces, pairs, points, motion, search = near.pieces, near.pairs, near.points, near.motion, near.search
@@ -151,7 +151,7 @@ def look(near, p):
     return renew(near, p, count, 1 if blend >= 0.5 else 0)
 
 
-@jit
+@bare
 def let_go(near, p):
     """A pair touches no more: its slot is free again, and what its points held is lost."""
     pairs, points, s = near.pairs, near.points, near.pairs.slot[p]
@@ -167,7 +167,7 @@ def let_go(near, p):
     pairs.slot[p] = -1
 
 
-@jit
+@bare
 def renew(near, p, count, own):
     """Give pair p the points that a look found; `own` is the side that they belong to. False where one is too deep."""
     pairs, points, motion, search = near.pairs, near.points, near.motion, near.search
@@ -192,7 +192,8 @@ def renew(near, p, count, own):
         for i in range(3):
             search.point[k, i] += 0.5 * side * gap * axis[i]  # from the middle to the face that the points belong to
             along += axis[i] * (search.point[k, i] - position[ref, i])
-        x, y, z = (search.point[k, i] - position[other, i] for i in range(3))
+        x, y = search.point[k, 0] - position[other, 0], search.point[k, 1] - position[other, 1]
+        z = search.point[k, 2] - position[other, 2]
         for i in range(3):
             points.material[s, k, i] = frame[other, 0, i] * x + frame[other, 1, i] * y + frame[other, 2, i] * z
         points.level[s, k] = along - side * gap
@@ -212,7 +213,7 @@ def renew(near, p, count, own):
     return True
 
 
-@jit
+@bare
 def remember(pairs, points, motion, search, p):
     """Keep the names, areas and shear tractions of a patch, these turned to the new normal; returns how many."""
     s, ref, axis = pairs.slot[p], pairs.body[p, 1 - pairs.points_of[p]], pairs.axis[p]
@@ -232,7 +233,7 @@ def remember(pairs, points, motion, search, p):
     return points.count[s]
 
 
-@jit
+@bare
 def hand_over(points, search, s, had):
     """Shear tractions of the points of slot s from those before: by name; of the rest the force, over the larger area.
 
@@ -270,7 +271,7 @@ def hand_over(points, search, s, had):
             points.shear[s, k, 0], points.shear[s, k, 1], points.shear[s, k, 2] = share * fx, share * fy, share * fz
 
 
-@jit
+@bare
 def set_dashpot(pairs, rules, search, p, area):
     """The dashpot of a patch (Pa s/m): its share of the critical damping of the two masses on the whole patch."""
     share, kn = rules.dashpot[pairs.law[p]], rules.normal_stiffness[pairs.law[p]]
@@ -280,7 +281,7 @@ def set_dashpot(pairs, rules, search, p, area):
         pairs.dashpot[p] = 2.0 * share * sqrt(kn * (a * b / (a + b)) / area)
 
 
-@jit
+@bare
 def find_pairs(near):
     """All pairs that may meet before the next search; what is known of those that were near before stays.
 
@@ -303,7 +304,7 @@ def find_pairs(near):
     return True
 
 
-@jit
+@bare
 def copy_pairs(pairs, before):
     """Keep what is known of all pairs."""
     before.number[0] = pairs.number[0]
@@ -311,7 +312,7 @@ def copy_pairs(pairs, before):
         copy_pair(pairs, p, before, p)
 
 
-@jit
+@bare
 def copy_pair(source, p, target, q):
     """Row q of the target becomes row p of the source."""
     for i in range(2):
@@ -324,7 +325,7 @@ def copy_pair(source, p, target, q):
     target.law[q], target.dashpot[q] = source.law[p], source.dashpot[p]
 
 
-@jit
+@bare
 def merge(pairs, before, points, body, search, count):
     """Write the sorted pairs that were found, with what is known of them; slots of those that are gone become free."""
     number, p, had, room = 0, 0, before.number[0], len(points.count)
@@ -359,7 +360,7 @@ def merge(pairs, before, points, body, search, count):
     pairs.number[0] = number
 
 
-@jit
+@bare
 def is_bonded(bonded, a, b, count):
     """Whether bonds hold two blocks together."""
     key = min(a, b) * count + max(a, b)

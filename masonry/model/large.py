@@ -4,7 +4,7 @@ It is made from the model of small displacement of the same scene: its freedoms,
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,8 +20,10 @@ from masonry.kernels.redetection import Near, Search, no_pairs, no_points
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.turning import Turning
 from masonry.model.arrays import in_rows
+from masonry.model.large_bodies import turning
+from masonry.model.large_step import contact_row_sums
 from masonry.model.layout import Layout
-from masonry.model.stable_step import Side, contact_row_sums
+from masonry.model.stable_step import Side
 
 SKIN = 0.02
 """Of the mean size of a block: how far blocks may come nearer before all pairs are found anew."""
@@ -48,81 +50,50 @@ class Large:
     alive: np.ndarray
 
 
-def face_row_sums(blocks: Blocks, layout: Layout, length: np.ndarray, kn: np.ndarray, ks: np.ndarray) -> np.ndarray:
-    """(B, 6) row sums of blocks whose faces all press over their whole area, on blocks with arms like their own.
+def add_row_sums(
+    sums: dict[str, np.ndarray],
+    blocks: Blocks,
+    layout: Layout,
+    sides: tuple[Side, Side],
+    length: np.ndarray,
+    stiffness: np.ndarray,
+    meetings: dict[str, Meeting],
+) -> None:
+    """Row sums of the contacts of the undeformed shape, or of blocks whose faces all press, whichever are larger.
 
-    A face counts with its corners, each with the area of its share of the triangles between corners and centroid. A
-    patch lies within the faces, and lumping a part of a face at its corners gives no larger sum for a convex function
-    of the place than lumping the whole face does. kn, ks (B,) Pa/m: the stiffest that a block may meet.
+    stiffness (C,) N/m. Every face counts over its whole area, with the stiffest way in which blocks meet, on blocks
+    with levers like their own. Its corners have the area of their share of the triangles between corners and centroid:
+    a patch lies within the faces, and lumping a part of a face at its corners gives no larger sum of a convex function
+    of the place than lumping the whole face does.
     """
-    corner, normal, area, block = _face_corners(blocks)
+    contact_row_sums(sums, sides, stiffness)
+    corner, area, block = _face_corners(blocks)
     arm = np.einsum("cji,cj->ci", layout.axes[block], corner - layout.centroid[block])
-    kind, own = np.zeros(len(block), dtype=np.int64), layout.local[block]
-    count = layout.rows("rigid")
-    one = Side(kind, own, arm, layout.axes[block], length[block])
-    sums = {"rigid": np.zeros((2 * count, 6)), "affine": np.zeros((0, 12)), "tets": np.zeros((0, 3))}
-    contact_row_sums(sums, (one, replace(one, row=own + count)), normal, kn[block] * area, ks[block] * area)
-    return sums["rigid"][:count]
+    one = Side(layout.kind[block], layout.local[block], arm, layout.axes[block], length[block])
+    most = max(max(m.normal_stiffness, m.shear_stiffness) for m in meetings.values())
+    faces = {kind: np.zeros_like(values) for kind, values in sums.items()}
+    contact_row_sums(faces, (one, one), 0.5 * most * area)  # both sides add to the same block
+    for kind, values in faces.items():
+        np.maximum(sums[kind], values, out=sums[kind])
 
 
-def stiffest(meetings: dict[str, Meeting], blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
-    """(B,), (B,) Pa/m: the largest stiffnesses, normal and in shear, of all ways in which blocks meet."""
-    kn, ks = (max(getattr(m, key) for m in meetings.values()) for key in ("normal_stiffness", "shear_stiffness"))
-    return np.full(blocks.count, kn), np.full(blocks.count, ks)
-
-
-def _face_corners(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Corners of all faces (c, 3), normal and area of each, and its block (c,)."""
+def _face_corners(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Corners of all faces (c, 3) m, the area (m2) of each, and its block (c,)."""
     parts = []
     owner = blocks.face_block()
     for f in range(len(owner)):
         face = blocks.face(f)
-        area, normal, centre = (x[0] for x in areas_normals_centroids(face[None]))
+        centre = areas_normals_centroids(face[None])[2][0]
         triangle = 0.5 * np.linalg.norm(np.cross(face - centre, np.roll(face, -1, axis=0) - centre), axis=1)
-        share = 0.5 * (triangle + np.roll(triangle, 1))
-        parts.append((face, np.tile(normal, (len(face), 1)), share, np.full(len(face), owner[f])))
-    corner, normal, area, block = (np.concatenate(column) for column in zip(*parts, strict=True))
-    return corner, normal, area, block
+        parts.append((face, 0.5 * (triangle + np.roll(triangle, 1)), np.full(len(face), owner[f])))
+    corner, area, block = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return corner, area, block
 
 
-def alike_along_all_axes(masses: np.ndarray) -> np.ndarray:
-    """Masses (B, 6) of which a block has one for all movements: what it moves along turns with it."""
-    found = masses.copy()
-    found[:, :3] = masses[:, :3].max(axis=1, keepdims=True)
-    return found
-
-
-def turning_of(rigid: Rigid, masses: np.ndarray, apart: np.ndarray, push: np.ndarray) -> Turning:
-    """The same blocks with finite rotations; masses (B, 6) with their inertia about the principal axes."""
-    count = len(rigid.q)
-    axes = np.broadcast_to(np.eye(3), (count, 3, 3)) if rigid.axes is None else rigid.axes
-    load, change = (None if x is None else in_rows(_global(x, axes)) for x in (rigid.load, rigid.change))
-    return Turning(
-        q=rigid.q,
-        v=rigid.v,
-        pace=in_rows(_held_globally(rigid.pace, axes)),
-        contact=rigid.contact,
-        hold=rigid.hold,
-        frame=np.tile(np.eye(3), (count, 1, 1)),
-        momentum=np.zeros((count, 3)),
-        inertia=np.ascontiguousarray(masses[:, 3:]),
-        start=rigid.start,
-        code=rigid.code,
-        arm=rigid.arm,
-        first_point=rigid.first_point,
-        work=np.zeros((count, 4)),
-        load=load,
-        guess=rigid.guess,
-        axes=rigid.axes,
-        change=change,
-        apart=apart,
-        patches=push,
-    )
-
-
-def _global(load: np.ndarray, axes: np.ndarray) -> np.ndarray:
-    """Loads (B, 6) whose moments are about x, y, z, from those about the principal axes."""
-    return np.column_stack([load[:, :3], np.einsum("bij,bj->bi", axes, load[:, 3:])])
+def turning_of(rigid: Rigid, inertia: np.ndarray, apart: np.ndarray, push: np.ndarray) -> Turning:
+    """Rigid blocks that turn, and are pushed by patches: push (B, 6), as `apart` written at every step."""
+    axes = np.broadcast_to(np.eye(3), (len(rigid.q), 3, 3)) if rigid.axes is None else rigid.axes
+    return turning(rigid, inertia, apart)._replace(pace=in_rows(_held_globally(rigid.pace, axes)), patches=push)
 
 
 def _held_globally(pace: np.ndarray, axes: np.ndarray) -> np.ndarray:

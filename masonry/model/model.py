@@ -11,16 +11,7 @@ from masonry.laws.state import ContactState
 from masonry.model import stable_step as stiffness
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, in_rows, memory_of, number_sides, own_memory
 from masonry.model.contact_groups import contact_group_name, contact_groups
-from masonry.model.large import (
-    Large,
-    Meeting,
-    alike_along_all_axes,
-    bonds_of,
-    face_row_sums,
-    near_of,
-    stiffest,
-    turning_of,
-)
+from masonry.model.large import Large, Meeting, add_row_sums, bonds_of, near_of, turning_of
 from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.step_cost import StepCost, step_cost
@@ -118,14 +109,13 @@ def build(
     shear = np.array([i.shear_stiffness for i in interfaces])[group] * joints.area
     lame = _lame(blocks, layout, materials)
     sums = {kind: np.zeros_like(conditions.prescribed[kind], dtype=float) for kind in KINDS}
-    stiffness.contact_row_sums(sums, sides, joints.normal, dilated, shear)
-    stiffness.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
-    stiffness.tet_row_sums(sums["tets"], layout, lame)
-    if meetings is not None:
-        sums["rigid"] = np.maximum(sums["rigid"], face_row_sums(blocks, layout, length, *stiffest(meetings, blocks)))
+    if meetings is None:
+        stiffness.contact_row_sums(sums, sides, joints.normal, dilated, shear)
+        stiffness.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
+        stiffness.tet_row_sums(sums["tets"], layout, lame)
+    else:
+        add_row_sums(sums, blocks, layout, sides, length, np.maximum(dilated, shear), meetings)
     stiffness.unscale(sums, layout, length)
-    if meetings is not None:
-        sums["rigid"] = alike_along_all_axes(sums["rigid"])
 
     density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
     real = real_masses(layout, density)
@@ -174,7 +164,7 @@ def enlarged(model: Model, meetings: dict[str, Meeting], masses: np.ndarray, rea
     joints, layout, count = model.joints, model.layout, len(model.group)
     assert model.bodies.rigid is not None
     apart, push = (in_rows(np.zeros(shape)) for shape in ((count, 3), (layout.rows("rigid"), 6)))
-    body = turning_of(model.bodies.rigid, masses, apart, push)
+    body = turning_of(model.bodies.rigid, masses[:, 3:], apart, push)
     dry = np.array([isinstance(shape, Friction) for shape in model.groups.parameters], dtype=bool)[model.group]
     rows = np.column_stack([np.zeros(count), np.arange(1, count + 1)]).astype(np.uint32)
     bonds = bonds_of(model.contacts.sides, joints, layout, body, model.contacts.u)
