@@ -90,18 +90,17 @@ class _Trial:
             else VaryingLoading(model, alone, varying[:, : steps + 1], ROWS)
         )
         self.outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
-        self.looks: list[tuple[float, float]] = []
         self.loop = Loop(model, pace, steps, replace(assembly.recording, frames=1), threads, self.outcome)
 
     @property
     def unbalanced(self) -> float:
         """Force, over the dead loads: the most of the last looks."""
-        return max(force for force, _ in self.looks[-LAST:])
+        return max(self.loop.observed["unbalanced"][-LAST:])
 
     @property
     def still_moving(self) -> float:
         """Kinetic energy, over the stored one: the most of the last looks."""
-        return max(kinetic for _, kinetic in self.looks[-LAST:])
+        return max(self.loop.observed["still_moving"][-LAST:])
 
     @property
     def words(self) -> str:
@@ -123,6 +122,5 @@ class _Trial:
         """After each row."""
         if self.asked():
             raise KeyboardInterrupt
-        self.looks.append((self.outcome.unbalanced, self.outcome.still_moving))
         if self.progress is not None:
             self.progress(0, 0, f"settling, trial of {self.steps} steps: {words}")

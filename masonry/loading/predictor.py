@@ -60,7 +60,7 @@ class Predictor:
         inertia = 0.0
         for (body, m, place), last in zip(self.parts, self.last, strict=True):
             body.guess[...] += trust * ((place - last) / (displacement - self.displacement) - body.guess)
-            body.guess[body.pace == 0.0] = 0.0
+            body.guess[body.dt_over_mass == 0.0] = 0.0
             last[...] = place
             inertia += float(np.sum(m * body.guess**2))
         self.displacement = displacement

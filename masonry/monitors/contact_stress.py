@@ -17,7 +17,7 @@ def contact_stress(model: Model) -> np.ndarray:
     rigid, layout, joints = model.bodies.rigid, model.layout, model.joints
     which = layout.members["rigid"]
     free = np.zeros(layout.volume.shape)
-    free[which[(rigid.pace > 0.0).all(axis=1)]] = 1.0
+    free[which[(rigid.dt_over_mass > 0.0).all(axis=1)]] = 1.0
     force = model.contacts.force
     block = np.concatenate([joints.block_a, joints.block_b])
     arm = np.concatenate([joints.point, joints.point]) - layout.centroid[block]

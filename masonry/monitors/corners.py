@@ -11,24 +11,24 @@ from masonry.monitors.stability import corner_displacements, nearest_nodes
 
 
 class Corners:
-    """The corners of each block in the beginning, place (3, K, B) m, and how far they have moved since."""
+    """The corners of each block in the beginning, place (B, K, 3) m, and how far they have moved since."""
 
     def __init__(self, model: Model) -> None:
         blocks = own_corners(model.blocks)
         self.model = replace(model, blocks=blocks)
         self.nearest = nearest_nodes(self.model)
         start = blocks.face_start[blocks.block_face_start]
-        self.points = distinct(pad(np.arange(start[-1])[:, None], start, blocks.face_points)[0][:, :, 0]).T
-        self.place = np.ascontiguousarray(blocks.points[self.points].transpose(2, 0, 1))
-        self.arm = self.place - model.layout.centroid.T[:, None]
+        self.points = distinct(pad(np.arange(start[-1])[:, None], start, blocks.face_points)[0][:, :, 0])
+        self.place = blocks.points[self.points]
+        self.arm = self.place - model.layout.centroid[:, None]
 
     def moved(self) -> tuple[np.ndarray, np.ndarray]:
-        """Displacements (3, K, B) m, and their gradients (3, 3, B), 0 for blocks with tets."""
+        """Displacements (B, K, 3) m, and their gradients (B, 3, 3), 0 for blocks with tets."""
         shift, gradient = self._motion()
-        moved = shift[:, None] + sum(gradient[:, j, None] * self.arm[j] for j in range(3))
+        moved = shift[:, None] + np.einsum("bij,bkj->bki", gradient, self.arm)
         if self.nearest is not None:
             which = self.model.layout.members["tets"]
-            moved[:, :, which] = self.model.contacts.u[self.nearest[self.points[:, which]]].transpose(2, 0, 1)
+            moved[which] = self.model.contacts.u[self.nearest[self.points[which]]]
         return moved, gradient
 
     def displaced(self) -> Blocks:
@@ -37,21 +37,20 @@ class Corners:
         return replace(blocks, points=blocks.points + corner_displacements(self.model, self.nearest))
 
     def _motion(self) -> tuple[np.ndarray, np.ndarray]:
-        """Displacement (3, B) m of the centroids of rigid and affine blocks, and its gradient (3, 3, B)."""
+        """Displacement (B, 3) m of the centroids of rigid and affine blocks, and its gradient (B, 3, 3)."""
         layout, count = self.model.layout, self.model.blocks.count
-        shift, gradient = np.zeros((3, count)), np.zeros((3, 3, count))
+        shift, gradient = np.zeros((count, 3)), np.zeros((count, 3, 3))
         rigid, affine, _ = self.model.bodies
         if rigid is not None:
             which = layout.members["rigid"]
-            shift[:, which] = rigid.q[:, :3].T
+            shift[which] = rigid.q[:, :3]
             x, y, z = np.einsum("bij,bj->ib", layout.axes[which], rigid.q[:, 3:])
-            gradient[0, 1, which], gradient[0, 2, which], gradient[1, 2, which] = -z, y, -x
-            gradient[1, 0, which], gradient[2, 0, which], gradient[2, 1, which] = z, -y, x
+            for i, j, turn in ((1, 0, z), (2, 1, x), (0, 2, y)):
+                gradient[which, i, j], gradient[which, j, i] = turn, -turn
         if affine is not None:
             which = layout.members["affine"]
-            shift[:, which] = affine.q[:, :3].T
-            along = affine.q[:, 3:].reshape(-1, 3, 3)
-            gradient[:, :, which] = np.einsum("bij,bkj->ikb", along, layout.axes[which])
+            shift[which] = affine.q[:, :3]
+            gradient[which] = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), layout.axes[which])
         return shift, gradient
 
 
