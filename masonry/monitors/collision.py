@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from geometry.blocks import Blocks
 from geometry.jit_cache import compiled
 from geometry.polyhedra.box_pairs import overlapping_boxes
 from geometry.polyhedra.intersect import are_convex
@@ -53,7 +54,6 @@ class Collision(Observer):
         self.radius = np.linalg.norm(self.high - self.low, axis=1)
         self.grown = np.full(blocks.count, -1.0)
         self.pairs = np.zeros((0, 2), dtype=np.int64)
-        self.face = np.zeros(0, dtype=np.int64)
         self.owner, self.normal = blocks.face_block(), face_areas_normals_centroids(blocks)[1]
         self.convex = np.zeros(0, dtype=bool)
         self.corners = Corners(model)
@@ -69,8 +69,7 @@ class Collision(Observer):
 
     def _look(self, step: int, opening: np.ndarray, rotation: float) -> None:
         """Opening (C,) m of all contacts, rotation: the largest so far, rad."""
-        moved, gradient = self.corners.moved()
-        reach = np.abs(moved).max(axis=(1, 2))
+        place, reach, gradient = self.corners.now()
         if np.any(reach > self.grown):
             self._find_candidates(reach)
         if len(self.pairs) == 0:
@@ -79,7 +78,7 @@ class Collision(Observer):
         depth += 0.5 * rotation**2 * self.larger
         if len(self.met):
             depth += DEEPER * self.smaller * np.isin(self.codes, self.met)
-        near = self._not_parted(self.corners.place + moved, gradient, depth)
+        near = self._not_parted(place, gradient, depth)
         if len(near):
             self._look_closely(step, near, depth[near])
 
@@ -90,18 +89,24 @@ class Collision(Observer):
         grown = self.grown[:, None]
         pairs = overlapping_boxes(self.low - grown, self.high + grown)
         self.pairs = pairs[~np.isin(pairs @ [blocks.count, 1], self.joined)]
+        self.face = np.zeros(len(self.pairs), dtype=np.int64)
         if len(self.pairs) and len(self.convex) == 0:
             self.convex = are_convex(blocks, FLAT * extent(blocks))
-        gap, self.face = widest_gaps(blocks, self.pairs)
+        gap = self._face_each_other(blocks, np.arange(len(self.pairs)))
         self.codes = self.pairs @ [blocks.count, 1]
         self.smaller, self.larger = self.size[self.pairs].min(axis=1), self.radius[self.pairs].max(axis=1)
         self.touching = gap <= TOUCHING * self.smaller
 
+    def _face_each_other(self, blocks: Blocks, which: np.ndarray) -> np.ndarray:
+        """Find the face of either block that parts some candidates best; returns the gaps that they leave (m)."""
+        gap, self.face[which] = widest_gaps(blocks, self.pairs[which])
+        one = self.owner[self.face]
+        self.facing = one, self.pairs.sum(axis=1) - one, self.normal[self.face]
+        return gap
+
     def _not_parted(self, place: np.ndarray, gradient: np.ndarray, depth: np.ndarray) -> np.ndarray:
         """The candidates that neither the face between them, turned with its block, nor their boxes still part."""
-        one = self.owner[self.face]
-        overlap = overlap_over_face(place, gradient, one, self.pairs.sum(axis=1) - one, self.normal[self.face])
-        near = np.flatnonzero(overlap > depth)
+        near = np.flatnonzero(overlap_over_face(place, gradient, *self.facing) > depth)
         a, b = place[self.pairs[near, 0]], place[self.pairs[near, 1]]
         boxes = np.minimum(a.max(axis=1), b.max(axis=1)) - np.maximum(a.min(axis=1), b.min(axis=1))
         return near[np.all(boxes > depth[near, None], axis=1)]
@@ -121,7 +126,7 @@ class Collision(Observer):
                 )
             self.met = np.append(self.met, code)
             self.words = self.words or f"{words}, from step {step} on"
-        self.face[near] = widest_gaps(moved, pairs)[1]
+        self._face_each_other(moved, near)
 
     def _name(self, block: int) -> str:
         """What a scene calls a block: the smallest of its sets that holds it, with its number where that holds more."""

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from geometry.blocks import Blocks
+from geometry.jit_cache import compiled
 from geometry.polyhedra.polygons import pad
 from masonry.model.model import Model
 from masonry.monitors.stability import corner_displacements, nearest_nodes
@@ -22,14 +23,16 @@ class Corners:
         self.place = blocks.points[self.points]
         self.arm = self.place - model.layout.centroid[:, None]
 
-    def moved(self) -> tuple[np.ndarray, np.ndarray]:
-        """Displacements (B, K, 3) m, and their gradients (B, 3, 3), 0 for blocks with tets."""
+    def now(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Where they are (B, K, 3) m, how far they have moved at most along x, y or z (B,) m, and the gradients of
+        these displacements (B, 3, 3), 0 for blocks with tets."""
         shift, gradient = self._motion()
-        moved = shift[:, None] + np.einsum("bij,bkj->bki", gradient, self.arm)
+        place, reach = moved(self.place, self.arm, shift, gradient)
         if self.nearest is not None:
             which = self.model.layout.members["tets"]
-            moved[which] = self.model.contacts.u[self.nearest[self.points[which]]]
-        return moved, gradient
+            by_nodes = self.model.contacts.u[self.nearest[self.points[which]]]
+            place[which], reach[which] = self.place[which] + by_nodes, np.abs(by_nodes).max(axis=(1, 2))
+        return place, reach, gradient
 
     def displaced(self) -> Blocks:
         """The blocks as they are now, none of which shares a corner with another."""
@@ -52,6 +55,21 @@ class Corners:
             shift[which] = affine.q[:, :3]
             gradient[which] = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), layout.axes[which])
         return shift, gradient
+
+
+@compiled
+def moved(place, arm, shift, gradient):
+    """Places (B, K, 3) of corners that are moved by shift (B, 3) and gradient (B, 3, 3) times arm (B, K, 3); and the
+    largest component of each block's displacements (B,)."""
+    found, reach = np.empty(arm.shape), np.zeros(len(arm))
+    for b in range(arm.shape[0]):
+        for k in range(arm.shape[1]):
+            x, y, z = arm[b, k, 0], arm[b, k, 1], arm[b, k, 2]
+            for i in range(3):
+                way = shift[b, i] + gradient[b, i, 0] * x + gradient[b, i, 1] * y + gradient[b, i, 2] * z
+                found[b, k, i] = place[b, k, i] + way
+                reach[b] = max(reach[b], abs(way))
+    return found, reach
 
 
 def own_corners(blocks: Blocks) -> Blocks:
