@@ -8,7 +8,7 @@ from geometry.blocks import Blocks
 from geometry.jit_cache import compiled
 from geometry.polyhedra.polygons import pad
 from masonry.model.model import Model
-from masonry.monitors.stability import corner_displacements, nearest_nodes
+from masonry.monitors.frames import Frames
 
 
 class Corners:
@@ -17,7 +17,8 @@ class Corners:
     def __init__(self, model: Model) -> None:
         blocks = own_corners(model.blocks)
         self.model = replace(model, blocks=blocks)
-        self.nearest = nearest_nodes(self.model)
+        self.frames = Frames(self.model)
+        self.nearest = self.frames.nearest
         start = blocks.face_start[blocks.block_face_start]
         self.points = distinct(pad(np.arange(start[-1])[:, None], start, blocks.face_points)[0][:, :, 0])
         self.place = blocks.points[self.points]
@@ -37,7 +38,7 @@ class Corners:
     def displaced(self) -> Blocks:
         """The blocks as they are now, none of which shares a corner with another."""
         blocks = self.model.blocks
-        return replace(blocks, points=blocks.points + corner_displacements(self.model, self.nearest))
+        return replace(blocks, points=blocks.points + self.frames.corners())
 
     def _motion(self) -> tuple[np.ndarray, np.ndarray]:
         """Displacement (B, 3) m of the centroids of rigid and affine blocks, and its gradient (B, 3, 3)."""

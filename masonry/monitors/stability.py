@@ -1,23 +1,17 @@
-"""What is looked at between chunks: is the motion still to be trusted, and what does the specimen look like."""
+"""What is looked at between chunks: is the motion still to be trusted."""
 
 import numpy as np
 
-from geometry.blocks import Blocks
 from masonry.errors import Stopped
-from masonry.history import Frame
 from masonry.kinematics.tets import mean_turn
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
-from masonry.monitors.contact_stress import contact_stress
-from masonry.monitors.energy import Observation
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.snap_back import SnapBack
 from masonry.runtime.state import State
 
 LEAP = 1e-2
 """A freedom that moves by more than this share of the smallest block in one step is not a motion but an instability."""
-
-
 RINGING = 100.0
 """Kinetic energy above this multiple of the external work is an instability: a stable step at 0.99 keeps below 50."""
 TORN_LEDGER = 0.2
@@ -37,7 +31,6 @@ class Watch(Observer):
         self.size = smallest_block(model)
         self.arm = np.array([1.0] * 3 + [self.size] * 9)
         self.affine = model.layout.members["affine"]
-        self.nearest = nearest_nodes(model)
         self.tet_turn = np.zeros((len(model.layout.members["tets"]), 3))
         self.snap_back = SnapBack(model)
 
@@ -126,73 +119,3 @@ class Watch(Observer):
 def smallest_block(model: Model) -> float:
     """Edge (m) of a cube of the volume of the smallest block."""
     return float(np.cbrt(model.layout.volume.min()))
-
-
-def frame_of(model: Model, view: Observation, step: int, displacement: float, nearest: np.ndarray | None) -> Frame:
-    """The specimen now; nearest: as nearest_nodes, found once for a run."""
-    seen, state = view.seen, model.state
-    tets = model.bodies.tets
-    nodes = model.contacts.u[: len(tets.v)].copy() if tets is not None else np.zeros((0, 3))
-    stress = view.stress.copy()
-    if model.bodies.rigid is not None:
-        stress[model.layout.members["rigid"]] = contact_stress(model)
-    return Frame(
-        step=step,
-        time=step * model.dt,
-        displacement=displacement,
-        corners=corner_displacements(model, nearest),
-        nodes=nodes,
-        opening=seen.opening.copy(),
-        slip=seen.slip.copy(),
-        normal_stress=seen.sigma.copy(),
-        shear_stress=seen.tau.copy(),
-        damage_tension=1.0 - state.intact_n,
-        damage_shear=1.0 - state.intact_s,
-        stress=stress,
-    )
-
-
-def corner_displacements(model: Model, nearest: np.ndarray | None) -> np.ndarray:
-    """(P, 3) m at the corners of the blocks: exact for rigid and affine blocks, the nearest node for tets."""
-    blocks, layout = model.blocks, model.layout
-    block_of_point = block_of_points(blocks)
-    moved = np.zeros_like(blocks.points)
-    rigid, affine, _ = model.bodies
-    arm = blocks.points - layout.centroid[block_of_point]
-    kind, local = layout.kind[block_of_point], layout.local[block_of_point]
-    axes = layout.axes[block_of_point]
-    if rigid is not None:
-        p = np.flatnonzero(kind == 0)
-        turn = np.einsum("cij,cj->ci", axes[p], rigid.q[local[p], 3:])
-        moved[p] = rigid.q[local[p], :3] + np.cross(turn, arm[p])
-    if affine is not None:
-        p = np.flatnonzero(kind == 1)
-        h = affine.q[local[p], 3:].reshape(-1, 3, 3)
-        moved[p] = affine.q[local[p], :3] + np.einsum("cij,ckj,ck->ci", h, axes[p], arm[p])
-    if nearest is not None:
-        p = np.flatnonzero(kind == KINDS.index("tets"))
-        moved[p] = model.contacts.u[nearest[p]]
-    return moved
-
-
-def nearest_nodes(model: Model) -> np.ndarray | None:
-    """(P,) the node of its own block nearest to each corner of a block with tets, 0 elsewhere; None without tets."""
-    blocks, mesh = model.blocks, model.layout.mesh
-    if mesh is None:
-        return None
-    from scipy.spatial import cKDTree
-
-    p = np.flatnonzero(np.isin(block_of_points(blocks), model.layout.members["tets"]))
-    far = 10.0 * float(np.ptp(mesh.nodes, axis=0).max())  # a fourth axis on which other blocks are out of reach
-    own = np.repeat(np.arange(blocks.count), np.diff(mesh.node_start))
-    tree = cKDTree(np.column_stack([mesh.nodes, far * own]))
-    result = np.zeros(len(blocks.points), dtype=np.int64)
-    result[p] = tree.query(np.column_stack([blocks.points[p], far * block_of_points(blocks)[p]]))[1]
-    return result
-
-
-def block_of_points(blocks: Blocks) -> np.ndarray:
-    """(P,) the block that each corner belongs to."""
-    block = np.zeros(len(blocks.points), dtype=np.int64)
-    block[blocks.face_points] = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
-    return block

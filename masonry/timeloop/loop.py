@@ -15,13 +15,14 @@ from masonry.loading.varying_loads import VaryingLoading
 from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.collision import Collision
+from masonry.monitors.frames import Frames
 from masonry.monitors.mode_2_area import LawArea
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.openings import Openings
 from masonry.monitors.reactions import Standing, WorkOfLoads
 from masonry.monitors.settling import Settling
 from masonry.monitors.slide import Slide
-from masonry.monitors.stability import Watch, frame_of
+from masonry.monitors.stability import Watch
 from masonry.runtime.state import State, attributes, put_back
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import advance_model
@@ -58,6 +59,7 @@ class Loop:
             "work_of_loads": WorkOfLoads(recording.surroundings),
         }
         self.loads_along = recording.surroundings.along(model.layout, recording.axis)
+        self.camera = Frames(model)
         self.frames: list[Frame] = []
         self.peak_frame: Frame | None = None
         self.near_peak: list[tuple[float, Frame, Standing]] = []
@@ -177,7 +179,7 @@ class Loop:
         if frame_due or higher:
             place = row["displacement"]
             standing = self.recording.surroundings.standing(model, before, step, place, shares)
-            frame = frame_of(model, now, step, place, self.watch.nearest)
+            frame = self.camera.take(now, step, place)
             if frame_due:
                 self.frames.append(frame)
                 self.outcome.standing["end"] = standing
