@@ -9,7 +9,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import FEWEST, plan_of
 from masonry.errors import Stopped
 from masonry.history import UNITS, History
-from masonry.loading.dispatch import pace_of
+from masonry.loading.predictor import AT_FIRST
 from masonry.loading.scheduled import ScheduledLoading
 from masonry.loading.varying_loads import VaryingLoading
 from masonry.model.loads import Controlled, Program
@@ -39,13 +39,14 @@ def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: 
     run is to end.
     """
     model, steps, gave_way = assembly.model, FEWEST, ""
-    fresh, damping = model_state.state(model), model.damping
+    fresh = model_state.state(model)
+    if isinstance(assembly.plan, Controlled):
+        model.damping = AT_FIRST
     while True:
         scene = with_settle(assembly.scene, steps)
         trial = _Trial(assembly, scene, steps, threads, progress, asked)
         found = trial.run()
         model_state.restore(model, fresh)
-        model.damping = damping
         if not found and trial.unbalanced < AT_REST and trial.still_moving < STILL:
             return replace(assembly, scene=scene, plan=plan_of(scene, model.dt))
         if found and gave_way:
@@ -81,7 +82,6 @@ class _Trial:
     ) -> None:
         model, self.steps, self.progress, self.asked = assembly.model, steps, progress, asked
         plan = plan_of(scene, model.dt)
-        pace_of(model, plan, ROWS)  # a drive to an accuracy brings its own damping
         alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0)
         varying = None if isinstance(plan, Controlled) else plan.varying
         pace = (

@@ -1,9 +1,7 @@
 """Which pace a plan asks for."""
 
 from masonry.loading.adaptive import AdaptiveLoading
-from masonry.loading.cyclic_adaptive import CyclicLoading
 from masonry.loading.rest import Rest
-from masonry.loading.schedule import Cyclic
 from masonry.loading.scheduled import ScheduledLoading
 from masonry.loading.varying_loads import VaryingLoading
 from masonry.model.loads import Controlled, Program
@@ -18,4 +16,4 @@ def pace_of(model: Model, plan: Program | Controlled, rows: int) -> Pace:
         if plan.varying is not None:
             return VaryingLoading(model, plan, plan.varying, rows)
         return ScheduledLoading(plan, rows, Rest(model) if model.scaled and model.damping is not None else None)
-    return CyclicLoading(model, plan, rows) if isinstance(plan, Cyclic) else AdaptiveLoading(model, plan, rows)
+    return AdaptiveLoading(model, plan, rows)
