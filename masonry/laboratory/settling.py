@@ -11,7 +11,6 @@ from masonry.errors import Stopped
 from masonry.history import UNITS, History
 from masonry.loading.predictor import AT_FIRST
 from masonry.loading.scheduled import ScheduledLoading
-from masonry.loading.varying_loads import VaryingLoading
 from masonry.model.loads import Controlled, Program
 from masonry.scene import Scene
 from masonry.scene.tables.loading import Settle
@@ -82,15 +81,11 @@ class _Trial:
     ) -> None:
         model, self.steps, self.progress, self.asked = assembly.model, steps, progress, asked
         plan = plan_of(scene, model.dt)
-        alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0)
-        varying = None if isinstance(plan, Controlled) else plan.varying
-        pace = (
-            ScheduledLoading(alone, ROWS)
-            if varying is None
-            else VaryingLoading(model, alone, varying[:, : steps + 1], ROWS)
-        )
+        varying = None if isinstance(plan, Controlled) or plan.varying is None else plan.varying[:, : steps + 1]
+        alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0, varying)
+        loading = ScheduledLoading(model, alone, ROWS)
         self.outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
-        self.loop = Loop(model, pace, steps, replace(assembly.recording, frames=1), threads, self.outcome)
+        self.loop = Loop(model, loading, steps, replace(assembly.recording, frames=1), threads, self.outcome)
 
     @property
     def unbalanced(self) -> float:

@@ -37,11 +37,13 @@ class AdaptiveLoading:
     far then, as the force may pass through zero, and the drive through its start.
     """
 
+    loads = None
+
     def __init__(self, model: Model, plan: Controlled, rows: int, settings: AdaptiveSettings = SETTINGS) -> None:
         self.settings = settings
         self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Predictor(model)
         still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0)
-        self.settling = ScheduledLoading(still, max(1, rows // self.settings.settling_rows))
+        self.settling = ScheduledLoading(model, still, max(1, rows // self.settings.settling_rows))
         self.path = Path(plan.turns or (plan.displacement,))
         self.unit = min(plan.accuracy, self.settings.fine * (plan.accuracy / self.settings.fine) ** self.settings.blunt)
         if len(model.layout.members["affine"]) or len(model.layout.members["tets"]):

@@ -8,10 +8,9 @@ import numpy as np
 
 from masonry.history import UNITS, Frame
 from masonry.kernels.step import reaction
+from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.cycles import reached
-from masonry.loading.dispatch import Pace
-from masonry.loading.scheduled import Chunk
-from masonry.loading.varying_loads import VaryingLoading
+from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.collision import Collision
@@ -40,9 +39,15 @@ class Loop:
     """State of one run between chunks."""
 
     def __init__(
-        self, model: Model, pace: Pace, settle: int, recording: Recording, threads: int, outcome: Outcome
+        self,
+        model: Model,
+        loading: AdaptiveLoading | ScheduledLoading,
+        settle: int,
+        recording: Recording,
+        threads: int,
+        outcome: Outcome,
     ) -> None:
-        self.model, self.pace, self.settle, self.recording = model, pace, settle, recording
+        self.model, self.loading, self.settle, self.recording = model, loading, settle, recording
         self.threads, self.outcome = threads, outcome
         self.place = self.share = 0.0
         self.done = self.frames_done = 0
@@ -75,10 +80,10 @@ class Loop:
     def run(self, progress: Callable[[int, int, str], None] | None, keeper: Checkpointer | None) -> None:
         if not self.observed:
             self.take_row(0, energy.velocities(self.model))
-        while (chunk := self.pace.next()) is not None:
+        while (chunk := self.loading.next()) is not None:
             before = self.take_steps(self.done, chunk)
             self.done += chunk.steps
-            self.pace.feel(self.done, before)
+            self.loading.feel(self.done, before)
             if chunk.row:
                 self.close_row(before, progress)
             if keeper is not None and keeper.look(self):
@@ -87,7 +92,7 @@ class Loop:
 
     def close_row(self, before: list[np.ndarray], progress: Callable[[int, int, str], None] | None) -> None:
         """A row, a frame where one is due, and a word on how far the run is."""
-        now, whole = self.pace.progress()
+        now, whole = self.loading.progress()
         frame_due = now * self.recording.frames >= (self.frames_done + 1) * whole or now == whole
         self.frames_done = now * self.recording.frames // whole
         self.take_row(self.done, before, frame_due)
@@ -154,7 +159,7 @@ class Loop:
 
     def shares(self) -> list[float]:
         """The share of each dead load now."""
-        varying = self.pace.shares[:, self.done] if isinstance(self.pace, VaryingLoading) else ()
+        varying = () if self.loading.loads is None else self.loading.loads.shares[:, self.done]
         loads = self.recording.surroundings.loads
         return [self.share * (1.0 if load.varies is None else float(varying[load.varies])) for load in loads]
 
@@ -174,7 +179,7 @@ class Loop:
         append(self.rows, row)
         append(self.observed, observed)
         force = self.recording.section * self.recording.sign
-        self.pace.look(row["stress"] * force, row["support_stress"] * force, now.seen, terms)
+        self.loading.look(row["stress"] * force, row["support_stress"] * force, now.seen, terms)
         higher = row["stress"] > self.highest_row and step >= max(self.settle, 1)
         if frame_due or higher:
             place = row["displacement"]
@@ -214,8 +219,8 @@ class Loop:
         if self.peak_frame is not None:
             frames[self.peak_frame.step] = self.peak_frame
         self.outcome.standing = {k: v for k in ("peak", "end") if (v := self.outcome.standing.get(k)) is not None}
-        self.outcome.control = self.pace.report()
-        self.outcome.events = [] if self.pace.events is None else self.pace.events.found
+        self.outcome.control = self.loading.report()
+        self.outcome.events = [] if self.loading.events is None else self.loading.events.found
         self.outcome.history.frames = [frames[step] for step in sorted(frames)]
 
     def state(self) -> State:
@@ -231,7 +236,7 @@ class Loop:
             "near_peak": [[stress, _kept(frame), _kept(standing)] for stress, frame, standing in self.near_peak],
             "found": attributes(self.outcome, FOUND),
             "standing": {when: _kept(standing) for when, standing in self.outcome.standing.items()},
-            "pace": self.pace.state(),
+            "loading": self.loading.state(),
             "observers": {name: observer.state() for name, observer in self.observers.items()},
         }
 
@@ -248,7 +253,7 @@ class Loop:
         self.frames = [Frame(**frame) for frame in state["frames"]]
         self.peak_frame = None if peak is None else Frame(**peak)
         self.near_peak = [(height, Frame(**frame), Standing(**acts)) for height, frame, acts in state["near_peak"]]
-        self.pace.restore(state["pace"])
+        self.loading.restore(state["loading"])
         for name, observer in self.observers.items():
             observer.restore(state["observers"][name])
 

@@ -92,8 +92,8 @@ def test_cycles_in_steps_are_the_same_however_many_rows_there_are(history, steps
 
 
 def test_a_pace_in_steps_goes_on_to_the_same_rows():
-    plan = assemble(load("couplet-cyclic", {"drive.accuracy": None, "drive.steps": 5000, **QUICK})).plan
-    one, other = (ScheduledLoading(plan, 7) for _ in range(2))
+    built = assemble(load("couplet-cyclic", {"drive.accuracy": None, "drive.steps": 5000, **QUICK}))
+    one, other = (ScheduledLoading(built.model, built.plan, 7) for _ in range(2))
     for _ in range(9):
         one.next()
     other.restore(one.state())
