@@ -9,9 +9,8 @@ from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import FEWEST, plan_of
 from masonry.errors import Stopped
 from masonry.history import UNITS, History
-from masonry.loading.dispatch import pace_of
+from masonry.loading.predictor import AT_FIRST
 from masonry.loading.scheduled import ScheduledLoading
-from masonry.loading.varying_loads import VaryingLoading
 from masonry.model.loads import Controlled, Program
 from masonry.scene import Scene
 from masonry.scene.tables.loading import Settle
@@ -39,13 +38,14 @@ def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: 
     run is to end.
     """
     model, steps, gave_way = assembly.model, FEWEST, ""
-    fresh, damping = model_state.state(model), model.damping
+    fresh = model_state.state(model)
+    if isinstance(assembly.plan, Controlled):
+        model.damping = AT_FIRST
     while True:
         scene = with_settle(assembly.scene, steps)
         trial = _Trial(assembly, scene, steps, threads, progress, asked)
         found = trial.run()
         model_state.restore(model, fresh)
-        model.damping = damping
         if not found and trial.unbalanced < AT_REST and trial.still_moving < STILL:
             return replace(assembly, scene=scene, plan=plan_of(scene, model.dt))
         if found and gave_way:
@@ -81,27 +81,21 @@ class _Trial:
     ) -> None:
         model, self.steps, self.progress, self.asked = assembly.model, steps, progress, asked
         plan = plan_of(scene, model.dt)
-        pace_of(model, plan, ROWS)  # a drive to an accuracy brings its own damping
-        alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0)
-        varying = None if isinstance(plan, Controlled) else plan.varying
-        pace = (
-            ScheduledLoading(alone, ROWS)
-            if varying is None
-            else VaryingLoading(model, alone, varying[:, : steps + 1], ROWS)
-        )
+        varying = None if isinstance(plan, Controlled) or plan.varying is None else plan.varying[:, : steps + 1]
+        alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0, varying)
+        loading = ScheduledLoading(model, alone, ROWS)
         self.outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
-        self.looks: list[tuple[float, float]] = []
-        self.loop = Loop(model, pace, steps, replace(assembly.recording, frames=1), threads, self.outcome)
+        self.loop = Loop(model, loading, steps, replace(assembly.recording, frames=1), threads, self.outcome)
 
     @property
     def unbalanced(self) -> float:
         """Force, over the dead loads: the most of the last looks."""
-        return max(force for force, _ in self.looks[-LAST:])
+        return max(self.loop.observed["unbalanced"][-LAST:])
 
     @property
     def still_moving(self) -> float:
         """Kinetic energy, over the stored one: the most of the last looks."""
-        return max(kinetic for _, kinetic in self.looks[-LAST:])
+        return max(self.loop.observed["still_moving"][-LAST:])
 
     @property
     def words(self) -> str:
@@ -123,6 +117,5 @@ class _Trial:
         """After each row."""
         if self.asked():
             raise KeyboardInterrupt
-        self.looks.append((self.outcome.unbalanced, self.outcome.still_moving))
         if self.progress is not None:
             self.progress(0, 0, f"settling, trial of {self.steps} steps: {words}")

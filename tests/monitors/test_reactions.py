@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from masonry.laboratory import laboratory
-from masonry.timeloop.reactions import Standing, moved_by, open_by
+from masonry.monitors.reactions import Standing, moved_by, open_by
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 from verification.checks.ledgers import scene_of
 from verification.fixtures.scene_text import loaded
