@@ -27,9 +27,14 @@ drive, `support_stress` at the support, `force` is that of the drive;
 `contact_work` is the trapezoid work that the contacts took up, `imbalance` what is left of the energy balance."""
 
 
+LARGE_UNITS = {"rotor": "J", "dashpot": "J", "redetection": "J", "area": "J"}
+"""Columns of large displacement besides: what free rotations lost by the step's length; what dashpots dissipated; shear
+energy lost as contacts were detected anew; what pressed areas that went or shrank held, less those that came or grew."""
+
+
 def unit_of(column: str) -> str:
     """Of a column of a history; all that are not in UNITS are gauges."""
-    return UNITS.get(column, "m")
+    return UNITS.get(column) or LARGE_UNITS.get(column, "m")
 
 
 @dataclass(frozen=True)

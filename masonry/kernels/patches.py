@@ -226,3 +226,13 @@ def gap_of(pairs, points, motion, p, k):
         between = motion.centre[other, i] + motion.moved[other, i] - motion.centre[ref, i] - motion.moved[ref, i]
         along += n[i] * (a[i] + between)
     return (along - points.level[s, k]) * (1.0 if own == 1 else -1.0)
+
+
+@bare
+def stored_energy(near):
+    """Elastic energy (J) of all patches."""
+    energy = 0.0
+    for p in range(near.pairs.number[0]):
+        pressed, sheared = stored(near.pairs, near.points, near.rules, near.motion, p)
+        energy += pressed + sheared
+    return energy

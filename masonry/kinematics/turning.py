@@ -44,7 +44,7 @@ class Turning(NamedTuple):
     """Arrays of B rigid blocks that have S contact sides in all; components are global but where it says otherwise.
 
     q               (B, 6) displacement of the centroid (m), and the sum of all small turns (rad), which is no rotation
-    v, pace         (B, 6) velocity and angular velocity; dt/mass, and 0 where prescribed; of turns only whether it is 0
+    v, dt_over_mass         (B, 6) velocity and angular velocity; dt/mass, and 0 where prescribed; of turns only whether it is 0
     contact, hold   (B, 6) force and moment at the last step: contacts and patches; damping or reaction
     frame           (B, 3, 3) rotation R since the start
     momentum        (B, 3) kg m2/s, angular momentum L about the centroid; 0 about held axes. It belongs to v: `spin`
@@ -62,7 +62,7 @@ class Turning(NamedTuple):
 
     q: np.ndarray
     v: np.ndarray
-    pace: np.ndarray
+    dt_over_mass: np.ndarray
     contact: np.ndarray
     hold: np.ndarray
     frame: np.ndarray
@@ -106,9 +106,9 @@ def _inertia_now(q, inertia):
 
 
 @register_jitable
-def _free(pace):
+def _free(dt_over_mass):
     """1 for each axis that a block turns about freely, 0 where that is prescribed, of its three paces."""
-    return where(pace[0] > 0.0, 1.0, 0.0), where(pace[1] > 0.0, 1.0, 0.0), where(pace[2] > 0.0, 1.0, 0.0)
+    return where(dt_over_mass[0] > 0.0, 1.0, 0.0), where(dt_over_mass[1] > 0.0, 1.0, 0.0), where(dt_over_mass[2] > 0.0, 1.0, 0.0)
 
 
 @register_jitable
@@ -146,10 +146,10 @@ def _mean_spin(r, axes, b, inertia, free, momentum, w, dt):
 def place(body, dt, u):
     """Move and turn every block with its velocities, and write the displacement of every contact point."""
     q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
-    frame, momentum, inertia, pace = body.frame, body.momentum, body.inertia, body.pace
+    frame, momentum, inertia, dt_over_mass = body.frame, body.momentum, body.inertia, body.dt_over_mass
     for b in prange(len(q)):
         r = matrix_at(frame, b)
-        free, moving = _free(vector_at(pace, b, 3)), vector_at(v, b, 3)
+        free, moving = _free(vector_at(dt_over_mass, b, 3)), vector_at(v, b, 3)
         w = _mean_spin(r, axes, b, vector_at(inertia, b, 0), free, vector_at(momentum, b, 0), moving, dt)
         turn = scaled(dt, w)
         r = straightened(product(exponential(turn), r))
@@ -170,7 +170,7 @@ def move(body, dt, damping, clock, force, u):
     w- of one momentum before and after the turn, and L (w- - w+) / 2, which is the rotor's.
     """
     arm, start, code, frame, axes = body.arm, body.start, body.code, body.frame, body.axes
-    pace, inertia = body.pace, body.inertia
+    dt_over_mass, inertia = body.dt_over_mass, body.inertia
     v, contact, reaction, momentum, guess = body.v, body.contact, body.hold, body.momentum, body.guess
     dead, change, apart, patches, work = body.load, body.change, body.apart, body.patches, body.work
     for b in prange(len(body.q)):
@@ -184,7 +184,7 @@ def move(body, dt, damping, clock, force, u):
         done = advance(body, (b, 1), own[1], 0.0, dt, damping, clock, done)
         done = advance(body, (b, 2), own[2], 0.0, dt, damping, clock, done)
 
-        q, free, principal = _principal(axes, b, r), _free(vector_at(pace, b, 3)), vector_at(inertia, b, 0)
+        q, free, principal = _principal(axes, b, r), _free(vector_at(dt_over_mass, b, 3)), vector_at(inertia, b, 0)
         before, angular = vector_at(v, b, 3), vector_at(momentum, b, 0)
         w = _spin(q, principal, free, angular, before)
         load, earlier = _moment_of_load(dead, change, b, clock[0]), _moment_of_load(dead, change, b, clock[1])
@@ -272,7 +272,7 @@ def spin(body):
     """Give every block the momentum that belongs to v, after v was set from outside; none about held axes."""
     for b in range(len(body.q)):
         j = _inertia_now(_principal(body.axes, b, matrix_at(body.frame, b)), vector_at(body.inertia, b, 0))
-        put_vector(body.momentum, b, 0, each(_free(vector_at(body.pace, b, 3)), times(j, vector_at(body.v, b, 3))))
+        put_vector(body.momentum, b, 0, each(_free(vector_at(body.dt_over_mass, b, 3)), times(j, vector_at(body.v, b, 3))))
 
 
 def momenta(body: Turning) -> np.ndarray:
@@ -287,3 +287,9 @@ def kinetic(body: Turning, masses: np.ndarray, before: np.ndarray) -> float:
     """
     moving = np.sum(masses[:, :3] * before[:, :3] * body.v[:, :3])
     return 0.5 * float(moving + np.sum(before[:, 3:] * body.v[:, 3:]))
+
+
+def rotation_angles(frame: np.ndarray) -> np.ndarray:
+    """(B,) rad of rotations (B, 3, 3)."""
+    sine = np.stack([frame[:, 2, 1] - frame[:, 1, 2], frame[:, 0, 2] - frame[:, 2, 0], frame[:, 1, 0] - frame[:, 0, 1]])
+    return np.arctan2(np.linalg.norm(sine, axis=0), np.einsum("bii->b", frame) - 1.0)

@@ -93,14 +93,14 @@ def _face_corners(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def turning_of(rigid: Rigid, inertia: np.ndarray, apart: np.ndarray, push: np.ndarray) -> Turning:
     """Rigid blocks that turn, and are pushed by patches: push (B, 6), as `apart` written at every step."""
     axes = np.broadcast_to(np.eye(3), (len(rigid.q), 3, 3)) if rigid.axes is None else rigid.axes
-    return turning(rigid, inertia, apart)._replace(pace=in_rows(_held_globally(rigid.pace, axes)), patches=push)
+    return turning(rigid, inertia, apart)._replace(dt_over_mass=in_rows(_held_globally(rigid.dt_over_mass, axes)), patches=push)
 
 
-def _held_globally(pace: np.ndarray, axes: np.ndarray) -> np.ndarray:
+def _held_globally(dt_over_mass: np.ndarray, axes: np.ndarray) -> np.ndarray:
     """Pace (B, 6) whose turns are about x, y, z: a held principal axis lies along one of them."""
     along = np.abs(axes).argmax(axis=1)  # (B, 3): x, y or z of each principal axis
-    found = np.array(pace)
-    np.put_along_axis(found[:, 3:], along, pace[:, 3:], axis=1)
+    found = np.array(dt_over_mass)
+    np.put_along_axis(found[:, 3:], along, dt_over_mass[:, 3:], axis=1)
     return found
 
 
@@ -137,7 +137,7 @@ def near_of(
         unit=blocks.unit.astype(np.int64),
         law_of=law_of,
         bonded=keys(bonded, len(pieces.body)),
-        moves=body.pace.any(axis=1),
+        moves=body.dt_over_mass.any(axis=1),
         mass=mass,
         least=LEAST * size**2,
         position=np.zeros((count, 3)),

@@ -11,7 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from masonry.kernels import contact
-from masonry.kinematics import affine, tets
+from masonry.kernels import patches
+from masonry.kernels.redetection import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST, Near
+from masonry.kinematics import affine, tets, turning
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
 
@@ -42,6 +44,9 @@ def observe(model: Model) -> Observation:
     stored = 0.0
     for g in range(len(shapes)):
         stored += contact.observe(shapes[g], interfaces[g], states[g], bounds[g], bounds[g + 1], *model.contacts, seen)
+    if model.large is not None:
+        seen[2:, ~model.large.alive] = 0.0
+        stored += patches.stored_energy(model.large.near)
     stress = np.zeros((model.blocks.count, 6))
     _, affine_blocks, tet_blocks = model.bodies
     elastic = 0.0
@@ -57,12 +62,16 @@ def observe(model: Model) -> Observation:
 
 def kinetic(model: Model, before: list[np.ndarray]) -> float:
     """v(n-1/2) M v(n+1/2) / 2 (J), with which the balance closes to round-off; `before`: velocities a step earlier."""
+    if model.large is not None:
+        return turning.kinetic(model.bodies.rigid, model.masses["rigid"], before[0])
     pairs = zip(present(model), before, strict=True)
     return 0.5 * sum(float(np.sum(model.masses[kind] * old * body.v)) for (kind, body), old in pairs)
 
 
 def velocities(model: Model) -> list[np.ndarray]:
-    """Copies of the velocities of the bodies that are there."""
+    """Copies of the velocities of the bodies that are there; angular momenta in place of turns where blocks turn."""
+    if model.large is not None:
+        return [turning.momenta(model.bodies.rigid)]
     return [body.v.copy() for _, body in present(model)]
 
 
@@ -72,20 +81,39 @@ def present(model: Model) -> list[tuple[str, Any]]:
 
 
 def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[str, float]:
-    """All terms (J) at this moment, under the names of history.UNITS."""
+    """All terms (J) at this moment, under the names of history.UNITS, and of LARGE_UNITS in large displacement."""
     works = np.sum([body.work.sum(axis=0) for _, body in present(model)], axis=0)
     contact_work, damping, external = -float(works[0]), -float(works[1]), float(works[2])
     spent = model.joints.area @ model.state.spent
     moving = kinetic(model, before)
+    lines = {} if model.large is None else large_lines(model.large.near, float(works[3]))
     return {
         "external_work": external,
         "elastic_blocks": view.elastic_blocks,
         "elastic_contacts": view.elastic_contacts,
         "fracture_mode_1": float(spent[0]),
         "fracture_mode_2": float(spent[1]),
-        "friction": float(spent[2]),
+        "friction": float(spent[2]) + (0.0 if model.large is None else float(model.large.near.account[FRICTION])),
         "damping": damping,
         "kinetic": moving,
         "contact_work": contact_work,
-        "imbalance": external - damping - moving - view.elastic_blocks - contact_work,
+        "imbalance": external - damping - moving - view.elastic_blocks - contact_work - lines.get("rotor", 0.0),
+        **lines,
     }
+
+
+def large_lines(near: Near, rotor: float) -> dict[str, float]:
+    """What large displacement books besides (J): history.LARGE_UNITS says what."""
+    account = near.account
+    return {
+        "rotor": rotor,
+        "dashpot": float(account[DASHPOT]),
+        "redetection": float(account[SHEAR_LOST]),
+        "area": -float(account[NORMAL_GAINED] + account[BORN]),
+    }
+
+
+def open_in_contacts(terms: dict[str, float]) -> float:
+    """Work that contacts took up (J) less all that is known of it: stored, dissipated, and booked at re-detection."""
+    known = ("elastic_contacts", "fracture_mode_1", "fracture_mode_2", "friction", "dashpot", "redetection", "area")
+    return terms["contact_work"] - sum(terms.get(key, 0.0) for key in known)

@@ -35,7 +35,7 @@ class Frames:
         model, seen = self.model, view.seen
         tets = model.bodies.tets
         stress = view.stress.copy()
-        if model.bodies.rigid is not None:
+        if model.bodies.rigid is not None and model.large is None:
             stress[model.layout.members["rigid"]] = self.contact_stress()
         return Frame(
             step=step,
@@ -57,7 +57,11 @@ class Frames:
         nearest node."""
         moved = np.zeros_like(self.arm)
         rigid, affine, _ = self.model.bodies
-        if rigid is not None:
+        if rigid is not None and self.model.large is not None:
+            p = self.points[0]
+            row = self.row[p]
+            moved[p] = rigid.q[:, :3][row] + np.einsum("cij,cj->ci", rigid.frame[row] - np.eye(3), self.arm[p])
+        elif rigid is not None:
             p, (arm_after, arm_next) = self.points[0], self.across
             row = self.row[p]
             turn = np.einsum("bij,bj->bi", self.model.layout.axes[self.model.layout.members["rigid"]], rigid.q[:, 3:])

@@ -71,16 +71,17 @@ class Surroundings:
         held = np.zeros((len(self.holds), 6))
         for k, one in enumerate(self.holds):
             for kind, (rows, mask) in one.parts.items():
-                held[k] += resultant(layout, kind, rows, mask * bodies[kind].hold[rows])
-        loads = self.resultants(layout, shares)
-        return Standing(step, displacement, held, loads, *of_motion(model, before), model.contacts.force.copy())
+                held[k] += resultant(layout, kind, rows, mask * bodies[kind].hold[rows], turning_of(model))
+        loads = self.resultants(layout, shares, turning_of(model))
+        return Standing(step, displacement, held, loads, *of_motion(model, before), acting(model))
 
-    def resultants(self, layout: Layout, shares: list[float]) -> np.ndarray:
-        """(L, 6) of the loads at their shares."""
+    def resultants(self, layout: Layout, shares: list[float], body: Any = None) -> np.ndarray:
+        """(L, 6) of the loads at their shares, where the blocks of a Turning are."""
         found = np.zeros((len(self.loads), 6))
         for k, (one, share) in enumerate(zip(self.loads, shares, strict=True)):
             for kind, (rows, load) in one.parts.items():
-                found[k] += share * resultant(layout, kind, rows, load)
+                acts = load if body is None else globally(layout, rows, load)
+                found[k] += share * resultant(layout, kind, rows, acts, body)
         return found
 
     def along(self, layout: Layout, axis: int | None) -> np.ndarray:
@@ -116,17 +117,40 @@ def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.nd
     """
     damping, inertia = np.zeros(6), np.zeros(6)
     for (kind, body), old in zip(present(model), before, strict=True):
-        masses, rows = model.masses[kind], np.arange(len(body.v))
-        damping += resultant(model.layout, kind, rows, np.where(masses > 0.0, body.hold, 0.0))
-        inertia -= resultant(model.layout, kind, rows, masses * (body.v - old) / model.dt)
+        masses, rows, turning = model.masses[kind], np.arange(len(body.v)), turning_of(model)
+        gained = masses * (body.v - old)
+        if turning is not None:
+            gained[:, 3:] = turning.momentum - old[:, 3:]
+        damping += resultant(model.layout, kind, rows, np.where(body.dt_over_mass > 0.0, body.hold, 0.0), turning)
+        inertia -= resultant(model.layout, kind, rows, gained / model.dt, turning)
     return damping, inertia
 
 
-def resultant(layout: Layout, kind: str, rows: np.ndarray, forces: np.ndarray) -> np.ndarray:
+def acting(model: Model) -> np.ndarray:
+    """(C, 3) N, the forces of the contacts on their side a."""
+    return (model.contacts.force if model.large is None else model.large.bonds.force).copy()
+
+
+def turning_of(model: Model) -> Any:
+    """The rigid blocks where they turn as far as they like, else None."""
+    return None if model.large is None else model.bodies.rigid
+
+
+def globally(layout: Layout, rows: np.ndarray, load: np.ndarray) -> np.ndarray:
+    """Loads (n, 6) on rigid blocks with moments about x, y, z, from those about their principal axes at the start."""
+    axes = layout.axes[layout.members["rigid"][rows]]
+    return np.column_stack([load[:, :3], np.einsum("bij,bj->bi", axes, load[:, 3:])])
+
+
+def resultant(layout: Layout, kind: str, rows: np.ndarray, forces: np.ndarray, turning: Any = None) -> np.ndarray:
     """(6,) force (N) and moment (N m) about the origin of generalised forces (n, freedoms) on rows of a kind.
 
-    The arms are those before loading, as everywhere in a model of small rotations.
+    The arms are those before loading, as everywhere in a model of small rotations; those now for blocks of a Turning.
     """
+    if turning is not None:
+        place = layout.centroid[layout.members["rigid"][rows]] + turning.q[rows, :3]
+        moment = forces[:, 3:] + np.cross(place, forces[:, :3])
+        return np.concatenate([forces[:, :3].sum(axis=0), moment.sum(axis=0)])
     assert forces.shape[1] == FREEDOMS[kind]
     force = forces[:, :3]
     if kind == "tets":

@@ -4,8 +4,10 @@ import numpy as np
 
 from masonry.errors import Stopped
 from masonry.kinematics.tets import mean_turn
+from masonry.kinematics.turning import rotation_angles
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
+from masonry.monitors.energy import open_in_contacts
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.snap_back import SnapBack
 from masonry.runtime.state import State
@@ -71,8 +73,7 @@ class Watch(Observer):
         """
         terms = view.terms
         self.work = max(self.work, abs(terms["external_work"]))
-        spent = terms["fracture_mode_1"] + terms["fracture_mode_2"] + terms["friction"]
-        torn = abs(terms["contact_work"] - terms["elastic_contacts"] - spent)
+        torn = abs(open_in_contacts(terms))
         if self.work > 0.0 and (abs(terms["kinetic"]) > RINGING * self.work or torn > TORN_LEDGER * self.work):
             self._stop_unstable(step)
         return {"rotation": self.rotation}
@@ -93,7 +94,9 @@ class Watch(Observer):
     def _check_rotation(self, step: int) -> None:
         rigid, affine, tets = self.model.bodies
         turns = []
-        if rigid is not None:
+        if self.model.large is not None:
+            self.rotation = max(self.rotation, float(rotation_angles(rigid.frame).max()))
+        elif rigid is not None:
             turns.append((np.abs(rigid.q[:, 3:]), "rigid"))
         if affine is not None:
             h = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), self.model.layout.axes[self.affine])

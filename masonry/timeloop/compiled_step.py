@@ -12,6 +12,7 @@ from masonry.kernels.step import advance
 from masonry.loading.scheduled import Chunk
 from masonry.model.model import Model
 from masonry.monitors import energy
+from masonry.timeloop.large_motion import advance_large
 
 
 def compile_for(model: Model, threads: int) -> None:
@@ -54,6 +55,9 @@ def interrupt_afterwards() -> Iterator[None]:
 
 def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, gauge: np.ndarray) -> None:
     """Take some compiled steps of a chunk; gauge (steps,) N out: force of the drive after each."""
+    if model.large is not None:
+        advance_large(model, chunk, first, steps, gauge)
+        return
     advance(
         True if threads > 1 else None,
         first,

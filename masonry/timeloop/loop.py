@@ -6,13 +6,14 @@ from dataclasses import fields
 
 import numpy as np
 
-from masonry.history import UNITS, Frame
+from masonry.history import LARGE_UNITS, UNITS, Frame
 from masonry.kernels.step import reaction
 from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.cycles import reached
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.model.model import Model
 from masonry.monitors import energy
+from masonry.monitors.collapse import Collapse
 from masonry.monitors.collision import Collision
 from masonry.monitors.frames import Frames
 from masonry.monitors.mode_2_area import LawArea
@@ -51,15 +52,14 @@ class Loop:
         self.threads, self.outcome = threads, outcome
         self.place = self.share = 0.0
         self.done = self.frames_done = 0
-        self.rows: Columns = {key: [] for key in (*UNITS, *(gauge.name for gauge in recording.gauges))}
+        large = () if model.large is None else LARGE_UNITS
+        self.rows: Columns = {key: [] for key in (*UNITS, *large, *(gauge.name for gauge in recording.gauges))}
         self.observed: Columns = {}
         self.watch = Watch(model, recording.rotation_limit)
         self.observers: dict[str, Observer] = {  # those that may end the run first: others see only rows that are kept
             "watch": self.watch,
-            "slide": Slide(model, recording.slip_limit),
-            "collision": Collision(model, recording.sets),
+            **(small_limits(model, recording) if model.large is None else {"collapse": Collapse(model)}),
             "settling": Settling(),
-            "openings": Openings(model),
             "law_area": LawArea(model),
             "work_of_loads": WorkOfLoads(recording.surroundings),
         }
@@ -266,3 +266,12 @@ def append(columns: Columns, row: dict[str, float]) -> None:
 
 def _kept(kept: Frame | Standing) -> State:
     return {entry.name: getattr(kept, entry.name) for entry in fields(kept)}
+
+
+def small_limits(model: Model, recording: Recording) -> dict[str, Observer]:
+    """What ends a run, or is doubted, where contacts stay those of the undeformed shape."""
+    return {
+        "slide": Slide(model, recording.slip_limit),
+        "collision": Collision(model, recording.sets),
+        "openings": Openings(model),
+    }

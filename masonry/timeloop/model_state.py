@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from masonry.model.large import Large
 from masonry.model.model import Model
 from masonry.monitors.energy import present
 from masonry.runtime.state import Damaged, add_array
@@ -22,7 +23,19 @@ def changing(model: Model) -> dict[str, np.ndarray]:
     for g, memory in enumerate((model.state, *model.groups.states)):
         seen = {id(array) for array in found.values()}
         found |= {f"memory.{g}.{k}": array for k, array in enumerate(memory) if id(array) not in seen}
+    if model.large is not None:
+        found |= large_arrays(model.large, model.bodies.rigid)
     return {name: array for name, array in found.items() if array is not None}
+
+
+def large_arrays(large: Large, body: Any) -> dict[str, np.ndarray]:
+    """What large displacement changes besides."""
+    near = large.near
+    parts = {"pairs": near.pairs, "points": near.points}
+    found = {"frame": body.frame, "momentum": body.momentum, "patches": body.patches, "account": near.account}
+    found |= {"apart": large.bonds.apart, "bond_u": large.bonds.u, "bond_force": large.bonds.force}
+    found |= {"travel": near.motion.travel, "built": near.search.built, "flag": near.search.flag, "alive": large.alive}
+    return found | {f"{name}.{k}": array for name in ("pairs", "points") for k, array in enumerate(parts[name])}
 
 
 def state(model: Model) -> dict[str, np.ndarray]:

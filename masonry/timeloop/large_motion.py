@@ -1,0 +1,63 @@
+"""Steps of large displacement: where a step lacks room for what blocks meet, it gets more and goes on."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from masonry.detection.broad import cells_for
+from masonry.errors import Stopped
+from masonry.kernels.large_step import advance
+from masonry.kernels.redetection import NEED_PAIRS, TOO_DEEP, Near, copy_pairs, no_pairs, no_points
+from masonry.loading.scheduled import Chunk
+from masonry.model.model import Model
+
+
+def advance_large(model: Model, chunk: Chunk, first: int, steps: int, gauge: np.ndarray) -> None:
+    """Take some compiled steps of a chunk, as advance_model. Raises Stopped where blocks overlap deeply at once."""
+    done = 0
+    while done < steps or steps == 0:
+        assert model.large is not None
+        done += advance(
+            *(first + done, steps - done, model.dt, model.damping, chunk.dead_load, chunk.speed),
+            *(tuple(model.groups), tuple(model.contacts), model.large.bonds, tuple(model.bodies), model.drives),
+            *(model.large.near, gauge[done:]),
+        )
+        if done == steps:
+            return
+        make_room(model)
+
+
+def make_room(model: Model) -> None:
+    """Twice the room for pairs, or for the points of those that touch."""
+    assert model.large is not None
+    near, why, pair = model.large.near, *model.large.near.search.flag[:2]
+    if why == TOO_DEEP:
+        a, b = near.pairs.body[pair]
+        raise Stopped(
+            f"blocks {a} and {b} overlap at once by more than a hundredth of their size: the step or the skin is too "
+            "long for their speed, or they overlapped from the start"
+        )
+    model.large = replace(model.large, near=_more_pairs(near) if why == NEED_PAIRS else _more_points(near))
+
+
+def _more_pairs(near: Near) -> Near:
+    room = 2 * int(max(near.search.flag[1], len(near.pairs.slot)))
+    pairs, found = no_pairs(room), np.zeros((room, 2), dtype=np.int64)
+    copy_pairs(near.pairs, pairs)
+    near.search.built[:] = -np.inf  # the search that found no room begins again
+    return near._replace(
+        pairs=pairs,
+        before=no_pairs(room),
+        cells=cells_for(near.pieces, room),
+        search=near.search._replace(found=found),
+    )
+
+
+def _more_points(near: Near) -> Near:
+    had, most = near.points.area.shape
+    points = no_points(2 * had, most)
+    for old, new in zip(near.points[:-1], points[:-1], strict=True):
+        new[:had] = old
+    points.free[:had] = np.arange(had, 2 * had)[::-1]
+    points.free[-1] = had
+    return near._replace(points=points)
