@@ -27,9 +27,13 @@ drive, `support_stress` at the support, `force` is that of the drive;
 `contact_work` is the trapezoid work that the contacts took up, `imbalance` what is left of the energy balance."""
 
 
+TILT = "tilt_of_gravity"
+"""The column (rad) of a run whose gravity is turned."""
+
+
 def unit_of(column: str) -> str:
-    """Of a column of a history; all that are not in UNITS are gauges."""
-    return UNITS.get(column, "m")
+    """Of a column of a history; all that are not in UNITS are gauges, but for the tilt."""
+    return "rad" if column == TILT else UNITS.get(column, "m")
 
 
 @dataclass(frozen=True)

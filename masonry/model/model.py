@@ -52,6 +52,7 @@ class Model:
     cost: StepCost | None
     varying: list[dict[str, np.ndarray | None]]
     scaled: bool = True
+    motion: dict[str, np.ndarray] | None = None
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
         """Groups, contacts, bodies and drives as kernels.step.advance takes them: plain tuples, as named ones within
@@ -144,6 +145,7 @@ def build(
         cost=step_cost(layout, sums, real, free, stepping.masses == "scaled"),
         varying=conditions.varying,
         scaled=stepping.masses == "scaled",
+        motion=conditions.motion,
     )
 
 

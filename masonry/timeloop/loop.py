@@ -13,6 +13,7 @@ from masonry.loading.dispatch import Pace
 from masonry.loading.scheduled import Chunk
 from masonry.loading.varying_loads import VaryingLoading
 from masonry.model.model import Model
+from masonry.model.motion import set_off
 from masonry.monitors import energy
 from masonry.monitors.collision import Collision
 from masonry.monitors.mode_2_area import LawArea
@@ -75,6 +76,8 @@ class Loop:
             self.pace.feel(self.done, before)
             if chunk.row:
                 self.close_row(before, progress)
+            if self.done == self.settle:
+                set_off(self.model, before)
             if keeper is not None and keeper.look(self):
                 self.outcome.interrupted = True
                 return

@@ -107,7 +107,7 @@ def test_overrides_from_python_may_be_values():
     scene = load("couplet", overrides)
     assert scene.drive.steps == 7
     assert (scene.contact["unit_unit"].law, scene.contact["within_units"].law) == ("brittle", "exponential")
-    assert scene.gravity == (0.0, 0.0, -9.81)
+    assert scene.gravity.vector == (0.0, 0.0, -9.81)
     assert overrides["gravity"] == {"z": "-9.81 m/s^2"}
 
 
