@@ -103,7 +103,7 @@ class SceneData(Table):
                 del data["solver"][key]
         else:
             del data["displacements"]
-        return {key: value for key, value in data.items() if value not in ((), {})}
+        return {key: value for key, value in data.items() if value not in ((), {}) or key == "floor"}
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
@@ -144,6 +144,8 @@ class SceneData(Table):
             raise KeyedError("curve.x", f"'{self.curve.x[:60]}' is no gauge; allowed: {', '.join(across)}")
 
     def _kinematics_have_what_they_need(self) -> None:
+        if self.kinematics_of("floor") != "rigid" and self.is_floor("floor") and "floor" not in self.material:
+            raise KeyedError("kinematics.floor", "a floor that is not rigid needs its own table [material.floor]")
         for group, material in self.material.items():
             motion = self.kinematics_of(group)
             for key in ("young_modulus", "poisson_ratio"):

@@ -92,19 +92,28 @@ def test_a_spin_about_a_point_leaves_it_where_it_is():
     assert v[3:] == pytest.approx((0, 1, 0))
 
 
-def test_a_block_that_stands_is_set_off_once_its_weight_has_settled():
-    """A block that slides without friction and weighs on its base: the blow comes after the settling, and is booked."""
+def standing(velocity: str, settle: int):
+    """A block that slides without friction and weighs on its base."""
     slippery = ELASTIC.replace("80 GPa/m", "0 GPa/m").replace("200 GPa/m", "1 GPa/m")
     boxes = [box("base", (0, 0, 0), (1, 0.1, 0.1), "units", 0), box("free", (0.4, 0, 0.1), (0.2, 0.1, 0.1), "units", 1)]
-    scene = load(
+    return load(
         specimen(boxes, 0.01)
         + tables("material", {"units": MATERIAL})
         + tables("contact", {"unit_unit": slippery})
         + listed("support", ['on = "base"\nfix = "all"', 'on = "free"\nfix = ["y", "rotation"]'])
-        + listed("motion", ['on = "free"\nvelocity = ["1 m/s", 0, 0]'])
-        + '[gravity]\nz = "-9.81 m/s^2"\n[settle]\nsteps = 2500\n'
+        + listed("motion", [f'on = "free"\nvelocity = {velocity}'])
+        + f'[gravity]\nz = "-9.81 m/s^2"\n[settle]\nsteps = {settle}\n'
         + '[solver]\nmasses = "real"\ndamping = 0.1\nduration = "0.01 s"\nslip_limit = 10\n'
     )
+
+
+def test_a_blow_upon_what_moves_already_is_booked_to_rounding():
+    rows = laboratory.run(standing('[0, 0, "1 mm/s"]', 7)).history.rows
+    assert np.abs(rows["imbalance"]).max() < 1e-12 * np.abs(rows["external_work"]).max()
+
+
+def test_a_block_that_stands_is_set_off_once_its_weight_has_settled():
+    scene = standing('["1 m/s", 0, 0]', 2500)
     built = assemble(scene)
     assert not built.model.bodies.rigid.v.any(), "it settles first"
     assert 2500 in built.plan.marks
@@ -114,6 +123,11 @@ def test_a_block_that_stands_is_set_off_once_its_weight_has_settled():
     assert rows["kinetic"][~before][0] == pytest.approx(0.5 * mass, rel=2e-2)
     assert np.diff(rows["external_work"])[before.sum() - 1] == pytest.approx(0.5 * mass, rel=1e-2)
     assert np.abs(rows["imbalance"]).max() < 1e-12 * rows["external_work"].max()
+
+
+def test_a_flight_whose_time_step_nothing_limits_needs_one():
+    with pytest.raises(SceneError, match="nothing here limits the time step; give one"):
+        assemble(flight(step="0.9 s", gravity=GRAVITY).with_({"solver.time_step": "gershgorin"}))
 
 
 def test_what_is_held_or_no_whole_block_cannot_be_set_in_motion():

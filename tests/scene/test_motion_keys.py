@@ -49,6 +49,7 @@ WHOLE = {
     "history": scene(more=GRAVITY + 'history = "sin(2 pi t / 1 s)"\nduration = "2 s"\n'),
     "motion": scene(more=MOTION + 'about = ["1 mm", 0, "0 m"]\n' + REAL),
     "floor": scene(more=GRAVITY + '[floor]\nlevel = "-1 m"\nsize = ["3 m", "2 m"]\nthickness = "0.5 m"\n'),
+    "plain floor": scene(more=GRAVITY + "[floor]\n"),
     "turned": scene(specimen='turned = {about = "y", angle = "5 deg", through = ["1 mm", "0 m", "0 m"]}'),
     "at once": scene(more=GRAVITY + "[settle]\nsteps = 0\n" + REAL),
 }
@@ -60,6 +61,7 @@ def test_a_scene_with_such_keys_is_written_and_read_again_bit_by_bit(name, tmp_p
     path.write_text(to_toml(WHOLE[name]), encoding="utf-8")
     again = load(path)
     assert to_toml(again) == to_toml(WHOLE[name])
+    assert (again.floor is None, again.gravity) == (WHOLE[name].floor is None, WHOLE[name].gravity)
     assert again.resolved() == {**WHOLE[name].resolved()}
 
 
@@ -129,6 +131,7 @@ WRONG = {
     ),
     "curve": ({"more": GRAVITY + '[curve]\nx = "tilt_of_gravity"\n'}, "'tilt_of_gravity' is no gauge"),
     "floor": ({"more": GRAVITY + '[floor]\nlevl = "0 m"\n'}, "floor.levl: unknown key; did you mean 'level'?"),
+    "soft floor": ({"top": 'kinematics = {floor = "affine"}', "more": GRAVITY + "[floor]\n"}, "kinematics.floor: a fl"),
     "turned": ({"specimen": 'turned = {about = "y"}'}, "specimen.turned.angle: missing; angle is an angle"),
 }
 
