@@ -32,9 +32,13 @@ LARGE_UNITS = {"rotor": "J", "dashpot": "J", "redetection": "J", "area": "J"}
 energy lost as contacts were detected anew; what pressed areas that went or shrank held, less those that came or grew."""
 
 
+TILT = "tilt_of_gravity"
+"""The column (rad) of a run whose gravity is turned."""
+
+
 def unit_of(column: str) -> str:
-    """Of a column of a history; all that are not in UNITS are gauges."""
-    return UNITS.get(column) or LARGE_UNITS.get(column, "m")
+    """Of a column of a history; all that are not in UNITS are gauges, but for the tilt."""
+    return "rad" if column == TILT else UNITS.get(column) or LARGE_UNITS.get(column, "m")
 
 
 @dataclass(frozen=True)

@@ -31,6 +31,7 @@ KINDS = {
     "time": Kind("a time", "s", "1e-6 s"),
     "angle": Kind("an angle", "rad", "45 deg"),
     "velocity": Kind("a velocity", "m/s", "0.1 mm/s"),
+    "angular velocity": Kind("an angular velocity", "rad/s", "2 rad/s"),
     "acceleration": Kind("an acceleration", "m/s^2", "-9.81 m/s^2"),
     "density": Kind("a density", "kg/m^3", "1900 kg/m^3"),
     "stress": Kind("a stress", "Pa", "0.5 MPa"),

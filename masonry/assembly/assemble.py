@@ -8,19 +8,22 @@ from geometry.blocks import Blocks, Joints, Specimen, TetMesh
 from geometry.joints import find as joint_search
 from geometry.meshes.fan_tets import within
 from geometry.polyhedra import overlaps
+from geometry.specimens.placed import with_empty_blocks
 from masonry.assembly.conditions import conditions_of
+from masonry.assembly.contact_pairs import Pairs, meetings_of, pairs_of
 from masonry.assembly.gauge_places import gauges_of
 from masonry.assembly.restraint import require_held
 from masonry.assembly.scatter import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of
 from masonry.assembly.size_limits import require_sane_size
-from masonry.assembly.specimens import blocks_from, is_outside, specimen_of
+from masonry.assembly.specimens import as_turned, blocks_from, is_outside, specimen_of
 from masonry.errors import SceneError, nearest
 from masonry.laws import factory as law_build
 from masonry.loading.predictor import LITTLE
 from masonry.model import loads, model
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.layout import Material, lay_out
+from masonry.model.motion import begin
 from masonry.monitors.reactions import Surroundings
 from masonry.scene import Scene
 from masonry.timeloop.recording import Recording
@@ -28,7 +31,8 @@ from masonry.timeloop.recording import Recording
 
 @dataclass(frozen=True)
 class Assembly:
-    """All that a run needs, built from a scene; `joints` in the order of the model's contacts."""
+    """All that a run needs, built from a scene; `joints` in the order of the model's contacts; `pairs` in large
+    displacement only: what serves blocks that meet, whatever their groups."""
 
     scene: Scene
     specimen: Specimen
@@ -38,6 +42,7 @@ class Assembly:
     plan: loads.Program | loads.Controlled
     recording: Recording
     drawn: list[Drawn]
+    pairs: Pairs | None = None
 
 
 def assemble(scene: Scene) -> Assembly:
@@ -46,21 +51,19 @@ def assemble(scene: Scene) -> Assembly:
     blocks = specimen.blocks
     _require_groups(scene, blocks.groups)
     _require_contact_groups(scene, specimen, joints)
+    compressions = sorted({0.0, scene.confinement or 0.0})
+    pairs = pairs_of(scene, blocks, compressions) if scene.is_large else None
     mesh, joints = meshed(scene, blocks, joints)
     kinds = {g: scene.kinematics_of(g) for g in blocks.groups}
     names, group, joints = model.sort_by_group(blocks, joints)
-    materials = {
-        g: Material(m.density, m.young_modulus, m.poisson_ratio)
-        for g, m in scene.material.items()
-        if g in blocks.groups
-    }
+    materials = {g: _material(scene, g) for g in blocks.groups}
     layout = lay_out(blocks, kinds, mesh)
     conditions = conditions_of(scene, specimen, layout, joints, materials)
-    require_held(specimen, joints, layout, conditions, loaded=bool(scene.traction) or scene.gravity is not None)
-    for varying in conditions.varying:
-        require_held(specimen, joints, layout, replace(conditions, load=varying), loaded=True)
-    compressions = sorted({0.0, scene.confinement or 0.0})
-    given = {name: scene.contact[name].properties(scene.turns_back) for name in names}
+    if scene.must_stand:
+        require_held(specimen, joints, layout, conditions, loaded=bool(scene.traction) or scene.gravity is not None)
+        for varying in conditions.varying:
+            require_held(specimen, joints, layout, replace(conditions, load=varying), loaded=True)
+    given = {name: scene.contact_of(name).properties(scene.turns_back) for name in names}
     laws = {name: law_build.build(name, given[name], compressions) for name in names}
     drawn = _draws(scene, blocks, joints, names, group)
     laws |= {d.group: laws_of(d, given[d.group], compressions) for d in drawn}
@@ -72,15 +75,18 @@ def assemble(scene: Scene) -> Assembly:
         raise SceneError(
             'solver.time_step = "equation-11" needs solver.masses = "real": scaled masses have one bound of their own'
         )
-    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout)
+    meetings = None if pairs is None else meetings_of(pairs)
+    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings)
     plan = plan_of(scene, built.dt)
+    if plan.settle == 0 and isinstance(plan, loads.Program):
+        begin(built, None if plan.varying is None else plan.varying[:, 0], scene.has_dead_loads)
     sign = scene.drive.sign if scene.drive else 1.0
     gauges = gauges_of(scene, specimen, joints, layout)
     recording = Recording(
         *(specimen.section, sign, s.rows, s.rotation_limit, gauges, s.frames, s.slip_limit, specimen.sets),
         *(Surroundings(conditions), None if scene.drive is None else "xyz".index(scene.drive.direction[-1])),
     )
-    return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn)
+    return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn, pairs)
 
 
 def joined(scene: Scene) -> tuple[Specimen, Joints]:
@@ -104,6 +110,7 @@ def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None
     if spec.kind == "file" and not spec.is_divided and (own := blocks_from(spec.path)[1]) is not None:
         from geometry.meshes.nonmatching import surface_joints
 
+        own = with_empty_blocks(replace(own, nodes=as_turned(scene, own.nodes)), blocks)
         mesh = within(own, wanted)
         if np.all(wanted == (np.diff(mesh.tet_start) > 0)):
             return mesh, surface_joints(blocks, joints, mesh)
@@ -133,9 +140,17 @@ def _draws(scene: Scene, blocks: Blocks, joints: Joints, names: tuple[str, ...],
     ]
 
 
+def _material(scene: Scene, group: str) -> Material:
+    """Of a group of blocks; a floor that has no table weighs what the densest group does: it does not move."""
+    if group not in scene.material:
+        return Material(max(material.density for material in scene.material.values()))
+    of = scene.material[group]
+    return Material(of.density, of.young_modulus, of.poisson_ratio)
+
+
 def _require_groups(scene: Scene, groups: tuple[str, ...]) -> None:
     for group in groups:
-        if group not in scene.material:
+        if group not in scene.material and not scene.is_floor(group):
             raise SceneError(f"[material.{group}] is missing: the specimen has blocks of group '{group}'")
     for group in scene.material:
         if group not in groups:
@@ -149,12 +164,12 @@ def _require_contact_groups(scene: Scene, specimen: Specimen, joints: Joints) ->
     """Every group that occurs has a table; every table names a group that this specimen can have."""
     occurring = model.contact_groups(specimen.blocks, joints)[0]
     for name in occurring:
-        if name not in scene.contact:
+        if name not in scene.contact and not scene.is_large:  # there pairs_of asks for all that may come to meet
             raise SceneError(
                 f"[contact.{name}] is missing: the specimen has such contacts; {nearest(name, scene.contact)}"
             )
     groups = specimen.blocks.groups
     possible = {contact_group_name(g, h, same) for g in groups for h in groups for same in (True, False)}
     for name in scene.contact:
-        if name not in possible:
+        if name not in possible and name != "default":
             raise SceneError(f"[contact.{name}]: no such contacts in this specimen; {nearest(name, possible)}")

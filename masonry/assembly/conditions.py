@@ -6,9 +6,11 @@ import numpy as np
 
 from geometry.blocks import GeometryError, Joints, Specimen
 from geometry.joints import boundary
+from geometry.specimens.placed import FLOOR
 from masonry.errors import SceneError, nearest
 from masonry.model import loads
-from masonry.model.layout import KINDS, Layout, Material
+from masonry.model.layout import FREEDOMS, KINDS, Layout, Material
+from masonry.model.motion import rows_of, velocities_of
 from masonry.model.supports import Hold, held_freedoms
 from masonry.quantity import parse
 from masonry.scene import Scene
@@ -29,6 +31,10 @@ def conditions_of(
         hold = Hold(chosen, axes, _turns(support.fix), faces, f"support.{k}")
         conditions.held_by[hold.name] = held_freedoms(blocks, layout, hold)
         _add(conditions.supported, conditions.held_by[hold.name])
+    if scene.floor is not None:
+        hold = Hold(specimen.sets[FLOOR], (0, 1, 2), (0, 1, 2), None, FLOOR)
+        conditions.held_by[FLOOR] = held_freedoms(blocks, layout, hold)
+        _add(conditions.supported, conditions.held_by[FLOOR])
     _add(conditions.prescribed, conditions.supported)
     if scene.drive is not None:
         chosen, faces = select(specimen, joints, scene.drive.on, "drive.on")
@@ -54,11 +60,41 @@ def conditions_of(
             conditions.varying.append(load)
     if scene.gravity is not None:
         density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
-        weight: dict[str, np.ndarray | None] = dict.fromkeys(KINDS)
-        loads.add_gravity(layout, weight, density, np.array(scene.gravity))
-        conditions.each_load["gravity"] = weight
-        loads.add_load(layout, conditions.load, weight)
+        for name, (acceleration, path) in scene.gravity.parts.items():
+            weight: dict[str, np.ndarray | None] = dict.fromkeys(KINDS)
+            loads.add_gravity(layout, weight, density, acceleration)
+            conditions.each_load[name] = weight
+            if path is None:
+                loads.add_load(layout, conditions.load, weight)
+            else:
+                conditions.varying.append(weight)
+    _set_moving(scene, specimen, joints, layout, conditions)
     return conditions
+
+
+def _set_moving(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:
+    """The velocities and spins with which blocks start; those that several entries name move by the sum."""
+    if not scene.motion:
+        return
+    motion = {kind: np.zeros((layout.rows(kind), FREEDOMS[kind])) for kind in KINDS}
+    spin = np.zeros((specimen.blocks.count, 3))
+    for k, given in enumerate(scene.motion):
+        where = f"motion.{k}.on"
+        chosen, faces = select(specimen, joints, given.on, where)
+        if faces is not None:
+            raise SceneError(f"{where} = '{given.on}': whole blocks start in motion; name a set, without a face")
+        volume = layout.volume[chosen]
+        centre = np.average(layout.centroid[chosen], axis=0, weights=volume) if given.about is None else given.about
+        turn = np.array(given.spin)
+        spin[chosen] += turn
+        for kind in KINDS:
+            if len(rows := rows_of(layout, kind, chosen)) == 0:
+                continue
+            moves = velocities_of(layout, kind, rows, np.array(given.velocity), turn, np.array(centre))
+            if (moves[conditions.prescribed[kind][rows]] != 0.0).any():
+                raise SceneError(f"{where} = '{given.on}': a support or the drive holds what this sets in motion")
+            motion[kind][rows] += moves
+    conditions.motion, conditions.spin = motion, spin
 
 
 def _turns(fix: tuple[str, ...]) -> tuple[int, ...]:

@@ -1,6 +1,7 @@
 """From a scene's words to the plan of its loading: how many steps, and what happens at each."""
 
 from dataclasses import replace
+from math import ceil
 
 import numpy as np
 
@@ -16,10 +17,64 @@ FEWEST = 2000
 tries so many first."""
 
 
+TILTED = 1e-7
+"""Of gravity: how far it may be from where it is turned to. A row reads its direction ten times as well as 1e-6 rad."""
+
+
 def plan_of(scene: Scene, dt: float) -> Program | Controlled:
     """The plan for steps of dt (s): a fixed program, or a drive that is paced by its error."""
+    plan = _loading(scene, dt)
+    if isinstance(plan, Controlled):
+        return plan
+    if scene.gravity is not None and scene.gravity.tilt is not None:
+        plan = replace(plan, straight=TILTED)
+    if scene.solver.until is not None:
+        plan = replace(plan, rest_from=plan.steps)
+    if scene.motion and plan.settle:
+        plan = replace(plan, marks=np.union1d(plan.marks, [plan.settle]))
+    if scene.solver.duration is not None:
+        if not (np.isfinite(dt) or scene.is_large):
+            raise SceneError("solver.time_step: nothing here limits the time step; give one, for example '1e-5 s'")
+        plan = _going_on(plan, ceil(min(scene.solver.duration / dt, 1e18)), dt)
+    if scene.has_dead_loads and plan.settle == 0:  # the first half step of them is in the velocities: motion.begin
+        plan = replace(plan, dead_load=np.where(np.arange(plan.steps + 1) > 0, 1.0, 0.0))
+    return plan
+
+
+def _going_on(plan: Program, steps: int, dt: float) -> Program:
+    """A plan that ends so many steps after the settling, if it would end before: all loads stay, the drive rests."""
+    more = plan.settle + steps - plan.steps
+    require_few(plan.settle + steps, dt)
+    if more <= 0:
+        return plan
+    varying = None if plan.varying is None else np.pad(plan.varying, ((0, 0), (0, more)), mode="edge")
+    return replace(
+        plan,
+        dead_load=np.pad(plan.dead_load, (0, more), mode="edge"),
+        speed=np.pad(plan.speed, (0, more)),
+        varying=varying,
+    )
+
+
+def tilt_at(scene: Scene, plan: Program | Controlled, steps: np.ndarray) -> np.ndarray | None:
+    """(n,) rad, by how much gravity is turned at some steps; None where it never is."""
+    if scene.gravity is None or scene.gravity.tilt is None or isinstance(plan, Controlled) or plan.varying is None:
+        return None
+    k = [name for name, (_, path) in scene.gravity.parts.items() if path is not None].index("gravity cos")
+    cos, sin = plan.varying[len(plan.varying) - len(scene.gravity.paths) + k :][:2, steps.astype(np.int64)]
+    return np.asarray(np.arctan2(sin, cos))
+
+
+def _loading(scene: Scene, dt: float) -> Program | Controlled:
+    """What drive, dead loads and histories ask for."""
     settle = scene.settle.steps if scene.settle else FEWEST * scene.has_dead_loads
-    drive, loads = scene.drive, [traction.path for traction in scene.traction if traction.path is not None]
+    drive, loads = scene.drive, [path for traction in scene.traction for path in traction.paths]
+    if scene.gravity is not None:
+        loads += scene.gravity.paths
+        if scene.gravity.tilt is not None and scene.gravity.tilt.steps is not None:
+            count = scene.gravity.tilt.steps + 1
+            require_few(settle + count, dt)
+            return followed(dt, settle, np.zeros(count), _shares(loads, settle, count))
     if loads or (drive is not None and drive.history is not None):
         return _along_histories(drive, loads, settle, dt)
     if drive is None:

@@ -6,12 +6,15 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from geometry.blocks import Specimen, TetMesh
 from geometry.cells.request import CellsAsked
 from geometry.files.blocks_h5 import load_blocks
 from geometry.specimens.arch import arch
 from geometry.specimens.bending import bending
 from geometry.specimens.boxes import boxes
+from geometry.specimens.placed import on_floor, turned
 from geometry.specimens.stacked import couplet, prism
 from geometry.specimens.wallette import wallette
 from masonry.errors import SceneError
@@ -25,7 +28,16 @@ from masonry.scene.tables.specimen_plugins import built
 def specimen_of(scene: Scene) -> Specimen:
     """The blocks of a scene, with named sets; raises GeometryError for what cannot be built."""
     found, section = _specimen_of(scene), scene.specimen.section
-    return found if section is None else replace(found, section=section)
+    found = found if section is None else replace(found, section=section)
+    if scene.specimen.turned is not None:
+        found = replace(found, blocks=replace(found.blocks, points=as_turned(scene, found.blocks.points)))
+    return found if scene.floor is None else on_floor(found, scene.floor.level, scene.floor.size, scene.floor.thickness)
+
+
+def as_turned(scene: Scene, points: np.ndarray) -> np.ndarray:
+    """Points (n, 3) m of the specimen as it was built, where it stands in the scene."""
+    turn = scene.specimen.turned
+    return points if turn is None else turned(points, np.eye(3)["xyz".index(turn.about)], turn.angle, turn.through)
 
 
 def _specimen_of(scene: Scene) -> Specimen:

@@ -97,7 +97,9 @@ def _options(
     groups = [
         name
         for name in assembly.model.group_names
-        if contact[name].law not in ("elastic", *without) and all(getattr(contact[name], need) for need in needs)
+        if name in contact
+        and contact[name].law not in ("elastic", *without)
+        and all(getattr(contact[name], need) for need in needs)
     ]
     return [
         Variant(kind, f"{kind} {text}", {f"contact.{_quoted(name)}.{key}": word for name in groups})

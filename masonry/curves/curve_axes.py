@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from masonry.history import TILT
 from masonry.loading.cycles import at_peak
 
 if TYPE_CHECKING:
@@ -39,6 +40,8 @@ def curve_axes(result: "ResultData") -> CurveAxes:
     across = across if across in rows else "displacement"
     if not rows["displacement"].any() and across == "displacement":
         return CurveAxes(rows["time"], "time [s]", name, unit, factor)
+    if across == TILT:
+        return CurveAxes(np.degrees(rows[TILT]), "tilt of gravity [deg]", name, unit, factor)
     return CurveAxes(rows[across] * 1e3, f"{across} [mm]", name, unit, factor)
 
 

@@ -108,7 +108,11 @@ def _inertia_now(q, inertia):
 @register_jitable
 def _free(dt_over_mass):
     """1 for each axis that a block turns about freely, 0 where that is prescribed, of its three paces."""
-    return where(dt_over_mass[0] > 0.0, 1.0, 0.0), where(dt_over_mass[1] > 0.0, 1.0, 0.0), where(dt_over_mass[2] > 0.0, 1.0, 0.0)
+    return (
+        where(dt_over_mass[0] > 0.0, 1.0, 0.0),
+        where(dt_over_mass[1] > 0.0, 1.0, 0.0),
+        where(dt_over_mass[2] > 0.0, 1.0, 0.0),
+    )
 
 
 @register_jitable
@@ -272,7 +276,9 @@ def spin(body):
     """Give every block the momentum that belongs to v, after v was set from outside; none about held axes."""
     for b in range(len(body.q)):
         j = _inertia_now(_principal(body.axes, b, matrix_at(body.frame, b)), vector_at(body.inertia, b, 0))
-        put_vector(body.momentum, b, 0, each(_free(vector_at(body.dt_over_mass, b, 3)), times(j, vector_at(body.v, b, 3))))
+        put_vector(
+            body.momentum, b, 0, each(_free(vector_at(body.dt_over_mass, b, 3)), times(j, vector_at(body.v, b, 3)))
+        )
 
 
 def momenta(body: Turning) -> np.ndarray:

@@ -24,7 +24,7 @@ def contact_remarks(assembly: Assembly) -> list[str]:
     """One line for each number that is cut, or that nothing can come of in this specimen."""
     model, found = assembly.model, []
     for name, interface in zip(model.group_names, model.groups.properties, strict=True):
-        given = assembly.scene.contact[name]
+        given = assembly.scene.contact_of(name)
         reads = "tensile_strength" in properties_of(given.law)
         if reads and interface.tensile_strength is not None and np.ndim(interface.tensile_strength) == 0:
             found += _of_tension(name, given, interface, smallest_block(model))
@@ -55,7 +55,7 @@ def _of_rocking(assembly: Assembly, which: np.ndarray, what: str) -> list[str]:
     """One line for each group with joints, among these contacts (C,), that neither pull nor have points at the edge."""
     model, found, reach = assembly.model, [], _reach(assembly.joints)
     for g, (name, interface) in enumerate(zip(model.group_names, model.groups.properties, strict=True)):
-        law = assembly.scene.contact[name].law
+        law = assembly.scene.contact_of(name).law
         dry = law == "friction" or ("tensile_strength" in properties_of(law) and not np.any(interface.tensile_strength))
         mine = which & (model.group == g)
         if not (dry and interface.tan_friction and mine.any()) or (least := float(reach[mine].min())) > REACH:

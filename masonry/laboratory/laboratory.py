@@ -14,7 +14,7 @@ from masonry.laboratory.provenance import origin_of
 from masonry.laboratory.quality import quality_lines
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
-from masonry.laboratory.summary import cells_text, summarise
+from masonry.laboratory.summary import add_tilt, cells_text, summarise
 from masonry.laws.dispatch import word_of
 from masonry.results.joint_resultants import resultants
 from masonry.scene import Scene, to_toml
@@ -62,6 +62,7 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper
 
 def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     """What is kept of a run."""
+    add_tilt(assembly, outcome)
     remarks = [*warnings(assembly), *rocked_remarks(assembly, outcome.history.frames)]
     return Result(
         summary={**summarise(assembly, outcome), "warnings": remarks},

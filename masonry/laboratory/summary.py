@@ -7,8 +7,11 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import CellReport
+from geometry.specimens.placed import FLOOR
 from masonry import __version__
 from masonry.assembly.assemble import Assembly
+from masonry.assembly.schedule import tilt_at
+from masonry.history import TILT
 from masonry.jit.sources import source_hash
 from masonry.laboratory.provenance import own_sources
 from masonry.loading.cycles import SPENT, at_peak, goes_one_way, table
@@ -69,7 +72,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     ratio = rows["kinetic"][dynamic] / np.maximum(internal[dynamic], max(1e-6 * work, 1e-300))
     standings, size = outcome.standing.values(), float(np.ptp(assembly.specimen.blocks.points, axis=0).max())
     booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
-    laws = {name: scene.contact[name].law for name in model.group_names}
+    laws = {name: scene.contact_of(name).law for name in model.group_names}
     kinematics = {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups}
     return {
         "scene": scene.name,
@@ -96,6 +99,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "lowest_stress_pa": lowest,
         "displacement_at_lowest_m": outcome.displacement_at_lowest,
         "cycles": table(rows, observed["widest"]),
+        **({"tilt_rad": float(rows[TILT][-1])} if TILT in rows else {}),
         "gauges": _readings(assembly, outcome),
         "reactions": _reactions(assembly, outcome),
         "force_balance": open_by(standings, size),
@@ -130,6 +134,14 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     }
 
 
+def add_tilt(assembly: Assembly, outcome: Outcome) -> None:
+    """The column of how far gravity is turned (rad), where it is."""
+    rows = outcome.history.rows
+    tilt = tilt_at(assembly.scene, assembly.plan, rows["step"])
+    if tilt is not None:
+        rows[TILT] = tilt
+
+
 def _sources(scene: Scene) -> str:
     """Hash of our sources; behind a plus that of other packages, where the scene has a law or a specimen of them."""
     own = own_sources((contact.law for contact in scene.contact.values()), scene.specimen.kind)
@@ -151,7 +163,7 @@ def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, dict[str, float
 def _reactions(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     """At the peak and at the end: what supports, drive and dead loads exert."""
     scene, outer = assembly.scene, assembly.recording.surroundings
-    on = {f"support.{k}": support.on for k, support in enumerate(scene.support)}
+    on = {f"support.{k}": support.on for k, support in enumerate(scene.support)} | {FLOOR: FLOOR}
     if scene.drive is not None:
         on["drive"] = scene.drive.on
     holds, loads = tuple((one.name, on[one.name]) for one in outer.holds), tuple(one.name for one in outer.loads)

@@ -39,7 +39,7 @@ class ScheduledLoading:
     def __init__(self, model: Model, program: Program, rows: int, rest: Rest | None = None) -> None:
         self.program, self.done, self.rest, self.speed = program, 0, rest, 0.0
         varying = program.varying
-        self.loads = None if varying is None else VaryingLoads(model, varying, program.settle)
+        self.loads = None if varying is None else VaryingLoads(model, varying, program.settle, program.straight)
         self.events = None if rest is None else rest.events
         self.every = max(1, program.steps // rows)
 

@@ -6,13 +6,14 @@ from masonry.model.model import Model
 
 STRETCH = 200
 """Steps between two knots, at most."""
-STRAIGHT = 1e-3
-"""Of the largest share of a history: how far it may leave the straight line between two knots."""
 
 
-def knots(shares: np.ndarray, settle: int) -> np.ndarray:
+def knots(shares: np.ndarray, settle: int, straight: float) -> np.ndarray:
     """Steps, rising, between which each of shares (H, n + 1) is taken for straight: at most STRETCH apart, and at the
-    end of the settling; one apart where the shares bend too much from step to step."""
+    end of the settling; one apart where the shares bend too much from step to step.
+
+    straight  of the largest share of a history: how far it may leave the straight line between two knots
+    """
     last = shares.shape[1] - 1
     at = np.unique(np.concatenate([[0], np.arange(settle, last, STRETCH), [last]]))
     while True:
@@ -21,7 +22,7 @@ def knots(shares: np.ndarray, settle: int) -> np.ndarray:
             most = float(np.abs(share).max()) or 1.0
             line = np.interp(np.arange(last), at, share[at])
             apart = np.maximum(apart, np.abs(share[:-1] - line) / most)
-        bent = (np.maximum.reduceat(apart, at[:-1]) > STRAIGHT) & (np.diff(at) > 1)
+        bent = (np.maximum.reduceat(apart, at[:-1]) > straight) & (np.diff(at) > 1)
         if not bent.any():
             return at
         at = np.union1d(at, (at[:-1] + at[1:])[bent] // 2)
@@ -35,8 +36,8 @@ class VaryingLoads:
     latest, and one that ends before, as a row is due, leaves the line from knot to knot as it is.
     """
 
-    def __init__(self, model: Model, shares: np.ndarray, settle: int) -> None:
-        self.settle, self.knots = settle, knots(shares, settle)
+    def __init__(self, model: Model, shares: np.ndarray, settle: int, straight: float) -> None:
+        self.settle, self.knots = settle, knots(shares, settle, straight)
         steps = np.arange(shares.shape[1])
         self.shares = np.array([np.interp(steps, self.knots, share[self.knots]) for share in shares])
         self.parts = []

@@ -3,7 +3,6 @@
 It is made from the model of small displacement of the same scene: its freedoms, masses, loads and contacts.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,13 +31,22 @@ LEAST = 1e-2
 
 
 @dataclass(frozen=True)
-class Meeting:
-    """How two groups of blocks meet, by name of the contact group; SI."""
+class Meetings:
+    """How blocks meet: `rules`, and law_of (G, G, 2), which of them serves two groups of two units (0) or of one (1)."""
 
-    normal_stiffness: float
-    shear_stiffness: float
-    tan_friction: float
-    dashpot: float = 0.0
+    rules: Rules
+    law_of: np.ndarray
+
+    @property
+    def stiffest(self) -> float:
+        """Pa/m: the largest stiffness, normal or in shear."""
+        return float(max(self.rules.normal_stiffness.max(), self.rules.shear_stiffness.max()))
+
+    @property
+    def step_share(self) -> float:
+        """Of the stable step that dashpots leave, which act on velocities half a step old."""
+        share = float(self.rules.dashpot.max())
+        return float(np.sqrt(1.0 + share**2) - share)
 
 
 @dataclass(frozen=True)
@@ -57,12 +65,12 @@ def add_row_sums(
     sides: tuple[Side, Side],
     length: np.ndarray,
     stiffness: np.ndarray,
-    meetings: dict[str, Meeting],
+    stiffest: float,
 ) -> None:
     """Row sums of the contacts of the undeformed shape, or of blocks whose faces all press, whichever are larger.
 
-    stiffness (C,) N/m. Every face counts over its whole area, with the stiffest way in which blocks meet, on blocks
-    with levers like their own. Its corners have the area of their share of the triangles between corners and centroid:
+    stiffness (C,) N/m; stiffest, Pa/m, of all ways in which blocks meet. Every face counts with it over its whole area,
+    on blocks with levers like their own. Its corners have the area of their share of the triangles between corners and centroid:
     a patch lies within the faces, and lumping a part of a face at its corners gives no larger sum of a convex function
     of the place than lumping the whole face does.
     """
@@ -70,9 +78,8 @@ def add_row_sums(
     corner, area, block = _face_corners(blocks)
     arm = np.einsum("cji,cj->ci", layout.axes[block], corner - layout.centroid[block])
     one = Side(layout.kind[block], layout.local[block], arm, layout.axes[block], length[block])
-    most = max(max(m.normal_stiffness, m.shear_stiffness) for m in meetings.values())
     faces = {kind: np.zeros_like(values) for kind, values in sums.items()}
-    contact_row_sums(faces, (one, one), 0.5 * most * area)  # both sides add to the same block
+    contact_row_sums(faces, (one, one), 0.5 * stiffest * area)  # both sides add to the same block
     for kind, values in faces.items():
         np.maximum(sums[kind], values, out=sums[kind])
 
@@ -93,7 +100,9 @@ def _face_corners(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def turning_of(rigid: Rigid, inertia: np.ndarray, apart: np.ndarray, push: np.ndarray) -> Turning:
     """Rigid blocks that turn, and are pushed by patches: push (B, 6), as `apart` written at every step."""
     axes = np.broadcast_to(np.eye(3), (len(rigid.q), 3, 3)) if rigid.axes is None else rigid.axes
-    return turning(rigid, inertia, apart)._replace(dt_over_mass=in_rows(_held_globally(rigid.dt_over_mass, axes)), patches=push)
+    return turning(rigid, inertia, apart)._replace(
+        dt_over_mass=in_rows(_held_globally(rigid.dt_over_mass, axes)), patches=push
+    )
 
 
 def _held_globally(dt_over_mass: np.ndarray, axes: np.ndarray) -> np.ndarray:
@@ -109,33 +118,23 @@ def near_of(
     layout: Layout,
     body: Turning,
     mass: np.ndarray,
-    meetings: dict[str, Meeting],
-    group_name: Callable[[str, str, bool], str],
+    meetings: Meetings,
     bonded: np.ndarray,
 ) -> Near:
     """What may meet, with room for the contacts of the undeformed shape twice over.
 
-    mass      (B,) kg, real
+    mass      (B,) kg, that of motion, of held blocks too
     bonded    (K, 2) blocks that bonds hold together
     """
     pieces = pieces_of(blocks)
     count = blocks.count
-    names = sorted(meetings)
-    rules = Rules(*(np.array(column) for column in zip(*(_numbers(meetings[name]) for name in names), strict=True)))
-    groups = len(blocks.groups)
-    law_of = np.zeros((groups, groups, 2), dtype=np.int64)
-    for a in range(groups):
-        for b in range(groups):
-            for same in range(2):
-                name = group_name(blocks.groups[a], blocks.groups[b], bool(same))
-                law_of[a, b, same] = names.index(name) if name in meetings else -1
     size = np.cbrt(layout.volume)
     most, room = most_points(pieces), 8 * len(pieces.body) + 64
     k = (np.zeros((most, 3)), np.zeros(most), np.zeros(most), np.zeros(most, dtype=np.int64))
     search = Search(
         group=blocks.group.astype(np.int64),
         unit=blocks.unit.astype(np.int64),
-        law_of=law_of,
+        law_of=meetings.law_of,
         bonded=keys(bonded, len(pieces.body)),
         moves=body.dt_over_mass.any(axis=1),
         mass=mass,
@@ -158,17 +157,13 @@ def near_of(
     )
     return Near(
         pieces, turned_of(pieces), cells_for(pieces, room), no_pairs(room), no_pairs(room), no_points(room, most),
-        rules, motion, search, scratch_of(pieces), np.zeros(5),
+        meetings.rules, motion, search, scratch_of(pieces), np.zeros(5),
     )  # fmt: skip
 
 
 def keys(pairs: np.ndarray, count: int) -> np.ndarray:
     """Pairs (K, 2) of blocks as sorted numbers."""
     return np.unique(pairs.min(axis=1) * count + pairs.max(axis=1)).astype(np.int64)
-
-
-def _numbers(meeting: Meeting) -> tuple[float, float, float, float]:
-    return meeting.normal_stiffness, meeting.shear_stiffness, meeting.tan_friction, meeting.dashpot
 
 
 def bonds_of(sides: np.ndarray, joints: Joints, layout: Layout, body: Turning, u: np.ndarray) -> Bonds:

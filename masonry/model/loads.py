@@ -26,6 +26,9 @@ class Conditions:
     driven freedoms and of those that support against the drive; masks of what supports alone hold; loads of tractions
     that vary, one entry each, by kind, at a share of 1. And by name: masks of what each support and the drive hold, and
     each dead load at a share of 1, those that vary included.
+
+    motion  per kind, velocities (rows, freedoms) that bodies start with, in the freedoms that v has; None without any
+    spin    (B, 3) rad/s along x, y, z, with which each block starts; None without any
     """
 
     prescribed: dict[str, np.ndarray]
@@ -36,6 +39,8 @@ class Conditions:
     varying: list[dict[str, np.ndarray | None]] = field(default_factory=list)
     held_by: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
     each_load: dict[str, dict[str, np.ndarray | None]] = field(default_factory=dict)
+    motion: dict[str, np.ndarray] | None = None
+    spin: np.ndarray | None = None
 
 
 def no_conditions(layout: Layout) -> Conditions:
@@ -114,6 +119,8 @@ class Program:
     settle  steps before the drive starts     ramp  steps over which the drive's velocity rises
     varying (H, n + 1) share of each load that varies, at each step; None without any
     marks   steps, rising, after which a row is due besides the regular ones
+    straight   of its largest share: how far a history may leave the straight line that the loading takes for it
+    rest_from  step from which on the run may end as soon as all is at rest; None where it goes on to the last step
     """
 
     dead_load: np.ndarray
@@ -122,6 +129,8 @@ class Program:
     ramp: int
     varying: np.ndarray | None = None
     marks: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+    straight: float = 1e-3
+    rest_from: int | None = None
 
     @property
     def steps(self) -> int:

@@ -10,8 +10,8 @@ from masonry.laws.friction import Friction
 from masonry.laws.state import ContactState
 from masonry.model import stable_step as stiffness
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, in_rows, memory_of, number_sides, own_memory
-from masonry.model.contact_groups import contact_group_name, contact_groups
-from masonry.model.large import Large, Meeting, add_row_sums, bonds_of, near_of, turning_of
+from masonry.model.contact_groups import contact_groups
+from masonry.model.large import Large, Meetings, add_row_sums, bonds_of, near_of, turning_of
 from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.step_cost import StepCost, step_cost
@@ -55,6 +55,7 @@ class Model:
     varying: list[dict[str, np.ndarray | None]]
     scaled: bool = True
     large: Large | None = None
+    motion: dict[str, np.ndarray] | None = None
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
         """Groups, contacts, bodies and drives as kernels.step.advance takes them: plain tuples, as named ones within
@@ -92,11 +93,11 @@ def build(
     stepping: Stepping,
     conditions: Conditions,
     layout: Layout,
-    meetings: dict[str, Meeting] | None = None,
+    meetings: Meetings | None = None,
 ) -> Model:
     """Arrays of a model. `joints` sorted by group (sort_by_group); laws: contact group -> (shape, Interface).
 
-    meetings  of large displacement: how blocks meet, by contact group
+    meetings  how blocks meet in large displacement; None in small
     """
     names, group = contact_groups(blocks, joints)
     interfaces = [laws[name][1] for name in names]
@@ -114,11 +115,13 @@ def build(
         stiffness.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
         stiffness.tet_row_sums(sums["tets"], layout, lame)
     else:
-        add_row_sums(sums, blocks, layout, sides, length, np.maximum(dilated, shear), meetings)
+        add_row_sums(sums, blocks, layout, sides, length, np.maximum(dilated, shear), meetings.stiffest)
     stiffness.unscale(sums, layout, length)
 
     density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
     real = real_masses(layout, density)
+    if meetings is not None:
+        stepping = replace(stepping, step_fraction=stepping.step_fraction * meetings.step_share)
     masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, dilated)
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
     rows = {kind: layout.rows(kind) for kind in KINDS}
@@ -154,12 +157,13 @@ def build(
         cost=step_cost(layout, sums, real, free, stepping.masses == "scaled"),
         varying=conditions.varying,
         scaled=stepping.masses == "scaled",
+        motion=conditions.motion,
     )
-    return model if meetings is None else enlarged(model, meetings, masses["rigid"], density * layout.volume)
+    return model if meetings is None else enlarged(model, meetings, masses["rigid"])
 
 
-def enlarged(model: Model, meetings: dict[str, Meeting], masses: np.ndarray, real: np.ndarray) -> Model:
-    """The same model in large displacement; masses (B, 6) of motion, real (B,) kg. Contacts without strength become
+def enlarged(model: Model, meetings: Meetings, masses: np.ndarray) -> Model:
+    """The same model in large displacement; masses (B, 6) of motion, of held blocks too. Contacts without strength become
     patches, and only show from then on how material points part."""
     joints, layout, count = model.joints, model.layout, len(model.group)
     assert model.bodies.rigid is not None
@@ -172,7 +176,7 @@ def enlarged(model: Model, meetings: dict[str, Meeting], masses: np.ndarray, rea
         sides=aligned(rows), u=in_rows(np.zeros((count + 1, 3))), area=aligned(np.where(dry, 0.0, joints.area))
     )
     bonded = np.column_stack([joints.block_a, joints.block_b])[~dry]
-    near = near_of(model.blocks, layout, body, real, meetings, contact_group_name, bonded)
+    near = near_of(model.blocks, layout, body, masses[:, 0], meetings, bonded)
     return replace(
         model,
         contacts=contacts,

@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from masonry.kernels import contact
-from masonry.kernels import patches
+from masonry.kernels import contact, patches
 from masonry.kernels.redetection import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST, Near
 from masonry.kinematics import affine, tets, turning
 from masonry.model.layout import KINDS

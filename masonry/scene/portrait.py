@@ -32,6 +32,8 @@ def portrait_rows(scene: SceneData) -> Rows:
         ("confinement", [_words(told["confinement"])] if scene.confinement is not None else []),
         ("traction", [_words(traction) for traction in told.get("traction", ())]),
         ("gravity", [_words(told["gravity"])] if scene.gravity is not None else []),
+        ("motion", [_words(motion) for motion in told.get("motion", ())]),
+        ("floor", [_words(told.get("floor", {})) or "below"] if scene.floor is not None else []),
         ("drive", [_words(told["drive"])] if scene.drive is not None else []),
         ("gauges", [gauge.name for gauge in scene.gauge]),
         ("assumptions", [f"{len(scene.assumptions)}, see scene.assumptions"] if scene.assumptions else []),

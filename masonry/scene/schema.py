@@ -2,18 +2,20 @@
 
 from collections.abc import Iterator
 from difflib import get_close_matches
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
-from masonry.history import UNITS
-from masonry.scene.tables.contact import Material
+from masonry.history import TILT, UNITS
+from masonry.scene.motion_checks import LIMITS, require_fit
+from masonry.scene.tables.contact import Contact, Material
 from masonry.scene.tables.gauge import Curve, Gauge
 from masonry.scene.tables.loading import Drive, Settle, Solver, Support, Traction
+from masonry.scene.tables.motion import Floor, Gravity, InitialMotion
 from masonry.scene.tables.own_keys import AnyContact
 from masonry.scene.tables.own_specimen import AnySpecimen
 from masonry.scene.tables.scatter import Scatter, require_contacts
-from masonry.scene.tables.types import AccelerationVector, KeyedError, Law, Motion, Strength, Table
+from masonry.scene.tables.types import KeyedError, Law, Motion, Strength, Table
 
 INVENTED = "a placeholder that the import made up: put in your own"
 """What `masonry import` notes in [assumptions] of a key that the file does not hold."""
@@ -30,6 +32,7 @@ class SceneData(Table):
     name: Annotated[str, Field(pattern=r"^[^/\\\x00]{1,200}$")]
     title: Annotated[str, Field(max_length=500)] = ""
     law: Law | None = None
+    displacements: Literal["small", "large"] = "small"
     kinematics: Annotated[dict[str, Motion], BeforeValidator(_by_group)] = {"default": "rigid"}
     confinement: Strength | None = None
     specimen: AnySpecimen
@@ -39,7 +42,9 @@ class SceneData(Table):
     support: tuple[Support, ...] = ()
     drive: Drive | None = None
     traction: tuple[Traction, ...] = ()
-    gravity: AccelerationVector | None = None
+    gravity: Gravity | None = None
+    motion: tuple[InitialMotion, ...] = ()
+    floor: Floor | None = None
     settle: Settle | None = None
     solver: Solver = Solver()
     gauge: tuple[Gauge, ...] = ()
@@ -48,7 +53,25 @@ class SceneData(Table):
 
     def kinematics_of(self, group: str) -> str:
         """ "rigid", "affine" or "tets": how the blocks of a group move."""
-        return self.kinematics.get(group, self.kinematics["default"])
+        return self.kinematics.get(group, "rigid" if self.is_floor(group) else self.kinematics["default"])
+
+    def is_floor(self, group: str) -> bool:
+        """Whether a group of blocks is the floor that the scene lays below its specimen."""
+        return self.floor is not None and group == "floor"
+
+    def contact_of(self, group: str) -> Contact:
+        """What is said of a group of contacts: its own table, or [contact.default]. KeyError where there is neither."""
+        return self.contact[group if group in self.contact else "default"]
+
+    @property
+    def is_large(self) -> bool:
+        """Whether blocks may turn and slide as far as they like, and contacts are found anew."""
+        return self.displacements == "large"
+
+    @property
+    def must_stand(self) -> bool:
+        """Whether all of it must be held: what falls in large displacement lands, and a given time ends a flight."""
+        return not self.is_large and self.solver.duration is None
 
     @property
     def has_dead_loads(self) -> bool:
@@ -63,7 +86,10 @@ class SceneData(Table):
     @property
     def turns_back(self) -> bool:
         """Whether the drive turns, or a traction that varies: contacts then soften over the plastic slip by default."""
-        paths = [path.turning_points() for load in self.traction if (path := load.path) is not None]
+        loads = [path for traction in self.traction for path in traction.paths]
+        if self.gravity is not None and self.gravity.tilt is None:
+            loads += self.gravity.paths
+        paths = [path.turning_points() for path in loads]
         return any(len(path) > 1 for path in paths) or (self.drive is not None and len(self.drive.turns) > 1)
 
     def resolved(self) -> dict[str, Any]:
@@ -72,14 +98,19 @@ class SceneData(Table):
         What depends on the top-level law and confinement still names them, so both can be set anew.
         """
         data = self.model_dump(exclude_none=True, context={"law": self.law, "confinement": self.confinement})
-        return {key: value for key, value in data.items() if value not in ((), {})}
+        if self.is_large:
+            for key in LIMITS:
+                del data["solver"][key]
+        else:
+            del data["displacements"]
+        return {key: value for key, value in data.items() if value not in ((), {}) or key == "floor"}
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
         loads = self.has_dead_loads
         if self.settle is not None and not loads:
             raise KeyedError("settle", "there is no traction and no gravity to settle; leave this table out")
-        if self.drive is None and not loads:
+        if self.drive is None and not loads and not self.motion:
             raise KeyedError("drive", "missing; a scene needs a drive, a traction or gravity, or nothing happens")
         if self.is_controlled and self.solver.masses == "real":
             raise KeyedError(
@@ -90,6 +121,7 @@ class SceneData(Table):
                 raise KeyedError(
                     f"traction.{k}.history", "an accuracy controls the drive only; give drive.steps or drive.rate"
                 )
+        require_fit(self)
         self._kinematics_have_what_they_need()
         if self.scatter is not None:
             require_contacts(self.scatter, self.contact)
@@ -101,16 +133,19 @@ class SceneData(Table):
         return self
 
     def _gauges_have_names_of_their_own(self) -> None:
-        names = list(UNITS)
+        names = [*UNITS, TILT]
         for k, gauge in enumerate(self.gauge):
             if gauge.name in names:
                 raise KeyedError(f"gauge.{k}.name", f"'{gauge.name}' is a column of the results already; take another")
             names.append(gauge.name)
-        across = ["displacement", *names[len(UNITS) :]]
+        tilts = self.gravity is not None and self.gravity.tilt is not None
+        across = ["displacement", *([TILT] if tilts else []), *names[len(UNITS) + 1 :]]
         if self.curve is not None and self.curve.x not in across:
             raise KeyedError("curve.x", f"'{self.curve.x[:60]}' is no gauge; allowed: {', '.join(across)}")
 
     def _kinematics_have_what_they_need(self) -> None:
+        if self.kinematics_of("floor") != "rigid" and self.is_floor("floor") and "floor" not in self.material:
+            raise KeyedError("kinematics.floor", "a floor that is not rigid needs its own table [material.floor]")
         for group, material in self.material.items():
             motion = self.kinematics_of(group)
             for key in ("young_modulus", "poisson_ratio"):

@@ -8,6 +8,7 @@ Keys = tuple[str | int, ...]
 RIVALS = (
     {"accuracy", "rate", "steps"},
     {"displacement", "history"},
+    {"tilt", "history"},
     {"friction_angle", "tan_friction_angle"},
     {"residual_friction_angle", "tan_residual_friction_angle"},
     {"points_per_edge", "points_per_face", "contact_spacing"},
@@ -43,7 +44,8 @@ def drop_rivals(raw: dict[str, Any], path: Keys, given: Container[Keys]) -> None
         for rival in {key for rivals in RIVALS if part in rivals for key in rivals - {part}}:
             at = (*path[:n], rival)
             _drop(raw, table, at, given)
-        if part == "displacement" or (part == "history" and isinstance(table, dict) and _is_list(table.get(part))):
+        listed = part == "history" and isinstance(table, dict) and _is_list(table.get(part))
+        if part in ("displacement", "tilt") or listed:
             _drop(raw, table, (*path[:n], "duration"), given)
         try:
             table = table[part] if isinstance(table, dict | list) else {}

@@ -12,6 +12,7 @@ from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.cycles import reached
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.model.model import Model
+from masonry.model.motion import set_off
 from masonry.monitors import energy
 from masonry.monitors.collapse import Collapse
 from masonry.monitors.collision import Collision
@@ -86,6 +87,8 @@ class Loop:
             self.loading.feel(self.done, before)
             if chunk.row:
                 self.close_row(before, progress)
+            if self.done == self.settle:
+                set_off(self.model, before)
             if keeper is not None and keeper.look(self):
                 self.outcome.interrupted = True
                 return

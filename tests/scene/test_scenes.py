@@ -107,7 +107,7 @@ def test_overrides_from_python_may_be_values():
     scene = load("couplet", overrides)
     assert scene.drive.steps == 7
     assert (scene.contact["unit_unit"].law, scene.contact["within_units"].law) == ("brittle", "exponential")
-    assert scene.gravity == (0.0, 0.0, -9.81)
+    assert scene.gravity.vector == (0.0, 0.0, -9.81)
     assert overrides["gravity"] == {"z": "-9.81 m/s^2"}
 
 
@@ -122,11 +122,11 @@ def test_setting_one_spelling_replaces_the_other():
 DRIVEN = [name for name in packaged() if load(name).drive is not None]
 
 
-def test_all_packaged_scenes_but_that_of_an_arch_at_rest_have_a_drive():
-    assert set(packaged()) - set(DRIVEN) == {"arch"}
+def test_all_packaged_scenes_but_those_that_move_by_their_weight_have_a_drive():
+    assert set(packaged()) - set(DRIVEN) == {"arch", "arch-tilted", "block-rocking", "rubble-pile"}
 
 
-@pytest.mark.parametrize("name", DRIVEN)
+@pytest.mark.parametrize("name", [name for name in DRIVEN if not load(name).is_large])
 def test_a_packaged_scene_is_driven_to_one_percent_and_the_rate_of_the_paper_takes_its_place(name):
     shipped, paper = load(name).drive, load(name, ["drive.rate=1 mm/s"])
     assert (shipped.accuracy, shipped.rate, shipped.steps) == (0.01, None, None)

@@ -66,7 +66,7 @@ def test_boxes_without_friction_or_drive_are_a_scene(tmp_path):
     assert scene.specimen.box[0].origin == (0.0, 0.0, -0.1)
     assert scene.contact["unit_unit"].tan_friction is None
     assert scene.material["units"].density == 2000.0
-    assert (scene.drive, scene.gravity) == (None, (0.0, 0.0, -9.81))
+    assert (scene.drive, scene.gravity.vector) == (None, (0.0, 0.0, -9.81))
     assert written(scene, tmp_path) == scene
     file.write_text(BOXES.replace('"b"', '"a"'))
     with pytest.raises(SceneError, match="2 boxes are named 'a'"):

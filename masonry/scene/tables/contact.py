@@ -16,6 +16,7 @@ from masonry.quantity import convert
 from masonry.scene.tables.types import (
     SOFTEST,
     Angle,
+    Dashpot,
     Density,
     Energy,
     EnergySlope,
@@ -69,6 +70,7 @@ class Contact(Table):
     unloading: Literal["secant", "elastic"] = "secant"
     softening_variable: Literal["displacement", "plastic"] | None = None
     coupling: Literal["combined", "independent"] = "combined"
+    normal_dashpot: Dashpot | None = None
 
     @property
     def own_keys(self) -> tuple[str, ...]:
@@ -84,6 +86,8 @@ class Contact(Table):
             *("dilation_cutoff", "unloading", "softening_variable", "coupling", *self.own_keys),
         )
         found = {key: getattr(self, key) for key in keys}
+        if self.normal_dashpot is not None:
+            found["normal_dashpot"] = self.normal_dashpot
         default = "plastic" if turns_back else "displacement"
         return {**found, "softening_variable": self.softening_variable or default}
 

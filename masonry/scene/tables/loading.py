@@ -14,6 +14,7 @@ from masonry.scene.tables.types import (
     Fraction,
     Frames,
     Freedom,
+    Given,
     KeyedError,
     Length,
     Rows,
@@ -159,6 +160,11 @@ class Traction(Table):
         """The share of the stress over time, where it varies."""
         return histories.checked(self.history, self.duration, "number")
 
+    @property
+    def paths(self) -> list[Timed]:
+        """The same as a list: empty where it does not vary."""
+        return [path] if (path := self.path) is not None else []
+
     @model_validator(mode="after")
     def _has_a_time(self) -> "Traction":
         histories.checked(self.history, self.duration, "number")
@@ -166,10 +172,10 @@ class Traction(Table):
 
 
 class Settle(Table):
-    """Steps in which the dead loads rise and come to rest before the drive starts; without the table the run finds how
-    many they need."""
+    """Steps in which the dead loads rise and come to rest before the drive starts, 0 where they act at once; without
+    the table the run finds how many they need."""
 
-    steps: Steps
+    steps: Annotated[int, Given("integer", "[0, 1e8]")]
 
 
 class Solver(Table):
@@ -185,6 +191,8 @@ class Solver(Table):
     damping: Damping = 0.8
     rotation_limit: Annotated[float, BeforeValidator(_rotation)] = 0.02
     slip_limit: Annotated[float, BeforeValidator(_slip)] = 0.25
+    duration: Duration | None = None
+    until: Literal["rest"] | None = None
     rows: Rows = 1000
     frames: Frames = 24
 

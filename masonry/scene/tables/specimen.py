@@ -19,8 +19,17 @@ from masonry.scene.tables.types import (
     Number,
     Position,
     Table,
+    Turn,
     Voussoirs,
 )
+
+
+class Turned(Table):
+    """The whole specimen turned by an angle (rad, right-hand rule) about an axis through a point (m)."""
+
+    about: Literal["x", "y", "z"]
+    angle: Turn
+    through: tuple[Position, Position, Position] = (0.0, 0.0, 0.0)
 
 
 class SpecimenTable(Table):
@@ -34,6 +43,7 @@ class SpecimenTable(Table):
     contact_spacing: Length | None = None
     mesh: Literal["gmsh", "fan"] = "gmsh"
     mesh_size: Length | None = None
+    turned: Turned | None = None
 
     @model_validator(mode="before")
     @classmethod

@@ -96,6 +96,7 @@ Duration = Annotated[float, Given("time", "[1e-18, 1e9]")]
 Velocity = Annotated[float, Given("velocity", "[1e-15, 1e6]")]
 Acceleration = Annotated[float, Given("acceleration", "[-1e9, 1e9]")]
 Angle = Annotated[float, Given("angle", "[0, 90) deg")]
+Turn = Annotated[float, Given("angle", "[-180, 180] deg")]
 Embrace = Annotated[float, Given("angle", "(0, 180] deg")]
 Density = Annotated[float, Given("density", "[1e-9, 1e15]")]
 Stress = Annotated[float, Given("stress", "[-1e15, 1e15]")]
@@ -109,6 +110,7 @@ Poisson = Annotated[float, Given("number", "[0, 0.5)")]
 Tangent = Annotated[float, Given("number", "[0, 1e6]")]
 Exponent = Annotated[float, Given("number", "(1, 1000]")]
 Share = Annotated[float, Given("number", "[0, 1]")]
+Dashpot = Annotated[float, Given("number", "(0, 100]")]
 Damping = Annotated[float, Given("number", "[0, 1)")]
 Fraction = Annotated[float, Given("number", "[1e-6, 10]")]
 Count = Annotated[int, Given("integer", "[1, 1000]")]
@@ -132,14 +134,6 @@ class Stresses(NamedTuple):
     z: Stress = 0.0
 
 
-class Accelerations(NamedTuple):
-    """m/s2, by direction; what a file leaves out is 0."""
-
-    x: Acceleration = 0.0
-    y: Acceleration = 0.0
-    z: Acceleration = 0.0
-
-
 def _directions(value: Any) -> Any:
     if not isinstance(value, dict) or not value:
         raise ValueError("must be a table by direction, with one or more of x, y, z")
@@ -153,9 +147,4 @@ def _write_stresses(value: Stresses, info: SerializationInfo[Any]) -> dict[str, 
     return {axis: linked.get(x, f"{x!r} Pa") for axis, x in value._asdict().items() if x != 0.0 or not any(value)}
 
 
-def _write_accelerations(value: Accelerations) -> dict[str, str]:
-    return {axis: f"{x!r} m/s^2" for axis, x in value._asdict().items()}
-
-
 StressVector = Annotated[Stresses, BeforeValidator(_directions), PlainSerializer(_write_stresses)]
-AccelerationVector = Annotated[Accelerations, BeforeValidator(_directions), PlainSerializer(_write_accelerations)]

@@ -1,0 +1,79 @@
+"""Which contact table serves two blocks that meet, whatever their groups: for runs in which contacts are found anew."""
+
+from dataclasses import dataclass
+from itertools import combinations_with_replacement
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from masonry.errors import SceneError
+from masonry.kernels.patches import Rules
+from masonry.laws import factory
+from masonry.model.contact_groups import contact_group_name
+from masonry.model.large import Meetings
+from masonry.scene import Scene
+
+NONE = -1
+
+
+@dataclass(frozen=True)
+class Pairs:
+    """Contact groups of all pairs of blocks that may meet.
+
+    names       of the groups, in alphabetical order
+    number      (G, G, 2) of the group for blocks of groups g and h (of Blocks.groups), of two units (0) or of one (1);
+                symmetric; -1 where there are no two such blocks
+    properties  by name, as Contact.properties gives them; normal_dashpot is a key where the table has one
+    laws        by name, (parameters, properties) of its law, as laws.factory.build makes them
+    """
+
+    names: tuple[str, ...]
+    number: np.ndarray
+    properties: dict[str, dict[str, Any]]
+    laws: dict[str, tuple[Any, Any]]
+
+
+def pairs_of(scene: Scene, blocks: Blocks, compressions: list[float]) -> Pairs:
+    """All pairs of groups, each with its table or [contact.default]. SceneError naming those that have neither."""
+    name_of = _names(blocks)
+    names = tuple(sorted(set(name_of.values())))
+    missing = [name for name in names if name not in scene.contact and "default" not in scene.contact]
+    if missing:
+        raise SceneError(
+            f'[contact.{missing[0]}] is missing: with displacements = "large" any two blocks may meet. Give '
+            f"{', '.join(f'[contact.{name}]' for name in missing)}, or [contact.default] for all that have none"
+        )
+    number = np.full((len(blocks.groups), len(blocks.groups), 2), NONE, dtype=np.int64)
+    for (g, h, same), name in name_of.items():
+        number[g, h, same] = number[h, g, same] = names.index(name)
+    given = {name: scene.contact_of(name).properties(scene.turns_back) for name in names}
+    return Pairs(names, number, given, {name: factory.build(name, given[name], compressions) for name in names})
+
+
+def meetings_of(pairs: Pairs) -> Meetings:
+    """What blocks do where they meet without a bond: stiffnesses, the friction that stays, and the dashpot."""
+    numbers = []
+    for name in pairs.names:
+        joint = pairs.laws[name][1]
+        friction = joint.tan_friction if joint.tan_residual_friction is None else joint.tan_residual_friction
+        dashpot = pairs.properties[name].get("normal_dashpot") or 0.0
+        numbers.append((joint.normal_stiffness, joint.shear_stiffness, friction or 0.0, dashpot))
+    return Meetings(Rules(*(np.array(column) for column in zip(*numbers, strict=True))), pairs.number)
+
+
+def _names(blocks: Blocks) -> dict[tuple[int, int, int], str]:
+    """The contact group of two blocks of groups g <= h, of two units (0) or of one (1), for all that there are."""
+    found = {}
+    units = [np.unique(blocks.unit[blocks.group == g], return_counts=True) for g in range(len(blocks.groups))]
+    for g, h in combinations_with_replacement(range(len(units)), 2):
+        (own, count), (others, _) = units[g], units[h]
+        shared = np.intersect1d(own, others)
+        there = {
+            0: bool(len(own) and len(others)) and len(np.union1d(own, others)) > 1,
+            1: bool((count > 1).any()) if g == h else len(shared) > 0,
+        }
+        for same in (0, 1):
+            if there[same]:
+                found[g, h, same] = contact_group_name(blocks.groups[g], blocks.groups[h], bool(same))
+    return found

@@ -1,0 +1,62 @@
+"""Do the keys of motion, weight that varies and large displacement fit to the rest of a scene?"""
+
+from typing import Any
+
+from masonry.scene.tables.types import KeyedError
+
+LIMITS = ("rotation_limit", "slip_limit")
+"""Keys of [solver] at which a run of small displacements stops."""
+
+
+def require_fit(scene: Any) -> None:
+    """KeyedError for the first key of a scene (SceneData) that contradicts another one."""
+    _large_only(scene)
+    if scene.is_large:
+        for key in LIMITS:
+            if key in scene.solver.model_fields_set:
+                raise KeyedError(f"solver.{key}", 'no run of displacements = "large" stops there; leave it out')
+    _real_time(scene)
+    if scene.gravity is not None:
+        _gravity(scene)
+
+
+def _large_only(scene: Any) -> None:
+    """What only contacts that are found anew can have."""
+    only = 'needs displacements = "large" at the top of the file'
+    if scene.is_large:
+        return
+    for group, contact in scene.contact.items():
+        if contact.normal_dashpot is not None:
+            raise KeyedError(f"contact.{group}.normal_dashpot", f"{only}; solver.damping serves both")
+    if "default" in scene.contact:
+        raise KeyedError("contact.default", f"{only}; name the groups of contacts, such as [contact.unit_unit]")
+    if scene.solver.until is not None:
+        raise KeyedError("solver.until", f"{only}; a run of small displacements ends with its loading or its duration")
+
+
+def _real_time(scene: Any) -> None:
+    """Times and velocities are those of real masses."""
+    if scene.solver.masses != "real":
+        real = "needs solver.masses = 'real': scaled masses do not move in real time"
+        if scene.solver.duration is not None:
+            raise KeyedError("solver.duration", real)
+        if scene.motion:
+            raise KeyedError("motion.0", real)
+        if scene.settle is not None and scene.settle.steps == 0:
+            raise KeyedError("settle.steps", f"0 {real}; give 1 or more, or leave the table out")
+    timed = scene.drive is not None or any(load.paths for load in (*scene.traction, scene.gravity) if load is not None)
+    if scene.motion and not timed and scene.solver.duration is None:
+        raise KeyedError("solver.duration", "missing; without a drive it says how long the run takes, such as '2 s'")
+    if scene.solver.until is not None and not timed and scene.solver.duration is None:
+        raise KeyedError("solver.duration", "missing; until = 'rest' needs it: the latest end, for example '10 s'")
+
+
+def _gravity(scene: Any) -> None:
+    if scene.gravity.paths and scene.is_controlled:
+        key = "gravity.tilt" if scene.gravity.tilt is not None else "gravity.history"
+        raise KeyedError(key, "an accuracy controls the drive only; give drive.steps or drive.rate")
+    tilt = scene.gravity.tilt
+    if tilt is None:
+        return
+    if tilt.steps is not None and (scene.drive is not None or any(load.paths for load in scene.traction)):
+        raise KeyedError("gravity.tilt.steps", "with a drive, or a traction that varies, give a duration in its place")
