@@ -44,7 +44,7 @@ class Pairs(NamedTuple):
 class Points(NamedTuple):
     """Points of the pairs that touch, or nearly: S slots of up to K points, and which slots are free.
 
-    count    (S,) points of a slot
+    held     (S,) points of a slot
     material (S, K, 3) m, from the centroid of the block that they belong to, in its frame
     level    (S, K) m, of the plane that the point meets, along the normal from the centroid of the reference
     area     (S, K) m2       feature (S, K) names
@@ -52,7 +52,7 @@ class Points(NamedTuple):
     free     (S + 1,) the last number is how many slots are free, the first ones which
     """
 
-    count: np.ndarray
+    held: np.ndarray
     material: np.ndarray
     level: np.ndarray
     area: np.ndarray
@@ -99,7 +99,7 @@ def press(near, dt):
     pairs, points, rules, motion, account = near.pairs, near.points, near.rules, near.motion, near.account
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
     body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
-    law, dashpot, count = pairs.law, pairs.dashpot, points.count
+    law, dashpot, count = pairs.law, pairs.dashpot, points.held
     material, level, area, shear = points.material, points.level, points.area, points.shear
     friction = damped = 0.0
     for b in range(len(push)):
@@ -205,7 +205,7 @@ def stored(pairs, points, rules, motion, p):
     """Elastic energies (J) of the points of a pair as they stand: normal, and shear."""
     pressed, sheared, s = 0.0, 0.0, pairs.slot[p]
     kn, ks = rules.normal_stiffness[pairs.law[p]], rules.shear_stiffness[pairs.law[p]]
-    for k in range(points.count[s] if s >= 0 else 0):
+    for k in range(points.held[s] if s >= 0 else 0):
         gap = gap_of(pairs, points, motion, p, k)
         if gap < 0.0:
             x, y, z = points.shear[s, k, 0], points.shear[s, k, 1], points.shear[s, k, 2]
@@ -236,3 +236,15 @@ def stored_energy(near):
         pressed, sheared = stored(near.pairs, near.points, near.rules, near.motion, p)
         energy += pressed + sheared
     return energy
+
+
+@bare
+def deepest(near, width):
+    """How far points overlap at most, over the least width (B,) m of the thinner of their two blocks."""
+    pairs, points, most = near.pairs, near.points, 0.0
+    for p in range(pairs.number[0]):
+        s = pairs.slot[p]
+        for k in range(points.held[s] if s >= 0 else 0):
+            gap = gap_of(pairs, points, near.motion, p, k)
+            most = max(most, -gap / min(width[pairs.body[p, 0]], width[pairs.body[p, 1]]))
+    return most

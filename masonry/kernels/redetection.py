@@ -144,7 +144,7 @@ def look(near, p):
         let_go(near, p)
         return True
     pairs.limit[p] = MOVED * size
-    if pairs.slot[p] < 0 and points.free[len(points.count)] == 0:
+    if pairs.slot[p] < 0 and points.free[len(points.held)] == 0:
         search.flag[0], search.flag[1] = NEED_POINTS, p
         pairs.mark[p] = -FAR
         return False
@@ -160,10 +160,10 @@ def let_go(near, p):
     pressed, sheared = stored(pairs, points, near.rules, near.motion, p)
     near.account[SHEAR_LOST] += sheared
     near.account[NORMAL_GAINED] -= pressed
-    room = len(points.count)
+    room = len(points.held)
     points.free[points.free[room]] = s
     points.free[room] += 1
-    points.count[s] = 0
+    points.held[s] = 0
     pairs.slot[p] = -1
 
 
@@ -174,7 +174,7 @@ def renew(near, p, count, own):
     pressed, sheared = stored(pairs, points, near.rules, motion, p)
     s, had = pairs.slot[p], 0
     if s < 0:
-        room = len(points.count)
+        room = len(points.held)
         points.free[room] -= 1
         s = points.free[points.free[room]]
         pairs.slot[p] = s
@@ -200,7 +200,7 @@ def renew(near, p, count, own):
         points.area[s, k] = search.area[k]
         points.feature[s, k] = search.feature[k]
         total += search.area[k]
-    points.count[s] = count
+    points.held[s] = count
     if had > 0:
         hand_over(points, search, s, had)
     else:
@@ -220,7 +220,7 @@ def remember(pairs, points, motion, search, p):
     n = turned(motion.frame, ref, pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2])
     cosine = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]
     ax, ay, az = n[1] * axis[2] - n[2] * axis[1], n[2] * axis[0] - n[0] * axis[2], n[0] * axis[1] - n[1] * axis[0]
-    for k in range(points.count[s]):
+    for k in range(points.held[s]):
         x, y, z = points.shear[s, k, 0], points.shear[s, k, 1], points.shear[s, k, 2]
         if cosine > -0.5:  # by the least rotation from one normal to the other
             along = (ax * x + ay * y + az * z) / (1.0 + cosine)
@@ -230,7 +230,7 @@ def remember(pairs, points, motion, search, p):
         else:
             search.shear[k, 0] = search.shear[k, 1] = search.shear[k, 2] = 0.0
         search.was_area[k], search.was_feature[k] = points.area[s, k], points.feature[s, k]
-    return points.count[s]
+    return points.held[s]
 
 
 @bare
@@ -240,7 +240,7 @@ def hand_over(points, search, s, had):
     New area begins without traction, so that no energy is added: area times traction squared never grows.
     """
     fx = fy = fz = left = area = 0.0
-    for k in range(points.count[s]):
+    for k in range(points.held[s]):
         points.shear[s, k, 0] = points.shear[s, k, 1] = points.shear[s, k, 2] = 0.0
         match = -1
         for j in range(had):
@@ -262,7 +262,7 @@ def hand_over(points, search, s, had):
     if left == 0.0 or area == 0.0:
         return
     share = 1.0 / max(left, area)
-    for k in range(points.count[s]):
+    for k in range(points.held[s]):
         match = -1
         for i in range(3):
             if points.shear[s, k, i] != 0.0:
@@ -328,14 +328,14 @@ def copy_pair(source, p, target, q):
 @bare
 def merge(pairs, before, points, body, search, count):
     """Write the sorted pairs that were found, with what is known of them; slots of those that are gone become free."""
-    number, p, had, room = 0, 0, before.number[0], len(points.count)
+    number, p, had, room = 0, 0, before.number[0], len(points.held)
     for k in range(count):
         i, j = search.found[k, 0], search.found[k, 1]
         while p < had and (before.piece[p, 0] < i or (before.piece[p, 0] == i and before.piece[p, 1] < j)):
             if before.slot[p] >= 0:
                 points.free[points.free[room]] = before.slot[p]
                 points.free[room] += 1
-                points.count[before.slot[p]] = 0
+                points.held[before.slot[p]] = 0
             p += 1
         a, b = body[i], body[j]
         known = p < had and before.piece[p, 0] == i and before.piece[p, 1] == j
@@ -355,7 +355,7 @@ def merge(pairs, before, points, body, search, count):
         if before.slot[p] >= 0:
             points.free[points.free[room]] = before.slot[p]
             points.free[room] += 1
-            points.count[before.slot[p]] = 0
+            points.held[before.slot[p]] = 0
         p += 1
     pairs.number[0] = number
 

@@ -17,6 +17,7 @@ from masonry.laboratory.provenance import own_sources
 from masonry.loading.cycles import SPENT, at_peak, goes_one_way, table
 from masonry.model.loads import Controlled
 from masonry.monitors import events
+from masonry.monitors.energy import open_in_contacts
 from masonry.monitors.reactions import balance, moved_by, open_by
 from masonry.results.joint_resultants import unit_joints
 from masonry.scene import Scene
@@ -71,7 +72,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     mismatch = np.abs(rows["stress"] - rows["support_stress"])[dynamic]
     ratio = rows["kinetic"][dynamic] / np.maximum(internal[dynamic], max(1e-6 * work, 1e-300))
     standings, size = outcome.standing.values(), float(np.ptp(assembly.specimen.blocks.points, axis=0).max())
-    booked = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
+    last = {key: float(values[-1]) for key, values in rows.items()}
+    torn = abs(open_in_contacts(last))
     laws = {name: scene.contact_of(name).law for name in model.group_names}
     kinematics = {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups}
     return {
@@ -111,7 +113,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / moved) if moved > 0 else 0.0,
-        "dissipation_mismatch": abs(booked - spent) / max(abs(spent), ROUNDING * work) if spent else 0.0,
+        "dissipation_mismatch": torn / max(abs(spent), ROUNDING * work) if spent else 0.0,
         "unbalanced_after_settling": float(observed["unbalanced"][-1]),
         "kinetic_after_settling": float(observed["still_moving"][-1]),
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
@@ -124,7 +126,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "overlap_max": float(observed["overlap"].max()),
         "mode_2_over_law": outcome.found["mode_2_over_law"],
         "slip_max": float(observed["slip"].max()),
-        "met": outcome.found["met"],
+        "met": outcome.found.get("met", ""),
+        **({} if model.large is None else {"collapse": _collapse(assembly, outcome)}),
         "slip_limit": scene.solver.slip_limit,
         "section_m2": assembly.specimen.section,
         "interrupted": outcome.interrupted,
@@ -140,6 +143,27 @@ def add_tilt(assembly: Assembly, outcome: Outcome) -> None:
     tilt = tilt_at(assembly.scene, assembly.plan, rows["step"])
     if tilt is not None:
         rows[TILT] = tilt
+
+
+def _collapse(assembly: Assembly, outcome: Outcome) -> dict[str, Any] | None:
+    """The first block to fall: its number, set and place at the start; time, drive and force when it had; energies."""
+    if outcome.found["collapse"] is None:
+        return None
+    block, step, energies = outcome.found["collapse"]
+    rows, specimen = outcome.history.rows, assembly.specimen
+    row = int(np.searchsorted(rows["step"], step))
+    now = {key: float(rows[key][row]) for key in ("time", "displacement", "force")}
+    return {
+        "block": block,
+        "sets": sorted(name for name, members in specimen.sets.items() if block in members),
+        "at_m": assembly.model.layout.centroid[block].tolist(),
+        "step": step,
+        "time_s": now["time"],
+        "displacement_m": now["displacement"],
+        "force_n": now["force"],
+        **({"tilt_rad": float(rows[TILT][row])} if TILT in rows else {}),
+        "energy_j": energies,
+    }
 
 
 def _sources(scene: Scene) -> str:

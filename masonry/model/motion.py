@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from masonry.kinematics.turning import spin
 from masonry.model.layout import KINDS, Layout
 from masonry.model.model import Model
 
@@ -54,7 +55,7 @@ def begin(model: Model, shares: np.ndarray | None, loaded: bool) -> None:
         load = body.load.copy()
         for share, varying in zip(() if shares is None else shares, model.varying, strict=True):
             load += 0.0 if varying[kind] is None else share * varying[kind]
-        blows[kind] = blows.get(kind, 0.0) + 0.5 * body.pace * load
+        blows[kind] = blows.get(kind, 0.0) + 0.5 * body.dt_over_mass * load
     _strike(model, blows, [body.v.copy() for _, body in _present(model)])
 
 
@@ -75,9 +76,17 @@ def _strike(model: Model, blows: dict[str, np.ndarray], before: list[np.ndarray]
     for (kind, body), old in zip(_present(model), before, strict=True):
         if (blow := blows.get(kind)) is None:
             continue
+        if model.large is not None:
+            blow = blow.copy()
+            blow[:, 3:] = np.einsum("bij,bj->bi", model.layout.axes[model.layout.members[kind]], blow[:, 3:])
         energy = model.masses[kind] * blow * (body.v + 0.5 * blow - 0.5 * (body.v - old))
-        _book(body, energy.sum(axis=1))
         body.v[...] += blow
+        if model.large is not None:  # blocks that turned before start from their momentum, which has no masses
+            had = 0.5 * np.einsum("bi,bi->b", body.momentum, body.v[:, 3:] - blow[:, 3:])
+            spin(body)
+            energy[:, 3:] = 0.0
+            energy[:, 3] = 0.5 * np.einsum("bi,bi->b", body.momentum, body.v[:, 3:]) - had
+        _book(body, energy.sum(axis=1))
 
 
 def _present(model: Model) -> list[tuple[str, Any]]:

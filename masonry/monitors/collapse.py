@@ -1,10 +1,11 @@
-"""When blocks fall: the first one, when, and what had happened by then. A result of large displacement, no error."""
+"""What is looked at where blocks may fall: which is the first, when, and what was dissipated by then; overlaps."""
 
 from typing import Any
 
 import numpy as np
 
 from geometry.polyhedra.measures import bounds
+from masonry.kernels.patches import deepest
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 
@@ -21,7 +22,7 @@ class Collapse(Observer):
         self.block, self.step = -1, 0
         self.energies: dict[str, float] = {}
         low, high = bounds(model.blocks)
-        self.width = (high - low).min(axis=1)[model.layout.members["rigid"]]
+        self.width = (high - low).min(axis=1)
         self.free = model.bodies.rigid.dt_over_mass[:, :3].any(axis=1)
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
@@ -33,9 +34,8 @@ class Collapse(Observer):
             if drop.max(initial=0.0) > DROPPED:
                 self.block, self.step = int(drop.argmax()), step
                 self.energies = {key: value for key, value in view.terms.items() if key != "imbalance"}
-        return {}
+        overlap = deepest(model.large.near, self.width)
+        return {"widest": float(view.seen.opening.max(initial=0.0)), "overlap": float(overlap), "slip": 0.0}
 
     def found(self) -> dict[str, Any]:
-        if self.block < 0:
-            return {"collapse": None}
-        return {"collapse": {"block": self.block, "step": self.step, "energy_j": self.energies}}
+        return {"collapse": None if self.block < 0 else (self.block, self.step, self.energies)}
