@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from verification.case import Check, Findings, Line, Plot
+from verification.case import Findings, Line, Plot
 from verification.checks import ablation_steps as held_steps
 from verification.checks.paired_run import twin
 from verification.references.interface.model import Model
@@ -57,15 +57,12 @@ def compare(
     ]  # fmt: skip
     for what, which, (expected, tolerance), reason in ranges:
         k = np.flatnonzero(which)[int(np.argmax(np.abs(ran - stress)[which]))]
-        findings.checks.append(
-            Check(f"{name}: stress where the curves differ most, {what}", "Pa", float(ran[k]), float(stress[k]),
-                  "same discretisation", tolerance, expected, reason, scale=peak)
-        )  # fmt: skip
+        findings.check(f"{name}: stress where the curves differ most, {what}", "Pa", float(ran[k]), float(stress[k]),
+                       "same discretisation", tolerance, expected, reason, scale=peak)  # fmt: skip
     apart = np.abs(result.history.frames[-1].nodes - model.displacement(path.displacements())).max()
-    findings.checks.append(
-        Check(f"{name}: largest difference of a node's displacement at the end", "m", float(apart), 0.0,
-              "same discretisation", allowed.nodes[1], allowed.nodes[0], why + "as above", scale=float(places[-1]))
-    )  # fmt: skip
+    findings.check(f"{name}: largest difference of a node's displacement at the end", "m", float(apart), 0.0,
+                   "same discretisation", allowed.nodes[1], allowed.nodes[0], why + "as above",
+                   scale=float(places[-1]))  # fmt: skip
     where = np.asarray(places) * 1e6
     lines = (Line("interface model, tier 1", where, stress / 1e6, "dashed"), Line("run", where, ran / 1e6, "points"))
     findings.plots.append(Plot(name, "displacement of the drive (um)", "stress (MPa)", lines))

@@ -45,10 +45,8 @@ def study(findings: Findings, kinds: Sequence[str], words: str) -> None:
                 "Gershgorin's bound is never above the limit, but for rounding"),
     ]  # fmt: skip
     damped = stack(kinds, 0.8)
-    findings.checks.append(
-        Check(f"{words}: bound at xi = 0.8 over that without damping", "1", damped.bound / model.bound, 1.8**-0.5,
-              "closed form", 1e-12, 1e-15, "1/sqrt(1 + xi): rounding")
-    )  # fmt: skip
+    findings.check(f"{words}: bound at xi = 0.8 over that without damping", "1", damped.bound / model.bound, 1.8**-0.5,
+                   "closed form", 1e-12, 1e-15, "1/sqrt(1 + xi): rounding")  # fmt: skip
     findings.remarks.append(f"{words}: the proven bound is {model.bound / limit:.2f} of the limit 2/w_max")
     _below(findings, kinds, words, BELOW * limit, mode)
     for damping in (0.0, 0.8):
@@ -73,11 +71,10 @@ def _below(findings: Findings, kinds: Sequence[str], words: str, dt: float, mode
             scale = max(scale, abs(terms["contact_work"]), abs(terms["elastic_blocks"]), first)
     findings.imbalance[f"{words}, {BELOW:g} of the limit"] = gap / scale
     findings.seconds[f"{words}, {BELOW:g} of the limit"] = time.perf_counter() - clock
-    findings.checks.append(
-        Check(f"{words}: largest kinetic energy in 1e5 steps at {BELOW:g} of the limit, over the first", "1",
-              most / first, 1.0 / (1.0 - BELOW**2), "closed form", 1e-4, 1e-5,
-              "1/cos^2(a/2), looked for at 1000 phases of the mode: (pi/1000)^2, times 10 for uneven ones")
-    )  # fmt: skip
+    findings.check(f"{words}: largest kinetic energy in 1e5 steps at {BELOW:g} of the limit, over the first", "1",
+                   most / first, 1.0 / (1.0 - BELOW**2), "closed form", 1e-4, 1e-5,
+                   "1/cos^2(a/2), looked for at 1000 phases of the mode: (pi/1000)^2, times 10 for "
+                   "uneven ones")  # fmt: skip
 
 
 def _above(findings: Findings, kinds: Sequence[str], words: str, damping: float, dt: float, mode: np.ndarray) -> None:
@@ -88,8 +85,7 @@ def _above(findings: Findings, kinds: Sequence[str], words: str, damping: float,
     early = kinetic(model)
     rig.march(model, 40)
     grown = 0.5 * float(np.log(kinetic(model) / early)) / 40
-    findings.checks.append(
-        Check(f"{words}: growth a step at {ABOVE:g} of the limit, xi = {damping:g}", "1", grown,
-              2.0 * float(np.arccosh(ABOVE)), "closed form", 3e-12, 3e-13,
-              "the mode's own factor; what decays of the others is exp(-0.63 * 40) = 1e-11 by then, over 40 steps")
-    )  # fmt: skip
+    findings.check(f"{words}: growth a step at {ABOVE:g} of the limit, xi = {damping:g}", "1", grown,
+                   2.0 * float(np.arccosh(ABOVE)), "closed form", 3e-12, 3e-13,
+                   "the mode's own factor; what decays of the others is exp(-0.63 * 40) = 1e-11 by then, "
+                   "over 40 steps")  # fmt: skip

@@ -19,7 +19,7 @@ Reference: eqs (7), (8), (12) to (17) of the paper.
 
 import numpy as np
 
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line, Plot
 from verification.fixtures.one_contact import along, law, walk
 from verification.fixtures.single_tension import ROUNDING, UM
 from verification.references.closed_forms import Joint, tension
@@ -60,13 +60,12 @@ def softening(found: Findings, name: str) -> None:
         cone = left * np.maximum(JOINT.c0 - walked.sigma * JOINT.tan0, 0.0)
         beyond = max(beyond, *(walked.sigma - envelope), *(walked.tau - cone))
     apart = np.abs(np.stack([walked.stress for walked in walks], axis=1) - by_points(name, paths)).max()
-    found.checks += [
-        Check(f"stress beyond the envelope of pure tension and its share of the cone, {name}", "Pa",
-              float(max(beyond, 0.0)), 0.0, "closed form", 1e-12, 1e-15, "the return ends on the cone: " + ROUNDING,
-              JOINT.fT),
-        Check(f"stresses against a joint integrated apart, {name}, largest deviation", "Pa", float(apart), 0.0,
-              "same discretisation", 3 * APART[name], APART[name], "of first order in the step of 0.05 um", JOINT.c0),
-    ]  # fmt: skip
+    found.check(f"stress beyond the envelope of pure tension and its share of the cone, {name}", "Pa",
+                float(max(beyond, 0.0)), 0.0, "closed form", 1e-12, 1e-15, "the return ends on the cone: " + ROUNDING,
+                JOINT.fT)  # fmt: skip
+    found.check(f"stresses against a joint integrated apart, {name}, largest deviation", "Pa", float(apart), 0.0,
+                "same discretisation", 3 * APART[name], APART[name],
+                "of first order in the step of 0.05 um", JOINT.c0)  # fmt: skip
 
 
 def alone(found: Findings) -> None:
@@ -75,10 +74,8 @@ def alone(found: Findings) -> None:
     for angle in np.radians(ANGLES):
         walked = walk(chosen, along([(0, 0, 0), FAR * np.array([np.cos(angle), 0.0, np.sin(angle)])], STEP))
         off = max(off, float(np.abs(walked.sigma - tension("linear", JOINT, walked.path[:, 2])).max()))
-    found.checks.append(
-        Check("normal stress with independent coupling, largest deviation", "Pa", off, 0.0, "closed form", 1e-12, 1e-14,
-              ROUNDING, JOINT.fT)
-    )  # fmt: skip
+    found.check("normal stress with independent coupling, largest deviation", "Pa", off, 0.0, "closed form", 1e-12,
+                1e-14, ROUNDING, JOINT.fT)  # fmt: skip
 
 
 def closed_again(found: Findings) -> None:
@@ -89,10 +86,8 @@ def closed_again(found: Findings) -> None:
     corners = [(0, 0, 0), (0, 0, torn), (0, 0, z), (slip, 0, z)]
     for coupling, wanted in (("combined", residual + share * (peak - residual)), ("independent", JOINT.ks * slip)):
         tau = float(walk(law("linear", coupling=coupling), along(corners, STEP)).tau[-1])
-        found.checks.append(
-            Check(f"shear stress of a torn contact under compression, {coupling}", "Pa", tau, wanted, "closed form",
-                  1e-12, 1e-14, "the return ends on the cone: " + ROUNDING)
-        )  # fmt: skip
+        found.check(f"shear stress of a torn contact under compression, {coupling}", "Pa", tau, wanted, "closed form",
+                    1e-12, 1e-14, "the return ends on the cone: " + ROUNDING)  # fmt: skip
 
 
 def first_yield(chosen: tuple, direction: np.ndarray) -> float:
@@ -122,18 +117,14 @@ def run() -> Findings:
             worst = max(worst, abs(had / wanted - 1.0))
             stress.append((JOINT.kn * had * s, JOINT.ks * had * c))
             limit.append((JOINT.kn * wanted * s, JOINT.ks * wanted * c))
-        found.checks += [
-            Check(f"first yield, {name}, largest deviation over all angles", "1", worst, 0.0, "closed form", 1e-12,
-                  1e-14, "bisection of a comparison of stresses: rounding", 1.0),
-        ]  # fmt: skip
+        found.check(f"first yield, {name}, largest deviation over all angles", "1", worst, 0.0, "closed form", 1e-12,
+                    1e-14, "bisection of a comparison of stresses: rounding", 1.0)  # fmt: skip
         softening(found, name)
         apex = WEAK / JOINT.tan0
         weak = walk(law(name, cohesion=WEAK), along([(0, 0, 0), (0, 0, apex / JOINT.kn), (0, 0, 3 * UM)], 0.1 * UM))
         pulled = weak.sigma.max()
-        found.checks.append(
-            Check(f"most tension, cone below the cut-off, {name}", "Pa", float(pulled), apex, "closed form",
-                  1e-12, 1e-15, "the path comes to the apex: rounding")
-        )  # fmt: skip
+        found.check(f"most tension, cone below the cut-off, {name}", "Pa", float(pulled), apex, "closed form", 1e-12,
+                    1e-15, "the path comes to the apex: rounding")  # fmt: skip
     yields, wanted_at = 1e-6 * np.array(stress), 1e-6 * np.array(limit[: len(ANGLES)])
     lines = (
         Line("first yield", yields[:, 0], yields[:, 1], "points"),

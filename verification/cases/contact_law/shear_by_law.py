@@ -34,7 +34,7 @@ from collections.abc import Iterator
 from functools import partial
 from math import exp
 
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings
 from verification.fixtures.single_shear import COMPRESSIONS, JOINT, LAST, STEP, energies, envelope, slid
 from verification.fixtures.single_tension import least_accepted
 
@@ -76,14 +76,12 @@ def limit(found: Findings) -> None:
     compression, energy = 20e6, {"fracture_energy_mode_2": 1.01 * least, "fracture_energy_mode_2_slope": 0.0}
     top = JOINT.c0 + compression * JOINT.tan0
     beyond = slid("linear", compression, top / JOINT.ks, 2e-3, most=1e-6, **energy)
-    found.checks += [
-        Check("least energy that is accepted", "N/m", given, least, "closed form", 1e-13, 1e-15,
-              "bisection of a comparison: rounding"),
-        Check("largest stress beyond the brittle limit", "Pa", float(beyond.tau.max()), top, "closed form", 1e-12,
-              1e-14, "strength never grows: rounding"),
-        Check("stress after the drop", "Pa", float(beyond.tau[-1]), compression * JOINT.tan_res, "closed form", 1e-12,
-              1e-14, "the residual friction: rounding"),
-    ]  # fmt: skip
+    found.check("least energy that is accepted", "N/m", given, least, "closed form", 1e-13, 1e-15,
+                "bisection of a comparison: rounding")  # fmt: skip
+    found.check("largest stress beyond the brittle limit", "Pa", float(beyond.tau.max()), top, "closed form", 1e-12,
+                1e-14, "strength never grows: rounding")  # fmt: skip
+    found.check("stress after the drop", "Pa", float(beyond.tau[-1]), compression * JOINT.tan_res, "closed form", 1e-12,
+                1e-14, "the residual friction: rounding")  # fmt: skip
 
 
 def brittle() -> Findings:
@@ -96,10 +94,9 @@ def brittle() -> Findings:
         walked = slid("brittle", s, us0, BROKEN)
         du = (BROKEN - us0) / -(-(BROKEN - us0) // STEP)
         wanted = (top - rest) ** 2 / (2 * JOINT.ks) + rest * (BROKEN - rest / JOINT.ks) + 0.5 * (top - rest) * du
-        found.checks.append(
-            Check(f"dissipated at 0.1 mm at {s / 1e6:g} MPa", "J/m2", float(walked.dissipated[-1]), wanted,
-                  "closed form", 1e-12, 1e-14, "the drop in one step is exact with its d du/2: rounding of 1000 sums")
-        )  # fmt: skip
+        found.check(f"dissipated at 0.1 mm at {s / 1e6:g} MPa", "J/m2", float(walked.dissipated[-1]), wanted,
+                    "closed form", 1e-12, 1e-14,
+                    "the drop in one step is exact with its d du/2: rounding of 1000 sums")  # fmt: skip
     return found
 
 

@@ -17,7 +17,7 @@ from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings
 from verification.checks import critical
 from verification.fixtures import assembled, rig
 
@@ -31,18 +31,14 @@ def run() -> Findings:
     model = assemble(scene.load("couplet", GIVEN)).model
     omega, _ = assembled.fastest(model, assembled.stiffness(model, rig.STONE))
     mass, spring = 1900.0 * 0.2 * 0.05 * 0.05, 150e9 * 0.2 * 0.05
-    found.checks.append(
-        Check("couplet: highest frequency", "rad/s", omega, float(np.sqrt(spring / mass)), "closed form", 1e-12, 1e-15,
-              "one freedom that is free: sqrt(k_n A/m)")
-    )  # fmt: skip
+    found.check("couplet: highest frequency", "rad/s", omega, float(np.sqrt(spring / mass)), "closed form", 1e-12,
+                1e-15, "one freedom that is free: sqrt(k_n A/m)")  # fmt: skip
     limit = float(2.0 / omega / np.sqrt(1.8))
     result = laboratory.run(scene.load("couplet", {**GIVEN, "solver.time_step": f"{critical.BELOW * limit!r} s"}))
     found.note("couplet at 0.99 of the limit", result)
-    found.checks.append(
-        Check("couplet: residual stress at 0.99 of the limit", "Pa", result.summary["final_stress_pa"],
-              0.73 * 0.5e6 + 1.01e6 * float(np.exp(-0.87e6 / 123.0 * (1e-3 - 1.375e6 / 70e9))), "closed form", 1e-12,
-              1e-14, "as at any stable step: the settled confinement")
-    )  # fmt: skip
+    found.check("couplet: residual stress at 0.99 of the limit", "Pa", result.summary["final_stress_pa"],
+                0.73 * 0.5e6 + 1.01e6 * float(np.exp(-0.87e6 / 123.0 * (1e-3 - 1.375e6 / 70e9))), "closed form", 1e-12,
+                1e-14, "as at any stable step: the settled confinement")  # fmt: skip
     said = ""
     try:
         laboratory.run(scene.load("couplet", {**GIVEN, "solver.time_step": f"{critical.ABOVE * limit!r} s"}))
@@ -52,10 +48,8 @@ def run() -> Findings:
         found.remarks.append(f"At 1.05 of the limit: {said}")
         said = said if all(np.isfinite(values).all() for values in rows.values()) else ""
     named = "unstable at step" in said and "block 1" in said and "gershgorin" in said
-    found.checks.append(
-        Check("couplet: stopped at 1.05 of the limit, its block named, rows finite", "1", float(named), 1.0,
-              "closed form", 1e-14, 0.0, "yes or no")
-    )  # fmt: skip
+    found.check("couplet: stopped at 1.05 of the limit, its block named, rows finite", "1", float(named), 1.0,
+                "closed form", 1e-14, 0.0, "yes or no")  # fmt: skip
     return found
 
 

@@ -14,7 +14,7 @@ Reference: mechanics; sums over six and twelve freedoms.
 
 import numpy as np
 
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings
 from verification.checks.free_motion import glued
 from verification.fixtures import rig, shapes
 
@@ -71,10 +71,9 @@ def run() -> Findings:
         model = rig.make(shapes.setup(blocks, [kind, kind]), glued(KN, KS), holds=[rig.everything(0)])
         had = np.sort(np.sqrt(np.linalg.eigvals(-rig.acceleration_matrix(model)).real))
         for k, (value, reference) in enumerate(zip(had, wanted, strict=True)):
-            found.checks.append(
-                Check(f"{kind}: frequency {k + 1} of {len(wanted)}", "rad/s", float(value), float(reference),
-                      "closed form", 1e-12, 1e-13, "sums of some hundred products and an eigenvalue: rounding")
-            )  # fmt: skip
+            found.check(f"{kind}: frequency {k + 1} of {len(wanted)}", "rad/s", float(value), float(reference),
+                        "closed form", 1e-12, 1e-13,
+                        "sums of some hundred products and an eigenvalue: rounding")  # fmt: skip
     return found
 
 

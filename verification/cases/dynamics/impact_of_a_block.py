@@ -15,7 +15,7 @@ Reference: the half sine, by hand.
 import numpy as np
 
 from masonry.model.model import Stepping
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line, Plot
 from verification.checks.free_motion import follow, loose
 from verification.fixtures import rig, shapes
 
@@ -61,12 +61,10 @@ def run() -> Findings:
     ):
         size = float(exact[k]) if k < 2 else 1.0
         order = float(np.log2(errors[-2, k] / errors[-1, k]) / np.log2((COUNTS[-1] + 0.5) / (COUNTS[-2] + 0.5)))
-        found.checks += [
-            Check(f"{name}, {COUNTS[-1]} steps", unit, float(errors[-1, k] + 1) * size, size, "closed form",
-                  3 * expected, expected, "three times the leading term of leapfrog"),
-            Check(f"order of the {name} in dt", "1", order, 2.0, "closed form", 5e-4, 1e-4,
-                  "leapfrog; the next term is (w dt)^2 = 4e-4 of the first"),
-        ]  # fmt: skip
+        found.check(f"{name}, {COUNTS[-1]} steps", unit, float(errors[-1, k] + 1) * size, size, "closed form",
+                    3 * expected, expected, "three times the leading term of leapfrog")  # fmt: skip
+        found.check(f"order of the {name} in dt", "1", order, 2.0, "closed form", 5e-4, 1e-4,
+                    "leapfrog; the next term is (w dt)^2 = 4e-4 of the first")  # fmt: skip
     t, force = runs[1][0]
     wanted = exact[1] * np.maximum(np.sin(OMEGA * np.minimum(t, exact[0])), 0.0)
     lines = (Line("40 steps", 1e3 * t, force, "points"), Line("half sine", 1e3 * t, wanted, "dashed"))

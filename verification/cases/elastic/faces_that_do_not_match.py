@@ -14,7 +14,7 @@ their cells 2:3 in size, against the same with faces that match.
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line, Plot
 from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.structured import row_of_boxes
 
@@ -64,19 +64,9 @@ def patch(found: Findings) -> None:
     exact[:, 0] += box * STRESS / NORMAL
     moved = result.history.frames[-1].nodes
     worst = int(np.argmax(np.abs(moved - exact).max(axis=1)))
-    found.checks.append(
-        Check(
-            "displacement, the worst node",
-            "m",
-            float(np.abs(moved - exact)[worst].max()),
-            0.0,
-            "closed form",
-            1e-12,
-            1e-14,
-            "exact in principle: what is left is how far the run has come to rest, and rounding",
-            float(np.abs(exact).max()),
-        )  # fmt: skip
-    )
+    found.check("displacement, the worst node", "m", float(np.abs(moved - exact)[worst].max()), 0.0, "closed form",
+                1e-12, 1e-14, "exact in principle: what is left is how far the run has come to rest, and rounding",
+                float(np.abs(exact).max()))  # fmt: skip
 
 
 def beam(cells: int, other: int) -> tuple[float, Result]:
@@ -100,18 +90,12 @@ def run() -> Findings:
             kept.append(value)
     limits = [kept[-1] + (kept[-1] - kept[-2]) / 3 for kept in (values, matching)]
     errors = [np.abs(np.array(kept) / limits[1] - 1) for kept in (values, matching)]
-    found.checks += [
-        Check(
-            "order of the error in h", "1", float(np.log2(errors[0][-2] / errors[0][-1])), 2.0, "converged run",
-            0.05, 0.02,
-            "8:12 and 16:24 cells over the height against the limit of faces that match; tets of constant strain "
-            "are of second order, and points in the common refinement take nothing from it",
-        ),
-        Check(
-            "deflection extrapolated by h^2", "m", limits[0], limits[1], "converged run", 5e-4, 1e-4,
-            "faces that match tend to the same; the difference is of the order h^4",
-        ),
-    ]  # fmt: skip
+    found.check("order of the error in h", "1", float(np.log2(errors[0][-2] / errors[0][-1])), 2.0, "converged run",
+                0.05, 0.02, "8:12 and 16:24 cells over the height against the limit of faces that match; tets of "
+                "constant strain are of second order, and points in the common refinement take nothing "
+                "from it")  # fmt: skip
+    found.check("deflection extrapolated by h^2", "m", limits[0], limits[1], "converged run", 5e-4, 1e-4,
+                "faces that match tend to the same; the difference is of the order h^4")  # fmt: skip
     cells = np.array(LADDER, dtype=float)
     found.plots.append(
         Plot(

@@ -25,7 +25,7 @@ from masonry.laboratory import laboratory
 from masonry.model.layout import Layout
 from masonry.model.loads import Conditions
 from masonry.timeloop import timeloop
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings
 from verification.checks.other_conditions import rebuilt
 from verification.fixtures.scene_text import assembled
 from verification.references.interface.envelopes import Law
@@ -167,14 +167,10 @@ def run() -> Findings:
     why = "the field is in the space of both elements, and both rules integrate it: rounding"
     for name, degree, rule in (("linear, vertices", 1, "vertex"), ("linear, Gauss", 1, 4), ("quadratic, Gauss", 2, 4)):
         value = implicit(mesh, degree, rule)
-        found.checks.append(
-            Check(f"interface model, {name}: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14, why, size)
-        )
+        found.check(f"interface model, {name}: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14, why, size)
     value = explicit(found, specimen, mesh)
-    found.checks.append(
-        Check("run, points at nodes: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14,
-              "as above, and how far the run comes to rest", size)
-    )  # fmt: skip
+    found.check("run, points at nodes: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14,
+                "as above, and how far the run comes to rest", size)  # fmt: skip
     wrong = implicit(mesh, 2, "vertex") / size
     found.remarks.append(f"quadratic tets with points at the corners, which fail by rule: error {wrong:.2%}")
     return found

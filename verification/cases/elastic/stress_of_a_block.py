@@ -52,10 +52,8 @@ def corners(found: Findings, kind: str, model: Model, gradient: np.ndarray) -> N
     """Displacement of all corners of blocks whose points x move by gradient @ x."""
     place = model.blocks.points
     off = np.abs(corner_displacements(model, None) - place @ gradient.T).max()
-    found.checks.append(
-        Check(f"{kind}: displacement of the corners, largest deviation", "m", float(off), 0.0, "closed form", 1e-12,
-              1e-14, ROUNDING, float(np.abs(place @ gradient.T).max()))
-    )  # fmt: skip
+    found.check(f"{kind}: displacement of the corners, largest deviation", "m", float(off), 0.0, "closed form", 1e-12,
+                1e-14, ROUNDING, float(np.abs(place @ gradient.T).max()))  # fmt: skip
 
 
 def turned(found: Findings, kind: str, model: Model, gradient: np.ndarray) -> None:
@@ -63,9 +61,7 @@ def turned(found: Findings, kind: str, model: Model, gradient: np.ndarray) -> No
     watch = Watch(model, 1.0)
     watch.check(1)
     wanted = float(np.abs(0.5 * (gradient - gradient.T)).max())
-    found.checks.append(
-        Check(f"{kind}: largest rotation", "rad", watch.rotation, wanted, "closed form", 1e-12, 1e-14, ROUNDING)
-    )
+    found.check(f"{kind}: largest rotation", "rad", watch.rotation, wanted, "closed form", 1e-12, 1e-14, ROUNDING)
 
 
 def of_contacts(found: Findings) -> None:
@@ -96,19 +92,16 @@ def overlapping(found: Findings) -> None:
     """The closure of a joint is taken over the thinner of its two blocks."""
     overlap = Overlap(rig.make(shapes.setup(shapes.stack([0.05, 0.1]), ["rigid"] * 2), GLUE))
     overlap.look(np.full(4, -1e-6))
-    found.checks.append(
-        Check("closure of a joint over the thinner block", "1", overlap.largest, 1e-6 / 0.05, "closed form", 1e-12,
-              1e-15, ROUNDING)
-    )  # fmt: skip
+    found.check("closure of a joint over the thinner block", "1", overlap.largest, 1e-6 / 0.05, "closed form", 1e-12,
+                1e-15, ROUNDING)  # fmt: skip
 
 
 def in_order(found: Findings) -> None:
     """Where the file for ParaView has each component."""
     had = [NAMES[k] for k in TO_VTK]
-    found.checks.append(
-        Check("components that stand where ParaView looks for them", "1", sum(a == b for a, b in zip(had, IN_PARAVIEW,
-              strict=True)), 6.0, "closed form", 1e-14, 0.0, "names: exact")
-    )  # fmt: skip
+    found.check("components that stand where ParaView looks for them", "1",
+                sum(a == b for a, b in zip(had, IN_PARAVIEW, strict=True)), 6.0, "closed form", 1e-14, 0.0,
+                "names: exact")  # fmt: skip
 
 
 def run() -> Findings:

@@ -59,10 +59,8 @@ def oblique(found: Findings, kind: str) -> None:
     model = column(kind, np.ones(3))
     before = energy.velocities(model)
     rig.march(model, 1)
-    found.checks.append(
-        Check(f"{kind}: unbalanced force over the loads, in the first step", "1", energy.unbalanced(model, before), 1.0,
-              "closed form", 1e-12, 1e-14, "no contact answers yet: rounding")
-    )  # fmt: skip
+    found.check(f"{kind}: unbalanced force over the loads, in the first step", "1", energy.unbalanced(model, before),
+                1.0, "closed form", 1e-12, 1e-14, "no contact answers yet: rounding")  # fmt: skip
     terms = at_rest(found, f"{kind}, oblique", model)
     for upper in (1, 2):
         below = model.joints.block_b == upper
@@ -84,10 +82,8 @@ def oblique(found: Findings, kind: str) -> None:
             for k, axis in enumerate("xy")
         ]  # fmt: skip
     stored = terms["elastic_blocks"] + terms["elastic_contacts"]
-    found.checks.append(
-        Check(f"{kind}: work of the loads, twice what is stored", "J", terms["external_work"], 2.0 * stored,
-              "closed form", 1e-12, 1e-13, STATICS)
-    )  # fmt: skip
+    found.check(f"{kind}: work of the loads, twice what is stored", "J", terms["external_work"], 2.0 * stored,
+                "closed form", 1e-12, 1e-13, STATICS)  # fmt: skip
 
 
 def upright(found: Findings, kind: str) -> None:
