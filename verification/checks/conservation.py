@@ -3,7 +3,7 @@
 import numpy as np
 
 from masonry.model.model import Model
-from verification.fixtures.rig import present
+from verification.fixtures.models import present
 
 LEVI_CIVITA = np.zeros((3, 3, 3))
 for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):

@@ -11,7 +11,7 @@ from masonry.model.model import Model, Stepping
 from verification.case import Findings, at_most
 from verification.checks.conservation import contact_forces, momentum
 from verification.checks.free_motion import STRONG, follow
-from verification.fixtures import assembled, rig, shapes
+from verification.fixtures import assembled, models, shapes
 from verification.fixtures.one_contact import TABLE_1
 
 TURNS = {
@@ -42,15 +42,15 @@ def wall(kinds: Sequence[str], skew: bool = False) -> shapes.Setup:
 def rigid_motion(findings: Findings, kinds: Sequence[str], words: str) -> None:
     """All blocks move and turn together: no force at all. And contacts push both sides alike, along one line."""
     turn = next(iter(TURNS.values()))
-    model = rig.make(shapes.mapped(wall(kinds, skew=True), turn, SHIFT), STRONG)
+    model = models.make(shapes.mapped(wall(kinds, skew=True), turn, SHIFT), STRONG)
     random = np.random.default_rng(1)
     spin = random.normal(size=3)
-    rigid = rig.linear_field(model, random.normal(size=3), np.cross(np.eye(3), -spin))
+    rigid = models.linear_field(model, random.normal(size=3), np.cross(np.eye(3), -spin))
     noise = random.normal(size=len(rigid)) * np.abs(rigid).max()
-    scale = float(np.abs(rig.forces(model, noise)).max())
+    scale = float(np.abs(models.forces(model, noise)).max())
     everywhere = float(np.abs(model.contacts.force).sum())
     unequal = float(np.abs(contact_forces(model)).max())
-    left = float(np.abs(rig.forces(model, rigid)).max())
+    left = float(np.abs(models.forces(model, rigid)).max())
     findings.check(f"{words}: force of a rigid motion, largest", "N", left, 0.0, KIND, 1e-13, 3e-15,
                    "differences of displacements that are alike: rounding", scale)  # fmt: skip
     findings.check(f"{words}: sum and moment of all contact forces", "N", unequal, 0.0, KIND, 1e-13, 1e-16,
@@ -59,12 +59,12 @@ def rigid_motion(findings: Findings, kinds: Sequence[str], words: str) -> None:
 
 def kept_momentum(findings: Findings, kinds: Sequence[str], words: str) -> None:
     """Free blocks that fly apart and crack their joints keep their momentum and their angular momentum."""
-    model = rig.make(wall(kinds, skew=True), SOFT)
+    model = models.make(wall(kinds, skew=True), SOFT)
     random = np.random.default_rng(3)
-    for _, body in rig.present(model):
+    for _, body in models.present(model):
         body.v[:] = random.normal(size=body.v.shape) * 0.04
     before = momentum(model)
-    swing = sum(float(np.abs(model.masses[kind] * body.v).sum()) for kind, body in rig.present(model))
+    swing = sum(float(np.abs(model.masses[kind] * body.v).sum()) for kind, body in models.present(model))
     name = f"{words}: cracking apart"
     follow(findings, name, model, 3000, lambda m: np.zeros(1), every=100)
     off = float(np.abs(momentum(model) - before).max())
@@ -83,8 +83,8 @@ def _loaded(setup: shapes.Setup, law: tuple, turn: np.ndarray, stepping: Steppin
     """Blocks 0 and 1 (by their old numbers) held; weight, and a traction on top."""
     where = np.argsort(order)
     push = Push(np.array([setup.blocks.block_face_start[where[4]]]), turn @ np.array([6e4, 3e4, -3e4]))
-    held = rig.everything(int(where[0]), int(where[1]))
-    return rig.make(setup, law, stepping, [held], [push], gravity=turn @ np.array([80.0, 60.0, -40.0]))
+    held = models.everything(int(where[0]), int(where[1]))
+    return models.make(setup, law, stepping, [held], [push], gravity=turn @ np.array([80.0, 60.0, -40.0]))
 
 
 def alike(findings: Findings, kinds: Sequence[str], words: str, law: tuple, steps: int, stepping: Stepping) -> None:
@@ -92,7 +92,7 @@ def alike(findings: Findings, kinds: Sequence[str], words: str, law: tuple, step
     still, rest = wall(kinds), np.arange(5)
     plain = _loaded(still, law, np.eye(3), stepping, rest)
     follow(findings, f"{words}: as it stands", plain, steps, lambda m: np.zeros(1), every=steps // 20)
-    was = rig.displacements(plain)
+    was = models.displacements(plain)
     scale = max(float(np.abs(field).max(initial=0.0)) for field in was)
     why = "rounding, whose share grows with the steps in which joints soften"
     if law is SOFT:
@@ -101,13 +101,13 @@ def alike(findings: Findings, kinds: Sequence[str], words: str, law: tuple, step
         setup = shapes.mapped(still, turn, SHIFT if "shifted" in name else np.zeros(3))
         model = _loaded(setup, law, turn, stepping, rest)
         follow(findings, f"{words}: {name}", model, steps, lambda m: np.zeros(1), every=steps // 20)
-        now = rig.displacements(model)
+        now = models.displacements(model)
         off = max(float(np.abs(b - a @ turn.T).max(initial=0.0)) for a, b in zip(was, now, strict=True))
         findings.check(f"{words}: {name}, displacements", "m", off, 0.0, KIND, 1e-12, 1e-14, why, scale)
     other, nodes = shapes.renumbered(still, ORDER)
     model = _loaded(other, law, np.eye(3), stepping, ORDER)
     follow(findings, f"{words}: renumbered", model, steps, lambda m: np.zeros(1), every=steps // 20)
-    now = rig.displacements(model)
+    now = models.displacements(model)
     off = float(np.abs(now[0] - was[0][ORDER]).max())
     off = max(off, float(np.abs(now[1] - was[1][nodes]).max(initial=0.0)))
     findings.check(f"{words}: renumbered, displacements", "m", off, 0.0, KIND, 1e-12, 1e-14, why, scale)
@@ -119,5 +119,5 @@ def study(findings: Findings, kinds: Sequence[str], words: str, steps: int) -> N
     kept_momentum(findings, kinds, words)
     alike(findings, kinds, f"{words}, at rest", STRONG, steps, Stepping("scaled", damping=0.8))
     model = _loaded(wall(kinds), STRONG, np.eye(3), Stepping("real", damping=0.0), np.arange(5))
-    dt = 0.4 * 2.0 / assembled.fastest(model, assembled.stiffness(model, rig.STONE))[0]
+    dt = 0.4 * 2.0 / assembled.fastest(model, assembled.stiffness(model, models.STONE))[0]
     alike(findings, kinds, f"{words}, cracking", SOFT, 1500, Stepping("real", dt, damping=0.0))

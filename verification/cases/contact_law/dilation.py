@@ -13,10 +13,10 @@ from math import atan, tan
 
 import numpy as np
 
-from masonry.errors import SceneError
 from verification.case import Case, Findings, Line, Plot
-from verification.fixtures.one_contact import along, contact, law, walk
+from verification.fixtures.one_contact import along, contact, law, refused, walk
 from verification.fixtures.single_tension import ROUNDING, UM
+from verification.fixtures.thresholds import threshold
 from verification.references.closed_forms import Joint
 
 JOINT = Joint(c_res=0.87e6, tan_res=1.01)
@@ -67,7 +67,7 @@ def locked(findings: Findings) -> None:
     findings.plots.append(Plot("Dilation with a locked normal", "slip (um)", "stress (MPa)", lines))
 
 
-def steepest(findings: Findings) -> None:
+def as_steep_as_friction(findings: Findings) -> None:
     """As steep as friction, forth and back and with all laws: no step makes energy. Steeper is refused."""
     z = -0.1e6 / JOINT.kn
     corners = [(0, 0, z), (90 * UM, 0, z), (-90 * UM, 30 * UM, z), (50 * UM, 0, z - 3 * UM)]
@@ -77,15 +77,8 @@ def steepest(findings: Findings) -> None:
         findings.check(f"as steep as friction, {name}: largest fall of the dissipation", "J/m2",
                        float(min(np.diff(spent).min(), 0.0)), 0.0, "closed form", 1e-12, 1e-14,
                        "tau >= s tan(psi): rounding", float(spent[-1]))  # fmt: skip
-    low, high = 0.0, 1.5
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        try:
-            law("linear", dilation_angle=middle)
-            low = middle
-        except SceneError:
-            high = middle
-    findings.check("steepest dilation angle that is accepted", "rad", low, atan(0.73), "closed form", 1e-13, 1e-15,
+    steepest = threshold(lambda angle: refused("linear", dilation_angle=angle), 0.0, 1.5, 60)[0]
+    findings.check("steepest dilation angle that is accepted", "rad", steepest, atan(0.73), "closed form", 1e-13, 1e-15,
                    "bisection of a comparison: rounding")  # fmt: skip
 
 
@@ -105,7 +98,7 @@ def ended(findings: Findings) -> None:
 def run() -> Findings:
     """All of the above."""
     found = Findings()
-    for part in (free, locked, steepest, ended):
+    for part in (free, locked, as_steep_as_friction, ended):
         part(found)
     return found
 

@@ -22,6 +22,7 @@ import numpy as np
 from verification.case import Case, Findings, Line, Plot
 from verification.fixtures.one_contact import along, law, walk
 from verification.fixtures.single_tension import ROUNDING, UM
+from verification.fixtures.thresholds import threshold
 from verification.references.closed_forms import Joint, tension
 from verification.references.interface.envelopes import Law
 from verification.references.interface.points import traction, unharmed
@@ -92,13 +93,12 @@ def closed_again(found: Findings) -> None:
 
 def first_yield(chosen: tuple, direction: np.ndarray) -> float:
     """How far (m) a contact can go at once before anything but its springs answers."""
-    low, high = 0.0, 100 * UM
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        seen = walk(chosen, middle * direction[None])
-        yields = seen.intact_n[0] < 1 or seen.intact_s[0] < 1 or seen.slip.any() or seen.dissipated[0] > 0
-        low, high = (low, middle) if yields else (middle, high)
-    return low
+
+    def yields(far: float) -> bool:
+        seen = walk(chosen, far * direction[None])
+        return bool(seen.intact_n[0] < 1 or seen.intact_s[0] < 1 or seen.slip.any() or seen.dissipated[0] > 0)
+
+    return threshold(yields, 0.0, 100 * UM, 60)[0]
 
 
 def run() -> Findings:

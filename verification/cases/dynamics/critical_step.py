@@ -19,7 +19,7 @@ from masonry.errors import Stopped
 from masonry.laboratory import laboratory
 from verification.case import Case, Findings
 from verification.checks import critical
-from verification.fixtures import assembled, rig
+from verification.fixtures import assembled, models
 
 GIVEN = {"law": "exponential", "drive.steps": 8000, "settle.steps": 20000, "solver.masses": "real"}
 
@@ -29,7 +29,7 @@ def run() -> Findings:
     found = Findings()
     critical.study(found, ["rigid"] * 3, "rigid")
     model = assemble(scene.load("couplet", GIVEN)).model
-    omega, _ = assembled.fastest(model, assembled.stiffness(model, rig.STONE))
+    omega, _ = assembled.fastest(model, assembled.stiffness(model, models.STONE))
     mass, spring = 1900.0 * 0.2 * 0.05 * 0.05, 150e9 * 0.2 * 0.05
     found.check("couplet: highest frequency", "rad/s", omega, float(np.sqrt(spring / mass)), "closed form", 1e-12,
                 1e-15, "one freedom that is free: sqrt(k_n A/m)")  # fmt: skip

@@ -17,11 +17,11 @@ import numpy as np
 from masonry.model.model import Stepping
 from verification.case import Case, Findings, Line, Plot
 from verification.checks.free_motion import follow, loose
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 SPEED, KN, SIZE = 1e-3, 1e9, (0.2, 0.1)
 HEIGHT = 0.1
-MASS = rig.STONE.density * SIZE[0] * SIZE[1] * HEIGHT
+MASS = models.STONE.density * SIZE[0] * SIZE[1] * HEIGHT
 STIFFNESS = KN * SIZE[0] * SIZE[1]
 OMEGA = float(np.sqrt(STIFFNESS / MASS))
 COUNTS = (20, 40, 80, 160)
@@ -32,7 +32,7 @@ def hit(findings: Findings, count: int) -> tuple[np.ndarray, float, float, float
     setup = shapes.setup(shapes.stack([HEIGHT, HEIGHT], SIZE), ["rigid", "rigid"])
     dt = np.pi / (OMEGA * (count + 0.5))
     stepping = Stepping("real", dt, damping=0.0)
-    model = rig.make(setup, loose(KN), stepping, [rig.everything(0)])
+    model = models.make(setup, loose(KN), stepping, [models.everything(0)])
     model.bodies.rigid.v[1, 2] = -SPEED
     steps = count + 20
     look = follow(

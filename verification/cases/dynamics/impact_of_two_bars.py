@@ -23,10 +23,10 @@ from scipy.special import itj0y0
 from masonry.model.model import Model, Stepping
 from verification.case import Case, Findings, Line, Plot
 from verification.checks.free_motion import follow, glued
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 SPEED, KN, SIDE, PITCH = 1e-3, 1e10, 0.1, 0.1
-AREA, MASS = SIDE**2, rig.STONE.density * SIDE**2 * PITCH
+AREA, MASS = SIDE**2, models.STONE.density * SIDE**2 * PITCH
 OMEGA = float(np.sqrt(KN * AREA / MASS))
 FORCE = 0.5 * SPEED * float(np.sqrt(KN * AREA * MASS))
 
@@ -35,7 +35,7 @@ def bars(count: int, fraction: float) -> tuple[Model, np.ndarray]:
     """Two bars of `count` blocks upon each other at a share of the stable step; and which contacts lie between them."""
     blocks = shapes.stack([PITCH] * (2 * count), (SIDE, SIDE))
     setup = shapes.setup(blocks, ["rigid"] * (2 * count))
-    model = rig.make(setup, glued(KN, KN), Stepping("real", fraction / OMEGA, damping=0.0))
+    model = models.make(setup, glued(KN, KN), Stepping("real", fraction / OMEGA, damping=0.0))
     between = (setup.joints.block_a == count - 1) & (setup.joints.block_b == count)
     model.state.intact_n[between], model.state.secant[between] = 0.0, 0.0  # torn: the middle only presses
     model.bodies.rigid.v[:count, 2], model.bodies.rigid.v[count:, 2] = 0.5 * SPEED, -0.5 * SPEED

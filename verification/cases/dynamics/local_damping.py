@@ -17,10 +17,10 @@ import numpy as np
 from masonry.model.model import Model, Stepping
 from verification.case import Case, Findings, Line, Plot
 from verification.checks.free_motion import follow, glued, loose
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 XI, START, KN, SIZE, HEIGHT, GRAVITY = 0.8, 1e-5, 1e9, (0.2, 0.1), 0.1, 9.81
-MASS = rig.STONE.density * SIZE[0] * SIZE[1] * HEIGHT
+MASS = models.STONE.density * SIZE[0] * SIZE[1] * HEIGHT
 OMEGA = float(np.sqrt(KN * SIZE[0] * SIZE[1] / MASS))
 HALF = np.pi / (2 * OMEGA) * (1 / np.sqrt(1 - XI) + 1 / np.sqrt(1 + XI))
 RATIO = float(np.sqrt((1 - XI) / (1 + XI)))
@@ -30,7 +30,9 @@ FRACTIONS = (4e-3, 2e-3, 1e-3)
 def made(law: tuple, dt: float, gravity: float = 0.0) -> Model:
     """A block on a held one."""
     setup = shapes.setup(shapes.stack([HEIGHT, HEIGHT], SIZE), ["rigid", "rigid"])
-    return rig.make(setup, law, Stepping("real", dt, damping=XI), [rig.everything(0)], gravity=(0.0, 0.0, gravity))
+    return models.make(
+        setup, law, Stepping("real", dt, damping=XI), [models.everything(0)], gravity=(0.0, 0.0, gravity)
+    )
 
 
 def swung(findings: Findings, fraction: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
