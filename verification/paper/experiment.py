@@ -1,6 +1,7 @@
 """What an experiment of the paper consists of: runs of scenes, and what they show: pictures and checked claims."""
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -71,9 +72,10 @@ class Claim:
             raise ValueError(f"the claim '{self.says}' does not hold or cannot be decided: say why")
 
 
-def answer(holds: bool, why: str) -> tuple[bool, str]:
-    """The last two entries of a claim: whether it holds, and the reason only where it does not."""
-    return holds, "" if holds else why
+def claim(says: str, source: str, check: str, measured: str, holds: bool | None, why: str = "") -> Claim:
+    """A claim whose reason is kept only where it does not hold or cannot be decided; 5% in its words is 5 %."""
+    check, measured, why = (re.sub(r"(?<=\d)%", " %", text) for text in (check, measured, why))
+    return Claim(says, source, check, measured, None if holds is None else bool(holds), "" if holds else why)
 
 
 @dataclass

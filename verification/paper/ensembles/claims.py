@@ -6,7 +6,7 @@ import numpy as np
 
 from verification.html.page import percent
 from verification.paper.ensembles.realisations import Ensemble
-from verification.paper.experiment import Claim
+from verification.paper.experiment import Claim, claim
 
 WIDE = 0.1
 """Of the mean peak: a band that one test, or one run, cannot stand for."""
@@ -29,8 +29,8 @@ def told(modes: Modes, says: str, source: str, check: str, measured: str, holds:
     """A claim, or where there are few walls (a quick look) one that cannot be decided."""
     least = min(len(w.walls) for _, _, w in each(modes))
     if least < FEW:
-        return Claim(says, source, check, measured, None, f"{least} walls are too few to tell")
-    return Claim(says, source, check, measured, holds, "" if holds else why)
+        return claim(says, source, check, measured, None, f"{least} walls are too few to tell")
+    return claim(says, source, check, measured, holds, why)
 
 
 def ways_text(walls: Ensemble) -> str:
