@@ -8,7 +8,7 @@ from geometry.joints.find import find_joints
 from masonry.laws import factory as law_build
 from masonry.model.loads import Push
 from masonry.model.model import Stepping, sort_by_group
-from verification.checks.conservation import contact_forces, momentum
+from verification.checks.invariance import contact_forces, momentum
 from verification.fixtures import models, shapes
 
 MIXTURES = {

@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from verification.case import Findings, Line, Plot
-from verification.checks import ablation_steps as held_steps
+from verification.checks import increments
 from verification.checks.paired_run import twin
 from verification.references.interface.model import Model
 from verification.references.interface.newton import Path
@@ -46,7 +46,7 @@ def compare(
     settle = DEAD_STEPS if model.dead.any() else 0
     force, harm, path = follow(model, places, parts)
     stress, peak = force / assembly.specimen.section, float(np.abs(force).max()) / assembly.specimen.section
-    result = findings.note(name, held_steps.run(assembly, places, move, wait, settle))
+    result = findings.note(name, increments.run(assembly, places, move, wait, settle))
     ran = result.history.rows["stress"][1 + settle :]
     sound = harm == 0.0
     why = "both models are one discretisation; "

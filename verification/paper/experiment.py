@@ -11,7 +11,6 @@ from masonry import __version__
 from masonry.jit.compiler import source_hash
 from masonry.laboratory.result import Result, load_result
 from verification.html.page import Chapter, Verdict
-from verification.paper.misprints import Misprint
 
 ACCURACY = "drive.accuracy"
 PERCENT, QUICK_PERCENT = 1.0, 4.0
@@ -76,6 +75,22 @@ def claim(says: str, source: str, check: str, measured: str, holds: bool | None,
     """A claim whose reason is kept only where it does not hold or cannot be decided; 5% in its words is 5 %."""
     check, measured, why = (re.sub(r"(?<=\d)%", " %", text) for text in (check, measured, why))
     return Claim(says, source, check, measured, None if holds is None else bool(holds), "" if holds else why)
+
+
+@dataclass(frozen=True)
+class Misprint:
+    """A line of the paper that cannot be meant as it stands; it claims nothing.
+
+    where     "3, eq. (15)"
+    printed   what stands there
+    comes_to  what it would do, with numbers
+    built     what this program has in its place
+    """
+
+    where: str
+    printed: str
+    comes_to: str
+    built: str
 
 
 @dataclass

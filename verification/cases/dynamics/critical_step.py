@@ -1,12 +1,13 @@
-"""The largest stable step of rigid blocks, and what a run does beyond it.
+"""The largest stable step of rigid blocks, of affine blocks and of tets, and what a run does beyond it.
 
     leapfrog     sin(a/2) = w dt/2: bounded up to dt = 2/w_max, the kinetic energy of a mode at most 1/(1 - (w dt/2)^2)
                  of what it had; beyond, it grows by exp(2 acosh(w dt/2)) a step
     damping      local damping adds xi of the force to whatever turns round at each step: 2/(w_max sqrt(1 + xi))
 
-w_max from the eigenvalues of a stiffness that is assembled apart from the program (`assembled.py`). The program's own
-step comes from row sums (Gershgorin), which are never above. A scene at 1.05 of the limit must end with a message, at
-0.99 it must give the same answer as ever.
+w_max from the eigenvalues of a stiffness that is assembled apart from the program (`assembled.py`): springs at the
+contact points, one strain in each affine block and in each tet. The program's own step comes from row sums, by
+Gershgorin, which are never above. A scene at 1.05 of the limit must end with a message, at 0.99 it must give the same
+answer as ever.
 
 Reference: leapfrog, by hand; ARPACK.
 """
@@ -24,7 +25,7 @@ from verification.fixtures import assembled, models
 GIVEN = {"law": "exponential", "drive.steps": 8000, "settle.steps": 20000, "solver.masses": "real"}
 
 
-def run() -> Findings:
+def rigid() -> Findings:
     """A stack of three blocks, and the couplet on both sides of its limit."""
     found = Findings()
     critical.study(found, ["rigid"] * 3, "rigid")
@@ -53,12 +54,24 @@ def run() -> Findings:
     return found
 
 
-CASE = Case(
-    "critical-step",
-    "A20",
-    "The largest stable step of rigid blocks",
-    area="Dynamics",
-    run=run,
-    quick=True,
-    no_ladders="the limit of the step itself: what a shorter one costs is a knob of most ladders",
+def deformable() -> Findings:
+    """A stack on a held rigid block, of each kind."""
+    found = Findings()
+    for kind in ("affine", "tets"):
+        critical.study(found, ["rigid", kind, kind], kind)
+    return found
+
+
+LIMIT = "the limit of the step itself: what a shorter one costs is a knob of most ladders"
+TITLE = "The largest stable step of "
+CASES = (
+    Case("critical-step", "A20", f"{TITLE}rigid blocks", "Dynamics", rigid, quick=True, no_ladders=LIMIT),
+    Case(
+        "critical-step-of-deformable-blocks",
+        "A20",
+        f"{TITLE}affine blocks and tets",
+        "Dynamics",
+        deformable,
+        no_ladders=LIMIT,
+    ),
 )

@@ -1,21 +1,24 @@
-"""What the cells of a bed of mortar do to a couplet: their springs, size, seed, and how stiff they are themselves."""
+"""What the cells of a bed of mortar do to a couplet: their springs, size, seed and stiffness; uneven stress."""
 
 from verification.paper.couplets.laws import CONFINEMENTS, words
-from verification.paper.couplets.measures import initial_stiffness, spread, work_to
-from verification.paper.couplets.mortar import HIGH, LOW, OF_BRICK, SEEDS, SEMI_RIGID, SIZES, name
+from verification.paper.couplets.measures import Interfaces, initial_stiffness, interfaces, spread, work_to
+from verification.paper.couplets.mortar import HIGH, LOW, OF_BRICK, SEEDS, SEMI_RIGID, SIZES, known, name
 from verification.paper.experiment import Claim, Done, claim
 from verification.references.closed_forms import Joint
 
 SIZE, RIGID, BED = 0.05, 0.05, 0.15
 """Tolerances: of peaks by size and seed of the cells, of stiff blocks, of a stiffness."""
+UNEVEN = 0.2
+"""Share of the confinement by which the stress on a joint scatters that is not uniform."""
 LATE = 0.5e-3
 """A displacement (m) by which most has softened."""
 
 
 def claims(done: Done) -> list[Claim]:
-    """Sections 2, 4 and 8 on blocks."""
+    """Sections 2, 4 and 8 on blocks, section 4 on uniform stress."""
     full = SEMI_RIGID.format(LOW) in done.runs
-    return [stiffness(done), *([sizes(done), seeds(done), stiff_blocks(done)] if full else [])]
+    even = {name(s, c): (interfaces(done[name(s, c)]), CONFINEMENTS[c]) for s in SIZES for c in known(done, s)}
+    return [stiffness(done), *([sizes(done), seeds(done), stiff_blocks(done)] if full else []), uneven(even)]
 
 
 def stiffness(done: Done) -> Claim:
@@ -54,7 +57,7 @@ def seeds(done: Done) -> Claim:
     return claim("The randomly generated blocks stand for the mortar, whatever their seed", "2; 8, third conclusion",
                  f"peaks of seeds 1, 2 and 3 within {SIZE:.0%} of each other",
                  "; ".join(f"{s}, {c}: {words(p / 1e6 for p in v)} MPa ({spread(v):.1%})"
-                 for (s, c), v in peaks.items()),
+                     for (s, c), v in peaks.items()),
                  max(map(spread, peaks.values())) <= SIZE, "100 cells are two or three across the bed: "
                  "their edges decide how evenly the interfaces are loaded")  # fmt: skip
 
@@ -69,5 +72,17 @@ def stiff_blocks(done: Done) -> Claim:
     return claim("Blocks ten times as stiff as the materials leave deformation to the discontinuities", "4",
                  f"peaks of semi-rigid blocks within {RIGID:.0%} of those of rigid ones, coarse, 0.1 and 1.0 MPa",
                  "; ".join(f"{word} the stiffness {words((100 * v for v in values), '+.1f')} %"
-                 for word, values in off.items()),
+                     for word, values in off.items()),
                  max(map(abs, off["ten times"])) <= RIGID, "the deformation of the blocks has an effect")  # fmt: skip
+
+
+def uneven(even: dict[str, tuple[Interfaces, float]]) -> Claim:
+    """The normal stress along the interfaces at the peak."""
+    return claim("Uniform normal and shear stress along the bed joint is difficult to guarantee", "4",
+                 f"standard deviation of the normal stress on the interfaces at the peak > {UNEVEN:.0%} of the "
+                 "confinement",
+                 "deviation, share of the interfaces in tension, share softened: "
+                 + "; ".join(f"{label} {one.scatter / 1e6:.2f} MPa, {one.tension:.0%}, {one.softened:.0%}"
+                     for label, (one, _) in even.items()),
+                 all(one.scatter > UNEVEN * confinement for one, confinement in even.values()),
+                 "it is uniform")  # fmt: skip

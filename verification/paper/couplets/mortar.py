@@ -96,7 +96,7 @@ def line(done: Done) -> Claim:
     return claim("The contact properties are those of the tests", "4, Table 2",
                  f"cohesion and tan(phi) of the line through the peaks within {CAPACITY:.0%} of 0.87 MPa and 1.01",
                  "; ".join(f"{s} {c / 1e6:.3f} MPa ({off[s][0]:+.0%}), {t:.3f} ({off[s][1]:+.0%})"
-                 for s, (c, t) in found.items()),
+                     for s, (c, t) in found.items()),
                  all(abs(v) <= CAPACITY for pair in off.values() for v in pair),
                  f"what a test measures is not what its joint has. {OTHERS}")  # fmt: skip
 
@@ -118,7 +118,7 @@ def residual(done: Done) -> Claim:
                  f"mean stress from 0.4 to 0.5 mm within {RESIDUAL:.0%} of that of the two blocks of Fig. 6 there, "
                  f"{words(w / 1e6 for w in wanted['coarse'])} MPa",
                  "; ".join(f"{s} {words(m / 1e6 for m in means[s])} MPa ({words(ratios[s], '.2f')} of it)"
-                 for s in SIZES) + other_plateaus(done),
+                     for s in SIZES) + other_plateaus(done),
                  all(abs(r - 1.0) <= RESIDUAL for values in ratios.values() for r in values),
                  "cells that wedge in the bed carry shear beside friction. How many do is chance: other "
                  "seeds differ")  # fmt: skip

@@ -51,7 +51,7 @@ def smooth_claim(found: Mapping[str, Both]) -> Claim:
                  f"{WINDOW * 1e6:g} um after the peak",
                  "; ".join(f"{name}: {percent(fall)}" for name, fall in told[shipped].items())
                  + "".join(f". {hold}: up to {percent(worst[hold])}, one half of the wall parts first"
-                 for hold in others),
+                     for hold in others),
                  worst[shipped] < SMOOTH, "the stress falls once more, late")  # fmt: skip
 
 

@@ -35,14 +35,14 @@ def path_claims(results: Mapping[str, Result]) -> list[Claim]:
         claim("The cracks follow the head joints and the bricks", "5.2, Fig. 14",
               "broken: head joints > 0.4 and units > 0.25 of the section, bed joints < 0.15",
               "; ".join(f"{label}: {s['head joints']:.2f}, {s['units']:.2f}, {s['bed joints']:.2f}"
-              for label, s in shares.items()),
+                  for label, s in shares.items()),
               all(s["head joints"] > 0.4 and s["units"] > 0.25 and s["bed joints"] < 0.15 for s in shares.values()),
               "another path"),
         claim("Roughly through the mid-length of the brick", "5.2, Fig. 14",
               f"mean distance from it < a fifth of half a unit ({200 * HALF_UNIT:.0f} mm); spread < "
               f"{STRAIGHT * MILLI:.0f} mm",
               "; ".join(f"{label}: {off[label] * MILLI:.0f} mm, crack at {where(r)} mm"
-              for label, r in results.items()),
+                  for label, r in results.items()),
               max(off.values()) < 0.2 * HALF_UNIT and max(spread.values()) < STRAIGHT, "beside the middle"),
     ]  # fmt: skip
 
