@@ -10,8 +10,8 @@ envelope of pure tension, f(z), and the shear stress at most the cone times the 
 leaves: slip only takes from both. All the way the stresses are those of a joint that is integrated apart from the
 program (`interface/points.py`), in which strength and normal stress hold at once; the program takes the normal stress
 with the strength before the step, so the two differ by something of the order of the step. With independent coupling
-the normal stress is f(z) whatever the slip. A contact torn to z and closed again slides under a compression s at
-t_res + f(z)/f_T (t_max - t_res), and at t_max with independent coupling. Where the cone ends below the cut-off
+the normal stress is f(z) whatever the slip. A contact torn to z and closed again bears under a compression s at most
+t_res + f(z)/f_T (t_max - t_res), and t_max with independent coupling. Where the cone ends below the cut-off
 (c0/tan0 < f_T), tension ends at its apex.
 
 Reference: eqs (7), (8), (12) to (17) of the paper.
@@ -80,15 +80,15 @@ def alone(found: Findings) -> None:
 
 
 def closed_again(found: Findings) -> None:
-    """What shear a torn contact bears under compression, short of the slip at which an intact one would soften."""
+    """What shear a torn contact bears at most under compression, short of the slip at which an intact one softens."""
     torn, s = 10 * UM, 0.5e6
     peak, residual = float(JOINT.peak(s)), float(JOINT.residual(s))
     share, z, slip = float(tension("linear", JOINT, torn)) / JOINT.fT, -s / JOINT.kn, 0.999 * peak / JOINT.ks
-    corners = [(0, 0, 0), (0, 0, torn), (0, 0, z), (slip, 0, z)]
     for coupling, wanted in (("combined", residual + share * (peak - residual)), ("independent", JOINT.ks * slip)):
-        tau = float(walk(law("linear", coupling=coupling), along(corners, STEP)).tau[-1])
-        found.check(f"shear stress of a torn contact under compression, {coupling}", "Pa", tau, wanted, "closed form",
-                    1e-12, 1e-14, "the return ends on the cone: " + ROUNDING)  # fmt: skip
+        path = along([(0, 0, 0), (0, 0, torn), (0, 0, z), (wanted / JOINT.ks, 0, z), (slip, 0, z)], STEP)
+        tau = float(walk(law("linear", coupling=coupling), path).tau.max())
+        found.check(f"largest shear stress of a torn contact under compression, {coupling}", "Pa", tau, wanted,
+                    "closed form", 1e-12, 1e-14, "the return ends on the cone: " + ROUNDING)  # fmt: skip
 
 
 def first_yield(chosen: tuple, direction: np.ndarray) -> float:
@@ -125,6 +125,8 @@ def run() -> Findings:
         pulled = weak.sigma.max()
         found.check(f"most tension, cone below the cut-off, {name}", "Pa", float(pulled), apex, "closed form", 1e-12,
                     1e-15, "the path comes to the apex: rounding")  # fmt: skip
+    alone(found)
+    closed_again(found)
     yields, wanted_at = 1e-6 * np.array(stress), 1e-6 * np.array(limit[: len(ANGLES)])
     lines = (
         Line("first yield", yields[:, 0], yields[:, 1], "points"),
