@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from verification.case import Findings, Line, Plot
+from verification.case import Findings, Line
 from verification.checks import increments
 from verification.checks.paired_run import twin
 from verification.references.interface.model import Model
@@ -65,7 +65,7 @@ def compare(
                    scale=float(places[-1]))  # fmt: skip
     where = np.asarray(places) * 1e6
     lines = (Line("interface model, tier 1", where, stress / 1e6, "dashed"), Line("run", where, ran / 1e6, "points"))
-    findings.plots.append(Plot(name, "displacement of the drive (um)", "stress (MPa)", lines))
+    findings.plot(name, "displacement of the drive (um)", "stress (MPa)", *lines)
 
 
 def follow(model: Model, places: Sequence[float], parts: int = 1) -> tuple[Array, Array, Path]:

@@ -7,7 +7,7 @@ import numpy as np
 from masonry.laboratory.result import Result
 from masonry.monitors import energy
 from verification import balance
-from verification.case import Findings, Line, Plot
+from verification.case import Findings, Line
 from verification.fixtures.scene_text import assembled
 
 TERMS = ("elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "friction", "damping", "kinetic")
@@ -75,7 +75,7 @@ def identity(findings: Findings, words: str, result: Result, absent: tuple[str, 
     findings.check(f"{words}: dissipation and damping never fall, largest fall", "J", min(fall, 0.0), 0.0,
                    "closed form", 1e-12, 1e-15, "rounding of sums", work)  # fmt: skip
     lines = tuple(Line(t.replace("_", " "), 1e3 * rows["time"], rows[t]) for t in (*TERMS, "external_work"))
-    findings.plots.append(Plot(f"Energies, {words}", "time (ms)", "energy (J)", lines))
+    findings.plot(f"Energies, {words}", "time (ms)", "energy (J)", *lines)
 
 
 def planted(findings: Findings, text: str) -> None:

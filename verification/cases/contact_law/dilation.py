@@ -13,7 +13,7 @@ from math import atan, tan
 
 import numpy as np
 
-from verification.case import Case, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.one_contact import along, contact, law, refused, walk
 from verification.fixtures.single_tension import ROUNDING, UM
 from verification.fixtures.thresholds import threshold
@@ -64,7 +64,7 @@ def locked(findings: Findings) -> None:
         Line("shear stress", 1e6 * slip, 1e-6 * walked.tau),
         Line("closed form", 1e6 * slip[::10], 1e-6 * pressed[::10], "points"),
     )
-    findings.plots.append(Plot("Dilation with a locked normal", "slip (um)", "stress (MPa)", lines))
+    findings.plot("Dilation with a locked normal", "slip (um)", "stress (MPa)", *lines)
 
 
 def as_steep_as_friction(findings: Findings) -> None:

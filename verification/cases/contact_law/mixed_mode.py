@@ -19,7 +19,7 @@ Reference: eqs (7), (8), (12) to (17) of the paper.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.one_contact import along, law, walk
 from verification.fixtures.single_tension import ROUNDING, UM
 from verification.fixtures.thresholds import threshold
@@ -132,7 +132,7 @@ def run() -> Findings:
         Line("first yield", yields[:, 0], yields[:, 1], "points"),
         Line("cone and cut-off", wanted_at[:, 0], wanted_at[:, 1], "dashed"),
     )
-    found.plots.append(Plot("First yield", "normal stress (MPa)", "shear stress (MPa)", lines))
+    found.plot("First yield", "normal stress (MPa)", "shear stress (MPa)", *lines)
     return found
 
 

@@ -15,7 +15,7 @@ Reference: the half sine, by hand.
 import numpy as np
 
 from masonry.model.model import Stepping
-from verification.case import Case, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.checks.free_motion import follow, loose
 from verification.fixtures import models, shapes
 
@@ -68,10 +68,10 @@ def run() -> Findings:
     t, force = runs[1][0]
     wanted = exact[1] * np.maximum(np.sin(OMEGA * np.minimum(t, exact[0])), 0.0)
     lines = (Line("40 steps", 1e3 * t, force, "points"), Line("half sine", 1e3 * t, wanted, "dashed"))
-    found.plots.append(Plot("Force of the impact", "time (ms)", "force (N)", lines))
+    found.plot("Force of the impact", "time (ms)", "force (N)", *lines)
     steps = np.array(COUNTS) + 0.5
     curves = tuple(Line(name, steps, np.abs(errors[:, k])) for k, name in enumerate(names))
-    found.plots.append(Plot("Error against steps", "steps of the impact", "error (1)", curves, log=True))
+    found.plot("Error against steps", "steps of the impact", "error (1)", *curves, log=True)
     return found
 
 

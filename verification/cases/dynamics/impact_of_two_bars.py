@@ -21,7 +21,7 @@ from scipy.optimize import brentq
 from scipy.special import itj0y0
 
 from masonry.model.model import Model, Stepping
-from verification.case import Case, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.checks.free_motion import follow, glued
 from verification.fixtures import models, shapes
 
@@ -85,7 +85,7 @@ def run() -> Findings:
         wanted = FORCE * itj0y0(2 * t)[0]
         off.append(float(np.abs(force - wanted).max() / FORCE))
     lines = (Line("bars of 50 blocks", t, force / FORCE), Line("lattice", t[::20], wanted[::20] / FORCE, "points"))
-    found.plots.append(Plot("Force of the impact", "w t (1)", "force over Z v/2 (1)", lines))
+    found.plot("Force of the impact", "w t (1)", "force over Z v/2 (1)", *lines)
     # a frequency f of leapfrog is off by (f dt)^2/24: the tail sqrt(1/(pi w t)) at 2 w is shifted by 2 w t of that
     expected = float(np.sqrt(60 / np.pi) * 2 * (2 * 0.02) ** 2 / 24)
     found.check("force against the lattice, largest deviation over Z v/2", "1", off[2], 0.0, kind, 3 * expected,
@@ -115,12 +115,13 @@ def run() -> Findings:
                 "form")  # fmt: skip
     found.check("order of the velocity kept in the number of blocks", "1", float(np.log2(lost[0] / lost[1])), 2 / 3,
                 kind, 0.02, 5e-3, "what rings on in the bars: N^(-2/3) of the energy")  # fmt: skip
-    found.plots.append(
-        Plot("Bars of 200 blocks", "w t (1)", "force over Z v/2 (1)", (
-            Line("lattice of the program", t, force / FORCE),
-            Line("continuum", np.array([0, 0, 400, 400, 520]), np.array([0, 1, 1, 0, 0]), "dashed"),
-        ))
-    )  # fmt: skip
+    found.plot(
+        "Bars of 200 blocks",
+        "w t (1)",
+        "force over Z v/2 (1)",
+        Line("lattice of the program", t, force / FORCE),
+        Line("continuum", np.array([0, 0, 400, 400, 520]), np.array([0, 1, 1, 0, 0]), "dashed"),
+    )
     return found
 
 

@@ -15,7 +15,7 @@ Reference: by hand, eq. (3) of the paper.
 import numpy as np
 
 from masonry.model.model import Model, Stepping
-from verification.case import Case, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.checks.free_motion import follow, glued, loose
 from verification.fixtures import models, shapes
 
@@ -76,7 +76,7 @@ def run() -> Findings:
     found.check("acceleration of free fall, away from the joint", "m/s2", float((speed[-1] - speed[1]) / (199 * 1e-5)),
                 (1 - XI) * GRAVITY, kind, 1e-12, 1e-14, "a constant force: rounding of 200 sums")  # fmt: skip
     x = 1e3 * dt * np.arange(len(place))
-    found.plots.append(Plot("Swing", "time (ms)", "displacement (um)", (Line("block", x, 1e6 * place),)))
+    found.plot("Swing", "time (ms)", "displacement (um)", Line("block", x, 1e6 * place))
     return found
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import masonry
 from masonry.laboratory.result import Result
-from verification.case import Case, Findings, Line, Plot, at_most
+from verification.case import Case, Findings, Line, at_most
 
 BASE = {
     "specimen.courses": 2,
@@ -71,13 +71,11 @@ def run() -> Findings:
             )
         )
     curves = {name: runs[name].history.rows for name in ("base", "half the rate", "four times the density")}
-    found.plots.append(
-        Plot(
-            "Stress over displacement",
-            "displacement (m)",
-            "stress (Pa)",
-            tuple(Line(name, rows["displacement"], rows["stress"]) for name, rows in curves.items()),
-        )  # fmt: skip
+    found.plot(
+        "Stress over displacement",
+        "displacement (m)",
+        "stress (Pa)",
+        *((Line(name, rows["displacement"], rows["stress"]) for name, rows in curves.items())),
     )
     return found
 

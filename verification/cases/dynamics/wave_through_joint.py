@@ -13,7 +13,7 @@ contacts and leapfrog are all of second order, so the error falls as h^2.
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from verification.case import Case, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.waves import WAVELENGTH, Bar, Floats, Wave
 
 PULSE = 1e-6
@@ -95,13 +95,12 @@ def waves(found: Findings, ratio: float, expected: float) -> None:
                 3 * expected, expected, "a quarter of what a chain of masses has with half as many cells")  # fmt: skip
     found.check(f"|T| extrapolated by h^2, k/(wZ) = {ratio}", "1", limit, theory, "closed form", 5e-4, 1e-4,
                 "what is left is of the order h^4, some hundredths of the errors above")  # fmt: skip
-    found.plots.append(
-        Plot(
-            f"Displacement of the bar, k/(wZ) = {ratio}",
-            "x (m)",
-            "u (m)",
-            (Line("masonry", wave.x, wave.u), Line("closed form", wave.x, reference, "dashed")),
-        )  # fmt: skip
+    found.plot(
+        f"Displacement of the bar, k/(wZ) = {ratio}",
+        "x (m)",
+        "u (m)",
+        Line("masonry", wave.x, wave.u),
+        Line("closed form", wave.x, reference, "dashed"),
     )
 
 

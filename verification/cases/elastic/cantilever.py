@@ -15,7 +15,7 @@ import numpy as np
 
 from geometry.blocks import TetMesh
 from masonry.laboratory.result import Result
-from verification.case import Case, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.structured import row_of_boxes
 from verification.references.interface.envelopes import Law
@@ -119,22 +119,13 @@ def run() -> Findings:
         + ", ".join(f"{n}: {e:.1%}" for n, e in zip(LADDER, -errors, strict=True))
         + " tets over the height"
     )
-    found.plots.append(
-        Plot(
-            "Error of the deflection",
-            "tets over the height (1)",
-            "error (1)",
-            (
-                Line("masonry", np.array(LADDER, dtype=float), errors, "points"),
-                Line(
-                    "h^2",
-                    np.array(LADDER, dtype=float),
-                    errors[-1] * (16 / np.array(LADDER)) ** 2,
-                    "dashed",
-                ),
-            ),
-            log=True,
-        )  # fmt: skip
+    found.plot(
+        "Error of the deflection",
+        "tets over the height (1)",
+        "error (1)",
+        Line("masonry", np.array(LADDER, dtype=float), errors, "points"),
+        Line("h^2", np.array(LADDER, dtype=float), errors[-1] * (16 / np.array(LADDER)) ** 2, "dashed"),
+        log=True,
     )
     return found
 

@@ -16,7 +16,7 @@ its depth. Past the elastic range the peak of the exponential joint is too high 
 
 import numpy as np
 
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Check, Findings, Line
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import Model, model
@@ -83,7 +83,7 @@ def run() -> Findings:
         found.check(f"order of the stiffness, linear tets and {name}, 8 to 16 elements", "1",
                     float(np.log2(errors[1] / errors[2])), 2.0, "closed form", 0.1, 0.03,
                     "an energy converges with h^2, from below while elements are few")  # fmt: skip
-    found.plots.append(Plot("Error of the elastic stiffness", "h (mm)", "relative error", tuple(lines), log=True))
+    found.plot("Error of the elastic stiffness", "h (mm)", "relative error", *lines, log=True)
     truth = peak(8, 2, 4)
     lumped = [peak(n, 1, "vertex") for n in (8, 16)]
     found.checks += [

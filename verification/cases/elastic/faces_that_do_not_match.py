@@ -14,7 +14,7 @@ their cells 2:3 in size, against the same with faces that match.
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.case import Case, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.structured import row_of_boxes
 
@@ -97,14 +97,13 @@ def run() -> Findings:
     found.check("deflection extrapolated by h^2", "m", limits[0], limits[1], "converged run", 5e-4, 1e-4,
                 "faces that match tend to the same; the difference is of the order h^4")  # fmt: skip
     cells = np.array(LADDER, dtype=float)
-    found.plots.append(
-        Plot(
-            "Error of the deflection of two blocks",
-            "cells over the height of the coarser block (1)",
-            "error (1)",
-            (Line("n : 3n/2", cells, errors[0], "points"), Line("n : n", cells, errors[1], "dashed")),
-            log=True,
-        )  # fmt: skip
+    found.plot(
+        "Error of the deflection of two blocks",
+        "cells over the height of the coarser block (1)",
+        "error (1)",
+        Line("n : 3n/2", cells, errors[0], "points"),
+        Line("n : n", cells, errors[1], "dashed"),
+        log=True,
     )
     return found
 

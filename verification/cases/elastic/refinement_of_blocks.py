@@ -9,7 +9,7 @@ that opens takes G for each unit of its area (linear law: the whole area under i
 
 import numpy as np
 
-from verification.case import Case, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.scene_text import run as run_text
 
 LENGTH, HEIGHT, WIDTH, MODULUS, STRESS = 1.0, 0.2, 0.1, 10e9, 1e4
@@ -115,17 +115,13 @@ def beams(found: Findings) -> None:
                 1e-12, "the midpoint rule of x^2 is in error by exactly 1/(4 n^2); rounding is multiplied by 1/error "
                 "= 1000")  # fmt: skip
     joints = np.array(JOINTS, dtype=float)
-    found.plots.append(
-        Plot(
-            "Error of the deflection",
-            "joints (1)",
-            "error (1)",
-            (
-                Line("masonry", joints, errors, "points"),
-                Line("1/(4 n^2)", joints, 0.25 / joints**2 * bent / (bent + sheared), "dashed"),
-            ),
-            log=True,
-        )  # fmt: skip
+    found.plot(
+        "Error of the deflection",
+        "joints (1)",
+        "error (1)",
+        Line("masonry", joints, errors, "points"),
+        Line("1/(4 n^2)", joints, 0.25 / joints**2 * bent / (bent + sheared), "dashed"),
+        log=True,
     )
 
 

@@ -15,7 +15,7 @@ leaves an error between the first and the second order in 1/n.
 import numpy as np
 from scipy.optimize import brentq
 
-from verification.case import Case, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.scene_text import joint_table
 from verification.fixtures.scene_text import run as run_text
 from verification.references.closed_forms import Floats, Joint, tension
@@ -112,9 +112,7 @@ def run() -> Findings:
         Line(f"{n} points", runs[n].history.rows["displacement"], runs[n].history.rows["stress"] * BREADTH * DEPTH)
         for n in (2, 8, 32)
     ]
-    found.plots.append(
-        Plot("Force", "w (m)", "P (N)", (*lines, Line("continuous joint", pulled, force, "dashed"))),
-    )
+    found.plot("Force", "w (m)", "P (N)", *lines, Line("continuous joint", pulled, force, "dashed"))
     return found
 
 
