@@ -75,7 +75,7 @@ def run() -> Findings:
         "Stress over displacement",
         "displacement (m)",
         "stress (Pa)",
-        *((Line(name, rows["displacement"], rows["stress"]) for name, rows in curves.items())),
+        *(Line(name, rows["displacement"], rows["stress"]) for name, rows in curves.items()),
     )
     return found
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from verification.paper.bending.runs import ASSUMED, GAUGE, POINTS, SCENES, STRENGTHS, WEAKER, label, name_of
+from verification.paper.bending.runs import ASSUMED, GAUGE, POINTS, SCENES, STRENGTHS, WEAKER, label, name_of, walls
 from verification.paper.bending.strength_map import wall_by_hand
 from verification.paper.experiment import Claim, Done, claim
 
@@ -31,11 +31,9 @@ def capacity_rises(done: Done) -> Claim:
 def trend(done: Done) -> Claim:
     """The force falls past the peak, and does not vanish."""
     left = {}
-    for pair in (ASSUMED, WEAKER):
-        for sigma in SCENES:
-            result = done[label(pair, sigma)]
-            rows, at = result.history.rows, result.summary["gauges"][GAUGE]["at_peak_m"]
-            left[label(pair, sigma)] = float(np.interp(3.0 * at, rows[GAUGE], rows["force"]) / rows["force"].max())
+    for name in (label(*wall) for wall in walls()):
+        rows, at = done[name].history.rows, done[name].summary["gauges"][GAUGE]["at_peak_m"]
+        left[name] = float(np.interp(3.0 * at, rows[GAUGE], rows["force"]) / rows["force"].max())
     return claim("The curves have the same trend with and without pre-compression", "7, Fig. 21",
                  f"at three times the deflection of the peak between 0 and {FALLEN:.0%} of it is left, in all four "
                  "walls",
@@ -60,12 +58,10 @@ def level(done: Done) -> Claim:
 def by_hand(done: Done) -> Claim:
     """Peaks against the two estimates by hand."""
     places, outside = [], []
-    for pair in (ASSUMED, WEAKER) if done.quick else STRENGTHS:
-        for sigma in SCENES:
-            peak = done.peak(label(pair, sigma))
-            low, high = wall_by_hand(done, label(pair, sigma)).bounds()
-            places.append((peak - low) / (high - low))
-            outside += [] if low < peak < high else [label(pair, sigma)]
+    for name in (label(*wall) for wall in (walls() if done.quick else walls(STRENGTHS))):
+        peak, (low, high) = done.peak(name), wall_by_hand(done, name).bounds()
+        places.append((peak - low) / (high - low))
+        outside += [] if low < peak < high else [name]
     return claim("The capacity follows from strengths of joints and units", "hand estimate",
                  "each peak lies above the least brittle and below the least plastic estimate over all ways of "
                  "cracking",

@@ -3,7 +3,7 @@
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.paper.bending.runs import ASSUMED, SCENES, SEEDS, STRENGTHS, WEAKER, label, name_of
+from verification.paper.bending.runs import ASSUMED, SCENES, SEEDS, STRENGTHS, WEAKER, label, name_of, walls
 from verification.paper.bending.strength_map import crack_of
 from verification.paper.experiment import Claim, Done, claim
 
@@ -87,13 +87,11 @@ def held_below(done: Done) -> Claim:
 def cells(done: Done) -> Claim:
     """Other random cells in the units."""
     same, spread = [], []
-    for pair in (ASSUMED, WEAKER):
-        for sigma in SCENES:
-            names = [label(pair, sigma), *(label(pair, sigma, f"cells {seed}") for seed in SEEDS)]
-            peaks = np.array([done.peak(name) for name in names])
-            spread.append(float(np.ptp(peaks) / peaks.mean()))
-            words = {crack_of(done, name).word for name in names}
-            same.append(len(words) == 1)
+    for wall in walls():
+        names = [label(*wall), *(label(*wall, f"cells {seed}") for seed in SEEDS)]
+        peaks = np.array([done.peak(name) for name in names])
+        spread.append(float(np.ptp(peaks) / peaks.mean()))
+        same.append(len({crack_of(done, name).word for name in names}) == 1)
     return claim("Peak and pattern are those of the wall, not of its random cells", "7",
                  "three divisions into cells crack in the same way, their peaks within 10 %, in all four walls",
                  f"the same way in {sum(same)} of {len(same)}, peaks within {max(spread):.1%}",

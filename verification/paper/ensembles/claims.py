@@ -98,3 +98,10 @@ def averaging_claim(modes: Modes) -> Claim:
                 "variation of the peak below the 30 % of the joints",
                 "; ".join(f"{name}: {percent(value)}" for name, value in variations.items()),
                 holds, "the peak depends on single joints")  # fmt: skip
+
+
+def claims(modes: Modes) -> list[Claim]:
+    """All of them."""
+    return [
+        claim_on(modes) for claim_on in (envelope_claim, qualitative_claim, mixed_claim, weakest_claim, averaging_claim)
+    ]

@@ -25,14 +25,8 @@ from verification.paper.walls.common import (
     table_of_runs,
 )
 from verification.paper.walls.curve_shape import apart, peak_place, stress_at
-from verification.paper.walls.stepped_crack import (
-    ALL_AT_PEAK,
-    HEADS_GONE,
-    pattern_claim,
-    peak_claim,
-    residual_claims,
-    units_claim,
-)
+from verification.paper.walls.stepped_crack import ALL_AT_PEAK, HEADS_GONE
+from verification.paper.walls.stepped_crack import claims as claims_on_the_crack
 
 DILATION = "contact.unit_unit.dilation_angle"
 ANGLES = (0, 2, 4)
@@ -120,8 +114,7 @@ def claims(done: Done) -> list[Claim]:
     """What section 5.1 says, and what is known beforehand."""
     shipped, hinge = done[SHIPPED], done[HINGE]
     peaks = {label: mpa(done[label]) for label in done if done.has(label)}
-    made = [peak_claim(peaks), pattern_claim(shipped), units_claim(shipped), *residual_claims(shipped, hinge)]
-    made += [*dilation_claims(done), plates_claim(hinge, shipped, PLATES)]
+    made = [*claims_on_the_crack(peaks, shipped, hinge), *dilation_claims(done), plates_claim(hinge, shipped, PLATES)]
     if done.has(RATE):
         made += [rate_claim(shipped, done[RATE], "5.1"), cutoff_claim(done)]
     return made

@@ -21,6 +21,11 @@ BEDS = 3 * 125.0 / 492.0
 """Area of the bed joints in one stepped crack over the section: half a unit between each two courses."""
 
 
+def claims(peaks: Mapping[str, float], shipped: Result, hinge: Result) -> list[Claim]:
+    """What section 5.1 says of the crack, and what is known of it beforehand; peaks in MPa by run."""
+    return [peak_claim(peaks), pattern_claim(shipped), units_claim(shipped), *residual_claims(shipped, hinge)]
+
+
 def peak_claim(peaks: Mapping[str, float]) -> Claim:
     """Peaks in MPa by run, between what the joints must carry and what they can."""
     low, high = min(peaks.values()), max(peaks.values())
