@@ -15,6 +15,7 @@ import numpy as np
 
 from masonry.laboratory.result import Result
 from verification.case import Case, Findings, Line
+from verification.fixtures.scene_text import made_of_tets
 from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.structured import row_of_boxes
 
@@ -23,34 +24,18 @@ CUTS, HEIGHT, DEPTH = [0.0, 0.1, 0.22, 0.3], 0.1, 0.08
 CELLS = [(2, 3, 3), (3, 2, 5), (2, 4, 3)]
 LADDER = (2, 4, 8, 16)
 
-HEAD = f"""
-law = "elastic"
-kinematics = "tets"
-[specimen]
-kind = "file"
-path = "made.blocks.h5"
-[material.units]
-density = "2000 kg/m^3"
-young_modulus = "{MODULUS!r} Pa"
-poisson_ratio = {POISSON}
-[contact.unit_unit]
-normal_stiffness = "{NORMAL!r} Pa/m"
-shear_stiffness = "{SHEAR!r} Pa/m"
-[settle]
-steps = 20000
-[solver]
-damping = 0.3
-rows = 40
-"""
+AT_REST = "[settle]\nsteps = 20000\n[solver]\ndamping = 0.3\nrows = 40\n"
 ROLLER = '[[support]]\non = "box {box}.{face}-"\nfix = "{face}"\n'
 PATCH = (
-    HEAD
+    made_of_tets(2000.0, MODULUS, POISSON, NORMAL, SHEAR)
+    + AT_REST
     + ROLLER.format(box=0, face="x")
     + "".join(ROLLER.format(box=b, face=axis) for b in range(3) for axis in "yz")
     + f'[[traction]]\non = "box 2.x+"\nstress = {{ x = "{STRESS} Pa" }}\n'
 )
 BEAM = (
-    HEAD.replace(f"poisson_ratio = {POISSON}", "poisson_ratio = 0")
+    made_of_tets(2000.0, MODULUS, 0.0, NORMAL, SHEAR)
+    + AT_REST
     + f'[[support]]\non = "box 0.x-"\nfix = "all"\n[[traction]]\non = "box 1.x+"\nstress = {{ z = "{STRESS} Pa" }}\n'
 )
 

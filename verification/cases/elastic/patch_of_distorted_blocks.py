@@ -27,7 +27,7 @@ from masonry.model.loads import Conditions
 from masonry.timeloop import timeloop
 from verification.case import Case, Findings
 from verification.checks.other_conditions import rebuilt
-from verification.fixtures.scene_text import assembled
+from verification.fixtures.scene_text import assembled, made_of_tets
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import solid
 from verification.references.interface.model import model
@@ -42,19 +42,7 @@ STRESS = np.array([[0.8, 0.3, -0.2], [0.3, -0.5, 0.25], [-0.2, 0.25, 0.4]]) * 1e
 CELLS, NEAR = 3, 1e-9
 FACES = ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6))
 SCENE = f"""title = "Patch of distorted blocks"
-law = "elastic"
-kinematics = "tets"
-[specimen]
-kind = "file"
-path = "made.blocks.h5"
-[material.units]
-density = "1900 kg/m^3"
-young_modulus = "{YOUNG!r} Pa"
-poisson_ratio = {POISSON}
-[contact.unit_unit]
-normal_stiffness = "{KN!r} Pa/m"
-shear_stiffness = "{KS!r} Pa/m"
-[[support]]
+{made_of_tets(1900.0, YOUNG, POISSON, KN, KS)}[[support]]
 on = "x = 0 m"
 fix = "all"
 [settle]
