@@ -87,6 +87,17 @@ def test_a_module_without_a_case_is_an_error_and_does_not_vanish(monkeypatch, tm
     catalogue.catalogue.cache_clear()
 
 
+def test_a_module_may_hold_several_cases_but_no_two_of_one_name(monkeypatch, tmp_path):
+    held = "CASES = tuple(Case('twice', '1', 'Twice', 'Dynamics', Findings) for _ in range(2))\n"
+    text = '"""A table."""\nfrom verification.case import Case, Findings\n' + held
+    (tmp_path / "a_table.py").write_text(text, encoding="utf-8")
+    monkeypatch.setattr(catalogue.cases, "__path__", [*catalogue.cases.__path__, str(tmp_path)])
+    catalogue.catalogue.cache_clear()
+    with pytest.raises(ValueError, match="two cases are called 'twice', one of .*a_table"):
+        catalogue.catalogue()
+    catalogue.catalogue.cache_clear()
+
+
 def test_rows_stand_in_the_order_of_the_catalogue():
     rows = ["A10", "2.2", "A9", "2.1", "A9b"]
     assert sorted(rows, key=catalogue._row) == ["2.1", "2.2", "A9", "A9b", "A10"]

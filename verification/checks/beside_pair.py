@@ -8,7 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from verification.case import Findings, Line
 from verification.checks import increments
-from verification.checks.paired_run import twin
+from verification.checks.paired_run import interface_model
 from verification.references.interface.model import Model
 from verification.references.interface.newton import Path
 
@@ -36,12 +36,12 @@ def compare(
     wait: int,
     parts: int = 1,
 ) -> None:
-    """Run a scene through `places` (m) and its twin under `conditions`; add checks and a plot of both curves.
+    """Run a scene through `places` (m) and its interface model under `conditions`; add checks and a plot.
 
     move, wait  steps of the run to each place, and at rest there      parts  implicit steps to each place
     """
     assembly = make()
-    model = twin(assembly)
+    model = interface_model(assembly)
     conditions(model)
     settle = DEAD_STEPS if model.dead.any() else 0
     force, harm, path = follow(model, places, parts)
