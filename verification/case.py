@@ -140,6 +140,25 @@ class Findings:
     seconds: dict[str, float] = field(default_factory=dict)
     measures: dict[str, dict[str, float | None]] = field(default_factory=dict)
 
+    def check(
+        self,
+        quantity: str,
+        unit: str,
+        value: float,
+        reference: float,
+        kind: str,
+        tolerance: float,
+        expected: float,
+        reason: str,
+        scale: float | None = None,
+    ) -> None:
+        """Add a `Check`."""
+        self.checks.append(Check(quantity, unit, value, reference, kind, tolerance, expected, reason, scale))
+
+    def plot(self, title: str, x_label: str, y_label: str, *lines: Line, log: bool = False) -> None:
+        """Add a `Plot` of some lines."""
+        self.plots.append(Plot(title, x_label, y_label, lines, log))
+
     def note(self, name: str, result: Result) -> Result:
         """Keep the ledger and the time of a run of the solver; every run of a case goes through here."""
         self.imbalance[name] = balance.open_by(result)

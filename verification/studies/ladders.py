@@ -8,7 +8,6 @@ from typing import Any
 
 from verification import convergence as precision
 from verification import timed_run as trial
-from verification.catalogue import modules
 from verification.ladder import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
 from verification.timed_run import Trial
@@ -18,12 +17,10 @@ Lines = dict[str, list[tuple[float, float, str]]]
 
 
 def problems() -> Iterator[Problem]:
-    """All of `verification.convergence`, the shipped scenes first, then those that a case brings in its PROBLEMS."""
+    """All of `verification.convergence`, the shipped scenes first."""
     names = sorted((e.name for e in pkgutil.iter_modules(precision.__path__)), key=lambda name: name != FIRST)
     for name in names:
         yield from importlib.import_module(f"{precision.__name__}.{name}").PROBLEMS
-    for module in modules().values():
-        yield from getattr(module, "PROBLEMS", ())
 
 
 FIRST = "shipped_scenes"

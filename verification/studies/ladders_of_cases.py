@@ -1,27 +1,23 @@
 """Which ladders of error against run time stand for a case of the catalogue, or why there is nothing to choose."""
 
 from collections.abc import Mapping
-from typing import Any
 
-from verification.catalogue import modules
+from verification.case import Case
+from verification.catalogue import catalogue
 from verification.html import page
 from verification.studies.ladders import problems
 
 
-def ladders_of(module: Any) -> tuple[str, ...]:
-    """Names of the problems that stand for the case of a module: those that it names, and its own PROBLEMS."""
-    return (*module.CASE.ladders, *(problem.name for problem in getattr(module, "PROBLEMS", ())))
-
-
-def gaps(cases: Mapping[str, Any]) -> list[str]:
-    """What is wrong with the modules of cases, in sentences: neither ladder nor reason, or both; a wrong name."""
+def gaps(cases: Mapping[str, Case]) -> list[str]:
+    """What is wrong with the cases, in sentences: neither ladder nor reason, or both; a wrong name."""
     known = {problem.name for problem in problems()}
     found = []
-    for name, module in cases.items():
-        named, reason = ladders_of(module), module.CASE.no_ladders
-        if bool(named) == bool(reason):
-            found.append(f"{name}: " + ("ladders, and a reason for none" if named else "neither ladders nor a reason"))
-        found += [f"{name}: no ladder '{ladder}'" for ladder in named if ladder not in known]
+    for name, case in cases.items():
+        if bool(case.ladders) == bool(case.no_ladders):
+            found.append(
+                f"{name}: " + ("ladders, and a reason for none" if case.ladders else "neither ladders nor a reason")
+            )
+        found += [f"{name}: no ladder '{ladder}'" for ladder in case.ladders if ladder not in known]
     return found
 
 
@@ -29,10 +25,10 @@ def table() -> str:
     """A row for each case: its ladders, or the reason."""
     titles = {problem.name: problem.title for problem in problems()}
     rows: list[list[str | page.Link | list[page.Link] | page.Cell]] = []
-    for name, module in modules().items():
-        links = [page.Link(titles[ladder], f"ladder-{ladder}") for ladder in ladders_of(module)]
-        reason = page.Cell(module.CASE.no_ladders, "text")
-        rows.append([page.Link(module.CASE.title, f"case-{name}"), module.CASE.row, links or reason])
+    for name, case in catalogue().items():
+        links = [page.Link(titles[ladder], f"ladder-{ladder}") for ladder in case.ladders]
+        reason = page.Cell(case.no_ladders, "text")
+        rows.append([page.Link(case.title, f"case-{name}"), case.row, links or reason])
     return page.table(["case", "row", "its ladders, or why there is nothing to choose"], rows, CAPTION)
 
 

@@ -20,7 +20,7 @@ from dataclasses import replace
 import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.checks import ablation_steps as held_steps
+from verification.checks import increments
 from verification.fixtures.scene_text import assembled, joint_table
 from verification.references.closed_forms import Joint, tension
 from verification.references.interface.envelopes import Law
@@ -112,7 +112,7 @@ def implicit(found: Findings, law: str, length: float) -> None:
 def drawn(found: Findings, length: float, places: Array) -> tuple[Array, Array]:
     """Stress (Pa) and work per area (J/m2) of a run at each place of the drive (m)."""
     assembly = assembled(SCENE.replace("HALF", repr(0.5 * length)))
-    result = held_steps.run(assembly, places.tolist(), move=2000, wait=1000)
+    result = increments.run(assembly, places.tolist(), move=2000, wait=1000)
     rows = found.note(f"L = {length:g} m", result).history.rows
     plot = next(plot for plot in found.plots if f"of {length:g} m" in plot.title)
     line = Line(f"run, L = {length:g} m", rows["displacement"] * 1e6, rows["stress"] / 1e6, "points")
