@@ -8,8 +8,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
-from geometry.blocks import Specimen
-from verification.timed_run import THREADS, Trial
+from verification.scene_runs import Run
+from verification.timed_run import THREADS
 
 Rungs = dict[str, dict[str, Any]]
 """Label of a rung -> the keys of the scene that it sets; the finest last."""
@@ -31,7 +31,7 @@ class Reference:
         return replace(self, uncertainty=max(self.uncertainty, by))
 
 
-def stress_and_energy(one: Trial) -> dict[str, float]:
+def stress_and_energy(one: Run) -> dict[str, float]:
     """What most problems measure: peak stress and stress at the end (Pa), and dissipated energy (J)."""
     return {
         "peak stress": one.value("peak"),
@@ -50,8 +50,7 @@ class Problem:
     """A scene, what is measured in it, what that should be, and the knobs that are climbed.
 
     name       lower case with hyphens
-    scene      a packaged scene's name, or TOML text
-    specimen   makes the blocks of a text that says kind = "file", path = "made.blocks.h5"
+    scene      name of a scene of the verification or of a packaged one
     knobs      knob -> rungs; one whose name starts with "model" changes what is solved, and need not go to zero
     base       keys that every run sets
     measure    what a run gives: quantity -> value
@@ -68,16 +67,15 @@ class Problem:
     scene: str
     knobs: dict[str, Rungs]
     base: dict[str, Any] = field(default_factory=dict)
-    measure: Callable[[Trial], dict[str, float]] = stress_and_energy
-    exact: Callable[[Trial], dict[str, float]] | None = None
-    theory: Callable[[Trial], dict[str, float]] | None = None
+    measure: Callable[[Run], dict[str, float]] = stress_and_energy
+    exact: Callable[[Run], dict[str, float]] | None = None
+    theory: Callable[[Run], dict[str, float]] | None = None
     converged: str = RATE
     units: Mapping[str, str] = field(
         default_factory=lambda: {"peak stress": "Pa", "end stress": "Pa", "dissipated energy": "J"}
     )
     shipped: tuple[str, str] = (ACCURACY, SHIPPED)
     kind: str = "closed form"
-    specimen: Callable[[], Specimen] | None = None
 
 
 def changes_model(knob: str) -> bool:

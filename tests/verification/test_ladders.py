@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from verification import timed_run as trial
+from verification import timed_run
 from verification.cases.fracture import eccentric_tension
 from verification.catalogue import modules
 from verification.convergence import oscillator
@@ -103,7 +103,7 @@ def test_another_model_is_held_against_theory_and_the_loading_against_the_conver
     study = Study(replace(problem, knobs=knobs, exact=None, theory=oscillator.exact, converged="time step"), quiet)
     errors = {knob: [e for _, e, _ in lines] for knob, lines in study.lines(oscillator.SPRING).items()}
     finest = study.references[oscillator.SPRING].value
-    exact = problem.exact(next(iter(study.trials["time step"].values())))[oscillator.SPRING]
+    exact = problem.exact(next(iter(study.runs["time step"].values())))[oscillator.SPRING]
     assert len(errors["time step"]) == 3 and len(errors["model: time step"]) == 4
     assert errors["model: time step"][-1] == pytest.approx(finest / exact - 1.0) != 0.0
     assert {p.knob for p in study.points()} == {"time step"}
@@ -115,10 +115,10 @@ def test_another_model_is_held_against_theory_and_the_loading_against_the_conver
 
 def test_two_threads_give_the_bits_of_one():
     few = {"drive.steps": 400, "solver.rows": 20}
-    one, two = (trial.run(eccentric_tension.SCENE, few | {"threads": n}) for n in (1, 2))
+    one, two = (timed_run.run(eccentric_tension.SCENE, few | {"threads": n}) for n in (1, 2))
     assert two.ok and (one.threads, two.threads) == (1, 2) and one.knobs == two.knobs
     assert threads.apart({"1 thread": one, "2 threads": two}) == {"2 threads": 0.0}
-    other = trial.run(eccentric_tension.SCENE, few | {"solver.damping": 0.7})
+    other = timed_run.run(eccentric_tension.SCENE, few | {"solver.damping": 0.7})
     assert threads.apart({"1 thread": one, "other": other})["other"] > 0.0
 
 

@@ -12,6 +12,7 @@ from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.results.trust import trust
 from verification.html.page import Chapter
+from verification.scene_runs import Run, load
 from verification.stability import motion, suite
 from verification.stability.cells import GOOD, KINDS, POOR, STATUSES, Cell, Exact, Grid
 from verification.stability.drawing import heat_map, length, written
@@ -19,13 +20,12 @@ from verification.stability.references import sheared
 from verification.stability.running import judged
 from verification.stability.scenes import CHAIN, COUPLET, joint_of
 from verification.studies import stability
-from verification.timed_run import Trial
 
 SOUND = {"energy_imbalance": 0.0, "reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
 
 
-def made(status="OK", reason="", **summary) -> Trial:
-    return Trial("couplet", {}, status=status, reason=reason, summary={**SOUND, **summary})
+def made(status="OK", reason="", **summary) -> Run:
+    return Run("couplet", {}, status=status, reason=reason, summary={**SOUND, **summary})
 
 
 @pytest.fixture(scope="module")
@@ -98,7 +98,7 @@ def test_the_full_map_has_the_quick_one_within_it_and_spans_what_is_asked():
 
 
 def test_the_limit_of_the_chain_is_the_largest_frequency_of_its_stiffness_matrix():
-    loaded = scene.load(CHAIN, motion.REAL)
+    loaded = load(CHAIN, motion.REAL)
     n, k = motion.BLOCKS - 2, loaded.contact["unit_unit"].normal_stiffness * 0.01
     mass = loaded.material["units"].density * 1e-3
     matrix = k / mass * (2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1))
@@ -107,7 +107,7 @@ def test_the_limit_of_the_chain_is_the_largest_frequency_of_its_stiffness_matrix
 
 def test_a_changed_reference_is_noticed():
     """The closed form takes its numbers from the scene: with 2 % more energy in the scene alone, it fails."""
-    one = Trial(COUPLET, {"drive.steps": 4000})
+    one = Run(COUPLET, {"drive.steps": 4000})
     one.summary = laboratory.run(scene.load(COUPLET, one.knobs)).summary
     assert max(exact.error for exact in sheared(one).values()) < 1e-3
     more = 1.02 * joint_of(COUPLET, {}).G_II

@@ -14,60 +14,23 @@ only the meshes are held against the beam; the loading is, against the converged
 from typing import Any
 
 from verification.ladder import ACCURACY, FEW_ROWS, Problem, Rungs, accuracies, dampings, fractions, steps
-from verification.timed_run import Trial
+from verification.scene_runs import Run
 
 BLOCKS, SIDE, LENGTH, PLATE = 5, 0.1, 0.1, 0.02
 KN, KS, YOUNG, POISSON, PUSH = 150e9, 70e9, 16.7e9, 0.2, 20e-6
 
 
-def _box(name: str, group: str, unit: int, start: float, length: float) -> str:
-    return f"""
-[[specimen.box]]
-name = "{name}"
-group = "{group}"
-origin = ["{start} m", "0 m", "0 m"]
-size = ["{length} m", "{SIDE} m", "{SIDE} m"]
-unit = {unit}"""
-
-
-BOXES = [_box("wall", "plates", 0, -PLATE, PLATE), _box("tip", "plates", 9, BLOCKS * LENGTH, PLATE)]
-BOXES += [_box(f"block {k + 1}", "units", k + 1, k * LENGTH, LENGTH) for k in range(BLOCKS)]
-SCENE = f"""
-law = "elastic"
-[kinematics]
-default = "rigid"
-[specimen]
-kind = "boxes"
-section = "{SIDE**2} m^2"
-mesh_size = "50 mm"
-{"".join(BOXES)}
-[material]
-units = {{density = "1900 kg/m^3", young_modulus = "{YOUNG} Pa", poisson_ratio = {POISSON}}}
-plates = {{density = "7850 kg/m^3"}}
-[contact]
-unit_unit = {{normal_stiffness = "{KN} Pa/m", shear_stiffness = "{KS} Pa/m"}}
-plate = {{normal_stiffness = "{KN} Pa/m", shear_stiffness = "{KS} Pa/m"}}
-[[support]]
-on = "wall"
-fix = "all"
-[[support]]
-on = "tip"
-fix = ["y"]
-[drive]
-on = "tip"
-direction = "-z"
-displacement = "{PUSH} m"
-"""
+SCENE = "cantilever"
 STIFFNESS = "stiffness of the tip"
 TETS: dict[str, Any] = {"kinematics": {"default": "tets", "plates": "rigid"}}
 
 
-def measured(one: Trial) -> dict[str, float]:
+def measured(one: Run) -> dict[str, float]:
     """Force over displacement at the tip (N/m)."""
     return {STIFFNESS: one.value("final") * SIDE**2 / PUSH}
 
 
-def exact(one: Trial) -> dict[str, float]:
+def exact(one: Run) -> dict[str, float]:
     """The same by beam theory; the blocks' own bending and shear only where they have any."""
     inertia, area, tip = SIDE**4 / 12, SIDE**2, BLOCKS * LENGTH + PLATE / 2
     arms = [tip - k * LENGTH for k in range(BLOCKS + 1)]

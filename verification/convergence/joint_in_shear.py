@@ -4,17 +4,16 @@ from typing import Any
 
 import numpy as np
 
-from masonry import scene
 from verification.ladder import FEW_ROWS, Problem, pace
 from verification.references import closed_forms
-from verification.timed_run import Trial
+from verification.scene_runs import Run, load
 
 STEPS = 32000
 
 
-def exact_stress(case: str, knobs: dict[str, Any], slip: np.ndarray) -> np.ndarray:
+def exact_stress(scene: str, knobs: dict[str, Any], slip: np.ndarray) -> np.ndarray:
     """Shear stress (Pa) at slips (m) of the couplet as the scene gives it: up with ks, then the law's envelope."""
-    loaded = scene.load(case, knobs)
+    loaded = load(scene, knobs)
     contact = loaded.contact["unit_unit"]
     joint = closed_forms.Joint(
         ks=contact.shear_stiffness,
@@ -29,12 +28,12 @@ def exact_stress(case: str, knobs: dict[str, Any], slip: np.ndarray) -> np.ndarr
     return closed_forms.shear(contact.law, joint, slip, loaded.confinement or 0.0)
 
 
-def exact_values(one: Trial) -> dict[str, float]:
+def exact_values(one: Run) -> dict[str, float]:
     """Peak and final stress (Pa), and the energy (J) that the joint has dissipated at the end of the drive."""
-    loaded = scene.load(one.case, one.knobs)
+    loaded = load(one.scene, one.knobs)
     assert loaded.drive is not None
     slip = np.linspace(0.0, loaded.drive.farthest, 400_001)
-    tau = exact_stress(one.case, one.knobs, slip)
+    tau = exact_stress(one.scene, one.knobs, slip)
     held = 0.5 * tau[-1] ** 2 / loaded.contact["unit_unit"].shear_stiffness
     area = loaded.specimen.length * loaded.specimen.width  # type: ignore[union-attr]
     return {
@@ -44,7 +43,7 @@ def exact_values(one: Trial) -> dict[str, float]:
     }
 
 
-def exact(one: Trial) -> dict[str, float]:
+def exact(one: Run) -> dict[str, float]:
     """Peak and end stress (Pa), and dissipated energy (J), from the closed form."""
     found = exact_values(one)
     return {"peak stress": found["peak"], "end stress": found["final"], "dissipated energy": found["dissipated"]}

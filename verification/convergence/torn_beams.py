@@ -8,21 +8,18 @@ jumps, block by block, so that a drive paced by its error would take millions of
 rates, and damped less than the default, which would eat a part of every jump.
 """
 
-from collections.abc import Callable
-
-from geometry.blocks import Specimen
 from verification.cases.fracture import dcb_force, enf
 from verification.ladder import RATE, Problem, dampings, steps
 
 
-def problem(name: str, title: str, scene: str, specimen: Callable[[], Specimen], fine: int) -> Problem:
+def problem(name: str, title: str, scene: str, fine: int) -> Problem:
     """The loading halved four times from `fine` steps, and the damping at a quarter of these."""
     counts = [fine >> k for k in (4, 3, 2, 1, 0)]
     knobs = {RATE: steps(*counts), "damping": dampings({"drive.steps": counts[2]}, 0.8, 0.5, 0.3, 0.2)}
-    return Problem(name, title, scene, knobs, shipped=("", ""), specimen=specimen)
+    return Problem(name, title, scene, knobs, shipped=("", ""))
 
 
 PROBLEMS = (
-    problem("dcb-force", "Double cantilever beam", dcb_force.SCENE, dcb_force.specimen, 400_000),
-    problem("enf", "End-notched beam", enf.SCENE, enf.specimen, 400_000),
+    problem("dcb-force", "Double cantilever beam", dcb_force.SCENE, 400_000),
+    problem("enf", "End-notched beam", enf.SCENE, 400_000),
 )

@@ -7,57 +7,18 @@ middle unit           energy    2 A (work of a joint up to s less tau^2/(2 ks))
    | lower | held     section 2 A, so that the reported stress is tau
 """
 
-from verification.fixtures.scene_text import joint_table
 from verification.ladder import FEW_ROWS, Problem, pace
 from verification.references.closed_forms import Joint, dissipated_in_shear
-from verification.timed_run import Trial
+from verification.scene_runs import Run
 
 JOINT = Joint(kn=80e9, ks=35e9, fT=0.2e6, c0=0.3e6, tan0=0.84, tan_res=0.7, G_I=10.0, G_II=50.0, G_II_slope=0.0)
 LENGTH, WIDTH, PRESSURE, PUSH = 0.25, 0.1, 0.2e6, 0.6e-3
 
 
-def _box(name: str, level: int) -> str:
-    return f"""
-[[specimen.box]]
-name = "{name}"
-origin = ["0 m", "0 m", "{60 * level} mm"]
-size = ["{LENGTH} m", "{WIDTH} m", "60 mm"]
-unit = {level}"""
+SCENE = "shear-triplet"
 
 
-SCENE = f"""
-law = "linear"
-kinematics = "rigid"
-confinement = "{PRESSURE} Pa"
-[specimen]
-kind = "boxes"
-section = "{2 * LENGTH * WIDTH} m^2"
-{_box("lower", 0)}{_box("middle", 1)}{_box("upper", 2)}
-[material]
-units = {{density = "1900 kg/m^3"}}
-{joint_table(JOINT)}
-[[support]]
-on = "lower"
-fix = "all"
-[[support]]
-on = "upper"
-fix = ["x", "y", "rotation"]
-[[support]]
-on = "middle"
-fix = ["y", "rotation"]
-[[traction]]
-on = "upper.z+"
-stress = {{z = "-confinement"}}
-[settle]
-steps = 2000
-[drive]
-on = "middle"
-direction = "x"
-displacement = "{PUSH} m"
-"""
-
-
-def exact(one: Trial) -> dict[str, float]:
+def exact(one: Run) -> dict[str, float]:
     """Peak (Pa) and dissipated energy (J)."""
     spent = float(dissipated_in_shear("linear", JOINT, PUSH, PRESSURE))
     return {"peak stress": float(JOINT.peak(PRESSURE)), "dissipated energy": 2 * LENGTH * WIDTH * spent}

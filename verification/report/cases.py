@@ -9,6 +9,7 @@ from verification.catalogue import formula
 from verification.html import figures, page
 from verification.outcome import IMBALANCE, Outcome
 from verification.records import records_of
+from verification.scene_runs import text_of
 
 KINDS = {"PASS": "ok", "FAIL": "bad", "ERROR": "bad", "NOT BUILT": "stop"}
 AREAS = (
@@ -110,7 +111,7 @@ def chapter(outcome: Outcome) -> page.Chapter:
     if findings.imbalance:
         made.parts.append(page.table(RUNS, _runs(outcome), "The runs of this case and their energy ledgers."))
     made.parts += [page.bullets(findings.remarks)] if findings.remarks else []
-    made.parts += [page.folded("The scene", page.preformatted(case.scene.strip()))] if case.scene else []
+    made.parts += [page.folded("The scene", page.preformatted(text_of(case.scene).strip()))] if case.scene else []
     return made
 
 

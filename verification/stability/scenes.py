@@ -1,13 +1,11 @@
 """The scenes of the maps, and the knobs that put them at their limits."""
 
-from pathlib import Path
 from typing import Any
 
-from masonry import scene
 from verification.references.closed_forms import Joint
+from verification.scene_runs import load
 
-HERE = Path(__file__).parent
-COUPLET, PAIR, CHAIN = "couplet", str(HERE / "pair.toml"), str(HERE / "chain.toml")
+COUPLET, PAIR, CHAIN = "couplet", "pair", "chain"
 JOINT = "contact.unit_unit"
 WIDTHS = 8.0
 """Softening widths that a drive goes beyond the peak."""
@@ -16,7 +14,7 @@ Knobs = dict[str, Any]
 
 def joint_of(name: str, knobs: Knobs) -> Joint:
     """The joint of a scene in the paper's letters."""
-    contact = scene.load(name, knobs).contact["unit_unit"]
+    contact = load(name, knobs).contact["unit_unit"]
     return Joint(
         kn=contact.normal_stiffness,
         ks=contact.shear_stiffness,

@@ -5,10 +5,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from verification import timed_run as trial
+from verification import timed_run
 from verification.convergence.joint_in_shear import exact_stress, exact_values
 from verification.html import figures, page
-from verification.timed_run import Trial
+from verification.scene_runs import Run
 
 ORDER = 10
 LAWS = ("linear", "polynomial", "exponential")
@@ -19,7 +19,7 @@ TOLERANCE = {"peak": 1e-3, "residual": 1e-3, "curve": 5e-3, "dissipated": 1e-3}
 WORDS = {"peak": "peak", "residual": "final stress", "curve": "whole curve", "dissipated": "dissipated energy"}
 
 
-def errors(one: Trial) -> tuple[dict[str, tuple[float, float, float]], tuple[np.ndarray, np.ndarray, np.ndarray]]:
+def errors(one: Run) -> tuple[dict[str, tuple[float, float, float]], tuple[np.ndarray, np.ndarray, np.ndarray]]:
     """(quantity -> (value, reference, scale), (slip m, tau Pa, closed form Pa) at the rows).
 
     The curve's value is its largest distance from the closed form, in shares of the peak.
@@ -27,7 +27,7 @@ def errors(one: Trial) -> tuple[dict[str, tuple[float, float, float]], tuple[np.
     exact = exact_values(one)
     moving = one.rows["displacement"] > 0.0
     slip, tau = one.rows["displacement"][moving], one.rows["stress"][moving]
-    closed = exact_stress(one.case, one.knobs, slip)
+    closed = exact_stress(one.scene, one.knobs, slip)
     off = float(np.abs(tau - closed).max() / exact["peak"])
     quantities = {
         "peak": (one.value("peak"), exact["peak"], 0.0),
@@ -53,7 +53,7 @@ def chapter(
         for motion in kinematics:
             tell(f"couplet: {law}, {motion}")
             for confinement in confinements:
-                one = trial.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement, **FINE})
+                one = timed_run.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement, **FINE})
                 cells: list[str | page.Cell] = [law, motion, confinement]
                 if not one.ok:
                     worst = dict.fromkeys(TOLERANCE, math.inf)
@@ -61,7 +61,7 @@ def chapter(
                     continue
                 quantities, (slip, tau, closed) = errors(one)
                 for name, (value, reference, scale) in quantities.items():
-                    entry = trial.record(one, name, value, reference, "closed form", scale)
+                    entry = timed_run.record(one, name, value, reference, "closed form", scale)
                     made.records.append(entry)
                     worst[name] = max(worst[name], abs(entry["error"]))
                     kind = "ok" if abs(entry["error"]) <= TOLERANCE[name] else "bad"

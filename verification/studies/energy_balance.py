@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 
-from verification import timed_run as trial
+from verification import timed_run
 from verification.html import page
+from verification.scene_runs import Run
 
 ORDER = 90
 CLOSES, AGREES, TOLERABLE, FAST = 1e-9, 1e-3, 1e-2, 0.05
@@ -25,8 +26,8 @@ def chapter(tell: Callable[[str], None]) -> page.Chapter:
         )
     )
     rows, worst = [], {"energy_imbalance": 0.0, "dissipation_mismatch": 0.0}
-    sorts: dict[str, list[trial.Trial]] = {sort: [] for sort in (QUIET, SUDDEN, ROUGH, BEYOND)}
-    for one in trial.DONE.values():
+    sorts: dict[str, list[Run]] = {sort: [] for sort in (QUIET, SUDDEN, ROUGH, BEYOND)}
+    for one in timed_run.DONE.values():
         if one.ok:
             sorts[sort_of(one)].append(one)
     for case in sorted({t.name for t in sorts[QUIET]}):
@@ -37,7 +38,7 @@ def chapter(tell: Callable[[str], None]) -> page.Chapter:
             highest = max(runs, key=lambda t: t.summary[key])
             value = float(highest.summary[key])
             worst[key] = max(worst[key], value)
-            made.records.append(trial.record(highest, key, value, 0.0, "identity", 1.0))
+            made.records.append(timed_run.record(highest, key, value, 0.0, "identity", 1.0))
             knobs = ", ".join(f"{k} = {v}" for k, v in highest.knobs.items()) or "as shipped"
             cells.append(page.Cell(f"{value:.1e}", kind_of(value, limit), f"at {knobs}"))
         rows.append(cells)
@@ -80,7 +81,7 @@ def kind_of(value: float, limit: float) -> str:
     return "ok" if value <= limit else "warn" if limit == AGREES and value <= TOLERABLE else "bad"
 
 
-def sort_of(one: trial.Trial) -> str:
+def sort_of(one: Run) -> str:
     """Of a run that came through: what its two sums can be asked to agree to."""
     summary = one.summary
     if float(summary["step_fraction"]) > 1.0:

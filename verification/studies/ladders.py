@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from verification import convergence as precision
-from verification import timed_run as trial
+from verification import timed_run
 from verification.catalogue import modules
 from verification.ladder import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
-from verification.timed_run import Trial
+from verification.scene_runs import Run
 
 Lines = dict[str, list[tuple[float, float, str]]]
 """Knob -> (seconds, error, rung) of each run that came through."""
@@ -38,28 +38,26 @@ class Study:
 
     def __init__(self, problem: Problem, tell: Callable[[str], None]) -> None:
         self.problem = problem
-        self.trials: dict[str, dict[str, Trial]] = {}
+        self.runs: dict[str, dict[str, Run]] = {}
         for knob, rungs in problem.knobs.items():
             tell(f"{problem.name}: {knob}, {len(rungs)} rungs")
-            self.trials[knob] = {label: self._run(keys) for label, keys in rungs.items()}
+            self.runs[knob] = {label: self._run(keys) for label, keys in rungs.items()}
         self.references = self._references()
-        self.records = [record for knob in self.trials for record in self._records(knob)]
+        self.records = [record for knob in self.runs for record in self._records(knob)]
 
-    def _run(self, keys: dict[str, Any]) -> Trial:
-        problem = self.problem
-        title = problem.name if "\n" in problem.scene else ""
-        return trial.run(problem.scene, problem.base | keys, timed=True, title=title, specimen=problem.specimen)
+    def _run(self, keys: dict[str, Any]) -> Run:
+        return timed_run.run(self.problem.scene, self.problem.base | keys, timed=True)
 
     def _references(self) -> dict[str, Reference]:
         """What the numbers should be. A converged run is doubted by as much as the finest drive to an accuracy differs
         from it: two ways to the same limit.
         """
         if self.problem.exact is not None:
-            one = next(t for runs in self.trials.values() for t in runs.values() if t.ok)
+            one = next(t for runs in self.runs.values() for t in runs.values() if t.ok)
             return {q: Reference(value, self.problem.kind) for q, value in self.problem.exact(one).items()}
-        runs = [self.problem.measure(t) for t in self.trials[self.problem.converged].values() if t.ok]
+        runs = [self.problem.measure(t) for t in self.runs[self.problem.converged].values() if t.ok]
         found = {q: richardson([run[q] for run in runs]) for q in self.problem.units}
-        paced = [t for t in self.trials.get(ACCURACY, {}).values() if t.ok]
+        paced = [t for t in self.runs.get(ACCURACY, {}).values() if t.ok]
         if paced:
             second = self.problem.measure(paced[-1])
             found = {q: r.doubted(abs(second[q] - r.value)) for q, r in found.items()}
@@ -67,14 +65,14 @@ class Study:
 
     def _records(self, knob: str) -> Iterator[Record]:
         given = self.problem.exact or (self.problem.theory if changes_model(knob) else None)
-        for label, one in self.trials[knob].items():
+        for label, one in self.runs[knob].items():
             values = self.problem.measure(one) if one.ok else {}
             exact = given(one) if one.ok and given is not None else {}
             for quantity, reference in self.references.items():
                 value = values.get(quantity, math.nan)
                 kind = self.problem.kind if quantity in exact else reference.kind
                 wanted = exact.get(quantity, reference.value)
-                entry = trial.record(one, quantity, value, wanted, kind, self._scale(quantity, exact))
+                entry = timed_run.record(one, quantity, value, wanted, kind, self._scale(quantity, exact))
                 yield entry | {
                     "case": self.problem.name,
                     "unit": self.problem.units[quantity],

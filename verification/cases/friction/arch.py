@@ -15,50 +15,23 @@ load is gravity; the thickness is bisected between 3 % above and 3 % below the p
 from functools import partial
 
 from verification.case import Case, Check, Findings
-from verification.fixtures.arches import Arch, least_thickness
-from verification.fixtures.scene_text import run_to_the_end_or_the_stop
+from verification.fixtures.arches import least_thickness
 from verification.fixtures.thresholds import threshold
+from verification.scene_runs import run as run_scene
 
 FRICTION, DENSITY, NORMAL, G = 0.7, 2000.0, 1e11, 9.81
 MILANKOVITCH = 0.1075
 VOUSSOIRS = (7, 15)
 
-SCENE = f"""
-law = "exponential"
-kinematics = "rigid"
-[specimen]
-kind = "file"
-path = "made.blocks.h5"
-contact_points = "vertex"
-[material.units]
-density = "{DENSITY} kg/m^3"
-[contact.unit_unit]
-normal_stiffness = "{NORMAL!r} Pa/m"
-shear_stiffness = "{0.4 * NORMAL!r} Pa/m"
-tensile_strength = "0 Pa"
-cohesion = "0 Pa"
-tan_friction_angle = {FRICTION}
-fracture_energy_mode_1 = "1 N/m"
-fracture_energy_mode_2 = "1 N/m"
-[[support]]
-on = "springers"
-fix = "all"
-[gravity]
-z = "-{G} m/s^2"
-[settle]
-steps = 40000
-[solver]
-rows = 40
-rotation_limit = 1e-3
-"""
+SCENE = "arch-of-voussoirs"
 
 
 def falls(found: Findings, voussoirs: int, thickness: float) -> bool:
     """Whether the arch goes on moving: it turns too far, or has gone 30 times as far as its springs let it."""
-    result, stopped = run_to_the_end_or_the_stop(SCENE, None, Arch(voussoirs, thickness).specimen())
-    found.note(f"{voussoirs} voussoirs, t/R = {thickness:.5f}", result)
+    ran = run_scene(SCENE, {"specimen.voussoirs": voussoirs, "specimen.thickness": f"{thickness!r} m"})
+    result = found.note(f"{voussoirs} voussoirs, t/R = {thickness:.5f}", ran)
     thrust = DENSITY * G * 1.0 / NORMAL
-    return stopped or bool(abs(result.history.frames[-1].corners).max() > 30 * voussoirs * thrust / thickness)
+    return not ran.ok or bool(abs(result.history.frames[-1].corners).max() > 30 * voussoirs * thrust / thickness)
 
 
 def run() -> Findings:
@@ -101,5 +74,6 @@ CASE = Case(
     title="A semicircular arch stands or falls",
     area="Friction and stability",
     run=run,
+    scene=SCENE,
     no_ladders="a yes or no, bisected: the width that is left is the error, and each half of it costs a run",
 )

@@ -17,50 +17,14 @@ import numpy as np
 
 from masonry.laboratory.result import Result
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.thresholds import threshold
+from verification.scene_runs import result_of
 
 MU, G = 0.6, 9.81
 LENGTH, HEIGHT = 0.4, 0.05
 NORMAL, SHEAR, DENSITY = 2e11, 1e11, 2000.0
 
-SCENE = f"""
-law = "exponential"
-kinematics = "rigid"
-[specimen]
-kind = "boxes"
-section = "{LENGTH**2!r} m^2"
-[[specimen.box]]
-name = "incline"
-origin = ["0 m", "0 m", "-0.05 m"]
-size = ["{LENGTH} m", "{LENGTH} m", "0.05 m"]
-unit = 0
-[[specimen.box]]
-name = "block"
-origin = ["0 m", "0 m", "0 m"]
-size = ["{LENGTH} m", "{LENGTH} m", "{HEIGHT} m"]
-unit = 1
-[material.units]
-density = "{DENSITY} kg/m^3"
-[contact.unit_unit]
-normal_stiffness = "{NORMAL!r} Pa/m"
-shear_stiffness = "{SHEAR!r} Pa/m"
-tensile_strength = "0 Pa"
-cohesion = "0 Pa"
-tan_friction_angle = {MU}
-fracture_energy_mode_1 = "1 N/m"
-fracture_energy_mode_2 = "1 N/m"
-[[support]]
-on = "incline"
-fix = "all"
-[gravity]
-x = "1 m/s^2"
-z = "-1 m/s^2"
-[settle]
-steps = 4000
-[solver]
-rows = 40
-"""
+SCENE = "incline"
 
 
 def weight(theta: float) -> dict[str, str]:
@@ -80,7 +44,7 @@ def run() -> Findings:
     elastic = DENSITY * HEIGHT * G / SHEAR
 
     def slides(angle: float) -> bool:
-        result = found.note(f"theta = {angle:.5f} rad", run_text(SCENE, weight(angle)))
+        result = found.note(f"theta = {angle:.5f} rad", result_of(SCENE, weight(angle)))
         return bool(slid(result)[-1] > 20 * elastic)
 
     angle, width = threshold(slides, 0.95 * atan(MU), 1.05 * atan(MU), 9)
@@ -105,7 +69,7 @@ def motion(found: Findings) -> None:
     theta = radians(45.0)
     plain, damped = (
         found.note(
-            f"sliding, xi = {xi}", run_text(SCENE, weight(theta) | {"solver.masses": "real", "solver.damping": xi})
+            f"sliding, xi = {xi}", result_of(SCENE, weight(theta) | {"solver.masses": "real", "solver.damping": xi})
         )
         for xi in (0.0, 0.8)
     )

@@ -13,19 +13,17 @@ is a mechanism, and a damping about its expected motion must neither feed it nor
 
 import numpy as np
 
-from masonry import scene
-from masonry.laboratory import laboratory
 from verification.case import Case, Check, Findings, at_most
-from verification.fixtures.scenes import path_of
+from verification.scene_runs import result_of
 
-SCENE = path_of("dry-rocking")
+SCENE = "dry-rocking"
 N_OVER_AREA, HEIGHT = 0.05e6, 0.15
 
 
 def run() -> Findings:
     """Force at the end, kinetic energy, and the work of damping."""
     findings = Findings()
-    result = findings.note("rocking", laboratory.run(scene.load(SCENE)))
+    result = findings.note("rocking", result_of(SCENE))
     summary, points = result.summary, result.joints.point
     at_joint = np.abs(points[:, 2] - HEIGHT) < 1e-9
     lever = float(np.ptp(points[at_joint, 0])) / 2.0
@@ -55,6 +53,6 @@ CASE = Case(
     area="Quasi-static loading",
     run=run,
     quick=True,
-    scene=SCENE.read_text(encoding="utf-8"),
+    scene=SCENE,
     no_ladders="one run to the shipped accuracy, held against its closed form",
 )
