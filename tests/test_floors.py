@@ -30,7 +30,7 @@ FLOORS = (
     "verification.fixtures",
     *("verification.checks", "verification.cases", "verification.catalogue", "verification.outcome"),
     *("verification.worker", "verification.runner", "verification.records", "verification.comparison"),
-    *("verification.printout", "verification.timed_run", "verification.ladder", "verification.html"),
+    *("verification.text", "verification.timed_run", "verification.problem", "verification.html"),
     *("verification.convergence", "verification.reference_step", "verification.self_test", "verification.stability"),
     *("verification.studies", "verification.paper", "verification.report", "verification.command"),
     *("verification", "tests", "benchmarks"),

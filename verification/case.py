@@ -165,7 +165,7 @@ class Case:
                 "Dynamics", "Invariance", "Quasi-static loading"
     quick       whether the three-minute run has it
     scene       name of a scene of the verification or a packaged one, shown on the page; or its text
-    ladders     names of the problems (`verification.ladder`) whose errors against run time stand for the case
+    ladders     names of the problems (`verification.problem`) whose errors against run time stand for the case
     no_ladders  or why there are none: in a word, why nothing is left to choose
     """
 

@@ -20,6 +20,7 @@ from masonry.laboratory.result import Result
 from masonry.results.trust import trust
 from masonry.scene import Scene
 from verification import balance
+from verification.references.closed_forms import Joint
 
 Settings = Mapping[str, Any]
 FOLDER = Path(__file__).parent / "scenes"
@@ -150,6 +151,25 @@ def text_of(name: str) -> str:
 def load(name: str, knobs: Settings | None = None) -> Scene:
     """A scene that brings its own specimen. Raises SceneError."""
     return scene.load(source_of(name), knobs or {})
+
+
+def joint_of(name: str, knobs: Settings) -> Joint:
+    """The joint of a scene in the paper's letters; 0 for what its law does not need."""
+    contact = load(name, knobs).contact["unit_unit"]
+    return Joint(
+        kn=contact.normal_stiffness,
+        ks=contact.shear_stiffness,
+        fT=contact.tensile_strength or 0.0,
+        c0=contact.cohesion or 0.0,
+        tan0=contact.tan_friction or 0.0,
+        c_res=contact.residual_cohesion or 0.0,
+        tan_res=contact.tan_residual_friction or 0.0,
+        G_I=contact.fracture_energy_mode_1 or 0.0,
+        G_II=contact.fracture_energy_mode_2 or 0.0,
+        G_II_slope=contact.fracture_energy_mode_2_slope or 0.0,
+        alpha=contact.exponent_tension or 0.0,
+        beta=contact.exponent_shear or 0.0,
+    )
 
 
 @contextmanager

@@ -7,8 +7,8 @@ from verification.cases.contact_law import tension_exponential
 from verification.cases.fracture import couplet
 from verification.cases.friction import incline
 from verification.outcome import Outcome
-from verification.printout import failures
 from verification.reference_step.speed import measure
+from verification.text import failures
 from verification.worker import run_case
 
 CASES: tuple[Case, ...] = (tension_exponential.CASE, couplet.CASE, incline.CASE)

@@ -7,7 +7,7 @@ import pytest
 from masonry.errors import SceneError
 from tests.verification import samples
 from tests.verification.samples import case
-from verification import catalogue, printout, runner
+from verification import catalogue, runner, text
 from verification.case import Check, Findings, at_most
 from verification.outcome import judge
 
@@ -57,7 +57,7 @@ def test_a_bound_holds_or_not_and_is_never_near_or_loose():
     assert not at_most("strength left", "1", math.nan, 0.9, "it must crack").holds
     assert judge(Findings([kept]))[0] == "PASS"
     assert judge(Findings([broken])) == ("FAIL", "strength left: 0.95 1, at most 0.9")
-    assert printout.off(broken) == "strength left is 0.95, but may be at most 0.9 (it must crack)"
+    assert text.off(broken) == "strength left is 0.95, but may be at most 0.9 (it must crack)"
 
 
 def test_the_nearest_case_is_suggested():

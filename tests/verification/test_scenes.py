@@ -6,7 +6,7 @@ from masonry import scene
 from masonry.laboratory import laboratory
 from verification.catalogue import catalogue
 from verification.scene_runs import FOLDER, load, run, source_of, text_of
-from verification.studies.ladders import problems
+from verification.studies.refinement import problems
 
 NAMES = sorted(file.stem for file in FOLDER.glob("*.toml"))
 

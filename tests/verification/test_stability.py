@@ -12,13 +12,13 @@ from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.results.trust import trust
 from verification.html.page import Chapter
-from verification.scene_runs import Run, load
-from verification.stability import motion, suite
+from verification.scene_runs import Run, joint_of, load
+from verification.stability import maps, motion
 from verification.stability.cells import GOOD, KINDS, POOR, STATUSES, Cell, Exact, Grid
 from verification.stability.drawing import heat_map, length, written
+from verification.stability.maps import judged
 from verification.stability.references import sheared
-from verification.stability.running import judged
-from verification.stability.scenes import CHAIN, COUPLET, joint_of
+from verification.stability.scenes import CHAIN, COUPLET
 from verification.studies import stability
 
 SOUND = {"energy_imbalance": 0.0, "reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
@@ -30,7 +30,7 @@ def made(status="OK", reason="", **summary) -> Run:
 
 @pytest.fixture(scope="module")
 def quick():
-    return {grid.title: suite.run(grid) for grid in suite.cells(full=False)}
+    return {grid.title: maps.run(grid) for grid in maps.all_grids(full=False)}
 
 
 def test_what_is_wrong_without_a_word_is_bad_and_what_says_so_is_not():
@@ -81,8 +81,8 @@ def test_every_cell_leaves_a_record_with_finite_numbers_and_its_reason(quick):
 
 
 def test_the_full_map_has_the_quick_one_within_it_and_spans_what_is_asked():
-    full = {grid.title: grid for grid in suite.cells(full=True)}
-    for grid in suite.cells(full=False):
+    full = {grid.title: grid for grid in maps.all_grids(full=True)}
+    for grid in maps.all_grids(full=False):
         assert set(grid.cells) <= set(full[grid.title].cells), grid.title
     assert {"1e+06", "1e+15"} <= set(full["Stiffness of the joint"].columns)
     assert {"1", "10000"} <= set(full["Stiffness of the joint"].rows)
@@ -116,7 +116,7 @@ def test_a_changed_reference_is_noticed():
 
 
 def test_the_picture_has_a_field_for_every_cell_and_its_bars_go_with_the_logarithm(quick):
-    grid = next(g for g in suite.cells(full=False) if g.title == "Confinement")
+    grid = next(g for g in maps.all_grids(full=False) if g.title == "Confinement")
     axes = heat_map(grid, quick["Confinement"]).axes[0]
     words = " ".join(text.get_text() for text in axes.texts)
     assert "refused" in words and "stopped" in words

@@ -13,7 +13,7 @@ only the meshes are held against the beam; the loading is, against the converged
 
 from typing import Any
 
-from verification.ladder import ACCURACY, FEW_ROWS, Problem, Rungs, accuracies, dampings, fractions, steps
+from verification.problem import ACCURACY, FEW_ROWS, Problem, Refinement, accuracies, dampings, fractions, steps
 from verification.scene_runs import Run
 
 BLOCKS, SIDE, LENGTH, PLATE = 5, 0.1, 0.1, 0.02
@@ -41,16 +41,16 @@ def exact(one: Run) -> dict[str, float]:
     return {STIFFNESS: 1.0 / give}
 
 
-def loading(fine: int, extra: dict[str, Any]) -> dict[str, Rungs]:
+def loading(fine: int, extra: dict[str, Any]) -> dict[str, Refinement]:
     """The knobs of an elastic test: nothing is spent, so that only the motion at the end counts."""
     usual = {"drive.steps": fine // 2}
     rates = steps(*(fine >> k for k in (4, 3, 2, 1, 0)))
     found = {"constant rate": rates, ACCURACY: accuracies()}
     found |= {"step fraction": fractions(usual), "damping": dampings(usual)}
-    return {knob: {label: extra | keys for label, keys in rungs.items()} for knob, rungs in found.items()}
+    return {knob: {label: extra | keys for label, keys in settings.items()} for knob, settings in found.items()}
 
 
-def points(kind: str) -> Rungs:
+def points(kind: str) -> Refinement:
     """Contact points along each edge."""
     keys = {"specimen.contact_points": kind, "drive.steps": 16000}
     return {f"{n} x {n}": {**keys, "specimen.points_per_edge": n} for n in (2, 3, 4, 8)}

@@ -17,7 +17,7 @@ from functools import cache
 import numpy as np
 from scipy.optimize import brentq
 
-from verification.ladder import FEW_ROWS, Problem, pace
+from verification.problem import FEW_ROWS, Problem, pace
 from verification.references.closed_forms import Joint, dissipated_in_tension, tension
 from verification.scene_runs import Run
 
@@ -60,7 +60,7 @@ def exact(one: Run) -> dict[str, float]:
 
 POINTS = {str(n): {"specimen.points_per_edge": {"x": n}, "drive.steps": 16000} for n in (2, 4, 8, 16, 32)}
 FINE = {"specimen.points_per_edge": {"x": 32}}
-KNOBS = {knob: {label: FINE | keys for label, keys in rungs.items()} for knob, rungs in pace(32000).items()}
+KNOBS = {knob: {label: FINE | keys for label, keys in settings.items()} for knob, settings in pace(32000).items()}
 PROBLEMS = (
     Problem(
         "eccentric-joint",

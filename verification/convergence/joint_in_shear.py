@@ -4,9 +4,9 @@ from typing import Any
 
 import numpy as np
 
-from verification.ladder import FEW_ROWS, Problem, pace
+from verification.problem import FEW_ROWS, Problem, pace
 from verification.references import closed_forms
-from verification.scene_runs import Run, load
+from verification.scene_runs import Run, joint_of, load
 
 STEPS = 32000
 
@@ -14,18 +14,8 @@ STEPS = 32000
 def exact_stress(scene: str, knobs: dict[str, Any], slip: np.ndarray) -> np.ndarray:
     """Shear stress (Pa) at slips (m) of the couplet as the scene gives it: up with ks, then the law's envelope."""
     loaded = load(scene, knobs)
-    contact = loaded.contact["unit_unit"]
-    joint = closed_forms.Joint(
-        ks=contact.shear_stiffness,
-        c0=contact.cohesion or 0.0,
-        tan0=contact.tan_friction or 0.0,
-        c_res=contact.residual_cohesion or 0.0,
-        tan_res=contact.tan_residual_friction or 0.0,
-        G_II=contact.fracture_energy_mode_2 or 0.0,
-        G_II_slope=contact.fracture_energy_mode_2_slope or 0.0,
-        beta=contact.exponent_shear or 0.0,
-    )
-    return closed_forms.shear(contact.law, joint, slip, loaded.confinement or 0.0)
+    joint = joint_of(scene, knobs)
+    return closed_forms.shear(loaded.contact["unit_unit"].law, joint, slip, loaded.confinement or 0.0)
 
 
 def exact_values(one: Run) -> dict[str, float]:

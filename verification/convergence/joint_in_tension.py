@@ -11,7 +11,7 @@ Peak fT. Dissipated: A (work of the joint up to u less sigma u/2, which secant u
 
 import numpy as np
 
-from verification.ladder import FEW_ROWS, Problem, pace
+from verification.problem import FEW_ROWS, Problem, pace
 from verification.references.closed_forms import Joint, dissipated_in_tension, tension
 from verification.scene_runs import Run
 

@@ -13,20 +13,20 @@ from types import MappingProxyType
 from typing import Any
 
 from verification.cases.fracture import couplet_of_tets, eccentric_tension, wallette_of_two_courses
-from verification.ladder import ACCURACY, RATE, Problem, Rungs, accuracies, fractions, laws, steps, threads
+from verification.problem import ACCURACY, RATE, Problem, Refinement, accuracies, fractions, laws, steps, threads
 from verification.timed_run import THREADS
 
 COUNTS = (2000, 4000, 8000, 16000)
 USUAL = {"drive.steps": COUNTS[-2]}
 
 
-def meshes(extra: dict[str, Any], *sizes: int) -> Rungs:
+def meshes(extra: dict[str, Any], *sizes: int) -> Refinement:
     """Edges of the tets, mm."""
     return {f"{size} mm": {"specimen.mesh_size": f"{size} mm", **extra} for size in sizes}
 
 
 def problem(
-    name: str, title: str, scene: str, *sizes: int, more: Mapping[str, Rungs] = MappingProxyType({})
+    name: str, title: str, scene: str, *sizes: int, more: Mapping[str, Refinement] = MappingProxyType({})
 ) -> Problem:
     """One of them, with knobs of its own besides those of all."""
     knobs = {

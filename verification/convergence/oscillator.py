@@ -9,7 +9,7 @@ Central differences are of second order: the error falls with the square of the 
 
 import numpy as np
 
-from verification.ladder import Problem
+from verification.problem import Problem
 from verification.scene_runs import Run
 
 SIDE, HEIGHT, DENSITY, KN, GRAVITY = 0.2, 0.1, 2000.0, 1e9, 9.81
@@ -41,7 +41,7 @@ def exact(one: Run) -> dict[str, float]:
     return {MOTION: 0.5 * MASS * v * v, SPRING: 0.5 * KN * SIDE**2 * x * x}
 
 
-def rungs() -> dict[str, dict[str, object]]:
+def time_steps() -> dict[str, dict[str, object]]:
     """The same time in more and more steps."""
     return {f"{n} steps": {"settle.steps": n, "solver.time_step": f"{DURATION / n!r} s"} for n in COUNTS}
 
@@ -49,7 +49,7 @@ def rungs() -> dict[str, dict[str, object]]:
 COUNTS = (16, 32, 64, 128, 256, 512, 1024)
 PROBLEMS = (
     Problem(
-        *("oscillator", "Undamped oscillator in real time", SCENE, {"time step": rungs()}),
+        *("oscillator", "Undamped oscillator in real time", SCENE, {"time step": time_steps()}),
         measure=measured,
         exact=exact,
         units={MOTION: "J", SPRING: "J"},

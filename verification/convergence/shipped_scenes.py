@@ -3,11 +3,11 @@
 from typing import Any
 
 from verification.convergence.joint_in_shear import exact
-from verification.ladder import (
+from verification.problem import (
     ACCURACY,
     RATE,
     Problem,
-    Rungs,
+    Refinement,
     accuracies,
     dampings,
     fractions,
@@ -21,20 +21,20 @@ from verification.timed_run import THREADS
 FACTORS = (8.0, 4.0, 2.0, 1.0, 0.5)
 
 
-def rates(usual: float) -> Rungs:
+def rates(usual: float) -> Refinement:
     """Constant rates (mm/s): `FACTORS` times as fast as usual."""
     return {f"x{f:g}": {"drive.rate": f"{f * usual:g} mm/s"} for f in FACTORS}
 
 
-def cells(extra: dict[str, Any], *sizes: tuple[int, ...]) -> Rungs:
+def cells(extra: dict[str, Any], *sizes: tuple[int, ...]) -> Refinement:
     """The grid of a unit."""
     return {"x".join(map(str, d)): {"specimen.divisions": list(d), **extra} for d in sizes}
 
 
-def motions(mesh: str, extra: dict[str, Any]) -> Rungs:
+def motions(mesh: str, extra: dict[str, Any]) -> Refinement:
     """How the units move."""
     tets: dict[str, Any] = {"kinematics": {"units": "tets"}, "specimen.mesh_size": mesh}
-    given: Rungs = {"rigid": {"kinematics": "rigid"}, "affine": {"kinematics": {"units": "affine"}}, "tets": tets}
+    given: Refinement = {"rigid": {"kinematics": "rigid"}, "affine": {"kinematics": {"units": "affine"}}, "tets": tets}
     return {label: {**knobs, **extra} for label, knobs in given.items()}
 
 

@@ -9,7 +9,7 @@ rates, and damped less than the default, which would eat a part of every jump.
 """
 
 from verification.cases.fracture import dcb_force, enf
-from verification.ladder import RATE, Problem, dampings, steps
+from verification.problem import RATE, Problem, dampings, steps
 
 
 def problem(name: str, title: str, scene: str, fine: int) -> Problem:

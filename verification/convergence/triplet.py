@@ -7,7 +7,7 @@ middle unit           energy    2 A (work of a joint up to s less tau^2/(2 ks))
    | lower | held     section 2 A, so that the reported stress is tau
 """
 
-from verification.ladder import FEW_ROWS, Problem, pace
+from verification.problem import FEW_ROWS, Problem, pace
 from verification.references.closed_forms import Joint, dissipated_in_shear
 from verification.scene_runs import Run
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from masonry.runtime.progress import duration
-from verification import printout
+from verification import text
 from verification.case import LOOSE, UNEXPECTED, Check
 from verification.catalogue import formula
 from verification.html import figures, page
@@ -25,10 +25,10 @@ def chapters(outcomes: Sequence[Outcome], seconds: float) -> list[page.Chapter]:
     outcomes = sorted(outcomes, key=lambda o: _areas(outcomes).index(o.case.area))
     made = page.Chapter("All cases at a glance", group="Cases with known answers")
     made.parts.append(page.paragraph(INTRODUCTION))
-    made.parts.append(page.paragraph(printout.verdict(outcomes, seconds), "lead"))
+    made.parts.append(page.paragraph(text.verdict(outcomes, seconds), "lead"))
     rows = [[page.Link(o.case.title, anchor(o)), *_row(o)] for o in outcomes]
-    made.parts.append(page.table(["case", *printout.HEADER[1:]], rows))
-    for heading, sentences in printout.notes(outcomes).items():
+    made.parts.append(page.table(["case", *text.HEADER[1:]], rows))
+    for heading, sentences in text.notes(outcomes).items():
         made.parts += [page.heading(heading), page.bullets(sentences)]
     made.verdicts += verdicts(outcomes)
     return [made, *map(chapter, outcomes)]
@@ -36,7 +36,7 @@ def chapters(outcomes: Sequence[Outcome], seconds: float) -> list[page.Chapter]:
 
 def _row(outcome: Outcome) -> list[str | page.Cell]:
     """The cells of a case after its name, the status in its colour."""
-    _, row, status, *numbers = printout.row(outcome)
+    _, row, status, *numbers = text.row(outcome)
     return [row, page.Cell(status, KINDS[status]), *(page.Cell(number, "number") for number in numbers)]
 
 
@@ -99,7 +99,7 @@ def chapter(outcome: Outcome) -> page.Chapter:
     made.parts.append(page.table([], [[status, line, duration(outcome.seconds)]]))
     if outcome.status == "NOT BUILT":
         made.parts.append(page.paragraph(f"Not run: {outcome.reason}.", "lead"))
-    wrong = printout.failures(outcome)
+    wrong = text.failures(outcome)
     made.parts += [page.paragraph("What does not hold:"), page.bullets(wrong)] if wrong else []
     made.parts.append(page.preformatted(formula(case)))
     for k in range(0, len(findings.plots), 2):

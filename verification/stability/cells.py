@@ -74,15 +74,12 @@ class Grid:
 
 @dataclass
 class Outcome:
-    """What became of a cell: status, reason (the program's own words), error, knobs, seconds of stepping."""
+    """What became of a cell: status, reason (the program's own words), largest error, kind of KINDS, records."""
 
     row: str
     column: str
-    scene: str
-    knobs: dict[str, Any]
     status: str
     reason: str
     error: float
-    seconds: float
     kind: str
     records: list[dict[str, Any]] = field(default_factory=list)

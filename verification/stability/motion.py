@@ -9,10 +9,10 @@ from masonry.assembly.assemble import assemble
 from masonry.loading.scheduled import Chunk
 from masonry.model.loads import Program
 from masonry.timeloop import compiled_step
-from verification.scene_runs import Run, load
+from verification.scene_runs import Run, joint_of, load
 from verification.stability.cells import Cell, Exact, Grid
 from verification.stability.references import torn
-from verification.stability.scenes import CHAIN, Knobs, chain_of, joint_of
+from verification.stability.scenes import CHAIN, Knobs, chain_of
 
 BLOCKS = 6
 LONG = chain_of((0.1,) * BLOCKS)

@@ -3,9 +3,8 @@
 import math
 
 from verification.references import closed_forms
-from verification.scene_runs import Run, load
+from verification.scene_runs import Run, joint_of, load
 from verification.stability.cells import Exact
-from verification.stability.scenes import joint_of
 
 
 def sheared(one: Run) -> dict[str, Exact]:

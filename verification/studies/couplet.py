@@ -1,5 +1,6 @@
 """The couplet against its closed form: laws x confinements x kinematics, the whole curve."""
 
+import itertools
 import math
 from collections.abc import Callable
 
@@ -48,37 +49,36 @@ def chapter(
     made = page.Chapter("Couplet against closed forms")
     worst = dict.fromkeys(TOLERANCE, 0.0)
     panels: dict[str, list[tuple[str, np.ndarray, np.ndarray, np.ndarray]]] = {}
-    rows = []
-    for law in laws:
-        for motion in kinematics:
-            tell(f"couplet: {law}, {motion}")
-            for confinement in confinements:
-                one = timed_run.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement, **FINE})
-                cells: list[str | page.Cell] = [law, motion, confinement]
-                if not one.ok:
-                    worst = dict.fromkeys(TOLERANCE, math.inf)
-                    rows.append([*cells, page.Cell(one.status, "bad", page.short(one.reason))])
-                    continue
-                quantities, (slip, tau, closed) = errors(one)
-                for name, (value, reference, scale) in quantities.items():
-                    entry = timed_run.record(one, name, value, reference, "closed form", scale)
-                    made.records.append(entry)
-                    worst[name] = max(worst[name], abs(entry["error"]))
-                    kind = "ok" if abs(entry["error"]) <= TOLERANCE[name] else "bad"
-                    cells.append(page.Cell(page.percent(entry["error"]), kind))
-                rows.append([*cells, f"{one.seconds:.2g} s"])
-                if motion == kinematics[0]:
-                    panels.setdefault(law, []).append((confinement, 1e3 * slip, 1e-6 * tau, 1e-6 * closed))
+    rows: list[list[str | page.Cell]] = []
+    for law, motion, confinement in itertools.product(laws, kinematics, confinements):
+        tell(f"couplet: {law}, {motion}, {confinement}")
+        one = timed_run.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement, **FINE})
+        rows.append([law, motion, confinement])
+        if not one.ok:
+            worst = dict.fromkeys(TOLERANCE, math.inf)
+            rows[-1].append(page.judged(one.status, False, page.short(one.reason)))
+            continue
+        quantities, (slip, tau, closed) = errors(one)
+        for name, (value, reference, scale) in quantities.items():
+            entry = timed_run.record(one, name, value, reference, "closed form", scale)
+            made.records.append(entry)
+            off = abs(entry["error"])
+            worst[name] = max(worst[name], off)
+            rows[-1].append(page.judged(page.percent(entry["error"]), off <= TOLERANCE[name]))
+        rows[-1].append(f"{one.seconds:.2g} s")
+        if motion == kinematics[0]:
+            panels.setdefault(law, []).append((confinement, 1e3 * slip, 1e-6 * tau, 1e-6 * closed))
     header = ["law", "units", "confinement", *(f"{w} (limit {page.percent(TOLERANCE[k])})" for k, w in WORDS.items())]
-    made.parts += [page.paragraph(INTRODUCTION)]
-    if panels:
-        caption = f"Shear stress against slip, {kinematics[0]} units: the run as a line, the closed form as dots."
-        made.parts.append(page.picture(figures.curves(panels), caption))
-    made.parts.append(page.table([*header, "stepping"], rows, "Signed error against the closed form; curve: largest."))
+    caption = f"Shear stress against slip, {kinematics[0]} units: the run as a line, the closed form as dots."
+    made.add(
+        INTRODUCTION,
+        page.picture(figures.curves(panels), caption) if panels else "",
+        page.table([*header, "stepping"], rows, "Signed error against the closed form; curve: largest."),
+    )
     held = all(worst[name] <= limit for name, limit in TOLERANCE.items())
     said = ", ".join(f"{words} {page.percent(worst[name])}" for name, words in WORDS.items())
     sentence = f"Couplet, {len(rows)} combinations of law, confinement and kinematics; largest errors: {said}."
-    made.verdicts.append(page.Verdict("Closed forms", "ok" if held else "bad", sentence))
+    made.judge("Closed forms", held, sentence)
     return made
 
 

@@ -8,12 +8,12 @@ from verification import timed_run
 from verification.html import page
 from verification.records import Record
 from verification.scene_runs import Run
-from verification.studies.ladders import Study
+from verification.studies.refinement import Study
 from verification.timed_run import THREADS
 
 
 def apart(runs: Mapping[str, Run]) -> dict[str, float]:
-    """Rung -> largest difference of any row from the first rung's, over the largest value of its kind; 0.0 if none."""
+    """Setting -> largest difference of any row from the first's, over the largest value of its kind; 0.0 if none."""
     first, *others = runs.items()
     return {label: _difference(first[1], one) for label, one in others}
 

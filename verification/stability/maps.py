@@ -1,11 +1,20 @@
-"""Cells are run, and each is given its status: nothing that is wrong may pass without a word."""
+"""All maps: each cell is run and given its status, and nothing that is wrong may pass without a word."""
 
+import importlib
 import math
+import pkgutil
 from typing import Any
 
-from verification import timed_run
+from verification import stability, timed_run
 from verification.scene_runs import Run
 from verification.stability.cells import GOOD, POOR, Cell, Grid, Outcome
+
+
+def all_grids(full: bool) -> list[Grid]:
+    """Of every module of this folder that has `grids`; quick ones (full=False) have a few cells of each axis."""
+    names = sorted(entry.name for entry in pkgutil.iter_modules(stability.__path__))
+    modules = [importlib.import_module(f"{stability.__name__}.{name}") for name in names]
+    return [grid for module in modules if hasattr(module, "grids") for grid in module.grids(full)]
 
 
 def run(grid: Grid) -> list[Outcome]:
@@ -19,16 +28,13 @@ def run_cell(grid: Grid, row: str, column: str, cell: Cell) -> Outcome:
     compared = cell.compare(one) if one.ok else {}
     error = max((exact.error for exact in compared.values()), default=math.nan)
     status, reason, kind = judged(one, error, cell.must)
-    name = cell.scene
-    outcome = Outcome(row, column, name, cell.knobs, status, reason, error, one.seconds, kind)
-    entries = {
-        quantity: timed_run.record(one, quantity, exact.value, exact.reference, grid.against, exact.scale)
+    entries = [
+        timed_run.record(one, quantity, exact.value, exact.reference, grid.against, exact.scale)
         for quantity, exact in compared.items()
-    } or {"status": timed_run.record(one, "status", math.nan, math.nan, grid.against)}
-    said: dict[str, Any] = {"case": name, "status": status, "reason": reason, "knob": grid.title}
+    ] or [timed_run.record(one, "status", math.nan, math.nan, grid.against)]
+    said: dict[str, Any] = {"case": cell.scene, "status": status, "reason": reason, "knob": grid.title}
     said |= {"rung": f"{row}, {column}", "knobs": {key: _plain(value) for key, value in cell.knobs.items()}}
-    outcome.records = [entry | said for entry in entries.values()]
-    return outcome
+    return Outcome(row, column, status, reason, error, kind, [entry | said for entry in entries])
 
 
 def _plain(value: Any) -> Any:

@@ -1,4 +1,4 @@
-"""Runs the ladders of a problem: its references, a record for each rung and quantity, and the points to draw."""
+"""Runs the refinements of a problem: its references, a record for each run and quantity, and the points to draw."""
 
 import importlib
 import math
@@ -9,12 +9,12 @@ from typing import Any
 from verification import convergence as precision
 from verification import timed_run
 from verification.catalogue import modules
-from verification.ladder import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
+from verification.problem import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
 from verification.scene_runs import Run
 
 Lines = dict[str, list[tuple[float, float, str]]]
-"""Knob -> (seconds, error, rung) of each run that came through."""
+"""Knob -> (seconds, error, label) of each run that came through."""
 
 
 def problems() -> Iterator[Problem]:
@@ -29,19 +29,25 @@ def problems() -> Iterator[Problem]:
 FIRST = "shipped_scenes"
 
 
-class Study:
-    """A problem whose rungs were run.
+def anchor(problem: Problem) -> str:
+    """Where the section of a problem begins on the page."""
+    return f"problem-{problem.name}"
 
+
+class Study:
+    """A problem whose knobs were refined.
+
+    runs        knob -> label -> run
     references  quantity -> Reference
-    records     one for each rung and quantity
+    records     one for each run and quantity
     """
 
     def __init__(self, problem: Problem, tell: Callable[[str], None]) -> None:
         self.problem = problem
         self.runs: dict[str, dict[str, Run]] = {}
-        for knob, rungs in problem.knobs.items():
-            tell(f"{problem.name}: {knob}, {len(rungs)} rungs")
-            self.runs[knob] = {label: self._run(keys) for label, keys in rungs.items()}
+        for knob, settings in problem.knobs.items():
+            tell(f"{problem.name}: {knob}, {len(settings)} settings")
+            self.runs[knob] = {label: self._run(keys) for label, keys in settings.items()}
         self.references = self._references()
         self.records = [record for knob in self.runs for record in self._records(knob)]
 
@@ -112,7 +118,7 @@ class Study:
         return bool(record["knob"] == self.problem.converged and record["rung"] == last)
 
     def points(self) -> list[Point]:
-        """The rungs that solve the same model, each with its largest error over all quantities."""
+        """The settings that solve the same model, each with its largest error over all quantities."""
         found: dict[tuple[str, str], Point] = {}
         for r in self.records:
             key = (r["knob"], r["rung"])
@@ -121,3 +127,8 @@ class Study:
             worst = max(abs(r["error"]), found[key].error if key in found else 0.0)
             found[key] = Point(*key, r["seconds"], r["steps"], worst)
         return list(found.values())
+
+    @property
+    def shipped(self) -> Point | None:
+        """What a user gets who asks for nothing."""
+        return next((p for p in self.points() if (p.knob, p.label) == self.problem.shipped), None)
