@@ -29,7 +29,7 @@ FLOORS = (
     *("verification.references", "verification.balance", "verification.scene_runs", "verification.case"),
     "verification.fixtures",
     *("verification.checks", "verification.cases", "verification.catalogue", "verification.outcome"),
-    *("verification.worker", "verification.runner", "verification.records", "verification.comparison"),
+    *("verification.runner", "verification.records", "verification.comparison"),
     *("verification.text", "verification.timed_run", "verification.problem", "verification.html"),
     *("verification.convergence", "verification.reference_step", "verification.self_test", "verification.stability"),
     *("verification.studies", "verification.paper", "verification.report", "verification.command"),

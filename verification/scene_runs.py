@@ -26,7 +26,6 @@ Settings = Mapping[str, Any]
 FOLDER = Path(__file__).parent / "scenes"
 """The scenes of the verification, which `masonry run` takes too."""
 BLOCKS = "made.blocks.h5"
-SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
 MISMATCH, KINETIC = 0.02, 0.01
 """Beyond these shares of the peak and of the internal energy a run is not quasi-static, and says so itself."""
 CARE = "with care: "
@@ -84,7 +83,7 @@ class Run:
     def value(self, quantity: str) -> float:
         """Peak and final stress (Pa), or the energy dissipated by fracture and friction (J)."""
         if quantity == "dissipated":
-            return float(sum(self.summary["energy_j"][key] for key in SPENT))
+            return balance.dissipated(self.summary)
         return float(self.summary["peak_stress_pa" if quantity == "peak" else "final_stress_pa"])
 
 

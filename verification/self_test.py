@@ -6,10 +6,9 @@ from verification.case import Case, Check
 from verification.cases.contact_law import tension_exponential
 from verification.cases.fracture import couplet
 from verification.cases.friction import incline
-from verification.outcome import Outcome
+from verification.outcome import Outcome, run_case
 from verification.reference_step.speed import measure
 from verification.text import failures
-from verification.worker import run_case
 
 CASES: tuple[Case, ...] = (tension_exponential.CASE, couplet.CASE, incline.CASE)
 """One contact, the couplet of the paper, and friction: each against a closed form, all quick."""

@@ -8,7 +8,7 @@ from masonry.laboratory.result import Result
 from masonry.monitors import energy
 from verification import balance
 from verification.case import Check, Findings, Line, Plot
-from verification.scene_runs import SPENT, assembled
+from verification.scene_runs import assembled
 
 TERMS = ("elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "friction", "damping", "kinetic")
 
@@ -19,7 +19,7 @@ def identity(findings: Findings, words: str, result: Result, absent: tuple[str, 
     rows = result.history.rows
     work = float(np.abs(rows["external_work"]).max())
     on = sum(float(np.abs(rows[term]).max()) > 1e-6 * work for term in TERMS)
-    fall = min(float(np.diff(rows[key]).min()) for key in (*SPENT, "damping"))
+    fall = min(float(np.diff(rows[key]).min()) for key in (*balance.SPENT, "damping"))
     findings.checks += [
         Check(f"{words}: balance of all terms, largest at any row", "J", float(np.abs(balance.residual(rows)).max()),
               0.0, "closed form", 1e-12, 1e-15, "an identity of leapfrog with trapezoids: rounding", work),

@@ -1,4 +1,13 @@
-"""The couplet by law and confinement: peak, final stress and energy are known at every slip, see closed_forms.shear."""
+"""Joints in shear whose peak, final stress and energy are known at every slip, see closed_forms.shear.
+
+The couplet by law and confinement. And the shear triplet, linear law, whose middle unit is pushed out under pressure:
+
+p  | upper |          two joints carry the push, each by the same slip s
+   +-------+  -> s    peak      c0 + p tan(phi0)
+middle unit           energy    2 A (work of a joint up to s less tau^2/(2 ks))
+   +-------+
+   | lower | held     section 2 A, so that the reported stress is tau
+"""
 
 from typing import Any
 
@@ -6,6 +15,7 @@ import numpy as np
 
 from verification.problem import FEW_ROWS, Problem, pace
 from verification.references import closed_forms
+from verification.references.closed_forms import Joint
 from verification.scene_runs import Run, joint_of, load
 
 STEPS = 32000
@@ -57,9 +67,21 @@ def problem(law: str, confinement: str) -> Problem:
     )
 
 
+JOINT = Joint(kn=80e9, ks=35e9, fT=0.2e6, c0=0.3e6, tan0=0.84, tan_res=0.7, G_I=10.0, G_II=50.0, G_II_slope=0.0)
+LENGTH, WIDTH, PRESSURE, PUSH = 0.25, 0.1, 0.2e6, 0.6e-3
+"""Of the triplet: m, m, Pa, m."""
+
+
+def exact_of_triplet(one: Run) -> dict[str, float]:
+    """Peak (Pa) and dissipated energy (J)."""
+    spent = float(closed_forms.dissipated_in_shear("linear", JOINT, PUSH, PRESSURE))
+    return {"peak stress": float(JOINT.peak(PRESSURE)), "dissipated energy": 2 * LENGTH * WIDTH * spent}
+
+
 PROBLEMS = (
     problem("exponential", "0.1 MPa"),
     problem("exponential", "1.0 MPa"),
     problem("linear", "0.5 MPa"),
     problem("polynomial", "0.5 MPa"),
+    Problem("triplet", "Shear triplet, linear law", "shear-triplet", pace(STEPS), FEW_ROWS, exact=exact_of_triplet),
 )

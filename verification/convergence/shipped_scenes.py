@@ -1,4 +1,7 @@
-"""The scenes of the paper as they are shipped: couplet, the wallettes of both failure modes, the wall in bending."""
+"""The scenes of the paper as they are shipped: couplet, the wallettes of both failure modes, the wall in bending.
+
+And two courses of the wallette of mode 2, with an eighth of its blocks, which can be driven far more slowly.
+"""
 
 from typing import Any
 
@@ -109,10 +112,25 @@ def deformable(mode: int, motion: str) -> Problem:
     )
 
 
+def two_courses() -> Problem:
+    """A wall of two courses, pulled along the bed joints."""
+    quick = {"drive.rate": "0.5 mm/s"}
+    knobs = {
+        RATE: {f"{rate} mm/s": {"drive.rate": f"{rate} mm/s"} for rate in (4, 2, 1, 0.5, 0.25, 0.125, 0.0625)},
+        ACCURACY: accuracies(),
+        "step fraction": fractions(quick),
+        "damping": dampings(quick),
+        "model: law": laws(quick),
+    }
+    base = {"specimen.courses": 2, "specimen.divisions": [4, 2], "drive.displacement": "0.2 mm"}
+    return Problem("small-wallette", "Wallette of two courses", "wallette-mode-2", knobs, base)
+
+
 PROBLEMS = (
     couplet(),
     wallette(1),
     wallette(2),
     bending(),
     *(deformable(k, m) for k in (1, 2) for m in ("affine", "tets")),
+    two_courses(),
 )

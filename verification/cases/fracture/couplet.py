@@ -16,10 +16,11 @@ Reference: eqs (8), (13), (15), (17) of the paper.
 
 import numpy as np
 
+from verification.balance import dissipated
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.fixtures.single_shear import around_the_peak
 from verification.references.closed_forms import Joint, dissipated_in_shear, shear
-from verification.scene_runs import SPENT, result_of
+from verification.scene_runs import result_of
 
 LAWS = ("linear", "polynomial", "exponential")
 BETA = {0.1: 2.1, 0.5: 2.1 + 0.8 * 4 / 9, 1.0: 2.9}
@@ -37,7 +38,7 @@ def sheared(findings: Findings, law: str, mpa: float) -> tuple[Line, Line]:
     slip, stress = rows["displacement"][moved], rows["stress"][moved]
     wanted, peak = shear(law, joint, slip, s), joint.c0 + s * joint.tan0
     missed, rough = around_the_peak(law, joint, s, rows)
-    spent = sum(result.summary["energy_j"][key] for key in SPENT)
+    spent = dissipated(result.summary)
     gone = AREA * float(dissipated_in_shear(law, joint, slip[-1], s))
     rough *= AREA / gone
     findings.checks += [

@@ -69,14 +69,8 @@ def run() -> Findings:
             "closed form", 0.10, 0.03, "the catalogue's band of 10 %, at every row",
         ),
     ]  # fmt: skip
-    found.plots.append(
-        Plot(
-            "Half of a double cantilever beam",
-            "w (m)",
-            "P (N)",
-            (Line("masonry", w, force), Line("theory", path, limit, "dashed")),
-        )  # fmt: skip
-    )
+    lines = (Line("masonry", w, force), Line("theory", path, limit, "dashed"))
+    found.plots.append(Plot("Half of a double cantilever beam", "w (m)", "P (N)", lines))
     return found
 
 

@@ -67,14 +67,8 @@ def run() -> Findings:
             "points come off one by one",
         ),
     ]  # fmt: skip
-    found.plots.append(
-        Plot(
-            "End-notched beam",
-            "w (m)",
-            "P (N)",
-            (Line("masonry", w, force), Line("theory", path, limit, "dashed")),
-        )  # fmt: skip
-    )
+    lines = (Line("masonry", w, force), Line("theory", path, limit, "dashed"))
+    found.plots.append(Plot("End-notched beam", "w (m)", "P (N)", lines))
     return found
 
 

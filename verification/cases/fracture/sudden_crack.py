@@ -8,8 +8,9 @@ drive to an accuracy damps what it did not expect as heavily; then all of them g
 
 from typing import Any
 
+from verification.balance import dissipated
 from verification.case import Case, Check, Findings, at_most
-from verification.scene_runs import SPENT, result_of
+from verification.scene_runs import result_of
 
 SCENE = "shear-wall-late-crack"
 FINE = {"drive.accuracy": "0.1 %"}
@@ -39,7 +40,7 @@ def run() -> Findings:
 
 
 def _answer(summary: dict) -> dict[tuple[str, str], float]:
-    spent = sum(summary["energy_j"][key] for key in SPENT)
+    spent = dissipated(summary)
     return {("dissipated energy", "J"): spent, ("end stress", "Pa"): summary["final_stress_pa"]}
 
 

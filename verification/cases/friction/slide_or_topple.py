@@ -43,18 +43,11 @@ def run() -> Findings:
         limit = min(mu, WIDTH / HEIGHT)
         value, width = threshold(partial(falls, found, courses, mu), 0.97 * limit, 1.03 * limit, HALVINGS)
         found.checks.append(
-            Check(
-                f"a/g at which a wall of {courses} course(s) {what} (mu = {mu})",
-                "1",
-                value,
-                limit,
-                "closed form",
-                3e-3,
-                width / limit + 4e-4,
-                "edge contacts make the limit exact; what is left is that a fall just above it has to get somewhere in "
-                "the time that the run has",
-            )  # fmt: skip
-        )
+            Check(f"a/g at which a wall of {courses} course(s) {what} (mu = {mu})", "1", value, limit, "closed form",
+                  3e-3, width / limit + 4e-4,
+                  "edge contacts make the limit exact; what is left is that a fall just above it has to get somewhere "
+                  "in the time that the run has")
+        )  # fmt: skip
     return found
 
 

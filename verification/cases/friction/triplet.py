@@ -11,10 +11,11 @@ Reference: eqs (8), (17) of the paper; statics.
 
 import numpy as np
 
+from verification.balance import dissipated
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.fixtures.single_shear import around_the_peak
 from verification.references.closed_forms import Joint, dissipated_in_shear, shear
-from verification.scene_runs import SPENT, result_of
+from verification.scene_runs import result_of
 
 AREA, S, LAST = 0.2 * 0.05, 0.5e6, 1e-3
 SCENE = "triplet-of-rigid-units"
@@ -50,7 +51,7 @@ def run() -> Findings:
     slip, force = rows["displacement"][moved], AREA * rows["stress"][moved]
     wanted = 2 * AREA * shear("exponential", joint, slip, S)
     peak = 2 * AREA * float(joint.peak(S))
-    spent = sum(result.summary["energy_j"][key] for key in SPENT)
+    spent = dissipated(result.summary)
     gone = 2 * AREA * float(dissipated_in_shear("exponential", joint, slip[-1], S))
     missed, rough = around_the_peak("exponential", joint, S, rows)
     rough *= 2 * AREA / gone
