@@ -26,8 +26,6 @@ Settings = Mapping[str, Any]
 FOLDER = Path(__file__).parent / "scenes"
 """The scenes of the verification, which `masonry run` takes too."""
 BLOCKS = "made.blocks.h5"
-MISMATCH, KINETIC = 0.02, 0.01
-"""Beyond these shares of the peak and of the internal energy a run is not quasi-static, and says so itself."""
 CARE = "with care: "
 
 
@@ -72,13 +70,6 @@ class Run:
         """What the program itself says against the result; "" where it says nothing."""
         word = trust(self.summary) if self.summary else f"{CARE}there is no summary"
         return word.removeprefix(CARE) if word.startswith(CARE) else ""
-
-    @property
-    def quasi_static(self) -> bool:
-        """Both ends carry the same force, and hardly any energy is in motion: the run's own measures."""
-        return bool(
-            self.summary["reaction_mismatch_max"] < MISMATCH and self.summary["kinetic_over_internal_max"] < KINETIC
-        )
 
     def value(self, quantity: str) -> float:
         """Peak and final stress (Pa), or the energy dissipated by fracture and friction (J)."""

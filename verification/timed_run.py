@@ -5,9 +5,8 @@ import math
 import statistics
 from typing import Any
 
-from masonry import __version__
-from masonry.jit.sources import source_hash
 from verification import scene_runs
+from verification.records import finite
 from verification.scene_runs import Run, Settings
 
 QUANTITIES = {"peak": "Pa", "final": "Pa", "residual": "Pa", "dissipated": "J"}
@@ -47,11 +46,11 @@ def record(one: Run, quantity: str, value: float, reference: float, kind: str, s
         "case": one.name,
         "quantity": quantity,
         "unit": QUANTITIES.get(quantity.split()[0], "1"),
-        "value": _or_none(value),
-        "reference": _or_none(reference),
+        "value": finite(value),
+        "reference": finite(reference),
         "kind_of_reference": kind,
-        "error": _or_none(error),
-        "seconds": _or_none(one.seconds),
+        "error": finite(error),
+        "seconds": finite(one.seconds),
         "seconds_median": statistics.median(one.times) if one.times else None,
         "seconds_max": max(one.times, default=None),
         "steps": steps,
@@ -62,10 +61,4 @@ def record(one: Run, quantity: str, value: float, reference: float, kind: str, s
         "energy_imbalance": one.summary.get("energy_imbalance"),
         "kinetic_over_internal": one.summary.get("kinetic_over_internal_max"),
         "unbalanced": one.summary.get("unbalanced_after_settling"),
-        "source_hash": source_hash(),
-        "version": __version__,
     }
-
-
-def _or_none(value: float) -> float | None:
-    return float(value) if math.isfinite(value) else None
