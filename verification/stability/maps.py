@@ -1,20 +1,18 @@
 """All maps: each cell is run and given its status, and nothing that is wrong may pass without a word."""
 
-import importlib
 import math
-import pkgutil
 from typing import Any
 
 from verification import stability, timed_run
+from verification.catalogue import modules_of
 from verification.scene_runs import Run
 from verification.stability.cells import GOOD, POOR, Cell, Grid, Outcome
 
 
 def all_grids(full: bool) -> list[Grid]:
     """Of every module of this folder that has `grids`; quick ones (full=False) have a few cells of each axis."""
-    names = sorted(entry.name for entry in pkgutil.iter_modules(stability.__path__))
-    modules = [importlib.import_module(f"{stability.__name__}.{name}") for name in names]
-    return [grid for module in modules if hasattr(module, "grids") for grid in module.grids(full)]
+    modules = [module for module in modules_of(stability) if hasattr(module, "grids")]
+    return [grid for module in modules for grid in module.grids(full)]
 
 
 def run(grid: Grid) -> list[Outcome]:

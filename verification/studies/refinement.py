@@ -1,14 +1,12 @@
 """Runs the refinements of a problem: its references, a record for each run and quantity, and the points to draw."""
 
-import importlib
 import math
-import pkgutil
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from verification import convergence as precision
-from verification import timed_run
-from verification.catalogue import modules
+from verification import convergence, timed_run
+from verification.catalogue import modules, modules_of
+from verification.convergence import shipped_scenes
 from verification.problem import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
 from verification.scene_runs import Run
@@ -19,14 +17,10 @@ Lines = dict[str, list[tuple[float, float, str]]]
 
 def problems() -> Iterator[Problem]:
     """All of `verification.convergence`, the shipped scenes first, then those that a case brings in its PROBLEMS."""
-    names = sorted((e.name for e in pkgutil.iter_modules(precision.__path__)), key=lambda name: name != FIRST)
-    for name in names:
-        yield from importlib.import_module(f"{precision.__name__}.{name}").PROBLEMS
+    for module in sorted(modules_of(convergence), key=lambda module: module is not shipped_scenes):
+        yield from module.PROBLEMS
     for module in modules().values():
         yield from getattr(module, "PROBLEMS", ())
-
-
-FIRST = "shipped_scenes"
 
 
 def anchor(problem: Problem) -> str:

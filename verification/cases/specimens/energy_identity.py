@@ -26,7 +26,7 @@ EXPECTED = 1.5e-4
 
 
 def finer(times: int, **solver: object) -> dict[str, object]:
-    """Keys of the scene in as many steps more, each shorter by as much."""
+    """Keys of the scene in so many times its steps, each shorter by as much."""
     keys = {"drive.steps": 3000 * times, "settle.steps": 800 * times, "solver.step_fraction": 0.9 / times}
     return keys | {f"solver.{key}": value for key, value in solver.items()}
 
