@@ -47,7 +47,7 @@ themselves."""
 
 @dataclass(frozen=True)
 class Problem:
-    """A scene, what is measured in it, what that should be, and the knobs that are climbed.
+    """A scene, what is measured in it, what that should be, and the knobs that are refined.
 
     name       lower case with hyphens
     scene      name of a scene of the verification or of a packaged one
