@@ -13,7 +13,7 @@ from masonry.laws.linear import Linear
 from masonry.laws.plugins import outside_law
 from masonry.laws.polynomial import Polynomial
 from tests.laws.own_package import files_of_page, install, law_with_if, on_the_path
-from verification.reference_step import specimens, trial
+from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import in_turn, require
 
 OURS = {
@@ -40,15 +40,15 @@ def laws(tmp_path_factory):
         yield OURS | {name: law.shape(*OWN) for name, law in found.items()}
 
 
-def wall(shape: tuple, soft: bool) -> trial.Model:
+def wall(shape: tuple, soft: bool) -> models.Model:
     """A wall in a motion that is the same whatever acts: slow, or such that it gets longer and all of it softens."""
-    model = trial.model_of(*specimens.wall(16, 16), law=(shape, trial.JOINT))
+    model = models.model_of(*specimens.wall(16, 16), law=(shape, models.JOINT))
     velocity = np.random.default_rng(1).normal(scale=1e-7, size=(model.blocks.count, 6))
     if soft:
         velocity[:] = 0.0
         velocity[:, 0] = STRETCH * model.layout.centroid[:, 0] / model.dt
-    trial.make_unstoppable(model)
-    trial.set_velocity(model, velocity)
+    models.make_unstoppable(model)
+    models.set_velocity(model, velocity)
     return model
 
 
@@ -57,10 +57,10 @@ def test_an_own_law_is_as_fast_as_ours(figure, laws, state):
     soft, works = state == "all softening", {}
     for name, shape in laws.items():
         model = wall(shape, soft)
-        works[name] = trial.stepping(model, STEPS)
+        works[name] = models.stepping(model, STEPS)
         for _ in range(STRETCHED if soft else 1):
             works[name]()
-        assert trial.evolving(model, works[name]) == soft
+        assert models.evolving(model, works[name]) == soft
     times = {name: t.least for name, t in zip(works, in_turn(*works.values(), rounds=ROUNDS), strict=True)}
     ours = [times[name] for name in OURS]
     for name in times.keys() - OURS:

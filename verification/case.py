@@ -154,6 +154,25 @@ class Findings:
         self.measures[name] = {words: one.summary.get(key) for words, key in MEASURES.items()}
         return one.result
 
+    def check(
+        self,
+        quantity: str,
+        unit: str,
+        value: float,
+        reference: float,
+        kind: str,
+        tolerance: float,
+        expected: float,
+        reason: str,
+        scale: float | None = None,
+    ) -> None:
+        """Add a `Check`."""
+        self.checks.append(Check(quantity, unit, value, reference, kind, tolerance, expected, reason, scale))
+
+    def plot(self, title: str, x_label: str, y_label: str, *lines: Line, log: bool = False) -> None:
+        """Add a `Plot` of some lines."""
+        self.plots.append(Plot(title, x_label, y_label, lines, log))
+
 
 @dataclass(frozen=True)
 class Case:

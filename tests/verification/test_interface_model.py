@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from verification.cases.fracture import wallette_of_two_courses
-from verification.checks.paired_run import twin
+from verification.checks.paired_run import interface_model
 from verification.references import closed_forms
 from verification.references.interface import newton
 from verification.references.interface.envelopes import Law
@@ -115,7 +115,7 @@ def test_the_tangent_is_the_derivative_while_softening_in_both_modes():
 
 def test_points_and_areas_are_those_of_the_contacts_of_a_run_on_the_same_tets():
     assembly = assembled(wallette_of_two_courses.SCENE)
-    joint = twin(assembly).joints[0]
+    joint = interface_model(assembly).joints[0]
     ours = np.column_stack([joint.place, joint.weight, joint.normal, joint.blocks])
     given = assembly.model.joints
     theirs = np.column_stack([given.point, given.area, given.normal, given.block_a, given.block_b])

@@ -1,14 +1,14 @@
 """Error against run time: the references, the front, and what is said about the shipped setting."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from verification import timed_run
+from verification.case import Case, Findings
 from verification.cases.fracture import eccentric_tension
-from verification.catalogue import modules
+from verification.catalogue import catalogue
 from verification.convergence import oscillator
 from verification.problem import Point, Reference, front, richardson, time_to
 from verification.studies import ablation, threads
@@ -77,18 +77,18 @@ def test_the_oscillator_is_of_second_order_and_its_chapter_can_be_drawn():
 
 
 def test_each_case_names_problems_that_exist_or_says_why_there_is_nothing_to_choose():
-    assert gaps(modules()) == []
+    assert gaps(catalogue()) == []
     shown = table()
-    assert all(f"#case-{name}" in shown for name in modules())
+    assert all(f"#case-{name}" in shown for name in catalogue())
     assert "#problem-wallette-mode-1" in shown and "exact at any setting" in shown
 
 
 def test_a_case_without_problem_and_reason_or_with_a_wrong_name_is_told():
-    def case(ladders: tuple[str, ...] = (), no_ladders: str = "", **more) -> SimpleNamespace:
-        return SimpleNamespace(CASE=SimpleNamespace(ladders=ladders, no_ladders=no_ladders), **more)
+    def case(ladders: tuple[str, ...] = (), no_ladders: str = "") -> Case:
+        return Case("one", "1", "One", "Dynamics", Findings, ladders=ladders, no_ladders=no_ladders)
 
     wrong = {"bare": case(), "torn": case(("couplet",), "exact"), "lost": case(("cuplet",))}
-    fine = {"own": case(PROBLEMS=oscillator.PROBLEMS), "exact": case(no_ladders="exact")}
+    fine = {"own": case(("couplet",)), "exact": case(no_ladders="exact")}
     assert gaps(wrong | fine) == [
         "bare: neither problems nor a reason",
         "torn: problems, and a reason for none",

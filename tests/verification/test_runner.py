@@ -81,10 +81,21 @@ def test_every_case_of_the_catalogue_is_named_and_placed_as_the_report_needs_it(
 def test_a_module_without_a_case_is_an_error_and_does_not_vanish(monkeypatch, tmp_path):
     (tmp_path / "without_its_case.py").write_text('"""Lost its last lines."""\n', encoding="utf-8")
     monkeypatch.setattr(catalogue.cases, "__path__", [*catalogue.cases.__path__, str(tmp_path)])
-    catalogue.modules.cache_clear()
+    catalogue.catalogue.cache_clear()
     with pytest.raises(ValueError, match="without_its_case holds no case"):
-        catalogue.modules()
-    catalogue.modules.cache_clear()
+        catalogue.catalogue()
+    catalogue.catalogue.cache_clear()
+
+
+def test_a_module_may_hold_several_cases_but_no_two_of_one_name(monkeypatch, tmp_path):
+    held = "CASES = tuple(Case('twice', '1', 'Twice', 'Dynamics', Findings) for _ in range(2))\n"
+    text = '"""A table."""\nfrom verification.case import Case, Findings\n' + held
+    (tmp_path / "a_table.py").write_text(text, encoding="utf-8")
+    monkeypatch.setattr(catalogue.cases, "__path__", [*catalogue.cases.__path__, str(tmp_path)])
+    catalogue.catalogue.cache_clear()
+    with pytest.raises(ValueError, match="two cases are called 'twice', one of .*a_table"):
+        catalogue.catalogue()
+    catalogue.catalogue.cache_clear()
 
 
 def test_rows_stand_in_the_order_of_the_catalogue():

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from verification import convergence, timed_run
-from verification.catalogue import modules, modules_of
+from verification.catalogue import modules_of
 from verification.convergence import shipped_scenes
 from verification.problem import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
@@ -16,11 +16,9 @@ Lines = dict[str, list[tuple[float, float, str]]]
 
 
 def problems() -> Iterator[Problem]:
-    """All of `verification.convergence`, the shipped scenes first, then those that a case brings in its PROBLEMS."""
+    """All of `verification.convergence`, the shipped scenes first."""
     for module in sorted(modules_of(convergence), key=lambda module: module is not shipped_scenes):
         yield from module.PROBLEMS
-    for module in modules().values():
-        yield from getattr(module, "PROBLEMS", ())
 
 
 def anchor(problem: Problem) -> str:

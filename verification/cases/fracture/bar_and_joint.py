@@ -20,7 +20,7 @@ from dataclasses import replace
 import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.checks import ablation_steps as held_steps
+from verification.checks import increments
 from verification.references.closed_forms import Joint, tension
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
@@ -85,7 +85,7 @@ def drawn(found: Findings, length: float, places: Array) -> tuple[Array, Array]:
     size, above = ["50 mm", "50 mm", half], ["0 m", "0 m", half]
     boxes = {"specimen.box.0.size": size, "specimen.box.1.size": size, "specimen.box.1.origin": above}
     assembly = assembled(SCENE, boxes)
-    result = held_steps.run(assembly, places.tolist(), move=2000, wait=1000)
+    result = increments.run(assembly, places.tolist(), move=2000, wait=1000)
     rows = found.note(f"L = {length:g} m", result).history.rows
     plot = next(plot for plot in found.plots if f"of {length:g} m" in plot.title)
     line = Line(f"run, L = {length:g} m", rows["displacement"] * 1e6, rows["stress"] / 1e6, "points")

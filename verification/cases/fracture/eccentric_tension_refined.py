@@ -15,7 +15,7 @@ from geometry.blocks import Specimen, TetMesh
 from geometry.polyhedra.construct import from_boxes
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.cases.fracture.eccentric_tension import HIGH, LENGTH, SCENE, conditions
-from verification.checks import ablation_steps as held_steps
+from verification.checks import increments
 from verification.checks.beside_pair import follow
 from verification.checks.paired_run import law_of
 from verification.references.interface.mesh import grids
@@ -68,7 +68,7 @@ def run() -> Findings:
     curves = [Line("quadratic tets", np.array(PLACES) * 1e6, truth / 1e6, "dashed")]
     errors = []
     for cells, assembly in specimen.items():
-        result = found.note(f"{cells} bricks", held_steps.run(assembly, PLACES, move=1500, wait=1000))
+        result = found.note(f"{cells} bricks", increments.run(assembly, PLACES, move=1500, wait=1000))
         stress = result.history.rows["stress"][1:]
         curves.append(Line(f"run, {cells} bricks in height", np.array(PLACES) * 1e6, stress / 1e6))
         errors.append((stress[ELASTIC] / truth[ELASTIC] - 1.0, stress.max() / truth.max() - 1.0))

@@ -7,8 +7,8 @@ import numpy as np
 from masonry.model.layout import tet_gradients, tet_volumes
 from masonry.model.model import Model
 from verification.reference_step import contacts
+from verification.reference_step.models import STONE, size_of
 from verification.reference_step.steps import rigid_step, tet_step
-from verification.reference_step.trial import STONE, size_of
 
 
 def padded(values: np.ndarray) -> np.ndarray:
@@ -23,7 +23,7 @@ def _by_row(row_a: np.ndarray, row_b: np.ndarray, rows: int) -> tuple[np.ndarray
     return np.searchsorted(row[code], np.arange(rows + 1)).astype(np.uint32), code.astype(np.uint32)
 
 
-class Twin:
+class ReferenceStep:
     """A model once more for the hand-written step: of rigid blocks with axes x, y, z, or of tets, with one law."""
 
     def __init__(self, model: Model, law: str = "exponential", damped: bool = True, booked: bool = True) -> None:
@@ -98,7 +98,7 @@ class Twin:
         self.v[:, :3] = velocity.reshape(-1, 3)
 
     def make_unstoppable(self) -> None:
-        """As the model's: see trial.py."""
+        """As the model's: see models.py."""
         self.pace *= 1e-12
 
     def size(self) -> int:
