@@ -184,8 +184,8 @@ class Case:
                 "Dynamics", "Invariance", "Quasi-static loading"
     quick       whether the three-minute run has it
     scene       name of a scene of the verification or a packaged one, shown on the page; or its text
-    ladders     names of the problems (`verification.problem`) whose errors against run time stand for the case
-    no_ladders  or why there are none: in a word, why nothing is left to choose
+    problems    names of the problems (`verification.problem`) whose errors against run time stand for the case
+    no_problems  or why there are none: in a word, why nothing is left to choose
     """
 
     name: str
@@ -195,5 +195,5 @@ class Case:
     run: Callable[[], Findings]
     quick: bool = False
     scene: str = ""
-    ladders: tuple[str, ...] = ()
-    no_ladders: str = ""
+    problems: tuple[str, ...] = ()
+    no_problems: str = ""

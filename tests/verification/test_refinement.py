@@ -84,11 +84,11 @@ def test_each_case_names_problems_that_exist_or_says_why_there_is_nothing_to_cho
 
 
 def test_a_case_without_problem_and_reason_or_with_a_wrong_name_is_told():
-    def case(ladders: tuple[str, ...] = (), no_ladders: str = "") -> Case:
-        return Case("one", "1", "One", "Dynamics", Findings, ladders=ladders, no_ladders=no_ladders)
+    def case(problems: tuple[str, ...] = (), no_problems: str = "") -> Case:
+        return Case("one", "1", "One", "Dynamics", Findings, problems=problems, no_problems=no_problems)
 
     wrong = {"bare": case(), "torn": case(("couplet",), "exact"), "lost": case(("cuplet",))}
-    fine = {"own": case(("couplet",)), "exact": case(no_ladders="exact")}
+    fine = {"own": case(("couplet",)), "exact": case(no_problems="exact")}
     assert gaps(wrong | fine) == [
         "bare: neither problems nor a reason",
         "torn: problems, and a reason for none",

@@ -13,11 +13,11 @@ def gaps(cases: Mapping[str, Case]) -> list[str]:
     known = {problem.name for problem in problems()}
     found = []
     for name, case in cases.items():
-        if bool(case.ladders) == bool(case.no_ladders):
+        if bool(case.problems) == bool(case.no_problems):
             found.append(
-                f"{name}: " + ("problems, and a reason for none" if case.ladders else "neither problems nor a reason")
+                f"{name}: " + ("problems, and a reason for none" if case.problems else "neither problems nor a reason")
             )
-        found += [f"{name}: no problem '{problem}'" for problem in case.ladders if problem not in known]
+        found += [f"{name}: no problem '{problem}'" for problem in case.problems if problem not in known]
     return found
 
 
@@ -26,8 +26,8 @@ def table() -> str:
     known = {problem.name: problem for problem in problems()}
     rows: list[list[str | page.Link | list[page.Link] | page.Cell]] = []
     for name, case in catalogue().items():
-        links = [page.Link(known[key].title, anchor(known[key])) for key in case.ladders]
-        reason = page.Cell(case.no_ladders, "text")
+        links = [page.Link(known[key].title, anchor(known[key])) for key in case.problems]
+        reason = page.Cell(case.no_problems, "text")
         rows.append([page.Link(case.title, f"case-{name}"), case.row, links or reason])
     return page.table(["case", "row", "its problems, or why there is nothing to choose"], rows, CAPTION)
 

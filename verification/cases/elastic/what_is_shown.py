@@ -124,5 +124,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=triplet.SCENE,
-    no_ladders="what is read off a state: exact",
+    no_problems="what is read off a state: exact",
 )

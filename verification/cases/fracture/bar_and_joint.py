@@ -153,5 +153,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("tension-linear", "tension-polynomial", "tension-exponential"),
+    problems=("tension-linear", "tension-polynomial", "tension-exponential"),
 )

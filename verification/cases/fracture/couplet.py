@@ -75,7 +75,7 @@ CASE = Case(
     run=run,
     quick=True,
     scene="couplet",
-    ladders=(
+    problems=(
         "couplet",
         "couplet-exponential-01",
         "couplet-exponential-10",

@@ -33,5 +33,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene="couplet-cyclic",
-    no_ladders="the drive prescribes all that moves: exact at any setting",
+    no_problems="the drive prescribes all that moves: exact at any setting",
 )

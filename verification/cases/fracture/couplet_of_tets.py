@@ -51,5 +51,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("couplet-of-tets",),
+    problems=("couplet-of-tets",),
 )

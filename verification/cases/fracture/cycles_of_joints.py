@@ -64,5 +64,5 @@ CASE = Case(
     "Unloading, closing and reversal of slip, against the interface model on the same tets",
     area="Fracture",
     run=run,
-    ladders=("eccentric-tension", "couplet-of-tets", "two-courses-of-tets"),
+    problems=("eccentric-tension", "couplet-of-tets", "two-courses-of-tets"),
 )

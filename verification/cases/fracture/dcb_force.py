@@ -81,5 +81,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
-    ladders=("dcb-force",),
+    problems=("dcb-force",),
 )

@@ -152,5 +152,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
-    ladders=("dcb-force",),
+    problems=("dcb-force",),
 )

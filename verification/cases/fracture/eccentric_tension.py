@@ -52,5 +52,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("eccentric-tension",),
+    problems=("eccentric-tension",),
 )

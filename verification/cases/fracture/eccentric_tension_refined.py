@@ -97,5 +97,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
-    ladders=("eccentric-tension",),
+    problems=("eccentric-tension",),
 )

@@ -79,5 +79,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
-    ladders=("enf",),
+    problems=("enf",),
 )

@@ -69,5 +69,5 @@ CASE = Case(
     "Joint opened, pressed and opened again by the solver",
     area="Contact laws",
     run=run,
-    no_ladders="the drive prescribes all that moves: exact at any setting",
+    no_problems="the drive prescribes all that moves: exact at any setting",
 )

@@ -51,5 +51,5 @@ CASE = Case(
     area="Quasi-static loading",
     run=run,
     scene=SCENE,
-    no_ladders="the case itself varies pace, damping and accuracy",
+    no_problems="the case itself varies pace, damping and accuracy",
 )

@@ -50,5 +50,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("two-courses-of-tets",),
+    problems=("two-courses-of-tets",),
 )

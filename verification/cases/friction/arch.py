@@ -60,5 +60,5 @@ CASE = Case(
     area="Friction and stability",
     run=run,
     scene=SCENE,
-    no_ladders="a yes or no, bisected: the width that is left is the error, and each half of it costs a run",
+    no_problems="a yes or no, bisected: the width that is left is the error, and each half of it costs a run",
 )

@@ -73,5 +73,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene="arch-spread",
-    no_ladders="exact at any setting: hinges at points of contact, and small displacements",
+    no_problems="exact at any setting: hinges at points of contact, and small displacements",
 )

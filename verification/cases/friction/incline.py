@@ -95,5 +95,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("oscillator",),
+    problems=("oscillator",),
 )

@@ -37,5 +37,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    no_ladders="an accuracy and a rate stand beside each other in the case itself",
+    no_problems="an accuracy and a rate stand beside each other in the case itself",
 )

@@ -46,5 +46,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    no_ladders="one run to the shipped accuracy, held against its closed form",
+    no_problems="one run to the shipped accuracy, held against its closed form",
 )

@@ -59,5 +59,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENES[1],
-    no_ladders="a yes or no, bisected: the width that is left is the error, and each half of it costs a run",
+    no_problems="a yes or no, bisected: the width that is left is the error, and each half of it costs a run",
 )

@@ -112,5 +112,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    no_ladders="cells a wavelength are all there is to choose: their order is in the case",
+    no_problems="cells a wavelength are all there is to choose: their order is in the case",
 )

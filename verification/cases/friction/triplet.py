@@ -91,5 +91,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("triplet",),
+    problems=("triplet",),
 )

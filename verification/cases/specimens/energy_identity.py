@@ -51,5 +51,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    no_ladders="an identity: it holds at any setting",
+    no_problems="an identity: it holds at any setting",
 )

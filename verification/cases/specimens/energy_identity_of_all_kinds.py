@@ -49,5 +49,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     scene=ALL_KINDS,
-    no_ladders="an identity: it holds at any setting",
+    no_problems="an identity: it holds at any setting",
 )

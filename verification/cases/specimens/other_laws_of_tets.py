@@ -44,5 +44,5 @@ CASE = Case(
     "Linear, polynomial and uncoupled softening, against the interface model on the same tets",
     area="Fracture",
     run=run,
-    ladders=("two-courses-of-tets",),
+    problems=("two-courses-of-tets",),
 )
