@@ -8,8 +8,7 @@ from masonry.runtime.processes import Lost, work
 from masonry.runtime.progress import Tally, Tell
 from masonry.runtime.shell import INTERRUPTED
 from verification.case import Case, Findings
-from verification.outcome import Outcome
-from verification.worker import answer, run_case
+from verification.outcome import Outcome, answer, run_case
 
 WORKERS = 2
 LIMIT = 1200.0

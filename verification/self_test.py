@@ -6,10 +6,9 @@ from verification.case import Case, Check
 from verification.cases.contact_law import tension_by_law
 from verification.cases.fracture import couplet
 from verification.cases.friction import incline
-from verification.outcome import Outcome
-from verification.printout import failures
+from verification.outcome import Outcome, run_case
 from verification.reference_step.speed import measure
-from verification.worker import run_case
+from verification.text import failures
 
 LAW = next(case for case in tension_by_law.CASES if case.name == "tension-exponential")
 CASES: tuple[Case, ...] = (LAW, couplet.CASE, incline.CASE)

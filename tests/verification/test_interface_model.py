@@ -8,13 +8,13 @@ import pytest
 
 from verification.cases.fracture import wallette_of_two_courses
 from verification.checks.paired_run import interface_model
-from verification.fixtures.scene_text import assembled
 from verification.references import closed_forms
 from verification.references.interface import newton
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import Model, model
 from verification.references.interface.points import History, tangent, traction, unharmed
+from verification.scene_runs import assembled
 
 ROOT = Path(__file__).resolve().parents[2]
 LAWS = ("linear", "polynomial", "exponential")

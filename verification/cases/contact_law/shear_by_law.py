@@ -103,10 +103,10 @@ def brittle() -> Findings:
 def cases() -> Iterator[Case]:
     """A case for each law."""
     title = "One contact in shear, "
-    for law, ladders in LADDERS.items():
+    for law, problems in LADDERS.items():
         run = partial(softening, law)
-        yield Case(f"shear-{law}", "2.2", f"{title}{law} law", "Contact laws", run, quick=True, ladders=ladders)
-    yield Case("shear-brittle", "2.2", f"{title}brittle", "Contact laws", brittle, ladders=("couplet",))
+        yield Case(f"shear-{law}", "2.2", f"{title}{law} law", "Contact laws", run, quick=True, problems=problems)
+    yield Case("shear-brittle", "2.2", f"{title}brittle", "Contact laws", brittle, problems=("couplet",))
 
 
 CASES = tuple(cases())

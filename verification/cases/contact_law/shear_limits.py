@@ -55,5 +55,5 @@ CASE = Case(
     "One contact in shear without one of its strengths",
     area="Contact laws",
     run=run,
-    no_ladders="one contact point, driven by displacement: exact at any setting",
+    no_problems="one contact point, driven by displacement: exact at any setting",
 )

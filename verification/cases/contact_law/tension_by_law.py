@@ -109,9 +109,9 @@ def cases() -> Iterator[Case]:
     title = "One contact in tension, "
     for law in LAWS:
         name, run = f"tension-{law}", partial(softening, law)
-        yield Case(name, "2.1", f"{title}{law} law", "Contact laws", run, quick=True, ladders=(name,))
+        yield Case(name, "2.1", f"{title}{law} law", "Contact laws", run, quick=True, problems=(name,))
     exact = "one contact point, driven by displacement: exact at any setting"
-    yield Case("tension-brittle", "2.1", f"{title}brittle", "Contact laws", brittle, no_ladders=exact)
+    yield Case("tension-brittle", "2.1", f"{title}brittle", "Contact laws", brittle, no_problems=exact)
 
 
 CASES = tuple(cases())

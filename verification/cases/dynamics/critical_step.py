@@ -62,16 +62,16 @@ def deformable() -> Findings:
     return found
 
 
-LIMIT = "the limit of the step itself: what a shorter one costs is a knob of most ladders"
+LIMIT = "the limit of the step itself: what a shorter one costs is a knob of most problems"
 TITLE = "The largest stable step of "
 CASES = (
-    Case("critical-step", "A20", f"{TITLE}rigid blocks", "Dynamics", rigid, quick=True, no_ladders=LIMIT),
+    Case("critical-step", "A20", f"{TITLE}rigid blocks", "Dynamics", rigid, quick=True, no_problems=LIMIT),
     Case(
         "critical-step-of-deformable-blocks",
         "A20",
         f"{TITLE}affine blocks and tets",
         "Dynamics",
         deformable,
-        no_ladders=LIMIT,
+        no_problems=LIMIT,
     ),
 )

@@ -84,5 +84,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    no_ladders="one step of a linear system: the same at any setting, to rounding",
+    no_problems="one step of a linear system: the same at any setting, to rounding",
 )

@@ -82,5 +82,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    ladders=("oscillator",),
+    problems=("oscillator",),
 )

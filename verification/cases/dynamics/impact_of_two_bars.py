@@ -132,5 +132,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    ladders=("oscillator",),
+    problems=("oscillator",),
 )

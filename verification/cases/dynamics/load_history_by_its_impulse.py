@@ -82,5 +82,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    no_ladders="a sum over steps: exact at any",
+    no_problems="a sum over steps: exact at any",
 )

@@ -87,5 +87,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    ladders=("oscillator",),
+    problems=("oscillator",),
 )

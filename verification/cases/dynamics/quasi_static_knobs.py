@@ -86,5 +86,5 @@ CASE = Case(
     title="A quasi-static test does not feel rate, mass, damping and step",
     area="Quasi-static loading",
     run=run,
-    ladders=("small-wallette", "wallette-mode-1", "wallette-mode-2"),
+    problems=("small-wallette", "wallette-mode-1", "wallette-mode-2"),
 )

@@ -69,5 +69,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    no_ladders="a bound: there is nothing to choose",
+    no_problems="a bound: there is nothing to choose",
 )

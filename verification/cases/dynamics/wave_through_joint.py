@@ -22,7 +22,7 @@ STIFFNESSES = {0.2: 4e-3, 1.0: 8e-4, 5.0: 6e-5}
 """k/(w Z) at the frequency w = 2 pi c / wavelength, and the error of |T| to expect."""
 PERIOD = WAVELENGTH / Bar(shear=False, joint="").speed
 IMPEDANCE = Bar(shear=False, joint="").impedance
-LADDER = (10, 20, 40)
+COUNTS = (10, 20, 40)
 
 
 def moved(time: Floats) -> Floats:
@@ -79,7 +79,7 @@ def waves(found: Findings, ratio: float, expected: float) -> None:
     rate = 2 * k / IMPEDANCE
     errors: list[float] = []
     passed: list[float] = []
-    for n in LADDER:
+    for n in COUNTS:
         wave = bar.run(n, moved, 8.0 * PERIOD)
         found.note(f"k/(wZ) = {ratio}, {n} cells a wavelength", wave.result)
         reference = exact(bar, rate, wave)
@@ -91,7 +91,7 @@ def waves(found: Findings, ratio: float, expected: float) -> None:
     found.check(f"order of the error in h, k/(wZ) = {ratio}", "1", order, 2.0, "closed form", 0.05, 0.01,
                 f"space and time are of second order; the errors are {errors[0]:.1e}, {errors[1]:.1e}, "
                 f"{errors[2]:.1e} of the largest displacement, and the next order is still felt a little")  # fmt: skip
-    found.check(f"|T|, k/(wZ) = {ratio}, {LADDER[-1]} cells a wavelength", "1", passed[-1], theory, "closed form",
+    found.check(f"|T|, k/(wZ) = {ratio}, {COUNTS[-1]} cells a wavelength", "1", passed[-1], theory, "closed form",
                 3 * expected, expected, "a quarter of what a chain of masses has with half as many cells")  # fmt: skip
     found.check(f"|T| extrapolated by h^2, k/(wZ) = {ratio}", "1", limit, theory, "closed form", 5e-4, 1e-4,
                 "what is left is of the order h^4, some hundredths of the errors above")  # fmt: skip
@@ -111,5 +111,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    no_ladders="cells a wavelength are all there is to choose: their order is in the case",
+    no_problems="cells a wavelength are all there is to choose: their order is in the case",
 )

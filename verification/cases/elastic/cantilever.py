@@ -26,7 +26,7 @@ from verification.references.interface.newton import Path
 
 BLOCKS, LENGTH, HEIGHT, WIDTH = 5, 0.1, 0.1, 0.02
 MODULUS, NORMAL, SHEAR, STRESS = 10e9, 150e9, 70e9, 1e4
-LADDER = (2, 4, 8, 16)
+COUNTS = (2, 4, 8, 16)
 """Tets over the height."""
 STEPS = 5000
 """Steps for each of them: a beam with n over its height swings n times as slowly, counted in steps. With xi = 0.3 they
@@ -84,20 +84,20 @@ def run() -> Findings:
     found, exact = Findings(), theory()
     values: list[float] = []
     same: list[float] = []
-    for cells in LADDER:
+    for cells in COUNTS:
         value, still, result = deflection(cells)
         found.note(f"{cells} tets over the height", result)
         values.append(value)
         same.append(value / still)
     worst = int(np.argmax(np.abs(np.array(same) - 1)))
-    found.check(f"deflection over that of the sparse solve, the farthest: {LADDER[worst]} tets over the height", "1",
+    found.check(f"deflection over that of the sparse solve, the farthest: {COUNTS[worst]} tets over the height", "1",
                 same[worst], 1.0, "same discretisation", 3e-5, 3e-6, "the same discretisation solved at once; what is "
                 "left is how far the run has come to rest")  # fmt: skip
     errors = np.abs(np.array(values) / exact - 1)
     orders = np.log2(errors[:-1] / errors[1:])
     limit = values[-1] + (values[-1] - values[-2]) / 3
     for k, wrong in ((1, 0.15), (2, 0.06)):
-        found.check(f"order of the error in h, {LADDER[k]} and {LADDER[k + 1]} tets", "1", float(orders[k]), 2.0,
+        found.check(f"order of the error in h, {COUNTS[k]} and {COUNTS[k + 1]} tets", "1", float(orders[k]), 2.0,
                     "closed form", 3 * wrong / 2, wrong / 2, "constant-strain tets and joints with points at the "
                     "nodes are of second order; the next order still adds a little")  # fmt: skip
     found.check("deflection extrapolated by h^2 from 8 and 16 tets", "m", limit, exact, "closed form", 2e-3, 6e-4,
@@ -105,15 +105,15 @@ def run() -> Findings:
                 "warping")  # fmt: skip
     found.remarks.append(
         "errors with "
-        + ", ".join(f"{n}: {e:.1%}" for n, e in zip(LADDER, -errors, strict=True))
+        + ", ".join(f"{n}: {e:.1%}" for n, e in zip(COUNTS, -errors, strict=True))
         + " tets over the height"
     )
     found.plot(
         "Error of the deflection",
         "tets over the height (1)",
         "error (1)",
-        Line("masonry", np.array(LADDER, dtype=float), errors, "points"),
-        Line("h^2", np.array(LADDER, dtype=float), errors[-1] * (16 / np.array(LADDER)) ** 2, "dashed"),
+        Line("masonry", np.array(COUNTS, dtype=float), errors, "points"),
+        Line("h^2", np.array(COUNTS, dtype=float), errors[-1] * (16 / np.array(COUNTS)) ** 2, "dashed"),
         log=True,
     )
     return found
@@ -125,5 +125,5 @@ CASE = Case(
     title="A cantilever of five blocks",
     area="Elastic assemblies",
     run=run,
-    ladders=("cantilever-rigid", "cantilever-tets"),
+    problems=("cantilever-rigid", "cantilever-tets"),
 )

@@ -89,5 +89,5 @@ CASE = Case(
     area="Quasi-static loading",
     run=run,
     quick=True,
-    no_ladders="geometry and draws alone: nothing is run",
+    no_problems="geometry and draws alone: nothing is run",
 )

@@ -101,5 +101,5 @@ CASE = Case(
     "Eccentric tension: vertices against Gauss points and quadratic tets",
     area="Elastic assemblies",
     run=run,
-    no_ladders="the finite element model alone: its orders are in the case",
+    no_problems="the finite element model alone: its orders are in the case",
 )

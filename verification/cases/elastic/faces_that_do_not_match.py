@@ -22,7 +22,7 @@ from verification.fixtures.structured import row_of_boxes
 MODULUS, POISSON, NORMAL, SHEAR, STRESS = 10e9, 0.2, 150e9, 70e9, 1e5
 CUTS, HEIGHT, DEPTH = [0.0, 0.1, 0.22, 0.3], 0.1, 0.08
 CELLS = [(2, 3, 3), (3, 2, 5), (2, 4, 3)]
-LADDER = (2, 4, 8, 16)
+COUNTS = (2, 4, 8, 16)
 
 AT_REST = "[settle]\nsteps = 20000\n[solver]\ndamping = 0.3\nrows = 40\n"
 ROLLER = '[[support]]\non = "box {box}.{face}-"\nfix = "{face}"\n'
@@ -68,7 +68,7 @@ def run() -> Findings:
     patch(found)
     values: list[float] = []
     matching: list[float] = []
-    for n in LADDER:
+    for n in COUNTS:
         for other, kept in ((3 * n // 2, values), (n, matching)):
             value, result = beam(n, other)
             found.note(f"{n} and {other} cells over the height", result)
@@ -81,7 +81,7 @@ def run() -> Findings:
                 "from it")  # fmt: skip
     found.check("deflection extrapolated by h^2", "m", limits[0], limits[1], "converged run", 5e-4, 1e-4,
                 "faces that match tend to the same; the difference is of the order h^4")  # fmt: skip
-    cells = np.array(LADDER, dtype=float)
+    cells = np.array(COUNTS, dtype=float)
     found.plot(
         "Error of the deflection of two blocks",
         "cells over the height of the coarser block (1)",
@@ -99,5 +99,5 @@ CASE = Case(
     title="Faces that do not match",
     area="Elastic assemblies",
     run=run,
-    ladders=("cantilever-tets",),
+    problems=("cantilever-tets",),
 )

@@ -39,7 +39,7 @@ def deformable() -> Findings:
 
 CASES = (
     Case(
-        "invariance-of-rigid-blocks", "A22", f"{TITLE}rigid blocks", "Invariance", rigid, quick=True, no_ladders=EXACT
+        "invariance-of-rigid-blocks", "A22", f"{TITLE}rigid blocks", "Invariance", rigid, quick=True, no_problems=EXACT
     ),
     Case(
         "invariance-of-deformable-blocks",
@@ -47,6 +47,6 @@ CASES = (
         f"{TITLE}affine blocks and tets",
         "Invariance",
         deformable,
-        no_ladders=EXACT,
+        no_problems=EXACT,
     ),
 )

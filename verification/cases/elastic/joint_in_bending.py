@@ -102,5 +102,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("cantilever-rigid",),
+    problems=("cantilever-rigid",),
 )

@@ -100,5 +100,5 @@ CASE = Case(
     area="Elastic assemblies",
     run=run,
     quick=True,
-    no_ladders="geometry alone: nothing is run",
+    no_problems="geometry alone: nothing is run",
 )

@@ -172,5 +172,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    no_ladders="linear and at rest: exact on any mesh",
+    no_problems="linear and at rest: exact on any mesh",
 )

@@ -149,5 +149,5 @@ CASE = Case(
     title="More and smaller blocks",
     area="Elastic assemblies",
     run=run,
-    ladders=("couplet", "wallette-mode-1"),
+    problems=("couplet", "wallette-mode-1"),
 )

@@ -119,5 +119,5 @@ CASE = Case(
     area="Elastic assemblies",
     run=run,
     quick=True,
-    no_ladders="what is read off a state: exact",
+    no_problems="what is read off a state: exact",
 )

@@ -122,5 +122,5 @@ CASE = Case(
     area="Elastic assemblies",
     run=run,
     quick=True,
-    no_ladders="linear and at rest: exact at any setting",
+    no_problems="linear and at rest: exact at any setting",
 )

@@ -19,6 +19,7 @@ from verification.cases.friction import triplet
 from verification.fixtures.scene_text import TWO_BOXES
 from verification.fixtures.scene_text import run as run_text
 from verification.references.closed_forms import Joint, shear
+from verification.scene_runs import result_of
 
 KN, PULLS = 150e9, (20e-6, 30e-6)
 PULLED = f"""title = "A joint pulled twice"
@@ -49,7 +50,7 @@ ROUNDING = "sums of some products: rounding"
 def of_a_frame(found: Findings) -> None:
     """The last frame of the triplet whose middle unit has slid by 1 mm, and the cracks drawn of it."""
     joint, s = Joint(), triplet.S
-    result = found.note("triplet", run_text(triplet.SCENE))
+    result = found.note("triplet", result_of(triplet.SCENE))
     frame, blocks, joints = result.history.frames[-1], result.specimen.blocks, result.joints
     slip, upwards = frame.displacement, joints.normal[:, 2]
     owner = np.unique(blocks.face_points[blocks.face_start[blocks.block_face_start[1]] :][:24])
@@ -85,7 +86,7 @@ def of_a_summary(found: Findings) -> None:
     for damage, broken, damaged in ((0.04, 0.0, 0.0), (0.06, 0.0, both), (0.94, 0.0, both), (0.96, both, both)):
         slip = float(joint.peak(s) / joint.ks - np.log1p(-damage) * joint.mode_2_energy(s) / joint.c0)
         few = {"drive.displacement": f"{slip!r} m", "drive.steps": 4000, "solver.rows": 20}
-        summary = found.note(f"triplet, damage {damage:g}", run_text(triplet.SCENE, few)).summary
+        summary = found.note(f"triplet, damage {damage:g}", result_of(triplet.SCENE, few)).summary
         for name, wanted in (("broken", broken), ("damaged", damaged)):
             found.check(f"{name} area at a damage of {damage:g}", "m2", sum(summary[f"{name}_area_m2"].values()),
                         wanted, "closed form", 1e-13, 1e-15, "a sum of areas: rounding", both)  # fmt: skip
@@ -123,5 +124,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=triplet.SCENE,
-    no_ladders="what is read off a state: exact",
+    no_problems="what is read off a state: exact",
 )

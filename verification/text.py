@@ -5,9 +5,9 @@ from collections.abc import Iterable, Sequence
 
 from masonry.errors import visible
 from masonry.runtime.progress import duration
-from verification.case import LOOSE, UNEXPECTED, Case, Check
+from verification.case import LOOSE, UNEXPECTED, Case
 from verification.comparison import Change
-from verification.outcome import IMBALANCE, Outcome
+from verification.outcome import Outcome, shortcomings
 
 HEADER = ("case", "row", "status", "worst error", "tolerance", "checks", "energy", "seconds")
 NUMBERS = ("worst error", "tolerance", "checks", "energy", "seconds")
@@ -30,31 +30,11 @@ def row(outcome: Outcome) -> tuple[str, ...]:
 
 
 def failures(outcome: Outcome) -> list[str]:
-    """Why a case does not hold, each in a sentence: case, quantity, value, reference, and by how much it is off."""
-    name = outcome.case.name
+    """Why a case does not hold, each in a sentence."""
     if outcome.holds:
         return []
-    if outcome.status == "ERROR":
-        return [f"{name}: {outcome.reason}"]
-    found = [f"{name}: {off(check)}" for check in outcome.findings.checks if not check.holds]
-    found += [
-        f"{name}: the energy ledger of {run} is open by {share:.1e} of the external work, more than {IMBALANCE:.0e}"
-        for run, share in outcome.findings.imbalance.items()
-        if not share <= IMBALANCE
-    ]
-    return found or [f"{name}: {outcome.reason}"]
-
-
-def off(check: Check) -> str:
-    """A check that does not hold, in a sentence."""
-    unit = f" {check.unit}" if check.unit not in ("", "1") else ""
-    why = check.reason.rstrip(".")
-    if check.is_bound:
-        return f"{check.quantity} is {check.value:.8g}{unit}, but may be at most {check.reference:.8g}{unit} ({why})"
-    return (
-        f"{check.quantity} is {check.value:.8g}{unit}, but the {check.kind} gives {check.reference:.8g}{unit}: "
-        f"error {check.error:+.2e}, tolerance {check.tolerance:.0e} ({why})"
-    )
+    sentences = shortcomings(outcome.findings) if outcome.status == "FAIL" else [outcome.reason]
+    return [f"{outcome.case.name}: {sentence}" for sentence in sentences]
 
 
 def loose(outcomes: Iterable[Outcome]) -> list[str]:

@@ -8,7 +8,6 @@ import numpy as np
 from masonry import scene
 from masonry.laboratory import laboratory
 from verification.html import page
-from verification.records import origin
 from verification.studies.parts import PARTS, STEPS, Part, few_steps, march, put_in_the_state_of
 
 ORDER = 40
@@ -49,8 +48,8 @@ def compare(part: Part, rounds: int = ROUNDS) -> tuple[float, float, float]:
 def chapter(tell: Callable[[str], None], parts: Sequence[Part] = PARTS) -> page.Chapter:
     """A table of all parts, reduced against full; then sizes, what is compiled and what is not, scene by scene."""
     made = page.Chapter("What each scene leaves out")
-    made.parts += [page.paragraph(text) for text in INTRODUCTION]
-    rows, wrong, slow, bits = [], [], [], 0
+    rows: list[list[str | page.Cell]] = []
+    wrong, slow, bits = [], [], 0
     for part in parts:
         tell(f"left out: {part.name}")
         off, reduced, full = compare(part)
@@ -59,32 +58,26 @@ def chapter(tell: Callable[[str], None], parts: Sequence[Part] = PARTS) -> page.
         slow += [] if ratio <= NOISE else [part.name]
         bits += off == 0.0
         said = "the same bits" if off == 0.0 else f"{off:.0e}"
-        rows.append(
-            [
-                part.name,
-                page.Cell(said, "ok" if off <= limit else "bad", "" if part.same else "whole run"),
-                f"{1e6 * reduced / STEPS:.2f} us",
-                f"{1e6 * full / STEPS:.2f} us",
-                page.Cell(f"{ratio:.2f}", "ok" if ratio <= NOISE else "warn"),
-            ]
-        )
+        times = [f"{1e6 * seconds / STEPS:.2f} us" for seconds in (reduced, full)]
+        quick = page.judged(f"{ratio:.2f}", "ok" if ratio <= NOISE else "warn")
+        rows.append([part.name, page.judged(said, off <= limit, "" if part.same else "whole run"), *times, quick])
         made.records.append(record(part, off, limit, reduced, full))
-    made.parts.append(page.table(HEADER, rows, "The same problem without a part, and with it doing nothing"))
     sentence = (
         f"{len(rows)} optional parts: leaving one out gives the same bits in {bits}, and differs by rounding "
         f"(up to {ROUNDING:.0e}, {ADDED_UP:.0e} in a whole run) in the others"
     )
     sentence += f", but for {', '.join(wrong)}" if wrong else ""
     sentence += f"; a step takes longer without {', '.join(slow)}." if slow else "; no step is slower for it."
-    made.verdicts.append(page.Verdict("Leaving out", "bad" if wrong else "warn" if slow else "ok", sentence))
+    made.judge("Leaving out", "bad" if wrong else "warn" if slow else "ok", sentence)
+    made.add(*INTRODUCTION, page.table(HEADER, rows, "The same problem without a part, and with it doing nothing"))
     for name in scene.packaged():
-        made.parts += shipped(name, tell)
+        made.add(*shipped(name, tell))
     return made
 
 
 def record(part: Part, off: float, limit: float, reduced: float, full: float) -> dict:
     """One line of records.json."""
-    return origin() | {
+    return {
         "case": f"left out: {part.name}",
         "quantity": "largest difference",
         "unit": "1",
@@ -113,13 +106,9 @@ def shipped(name: str, tell: Callable[[str], None]) -> list[str]:
         f"{found['blocks']} blocks, {found['contact_points']} contact points ({contacts}), {found['freedoms']} "
         f"freedoms, {found['steps']} steps of {found['time_step_s']:.3g} s."
     )
-    table = page.table(["in the step", "left out"], [[_lines(found["compiled"]), _lines(found["left_out"])]])
-    warned = [page.bullets(found["warnings"])] if found["warnings"] else []
-    return [page.heading(f"{name}: {loaded.title}"), page.paragraph(sizes), table, *warned]
-
-
-def _lines(items: list[str]) -> page.Cell:
-    return page.Cell("\n".join(items), "text")
+    lists = [page.Cell("\n".join(found[key]), "text") for key in ("compiled", "left_out")]
+    warned = page.bullets(found["warnings"]) if found["warnings"] else ""
+    return [page.heading(f"{name}: {loaded.title}"), sizes, page.table(["in the step", "left out"], [lists]), warned]
 
 
 HEADER = ("part", "largest difference", "a step without it", "a step with it", "without / with")

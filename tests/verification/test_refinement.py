@@ -5,17 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from verification import timed_run as trial
+from verification import timed_run
 from verification.case import Case, Findings
 from verification.cases.fracture import eccentric_tension
 from verification.catalogue import catalogue
 from verification.convergence import oscillator
-from verification.ladder import Point, Reference, front, richardson, time_to
+from verification.problem import Point, Reference, front, richardson, time_to
+from verification.studies import ablation, threads
 from verification.studies import error_against_run_time as chapter
-from verification.studies import left_out, threads
-from verification.studies.ladders import Study, problems
-from verification.studies.ladders_of_cases import gaps, table
 from verification.studies.parts import PARTS
+from verification.studies.problems_of_cases import gaps, table
+from verification.studies.refinement import Study, problems
 
 SHIPPED = Point("accuracy", "1 %", 2.0, 900, 0.004)
 
@@ -30,15 +30,15 @@ def test_richardson_covers_the_limit_of_a_series_of_first_order():
     assert reference.doubted(0.0) == reference and reference.doubted(0.5).uncertainty == 0.5
 
 
-def test_a_ladder_of_which_too_few_rungs_came_to_their_end_vouches_for_nothing():
+def test_a_refinement_of_which_too_few_runs_came_to_their_end_vouches_for_nothing():
     assert richardson([2.0, -1.5]) == Reference(-1.5, "converged run", 1.5)
     assert np.isnan(richardson([]).value)
 
 
 def test_a_lucky_crossing_is_no_time_to_one_percent():
-    rungs = [(1.0, 0.002, "lucky"), (2.0, 0.03, "worse"), (4.0, 0.005, "good"), (8.0, 0.001, "best")]
-    assert time_to(rungs, 0.01) == (4.0, "good")
-    assert time_to(rungs, 1e-4) is None
+    settings = [(1.0, 0.002, "lucky"), (2.0, 0.03, "worse"), (4.0, 0.005, "good"), (8.0, 0.001, "best")]
+    assert time_to(settings, 0.01) == (4.0, "good")
+    assert time_to(settings, 1e-4) is None
 
 
 def test_the_front_keeps_what_no_other_setting_beats():
@@ -56,7 +56,7 @@ def test_a_shipped_setting_that_is_beaten_by_more_than_half_is_told():
     assert "keep the accuracy as shipped" in chapter.choice([SHIPPED], SHIPPED, 0.0)
 
 
-def test_there_are_ladders_for_a_dozen_problems_and_the_shipped_setting_is_a_rung_of_each():
+def test_there_are_a_dozen_problems_and_the_shipped_setting_is_one_of_each():
     found = list(problems())
     assert len({p.name for p in found}) == len(found) >= 12
     assert found[0].name == "couplet"
@@ -76,34 +76,34 @@ def test_the_oscillator_is_of_second_order_and_its_chapter_can_be_drawn():
     assert {r["case"] for r in made.records} == {"oscillator"}
 
 
-def test_each_case_has_ladders_that_exist_or_says_why_there_is_nothing_to_choose():
+def test_each_case_names_problems_that_exist_or_says_why_there_is_nothing_to_choose():
     assert gaps(catalogue()) == []
     shown = table()
     assert all(f"#case-{name}" in shown for name in catalogue())
-    assert "#ladder-wallette-mode-1" in shown and "exact at any setting" in shown
+    assert "#problem-wallette-mode-1" in shown and "exact at any setting" in shown
 
 
-def test_a_case_without_ladder_and_reason_or_with_a_wrong_name_is_told():
-    def case(ladders: tuple[str, ...] = (), no_ladders: str = "") -> Case:
-        return Case("one", "1", "One", "Dynamics", Findings, ladders=ladders, no_ladders=no_ladders)
+def test_a_case_without_problem_and_reason_or_with_a_wrong_name_is_told():
+    def case(problems: tuple[str, ...] = (), no_problems: str = "") -> Case:
+        return Case("one", "1", "One", "Dynamics", Findings, problems=problems, no_problems=no_problems)
 
     wrong = {"bare": case(), "torn": case(("couplet",), "exact"), "lost": case(("cuplet",))}
-    fine = {"own": case(("couplet",)), "exact": case(no_ladders="exact")}
+    fine = {"own": case(("couplet",)), "exact": case(no_problems="exact")}
     assert gaps(wrong | fine) == [
-        "bare: neither ladders nor a reason",
-        "torn: ladders, and a reason for none",
-        "lost: no ladder 'cuplet'",
+        "bare: neither problems nor a reason",
+        "torn: problems, and a reason for none",
+        "lost: no problem 'cuplet'",
     ]
 
 
 def test_another_model_is_held_against_theory_and_the_loading_against_the_converged_run():
     (problem,) = oscillator.PROBLEMS
-    rungs = dict(list(oscillator.rungs().items())[:4])
-    knobs = {"time step": rungs, "model: time step": rungs, "threads": dict(list(rungs.items())[:1])}
+    settings = dict(list(oscillator.time_steps().items())[:4])
+    knobs = {"time step": settings, "model: time step": settings, "threads": dict(list(settings.items())[:1])}
     study = Study(replace(problem, knobs=knobs, exact=None, theory=oscillator.exact, converged="time step"), quiet)
     errors = {knob: [e for _, e, _ in lines] for knob, lines in study.lines(oscillator.SPRING).items()}
     finest = study.references[oscillator.SPRING].value
-    exact = problem.exact(next(iter(study.trials["time step"].values())))[oscillator.SPRING]
+    exact = problem.exact(next(iter(study.runs["time step"].values())))[oscillator.SPRING]
     assert len(errors["time step"]) == 3 and len(errors["model: time step"]) == 4
     assert errors["model: time step"][-1] == pytest.approx(finest / exact - 1.0) != 0.0
     assert {p.knob for p in study.points()} == {"time step"}
@@ -115,14 +115,14 @@ def test_another_model_is_held_against_theory_and_the_loading_against_the_conver
 
 def test_two_threads_give_the_bits_of_one():
     few = {"drive.steps": 400, "solver.rows": 20}
-    one, two = (trial.run(eccentric_tension.SCENE, few | {"threads": n}) for n in (1, 2))
+    one, two = (timed_run.run(eccentric_tension.SCENE, few | {"threads": n}) for n in (1, 2))
     assert two.ok and (one.threads, two.threads) == (1, 2) and one.knobs == two.knobs
     assert threads.apart({"1 thread": one, "2 threads": two}) == {"2 threads": 0.0}
-    other = trial.run(eccentric_tension.SCENE, few | {"solver.damping": 0.7})
+    other = timed_run.run(eccentric_tension.SCENE, few | {"solver.damping": 0.7})
     assert threads.apart({"1 thread": one, "other": other})["other"] > 0.0
 
 
 @pytest.mark.parametrize("name", ["damping", "turned principal axes"])
 def test_a_part_that_does_nothing_changes_no_bit(name):
     part = next(p for p in PARTS if p.name == name)
-    assert left_out.compare(part, rounds=0)[0] == 0.0
+    assert ablation.compare(part, rounds=0)[0] == 0.0

@@ -1,15 +1,18 @@
-"""Cells are run, and each is given its status: nothing that is wrong may pass without a word."""
+"""All maps: each cell is run and given its status, and nothing that is wrong may pass without a word."""
 
 import math
-from pathlib import Path
 from typing import Any
 
-from masonry.results.trust import trust
-from verification import timed_run as trial
+from verification import stability, timed_run
+from verification.catalogue import modules_of
+from verification.scene_runs import Run
 from verification.stability.cells import GOOD, POOR, Cell, Grid, Outcome
-from verification.timed_run import Trial
 
-CARE = "with care: "
+
+def all_grids(full: bool) -> list[Grid]:
+    """Of every module of this folder that has `grids`; quick ones (full=False) have a few cells of each axis."""
+    modules = [module for module in modules_of(stability) if hasattr(module, "grids")]
+    return [grid for module in modules for grid in module.grids(full)]
 
 
 def run(grid: Grid) -> list[Outcome]:
@@ -19,20 +22,17 @@ def run(grid: Grid) -> list[Outcome]:
 
 def run_cell(grid: Grid, row: str, column: str, cell: Cell) -> Outcome:
     """One cell; never raises for what the program itself refuses or stops."""
-    one = cell.make() if cell.make else trial.run(cell.scene, cell.knobs)
+    one = cell.make() if cell.make else timed_run.run(cell.scene, cell.knobs)
     compared = cell.compare(one) if one.ok else {}
     error = max((exact.error for exact in compared.values()), default=math.nan)
     status, reason, kind = judged(one, error, cell.must)
-    name = Path(cell.scene).stem
-    outcome = Outcome(row, column, name, cell.knobs, status, reason, error, one.seconds, kind)
-    entries = {
-        quantity: trial.record(one, quantity, exact.value, exact.reference, grid.against, exact.scale)
+    entries = [
+        timed_run.record(one, quantity, exact.value, exact.reference, grid.against, exact.scale)
         for quantity, exact in compared.items()
-    } or {"status": trial.record(one, "status", math.nan, math.nan, grid.against)}
-    said: dict[str, Any] = {"case": name, "status": status, "reason": reason, "knob": grid.title}
+    ] or [timed_run.record(one, "status", math.nan, math.nan, grid.against)]
+    said: dict[str, Any] = {"case": cell.scene, "status": status, "reason": reason, "knob": grid.title}
     said |= {"rung": f"{row}, {column}", "knobs": {key: _plain(value) for key, value in cell.knobs.items()}}
-    outcome.records = [entry | said for entry in entries.values()]
-    return outcome
+    return Outcome(row, column, status, reason, error, kind, [entry | said for entry in entries])
 
 
 def _plain(value: Any) -> Any:
@@ -40,15 +40,14 @@ def _plain(value: Any) -> Any:
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
-def judged(one: Trial, error: float, must: tuple[str, ...] = ()) -> tuple[str, str, str]:
-    """(status, reason, kind) of a trial whose largest error is known; kind as in cells.KINDS."""
+def judged(one: Run, error: float, must: tuple[str, ...] = ()) -> tuple[str, str, str]:
+    """(status, reason, kind) of a run whose largest error is known; kind as in cells.KINDS."""
     status, reason, kind = one.status, one.reason, "stop"
     if status == "NOT FINITE" or (one.ok and not math.isfinite(error)):
         status, reason, kind = "NOT FINITE", reason or "there is no number to compare", "bad"
     elif one.ok:
-        word = trust(one.summary) if one.summary else CARE + "there is no summary"
-        if word.startswith(CARE):
-            status, reason, kind = "WARNED", word.removeprefix(CARE), "warn"
+        if one.warning:
+            status, reason, kind = "WARNED", one.warning, "warn"
         elif error > POOR:
             status, reason, kind = "WRONG", f"off by {error:.2g}, and nothing says so", "bad"
         else:

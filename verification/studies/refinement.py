@@ -1,62 +1,61 @@
-"""Runs the ladders of a problem: its references, a record for each rung and quantity, and the points to draw."""
+"""Runs the refinements of a problem: its references, a record for each run and quantity, and the points to draw."""
 
-import importlib
 import math
-import pkgutil
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from verification import convergence as precision
-from verification import timed_run as trial
-from verification.ladder import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
+from verification import convergence, timed_run
+from verification.catalogue import modules_of
+from verification.convergence import shipped_scenes
+from verification.problem import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
-from verification.timed_run import Trial
+from verification.scene_runs import Run
 
 Lines = dict[str, list[tuple[float, float, str]]]
-"""Knob -> (seconds, error, rung) of each run that came through."""
+"""Knob -> (seconds, error, label) of each run that came through."""
 
 
 def problems() -> Iterator[Problem]:
     """All of `verification.convergence`, the shipped scenes first."""
-    names = sorted((e.name for e in pkgutil.iter_modules(precision.__path__)), key=lambda name: name != FIRST)
-    for name in names:
-        yield from importlib.import_module(f"{precision.__name__}.{name}").PROBLEMS
+    for module in sorted(modules_of(convergence), key=lambda module: module is not shipped_scenes):
+        yield from module.PROBLEMS
 
 
-FIRST = "shipped_scenes"
+def anchor(problem: Problem) -> str:
+    """Where the section of a problem begins on the page."""
+    return f"problem-{problem.name}"
 
 
 class Study:
-    """A problem whose rungs were run.
+    """A problem whose knobs were refined.
 
+    runs        knob -> label -> run
     references  quantity -> Reference
-    records     one for each rung and quantity
+    records     one for each run and quantity
     """
 
     def __init__(self, problem: Problem, tell: Callable[[str], None]) -> None:
         self.problem = problem
-        self.trials: dict[str, dict[str, Trial]] = {}
-        for knob, rungs in problem.knobs.items():
-            tell(f"{problem.name}: {knob}, {len(rungs)} rungs")
-            self.trials[knob] = {label: self._run(keys) for label, keys in rungs.items()}
+        self.runs: dict[str, dict[str, Run]] = {}
+        for knob, settings in problem.knobs.items():
+            tell(f"{problem.name}: {knob}, {len(settings)} settings")
+            self.runs[knob] = {label: self._run(keys) for label, keys in settings.items()}
         self.references = self._references()
-        self.records = [record for knob in self.trials for record in self._records(knob)]
+        self.records = [record for knob in self.runs for record in self._records(knob)]
 
-    def _run(self, keys: dict[str, Any]) -> Trial:
-        problem = self.problem
-        title = problem.name if "\n" in problem.scene else ""
-        return trial.run(problem.scene, problem.base | keys, timed=True, title=title, specimen=problem.specimen)
+    def _run(self, keys: dict[str, Any]) -> Run:
+        return timed_run.run(self.problem.scene, self.problem.base | keys, timed=True)
 
     def _references(self) -> dict[str, Reference]:
         """What the numbers should be. A converged run is doubted by as much as the finest drive to an accuracy differs
         from it: two ways to the same limit.
         """
         if self.problem.exact is not None:
-            one = next(t for runs in self.trials.values() for t in runs.values() if t.ok)
+            one = next(t for runs in self.runs.values() for t in runs.values() if t.ok)
             return {q: Reference(value, self.problem.kind) for q, value in self.problem.exact(one).items()}
-        runs = [self.problem.measure(t) for t in self.trials[self.problem.converged].values() if t.ok]
+        runs = [self.problem.measure(t) for t in self.runs[self.problem.converged].values() if t.ok]
         found = {q: richardson([run[q] for run in runs]) for q in self.problem.units}
-        paced = [t for t in self.trials.get(ACCURACY, {}).values() if t.ok]
+        paced = [t for t in self.runs.get(ACCURACY, {}).values() if t.ok]
         if paced:
             second = self.problem.measure(paced[-1])
             found = {q: r.doubted(abs(second[q] - r.value)) for q, r in found.items()}
@@ -64,14 +63,14 @@ class Study:
 
     def _records(self, knob: str) -> Iterator[Record]:
         given = self.problem.exact or (self.problem.theory if changes_model(knob) else None)
-        for label, one in self.trials[knob].items():
+        for label, one in self.runs[knob].items():
             values = self.problem.measure(one) if one.ok else {}
             exact = given(one) if one.ok and given is not None else {}
             for quantity, reference in self.references.items():
                 value = values.get(quantity, math.nan)
                 kind = self.problem.kind if quantity in exact else reference.kind
                 wanted = exact.get(quantity, reference.value)
-                entry = trial.record(one, quantity, value, wanted, kind, self._scale(quantity, exact))
+                entry = timed_run.record(one, quantity, value, wanted, kind, self._scale(quantity, exact))
                 yield entry | {
                     "case": self.problem.name,
                     "unit": self.problem.units[quantity],
@@ -111,7 +110,7 @@ class Study:
         return bool(record["knob"] == self.problem.converged and record["rung"] == last)
 
     def points(self) -> list[Point]:
-        """The rungs that solve the same model, each with its largest error over all quantities."""
+        """The settings that solve the same model, each with its largest error over all quantities."""
         found: dict[tuple[str, str], Point] = {}
         for r in self.records:
             key = (r["knob"], r["rung"])
@@ -120,3 +119,8 @@ class Study:
             worst = max(abs(r["error"]), found[key].error if key in found else 0.0)
             found[key] = Point(*key, r["seconds"], r["steps"], worst)
         return list(found.values())
+
+    @property
+    def shipped(self) -> Point | None:
+        """What a user gets who asks for nothing."""
+        return next((p for p in self.points() if (p.knob, p.label) == self.problem.shipped), None)

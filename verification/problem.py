@@ -1,4 +1,4 @@
-"""Ladders: one knob of a problem climbed from coarse to fine, to see which error a setting has and what it costs.
+"""Convergence problems: one knob refined, from coarse to fine, to see which error a setting has and what it costs.
 
 A module of `verification.convergence`, or the module of a case, holds PROBLEMS: tuples of `Problem`.
 """
@@ -8,14 +8,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
-from geometry.blocks import Specimen
-from verification.timed_run import THREADS, Trial
+from verification.scene_runs import Run
+from verification.timed_run import THREADS
 
-Rungs = dict[str, dict[str, Any]]
-"""Label of a rung -> the keys of the scene that it sets; the finest last."""
+Refinement = dict[str, dict[str, Any]]
+"""Settings of a knob: label -> the keys of the scene that it sets; the finest last."""
 RATE, ACCURACY, MODEL = "constant rate", "accuracy", "model"
 SHIPPED = "1 %"
-"""The rung of ACCURACY that a user gets who asks for nothing."""
+"""The setting of ACCURACY that a user gets who asks for nothing."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Reference:
         return replace(self, uncertainty=max(self.uncertainty, by))
 
 
-def stress_and_energy(one: Trial) -> dict[str, float]:
+def stress_and_energy(one: Run) -> dict[str, float]:
     """What most problems measure: peak stress and stress at the end (Pa), and dissipated energy (J)."""
     return {
         "peak stress": one.value("peak"),
@@ -47,51 +47,49 @@ themselves."""
 
 @dataclass(frozen=True)
 class Problem:
-    """A scene, what is measured in it, what that should be, and the knobs that are climbed.
+    """A scene, what is measured in it, what that should be, and the knobs that are refined.
 
     name       lower case with hyphens
-    scene      a packaged scene's name, or TOML text
-    specimen   makes the blocks of a text that says kind = "file", path = "made.blocks.h5"
-    knobs      knob -> rungs; one whose name starts with "model" changes what is solved, and need not go to zero
+    scene      name of a scene of the verification or of a packaged one
+    knobs      knob -> its settings; one whose name starts with "model" changes what is solved, and need not go to zero
     base       keys that every run sets
     measure    what a run gives: quantity -> value
-    exact      what these should be, from a run (of which only the scene is looked at); None: the finest three rungs of
+    exact      what these should be, from a run (of which only the scene is looked at); None: the finest three of
                `converged`, extrapolated
-    theory     what rungs of knobs that start with "model" are held against where `exact` is None; None: as all others
-    converged  the knob whose rungs converge, each twice as fine as the one before
+    theory     what knobs that start with "model" are held against where `exact` is None; None: as all others
+    converged  the knob whose settings converge, each twice as fine as the one before
     units      quantity -> unit
-    shipped    knob and rung that a user gets who asks for nothing
+    shipped    knob and setting that a user gets who asks for nothing
     """
 
     name: str
     title: str
     scene: str
-    knobs: dict[str, Rungs]
+    knobs: dict[str, Refinement]
     base: dict[str, Any] = field(default_factory=dict)
-    measure: Callable[[Trial], dict[str, float]] = stress_and_energy
-    exact: Callable[[Trial], dict[str, float]] | None = None
-    theory: Callable[[Trial], dict[str, float]] | None = None
+    measure: Callable[[Run], dict[str, float]] = stress_and_energy
+    exact: Callable[[Run], dict[str, float]] | None = None
+    theory: Callable[[Run], dict[str, float]] | None = None
     converged: str = RATE
     units: Mapping[str, str] = field(
         default_factory=lambda: {"peak stress": "Pa", "end stress": "Pa", "dissipated energy": "J"}
     )
     shipped: tuple[str, str] = (ACCURACY, SHIPPED)
     kind: str = "closed form"
-    specimen: Callable[[], Specimen] | None = None
 
 
 def changes_model(knob: str) -> bool:
-    """Whether the rungs of a knob are other models, not other ways to solve the same one."""
+    """Whether the settings of a knob are other models, not other ways to solve the same one."""
     return knob.startswith(MODEL)
 
 
 def is_setting(knob: str) -> bool:
-    """Whether its rungs are ways to solve the same model at the same cost of machine: more threads are more machine."""
+    """Whether its settings solve the same model at the same cost of machine: more threads are more machine."""
     return not changes_model(knob) and knob != THREADS
 
 
 class Point(NamedTuple):
-    """A rung that came through: its largest error over all quantities, and what it took."""
+    """A setting that came through: its largest error over all quantities, and what it took."""
 
     knob: str
     label: str
@@ -100,13 +98,13 @@ class Point(NamedTuple):
     error: float
 
 
-def accuracies(*percents: float) -> Rungs:
-    """Rungs of a drive that is paced by its error."""
+def accuracies(*percents: float) -> Refinement:
+    """Settings of a drive that is paced by its error."""
     return {f"{p:g} %": {"drive.accuracy": f"{p:g} %"} for p in percents or (5.0, 2.0, 1.0, 0.5, 0.2)}
 
 
-def steps(*counts: int) -> Rungs:
-    """Rungs of a drive in a number of steps."""
+def steps(*counts: int) -> Refinement:
+    """Settings of a drive in a number of steps."""
     return {f"{n:,} steps": {"drive.steps": n} for n in counts}
 
 
@@ -114,31 +112,31 @@ FEW_ROWS = {"solver.rows": 100}
 """For small problems, whose thousand rows would cost more than their steps."""
 
 
-def fractions(extra: dict[str, Any], *shares: float) -> Rungs:
-    """Rungs of the time step, as shares of the proven bound."""
+def fractions(extra: dict[str, Any], *shares: float) -> Refinement:
+    """Settings of the time step, as shares of the proven bound."""
     return {f"{f:g}": {"solver.step_fraction": f, **extra} for f in shares or (1.0, 0.9, 0.6, 0.3)}
 
 
-def dampings(extra: dict[str, Any], *shares: float) -> Rungs:
-    """Rungs of the local damping at a constant rate; 0.8 is the default."""
+def dampings(extra: dict[str, Any], *shares: float) -> Refinement:
+    """Settings of the local damping at a constant rate; 0.8 is the default."""
     return {f"{xi:g}": {"solver.damping": xi, **extra} for xi in shares or (0.8, 0.5, 0.2)}
 
 
-def laws(extra: dict[str, Any], *names: str) -> Rungs:
-    """Another law is another model: rungs of a knob whose name starts with "model"."""
+def laws(extra: dict[str, Any], *names: str) -> Refinement:
+    """Another law is another model: settings of a knob whose name starts with "model"."""
     return {name: {"law": name, **extra} for name in names or ("exponential", "linear", "brittle")}
 
 
-def threads(extra: dict[str, Any], *counts: int) -> Rungs:
-    """Rungs of the number of threads, which must change seconds and nothing else: of few steps, for on cores that are
-    busy with other things threads wait for one another at each.
+def threads(extra: dict[str, Any], *counts: int) -> Refinement:
+    """Settings of the number of threads, which must change seconds and nothing else: of few steps, for on cores that
+    are busy with other things threads wait for one another at each.
     """
     return {f"{n} thread" + "s" * (n > 1): {THREADS: n, **extra} for n in counts or (1, 2)}
 
 
-def pace(fine: int, rungs: int = 5) -> dict[str, Rungs]:
+def pace(fine: int, count: int = 5) -> dict[str, Refinement]:
     """The knobs of the loading alone: accuracy, numbers of steps halved from `fine`, step fraction, damping."""
-    counts = [max(fine >> k, 2) for k in reversed(range(rungs))]
+    counts = [max(fine >> k, 2) for k in reversed(range(count))]
     usual = {"drive.steps": counts[-2]}
     return {
         RATE: steps(*counts),
@@ -149,10 +147,10 @@ def pace(fine: int, rungs: int = 5) -> dict[str, Rungs]:
 
 
 def richardson(values: list[float], kind: str = "converged run") -> Reference:
-    """The finest of at least three rungs (each twice as fine), with 1.25 times its extrapolated error.
+    """The finest of at least three values (each twice as fine), with 1.25 times its extrapolated error.
 
     The observed order is held between 0.5 and 2, so that two values that agree by luck do not promise too much. Where
-    fewer rungs came to their end, the finest is doubted as a whole.
+    fewer came to their end, the finest is doubted as a whole.
     """
     if len(values) < 3:
         finest = values[-1] if values else math.nan
@@ -163,13 +161,13 @@ def richardson(values: list[float], kind: str = "converged run") -> Reference:
     return Reference(fine, kind, 1.25 * step / (2.0 ** min(max(order, 0.5), 2.0) - 1.0))
 
 
-def time_to(rungs: list[tuple[float, float, str]], target: float) -> tuple[float, str] | None:
-    """Least seconds, and the label, of a rung that is within the target as are all finer ones: no lucky crossing."""
+def time_to(points: list[tuple[float, float, str]], target: float) -> tuple[float, str] | None:
+    """Least seconds, and the label, of a setting that is within the target as are all finer ones: no lucky crossing."""
     good = []
-    for rung in reversed(rungs):
-        if not abs(rung[1]) <= target:
+    for point in reversed(points):
+        if not abs(point[1]) <= target:
             break
-        good.append(rung)
+        good.append(point)
     return min((seconds, label) for seconds, _, label in good) if good else None
 
 
