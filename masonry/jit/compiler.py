@@ -2,7 +2,8 @@
 
 Numba serves a changed law stale from its cache when only another file changed: so the folder of the step is named after
 a hash of every source file that can be compiled into it. What else is compiled (cells in geometry) calls nothing of
-another file, and stays where it is when a law changes. What holds a law of another package is kept apart: law_cache.py.
+another file, and stays where it is when a law changes. A law of another package has a hash of its sources in the name
+of its NamedTuple, and so in the types that the step is compiled for.
 """
 
 import contextlib
@@ -16,8 +17,7 @@ from typing import Any
 
 import numba
 
-from geometry.jit_cache import NOT_KEPT
-from masonry.jit.law_cache import LawCache, hash_of_laws, outside_classes
+from geometry.jit_cache import NOT_KEPT, CheckedCache
 from masonry.jit.sources import COMPILED, source_hash
 
 KEPT = 5
@@ -70,7 +70,7 @@ def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any
         try:
             dispatcher = decorate(function)
             if keep:
-                dispatcher._cache = LawCache(function)
+                dispatcher._cache = CheckedCache(function)
             return dispatcher
         finally:
             numba.config.CACHE_DIR = REST or numba.config.CACHE_DIR
@@ -118,5 +118,4 @@ def once(name: str, folder: str = STEP) -> Iterator[None]:
 def kind_of(arguments: tuple[Any, ...]) -> str:
     """A name for the types of some arguments: what is compiled for one kind serves all of it."""
     kinds = [numba.typeof(argument) for argument in arguments]
-    laws = hash_of_laws(frozenset(outside_classes(kinds)))
-    return hashlib.sha256(f"{kinds}{laws}".encode()).hexdigest()[:16]
+    return hashlib.sha256(f"{kinds}".encode()).hexdigest()[:16]

@@ -22,7 +22,7 @@ CURVES = {
     "shear_intact": ("shape", "interface", "intact", "slip", "peak", "residual", "compression"),
 }
 BY_TOTAL_SLIP = tuple(word for word in CURVES["shear_intact"] if word != "intact")
-"""What `shear_intact` may be given as well, by a law that knows its curve alone: see `door.after`."""
+"""What `shear_intact` may be given as well, by a law that knows its curve alone: see `dispatch.after`."""
 MECHANISM = {
     "elastic_trial": ("shape", "interface", "memory", "opening", "tau_squared"),
     "return_mapping": ("shape", "interface", "memory", "opening", "total", "tau"),

@@ -45,9 +45,15 @@ def install(folder: Path, files: dict[str, str] | None = None, name: str = "my-m
 
 
 def law_with_if() -> str:
-    """The law of the page with its functions of single numbers in place of those for eight at a time."""
+    """The law of the page with `if` in its functions."""
     files = files_of_page()
     return files["bilinear.py"] + "\n" + files["with_if.py"]
+
+
+def law_in_lanes() -> str:
+    """The law of the page, eight contacts at a time."""
+    files = files_of_page()
+    return files["bilinear.py"] + "\n" + files["lanes.py"]
 
 
 def law_by_slip() -> str:
