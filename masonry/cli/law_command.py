@@ -69,6 +69,7 @@ def main(arguments: list[str] | None = None) -> int:
 def _list() -> list[str]:
     """A line for each law: name, where it comes from, what it is or what is wrong with it."""
     from masonry.laws.factory import module_of
+    from masonry.runtime.tables import columns
 
     rows = [(name, "masonry", _first_line(module_of(name))) for name in law_names()]
     for name, several in plugins("masonry.laws").items():
@@ -79,8 +80,7 @@ def _list() -> list[str]:
             rows.append((name, origin, _first_line(module_of(name))))
         except SceneError as error:
             rows.append((name, origin, f"DOES NOT WORK: {error}"))
-    margins = [max(len(row[k]) for row in rows) + 2 for k in (0, 1)]
-    return [f"{name:<{margins[0]}}{origin:<{margins[1]}}{words}" for name, origin, words in rows]
+    return columns(rows)
 
 
 def _first_line(module: Any) -> str:

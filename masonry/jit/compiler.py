@@ -7,7 +7,6 @@ of its NamedTuple, and so in the types that the step is compiled for.
 """
 
 import contextlib
-import fcntl
 import hashlib
 import os
 import shutil
@@ -101,18 +100,20 @@ def once(name: str, folder: str = STEP) -> Iterator[None]:
     if not folder or done.exists():
         yield
         return
-    with contextlib.ExitStack() as held:
-        try:
-            lock = held.enter_context(open(done.with_suffix(".lock"), "w", encoding="utf-8"))
-            fcntl.flock(lock, fcntl.LOCK_EX)
-            if done.exists():
-                fcntl.flock(lock, fcntl.LOCK_UN)
-        except OSError:  # nothing can be kept here: each compiles for itself
-            lock = None
+    from filelock import FileLock
+
+    lock = FileLock(done.with_suffix(".lock"))
+    with contextlib.suppress(OSError):  # nothing can be kept here: each compiles for itself
+        lock.acquire()
+        if done.exists():
+            lock.release()
+    try:
         yield
-        if lock is not None and not NOT_KEPT:
+        if lock.is_locked and not NOT_KEPT:
             with contextlib.suppress(OSError):
                 done.touch()
+    finally:
+        lock.release()
 
 
 def kind_of(arguments: tuple[Any, ...]) -> str:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from masonry.errors import SceneError, nearest, visible
+from masonry.runtime.tables import columns
 from masonry.sweep.job import Job
 from masonry.sweep.points import points, si
 from masonry.sweep.read import Sweep, Times
@@ -44,9 +45,8 @@ def plan(sweep: Sweep) -> list[Planned]:
 
 def listing(planned: Sequence[Planned]) -> str:
     """A line a run: its number and what the sweep sets in it."""
-    margin = len(str(len(planned)))
     rows = (visible("  ".join(f"{key} = {value!r:.60}" for key, value in run.values.items())) for run in planned)
-    return "\n".join(f"{number:>{margin}}  {row}" for number, row in enumerate(rows, start=1))
+    return "\n".join(columns([(str(number), row) for number, row in enumerate(rows, start=1)], right=[0]))
 
 
 class _Base:
