@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
-from masonry.runtime.hdf5 import new_file
+from geometry.files.hdf5 import new_file, require_plain
 from masonry.history import Frame, History, unit_of
-from masonry.runtime.open_archive import require_plain
 from masonry.results.validate import require_whole_result
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.runtime.hdf5 import new_file
+from geometry.files.hdf5 import new_file
 from masonry.history import Frame
 
 VTK_POLYGON, VTK_TETRA = 7, 10
