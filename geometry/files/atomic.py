@@ -1,5 +1,6 @@
 """Files appear whole or not at all: written beside the place and put there at the end."""
 
+import errno
 import os
 import stat
 from collections.abc import Iterator
@@ -23,7 +24,7 @@ def whole_file(path: Path) -> Iterator[Path]:
     if not path.name or not is_name(str(path)):
         raise GeometryError(f"cannot write '{path}': this is no name of a file")
     if not path.parent.is_dir():
-        raise GeometryError(f"cannot write '{path}': there is no folder '{path.parent}'")
+        raise GeometryError(f"cannot write '{path}': {os.strerror(errno.ENOENT)}")
     try:
         with WholeFiles(path.parent) as files:
             yield files.new(path.name)

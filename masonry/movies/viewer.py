@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 from geometry.files.atomic import whole_file
 from masonry.errors import SceneError, extra, nearest
 from masonry.movies.scene_3d import FIELDS, Stage
-from masonry.pictures.crack_picture import VIEWS, magnification
+from masonry.pictures.camera import VIEWS
+from masonry.pictures.crack_picture import magnification
 from masonry.results.frames import choose
 
 if TYPE_CHECKING:
