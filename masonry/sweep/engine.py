@@ -11,8 +11,7 @@ from masonry.runtime.lock import sole
 from masonry.runtime.processes import Lost, work
 from masonry.runtime.progress import Tally, Tell
 from masonry.sweep.folder import DOING
-from masonry.sweep.job import Job
-from masonry.sweep.names import names
+from masonry.sweep.job import Job, names
 from masonry.sweep.store import Row, Store
 from masonry.sweep.work import ERROR, Ended, compute
 
