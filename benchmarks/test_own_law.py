@@ -10,7 +10,7 @@ import pytest
 
 from masonry.laws.exponential import Exponential
 from masonry.laws.linear import Linear
-from masonry.laws.plugins import outside_law
+from masonry.laws.plugins import plugin_law
 from masonry.laws.polynomial import Polynomial
 from tests.laws.own_package import files_of_page, install, law_in_lanes, law_with_if, on_the_path
 from verification.reference_step import specimens, trial
@@ -37,7 +37,7 @@ def laws(tmp_path_factory):
     files["pyproject.toml"] = files["pyproject.toml"].replace("\nbilinear", more, 1)
     with on_the_path(install(tmp_path_factory.mktemp("page"), files)):
         found = {"own, in lanes": "in-lanes", "own": "bilinear", "own, with if": "with-if"}
-        yield OURS | {name: outside_law(law).shape(*OWN) for name, law in found.items()}
+        yield OURS | {name: plugin_law(law).shape(*OWN) for name, law in found.items()}
 
 
 def wall(shape: tuple, soft: bool) -> trial.Model:

@@ -1,4 +1,4 @@
-"""A film of a run: its cracks beside its curve with a dot on it, frame by frame, in scales that stay the same."""
+"""A movie of a run: its cracks beside its curve with a dot on it, frame by frame, in scales that stay the same."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,7 @@ FLAT = 0.35
 DOT, GONE, TO_COME = "#b2182b", "#1f3b5c", "#c3ccd6"
 
 
-class Film:
+class Movie:
     """A figure that shows one frame of a result after another.
 
     view   as masonry.pictures.crack_picture.VIEWS
@@ -29,7 +29,7 @@ class Film:
     def __init__(self, result: "ResultData", view: str = "front", times: float | None = None) -> None:
         frames = result.history.frames
         if not frames:
-            raise SceneError("this result has no frames: its run ended before there was one; there is nothing to film")
+            raise SceneError("this result has no frames: its run ended before there was one; there is nothing to draw")
         self.result, self.frames = result, frames
         self.drawing = drawing_of(result, view)
         self.times = magnification(max(frames, key=largest_move), self.drawing.camera.size) if times is None else times

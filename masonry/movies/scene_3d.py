@@ -1,4 +1,4 @@
-"""What stands on the stage of PyVista: blocks, seen through, their units outlined, and the joints in colour."""
+"""A viewer by PyVista: blocks, seen through, their units outlined, and the joints in colour."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -60,7 +60,7 @@ def values_of(frame: Frame, name: str) -> np.ndarray:
     return np.maximum(values, 0.0)
 
 
-class Stage:
+class Viewer:
     """Blocks and joints of a result on a plotter; `set` moves them to a frame."""
 
     def __init__(self, plotter: Any, result: "ResultData", field: str, everywhere: bool = False) -> None:

@@ -15,7 +15,7 @@ from masonry.scene.overrides import Overrides, apply
 from masonry.scene.portrait import portrait_html, portrait_text
 from masonry.scene.schema import SceneData
 from masonry.scene.source import Source, packaged, read, titles
-from masonry.scene.tables.own_keys import law_there
+from masonry.scene.tables.law_keys import law_there
 
 __all__ = ["Scene", "changed", "load", "packaged", "titles", "to_toml"]
 

@@ -29,16 +29,16 @@ def plan(sweep: Sweep) -> list[Planned]:
     """Every run of a sweep, in order. Raises SceneError for the first that its scene does not take: the message says
     the run, the key, what is wrong and what is allowed.
     """
-    asked = points(sweep)
+    table = points(sweep)
     base = _Base(sweep)
-    for point in asked[:1] + [row for row in asked if set(row) != set(asked[0])]:
+    for point in table[:1] + [row for row in table if set(row) != set(table[0])]:
         base.check_groups(point)
     found = []
-    for number, point in enumerate(asked):
+    for number, point in enumerate(table):
         try:
             found.append(base.planned(point))
         except SceneError as error:
-            run = f", run {number + 1} of {len(asked)}" if len(asked) > 1 else ""
+            run = f", run {number + 1} of {len(table)}" if len(table) > 1 else ""
             raise error.within(f"{sweep.name}{run}", "--set ") from None
     return found
 
