@@ -5,10 +5,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from masonry.errors import SceneError
 from masonry.history import Frame
 from masonry.quantity import convert
-from masonry.runtime.text_files import toml_of
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -48,7 +46,8 @@ def _moved(result: "ResultData", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
     """(C,) which contacts opened, and which slid, by more than their stress over their stiffness."""
     normal, shear = (_stiffness(result, key) for key in ("normal_stiffness", "shear_stiffness"))
     open_for_good = np.maximum(frame.opening, 0.0) - np.maximum(frame.normal_stress, 0.0) / normal
-    slid_for_good = frame.slip - np.abs(frame.shear_stress) / shear
+    with np.errstate(invalid="ignore"):  # a frictionless glue has no shear stiffness and no shear stress
+        slid_for_good = frame.slip - np.abs(frame.shear_stress) / shear
     largest = float(np.hypot(np.maximum(frame.opening, 0.0), frame.slip).max(initial=0.0))
     least = max(SHARE * largest, LEAST)
     with np.errstate(invalid="ignore"):

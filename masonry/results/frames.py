@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from masonry.loading.cycles import peak_row
 from masonry.errors import SceneError
 from masonry.history import Frame
+from masonry.loading.cycles import peak_row
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

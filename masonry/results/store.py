@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
+from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
 from masonry.results import archive, fields, joint_fields
 from masonry.results.data import ResultData
 from masonry.results.joint_resultants import resultants_csv
 from masonry.results.table import csv_text
-from geometry.files.atomic import WholeFiles
 from masonry.runtime.text_files import json_of
 
 NUMBERS = ("summary.json", "curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log")
@@ -44,7 +44,7 @@ def save_fields(result: ResultData, folder: Path) -> None:
 
 
 def read(folder: Path | str) -> dict[str, Any]:
-    """What a ResultData is made of, from summary.json and history.h5. Raises SceneError if the folder holds no results."""
+    """What a ResultData is made of, from summary.json and history.h5. Raises SceneError if the folder holds none."""
     folder = Path(folder)
     if not folder.is_dir():
         raise SceneError(f"'{folder}' is not a folder of results; `masonry run` writes one")

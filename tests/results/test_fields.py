@@ -1,4 +1,4 @@
-"""fields.vtkhdf and joints.vtkhdf have the layout that VTK asks for, and VTK reads the numbers of every frame from them."""
+"""fields.vtkhdf and joints.vtkhdf have the layout that VTK asks for, and VTK reads the numbers of every frame."""
 
 import h5py
 import numpy as np

@@ -7,11 +7,11 @@ import h5py
 import numpy as np
 import pytest
 
-from masonry.pictures import crack_picture as picture
 from masonry.errors import SceneError
-from masonry.runtime.folder import claim
 from masonry.history import UNITS
 from masonry.laboratory.result import load_result
+from masonry.pictures import crack_picture as picture
+from masonry.runtime.folder import claim
 from tests.results.sample import sample, with_tets
 
 FILES = {

@@ -7,10 +7,9 @@ import pytest
 from matplotlib import image
 
 from masonry.errors import SceneError
-from masonry.movies.viewer import add_slider, show
 from masonry.movies.scene_3d import FIELDS, Stage
+from masonry.movies.viewer import add_slider, show
 from tests.results.sample import sample, with_tets
-from tests.results.test_pictures import blue, red
 
 pyvista = pytest.importorskip("pyvista")
 

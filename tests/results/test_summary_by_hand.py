@@ -7,7 +7,6 @@ from masonry.laboratory import laboratory
 from verification.checks.ledgers import scene_of
 from verification.fixtures.scene_text import loaded
 
-
 SETTLE, DRIVE = 800, 3000
 
 
@@ -42,6 +41,9 @@ def test_kinetic_energy_is_taken_over_what_blocks_and_contacts_have_taken(ran, r
 
 def test_damping_is_taken_from_the_settling_to_rest_over_the_work_since_then(ran, rows):
     rows, _ = rows
-    since = {key: rows[key] - rows[key][np.searchsorted(rows["step"], SETTLE)] for key in ("damping", "kinetic", "external_work")}
+    since = {
+        key: rows[key] - rows[key][np.searchsorted(rows["step"], SETTLE)]
+        for key in ("damping", "kinetic", "external_work")
+    }
     share = (since["damping"] + since["kinetic"])[-1] / np.abs(since["external_work"][rows["step"] >= SETTLE]).max()
     assert share > 1e-9 and ran[0].summary["damping_over_external"] == pytest.approx(share, rel=1e-12)

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import masonry
-from masonry.results.dry_joints import as_it_stands
-from masonry.pictures.front import FlatDrawing
-from masonry.pictures.crack_picture import cracks_figure
 from masonry.laboratory.result import Result
+from masonry.pictures.crack_picture import cracks_figure
+from masonry.pictures.front import FlatDrawing
 from masonry.pictures.thrust_line import WALL, row_of
+from masonry.results.dry_joints import as_it_stands
 from tests.results.sample import opened, sample
 
 
@@ -44,7 +44,9 @@ def test_the_line_moves_with_the_joints():
     frame, thrust = arch().history.frames[-1], FlatDrawing(arch()).thrust
     shift = np.array([0.3e-3, 0.0, -0.1e-3])
     moved = dataclasses.replace(frame, corners=np.broadcast_to(shift, frame.corners.shape))
-    assert np.allclose(thrust.displaced(arch(), moved, 10.0) - thrust.forces(arch(), frame)[1], 10.0 * shift, atol=1e-12)
+    assert np.allclose(
+        thrust.displaced(arch(), moved, 10.0) - thrust.forces(arch(), frame)[1], 10.0 * shift, atol=1e-12
+    )
 
 
 def test_without_weight_or_with_too_few_joints_there_is_no_line():

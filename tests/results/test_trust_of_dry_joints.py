@@ -10,7 +10,10 @@ from tests.scenes import box, listed, load, specimen, tables
 DRY = 'law = "friction"\nnormal_stiffness = "30 GPa/m"\nshear_stiffness = "12 GPa/m"\ntan_friction_angle = 0.65'
 WEIGHT = '[gravity]\nz = "-10 m/s^2"\n'
 DENSITY = 'density = "1000 kg/m^3"'
-GROUND, BLOCK = box("ground", (-0.4, 0, -0.1), (1, 0.1, 0.1), "units", 0), box("block", (0, 0, 0), (0.2, 0.1, 0.5), "units", 1)
+GROUND, BLOCK = (
+    box("ground", (-0.4, 0, -0.1), (1, 0.1, 0.1), "units", 0),
+    box("block", (0, 0, 0), (0.2, 0.1, 0.5), "units", 1),
+)
 FLAT = box("block", (0, 0, 0), (0.2, 0.1, 0.1), "units", 1)
 HELD = 'on = "ground"\nfix = "all"'
 
@@ -25,8 +28,8 @@ def drive(on: str, direction: str, displacement: str) -> str:
 
 
 def test_a_pier_that_sinks_under_a_lintel_bears_what_statics_leaves_it_and_the_two_ends_agree():
-    """The lintel of 100 N turns about the inner edge of the left pier, 0.3 m from its middle, and lies on the outer edge
-    of the right one, 0.5 m on the other side; the right pier itself weighs 40 N."""
+    """The lintel of 100 N turns about the inner edge of the left pier, 0.3 m from its middle, and lies on the outer
+    edge of the right one, 0.5 m on the other side; the right pier itself weighs 40 N."""
     piers = [box(f"pier {k}", (0.8 * k, 0, 0), (0.2, 0.1, 0.2), "units", k) for k in (0, 1)]
     lintel = box("lintel", (0, 0, 0.2), (1, 0.1, 0.1), "units", 2)
     held = ['on = "pier 0"\nfix = "all"', 'on = "pier 1"\nfix = ["x", "y", "rotation"]']

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from masonry.results.frames import choose
-from masonry.pictures.crack_picture import panel_title
 from masonry.curves.curve import curve_figure
+from masonry.pictures.crack_picture import panel_title
+from masonry.results.frames import choose
 from tests.results.sample import sample
 
 
@@ -36,7 +36,9 @@ def test_the_words_of_a_late_peak_lie_on_none_of_what_is_left_after_it():
     rows["stress"] = np.minimum(1e9 * rows["displacement"], 0.2e6 - 0.01e6 * (rows["displacement"] > 1.9e-4))
     result.summary |= {"peak_stress_pa": 0.2e6, "displacement_at_peak_m": 1.9e-4}
     texts, _ = boxes(curve_figure(result))
-    peak, residual = (next(box for words, box in texts.items() if words.startswith(what)) for what in ("peak", "at the end"))
+    peak, residual = (
+        next(box for words, box in texts.items() if words.startswith(what)) for what in ("peak", "at the end")
+    )
     assert not peak.overlaps(residual)
 
 
