@@ -39,7 +39,8 @@ FLOORS = (
 PACKAGES = {
     **dict.fromkeys(("masonry.errors", "masonry.plugins"), ""),
     **dict.fromkeys(("masonry.simd", "masonry.laws", "masonry.kinematics", "masonry.kernels"), "numpy numba llvmlite"),
-    **dict.fromkeys(("masonry.jit", "masonry.model", "masonry.loading"), "numpy numba llvmlite"),
+    **dict.fromkeys(("masonry.model", "masonry.loading"), "numpy numba llvmlite"),
+    "masonry.jit": "numpy numba llvmlite filelock",
     "geometry.jit_cache": "numba",
 }
 """The packages that a floor may use besides the standard library; any where nothing is said."""

@@ -9,10 +9,10 @@ from pydantic import BaseModel, BeforeValidator, Field, model_validator
 from masonry.history import UNITS
 from masonry.scene.tables.contact import Material
 from masonry.scene.tables.gauge import Curve, Gauge
+from masonry.scene.tables.law_keys import AnyContact
 from masonry.scene.tables.loading import Drive, Settle, Solver, Support, Traction
-from masonry.scene.tables.own_keys import AnyContact
-from masonry.scene.tables.own_specimen import AnySpecimen
 from masonry.scene.tables.scatter import Scatter, require_contacts
+from masonry.scene.tables.specimen_plugins import AnySpecimen
 from masonry.scene.tables.types import AccelerationVector, KeyedError, Law, Motion, Strength, Table
 
 INVENTED = "a placeholder that the import made up: put in your own"

@@ -5,7 +5,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from masonry.runtime.folder import WholeFiles
+from geometry.files.atomic import WholeFiles
 from verification import catalogue, records, runner, studies
 from verification.html import cover
 from verification.html.page import Chapter

@@ -10,7 +10,7 @@ from geometry.blocks import CellReport
 from geometry.cells.domain import box_domain
 from geometry.cells.power import tessellate
 from geometry.cells.power_blocks import cell_volumes, to_blocks
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.joints.find import find_joints
 from geometry.joints.quality import radius_ratios
 from geometry.meshes.tetrahedralise import mesh_blocks
@@ -32,7 +32,7 @@ class Case:
     name: str
     low: np.ndarray
     high: np.ndarray
-    asked: CellsAsked
+    asked: CellRequest
     neper: str
     edge: float = 0.35
     small: float = 0.0
@@ -50,13 +50,13 @@ def cases() -> list[Case]:
     bed = np.array([[0.0, 0.0, 0.05]]), np.array([[0.2, 0.005, 0.065]])
     brick = np.zeros((1, 3)), np.array([[0.23, 0.114, 0.065]])
     plane = [
-        Case(f"wallette, {n}", bond.low, bond.high, CellsAsked(total=n), "0.15 to 0.34; some", meshed=n != 335)
+        Case(f"wallette, {n}", bond.low, bond.high, CellRequest(total=n), "0.15 to 0.34; some", meshed=n != 335)
         for n in (218, 335, 540)
     ]
-    mortar = [Case(f"mortar bed 200 x 15 mm, {n}", *bed, CellsAsked(total=n), "-") for n in (100, 300)]
-    many = CellsAsked(total=540, space=True)
+    mortar = [Case(f"mortar bed 200 x 15 mm, {n}", *bed, CellRequest(total=n), "-") for n in (100, 300)]
+    many = CellRequest(total=540, space=True)
     space = [
-        Case("brick in space, 218", *brick, CellsAsked(total=218, space=True), "0.09 to 0.2; 5 %", meshed=True),
+        Case("brick in space, 218", *brick, CellRequest(total=218, space=True), "0.09 to 0.2; 5 %", meshed=True),
         Case("brick in space, 540", *brick, many, "0.04 to 0.07; 4 to 5 %", edge=0.3, small=0.05, size=0.02),
     ]
     return plane + mortar + space
@@ -98,7 +98,7 @@ INTRODUCTION = (
 
 
 def _divided(case: Case, seed: int):
-    asked = CellsAsked(total=case.asked.total, space=case.asked.space, seed=seed)
+    asked = CellRequest(total=case.asked.total, space=case.asked.space, seed=seed)
     return fill_with_cells(case.low, case.high, asked, "units")
 
 

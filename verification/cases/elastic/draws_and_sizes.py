@@ -10,7 +10,7 @@ Reference: Aitchison and Brown, The lognormal distribution; Abramowitz and Stegu
 
 import numpy as np
 
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.cells.targets import target_sizes
 from geometry.polyhedra.measures import volumes
 from geometry.specimens.filling import fill_with_cells
@@ -58,11 +58,11 @@ def of_cells(found: Findings) -> None:
     low, high, whole = np.zeros((1, 3)), np.array([SIDES]), float(np.prod(SIDES))
     off = []
     for given, sizes in ((SIZES, SIZES), (None, (1.0,) * 5)):
-        volume = volumes(fill_with_cells(low, high, CellsAsked(per_unit=5, sizes=given), "units")[0])
+        volume = volumes(fill_with_cells(low, high, CellRequest(per_unit=5, sizes=given), "units")[0])
         off.append(np.abs(volume * sum(sizes) / (whole * np.array(sizes)) - 1.0).max())
     found.check("given and equal sizes: volumes of the cells, largest relative error", "1", float(max(off)), 0.0,
                 "closed form", 1e-9, 1e-10, "Newton's method on the weights of the power diagram", 1.0)  # fmt: skip
-    asked = CellsAsked(total=CELLS, spread=VARIATION)
+    asked = CellRequest(total=CELLS, spread=VARIATION)
     volume = volumes(fill_with_cells(low, high, asked, "units")[0])
     wished = target_sizes(asked, np.array([MANY]), np.array([whole]), np.random.default_rng(3))
     error = VARIATION * np.sqrt((1.0 + 2.0 * VARIATION**2) / (2.0 * MANY))

@@ -9,7 +9,7 @@ from pydantic import SerializeAsAny, ValidationInfo, ValidatorFunctionWrapHandle
 
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
-from masonry.laws.plugins import outside_law, outside_names
+from masonry.laws.plugins import plugin_law, plugin_law_names
 from masonry.quantity import KINDS, is_interval
 from masonry.scene.tables.contact import Contact
 from masonry.scene.tables.types import Given
@@ -17,7 +17,7 @@ from masonry.scene.tables.types import Given
 
 def law_there(name: Any) -> bool:
     """Whether there is a law of that name; raises SceneError for one of another package that does not work."""
-    if isinstance(name, str) and name not in law_names() and outside_law(name) is not None:
+    if isinstance(name, str) and name not in law_names() and plugin_law(name) is not None:
         keys_of(name)
         return True
     return name in law_names()
@@ -46,7 +46,7 @@ def contact_class(law: Any, given: Iterable[str]) -> type[Contact]:
 @cache
 def keys_of(law: str) -> dict[str, Given]:
     """Own keys of a law of another package, with what they hold; SceneError where they do not fit into a scene."""
-    found = outside_law(law)
+    found = plugin_law(law)
     assert found is not None
     where = f"law '{law}' of {found.origin}"
     for key in found.keys:
@@ -73,7 +73,7 @@ def _given(where: str, key: str, text: str) -> Given:
 
 def _of_others(unknown: set[str]) -> Iterator[tuple[str, Given]]:
     """Which of some keys are those of any law of another package that works, with what they hold."""
-    for law in filter(is_law, outside_names()):
+    for law in filter(is_law, plugin_law_names()):
         try:
             yield from ((key, given) for key, given in keys_of(law).items() if key in unknown)
         except SceneError:

@@ -1,8 +1,13 @@
-"""What an HDF5 file may hold that a result is read from: arrays of plain numbers and texts that lie in the file itself.
+"""HDF5 files: written to a disk that may be full, and read though they may be damaged or hostile.
 
-Packed arrays are unpacked only where the file is large enough to be worth it: a small file must not fill the memory.
+The library itself ends in crashes on a full disk, so it never hears of it. A file to read holds arrays of plain numbers
+and texts that lie in the file itself; packed ones are unpacked only where the file is large enough to be worth it: a
+small file must not fill the memory.
 """
 
+import contextlib
+import io
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +18,42 @@ LARGEST = 16 << 30
 PACKED, SPARE = 100, 1 << 28
 """Bytes of all arrays for each byte of the file, and besides."""
 FILTERS = {1: "deflate", 2: "shuffle"}
+
+
+class _Disk(io.FileIO):
+    """Keeps the first error of the disk to itself."""
+
+    error: OSError | None = None
+
+    def write(self, content: Any) -> int:
+        if self.error is None:
+            try:
+                left = memoryview(content)
+                while left.nbytes:
+                    left = left[super().write(left) :]
+            except OSError as error:
+                self.error = error
+        return memoryview(content).nbytes
+
+    def truncate(self, size: int | None = None) -> int:
+        if self.error is None:
+            try:
+                return super().truncate(size)
+            except OSError as error:
+                self.error = error
+        return size or 0
+
+
+@contextlib.contextmanager
+def new_file(path: Path) -> Iterator[Any]:
+    """A new h5py.File. Raises OSError at its end where it could not be written."""
+    import h5py
+
+    with _Disk(path, "w+") as disk:
+        with h5py.File(disk, "w") as file:
+            yield file
+        if disk.error is not None:
+            raise disk.error
 
 
 def require_plain(file: Any, path: Path) -> None:
