@@ -21,8 +21,8 @@ from masonry.loading.predictor import LITTLE
 from masonry.model import loads, model
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.layout import Material, lay_out
+from masonry.monitors.reactions import Surroundings
 from masonry.scene import Scene
-from masonry.timeloop.reactions import Surroundings
 from masonry.timeloop.recording import Recording
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.loading.schedule import cyclic, followed, passage, steps_at
+from masonry.loading.schedule import followed, passage, steps_at
 from masonry.model.loads import Controlled, Program, controlled, program, require_few
 from masonry.scene import Scene
 from masonry.scene.tables.history import Timed
@@ -33,7 +33,8 @@ def plan_of(scene: Scene, dt: float) -> Program | Controlled:
 def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: float) -> Program | Controlled:
     """All histories over the same steps: each load's time runs while the drive makes its whole way."""
     if drive is not None and drive.accuracy is not None:
-        return cyclic(settle, tuple(drive.sign * place for place in drive.turns), drive.accuracy)
+        turns = tuple(drive.sign * place for place in drive.turns)
+        return controlled(settle, turns[0], drive.accuracy, turns)
     if drive is not None and drive.history is None:
         plain = program(dt, settle, drive.sign * drive.farthest, drive.steps, drive.rate, drive.ramp)
         require_two(plain.steps - settle)

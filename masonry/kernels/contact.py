@@ -98,7 +98,7 @@ def sweep(parallel, shape, interface, state, first, last, sides, normal, area, u
 
 @jit
 def observe(shape, interface, state, first, last, sides, normal, area, u, force, seen):
-    """Fill seen[c] = opening, slip, sigma, tau, and return the stored energy (J) of the group.
+    """Fill seen[:, c] = opening, slip, sigma, tau, and return the stored energy (J) of the group.
 
     Stresses come from the force that acts; opening, slip and stored energy from displacements and state.
     """
@@ -119,8 +119,8 @@ def observe(shape, interface, state, first, last, sides, normal, area, u, force,
         energy += area[c] * stored_energy(form, joint, memory, opening, tau_squared)
         sigma = (force[c, 0] * nx + force[c, 1] * ny + force[c, 2] * nz) / area[c]
         fx, fy, fz = force[c, 0] / area[c], force[c, 1] / area[c], force[c, 2] / area[c]
-        seen[c, 0] = opening
-        seen[c, 1] = sqrt(sx * sx + sy * sy + sz * sz)
-        seen[c, 2] = sigma
-        seen[c, 3] = sqrt((fx - sigma * nx) ** 2 + (fy - sigma * ny) ** 2 + (fz - sigma * nz) ** 2)
+        seen[0, c] = opening
+        seen[1, c] = sqrt(sx * sx + sy * sy + sz * sz)
+        seen[2, c] = sigma
+        seen[3, c] = sqrt((fx - sigma * nx) ** 2 + (fy - sigma * ny) ** 2 + (fz - sigma * nz) ** 2)
     return energy

@@ -17,7 +17,7 @@ from masonry.simd import FOUR, four, numbers, pack, part, plus, put, put_row, ta
 class Affine(NamedTuple):
     """Arrays of B affine blocks that have S contact sides in all.
 
-    q, v, pace      (B, 12): t, then H row by row; dt/mass (0 = prescribed)
+    q, v, dt_over_mass  (B, 12): t, then H row by row; dt/mass (0 = prescribed)
     contact, hold   (B, 12) generalised forces at the last step: contacts; damping or reaction
     start, code     sides of each block, as for rigid blocks
     arm             (S, 3) m, from the centroid to the point, along the block's axes
@@ -28,7 +28,7 @@ class Affine(NamedTuple):
 
     q: np.ndarray
     v: np.ndarray
-    pace: np.ndarray
+    dt_over_mass: np.ndarray
     contact: np.ndarray
     hold: np.ndarray
     start: np.ndarray

@@ -19,7 +19,7 @@ class Guided(NamedTuple):
     xi: float
 
 
-def resist(damping, pace, force, velocity, now, before):
+def resist(damping, dt_over_mass, force, velocity, now, before):
     """What damping adds to the force on a freedom that is expected to move at `before`, and at `now` after the step.
 
     None: nothing. A number: local damping -xi |F| sign(v), eq. (3). Guided: the rest of the velocity, v - expected,
@@ -29,7 +29,7 @@ def resist(damping, pace, force, velocity, now, before):
     if damping is None:
         return 0.0
     if isinstance(damping, Guided):
-        return _guided(damping.share, damping.xi, pace, force, velocity, now, before)
+        return _guided(damping.share, damping.xi, dt_over_mass, force, velocity, now, before)
     return _local(damping, force, velocity)
 
 
@@ -41,21 +41,21 @@ def _local(xi, force, velocity):
 
 
 @register_jitable
-def _guided(share, xi, pace, force, velocity, now, before):
+def _guided(share, xi, dt_over_mass, force, velocity, now, before):
     driving = force + _local(xi, force, velocity)
-    after = now + ((velocity - before) * (1.0 - share) + pace * driving) / (1.0 + share)
-    return (after - velocity) / pace - force
+    after = now + ((velocity - before) * (1.0 - share) + dt_over_mass * driving) / (1.0 + share)
+    return (after - velocity) / dt_over_mass - force
 
 
 @overload(resist)
-def _resist(damping, pace, force, velocity, now, before):
+def _resist(damping, dt_over_mass, force, velocity, now, before):
     if isinstance(damping, (types.NoneType, types.Omitted)):
-        return lambda damping, pace, force, velocity, now, before: filled(0.0, force)
+        return lambda damping, dt_over_mass, force, velocity, now, before: filled(0.0, force)
     if getattr(damping, "instance_class", None) is Guided:
-        return lambda damping, pace, force, velocity, now, before: _guided(
-            damping.share, damping.xi, pace, force, velocity, now, before
+        return lambda damping, dt_over_mass, force, velocity, now, before: _guided(
+            damping.share, damping.xi, dt_over_mass, force, velocity, now, before
         )
-    return lambda damping, pace, force, velocity, now, before: _local(damping, force, velocity)
+    return lambda damping, dt_over_mass, force, velocity, now, before: _local(damping, force, velocity)
 
 
 def share_of(array, at, like, factor):
@@ -108,21 +108,21 @@ def advance(body, at, contact, inner, dt, damping, clock, done):
     done            works (J) of contacts, damping, and what acts from outside, so far; returned with this step's
     """
     load = dead_load(body, at, contact, clock[0])
-    pace, velocity = take(body.pace, at, contact), take(body.v, at, contact)
+    dt_over_mass, velocity = take(body.dt_over_mass, at, contact), take(body.v, at, contact)
     sum_of_forces = contact + inner + load
     now, before = (
         share_of(body.guess, at, contact, clock[2]),
         share_of(body.guess, at, contact, clock[3]),
     )
-    held = pace == 0.0
-    hold = where(held, -sum_of_forces, resist(damping, pace, sum_of_forces, velocity, now, before))
+    held = dt_over_mass == 0.0
+    hold = where(held, -sum_of_forces, resist(damping, dt_over_mass, sum_of_forces, velocity, now, before))
     contacts = contact + take(body.contact, at, contact)
     holds = hold + take(body.hold, at, contact)
     loads = load + dead_load(body, at, contact, clock[1])
     done = book(done, held, 0.5 * dt * velocity, contacts, holds, loads)
     put(body.contact, at, contact)
     put(body.hold, at, hold)
-    put(body.v, at, at_rest_or(velocity + pace * (sum_of_forces + hold)))
+    put(body.v, at, at_rest_or(velocity + dt_over_mass * (sum_of_forces + hold)))
     return done
 
 

@@ -17,7 +17,7 @@ from masonry.simd import EIGHT, eight, numbers, pack, part, plus, put, put_row, 
 class Rigid(NamedTuple):
     """Arrays of B rigid blocks that have S contact sides in all.
 
-    q, v, pace      (B, 6) displacement, velocity, and dt/mass (0 = prescribed)
+    q, v, dt_over_mass  (B, 6) displacement, velocity, and dt/mass (0 = prescribed)
     contact, hold   (B, 6) generalised forces at the last step: contacts; damping or reaction
     start           (B + 1,) sides of block b: start[b]..start[b + 1]
     code            (S,) 2 * contact + (1 on side b of the contact)
@@ -32,7 +32,7 @@ class Rigid(NamedTuple):
 
     q: np.ndarray
     v: np.ndarray
-    pace: np.ndarray
+    dt_over_mass: np.ndarray
     contact: np.ndarray
     hold: np.ndarray
     start: np.ndarray

@@ -30,7 +30,7 @@ from masonry.simd import (
 class Tets(NamedTuple):
     """Arrays of B meshed blocks with N nodes and T tets; node k is row k of u.
 
-    v, pace         (N, 3) velocity, and dt/mass (0 = prescribed)
+    v, dt_over_mass (N, 3) velocity, and dt/mass (0 = prescribed)
     contact, hold   (N, 3) forces at the last step: contacts; damping or reaction
     inner           (N, 3) force of the tets
     start, code     contact sides of each node, as for rigid blocks
@@ -49,7 +49,7 @@ class Tets(NamedTuple):
     """
 
     v: np.ndarray
-    pace: np.ndarray
+    dt_over_mass: np.ndarray
     contact: np.ndarray
     hold: np.ndarray
     inner: np.ndarray

@@ -87,7 +87,7 @@ def _may_turn(assembly: Assembly) -> np.ndarray:
         if kind == "tets":
             turns[model.layout.members[kind]] = True
         else:
-            turns[model.layout.members[kind]] = np.any(body.pace[:, 3:] > 0.0, axis=1)
+            turns[model.layout.members[kind]] = np.any(body.dt_over_mass[:, 3:] > 0.0, axis=1)
     return turns
 
 

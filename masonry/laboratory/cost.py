@@ -3,7 +3,6 @@
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.loading.schedule import Cyclic
 from masonry.loading.settings import SETTINGS
 from masonry.model.loads import Controlled
 
@@ -51,10 +50,10 @@ def expected_rows(assembly: Assembly) -> int:
 
 def _paced(assembly: Assembly, plan: Controlled) -> float:
     """Steps after the settling."""
-    turns = np.array(plan.turns if isinstance(plan, Cyclic) else (plan.displacement,))
+    turns = np.array(plan.turns or (plan.displacement,))
     if drive_prescribes_all(assembly):
         return PRESCRIBED * SETTINGS.few_steps * len(turns)
-    if isinstance(plan, Cyclic):
+    if plan.turns:
         reached = [np.maximum(side, 0.0).max() for side in (turns, -turns)]
         return LEG * len(turns) + WIDER / plan.accuracy * sum(reached) / max(reached)
     deformable = any(len(assembly.model.layout.members[kind]) for kind in ("affine", "tets"))

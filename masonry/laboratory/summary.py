@@ -9,20 +9,18 @@ import numpy as np
 from geometry.blocks import CellReport
 from masonry import __version__
 from masonry.assembly.assemble import Assembly
+from masonry.history import UNITS
 from masonry.jit.sources import source_hash
 from masonry.laboratory.provenance import own_sources
 from masonry.loading.cycles import SPENT, at_peak, goes_one_way, table
 from masonry.model.loads import Controlled
 from masonry.monitors import events
+from masonry.monitors.reactions import balance, moved_by, open_by
 from masonry.results.joint_resultants import unit_joints
 from masonry.scene import Scene
-from masonry.timeloop.reactions import balance, moved_by, open_by
 from masonry.timeloop.recording import Outcome
 
-ENERGY_TERMS = (
-    *("external_work", "elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2"),
-    *("friction", "damping", "kinetic", "contact_work", "imbalance"),
-)
+ENERGY_TERMS = [column for column, unit in UNITS.items() if unit == "J"]
 BROKEN, DAMAGED = 0.95, 0.05
 SUDDEN = 1e-3
 """Share of all energy lost, by cracks, friction and damping, from which on what a sudden crack released is told."""
@@ -51,9 +49,10 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     if not goes_one_way(rows["displacement"]):  # on the way back work comes back, and the force may be negative
         internal, highest = np.maximum.accumulate(internal), max(peak, -lowest)
     work = float(np.abs(rows["external_work"]).max())
-    moved = max(work, float(np.abs(outcome.work_of_loads[0]).max(initial=0.0)))  # a load that is lifted takes all work
+    work_of_loads, observed = outcome.found["work_of_loads"], outcome.observed
+    moved = max(work, float(np.abs(work_of_loads).max(initial=0.0)))  # a load that is lifted takes all work
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
-    after_settling = np.subtract(*outcome.work_of_loads)
+    after_settling = work_of_loads - outcome.found["work_of_loads_settling"]
     begun = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1  # the last row of the settling
     spent = sum(float(rows[key][-1]) for key in SPENT)
     driven = float(np.abs(rows["external_work"][begun:] - rows["external_work"][begun]).max(initial=0.0))
@@ -94,32 +93,32 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "peak_force_n": outcome.peak_force,
         "lowest_stress_pa": lowest,
         "displacement_at_lowest_m": outcome.displacement_at_lowest,
-        "cycles": table(rows, np.array(outcome.widest)),
+        "cycles": table(rows, observed["widest"]),
         "gauges": _readings(assembly, outcome),
         "reactions": _reactions(assembly, outcome),
         "force_balance": open_by(standings, size),
         "motion_at_end": moved_by(outcome.standing["end"], standings, size) if "end" in outcome.standing else 0.0,
         "work_of_drive_j": float(rows["external_work"][-1] - rows["external_work"][begun] - after_settling.sum()),
-        "work_of_loads_j": _work_of_loads(assembly, outcome.work_of_loads[0]),
+        "work_of_loads_j": _work_of_loads(assembly, work_of_loads),
         "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),
         "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and dynamic.any() else 0.0,
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / moved) if moved > 0 else 0.0,
         "dissipation_mismatch": abs(booked - spent) / max(abs(spent), ROUNDING * work) if spent else 0.0,
-        "unbalanced_after_settling": outcome.unbalanced,
-        "kinetic_after_settling": outcome.still_moving,
+        "unbalanced_after_settling": float(observed["unbalanced"][-1]),
+        "kinetic_after_settling": float(observed["still_moving"][-1]),
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
         "released_over_dissipated": released / lost if sudden else 0.0,
         "joints_opened_or_slid": _opened_or_slid(assembly),
         "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
-        "rotation_max_rad": outcome.rotation_max,
-        "overlap_max": outcome.overlap_max,
-        "mode_2_over_law": outcome.mode_2_over_law,
-        "slip_max": outcome.slip_max,
-        "met": outcome.met,
+        "rotation_max_rad": float(observed["rotation"].max()),
+        "overlap_max": float(observed["overlap"].max()),
+        "mode_2_over_law": outcome.found["mode_2_over_law"],
+        "slip_max": float(observed["slip"].max()),
+        "met": outcome.found["met"],
         "slip_limit": scene.solver.slip_limit,
         "section_m2": assembly.specimen.section,
         "interrupted": outcome.interrupted,

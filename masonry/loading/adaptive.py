@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from masonry.loading.predictor import Predictor
+from masonry.loading.schedule import Path
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.loading.settings import SETTINGS, AdaptiveSettings
 from masonry.model.loads import Controlled, Program, smooth
@@ -16,52 +17,40 @@ from masonry.monitors.utilisation import utilisation
 from masonry.runtime.state import State, attributes, put_back
 
 REMEMBERED = (
-    *("speed", "moved", "made", "used", "target", "steps", "increments"),
-    *(
-        "most_stored",
-        "stored",
-        "broken",
-        "most_force",
-        "settled_force",
-        "damped",
-        "work",
-        "elastic",
-        "rest",
-        "step",
-        "held",
-        "calm",
-        "finished",
-        "cruise",
-    ),
+    *("speed", "made", "used", "target", "steps", "increments", "most_stored", "stored", "broken", "most_force"),
+    *("settled_force", "damped", "work", "elastic", "rest", "step", "held", "calm", "finished", "cruise"),
+    *("place", "force", "farthest"),
 )
 """Numbers of a paced drive that the next increment depends on."""
+RESTART = 0.25
+"""Speed after a turn over the speed at which the drive came to it."""
+CURVED = 100
+"""Increments of a leg between turns, at least, where all that moves is prescribed: cheap, and they show the corners."""
 
 
 class AdaptiveLoading:
     """Smooth increments of the drive, as large as the accuracy allows.
 
     Between two increments the speed changes by a quintic. How fast it becomes follows from what the last increment
-    brought: larger increments while elastic, smaller ones while cracking.
+    brought: larger increments while elastic, smaller ones while cracking. A drive that turns back goes leg by leg, at
+    rest at each turn; what else is measured against the way or the force of the test is measured against the largest so
+    far then, as the force may pass through zero, and the drive through its start.
     """
+
+    loads = None
 
     def __init__(self, model: Model, plan: Controlled, rows: int, settings: AdaptiveSettings = SETTINGS) -> None:
         self.settings = settings
         self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Predictor(model)
         still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0)
-        self.settling = ScheduledLoading(still, max(1, rows // self.settings.settling_rows))
-        self.goal = abs(plan.displacement)
-        self.sign = -1.0 if plan.displacement < 0 else 1.0
+        self.settling = ScheduledLoading(model, still, max(1, rows // self.settings.settling_rows))
+        self.path = Path(plan.turns or (plan.displacement,))
         self.unit = min(plan.accuracy, self.settings.fine * (plan.accuracy / self.settings.fine) ** self.settings.blunt)
         if len(model.layout.members["affine"]) or len(model.layout.members["tets"]):
             self.unit *= self.settings.deformable
-        whole = self.goal / (self.settings.steps * model.dt)
         self.leap = 0.5 * LEAP * smallest_block(model) / model.dt
-        self.slowest, self.target, self.steps = (
-            whole / self.settings.finest,
-            whole * self.settings.first,
-            self.settings.steps,
-        )
-        self.speed = self.moved = self.made = self.used = 0.0
+        self.target, self.steps = self.at_once * settings.first, settings.steps
+        self.speed = self.made = self.used = self.place = self.force = self.farthest = 0.0
         self.most_stored = self.stored = self.broken = self.most_force = self.damped = self.work = 0.0
         self.settled_force = 0.0
         self.increments = 0
@@ -69,19 +58,24 @@ class AdaptiveLoading:
         self.rest = np.zeros(len(model.group))
         self.step, self.events = 0, Events(model)
         self.held = self.calm = 0
-        self.finished, self.begin, self.end, self.cruise = False, 0.0, plan.displacement, 0.0
+        self.finished, self.cruise = False, 0.0
         self.looks: list[tuple[float, float, float, float]] = []
+
+    @property
+    def at_once(self) -> float:
+        """Speed (m/s) that makes a leg in one increment."""
+        return self.path.goal / (self.settings.steps * self.dt)
 
     def next(self) -> Chunk | None:
         """The next increment; None when the displacement is made and the specimen at rest."""
         waiting = self.settling.next()
         if waiting is not None:
             return waiting
-        if self.goal - self.moved <= 1e-12 * self.goal and not self.turn():
+        if self.path.left <= 1e-12 * self.path.goal and not self.turn():
             return self.finish()
         if self.held:
             return self.hold()
-        left, cruise = self.goal - self.moved, self.steps * self.dt
+        left, cruise = self.path.left, self.steps * self.dt
         if self.speed > 0.0 and left < (0.5 * (self.speed + self.target) + 0.5 * self.target) * cruise:
             return self.stop(left)
         self.cruise = self.target
@@ -94,24 +88,29 @@ class AdaptiveLoading:
         first, whole = speed[0] * self.dt, float(speed[:-1].sum()) * self.dt
         speed[1:] *= (left - first) / (whole - first)
         chunk = self.made_of(speed)
-        self.moved = self.goal
-        return replace(chunk, place=self.end)
+        self.path.moved = self.path.goal
+        return replace(chunk, place=self.path.end)
 
     def made_of(self, speed: np.ndarray) -> Chunk:
         """Book an increment of these speeds (n + 1,) m/s along the way."""
         self.made = float(speed[:-1].sum()) * self.dt
-        self.moved += self.made
+        self.path.moved += self.made
         self.speed = float(speed[-1])
         self.increments += 1
-        return Chunk(np.full(len(speed), self.plan.dead_load[-1]), self.sign * speed, True)
+        return Chunk(np.full(len(speed), self.plan.dead_load[-1]), self.path.sign * speed, True)
 
     def hold(self) -> Chunk:
         """Some steps in which the drive comes to rest, or stays there."""
         return self.made_of(self.speed * (1.0 - smooth(np.arange(self.steps + 1) / self.steps)))
 
     def turn(self) -> bool:
-        """Whether there is another way to go."""
-        return False
+        """Set out for the next place, slowly; False where there is none."""
+        if not self.path.turn():
+            return False
+        whole = self.path.goal / (self.steps * self.dt)
+        fastest = min(whole / self.settings.coarsest, self.leap)
+        self.target = float(np.clip(RESTART * self.cruise, whole * self.settings.first, fastest))
+        return True
 
     def finish(self) -> Chunk | None:
         """The end of the run: the drive is held until the specimen rests, so that the last row is an equilibrium."""
@@ -129,7 +128,7 @@ class AdaptiveLoading:
         broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
         if self.increments == 0:
             self.stored = self.most_stored = stored
-            self.rest, self.settled_force = seen.sigma.copy(), abs(force)
+            self.rest, self.force, self.settled_force = seen.sigma.copy(), force, abs(force)
             self.used = utilisation(self.model, seen, self.rest)
             self.guide.settle()
             return
@@ -140,6 +139,8 @@ class AdaptiveLoading:
             self.wait(force, abs(terms["kinetic"]) <= self.settings.at_rest * max(stored, PARTED * self.most_stored))
         else:
             self.go_on(force, support, seen, terms)
+        if self.plan.turns and self.steps == self.settings.few_steps:
+            self.target = min(self.target, self.path.goal / (CURVED * self.steps * self.dt))
         self.stored, self.broken, self.damped = stored, broken, terms["damping"]
 
     def wait(self, force: float, at_rest: bool) -> None:
@@ -149,7 +150,7 @@ class AdaptiveLoading:
         self.held += 1
         if self.calm >= self.settings.looks or self.held > self.settings.longest_hold:
             self.held = 0
-            self.target = min(self.target, 0.5 * (self.goal - self.moved) / (self.steps * self.dt))
+            self.target = min(self.target, 0.5 * self.path.left / (self.steps * self.dt))
             self.settle(force)
             self.events.calm(self.step)
 
@@ -172,27 +173,37 @@ class AdaptiveLoading:
             self.events.calm(self.step)
         else:
             self.events.sudden(self.step)
-            self.held = int(self.speed * self.steps * self.dt < self.goal - self.moved)
+            self.held = int(self.speed * self.steps * self.dt < self.path.left)
             self.calm = 0
         self.steps = (
             self.settings.few_steps if abs(terms["kinetic"]) <= self.settings.still * stored else self.settings.steps
         )
-        fastest = min(self.goal / (self.settings.coarsest * self.steps * self.dt), self.leap)
-        self.target = float(np.clip(self.target * factor, self.slowest, fastest))
+        fastest = min(self.path.goal / (self.settings.coarsest * self.steps * self.dt), self.leap)
+        self.target = float(np.clip(self.target * factor, self.at_once / self.settings.finest, fastest))
 
     def learn(self, force: float) -> None:
-        """Let the guide see where the drive has come to, and its force (N)."""
-        self.guide.learn(self.sign * self.moved, self.sign * self.speed, force)
+        """Let the guide see where the drive has come to, and its force (N). Where the drive turns back, the stiffness
+        is that of the last increment: that of all the way may be anything, as both ends pass through zero."""
+        place, stiffness = self.path.place, None
+        if self.plan.turns:
+            self.farthest = max(self.farthest, abs(place))
+            stiffness = max(abs((force - self.force) / (place - self.place)), self.most_force / self.farthest)
+        self.place, self.force = place, force
+        self.guide.learn(place, self.path.sign * self.speed, force, stiffness)
 
     def settle(self, force: float) -> None:
         """The specimen stands where it stands, and the drive exerts a force (N)."""
-        self.guide.settle(self.sign * self.moved)
+        self.place, self.force = self.path.place, force
+        self.guide.settle(self.place)
 
     def towards_damage(self, used: float) -> float:
-        """Factor of the speed while the contacts use a share `used` of their strength, which grows with the way."""
+        """Factor of the speed while the contacts use a share `used` of their strength, which grows with the way. On the
+        way back it falls before it grows: as fast, at most, as it fell."""
+        if self.plan.turns and used < self.used:
+            self.used = used - (self.used - used)
         left = self.made * max(1.0 - used, 0.0) / max(used - self.used, 1e-9)
         self.used = used
-        way = max(self.settings.approach * left, self.unit * self.moved)
+        way = max(self.settings.approach * left, self.unit * self.path.moved)
         most = self.settings.rise if self.increments > self.settings.learning else 1.0
         return float(np.clip(way / (self.steps * self.dt * self.target), self.settings.fall, most))
 
@@ -225,8 +236,8 @@ class AdaptiveLoading:
         return float(np.clip(1.0 / excess, self.settings.slower, self.settings.faster))
 
     def progress(self) -> tuple[int, int]:
-        """How far the displacement is made, in millionths."""
-        return int(1e6 * min(self.moved / self.goal, 1.0) + 1e-3), 1_000_000
+        """How far the way is made, in millionths."""
+        return int(1e6 * self.path.progress + 1e-3), 1_000_000
 
     def report(self) -> dict[str, float]:
         """What was asked and achieved after the first damage: lags over the work done, their mean over the way, and the
@@ -245,6 +256,7 @@ class AdaptiveLoading:
         """All that the next speed depends on."""
         return {
             **attributes(self, REMEMBERED),
+            "path": attributes(self.path, Path.REMEMBERED),
             "looks": np.array(self.looks).reshape(-1, 4),
             "events": self.events.state(),
             "settling": self.settling.state(),
@@ -254,6 +266,7 @@ class AdaptiveLoading:
     def restore(self, state: State) -> None:
         """Go on from there."""
         put_back(self, REMEMBERED, state)
+        put_back(self.path, Path.REMEMBERED, state["path"])
         self.looks = [(lag, way, drag, force) for lag, way, drag, force in state["looks"].tolist()]
         self.events.restore(state["events"])
         self.settling.restore(state["settling"])

@@ -18,6 +18,8 @@ RATIO, SUDDEN = 0.2, 2.0
 nothing does, so that a specimen with a sudden crack does not swing beyond where it comes to rest, and break there."""
 LEAST, MOST = 0.01, 0.3
 """Bounds of the share c dt / 2."""
+AT_FIRST = Guided(0.05, LITTLE)
+"""The damping until the first increment is made, of the dead loads that settle as well."""
 
 
 class Predictor:
@@ -37,7 +39,7 @@ class Predictor:
         self.last = [place.copy() for _, _, place in self.parts]
         self.displacement = self.kinetic = 0.0
         self.trust = 1.0
-        self._damp(0.05)
+        self.share, model.damping = AT_FIRST.share, AT_FIRST
 
     def _damp(self, share: float) -> None:
         self.share = share
@@ -60,7 +62,7 @@ class Predictor:
         inertia = 0.0
         for (body, m, place), last in zip(self.parts, self.last, strict=True):
             body.guess[...] += trust * ((place - last) / (displacement - self.displacement) - body.guess)
-            body.guess[body.pace == 0.0] = 0.0
+            body.guess[body.dt_over_mass == 0.0] = 0.0
             last[...] = place
             inertia += float(np.sum(m * body.guess**2))
         self.displacement = displacement

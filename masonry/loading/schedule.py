@@ -1,12 +1,11 @@
-"""Plans of drives that turn back: places over steps, and legs between turning points."""
+"""Where drives go: legs between turning points, and places over steps."""
 
-from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.model.loads import Controlled, Program, rise, smooth
+from masonry.model.loads import Program, rise, smooth
 
 FASTEST = 1.875
 """The greatest slope of the quintic passage between two turning points, over its mean."""
@@ -14,19 +13,44 @@ STILL = 1e-12
 """Of the farthest place: a drive that moves by less in a step stands still."""
 
 
-@dataclass(frozen=True)
-class Cyclic(Controlled):
-    """A drive that is paced by its error (cyclic_pace.py) from one of its places (m, signed) to the next.
+class Path:
+    """The way of a drive that is paced by its error, leg by leg: to its displacement, or from turn to turn (m, signed).
 
-    displacement  m, the first of them
+    begin, end, sign  of the leg that the drive is on; goal: its length, and `moved`, how much of it is made (m)
     """
 
-    turns: tuple[float, ...] = ()
+    REMEMBERED = ("leg", "passed", "goal", "moved", "begin", "end", "sign")
 
+    def __init__(self, places: tuple[float, ...]) -> None:
+        self.places = places
+        self.whole = float(np.abs(np.diff(places, prepend=0.0)).sum())
+        self.leg, self.passed, self.goal, self.end = -1, 0.0, 0.0, 0.0
+        self.turn()
 
-def cyclic(settle: int, turns: tuple[float, ...], accuracy: float) -> Cyclic:
-    """Dead loads rise over the first half of `settle`; then the drive visits the places to an accuracy."""
-    return Cyclic(rise(settle, settle), turns[0], accuracy, turns)
+    def turn(self) -> bool:
+        """Set out for the next place; False where there is none."""
+        if self.leg + 1 >= len(self.places):
+            return False
+        self.leg += 1
+        self.passed += self.goal
+        self.begin, self.end, self.moved = self.end, self.places[self.leg], 0.0
+        self.goal, self.sign = abs(self.end - self.begin), -1.0 if self.end < self.begin else 1.0
+        return True
+
+    @property
+    def left(self) -> float:
+        """Of this leg, m."""
+        return self.goal - self.moved
+
+    @property
+    def place(self) -> float:
+        """Where the drive is, m, signed."""
+        return self.begin + self.sign * self.moved
+
+    @property
+    def progress(self) -> float:
+        """Share of the whole way."""
+        return min((self.passed + self.moved) / self.whole, 1.0)
 
 
 def followed(dt: float, settle: int, places: np.ndarray, varying: np.ndarray | None = None) -> Program:

@@ -5,7 +5,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from masonry.loading.rest import Rest
+from masonry.loading.varying_loads import VaryingLoads
 from masonry.model.loads import Program
+from masonry.model.model import Model
 from masonry.monitors.energy import Seen
 from masonry.runtime.state import State
 
@@ -34,8 +36,10 @@ class Chunk:
 class ScheduledLoading:
     """The chunks of a program, with a row every so many steps, and after each step that the program marks."""
 
-    def __init__(self, program: Program, rows: int, rest: Rest | None = None) -> None:
+    def __init__(self, model: Model, program: Program, rows: int, rest: Rest | None = None) -> None:
         self.program, self.done, self.rest, self.speed = program, 0, rest, 0.0
+        varying = program.varying
+        self.loads = None if varying is None else VaryingLoads(model, varying, program.settle)
         self.events = None if rest is None else rest.events
         self.every = max(1, program.steps // rows)
 
@@ -47,9 +51,13 @@ class ScheduledLoading:
         if self.rest is not None and self.rest.held:
             return self.hold(self.rest.steps)
         due = self.row_due()
-        first, self.done = self.done, min(due, self.done + LONGEST_CHUNK)
+        first, latest = self.done, self.done + LONGEST_CHUNK if self.loads is None else self.loads.latest(self.done)
+        self.done = min(due, latest)
         part = slice(first, self.done + 1)
-        return self.going_on(Chunk(self.program.dead_load[part], self.program.speed[part], self.done == due))
+        dead_load = self.program.dead_load[part]
+        if self.loads is not None:
+            dead_load = self.loads.apply(first, self.done, dead_load)
+        return self.going_on(Chunk(dead_load, self.program.speed[part], self.done == due))
 
     def hold(self, steps: int) -> Chunk:
         """Some steps in which the drive rests, and the dead loads stay; the move that was due next is still made."""

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from masonry.loading.scheduled import Chunk, ScheduledLoading
-from masonry.model.loads import Program
 from masonry.model.model import Model
 
 STRETCH = 200
@@ -29,17 +27,16 @@ def knots(shares: np.ndarray, settle: int) -> np.ndarray:
         at = np.union1d(at, (at[:-1] + at[1:])[bent] // 2)
 
 
-class VaryingLoading(ScheduledLoading):
-    """A fixed program in which the loads pass from their shares at the start of a chunk to those at its end.
+class VaryingLoads:
+    """Loads that pass from their shares at the start of a chunk to those at its end.
 
     Within a chunk each load changes in proportion to the steps, so the step itself needs no more than the loads at the
     start and their change, however many histories there are. A chunk ends at the next knot of the histories at the
     latest, and one that ends before, as a row is due, leaves the line from knot to knot as it is.
     """
 
-    def __init__(self, model: Model, program: Program, shares: np.ndarray, rows: int) -> None:
-        super().__init__(program, rows)
-        self.knots = knots(shares, program.settle)
+    def __init__(self, model: Model, shares: np.ndarray, settle: int) -> None:
+        self.settle, self.knots = settle, knots(shares, settle)
         steps = np.arange(shares.shape[1])
         self.shares = np.array([np.interp(steps, self.knots, share[self.knots]) for share in shares])
         self.parts = []
@@ -48,20 +45,16 @@ class VaryingLoading(ScheduledLoading):
                 each = [np.zeros(body.load.shape) if one[kind] is None else one[kind] for one in model.varying]
                 self.parts.append((body, body.load.copy(), np.array(each)))
 
-    def next(self) -> Chunk | None:
-        """The next chunk; it sets the loads of the bodies for its steps. None at the end."""
-        steps, settle = self.program.steps, self.program.settle
-        if self.done >= steps:
-            return None
-        due = self.row_due()
-        knot = int(self.knots[np.searchsorted(self.knots, self.done, side="right")])
-        first, self.done = self.done, min(due, self.done + STRETCH, knot)
-        part = slice(first, self.done + 1)
-        begin, end = self.shares[:, first], self.shares[:, self.done]
+    def latest(self, first: int) -> int:
+        """The step at which a chunk from a step on ends at the latest."""
+        knot = int(self.knots[np.searchsorted(self.knots, first, side="right")])
+        return min(first + STRETCH, knot)
+
+    def apply(self, first: int, last: int, dead_load: np.ndarray) -> np.ndarray:
+        """Set the loads of the bodies for a chunk of steps; returns its shares of the dead load, those of the change
+        included."""
+        begin, end = self.shares[:, first], self.shares[:, last]
         for body, rest, each in self.parts:
             body.load[...] = rest + np.tensordot(begin, each, 1)
             body.change[...] = np.tensordot(end - begin, each, 1)
-        dead_load = self.program.dead_load[part]
-        if first >= settle:
-            dead_load = dead_load + np.linspace(0.0, 1.0, self.done - first + 1)
-        return Chunk(dead_load, self.program.speed[part], self.done == due)
+        return dead_load if first < self.settle else dead_load + np.linspace(0.0, 1.0, last - first + 1)

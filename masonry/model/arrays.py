@@ -88,12 +88,12 @@ def bodies_of(
         held, load = conditions.prescribed[kind], conditions.load[kind]
         varies = any(varying[kind] is not None for varying in conditions.varying)
         zeros = [in_rows(np.zeros(held.shape)) for _ in range(3)]
-        pace = in_rows(np.where(held, 0.0, dt / np.where(masses[kind] > 0, masses[kind], np.inf)))
+        dt_over_mass = in_rows(np.where(held, 0.0, dt / np.where(masses[kind] > 0, masses[kind], np.inf)))
         start, code, _ = ordered[kind]
         common[kind] = {
             **dict(zip(("v", "contact", "hold"), zeros, strict=True)),
             **{
-                "pace": pace,
+                "dt_over_mass": dt_over_mass,
                 "start": start,
                 "code": code,
                 "load": in_rows(np.zeros(held.shape) if load is None else load) if varies or load is not None else None,

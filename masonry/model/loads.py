@@ -130,14 +130,16 @@ class Program:
 
 @dataclass(frozen=True)
 class Controlled:
-    """A drive paced by its error (pace.py): displacement (m, signed) and accuracy (0.01 is 1 %).
+    """A drive paced by its error (loading/adaptive.py): displacement (m, signed) and accuracy (0.01 is 1 %).
 
     dead_load  (settle + 1,) share of the dead load at each step before the drive starts; its last value stays
+    turns      places (m, signed) that the drive visits one after the other, in place of going to its displacement
     """
 
     dead_load: np.ndarray
     displacement: float
     accuracy: float
+    turns: tuple[float, ...] = ()
 
     ramp = 0
 
@@ -146,9 +148,9 @@ class Controlled:
         return len(self.dead_load) - 1
 
 
-def controlled(settle: int, displacement: float, accuracy: float) -> Controlled:
-    """Dead loads rise over the first half of `settle`; then the drive makes `displacement` to an accuracy."""
-    return Controlled(rise(settle, settle), displacement, accuracy)
+def controlled(settle: int, displacement: float, accuracy: float, turns: tuple[float, ...] = ()) -> Controlled:
+    """Dead loads rise over the first half of `settle`; then the drive makes its way to an accuracy."""
+    return Controlled(rise(settle, settle), displacement, accuracy, turns)
 
 
 def rise(settle: int, steps: int) -> np.ndarray:

@@ -1,9 +1,12 @@
 """Blocks without a joint that meet during a run: nothing holds them apart, so the run stops and names both."""
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
+from geometry.blocks import Blocks
+from geometry.jit_cache import compiled
 from geometry.polyhedra.box_pairs import overlapping_boxes
 from geometry.polyhedra.intersect import are_convex
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids
@@ -11,22 +14,23 @@ from geometry.polyhedra.overlaps import overlapping_pairs, widest_gaps
 from masonry.errors import Stopped
 from masonry.model.model import Model
 from masonry.monitors.corners import Corners
-from masonry.runtime.state import State, attributes, put_back
+from masonry.monitors.observer import Observer, View
 
 DEEP = 1e-4
 """Share of the smaller block that an overlap needs to be one."""
 DEEPER = 1e-2
 """The same for blocks that touched along an edge or in a corner from the beginning, where a little is a doubt only."""
+ROOM = 1e-2
+"""Share of a block by which its box is grown at least, so that candidates are not found anew at every little motion."""
 TOUCHING = 1e-6
 """Share of the smaller block within which two blocks touch."""
 CLOSURES = 3.0
 """Times the largest closure of any contact, up to which an overlap may be elastic: corners are squeezed like faces."""
-REMEMBERED = ("met", "words")
 FLAT = 1e-9
 """Share of the specimen within which the faces of a block are one plane, and the block is convex."""
 
 
-class Collision:
+class Collision(Observer):
     """Looks, at rows, whether blocks without a joint overlap by more than rounding, rotations and elasticity explain.
 
     What was apart must not meet. Blocks that touched along an edge or in a corner from the beginning, as across a
@@ -37,11 +41,13 @@ class Collision:
     Where all blocks have joints with each other, nothing is done.
     """
 
+    REMEMBERED = ("met", "words")
+
     def __init__(self, model: Model, sets: Mapping[str, np.ndarray]) -> None:
         blocks, joints, layout = model.blocks, model.joints, model.layout
         self.blocks, self.sets = blocks, sets
         self.joined = np.unique(joints.block_a * blocks.count + joints.block_b)
-        self.words = ""
+        self.words, self.met = "", np.zeros(0, dtype=np.int64)
         self.alone = 2 * len(self.joined) == blocks.count * (blocks.count - 1)
         if self.alone:
             return
@@ -50,55 +56,62 @@ class Collision:
         self.radius = np.linalg.norm(self.high - self.low, axis=1)
         self.grown = np.full(blocks.count, -1.0)
         self.pairs = np.zeros((0, 2), dtype=np.int64)
-        self.face = np.zeros(0, dtype=np.int64)
         self.owner, self.normal = blocks.face_block(), face_areas_normals_centroids(blocks)[1]
         self.convex = np.zeros(0, dtype=bool)
         self.corners = Corners(model)
-        self.met = np.zeros(0, dtype=np.int64)
 
-    def look(self, step: int, opening: np.ndarray, rotation: float) -> None:
-        """Raise Stopped where two blocks overlap; opening (C,) m of all contacts, rotation: the largest so far, rad."""
-        if self.alone:
-            return
-        moved, gradient = self.corners.moved()
-        reach = np.abs(moved).max(axis=(0, 1))
+    def look(self, model: Model, view: View, step: int) -> dict[str, float]:
+        """Raise Stopped where two blocks overlap."""
+        if not self.alone:
+            self._look(step, view.seen.opening, view.rotation)
+        return {}
+
+    def found(self) -> dict[str, Any]:
+        return {"met": self.words}
+
+    def _look(self, step: int, opening: np.ndarray, rotation: float) -> None:
+        """Opening (C,) m of all contacts, rotation: the largest so far, rad."""
+        place, reach, gradient = self.corners.now()
         if np.any(reach > self.grown):
             self._find_candidates(reach)
         if len(self.pairs) == 0:
             return
-        closed = CLOSURES * max(0.0, -float(opening.min(initial=0.0)))
-        depth = DEEP * self.size[self.pairs].min(axis=1) + closed
-        depth += 0.5 * rotation**2 * self.radius[self.pairs].max(axis=1)
-        known = np.isin(self.codes, self.met)
-        depth[known] += DEEPER * self.size[self.pairs[known]].min(axis=1)
-        near = self._not_parted(self.corners.place + moved, gradient, depth)
+        depth = DEEP * self.smaller + CLOSURES * max(0.0, -float(opening.min(initial=0.0)))
+        depth += 0.5 * rotation**2 * self.larger
+        if len(self.met):
+            depth += DEEPER * self.smaller * np.isin(self.codes, self.met)
+        near = self._not_parted(place, gradient, depth)
         if len(near):
             self._look_closely(step, near, depth[near])
 
     def _find_candidates(self, reach: np.ndarray) -> None:
         """Pairs without a joint that can meet before a block has gone twice as far as now."""
         blocks = self.blocks
-        self.grown = 2.0 * reach + DEEP * self.size
+        self.grown = 2.0 * reach + ROOM * self.size
         grown = self.grown[:, None]
         pairs = overlapping_boxes(self.low - grown, self.high + grown)
         self.pairs = pairs[~np.isin(pairs @ [blocks.count, 1], self.joined)]
+        self.face = np.zeros(len(self.pairs), dtype=np.int64)
         if len(self.pairs) and len(self.convex) == 0:
             self.convex = are_convex(blocks, FLAT * extent(blocks))
-        gap, self.face = widest_gaps(blocks, self.pairs)
-        self.touching = gap <= TOUCHING * self.size[self.pairs].min(axis=1)
+        gap = self._face_each_other(blocks, np.arange(len(self.pairs)))
         self.codes = self.pairs @ [blocks.count, 1]
+        self.smaller, self.larger = self.size[self.pairs].min(axis=1), self.radius[self.pairs].max(axis=1)
+        self.touching = gap <= TOUCHING * self.smaller
+
+    def _face_each_other(self, blocks: Blocks, which: np.ndarray) -> np.ndarray:
+        """Find the face of either block that parts some candidates best; returns the gaps that they leave (m)."""
+        gap, self.face[which] = widest_gaps(blocks, self.pairs[which])
+        one = self.owner[self.face]
+        self.facing = one, self.pairs.sum(axis=1) - one, self.normal[self.face]
+        return gap
 
     def _not_parted(self, place: np.ndarray, gradient: np.ndarray, depth: np.ndarray) -> np.ndarray:
-        """The candidates that neither their boxes nor the face between them, turned with its block, still parts."""
-        low, high = place.min(axis=1), place.max(axis=1)
-        a, b = self.pairs.T
-        near = np.flatnonzero(np.all(np.minimum(high[:, a], high[:, b]) - np.maximum(low[:, a], low[:, b]) > depth, 0))
-        one, normal = self.owner[self.face[near]], self.normal[self.face[near]]
-        normal = normal - np.einsum("jin,nj->ni", gradient[:, :, one], normal)
-        normal /= np.linalg.norm(normal, axis=1)[:, None]
-        two = self.pairs[near].sum(axis=1) - one
-        own, other = (np.einsum("ikn,ni->kn", place[:, :, side], normal) for side in (one, two))
-        return near[other.min(axis=0) - own.max(axis=0) < -depth[near]]
+        """The candidates that neither the face between them, turned with its block, nor their boxes still part."""
+        near = np.flatnonzero(overlap_over_face(place, gradient, *self.facing) > depth)
+        a, b = place[self.pairs[near, 0]], place[self.pairs[near, 1]]
+        boxes = np.minimum(a.max(axis=1), b.max(axis=1)) - np.maximum(a.min(axis=1), b.min(axis=1))
+        return near[np.all(boxes > depth[near, None], axis=1)]
 
     def _look_closely(self, step: int, near: np.ndarray, depth: np.ndarray) -> None:
         """Stop if these candidates overlap, or make it a doubt; if not, find the face that parts them now."""
@@ -115,15 +128,7 @@ class Collision:
                 )
             self.met = np.append(self.met, code)
             self.words = self.words or f"{words}, from step {step} on"
-        self.face[near] = widest_gaps(moved, pairs)[1]
-
-    def state(self) -> State:
-        """Which blocks met along edges so far."""
-        return attributes(self, () if self.alone else REMEMBERED)
-
-    def restore(self, state: State) -> None:
-        """Go on from there."""
-        put_back(self, () if self.alone else REMEMBERED, state)
+        self._face_each_other(moved, near)
 
     def _name(self, block: int) -> str:
         """What a scene calls a block: the smallest of its sets that holds it, with its number where that holds more."""
@@ -132,3 +137,25 @@ class Collision:
             return f"block {block} (unit {self.blocks.unit[block]})"
         name = min(holding, key=lambda name: holding[name])
         return f"'{name}'" if holding[name] == 1 else f"block {block} of '{name}'"
+
+
+@compiled
+def overlap_over_face(place, gradient, one, two, normal):
+    """(N,) m how far block two goes beyond a face of block one; below 0: it is as far away.
+
+    place     (B, K, 3) m, corners of all blocks
+    gradient  (B, 3, 3) of the displacement of block one, by which its face has turned
+    normal    (N, 3) of the face, outwards, as it was in the beginning
+    """
+    found = np.empty(len(one))
+    for p in range(len(one)):
+        a, b, n, g = one[p], two[p], normal[p], gradient[one[p]]
+        x = n[0] - g[0, 0] * n[0] - g[1, 0] * n[1] - g[2, 0] * n[2]
+        y = n[1] - g[0, 1] * n[0] - g[1, 1] * n[1] - g[2, 1] * n[2]
+        z = n[2] - g[0, 2] * n[0] - g[1, 2] * n[1] - g[2, 2] * n[2]
+        own, other = -np.inf, np.inf
+        for k in range(place.shape[1]):
+            own = max(own, x * place[a, k, 0] + y * place[a, k, 1] + z * place[a, k, 2])
+            other = min(other, x * place[b, k, 0] + y * place[b, k, 1] + z * place[b, k, 2])
+        found[p] = (own - other) / np.sqrt(x * x + y * y + z * z)
+    return found

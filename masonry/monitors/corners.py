@@ -5,54 +5,72 @@ from dataclasses import replace
 import numpy as np
 
 from geometry.blocks import Blocks
+from geometry.jit_cache import compiled
 from geometry.polyhedra.polygons import pad
 from masonry.model.model import Model
-from masonry.monitors.stability import corner_displacements, nearest_nodes
+from masonry.monitors.frames import Frames
 
 
 class Corners:
-    """The corners of each block in the beginning, place (3, K, B) m, and how far they have moved since."""
+    """The corners of each block in the beginning, place (B, K, 3) m, and how far they have moved since."""
 
     def __init__(self, model: Model) -> None:
         blocks = own_corners(model.blocks)
         self.model = replace(model, blocks=blocks)
-        self.nearest = nearest_nodes(self.model)
+        self.frames = Frames(self.model)
+        self.nearest = self.frames.nearest
         start = blocks.face_start[blocks.block_face_start]
-        self.points = distinct(pad(np.arange(start[-1])[:, None], start, blocks.face_points)[0][:, :, 0]).T
-        self.place = np.ascontiguousarray(blocks.points[self.points].transpose(2, 0, 1))
-        self.arm = self.place - model.layout.centroid.T[:, None]
+        self.points = distinct(pad(np.arange(start[-1])[:, None], start, blocks.face_points)[0][:, :, 0])
+        self.place = blocks.points[self.points]
+        self.arm = self.place - model.layout.centroid[:, None]
 
-    def moved(self) -> tuple[np.ndarray, np.ndarray]:
-        """Displacements (3, K, B) m, and their gradients (3, 3, B), 0 for blocks with tets."""
+    def now(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Where they are (B, K, 3) m, how far they have moved at most along x, y or z (B,) m, and the gradients of
+        these displacements (B, 3, 3), 0 for blocks with tets."""
         shift, gradient = self._motion()
-        moved = shift[:, None] + sum(gradient[:, j, None] * self.arm[j] for j in range(3))
+        place, reach = moved(self.place, self.arm, shift, gradient)
         if self.nearest is not None:
             which = self.model.layout.members["tets"]
-            moved[:, :, which] = self.model.contacts.u[self.nearest[self.points[:, which]]].transpose(2, 0, 1)
-        return moved, gradient
+            by_nodes = self.model.contacts.u[self.nearest[self.points[which]]]
+            place[which], reach[which] = self.place[which] + by_nodes, np.abs(by_nodes).max(axis=(1, 2))
+        return place, reach, gradient
 
     def displaced(self) -> Blocks:
         """The blocks as they are now, none of which shares a corner with another."""
         blocks = self.model.blocks
-        return replace(blocks, points=blocks.points + corner_displacements(self.model, self.nearest))
+        return replace(blocks, points=blocks.points + self.frames.corners())
 
     def _motion(self) -> tuple[np.ndarray, np.ndarray]:
-        """Displacement (3, B) m of the centroids of rigid and affine blocks, and its gradient (3, 3, B)."""
+        """Displacement (B, 3) m of the centroids of rigid and affine blocks, and its gradient (B, 3, 3)."""
         layout, count = self.model.layout, self.model.blocks.count
-        shift, gradient = np.zeros((3, count)), np.zeros((3, 3, count))
+        shift, gradient = np.zeros((count, 3)), np.zeros((count, 3, 3))
         rigid, affine, _ = self.model.bodies
         if rigid is not None:
             which = layout.members["rigid"]
-            shift[:, which] = rigid.q[:, :3].T
+            shift[which] = rigid.q[:, :3]
             x, y, z = np.einsum("bij,bj->ib", layout.axes[which], rigid.q[:, 3:])
-            gradient[0, 1, which], gradient[0, 2, which], gradient[1, 2, which] = -z, y, -x
-            gradient[1, 0, which], gradient[2, 0, which], gradient[2, 1, which] = z, -y, x
+            for i, j, turn in ((1, 0, z), (2, 1, x), (0, 2, y)):
+                gradient[which, i, j], gradient[which, j, i] = turn, -turn
         if affine is not None:
             which = layout.members["affine"]
-            shift[:, which] = affine.q[:, :3].T
-            along = affine.q[:, 3:].reshape(-1, 3, 3)
-            gradient[:, :, which] = np.einsum("bij,bkj->ikb", along, layout.axes[which])
+            shift[which] = affine.q[:, :3]
+            gradient[which] = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), layout.axes[which])
         return shift, gradient
+
+
+@compiled
+def moved(place, arm, shift, gradient):
+    """Places (B, K, 3) of corners that are moved by shift (B, 3) and gradient (B, 3, 3) times arm (B, K, 3); and the
+    largest component of each block's displacements (B,)."""
+    found, reach = np.empty(arm.shape), np.zeros(len(arm))
+    for b in range(arm.shape[0]):
+        for k in range(arm.shape[1]):
+            x, y, z = arm[b, k, 0], arm[b, k, 1], arm[b, k, 2]
+            for i in range(3):
+                way = shift[b, i] + gradient[b, i, 0] * x + gradient[b, i, 1] * y + gradient[b, i, 2] * z
+                found[b, k, i] = place[b, k, i] + way
+                reach[b] = max(reach[b], abs(way))
+    return found, reach
 
 
 def own_corners(blocks: Blocks) -> Blocks:

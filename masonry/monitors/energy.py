@@ -38,7 +38,7 @@ class Observation:
 def observe(model: Model) -> Observation:
     """Look at every contact and block without changing them."""
     shapes, interfaces, states, bounds = model.groups
-    seen = np.zeros((len(model.group), 4))
+    seen = np.zeros((4, len(model.group)))
     stored = 0.0
     for g in range(len(shapes)):
         stored += contact.observe(shapes[g], interfaces[g], states[g], bounds[g], bounds[g + 1], *model.contacts, seen)
@@ -52,23 +52,13 @@ def observe(model: Model) -> Observation:
         part = np.zeros((len(which), 6))
         elastic += file.observe(body, part) if kind == "affine" else file.observe(body, model.contacts.u, part)
         stress[which] = part / model.layout.volume[which, None]
-    return Observation(Seen(*seen.T), stress, stored, elastic)
+    return Observation(Seen(*seen), stress, stored, elastic)
 
 
 def kinetic(model: Model, before: list[np.ndarray]) -> float:
     """v(n-1/2) M v(n+1/2) / 2 (J), with which the balance closes to round-off; `before`: velocities a step earlier."""
     pairs = zip(present(model), before, strict=True)
     return 0.5 * sum(float(np.sum(model.masses[kind] * old * body.v)) for (kind, body), old in pairs)
-
-
-def unbalanced(model: Model, before: list[np.ndarray]) -> float:
-    """Sum of |force that accelerates| over the sum of |dead load| on the free movements; 0 without dead loads."""
-    force = load = 0.0
-    for (kind, body), old in zip(present(model), before, strict=True):
-        if body.load is not None:
-            load += float(np.abs(body.load[:, :3])[body.pace[:, :3] > 0.0].sum())
-        force += float(np.abs(model.masses[kind] * (body.v - old))[:, :3].sum()) / model.dt
-    return force / load if load > 0.0 else 0.0
 
 
 def velocities(model: Model) -> list[np.ndarray]:

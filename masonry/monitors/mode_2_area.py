@@ -1,11 +1,13 @@
 """Whether contacts took more energy of mode II than their law has: the area under its curve, above the residual."""
 
+from typing import Any
+
 import numpy as np
 
 from masonry.laws.dispatch import beside, shear_intact
 from masonry.laws.snap_back import lost_in_shear
 from masonry.model.model import Model
-from masonry.runtime.state import State
+from masonry.monitors.observer import Observer, View
 
 LOOKED_AT = 5
 """Contacts of a group that are looked at, those that took most."""
@@ -15,16 +17,21 @@ BEFORE, BEYOND, POINTS = 1e-4, 1e5, 400
 """From where to where a curve is integrated, over that length, and by how many points."""
 
 
-class LawArea:
+class LawArea(Observer):
     """The largest compression of each contact at the rows so far: between it and none lies the area of the law."""
+
+    REMEMBERED = ("compression",)
 
     def __init__(self, model: Model) -> None:
         self.model = model
         self.compression = np.zeros(len(model.group))
 
-    def look(self, normal_stress: np.ndarray) -> None:
-        """Normal stress (C,) Pa, tension positive."""
-        self.compression = np.maximum(self.compression, -normal_stress)
+    def look(self, model: Model, view: View, step: int) -> dict[str, float]:
+        np.maximum(self.compression, -view.seen.sigma, out=self.compression)
+        return {}
+
+    def found(self) -> dict[str, Any]:
+        return {"mode_2_over_law": self.most_taken()}
 
     def most_taken(self) -> float:
         """Largest energy of mode II of a contact over the area of its law, without compression or at the largest.
@@ -48,14 +55,6 @@ class LawArea:
                     has = max(area(_of(shape, c), _of(interface, c), compression) for compression in between)
                     most = max(most, float(spent[c]) / has) if has > 0.0 else most
         return most
-
-    def state(self) -> State:
-        """The compressions so far."""
-        return {"compression": self.compression}
-
-    def restore(self, state: State) -> None:
-        """Go on from there."""
-        self.compression = state["compression"]
 
 
 def area(shape, interface, compression: float) -> float:

@@ -7,8 +7,7 @@ import numpy as np
 from geometry.joints.extents import joint_extents
 from masonry.errors import Stopped
 from masonry.model.model import Model
-from masonry.monitors.energy import Seen
-from masonry.runtime.state import State
+from masonry.monitors.observer import Observer, View
 
 APART = 1e-3
 """A contact without compression that is wider open than this share of its extent touches nothing any more."""
@@ -16,7 +15,7 @@ ROLLER = 1e-6
 """Shear over normal stiffness up to which an elastic contact is a roller."""
 
 
-class Slide:
+class Slide(Observer):
     """The largest slip of any contact that touches so far, over the extent of its joint along the slip.
 
     The joint of two units is all of their faces that look the same way, however many blocks they are cut into; within a
@@ -24,41 +23,38 @@ class Slide:
     the joint. Rollers, contacts that never carry any shear, may slide as far as they like.
     """
 
+    REMEMBERED = ("largest",)
+
     def __init__(self, model: Model, limit: float) -> None:
-        self.model, self.limit = model, limit
+        self.limit = limit
         self.largest = 0.0
         self.axes, self.extent = joint_extents(model.blocks, model.joints)
         self.least = self.extent.min(axis=1, initial=np.inf)
         sticks = [not is_roller(interface) for interface in model.groups.properties]
-        self.sticks = np.array(sticks, dtype=bool)[model.group]
+        self.sticking = np.where(np.array(sticks, dtype=bool)[model.group], self.least, np.nan)  # nan: never further
 
-    def look(self, step: int, seen: Seen) -> None:
+    def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         """Raise Stopped if a contact slid by more than the limit."""
-        opening, slip, sigma, tau = seen
-        further = self.sticks & (slip > self.largest * self.least) & ((sigma < 0.0) | (tau > 0.0))
-        which = np.flatnonzero(further)
-        which = which[(sigma[which] < 0.0) | (opening[which] < APART * self.least[which])]
-        if len(which) == 0:
-            return
-        (one, two), u = self.model.contacts.sides[which].T, self.model.contacts.u
+        opening, slip, sigma, tau = view.seen
+        which = np.flatnonzero(slip > self.largest * self.sticking)
+        which = which[(sigma[which] < 0.0) | ((tau[which] > 0.0) & (opening[which] < APART * self.least[which]))]
+        if len(which):
+            self._measure(model, step, which, slip)
+        return {"slip": self.largest}
+
+    def _measure(self, model: Model, step: int, which: np.ndarray, slip: np.ndarray) -> None:
+        """How far these contacts, which touch, have slid along their joints."""
+        (one, two), u = model.contacts.sides[which].T, model.contacts.u
         share = np.abs(np.einsum("ckj,cj->ck", self.axes[which], u[two] - u[one])) / self.extent[which]
         highest = int(np.argmax(share.max(axis=1)))
         worst, reached = int(which[highest]), float(share[highest].max())
         self.largest = max(self.largest, reached)
         if reached > self.limit:
             raise Stopped(
-                f"step {step}: {self.model.contact(worst)} has slid by {slip[worst]:.3g} m, {reached:.3g} of the "
+                f"step {step}: {model.contact(worst)} has slid by {slip[worst]:.3g} m, {reached:.3g} of the "
                 f"extent of its joint, more than solver.slip_limit = {self.limit:g}; contacts keep the place and the "
                 "area that they begin with"
             )
-
-    def state(self) -> State:
-        """The largest slip so far."""
-        return {"largest": self.largest}
-
-    def restore(self, state: State) -> None:
-        """Go on from there."""
-        self.largest = state["largest"]
 
 
 def is_roller(interface: Any) -> bool:

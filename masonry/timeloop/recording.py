@@ -2,24 +2,21 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
 from masonry.history import History
 from masonry.model.gauges import Gauge
 from masonry.monitors.events import Event
-from masonry.timeloop.reactions import Standing, Surroundings
+from masonry.monitors.reactions import Standing, Surroundings
 
 
 @dataclass
 class Outcome:
-    """What the loop found besides the rows: the peak seen at any step, and the lowest force; the largest rotation, the
-    times, the force that was still unbalanced when the dead loads had settled, over the dead loads, and the kinetic
-    energy then, over the stored one, how far a contact closed, over the extent of its thinner block, the most energy of
-    mode II of a contact over what its law has, how far one slid, over the extent of its joint, which blocks without a
-    joint lie on each other, the widest opening at each row (m), the sudden cracks, the forces from outside and of the
-    contacts at the frames of the peak and of the end, and the work (J) of each dead load, (L,) in all and while they
-    settled.
+    """What the loop found besides the rows: the peak seen at any step, and the lowest force; the times; what observers
+    said at each row and of the whole run, by their names for it; the sudden cracks; the forces from outside and of the
+    contacts at the frames of the peak and of the end.
     """
 
     history: History
@@ -29,21 +26,14 @@ class Outcome:
     displacement_at_lowest: float = 0.0
     seconds_run: float = 0.0
     seconds_compile: float = 0.0
-    rotation_max: float = 0.0
-    unbalanced: float = 0.0
-    still_moving: float = 0.0
-    overlap_max: float = 0.0
-    mode_2_over_law: float = 0.0
-    slip_max: float = 0.0
-    met: str = ""
-    widest: list[float] = field(default_factory=list)
+    observed: dict[str, np.ndarray] = field(default_factory=dict)
+    found: dict[str, Any] = field(default_factory=dict)
     steps: int = 0
     interrupted: bool = False
     stopped: str = ""
     control: dict[str, float] = field(default_factory=dict)
     events: list[Event] = field(default_factory=list)
     standing: dict[str, Standing] = field(default_factory=dict)
-    work_of_loads: tuple[np.ndarray, np.ndarray] = field(default_factory=lambda: (np.zeros(0), np.zeros(0)))
     log: list[str] = field(default_factory=list)
 
 

@@ -5,13 +5,14 @@ import time
 from collections.abc import Callable
 
 import numba
-import numpy as np
 
 from geometry.jit_cache import NOT_KEPT
 from masonry.errors import SceneError, Stopped
-from masonry.history import UNITS, History
+from masonry.history import History
 from masonry.laws.dispatch import word_of
-from masonry.loading.dispatch import pace_of
+from masonry.loading.adaptive import AdaptiveLoading
+from masonry.loading.rest import Rest
+from masonry.loading.scheduled import ScheduledLoading
 from masonry.model.loads import Controlled, Program
 from masonry.model.model import Model
 from masonry.runtime.progress import Progress
@@ -33,12 +34,12 @@ def run(
 
     keeper  writes checkpoints, goes on from one, and says when to end; without one, Ctrl-C ends the run
     """
-    outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
+    outcome = Outcome(History())
     outcome.seconds_compile = prepare(model, threads, progress)
-    pace = pace_of(model, plan, recording.rows)
+    loading = loading_of(model, plan, recording.rows)
     if NOT_KEPT:
         outcome.log.append(f"what was compiled could not be kept, so the next run compiles it again: {NOT_KEPT[0]}")
-    loop = Loop(model, pace, plan.settle, recording, threads, outcome)
+    loop = Loop(model, loading, plan.settle, recording, threads, outcome)
     if keeper is not None and keeper.start(model, loop):
         outcome.log += [f"resumed at step {loop.done}", *keeper.remarks]
     try:
@@ -52,6 +53,14 @@ def run(
     outcome.seconds_run = loop.seconds
     loop.finish()
     return outcome
+
+
+def loading_of(model: Model, plan: Program | Controlled, rows: int) -> AdaptiveLoading | ScheduledLoading:
+    """How the load of a plan advances; sudden cracks are waited for where masses are scaled and no load varies."""
+    if isinstance(plan, Controlled):
+        return AdaptiveLoading(model, plan, rows)
+    waits = plan.varying is None and model.scaled and model.damping is not None
+    return ScheduledLoading(model, plan, rows, Rest(model) if waits else None)
 
 
 def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None] | None) -> float:

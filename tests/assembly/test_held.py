@@ -80,9 +80,9 @@ def turned(fix: str):
 def test_a_support_may_hold_single_turns_of_a_rigid_block(fix, held):
     scene = turned(fix)
     built = assemble(scene)
-    pace = built.model.bodies[KINDS.index("rigid")].pace[1]
+    dt_over_mass = built.model.bodies[KINDS.index("rigid")].dt_over_mass[1]
     roller = {2, 3, 4}  # the drive's face may not tilt
-    assert set((pace == 0.0).nonzero()[0].tolist()) == set(held) | roller
+    assert set((dt_over_mass == 0.0).nonzero()[0].tolist()) == set(held) | roller
 
 
 def test_a_turn_about_an_axis_that_is_not_a_principal_one_is_refused():
@@ -104,7 +104,7 @@ def test_cells_of_the_plane_may_turn_in_it_though_their_other_principal_axes_are
     scene = load_scene("wallette-mode-1", cells | {"support": supports})
     built = assemble(scene)
     units = built.specimen.sets["units"]
-    held = built.model.bodies[KINDS.index("rigid")].pace[built.model.layout.local[units], 3:] == 0.0
+    held = built.model.bodies[KINDS.index("rigid")].dt_over_mass[built.model.layout.local[units], 3:] == 0.0
     assert held.sum(axis=1).tolist() == [1] * len(units)
     axis = built.model.layout.axes[units].transpose(0, 2, 1)[held]
     assert abs(abs(axis[:, 1]) - 1.0).max() < 1e-9

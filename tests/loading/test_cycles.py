@@ -7,10 +7,10 @@ from hypothesis import strategies as st
 
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
+from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.cycles import bounds, table
-from masonry.loading.cyclic_adaptive import CyclicLoading
-from masonry.loading.schedule import cyclic
 from masonry.loading.scheduled import ScheduledLoading
+from masonry.model.loads import controlled
 from masonry.monitors.energy import Seen
 from masonry.scene import load
 from tests.loading.test_controlled import TERMS
@@ -92,8 +92,8 @@ def test_cycles_in_steps_are_the_same_however_many_rows_there_are(history, steps
 
 
 def test_a_pace_in_steps_goes_on_to_the_same_rows():
-    plan = assemble(load("couplet-cyclic", {"drive.accuracy": None, "drive.steps": 5000, **QUICK})).plan
-    one, other = (ScheduledLoading(plan, 7) for _ in range(2))
+    built = assemble(load("couplet-cyclic", {"drive.accuracy": None, "drive.steps": 5000, **QUICK}))
+    one, other = (ScheduledLoading(built.model, built.plan, 7) for _ in range(2))
     for _ in range(9):
         one.next()
     other.restore(one.state())
@@ -105,7 +105,7 @@ def test_increments_reach_every_turning_point_whatever_the_energies_say():
     assembly = assemble(load("wallette-mode-1", {"drive.accuracy": 0.05}))
     rng = np.random.default_rng(0)
     turns = (-3e-4, 1e-6, 2e-6, -1e-3, 1e-3)
-    pace, place, visited = CyclicLoading(assembly.model, cyclic(10, turns, 0.05), 100), 0.0, []
+    pace, place, visited = AdaptiveLoading(assembly.model, controlled(10, turns[0], 0.05, turns), 100), 0.0, []
     while (chunk := pace.next()) is not None:
         before = place
         place += chunk.speed[:-1].sum() * assembly.model.dt
@@ -123,7 +123,7 @@ def test_increments_reach_every_turning_point_whatever_the_energies_say():
 def test_a_pace_goes_on_from_what_it_remembers():
     assembly = assemble(load("couplet-cyclic", {"settle.steps": 10}))
     plan = assembly.plan
-    one, other = (CyclicLoading(assembly.model, plan, 100) for _ in range(2))
+    one, other = (AdaptiveLoading(assembly.model, plan, 100) for _ in range(2))
     for _ in range(12):
         one.next()
     other.restore(one.state())

@@ -7,8 +7,8 @@ from masonry import scene as scenes
 from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
-from masonry.loading.dispatch import pace_of
 from masonry.loading.varying_loads import knots
+from masonry.timeloop.timeloop import loading_of
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
 KN, KS, AREA = 200e9, 80e9, 0.2 * 0.1
@@ -61,9 +61,9 @@ def test_each_load_follows_its_own_history_beside_one_that_stays():
 def acting(scene, rows: int) -> np.ndarray:
     """Shear (N) on the top block at each step, as the chunks of a run hand it to the step."""
     assembly = assemble(scene)
-    pace, body = pace_of(assembly.model, assembly.plan, rows), assembly.model.bodies.rigid
+    loading, body = loading_of(assembly.model, assembly.plan, rows), assembly.model.bodies.rigid
     found = np.zeros(1)
-    while (chunk := pace.next()) is not None:
+    while (chunk := loading.next()) is not None:
         stays, comes = np.minimum(chunk.dead_load, 1.0), np.maximum(chunk.dead_load - 1.0, 0.0)
         found = np.append(found, (stays * body.load[1, 0] + comes * body.change[1, 0])[1:])
     return found

@@ -75,7 +75,7 @@ def swinging(kinds, damping: float, seed: int = 6):
     s = shapes.setup(shapes.stack([0.05, 0.08]), kinds, mesh_size=0.3)
     model = models.make(s, models.GLUE, Stepping("real", damping=damping, step_fraction=0.99), [models.everything(0)])
     for kind, body in models.present(model):
-        body.v[:] = np.random.default_rng(seed).normal(size=body.v.shape) * np.where(body.pace > 0, 1e-3, 0.0)
+        body.v[:] = np.random.default_rng(seed).normal(size=body.v.shape) * np.where(body.dt_over_mass > 0, 1e-3, 0.0)
         if kind != "tets":
             body.v[:, 3:] *= 10.0
     return model

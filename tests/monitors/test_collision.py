@@ -13,9 +13,10 @@ from masonry.assembly.assemble import assemble
 from masonry.cli.main import main
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
-from masonry.monitors.collision import Collision
+from masonry.monitors.collision import Collision, overlap_over_face
 from masonry.monitors.corners import Corners, own_corners
-from masonry.monitors.stability import corner_displacements
+from masonry.monitors.energy import Seen
+from masonry.monitors.observer import View
 from masonry.results.trust import trust
 from tests.geometry.polyhedra.test_solids import box as solid_box
 from tests.geometry.polyhedra.test_solids import tube
@@ -100,8 +101,13 @@ def pushed(model, shift, turn=0.0, opening=0.0):
     """Look with the last block shifted (m) and turned about y (rad); whether it lies on the one across."""
     body, look = model.bodies.rigid, Collision(model, {})
     body.q[3, :3], body.q[3, 4] = shift, turn
-    look.look(0, np.full(len(model.group), opening), abs(turn))
+    look.look(model, shown(model, opening, abs(turn)), 0)
     return look.words != ""
+
+
+def shown(model, opening=0.0, rotation=0.0):
+    """All contacts open by the same (m)."""
+    return View(Seen(np.full(len(model.group), opening), *np.zeros((3, len(model.group)))), rotation=rotation)
 
 
 def test_blocks_that_touch_along_an_edge_may_close_like_contacts_but_no_further():
@@ -156,10 +162,10 @@ def test_corners_that_blocks_share_are_parted():
 
 def test_blocks_that_touched_along_an_edge_lie_on_each_other_a_little_with_a_doubt_and_no_further():
     model = crossing()
-    look, closed = Collision(model, {"corner": np.array([3])}), np.zeros(len(model.group))
+    look = Collision(model, {"corner": np.array([3])})
     for depth in (2e-5, 9.9e-4):  # 1 % of 100 mm is 1 mm
         model.bodies.rigid.q[3, :3] = -depth, 0.0, -depth
-        look.look(7, closed, 0.0)
+        look.look(model, shown(model), 7)
         assert "(unit 0) and 'corner' meet" in look.words and "from step 7 on" in look.words
     again = Collision(model, {})
     again.restore(look.state())
@@ -167,7 +173,7 @@ def test_blocks_that_touched_along_an_edge_lie_on_each_other_a_little_with_a_dou
     model.bodies.rigid.q[3, :3] = -1.1e-3, 0.0, -1.1e-3
     for one in (look, again):
         with pytest.raises(Stopped, match="meet around"):
-            one.look(8, closed, 0.0)
+            one.look(model, shown(model), 8)
 
 
 def test_the_doubt_is_told():
@@ -185,17 +191,36 @@ def test_corners_move_as_pictures_show_them(kinematics):
     if tets is not None:
         model.contacts.u[...] = rng.standard_normal(model.contacts.u.shape)
     corners = Corners(model)
-    moved = corner_displacements(corners.model, corners.nearest)[corners.points]
-    np.testing.assert_allclose(corners.moved()[0].transpose(1, 2, 0), moved, atol=1e-15)
+    moved = corners.frames.corners()[corners.points]
+    np.testing.assert_allclose(corners.now()[0] - corners.place, moved, atol=1e-15)
 
 
 def test_candidates_are_neighbours_and_a_face_that_turns_with_its_block_still_parts_them():
+    for gap_mm, count in ((0.1, 1), (2.5, 0)):  # 1 % of 100 mm is 1 mm
+        model = assemble(load(slider(gap_mm))).model
+        far = Collision(model, {})
+        far.look(model, shown(model), 0)
+        assert len(far.pairs) == count
     model = assemble(load(slider(0.1))).model
-    look, closed = Collision(model, {}), np.zeros(len(model.group))
-    look.look(0, closed, 0.0)
-    assert len(look.pairs) == 0  # the stop is 0.1 mm away and nothing has moved
+    look = Collision(model, {})
     model.bodies.rigid.q[1:, 4] = 0.02  # both turn alike: their boxes overlap by 1.9 mm, and their faces do not
-    moved, gradient = look.corners.moved()
-    look.look(1, closed, 0.02)
+    place, _, gradient = look.corners.now()
+    look.look(model, shown(model, rotation=0.02), 1)
     assert look.pairs.tolist() == [[1, 2]]
-    assert len(look._not_parted(look.corners.place + moved, gradient, np.array([1e-6]))) == 0
+    assert len(look._not_parted(place, gradient, np.array([1e-6]))) == 0
+
+
+def test_the_overlap_over_a_face_is_the_least_shift_along_its_turned_normal_that_parts_two_blocks():
+    rng = np.random.default_rng(4)
+    corners = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+    turn = np.cross(np.eye(3), [0.01, -0.02, 0.015])  # of the block of the face, as the linear motion has it
+    place = np.stack([corners + corners @ turn.T, corners @ np.linalg.qr(rng.standard_normal((3, 3)))[0] + 1.5])
+    normal = np.eye(3)[0] - turn.T @ np.eye(3)[0]
+    normal /= np.linalg.norm(normal)
+    gradient, one = np.stack([turn, np.zeros((3, 3))]), np.array([0])
+    (overlap,) = overlap_over_face(place, gradient, one, 1 - one, np.eye(3)[:1])
+    assert overlap > 0.1
+    parted = place[1] + overlap * normal
+    assert (parted @ normal).min() == pytest.approx((place[0] @ normal).max(), abs=1e-14)
+    face = place[0] @ normal > 0.5  # the face has kept its plane, across the normal
+    assert face.sum() == 4 and np.ptp((place[0] @ normal)[face]) < 2e-3

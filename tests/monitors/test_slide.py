@@ -11,6 +11,7 @@ from masonry.cli.main import main
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
 from masonry.monitors.energy import Seen
+from masonry.monitors.observer import View
 from masonry.monitors.slide import Slide
 from masonry.results.trust import trust
 from masonry.scene import load
@@ -69,11 +70,11 @@ def test_what_is_apart_touches_nothing_and_does_not_count():
     model.contacts.u[model.contacts.sides[:, 1], 0] = 0.06
     slide, seen = Slide(model, 0.25), contacts_show(model, 1e-3, 0.06, 0.0, 0.0)
     seen.tau[:] = 1.0  # what a softening law leaves of its strength
-    slide.look(0, seen)
+    slide.look(model, View(seen), 0)
     assert slide.largest == 0.0
     seen.sigma[:] = -1.0  # pressed, as dilation does
     with pytest.raises(Stopped):
-        slide.look(0, seen)
+        slide.look(model, View(seen), 0)
 
 
 def test_extents_of_running_bond_are_those_of_half_a_unit():
@@ -110,5 +111,5 @@ def test_a_slip_across_is_measured_by_the_width():
     for axis, length in ((0, 0.2), (1, 0.05)):
         slide.largest = 0.0
         model.contacts.u[model.contacts.sides[:, 1]] = 0.01 * np.eye(3)[axis]
-        slide.look(0, seen)
+        slide.look(model, View(seen), 0)
         assert slide.largest == pytest.approx(0.01 / length)

@@ -7,7 +7,7 @@ from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
 from masonry.model.loads import program
-from masonry.monitors.stability import block_of_points, corner_displacements, nearest_nodes
+from masonry.monitors.frames import Frames, block_of_points
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
 CRACKING = """law = "exponential"
@@ -197,5 +197,5 @@ def test_a_corner_moves_with_the_nodes_of_its_own_block_where_two_blocks_have_on
     mesh, displacement = model.layout.mesh, model.contacts.u
     for block in range(model.blocks.count):
         displacement[mesh.node_start[block] : mesh.node_start[block + 1]] = block + 1.0
-    moved = corner_displacements(model, nearest_nodes(model))
+    moved = Frames(model).corners()
     np.testing.assert_array_equal(moved[:, 0], block_of_points(model.blocks) + 1.0)

@@ -78,7 +78,7 @@ def make_unstoppable(model: Model) -> None:
     """Forces hardly change the velocities any more: blocks move as set, and everything is computed as ever."""
     for body in model.bodies:
         if body is not None:
-            body.pace[...] *= 1e-12
+            body.dt_over_mass[...] *= 1e-12
 
 
 def turn_axes(model: Model) -> None:

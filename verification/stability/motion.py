@@ -111,7 +111,7 @@ def swing(count: int, knobs: Knobs) -> Run:
 
     model = assemble(load(CHAIN, knobs)).model
     body = model.bodies.rigid
-    free = int(np.flatnonzero(body.pace[:, 2])[0])
+    free = int(np.flatnonzero(body.dt_over_mass[:, 2])[0])
     mass = model.masses["rigid"][free, 2]
     stiffness = 2.0 * joint_of(CHAIN, knobs).kn * 0.01
     body.v[free, 2] = speed = 1e-4

@@ -13,9 +13,10 @@ import numpy as np
 
 from masonry.model.model import Model
 from masonry.monitors import energy
-from masonry.monitors.contact_stress import contact_stress
-from masonry.monitors.overlap import Overlap
-from masonry.monitors.stability import Watch, corner_displacements
+from masonry.monitors.frames import Frames
+from masonry.monitors.observer import View
+from masonry.monitors.openings import Openings
+from masonry.monitors.stability import Watch
 from masonry.results.vtkhdf import TO_VTK
 from verification.case import Case, Check, Findings
 from verification.checks.free_motion import glued
@@ -51,7 +52,7 @@ def of_strains(found: Findings) -> None:
 def corners(found: Findings, kind: str, model: Model, gradient: np.ndarray) -> None:
     """Displacement of all corners of blocks whose points x move by gradient @ x."""
     place = model.blocks.points
-    off = np.abs(corner_displacements(model, None) - place @ gradient.T).max()
+    off = np.abs(Frames(model).corners() - place @ gradient.T).max()
     found.check(f"{kind}: displacement of the corners, largest deviation", "m", float(off), 0.0, "closed form", 1e-12,
                 1e-14, ROUNDING, float(np.abs(place @ gradient.T).max()))  # fmt: skip
 
@@ -72,7 +73,7 @@ def of_contacts(found: Findings) -> None:
     model = models.make(shapes.setup(blocks, ["rigid"] * 7), GLUE)
     joints = model.joints
     model.contacts.force[:] = joints.area[:, None] * (joints.normal @ STRESS)
-    compare(found, "rigid", contact_stress(model)[0], STRESS)
+    compare(found, "rigid", Frames(model).contact_stress()[0], STRESS)
     turn = 0.5 * (GRADIENT - GRADIENT.T)
     models.put(model, models.positions(model), models.linear_field(model, np.zeros(3), turn))
     corners(found, "rigid", model, turn)
@@ -90,9 +91,10 @@ def compare(found: Findings, kind: str, had: np.ndarray, wanted: np.ndarray) -> 
 
 def overlapping(found: Findings) -> None:
     """The closure of a joint is taken over the thinner of its two blocks."""
-    overlap = Overlap(models.make(shapes.setup(shapes.stack([0.05, 0.1]), ["rigid"] * 2), GLUE))
-    overlap.look(np.full(4, -1e-6))
-    found.check("closure of a joint over the thinner block", "1", overlap.largest, 1e-6 / 0.05, "closed form", 1e-12,
+    model = models.make(shapes.setup(shapes.stack([0.05, 0.1]), ["rigid"] * 2), GLUE)
+    seen = energy.Seen(np.full(4, -1e-6), *np.zeros((3, 4)))
+    overlap = Openings(model).look(model, View(seen), 0)["overlap"]
+    found.check("closure of a joint over the thinner block", "1", overlap, 1e-6 / 0.05, "closed form", 1e-12,
                 1e-15, ROUNDING)  # fmt: skip
 
 

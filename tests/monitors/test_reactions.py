@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from masonry.laboratory import laboratory
-from masonry.timeloop.reactions import Standing, moved_by, open_by
+from masonry.monitors.reactions import Standing, moved_by, open_by
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 from verification.fixtures.scene_text import loaded
 from verification.scene_runs import result_of, text_of

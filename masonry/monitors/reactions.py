@@ -10,6 +10,7 @@ from masonry.model.layout import FREEDOMS, KINDS, Layout
 from masonry.model.loads import Conditions
 from masonry.model.model import Model
 from masonry.monitors.energy import present
+from masonry.monitors.observer import Observer, View
 
 FORCE, MOMENT = slice(0, 3), slice(3, 6)
 Parts = dict[str, tuple[np.ndarray, np.ndarray]]
@@ -142,22 +143,25 @@ def resultant(layout: Layout, kind: str, rows: np.ndarray, forces: np.ndarray) -
     return np.concatenate([force.sum(axis=0), moment.sum(axis=0)])
 
 
-class WorkOfLoads:
+class WorkOfLoads(Observer):
     """Work (J) of each load so far, by the trapezoid from row to row: exact while its share stays as it is."""
+
+    REMEMBERED = ("done", "settled", "moved", "shares")
 
     def __init__(self, surroundings: Surroundings) -> None:
         self.surroundings = surroundings
-        count = len(surroundings.loads)
-        self.done, self.settled = np.zeros(count), np.zeros(count)
-        self.moved, self.shares = np.zeros(count), np.zeros(count)
+        self.done, self.settled, self.moved, self.shares = np.zeros((4, len(surroundings.loads)))
 
-    def look(self, model: Model, shares: list[float], settling: bool) -> None:
-        """A row: where the specimen stands now, and the share of each load."""
-        moved, now = self.surroundings.moved(model), np.array(shares)
+    def look(self, model: Model, view: View, step: int) -> dict[str, float]:
+        moved, now = self.surroundings.moved(model), np.array(view.shares)
         self.done = self.done + 0.5 * (now + self.shares) * (moved - self.moved)
         self.moved, self.shares = moved, now
-        if settling:
+        if view.settling:
             self.settled = self.done
+        return {}
+
+    def found(self) -> dict[str, Any]:
+        return {"work_of_loads": self.done, "work_of_loads_settling": self.settled}
 
 
 def balance(holds: tuple[tuple[str, str], ...], loads: tuple[str, ...], standing: Standing) -> dict[str, Any]:

@@ -1,0 +1,111 @@
+"""Frames of a run: how the corners of all blocks have moved, what contacts show, and the mean stress of blocks."""
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from masonry.history import Frame
+from masonry.model.layout import KINDS
+from masonry.model.model import Model
+from masonry.monitors.energy import Observation
+
+PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+"""xx yy zz yz xz xy"""
+NEXT, AFTER = [1, 2, 0], [2, 0, 1]
+"""Of x, y and z: what a cross product takes of its factors."""
+
+
+class Frames:
+    """Takes frames of a model; what does not change is found once."""
+
+    def __init__(self, model: Model) -> None:
+        blocks, joints, layout = model.blocks, model.joints, model.layout
+        self.model = model
+        block = block_of_points(blocks)
+        self.points = [np.flatnonzero(layout.kind[block] == k) for k in range(len(KINDS))]
+        self.row = layout.local[block]
+        self.arm, self.axes = blocks.points - layout.centroid[block], layout.axes[block[self.points[1]]]
+        rigid = self.arm[self.points[0]]
+        self.across = np.ascontiguousarray(rigid[:, AFTER]), np.ascontiguousarray(rigid[:, NEXT])
+        self.nearest = nearest_nodes(model)
+        self.sides = np.concatenate([joints.block_a, joints.block_b])
+        self.to_point = (np.concatenate([joints.point, joints.point]) - layout.centroid[self.sides]).T.copy()
+
+    def take(self, view: Observation, step: int, displacement: float) -> Frame:
+        """The specimen now."""
+        model, seen = self.model, view.seen
+        tets = model.bodies.tets
+        stress = view.stress.copy()
+        if model.bodies.rigid is not None:
+            stress[model.layout.members["rigid"]] = self.contact_stress()
+        return Frame(
+            step=step,
+            time=step * model.dt,
+            displacement=displacement,
+            corners=self.corners(),
+            nodes=model.contacts.u[: len(tets.v)].copy() if tets is not None else np.zeros((0, 3)),
+            opening=seen.opening.copy(),
+            slip=seen.slip.copy(),
+            normal_stress=seen.sigma.copy(),
+            shear_stress=seen.tau.copy(),
+            damage_tension=1.0 - model.state.intact_n,
+            damage_shear=1.0 - model.state.intact_s,
+            stress=stress,
+        )
+
+    def corners(self) -> np.ndarray:
+        """(P, 3) m, displacements of the corners of the blocks: exact for rigid and affine ones, of tets those of the
+        nearest node."""
+        moved = np.zeros_like(self.arm)
+        rigid, affine, _ = self.model.bodies
+        if rigid is not None:
+            p, (arm_after, arm_next) = self.points[0], self.across
+            row = self.row[p]
+            turn = np.einsum("bij,bj->bi", self.model.layout.axes[self.model.layout.members["rigid"]], rigid.q[:, 3:])
+            by_turn = turn[:, NEXT][row] * arm_after - turn[:, AFTER][row] * arm_next
+            moved[p] = rigid.q[:, :3][row] + by_turn
+        if affine is not None:
+            p = self.points[1]
+            h = affine.q[self.row[p], 3:].reshape(-1, 3, 3)
+            moved[p] = affine.q[self.row[p], :3] + np.einsum("cij,ckj,ck->ci", h, self.axes, self.arm[p])
+        if self.nearest is not None:
+            p = self.points[2]
+            moved[p] = self.model.contacts.u[self.nearest[p]]
+        return moved
+
+    def contact_stress(self) -> np.ndarray:
+        """(R, 6) Pa, tension positive, in the order of the rigid blocks: the sum of force x arm over the volume.
+
+        That is the mean stress of a block in equilibrium under its contacts and its weight (Love 1927, art. 123). Zero
+        for blocks that are held or driven, where forces act whose places are not known; a traction on a block is
+        missing in it.
+        """
+        layout, which = self.model.layout, self.model.layout.members["rigid"]
+        free = np.zeros(layout.volume.shape)
+        free[which[(self.model.bodies.rigid.dt_over_mass > 0.0).all(axis=1)]] = 1.0
+        force, arm = np.concatenate([self.model.contacts.force, -self.model.contacts.force]).T.copy(), self.to_point
+        sums = [0.5 * np.bincount(self.sides, force[i] * arm[j] + force[j] * arm[i], len(free)) for i, j in PAIRS]
+        stress: np.ndarray = np.stack(sums, axis=1)[which] * (free / layout.volume)[which, None]
+        return stress
+
+
+def nearest_nodes(model: Model) -> np.ndarray | None:
+    """(P,) the node of its own block nearest to each corner of a block with tets, 0 elsewhere; None without tets."""
+    blocks, mesh = model.blocks, model.layout.mesh
+    if mesh is None:
+        return None
+    from scipy.spatial import cKDTree
+
+    p = np.flatnonzero(np.isin(block_of_points(blocks), model.layout.members["tets"]))
+    far = 10.0 * float(np.ptp(mesh.nodes, axis=0).max())  # a fourth axis on which other blocks are out of reach
+    own = np.repeat(np.arange(blocks.count), np.diff(mesh.node_start))
+    tree = cKDTree(np.column_stack([mesh.nodes, far * own]))
+    result = np.zeros(len(blocks.points), dtype=np.int64)
+    result[p] = tree.query(np.column_stack([blocks.points[p], far * block_of_points(blocks)[p]]))[1]
+    return result
+
+
+def block_of_points(blocks: Blocks) -> np.ndarray:
+    """(P,) the block that each corner belongs to."""
+    block = np.zeros(len(blocks.points), dtype=np.int64)
+    block[blocks.face_points] = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
+    return block

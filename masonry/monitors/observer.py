@@ -1,0 +1,52 @@
+"""What observes a run: at each row of the history it is shown the specimen, and says what it found by name."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from masonry.model.model import Model
+from masonry.monitors.energy import Seen
+from masonry.runtime.state import State, attributes, put_back
+
+
+@dataclass(frozen=True)
+class View:
+    """The specimen at a row.
+
+    seen      what contacts show
+    terms     the energy ledger (J), under the names of history.UNITS
+    before    velocities one step earlier (energy.velocities)
+    shares    of each dead load
+    settling  whether the dead loads still settle
+    rotation  the largest of any block so far, rad
+    """
+
+    seen: Seen
+    terms: dict[str, float] = field(default_factory=dict)
+    before: list[np.ndarray] = field(default_factory=list)
+    shares: list[float] = field(default_factory=list)
+    settling: bool = False
+    rotation: float = 0.0
+
+
+class Observer:
+    """Looks at each row; remembers the attributes that it names from one row to the next."""
+
+    REMEMBERED: tuple[str, ...] = ()
+
+    def look(self, model: Model, view: View, step: int) -> dict[str, float]:
+        """Numbers of this row by name; raises Stopped where the run is not to be trusted any more."""
+        raise NotImplementedError
+
+    def found(self) -> dict[str, Any]:
+        """What is to be said of the whole run, by name."""
+        return {}
+
+    def state(self) -> State:
+        """What it remembers."""
+        return attributes(self, self.REMEMBERED)
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        put_back(self, self.REMEMBERED, state)

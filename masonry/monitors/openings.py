@@ -1,0 +1,25 @@
+"""How wide contacts open, and how deep they close: beyond small displacements a stiffness is no joint's any more."""
+
+import numpy as np
+
+from geometry.polyhedra import measures
+from masonry.model.model import Model
+from masonry.monitors.observer import Observer, View
+
+
+class Openings(Observer):
+    """The widest opening of any contact, and the largest closure, over the extent of the thinner of its two blocks
+    along its normal."""
+
+    def __init__(self, model: Model) -> None:
+        low, high = measures.bounds(model.blocks)
+        joints, along = model.joints, np.abs(model.joints.normal)
+        extents = [((high - low)[b] * along).sum(axis=1) for b in (joints.block_a, joints.block_b)]
+        self.extent = np.minimum(*extents)
+
+    def look(self, model: Model, view: View, step: int) -> dict[str, float]:
+        opening = view.seen.opening
+        return {
+            "widest": float(opening.max(initial=0.0)),
+            "overlap": float((-opening / self.extent).max(initial=0.0)),
+        }
