@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 import pytest
 
+from masonry.runtime.tables import columns
+
 FIGURES: list["Figure"] = []
 LEFT_OUT: dict[str, dict[str, float | None]] = {}
 
@@ -74,7 +76,5 @@ def pytest_terminal_summary(terminalreporter) -> None:
 
 
 def _write(terminalreporter, title: str, lines: list[tuple[str, ...]]) -> None:
-    widths = [max(len(cell) for cell in column) for column in zip(*lines, strict=True)]
     terminalreporter.section(title)
-    for line in lines:
-        terminalreporter.write_line("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)))
+    terminalreporter.write_line("\n".join(columns(lines)))

@@ -8,9 +8,9 @@ import pytest
 
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import Interface
-from verification.reference_step import specimens, trial
+from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import against, require
-from verification.reference_step.twin import Twin
+from verification.reference_step.reference import ReferenceStep
 
 ROUNDS, STEPS = 400, 10
 DEEP = 1e-6
@@ -27,7 +27,7 @@ def sliding(model, twin, share: float) -> np.ndarray:
     slides = np.random.default_rng(1).random(len(joints.area)) < share
     along = np.roll(joints.normal, 1, axis=1) * slides[:, None]
     begin = FAR * along - DEEP * joints.normal
-    trial.sweeping(model, begin, 1)()
+    models.sweeping(model, begin, 1)()
     twin.sweeping(begin, 1)()
     return FURTHER * along
 
@@ -43,13 +43,13 @@ NODES = {
 @pytest.mark.parametrize("name", NODES)
 def test_a_pair_of_nodes_costs_what_the_exponential_law_by_hand_costs(benchmark, figure, name):
     share, limits, limit = NODES[name]
-    model = trial.model_of(*specimens.pairs(), kind="tets")
-    twin, count = Twin(model), len(model.joints.area)
+    model = models.model_of(*specimens.pairs(), kind="tets")
+    twin, count = ReferenceStep(model), len(model.joints.area)
     by = sliding(model, twin, share)
-    ours, by_hand = trial.sweeping(model, by, STEPS), twin.sweeping(by, STEPS)
-    idle = trial.sweeping(model, by, STEPS, sweeps=False), twin.sweeping(by, STEPS, sweeps=False)
+    ours, by_hand = models.sweeping(model, by, STEPS), twin.sweeping(by, STEPS)
+    idle = models.sweeping(model, by, STEPS, sweeps=False), twin.sweeping(by, STEPS, sweeps=False)
     by_hand()
-    assert trial.evolving(model, ours) == pytest.approx(share, abs=0.02)
+    assert models.evolving(model, ours) == pytest.approx(share, abs=0.02)
     agree(model, twin)
     benchmark.pedantic(ours, rounds=20)
     found = against((ours, idle[0]), (by_hand, idle[1]), ROUNDS)
@@ -59,7 +59,7 @@ def test_a_pair_of_nodes_costs_what_the_exponential_law_by_hand_costs(benchmark,
 
 def agree(model, twin) -> None:
     """Both find the same forces."""
-    assert np.allclose(trial.forces(model), twin.force[:, :3], rtol=1e-6, atol=1e-9 * np.abs(twin.force).max())
+    assert np.allclose(models.forces(model), twin.force[:, :3], rtol=1e-6, atol=1e-9 * np.abs(twin.force).max())
 
 
 def report(benchmark, figure, row, found, count, limits) -> None:
@@ -72,35 +72,35 @@ def report(benchmark, figure, row, found, count, limits) -> None:
 @pytest.mark.parametrize("name", ["untouched", "all softening"])
 def test_a_contact_of_rigid_blocks_costs_what_a_whole_step_by_hand_costs(benchmark, figure, name):
     limits, limit = ((16.0, 10.0), 1.6) if name == "untouched" else ((30.0, 18.0), 1.8)  # [1.3, 1.4]
-    model = trial.model_of(*specimens.wall(16, 16))
-    twin, count = Twin(model), len(model.joints.area)
+    model = models.model_of(*specimens.wall(16, 16))
+    twin, count = ReferenceStep(model), len(model.joints.area)
     velocity = np.random.default_rng(1).normal(scale=1e-6, size=(model.blocks.count, 6))
     if name == "all softening":  # the wall gets longer: head joints open, bed joints slide
         velocity[:] = 0.0
         velocity[:, 0] = STRETCH * model.layout.centroid[:, 0] / model.dt
-        trial.make_unstoppable(model)
+        models.make_unstoppable(model)
         twin.make_unstoppable()
-    trial.set_velocity(model, velocity)
+    models.set_velocity(model, velocity)
     twin.set_velocity(velocity)
-    ours, by_hand = trial.stepping(model, STEPS), twin.stepping(STEPS)
+    ours, by_hand = models.stepping(model, STEPS), twin.stepping(STEPS)
     for _ in range(STRETCHED if name == "all softening" else 1):
         ours()
         by_hand()
     agree(model, twin)
     benchmark.pedantic(ours, rounds=20)
-    found = against((ours, trial.stepping(model, 0)), (by_hand, twin.stepping(0)), ROUNDS)
-    assert trial.evolving(model, ours) == (name == "all softening")
+    found = against((ours, models.stepping(model, 0)), (by_hand, twin.stepping(0)), ROUNDS)
+    assert models.evolving(model, ours) == (name == "all softening")
     report(benchmark, figure, f"contact of rigid blocks, {name}", found, count, limits)
     require(found.ratio, limit, f"contacts of rigid blocks, {name}")
 
 
 def test_an_elastic_contact_costs_what_a_hand_written_one_costs(benchmark, figure):
-    law = Elastic(), Interface(trial.JOINT.normal_stiffness, trial.JOINT.shear_stiffness)
-    model = trial.model_of(*specimens.pairs(), kind="tets", law=law)
-    twin, count = Twin(model, "elastic"), len(model.joints.area)
+    law = Elastic(), Interface(models.JOINT.normal_stiffness, models.JOINT.shear_stiffness)
+    model = models.model_of(*specimens.pairs(), kind="tets", law=law)
+    twin, count = ReferenceStep(model, "elastic"), len(model.joints.area)
     by = np.random.default_rng(1).uniform(-1e-9, 1e-9, (count, 3))
-    ours, by_hand = trial.sweeping(model, by, STEPS), twin.sweeping(by, STEPS)
-    idle = trial.sweeping(model, by, STEPS, sweeps=False), twin.sweeping(by, STEPS, sweeps=False)
+    ours, by_hand = models.sweeping(model, by, STEPS), twin.sweeping(by, STEPS)
+    idle = models.sweeping(model, by, STEPS, sweeps=False), twin.sweeping(by, STEPS, sweeps=False)
     ours()
     by_hand()
     agree(model, twin)

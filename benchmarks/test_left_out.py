@@ -17,20 +17,20 @@ from masonry.laws.brittle import Brittle
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import Interface
 from masonry.scene.source import packaged
-from verification.reference_step import specimens, trial
+from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import against, in_turn, require
-from verification.reference_step.twin import Twin
+from verification.reference_step.reference import ReferenceStep
 
 STEPS, ROUNDS = 10, 400
 LIMIT = 1.03
 """Of a step to that by hand."""
-BRITTLE = Brittle(), trial.JOINT
-ELASTIC = Elastic(), Interface(trial.JOINT.normal_stiffness, trial.JOINT.shear_stiffness)
+BRITTLE = Brittle(), models.JOINT
+ELASTIC = Elastic(), Interface(models.JOINT.normal_stiffness, models.JOINT.shear_stiffness)
 
 
 def law(**options) -> tuple:
     """The usual law with other options of its interface."""
-    return trial.SOFTENING[0], trial.JOINT._replace(**options)
+    return models.SOFTENING[0], models.JOINT._replace(**options)
 
 
 def slow(model) -> np.ndarray:
@@ -44,13 +44,13 @@ def wall(**options):
     if options.pop("two", False):
         blocks = replace(blocks, unit=blocks.unit // 2)
     axes = options.pop("axes", False)
-    model = trial.model_of(blocks, joints, **options)
+    model = models.model_of(blocks, joints, **options)
     if axes:
-        trial.turn_axes(model)
+        models.turn_axes(model)
     if options.get("guided"):
         model.damping = Guided(0.05, 0.2)
-    trial.make_unstoppable(model)
-    trial.set_velocity(model, slow(model))
+    models.make_unstoppable(model)
+    models.set_velocity(model, slow(model))
     return model
 
 
@@ -67,17 +67,17 @@ def wall(**options):
 )
 def test_a_step_without_it_is_as_fast_as_by_hand(benchmark, figure, absent, options, by_hand):
     model = wall(**options)
-    twin = Twin(model, **by_hand)
+    twin = ReferenceStep(model, **by_hand)
     twin.make_unstoppable()
     twin.set_velocity(slow(model))
-    ours, theirs = trial.stepping(model, STEPS), twin.stepping(STEPS)
+    ours, theirs = models.stepping(model, STEPS), twin.stepping(STEPS)
     ours()
     theirs()
     scale = np.abs(twin.force).max()
-    assert np.allclose(trial.forces(model), twin.force[:, :3], rtol=1e-6, atol=1e-9 * scale)
+    assert np.allclose(models.forces(model), twin.force[:, :3], rtol=1e-6, atol=1e-9 * scale)
     benchmark.pedantic(ours, rounds=20)
-    value = against((ours, trial.stepping(model, 0)), (theirs, twin.stepping(0)), ROUNDS).ratio
-    assert options.get("law") == ELASTIC or trial.evolving(model, ours) == 0.0
+    value = against((ours, models.stepping(model, 0)), (theirs, twin.stepping(0)), ROUNDS).ratio
+    assert options.get("law") == ELASTIC or models.evolving(model, ours) == 0.0
     benchmark.extra_info["ratio"] = value
     figure(f"without {absent}: over a step by hand that never had it", value, "", 1.03)
     require(value, LIMIT, f"a step without {absent}")
@@ -102,13 +102,13 @@ FEW = ["specimen.cells.total=30"]
 @pytest.fixture(scope="module")
 def saved() -> dict[str, float]:
     """Share of the wall's step that each feature takes, or would take."""
-    models = [wall(**options) for options in ({}, *WITH.values(), *WITHOUT.values())]
+    made = [wall(**options) for options in ({}, *WITH.values(), *WITHOUT.values())]
     bricks = specimens.bricks((16, 1, 16), (1, 1, 1))
     for kind in ("rigid", "tets"):
-        model = trial.model_of(*bricks[:2], bricks[2] if kind == "tets" else None, kind=kind)
-        trial.set_velocity(model, np.full((len(trial.moved(model)), 3), 1e-6))
-        models.append(model)
-    works = [trial.stepping(model, STEPS) for model in models]
+        model = models.model_of(*bricks[:2], bricks[2] if kind == "tets" else None, kind=kind)
+        models.set_velocity(model, np.full((len(models.moved(model)), 3), 1e-6))
+        made.append(model)
+    works = [models.stepping(model, STEPS) for model in made]
     for work in works:
         work()
     # The usual one twice: the first comes after the tets, which leave it nothing in the cache.
@@ -123,7 +123,7 @@ def test_what_the_shipped_scenes_leave_out_costs_them_nothing(figure, left_out, 
         figure(f"leaving out {name} saves of a step", 100.0 * share, "%")
     for name in packaged():
         cells = getattr(scene.load(name).specimen, "cells", None)
-        used = trial.used(assemble(scene.load(name, FEW if cells is not None else [])).model)
+        used = models.used(assemble(scene.load(name, FEW if cells is not None else [])).model)
         left_out[name] = {part: None if part in used else share for part, share in saved.items()}
     for name, share in saved.items():
         require(1.0 - share, 1.1, f"a step without {name}, over one with it")

@@ -12,9 +12,9 @@ from numba.core.runtime import _nrt_python, rtsys
 
 from masonry import scene
 from masonry.assembly.assemble import assemble
-from verification.reference_step import specimens, trial
+from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import require
-from verification.reference_step.twin import Twin
+from verification.reference_step.reference import ReferenceStep
 
 
 def shipped():
@@ -24,12 +24,12 @@ def shipped():
 
 def tets():
     """Bricks of tets."""
-    return trial.model_of(*specimens.bricks((4, 1, 4), (2, 2, 2)), kind="tets")
+    return models.model_of(*specimens.bricks((4, 1, 4), (2, 2, 2)), kind="tets")
 
 
 def allocations(model, steps: int, threads: int) -> int:
     """How often the compiled code asks for memory in one call of `steps` steps."""
-    take = trial.stepping(model, steps, threads)
+    take = models.stepping(model, steps, threads)
     take()
     _nrt_python.memsys_enable_stats()
     before = rtsys.get_allocation_stats().alloc
@@ -55,13 +55,13 @@ def test_the_arrays_of_a_step_are_hardly_larger_than_by_hand(figure, item):
     make, kind, count = MEMORY[item]
     blocks, joints, mesh = make()
     tracemalloc.start()
-    model = trial.model_of(blocks, joints, mesh, kind=kind)
+    model = models.model_of(blocks, joints, mesh, kind=kind)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    ours, by_hand, items = trial.step_bytes(model), Twin(model).size(), count(model)
+    ours, by_hand, items = models.step_bytes(model), ReferenceStep(model).size(), count(model)
     figure(f"arrays of a step, per {item}", ours / items, "bytes")
     figure("  by hand", by_hand / items, "bytes")
-    figure(f"whole model, per {item}", trial.size_of(model) / items, "bytes")
+    figure(f"whole model, per {item}", models.size_of(model) / items, "bytes")
     figure(f"most while a model is built, per {item}", peak / items, "bytes")
     require(ours / by_hand, 1.2, f"memory of a step per {item}")
     require(peak / by_hand, 8.0, f"memory while a model is built, per {item}")
@@ -69,13 +69,13 @@ def test_the_arrays_of_a_step_are_hardly_larger_than_by_hand(figure, item):
 
 COMPILE = """
 import json, time
-from verification.reference_step import specimens, trial
-from verification.reference_step.twin import Twin
-model = trial.model_of(*specimens.wall(4, 4))
-pairs = trial.model_of(*specimens.bricks((2, 1, 1), (1, 1, 1)), kind="tets")
-Twin(pairs, "elastic", damped=False, booked=False).stepping(1)()  # what the compiler does only once
+from verification.reference_step import specimens, models
+from verification.reference_step.reference import ReferenceStep
+model = models.model_of(*specimens.wall(4, 4))
+pairs = models.model_of(*specimens.bricks((2, 1, 1), (1, 1, 1)), kind="tets")
+ReferenceStep(pairs, "elastic", damped=False, booked=False).stepping(1)()  # what the compiler does only once
 taken = []
-for work in (Twin(model).stepping(1), trial.stepping(model, 1)):
+for work in (ReferenceStep(model).stepping(1), models.stepping(model, 1)):
     begun = time.process_time()
     work()
     taken.append(time.process_time() - begun)

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from verification.reference_step import specimens, trial
+from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import in_turn, require
-from verification.reference_step.twin import Twin
+from verification.reference_step.reference import ReferenceStep
 
 SIZES = {
     "10k": ((2, 2, 2), 5, 200, (35.0, 17.5), (19.0, 9.5), 1.35),
@@ -18,15 +18,15 @@ SIZES = {
 @pytest.mark.parametrize("size", SIZES)
 def test_a_tet_costs_what_a_whole_step_by_hand_costs(benchmark, figure, size):
     cells, steps, rounds, one, two, limit = SIZES[size]
-    model = trial.model_of(*specimens.bricks((6, 6, 6), cells), kind="tets")
-    twin, count = Twin(model), len(model.layout.mesh.tets)
+    model = models.model_of(*specimens.bricks((6, 6, 6), cells), kind="tets")
+    twin, count = ReferenceStep(model), len(model.layout.mesh.tets)
     velocity = np.random.default_rng(1).normal(scale=1e-6, size=(len(model.layout.mesh.nodes), 3))
-    trial.set_velocity(model, velocity)
+    models.set_velocity(model, velocity)
     twin.set_velocity(velocity)
-    ours, by_hand, threaded = trial.stepping(model, steps), twin.stepping(steps), trial.stepping(model, steps, 2)
+    ours, by_hand, threaded = models.stepping(model, steps), twin.stepping(steps), models.stepping(model, steps, 2)
     by_hand()
-    assert trial.evolving(model, ours) == 0.0
-    assert np.allclose(trial.moved(model), twin.u[:, :3], rtol=1e-6, atol=1e-9 * np.abs(twin.u).max())
+    assert models.evolving(model, ours) == 0.0
+    assert np.allclose(models.moved(model), twin.u[:, :3], rtol=1e-6, atol=1e-9 * np.abs(twin.u).max())
     threaded()
     benchmark.pedantic(ours, rounds=5)
     times = in_turn(ours, by_hand, threaded, rounds=rounds)

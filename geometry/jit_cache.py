@@ -47,11 +47,14 @@ class CheckedCache(FunctionCache):
 
     def __init__(self, function: Any) -> None:
         super().__init__(function)
-        self._cache_file = self.files(self._cache_path)
+        stamp = self._impl.locator.get_source_stamp()
+        self._cache_file = CheckedFiles(self._cache_path, self._impl.filename_base, stamp)
 
-    def files(self, folder: str) -> CheckedFiles:
-        """The files of this function in a folder."""
-        return CheckedFiles(folder, self._impl.filename_base, self._impl.locator.get_source_stamp())
+    def _index_key(self, sig: Any, codegen: Any) -> Any:
+        """Numba's, with the names of the types in place of the types: an index that names a class of another package
+        is read as well where that package has gone."""
+        _, *rest = super()._index_key(sig, codegen)
+        return str(sig), *rest
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """As Numba's, but without the tools of compiling: half of what a short run would load, and not needed here."""

@@ -26,10 +26,11 @@ FLOORS = (
     ),
     *("masonry.drawings", "masonry.laboratory", "masonry.sweep", "masonry.comparison", "masonry", "masonry.cli"),
     "masonry.__main__",
-    *("verification.references", "verification.balance", "verification.case", "verification.fixtures"),
+    *("verification.references", "verification.balance", "verification.scene_runs", "verification.case"),
+    "verification.fixtures",
     *("verification.checks", "verification.cases", "verification.catalogue", "verification.outcome"),
-    *("verification.worker", "verification.runner", "verification.records", "verification.comparison"),
-    *("verification.printout", "verification.timed_run", "verification.ladder", "verification.html"),
+    *("verification.runner", "verification.records", "verification.comparison"),
+    *("verification.text", "verification.timed_run", "verification.problem", "verification.html"),
     *("verification.convergence", "verification.reference_step", "verification.self_test", "verification.stability"),
     *("verification.studies", "verification.paper", "verification.report", "verification.command"),
     *("verification", "tests", "benchmarks"),
@@ -38,7 +39,8 @@ FLOORS = (
 PACKAGES = {
     **dict.fromkeys(("masonry.errors", "masonry.plugins"), ""),
     **dict.fromkeys(("masonry.simd", "masonry.laws", "masonry.kinematics", "masonry.kernels"), "numpy numba llvmlite"),
-    **dict.fromkeys(("masonry.jit", "masonry.model", "masonry.loading"), "numpy numba llvmlite"),
+    **dict.fromkeys(("masonry.model", "masonry.loading"), "numpy numba llvmlite"),
+    "masonry.jit": "numpy numba llvmlite filelock",
     "geometry.jit_cache": "numba",
 }
 """The packages that a floor may use besides the standard library; any where nothing is said."""

@@ -5,6 +5,7 @@ work taken by the contacts = stored + fracture I + fracture II + friction       
 """
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -15,6 +16,11 @@ SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
 SAME = 1e-13
 """Of the largest term: how far two sums of the same terms may differ, in whatever order they are added up."""
 Terms = Mapping[str, np.ndarray | float]
+
+
+def dissipated(summary: Mapping[str, Any]) -> float:
+    """J that fracture and friction have taken by the end of a run."""
+    return float(sum(summary["energy_j"][key] for key in SPENT))
 
 
 def residual(terms: Terms) -> np.ndarray:

@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from masonry.errors import SceneError
 from masonry.laboratory.result import Result
-from verification import balance
+from verification.scene_runs import Run, judge
 
 KINDS = ("closed form", "limit analysis", "same discretisation", "refined model", "converged run", "invariance")
 """What a reference can be; an experiment is validation, not verification, and is not among them."""
@@ -140,12 +141,37 @@ class Findings:
     seconds: dict[str, float] = field(default_factory=dict)
     measures: dict[str, dict[str, float | None]] = field(default_factory=dict)
 
-    def note(self, name: str, result: Result) -> Result:
-        """Keep the ledger and the time of a run of the solver; every run of a case goes through here."""
-        self.imbalance[name] = balance.open_by(result)
-        self.seconds[name] = float(result.summary["seconds_run"])
-        self.measures[name] = {words: result.summary.get(key) for words, key in MEASURES.items()}
-        return result
+    def note(self, name: str, run: Run | Result) -> Result:
+        """Keep the ledger and the time of a run of the solver; every run of a case goes through here.
+
+        Raises SceneError for a run that was refused.
+        """
+        one = run if isinstance(run, Run) else judge(run)
+        if one.result is None:
+            raise SceneError(one.reason)
+        self.imbalance[name] = one.imbalance
+        self.seconds[name] = one.seconds
+        self.measures[name] = {words: one.summary.get(key) for words, key in MEASURES.items()}
+        return one.result
+
+    def check(
+        self,
+        quantity: str,
+        unit: str,
+        value: float,
+        reference: float,
+        kind: str,
+        tolerance: float,
+        expected: float,
+        reason: str,
+        scale: float | None = None,
+    ) -> None:
+        """Add a `Check`."""
+        self.checks.append(Check(quantity, unit, value, reference, kind, tolerance, expected, reason, scale))
+
+    def plot(self, title: str, x_label: str, y_label: str, *lines: Line, log: bool = False) -> None:
+        """Add a `Plot` of some lines."""
+        self.plots.append(Plot(title, x_label, y_label, lines, log))
 
 
 @dataclass(frozen=True)
@@ -157,9 +183,9 @@ class Case:
     area        of the report's first page: "Contact laws", "Elastic assemblies", "Fracture", "Friction and stability",
                 "Dynamics", "Invariance", "Quasi-static loading"
     quick       whether the three-minute run has it
-    scene       the scene as text (TOML) where there is one, shown on the page
-    ladders     names of the problems (`verification.ladder`) whose errors against run time stand for the case
-    no_ladders  or why there are none: in a word, why nothing is left to choose
+    scene       name of a scene of the verification or a packaged one, shown on the page; or its text
+    problems    names of the problems (`verification.problem`) whose errors against run time stand for the case
+    no_problems  or why there are none: in a word, why nothing is left to choose
     """
 
     name: str
@@ -169,5 +195,5 @@ class Case:
     run: Callable[[], Findings]
     quick: bool = False
     scene: str = ""
-    ladders: tuple[str, ...] = ()
-    no_ladders: str = ""
+    problems: tuple[str, ...] = ()
+    no_problems: str = ""

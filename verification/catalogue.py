@@ -1,11 +1,11 @@
-"""The cases there are: every module of `verification.cases` that holds a CASE, found without a list."""
+"""The cases there are: every CASE, or CASES, of the modules of `verification.cases`, found without a list."""
 
 import difflib
 import importlib
 import pkgutil
 import re
 from collections.abc import Iterable
-from functools import cache
+from functools import cache, partial
 from types import ModuleType
 from typing import TypeVar
 
@@ -16,34 +16,37 @@ from verification.case import Case
 T = TypeVar("T")
 
 
-@cache
-def modules() -> dict[str, ModuleType]:
-    """Name of a case -> its module, in the order of the catalogue's rows.
+def modules_of(package: ModuleType) -> list[ModuleType]:
+    """The modules of a folder, by name: what they hold is found without a list."""
+    names = sorted(entry.name for entry in pkgutil.iter_modules(package.__path__))
+    return [importlib.import_module(f"{package.__name__}.{name}") for name in names]
 
-    Raises ValueError where two share a name, and for a module without a CASE, which would be missing and nobody knew.
+
+@cache
+def catalogue() -> dict[str, Case]:
+    """Name -> case, in the order of the catalogue's rows.
+
+    Raises ValueError where two share a name, and for a module without a case, which would be missing and nobody knew.
     """
-    found: dict[str, ModuleType] = {}
+    found: dict[str, Case] = {}
     for entry in pkgutil.walk_packages(cases.__path__, f"{cases.__name__}."):
         if entry.ispkg:
             continue
         module = importlib.import_module(entry.name)
-        case = getattr(module, "CASE", None)
-        if not isinstance(case, Case):
-            raise ValueError(f"{entry.name} holds no case: it must end with CASE = Case(...)")
-        if case.name in found:
-            raise ValueError(f"two cases are called '{case.name}': {found[case.name].__name__}, {entry.name}")
-        found[case.name] = module
-    return dict(sorted(found.items(), key=lambda item: (*_row(item[1].CASE.row), item[0])))
-
-
-def catalogue() -> dict[str, Case]:
-    """Name -> case."""
-    return {name: module.CASE for name, module in modules().items()}
+        held: list[Case] = [*getattr(module, "CASES", ()), *([module.CASE] if hasattr(module, "CASE") else [])]
+        if not held:
+            raise ValueError(f"{entry.name} holds no case: it must end with CASE = Case(...) or with CASES")
+        for case in held:
+            if case.name in found:
+                raise ValueError(f"two cases are called '{case.name}', one of {entry.name}")
+            found[case.name] = case
+    return dict(sorted(found.items(), key=lambda item: (*_row(item[1].row), item[0])))
 
 
 def formula(case: Case) -> str:
     """The formula, sketch and source of a case: what the docstring of its module says below the first line."""
-    text = importlib.import_module(case.run.__module__).__doc__ or ""
+    run = case.run.func if isinstance(case.run, partial) else case.run
+    text = importlib.import_module(run.__module__).__doc__ or ""
     return text.partition("\n")[2].strip("\n")
 
 

@@ -12,13 +12,13 @@ from pathlib import Path
 
 from masonry.errors import SceneError
 from masonry.runtime.shell import Parser, complain
-from verification import catalogue, printout, records, runner
+from verification import catalogue, records, runner, text
 from verification.case import Case
 from verification.comparison import compare, last_version
 from verification.outcome import Outcome
 
 HOLDS, FAILS = 0, 1
-FORMATS = {"text": printout.as_text, "md": printout.as_markdown}
+FORMATS = {"text": text.as_text, "md": text.as_markdown}
 EPILOG = (
     "Without a word: the quick cases, under three minutes even where everything is compiled first. "
     "`make report` runs everything and explains it on one page."
@@ -63,7 +63,7 @@ def main(arguments: list[str] | None = None) -> int:
         raise SceneError(f"--workers {words.workers}: 0 (all in this process) or more")
     known = catalogue.catalogue()
     if words.list:
-        print(printout.listing(known.values()))
+        print(text.listing(known.values()))
         return HOLDS
     if words.full and words.cases:
         raise SceneError("--full runs all cases: name none beside it")
@@ -121,9 +121,9 @@ def _say(form: str, outcomes: list[Outcome], seconds: float) -> int:
     if form == "json":
         print(json.dumps([r for o in outcomes for r in records.records_of(o)], indent=1, allow_nan=False))
     else:
-        rows = list(map(printout.row, outcomes))
-        last = printout.verdict(outcomes, seconds)
-        print(FORMATS[form](rows, printout.HEADER, printout.notes(outcomes), last))
+        rows = list(map(text.row, outcomes))
+        last = text.verdict(outcomes, seconds)
+        print(FORMATS[form](rows, text.HEADER, text.notes(outcomes), last))
     return HOLDS if all(o.holds for o in outcomes) and any(o.proves for o in outcomes) else FAILS
 
 
@@ -135,7 +135,7 @@ def _compare(form: str, old: list[records.Record], new: list[records.Record]) ->
         print(json.dumps([{"where": c.where, "says": c.sentence, "moved": c.bad} for c in changes], indent=1))
     else:
         title = " ".join(records.version_of(before[0])) if before else "nothing"
-        sentences = printout.changes_notes(changes)
+        sentences = text.changes_notes(changes)
         print(FORMATS[form]([], ("compared with", title), sentences, ""))
     return FAILS if any(c.bad for c in changes) else HOLDS
 

@@ -10,7 +10,7 @@ SLOWER = 1.5
 FELT = 0.1
 """Seconds: times that differ by less are not told apart."""
 UNTOLD = 0.01
-"""The tolerance of a record that has none, as those of the ladders: a hundredth of the reference."""
+"""The tolerance of a record that has none, as those of the problems: a hundredth of the reference."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ def _number(old: Record, new: Record) -> list[Change]:
 
 
 def _times(records: dict[tuple[Any, ...], Record]) -> dict[str, float]:
-    """Seconds by case, or by rung where a record has one; stepping alone where it is known: compiling tells nothing."""
+    """Seconds by case, or by setting where a record has one; of stepping alone where known: compiling tells nothing."""
     found: dict[str, float] = {}
     for r in records.values():
         seconds = r["seconds_stepping"] if "seconds_stepping" in r else r.get("seconds")

@@ -1,12 +1,20 @@
-"""What came of a case that was run, and how that is judged."""
+"""A case run to its end and judged: whatever happens there becomes an outcome with a reason."""
 
 import math
+import time
+import traceback
 from dataclasses import dataclass
 
-from verification.case import Case, Check, Findings
+from geometry.blocks import GeometryError
+from masonry.errors import SceneError, Stopped
+from verification.case import Case, Check, Findings, RequiredFeature
 
 IMBALANCE = 1e-10
 """Of the external work: the most that a ledger of a case may be off at any row."""
+EXPECTED = (SceneError, GeometryError, Stopped, MemoryError)
+"""Errors that say themselves what is wrong; of any other one the place in the code is told as well."""
+Answer = tuple[Findings, str, str, float]
+"""Findings, status, reason and seconds: an outcome but for its case."""
 
 
 @dataclass
@@ -46,21 +54,52 @@ class Outcome:
         return [check for check in self.findings.checks if check.worse]
 
 
-def judge(findings: Findings) -> tuple[str, str]:
-    """PASS, or FAIL with the checks and ledgers that do not hold."""
-    wrong = [_missed(c) for c in findings.checks if not c.holds]
-    wrong += [
-        f"energy ledger of {name}: residual {r:.2e} of the external work > {IMBALANCE:.0e}"
-        for name, r in findings.imbalance.items()
-        if not r <= IMBALANCE
+def off(check: Check) -> str:
+    """A check that does not hold, in a sentence."""
+    unit = f" {check.unit}" if check.unit not in ("", "1") else ""
+    why = check.reason.rstrip(".")
+    if check.is_bound:
+        return f"{check.quantity} is {check.value:.8g}{unit}, but may be at most {check.reference:.8g}{unit} ({why})"
+    return (
+        f"{check.quantity} is {check.value:.8g}{unit}, but the {check.kind} gives {check.reference:.8g}{unit}: "
+        f"error {check.error:+.2e}, tolerance {check.tolerance:.0e} ({why})"
+    )
+
+
+def shortcomings(findings: Findings) -> list[str]:
+    """The checks and ledgers that do not hold, each in a sentence."""
+    found = [off(check) for check in findings.checks if not check.holds]
+    found += [
+        f"the energy ledger of {run} is open by {share:.1e} of the external work, more than {IMBALANCE:.0e}"
+        for run, share in findings.imbalance.items()
+        if not share <= IMBALANCE
     ]
-    if not findings.checks:
-        wrong.append("no check was made")
+    return found if findings.checks else [*found, "no check was made"]
+
+
+def judge(findings: Findings) -> tuple[str, str]:
+    """PASS, or FAIL with what does not hold."""
+    wrong = shortcomings(findings)
     return ("FAIL", "; ".join(wrong)) if wrong else ("PASS", "")
 
 
-def _missed(check: Check) -> str:
-    value = f"{check.quantity}: {check.value:.6g} {check.unit}"
-    if check.is_bound:
-        return f"{value}, at most {check.reference:.6g}"
-    return f"{value} against {check.reference:.6g}, error {check.error:.2e} > {check.tolerance:.0e}"
+def run_case(case: Case) -> Outcome:
+    """The outcome of a case; raises nothing but KeyboardInterrupt."""
+    return Outcome(case, *answer(case))
+
+
+def answer(case: Case) -> Answer:
+    """What a process that runs the case sends back: the case itself stays where it is."""
+    begun = time.perf_counter()
+    findings = Findings()
+    try:
+        findings = case.run()
+        status, reason = judge(findings)
+    except RequiredFeature as lacking:
+        status, reason = "NOT BUILT", f"needs {str(lacking) or 'a feature'}"
+    except EXPECTED as error:
+        status, reason = "ERROR", f"{type(error).__name__}: {error}"
+    except Exception as error:
+        last = traceback.extract_tb(error.__traceback__)[-1]
+        status, reason = "ERROR", f"{type(error).__name__}: {error} ({last.filename}, line {last.lineno})"
+    return findings, status, reason, time.perf_counter() - begun

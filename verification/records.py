@@ -10,10 +10,10 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
+from geometry.files.atomic import WholeFiles
 from masonry import __version__
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
-from masonry.runtime.folder import WholeFiles
 from masonry.runtime.text_files import JSON_LARGEST, json_in, text_of
 from verification.outcome import Outcome
 

@@ -5,11 +5,10 @@ from contextlib import closing
 from typing import Any
 
 from masonry.runtime.processes import Lost, work
-from masonry.runtime.progress import Tally, Tell
+from masonry.runtime.progress import ProgressLines, Tell
 from masonry.runtime.shell import INTERRUPTED
 from verification.case import Case, Findings
-from verification.outcome import Outcome
-from verification.worker import answer, run_case
+from verification.outcome import Outcome, answer, run_case
 
 WORKERS = 2
 LIMIT = 1200.0
@@ -31,7 +30,7 @@ def run(cases: Sequence[Case], workers: int = WORKERS, tell: Tell | None = None,
     tell     is called with a line for each case that ends
     limit    seconds after which a case is an error; kept by worker processes only
     """
-    tally = Tally((case.name for case in cases), tell)
+    tally = ProgressLines((case.name for case in cases), tell)
     done: dict[str, Outcome] = {}
 
     def keep(outcome: Outcome) -> None:

@@ -8,7 +8,7 @@ from geometry.blocks import CellReport, GeometryError
 
 
 @dataclass(frozen=True)
-class CellsAsked:
+class CellRequest:
     """How to divide units into cells. Exactly one of total, per_unit and size is given.
 
     total       cells in all units together, shared out by volume

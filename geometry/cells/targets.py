@@ -5,22 +5,22 @@ from collections.abc import Sequence
 import numpy as np
 
 from geometry.blocks import GeometryError
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 
 MOST_CELLS = 200_000
 MOST_RATIO = 1e6
 """Largest over smallest of the sizes of a unit's cells."""
 
 
-def share_out(asked: CellsAsked, volume: np.ndarray, depth: np.ndarray) -> np.ndarray:
+def share_out(request: CellRequest, volume: np.ndarray, depth: np.ndarray) -> np.ndarray:
     """(U,) cells of each unit of volume (U,) m3 and depth (U,) m; a total is met exactly, by largest remainders."""
-    if asked.total is not None:
-        counts = _largest_remainders(asked.total, volume)
-    elif asked.per_unit is not None:
-        counts = np.maximum(1, np.rint(asked.per_unit * volume / volume.max())).astype(np.int64)
+    if request.total is not None:
+        counts = _largest_remainders(request.total, volume)
+    elif request.per_unit is not None:
+        counts = np.maximum(1, np.rint(request.per_unit * volume / volume.max())).astype(np.int64)
     else:
-        assert asked.size is not None
-        one = asked.size**3 if asked.space else asked.size**2 * depth
+        assert request.size is not None
+        one = request.size**3 if request.space else request.size**2 * depth
         counts = np.maximum(1, np.rint(np.minimum(volume / one, 1e9))).astype(np.int64)
     if counts.sum() > MOST_CELLS:
         raise GeometryError(f"cells: this would make {counts.sum()} cells; at most {MOST_CELLS} are allowed")
@@ -39,14 +39,14 @@ def _largest_remainders(total: int, volume: np.ndarray) -> np.ndarray:
     return counts
 
 
-def target_sizes(asked: CellsAsked, counts: np.ndarray, whole: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+def target_sizes(request: CellRequest, counts: np.ndarray, whole: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     """(n,) sizes of all cells, unit by unit, that add up to the size whole (U,) of each unit."""
     sizes = np.ones(counts.sum())
-    if asked.sizes is not None:
-        _require_sizes(asked.sizes, counts)
-        sizes = np.tile(np.asarray(asked.sizes, dtype=float), len(counts))
-    elif asked.spread > 0:
-        sizes = rng.lognormal(0.0, np.sqrt(np.log1p(asked.spread**2)), len(sizes))
+    if request.sizes is not None:
+        _require_sizes(request.sizes, counts)
+        sizes = np.tile(np.asarray(request.sizes, dtype=float), len(counts))
+    elif request.spread > 0:
+        sizes = rng.lognormal(0.0, np.sqrt(np.log1p(request.spread**2)), len(sizes))
     unit = np.repeat(np.arange(len(counts)), counts)
     return sizes * (whole / np.bincount(unit, sizes))[unit]
 
@@ -64,14 +64,14 @@ def _require_sizes(sizes: tuple[float, ...], counts: np.ndarray) -> None:
         raise GeometryError(f"cells: there are {len(sizes)} sizes, but a unit has {odd} cells; give {odd} sizes")
 
 
-def given_sites(asked: CellsAsked, inside: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def given_sites(request: CellRequest, inside: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Seeds (n, 3) m of a scene sorted by unit, and how many each holds; inside (n, U) says which lie in which."""
-    site = np.asarray(asked.sites, dtype=float).reshape(-1, 3)
+    site = np.asarray(request.sites, dtype=float).reshape(-1, 3)
     if np.any(inside.sum(axis=1) != 1):
         x, y, z = site[np.flatnonzero(inside.sum(axis=1) != 1)[0]]
         raise GeometryError(f"cells: the site ({x:g}, {y:g}, {z:g}) m lies in no unit; move it or leave it out")
     counts = inside.sum(axis=0)
-    if asked.total != len(site):
+    if request.total != len(site):
         raise GeometryError(f"cells: there are {len(site)} sites; total must be their number: total = {len(site)}")
     if counts.min() < 1:
         u = int(np.argmin(counts))

@@ -1,10 +1,12 @@
 """Files appear whole or not at all: written beside the place and put there at the end."""
 
+import errno
 import os
 import stat
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
+from types import TracebackType
 
 from geometry.blocks import GeometryError
 
@@ -21,15 +23,63 @@ def whole_file(path: Path) -> Iterator[Path]:
     path = Path(path)
     if not path.name or not is_name(str(path)):
         raise GeometryError(f"cannot write '{path}': this is no name of a file")
-    beside = path.with_name(f".{os.getpid()}-{path.name[-LONGEST_NAME:]}")
+    if not path.parent.is_dir():
+        raise GeometryError(f"cannot write '{path}': {os.strerror(errno.ENOENT)}")
     try:
-        yield beside
-        os.replace(beside, path)
+        with WholeFiles(path.parent) as files:
+            yield files.new(path.name)
     except OSError as error:
         raise GeometryError(f"cannot write '{path}': {error.strerror or error}") from error
+
+
+class WholeFiles:
+    """Writes several files so that each one appears whole or not at all.
+
+    Within the `with` block, `new(name)` gives a temporary path in the same folder to write to. At the end all of them
+    are flushed to the disk and take their names; if anything was raised, none does and the temporary files go.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._temporary: dict[str, Path] = {}
+
+    def new(self, name: str) -> Path:
+        """The path to write the file `name` to."""
+        self._temporary[name] = self.folder / f".{os.getpid()}-unfinished-{name[-LONGEST_NAME:]}"
+        return self._temporary[name]
+
+    def text(self, name: str, content: str) -> None:
+        """Write a text file, UTF-8 with newlines as they are."""
+        self.new(name).write_text(content, encoding="utf-8", newline="\n")
+
+    def __enter__(self) -> "WholeFiles":
+        self.folder.mkdir(parents=True, exist_ok=True)
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        try:
+            if kind is None:
+                for path in self._temporary.values():
+                    _flush(path)
+                for name, path in self._temporary.items():
+                    os.replace(path, self.folder / name)
+                _flush(self.folder)
+        finally:
+            for path in self._temporary.values():
+                path.unlink(missing_ok=True)
+
+
+def _flush(path: Path) -> None:
+    """Have the disk hold what was written to a file or a folder."""
+    if path.is_dir() and os.name == "nt":
+        return
+    handle = os.open(path, os.O_RDONLY if os.name != "nt" else os.O_RDWR)
+    try:
+        os.fsync(handle)
     finally:
-        with suppress(OSError):
-            beside.unlink()
+        os.close(handle)
 
 
 def is_name(path: str) -> bool:

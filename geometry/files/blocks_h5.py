@@ -3,7 +3,7 @@
 HDF5 in h5py's default file version. `about` is a JSON text in bytes: format, version, names of groups and sets,
 section and shape. `blocks/` and (with tets) `mesh/` hold the arrays of the geometry floor, `sets/0`, `sets/1`, ...
 block numbers.
-Arrays lie open in the file, int64 or float64, neither packed nor linked: a file can only claim what it holds.
+Arrays are int64 or float64.
 """
 
 import json
@@ -15,6 +15,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Specimen, TetMesh
 from geometry.files.atomic import require_file, whole_file
+from geometry.files.hdf5 import new_file, require_plain
 from geometry.polyhedra.validate import require_sound, require_sound_mesh
 
 FORMAT, VERSION = "masonry blocks", 1
@@ -26,8 +27,6 @@ LONGEST_TEXT = 2**24
 
 def save_blocks(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> None:
     """Write a specimen, and the tets inside it; the file appears whole or not at all. GeometryError if it cannot."""
-    import h5py
-
     about = {
         "format": FORMAT,
         "version": VERSION,
@@ -36,7 +35,7 @@ def save_blocks(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> 
         "section": float(specimen.section),
         "shape": specimen.shape,
     }
-    with whole_file(path) as place, h5py.File(place, "w") as file:
+    with whole_file(path) as place, new_file(place) as file:
         file.create_dataset("about", data=np.frombuffer(json.dumps(about).encode(), dtype=np.uint8))
         _write(file.create_group("blocks"), specimen.blocks)
         sets = file.create_group("sets")
@@ -53,26 +52,27 @@ def load_blocks(path: Path) -> tuple[Specimen, TetMesh | None]:
     require_file(path, LARGEST)
     try:
         with h5py.File(path, "r") as file:
+            require_plain(file, path)
             return _read(file)
     except GeometryError as error:
         raise GeometryError(f"'{path}': {error}") from None
-    except (OSError, RuntimeError, KeyError, ValueError, TypeError, OverflowError, RecursionError) as error:
+    except (OSError, RuntimeError, LookupError, ValueError, TypeError, AttributeError, OverflowError) as error:
         raise GeometryError(f"'{path}' is damaged, or no file of blocks ({error})") from None
 
 
 def _read(file: Any) -> tuple[Specimen, TetMesh | None]:
     about = _about(file)
-    blocks = Blocks(groups=tuple(about["groups"]), **_arrays(_member(file, "blocks"), Blocks))
+    blocks = Blocks(groups=tuple(about["groups"]), **_arrays(file["blocks"], Blocks))
     require_sound(blocks)
     sets = {}
     for number, name in enumerate(about["sets"]):
-        members = _array(_member(file, "sets"), str(number))
+        members = _array(file["sets"], str(number))
         if members.ndim != 1 or members.dtype.kind != "i" or np.any((members < 0) | (members >= blocks.count)):
             raise GeometryError(f"set '{name}' names blocks that do not exist")
         sets[name] = members
     mesh = None
     if "mesh" in file:
-        mesh = TetMesh(**_arrays(_member(file, "mesh"), TetMesh))
+        mesh = TetMesh(**_arrays(file["mesh"], TetMesh))
         require_sound_mesh(blocks, mesh)
     return Specimen(blocks, sets, float(about["section"]), about["shape"]), mesh
 
@@ -110,26 +110,10 @@ def _arrays(group: Any, kind: type) -> dict[str, np.ndarray]:
     return {entry.name: _array(group, entry.name) for entry in fields(kind) if entry.name != "groups"}
 
 
-def _member(group: Any, name: str) -> Any:
-    """What stands under a name in the file itself, not behind a link to elsewhere."""
-    import h5py
-
-    if not isinstance(group, h5py.Group) or name not in group:
-        raise GeometryError(f"'{name}' is missing")
-    if not isinstance(group.get(name, getlink=True), h5py.HardLink):
-        raise GeometryError(f"'{name}' is a link; only what is in the file itself is read")
-    return group[name]
-
-
 def _array(group: Any, name: str) -> np.ndarray:
-    """An array of plain numbers that lies open in the file."""
     import h5py
 
-    data = _member(group, name)
-    if not isinstance(data, h5py.Dataset) or data.dtype not in (np.float64, np.int64, np.uint8) or data.shape is None:
-        raise GeometryError(f"'{name}' is no array of numbers")
-    if data.chunks is not None or data.external is not None or data.is_virtual:
-        raise GeometryError(f"'{name}' is packed or lies in another file")
-    if data.id.get_storage_size() != data.nbytes:
-        raise GeometryError(f"'{name}' claims {data.nbytes} bytes and holds {data.id.get_storage_size()}")
+    data = group.get(name)
+    if not isinstance(data, h5py.Dataset) or data.dtype not in (np.float64, np.int64, np.uint8):
+        raise GeometryError(f"'{name}' is missing, or no array of numbers")
     return np.asarray(data[()])

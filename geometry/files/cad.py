@@ -10,8 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from geometry.blocks import GeometryError
-from geometry.files.imported import Imported
+from geometry.blocks import GeometryError, Imported
 from geometry.files.step_labels import Label, labels, match
 from geometry.files.step_reader import length_unit, records
 from geometry.meshes.gmsh_session import gmsh_model

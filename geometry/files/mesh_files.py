@@ -12,10 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from geometry.blocks import GeometryError
+from geometry.blocks import GeometryError, Imported
 from geometry.checks import require_lengths
 from geometry.files.atomic import require_file
-from geometry.files.imported import Imported
 from geometry.files.sandbox import limited_memory
 from geometry.meshes.blocks_of_tets import blocks_of_tets
 

@@ -22,9 +22,8 @@ from typing import Any
 
 import numpy as np
 
-from geometry.blocks import Blocks, GeometryError, TetMesh
+from geometry.blocks import Blocks, GeometryError, Imported, TetMesh
 from geometry.files.atomic import require_file
-from geometry.files.imported import Imported
 
 LARGEST = 500_000_000  # bytes of a file
 MEMORY = 4 << 30  # bytes

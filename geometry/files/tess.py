@@ -8,9 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from geometry.blocks import GeometryError
+from geometry.blocks import GeometryError, Imported
 from geometry.checks import require_lengths
-from geometry.files.imported import Imported
 from geometry.files.tess_blocks import Faces, drawn_out, solid
 from geometry.files.tess_text import Section, read_sections
 from geometry.polyhedra.construct import with_own_points

@@ -21,9 +21,9 @@ def tiles(joints: Joints) -> tuple[np.ndarray, np.ndarray]:
     most = int(np.bincount(joints.patch).max(initial=1))
     open_, seen = np.arange(len(joints.point)), 1
     while len(open_) and seen < most:
-        asked = min(most, max(seen * 2, NEIGHBOURS))
-        distance, near = _nearest(joints, open_, asked)
-        for k in range(seen, asked):
+        near_by = min(most, max(seen * 2, NEIGHBOURS))
+        distance, near = _nearest(joints, open_, near_by)
+        for k in range(seen, near_by):
             reach = 2.0 * np.linalg.norm(corners[open_] - joints.point[open_][:, None], axis=2).max(axis=1)
             close = np.flatnonzero((distance[:, k] > 0.0) & (distance[:, k] < reach))
             which, other = open_[close], near[close, k]
@@ -36,7 +36,7 @@ def tiles(joints: Joints) -> tuple[np.ndarray, np.ndarray]:
             corners = widen(corners, width)
             corners[which] = widen(part, width)
         reach = 2.0 * np.linalg.norm(corners[open_] - joints.point[open_][:, None], axis=2).max(axis=1)
-        open_, seen = open_[distance[:, -1] < reach], asked
+        open_, seen = open_[distance[:, -1] < reach], near_by
     start, points = unpad(corners, count)
     return start, points
 

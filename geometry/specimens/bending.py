@@ -3,7 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Specimen
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.checks import require_counts, require_lengths
 from geometry.polyhedra.construct import concatenate, from_boxes
 from geometry.polyhedra.overlaps import check_overlaps
@@ -52,7 +52,7 @@ def bending(
     }
     require_lengths("bending", lengths, zero_allowed=("joint_thickness",))
     require_units("bending", bond, courses, units_per_course)
-    if not isinstance(divisions, CellsAsked):
+    if not isinstance(divisions, CellRequest):
         require_counts("bending", "divisions", divisions, "xyz")
     laid = lay(bond, courses, units_per_course, (unit_length, unit_height), joint_thickness, thickness, unit_width)
     span = laid.length - 2 * support_distance

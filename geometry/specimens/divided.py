@@ -6,7 +6,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, CellReport, GeometryError, Specimen
 from geometry.cells.domain import Domain
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.cells.targets import given_sites, share_out
 from geometry.checks import require_counts
 from geometry.polyhedra.construct import concatenate, from_faces
@@ -34,11 +34,11 @@ def divided(specimen: Specimen, filling: Filling, group: str = "units") -> Speci
     if not (convex := are_convex(blocks, SAME * extent(blocks)))[chosen].all():
         b = int(chosen[np.argmin(convex[chosen])])
         raise GeometryError(f"block {b} is not convex; only convex blocks can be divided: make its parts blocks each")
-    if isinstance(filling, CellsAsked) and not filling.space:
+    if isinstance(filling, CellRequest) and not filling.space:
         _require_prisms(blocks, chosen)
     one = _selected(blocks, chosen)
     reports: tuple[CellReport, ...] = ()
-    if isinstance(filling, CellsAsked):
+    if isinstance(filling, CellRequest):
         parts, report = _cells(one, filling, group)
         reports = (report,)
     else:
@@ -54,21 +54,21 @@ def divided(specimen: Specimen, filling: Filling, group: str = "units") -> Speci
     return replace(specimen, blocks=whole, sets=sets, cells=(*specimen.cells, *reports))
 
 
-def _cells(blocks: Blocks, asked: CellsAsked, group: str) -> tuple[Blocks, CellReport]:
+def _cells(blocks: Blocks, request: CellRequest, group: str) -> tuple[Blocks, CellReport]:
     """Cells of all blocks together; the unit of a cell is the number of its block."""
-    rng = np.random.default_rng(asked.seed)
+    rng = np.random.default_rng(request.seed)
     domains, volume = [_domain(blocks, b) for b in range(blocks.count)], volumes(blocks)
     low, high = (corner[:, 1] for corner in bounds(blocks))
-    if asked.sites is not None:
-        places = np.asarray(asked.sites, dtype=float).reshape(-1, 3)
-        site, counts = given_sites(asked, np.stack([domain.contains(places) for domain in domains], axis=1))
+    if request.sites is not None:
+        places = np.asarray(request.sites, dtype=float).reshape(-1, 3)
+        site, counts = given_sites(request, np.stack([domain.contains(places) for domain in domains], axis=1))
     else:
-        site, counts = None, share_out(asked, volume, high - low)
-    if asked.space:
-        return space_cells(domains, volume, asked, group, counts, site, rng)
+        site, counts = None, share_out(request, volume, high - low)
+    if request.space:
+        return space_cells(domains, volume, request, group, counts, site, rng)
     fronts = face_areas_normals_centroids(blocks)[1][:, 1] < -1 + SAME
     outlines = [blocks.face(f)[:, [0, 2]] for f in np.flatnonzero(fronts).tolist()]
-    return plane_cells(outlines, low, high, volume / (high - low), asked, group, counts, site, rng)
+    return plane_cells(outlines, low, high, volume / (high - low), request, group, counts, site, rng)
 
 
 def _domain(blocks: Blocks, block: int) -> Domain:

@@ -5,19 +5,19 @@ from collections.abc import Sequence
 import numpy as np
 
 from geometry.blocks import Blocks, CellReport, Specimen
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.checks import require_counts, require_lengths
 from geometry.polyhedra.construct import concatenate, from_boxes
 from geometry.polyhedra.overlaps import check_overlaps
 from geometry.specimens.filling import fill_with_cells, fill_with_grid
 
-Filling = Sequence[int] | CellsAsked
+Filling = Sequence[int] | CellRequest
 """How boxes are divided: (nx, ny, nz) blocks in each, or cells in all of them together."""
 
 
 def filled(low: np.ndarray, high: np.ndarray, filling: Filling, group: str) -> tuple[Blocks, tuple[CellReport, ...]]:
     """Boxes low[u]..high[u] (U, 3) m divided as asked, and what cells came to; the unit of a block is u."""
-    if isinstance(filling, CellsAsked):
+    if isinstance(filling, CellRequest):
         blocks, report = fill_with_cells(low, high, filling, group)
         return blocks, (report,)
     return fill_with_grid(low, high, [filling] * len(low), group), ()
@@ -71,11 +71,11 @@ def _require(
 ) -> None:
     require_lengths(kind, dict(zip(("length", "width", "height"), size, strict=True)))
     require_counts(kind, "number of units", (units,), "z")
-    if not isinstance(filling, CellsAsked):
+    if not isinstance(filling, CellRequest):
         require_counts(kind, "divisions", filling, "xyz")
     if mortar is not None:
         require_lengths(kind, {"mortar thickness": mortar[0]})
-        if not isinstance(mortar[1], CellsAsked):
+        if not isinstance(mortar[1], CellRequest):
             require_counts(kind, "mortar divisions", mortar[1], "xyz")
     if plates is not None:
         require_lengths(kind, {"plates": plates})

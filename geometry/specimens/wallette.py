@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from geometry.blocks import Specimen
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.checks import require_counts, require_lengths
 from geometry.polyhedra.construct import concatenate, from_boxes
 from geometry.polyhedra.overlaps import check_overlaps
@@ -20,7 +20,7 @@ def wallette(
     unit_height: float,
     thickness: float,
     joint_thickness: float,
-    divisions: Sequence[int] | CellsAsked = (1, 1),
+    divisions: Sequence[int] | CellRequest = (1, 1),
     plates: float | None = None,
     bond: str = "running",
     unit_width: float | None = None,
@@ -47,7 +47,7 @@ def wallette(
     lengths |= {name: length for name, length in optional.items() if length is not None}
     require_lengths("wallette", lengths, zero_allowed=("joint_thickness",))
     require_units("wallette", bond, courses, units_per_course)
-    if not isinstance(divisions, CellsAsked):
+    if not isinstance(divisions, CellRequest):
         require_counts("wallette", "divisions", divisions, "xz")
         divisions = (divisions[0], 1, divisions[1])
     laid = lay(bond, courses, units_per_course, (unit_length, unit_height), joint_thickness, thickness, unit_width)

@@ -5,7 +5,7 @@ from math import gcd
 import numpy as np
 
 from geometry.blocks import Blocks, CellReport, GeometryError
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.polyhedra.measures import bounds
 from geometry.specimens.bond import WHOLE, Bond
 from geometry.specimens.filling import fill_with_cells, fill_with_grid
@@ -14,7 +14,7 @@ from geometry.specimens.stacked import Filling
 
 def fill_bond(kind: str, bond: Bond, filling: Filling) -> tuple[Blocks, tuple[CellReport, ...]]:
     """The blocks of a wall; filling is (nx, ny, nz) blocks of a whole unit (parts get their share), or cells."""
-    if isinstance(filling, CellsAsked):
+    if isinstance(filling, CellRequest):
         blocks, report = fill_with_cells(bond.low, bond.high, filling, "units")
         return blocks, (report,)
     nx, ny, nz = filling

@@ -12,7 +12,7 @@ from masonry.laws import factory as law_build
 from masonry.laws.state import Interface
 from masonry.model.draws import PROPERTIES, correlated, lognormal, pairs_of, standard_normals
 from masonry.scene.tables.scatter import Scatter
-from masonry.simd.alignment import aligned
+from masonry.simd.rows import aligned
 
 UNITS = {"tensile_strength": (1e-6, "MPa"), "cohesion": (1e-6, "MPa")}
 """Factor and unit in which drawn values are shown; energies in N/m."""

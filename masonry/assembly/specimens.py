@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Specimen, TetMesh
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.files.blocks_h5 import load_blocks
 from geometry.specimens.arch import arch
 from geometry.specimens.bending import bending
@@ -20,9 +20,8 @@ from geometry.specimens.wallette import wallette
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
 from masonry.scene import Scene
-from masonry.scene.tables.own_specimen import parameters_of
 from masonry.scene.tables.specimen import kinds
-from masonry.scene.tables.specimen_plugins import built
+from masonry.scene.tables.specimen_plugins import built, parameters_of
 
 
 def specimen_of(scene: Scene) -> Specimen:
@@ -99,14 +98,14 @@ def _of_file(spec: Any) -> Specimen:
     return divided(found, _filling(spec))
 
 
-def _filling(table: Any) -> Sequence[int] | CellsAsked:
+def _filling(table: Any) -> Sequence[int] | CellRequest:
     """Blocks along each axis, or the cells that a table asks for."""
     divisions: Sequence[int] = table.divisions
     if (cells := table.cells) is None:
         return divisions
     plain = ("total", "per_unit", "size", "spread", "sizes", "sites", "seed", "regularise")
     given = {key: getattr(cells, key) for key in plain}
-    return CellsAsked(**given, space=cells.form == "space", laguerre=cells.kind == "laguerre")
+    return CellRequest(**given, space=cells.form == "space", laguerre=cells.kind == "laguerre")
 
 
 def blocks_from(path: str) -> tuple[Specimen, TetMesh | None]:

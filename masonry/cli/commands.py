@@ -67,12 +67,10 @@ def import_blocks(words: argparse.Namespace) -> int:
 
 def list_scenes(words: argparse.Namespace) -> int:
     """`masonry list`: name and title of every packaged scene."""
+    from masonry.runtime.tables import columns
     from masonry.scene.source import titles
 
-    found = titles()
-    margin = max(map(len, found), default=0) + 2
-    for name, title in found.items():
-        print(f"{name:<{margin}}{title}".rstrip())
+    print("\n".join(columns(list(titles().items()))))
     return OK
 
 

@@ -71,11 +71,11 @@ def others(optional: bool) -> Finding:
 def _requirements() -> list[tuple[str, str]]:
     """Name and extra ("" where it is needed) of what the distribution asks for; none where it is not installed."""
     try:
-        asked = metadata.requires(DISTRIBUTION) or []
+        requirements = metadata.requires(DISTRIBUTION) or []
     except metadata.PackageNotFoundError:
         return []
     found = []
-    for line in asked:
+    for line in requirements:
         name = re.match(r"[\w.-]+", line)
         extra = re.search(r"extra == ['\"]([\w-]+)['\"]", line)
         if name and name[0] != DISTRIBUTION:

@@ -6,7 +6,7 @@ from typing import Any, get_args
 
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
-from masonry.laws.plugins import all_law_names, outside_law
+from masonry.laws.plugins import all_law_names, plugin_law
 from masonry.plugins import plugins
 from masonry.runtime.shell import OK, Parser
 
@@ -69,6 +69,7 @@ def main(arguments: list[str] | None = None) -> int:
 def _list() -> list[str]:
     """A line for each law: name, where it comes from, what it is or what is wrong with it."""
     from masonry.laws.factory import module_of
+    from masonry.runtime.tables import columns
 
     rows = [(name, "masonry", _first_line(module_of(name))) for name in law_names()]
     for name, several in plugins("masonry.laws").items():
@@ -79,8 +80,7 @@ def _list() -> list[str]:
             rows.append((name, origin, _first_line(module_of(name))))
         except SceneError as error:
             rows.append((name, origin, f"DOES NOT WORK: {error}"))
-    margins = [max(len(row[k]) for row in rows) + 2 for k in (0, 1)]
-    return [f"{name:<{margins[0]}}{origin:<{margins[1]}}{words}" for name, origin, words in rows]
+    return columns(rows)
 
 
 def _first_line(module: Any) -> str:
@@ -91,7 +91,7 @@ def _contact(name: str, changes: list[str]) -> Any:
     """The contact of the couplet with this law, its examples and the changes."""
     from masonry.scene import load
 
-    own = None if name in law_names() else outside_law(name)
+    own = None if name in law_names() else plugin_law(name)
     if own is None and name not in law_names():
         raise SceneError(f"there is no law '{name[:60]}'; {nearest(name, all_law_names())}")
     example = {} if own is None else {f"{GROUP}.{key}": value for key, value in own.example.items()}
@@ -107,7 +107,7 @@ def _contact(name: str, changes: list[str]) -> Any:
 def _about(name: str, contact: Any, shape: Any) -> list[tuple[str, list[str]]]:
     from masonry.laws.factory import module_of, properties_of
 
-    own = None if name in law_names() else outside_law(name)
+    own = None if name in law_names() else plugin_law(name)
     module = module_of(name)
     above_0 = [key for field, key in module.PARAMETERS.items() if field not in shape._field_defaults]
     read = properties_of(name)

@@ -1,4 +1,4 @@
-"""`masonry movie`: a film of a folder of results, cracks beside the curve.
+"""`masonry movie`: a movie of a folder of results, cracks beside the curve.
 
 Exit codes: 0 written, 2 something wrong with the words or the folder, 130 interrupted; nothing is written then.
 """
@@ -14,7 +14,7 @@ def parser() -> Parser:
     """The words that the command knows."""
     words = Parser(
         prog="masonry movie",
-        description="Film a folder of results: the cracks beside the curve, one picture for each frame that was kept.",
+        description="Movie a folder of results: the cracks beside the curve, one picture for each frame that was kept.",
         epilog="More frames: `masonry run SCENE --set solver.frames=100`.",
     )
     words.add_argument("folder", type=Path, metavar="DIR", help="a folder of results")
@@ -28,12 +28,12 @@ def parser() -> Parser:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
     from masonry.laboratory.result import load_result
-    from masonry.movies.movie_file import write_film
+    from masonry.movies.movie_file import write_movie
     from masonry.runtime.progress import Progress
 
     words = parser().parse_args(arguments)
     result = load_result(words.folder)
     with Progress(label="movie") as progress:
-        path = write_film(result, words.to or words.folder / "movie.gif", words.fps, words.view, words.scale, progress)
+        path = write_movie(result, words.to or words.folder / "movie.gif", words.fps, words.view, words.scale, progress)
     print(visible(f"{path}"))
     return OK

@@ -22,18 +22,18 @@ def run(words: argparse.Namespace) -> int:
     from masonry.timeloop.checkpoint import Checkpoints
 
     every = _every(words.checkpoint_every, EVERY)
-    with interruptible() as asked:
+    with interruptible() as interrupts:
         loaded = scene.load(words.scene, words.overrides)
         with claimed(words.scene, words.out, overwrite=words.overwrite) as out:
-            kept = Checkpoints(out)
+            checkpoints = Checkpoints(out)
             try:
-                kept.sweep_up()
-                kept.clear()
+                checkpoints.sweep_up()
+                checkpoints.clear()
                 if math.isfinite(every):
-                    kept.begin(scene.to_toml(loaded), {"threads": words.threads, "checkpoint_every": every})
+                    checkpoints.begin(scene.to_toml(loaded), {"threads": words.threads, "checkpoint_every": every})
             except OSError as error:
                 raise _cannot_write(out, error) from None
-            going = _Run(loaded, kept, words.threads, every, asked, words.quiet)
+            going = _Run(loaded, checkpoints, words.threads, every, interrupts, words.quiet)
             return going.carry_out(scene_name(words.scene))
 
 
@@ -43,20 +43,20 @@ def resume(words: argparse.Namespace) -> int:
     from masonry.runtime.lock import sole
     from masonry.timeloop.checkpoint import Checkpoints
 
-    kept = Checkpoints(words.folder)
-    if not kept.scene.is_file():
+    checkpoints = Checkpoints(words.folder)
+    if not checkpoints.scene.is_file():
         return _nothing_to_resume(words.folder)
-    with interruptible() as asked, sole(words.folder, "resumes the run in it"):
-        if not kept.scene.is_file():  # done by another process meanwhile
+    with interruptible() as interrupts, sole(words.folder, "resumes the run in it"):
+        if not checkpoints.scene.is_file():  # done by another process meanwhile
             return _nothing_to_resume(words.folder)
-        kept.sweep_up()
-        how = kept.how()
+        checkpoints.sweep_up()
+        how = checkpoints.how()
         begun = how.get("threads")
         threads = words.threads or (min(begun, processors()) if isinstance(begun, int) and begun > 0 else 1)
         before = how.get("checkpoint_every")
         every = _every(words.checkpoint_every, before if isinstance(before, float) and before > 0 else EVERY)
-        loaded = scene.load(kept.scene)
-        going = _Run(loaded, kept, threads, every, asked, words.quiet)
+        loaded = scene.load(checkpoints.scene)
+        going = _Run(loaded, checkpoints, threads, every, interrupts, words.quiet)
         going.find_checkpoint()
         return going.carry_out(loaded.name)
 
@@ -64,34 +64,39 @@ def resume(words: argparse.Namespace) -> int:
 class _Run:
     """One run of a scene into a folder that this process holds."""
 
-    def __init__(self, scene: Any, kept: Any, threads: int, every: float, asked: Interrupts, quiet: bool) -> None:
+    def __init__(
+        self, scene: Any, checkpoints: Any, threads: int, every: float, interrupts: Interrupts, quiet: bool
+    ) -> None:
         from masonry.laboratory.provenance import origin_of
         from masonry.scene import to_toml
         from masonry.timeloop.checkpointer import Checkpointer
 
-        self.scene, self.kept, self.threads, self.asked, self.quiet = scene, kept, threads, asked, quiet
+        self.scene, self.checkpoints = scene, checkpoints
+        self.threads, self.interrupts, self.quiet = threads, interrupts, quiet
         self.new = True
-        self.out: Path = kept.results
-        self.origin = origin_of(to_toml(scene))
-        self.keeper = Checkpointer(kept if math.isfinite(every) else None, self.origin, every, asked, _tell)
+        self.out: Path = checkpoints.results
+        self.provenance = origin_of(to_toml(scene))
+        self.checkpointer = Checkpointer(
+            checkpoints if math.isfinite(every) else None, self.provenance, every, interrupts, _tell
+        )
 
     def find_checkpoint(self) -> None:
-        """Have the keeper go on from the newest checkpoint that is whole, if the run got to one."""
+        """Have the checkpointer go on from the newest checkpoint that is whole, if the run got to one."""
         from masonry.laboratory.provenance import require_same
 
         self.new = False
-        saved, wrong = self.kept.newest()
+        saved, wrong = self.checkpoints.newest()
         for line in wrong:
             _tell(line + ("; the one before it is used" if saved else ""))
         if saved is None and wrong:
             raise SceneError(
-                f"no checkpoint in '{self.kept.folder}' can be read; run the scene again: masonry run {self.kept.scene}"
-                " --out ANOTHER"
+                f"no checkpoint in '{self.checkpoints.folder}' can be read; run the scene again: masonry run "
+                f"{self.checkpoints.scene} --out ANOTHER"
             )
         if saved is not None:
-            self.keeper.saved = saved
-            self.keeper.remarks = require_same(saved["origin"], self.origin, self.out)
-            for line in self.keeper.remarks:
+            self.checkpointer.saved = saved
+            self.checkpointer.remarks = require_same(saved["origin"], self.provenance, self.out)
+            for line in self.checkpointer.remarks:
                 _tell(line)
         elif not self.quiet:
             _tell("it did not reach its first checkpoint: starts again")
@@ -102,17 +107,17 @@ class _Run:
             return self._carry_out(label)
         except KeyboardInterrupt:
             self._leave_nothing_begun()
-            if not self.kept.scene.is_file():
-                return complain("interrupted before there were results", self.asked.code)
-            return complain(f"ended at once; {self._how_to_go_on()}", self.asked.code)
+            if not self.checkpoints.scene.is_file():
+                return complain("interrupted before there were results", self.interrupts.code)
+            return complain(f"ended at once; {self._how_to_go_on()}", self.interrupts.code)
         except BaseException:
             self._leave_nothing_begun()
             raise
 
     def _leave_nothing_begun(self) -> None:
         """A new run that did not get anywhere leaves nothing to go on from."""
-        if self.new and not self.kept.states():
-            self.kept.clear()
+        if self.new and not self.checkpoints.states():
+            self.checkpoints.clear()
 
     def _carry_out(self, label: str) -> int:
         try:
@@ -121,17 +126,19 @@ class _Run:
             if error.result is None:
                 raise
             paths = self._save(error.result)
-            self.kept.clear()
+            self.checkpoints.clear()
             self._print(paths, error.result)
             return complain([f"{error}", f"masonry: the results up to there are in '{self.out}'"], STOPPED)
         paths = self._save(result)
         interrupted = result.summary.get("interrupted")
         if not interrupted:
-            self.kept.clear()
+            self.checkpoints.clear()
         self._print(paths, result)
         if interrupted:
             words = f"interrupted; the results up to there are in '{self.out}'"
-            return complain(f"{words}; {self._how_to_go_on()}" if self.kept.states() else words, self.asked.code)
+            return complain(
+                f"{words}; {self._how_to_go_on()}" if self.checkpoints.states() else words, self.interrupts.code
+            )
         return OK
 
     def _print(self, paths: dict[str, Path], result: Any) -> None:
@@ -145,16 +152,16 @@ class _Run:
         from masonry.runtime.progress import Progress
 
         if self.quiet:
-            return laboratory.run(self.scene, threads=self.threads, progress=None, keeper=self.keeper)
+            return laboratory.run(self.scene, threads=self.threads, progress=None, keeper=self.checkpointer)
         with Progress(label=label) as progress:
-            return laboratory.run(self.scene, threads=self.threads, progress=progress, keeper=self.keeper)
+            return laboratory.run(self.scene, threads=self.threads, progress=progress, keeper=self.checkpointer)
 
     def _save(self, result: Any) -> dict[str, Path]:
         try:
             paths: dict[str, Path] = result.save(self.out)
             return paths
         except OSError as error:
-            more = f"; once it can, {self._how_to_go_on()}" if self.kept.states() else ""
+            more = f"; once it can, {self._how_to_go_on()}" if self.checkpoints.states() else ""
             raise _cannot_write(self.out, error, more) from None
 
     def _how_to_go_on(self) -> str:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from masonry.errors import SceneError, visible
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import INTERRUPTED, OK, STOPPED, Parser
+from masonry.runtime.tables import columns
 
 if TYPE_CHECKING:
     from masonry.scene import Scene
@@ -73,13 +74,11 @@ def _listing(loaded: "Scene", only: list[str], quick: bool) -> str:
     from masonry.assembly.assemble import assemble
     from masonry.comparison.variants import variants
 
-    chosen = variants(assemble(loaded), only, quick)
-    kinds, names = (max(map(len, words)) for words in ((v.kind for v in chosen), (v.name for v in chosen)))
-    lines = []
-    for variant in chosen:
-        settings = ", ".join(f"{key} = {value!r}" for key, value in variant.settings.items())
-        lines.append(visible(f"{variant.kind:<{kinds}}  {variant.name:<{names}}  {settings}").rstrip())
-    return "\n".join(lines)
+    rows = [
+        (variant.kind, variant.name, ", ".join(f"{key} = {value!r}" for key, value in variant.settings.items()))
+        for variant in variants(assemble(loaded), only, quick)
+    ]
+    return "\n".join(map(visible, columns(rows)))
 
 
 def _tell(line: str) -> None:

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from geometry.files.atomic import WholeFiles
 from masonry.assembly.assemble import assemble
 from masonry.comparison import table
 from masonry.comparison.study import DOING, TABLE, begin, study
 from masonry.comparison.variants import variants
 from masonry.errors import SceneError
-from masonry.runtime.folder import WholeFiles
 from masonry.runtime.lock import sole
 from masonry.runtime.processors import processors
 from masonry.runtime.progress import Tell

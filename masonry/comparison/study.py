@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from geometry.files.atomic import WholeFiles
 from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
 from masonry.results.trust import trust
-from masonry.runtime.folder import RESULTS, WholeFiles, claim, scene_name
+from masonry.runtime.folder import RESULTS, claim, scene_name
 from masonry.runtime.lock import sole
 from masonry.runtime.progress import Tell
 from masonry.runtime.text_files import json_of, text_of

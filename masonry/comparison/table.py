@@ -10,7 +10,7 @@ from typing import Any
 from masonry.comparison.study import FIGURES, Figure
 from masonry.errors import visible
 from masonry.runtime.progress import duration
-from masonry.runtime.tables import WIDTH
+from masonry.runtime.tables import WIDTH, columns
 
 Row = dict[str, Any]
 SMALL = 0.01
@@ -23,11 +23,9 @@ def text(rows: Sequence[Row]) -> str:
     """The table in columns, a line a run, and the sentence below it."""
     heads = ["run", "trust", *(f"{f.name} [{f.unit}]" for f in FIGURES), "time"]
     lines = [heads, *(_words(row) for row in rows)]
-    widths = [max(len(line[k]) for line in lines) for k in range(len(heads))]
-    shown = ["  ".join(f"{word:<{width}}" for word, width in zip(line, widths, strict=True)).rstrip() for line in lines]
     lost = [f"{row['variant']}: {row['trust']}, {row['trust_sentence']}" for row in rows if row["status"] != "OK"]
     below = [line for words in (sentence(rows), *lost) for line in textwrap.wrap(visible(words), WIDTH)]
-    return "\n".join([*shown, "", *below])
+    return "\n".join([*columns(lines), "", *below])
 
 
 def _words(row: Row) -> list[str]:

@@ -32,11 +32,11 @@ class CurveAxes:
 
 def curve_axes(result: "ResultData") -> CurveAxes:
     """The axes that the scene of a result asks for; time across where nothing is driven."""
-    asked, rows = _asked(result), result.history.rows
-    name, unit, factor = UP.get(str(asked.get("y")), UP["stress"])
+    curve, rows = _curve_table(result), result.history.rows
+    name, unit, factor = UP.get(str(curve.get("y")), UP["stress"])
     if name == "force":
         factor *= result.specimen.section
-    across = str(asked.get("x", "displacement"))
+    across = str(curve.get("x", "displacement"))
     across = across if across in rows else "displacement"
     if not rows["displacement"].any() and across == "displacement":
         return CurveAxes(rows["time"], "time [s]", name, unit, factor)
@@ -45,6 +45,6 @@ def curve_axes(result: "ResultData") -> CurveAxes:
     return CurveAxes(rows[across] * 1e3, f"{across} [mm]", name, unit, factor)
 
 
-def _asked(result: "ResultData") -> dict[str, object]:
+def _curve_table(result: "ResultData") -> dict[str, object]:
     curve = result.scene_table.get("curve", {})
     return curve if isinstance(curve, dict) else {}

@@ -12,9 +12,10 @@ from masonry.drawings.condition_marks import Mark, marks
 from masonry.drawings.mark_drawing import COLOURS, draw_mark, place_of_value, stands_left
 from masonry.drawings.picture_frame import draw_axes, draw_sets
 from masonry.errors import SceneError
+from masonry.pictures.camera import Camera, camera_of, front_view
 from masonry.pictures.faces import UNIT_EDGE, FaceDrawing
 from masonry.pictures.front import group_colours
-from masonry.pictures.hidden_surfaces import Sight, front_sight, oblique_sight, visible_pieces
+from masonry.pictures.hidden_surfaces import visible_pieces
 from masonry.pictures.style import plain, write_png
 from masonry.scene import Scene
 
@@ -38,37 +39,37 @@ def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
     return path
 
 
-def sight_of(scene: Scene, specimen: Specimen, view: str | None) -> Sight:
-    """The projection of a view by its name, or the one that shows the drive."""
-    front = front_sight(specimen.blocks.points, specimen.shape)
+def camera_for(scene: Scene, specimen: Specimen, view: str | None) -> Camera:
+    """The camera of a view by its name, or the one that shows the drive."""
+    points, shape = specimen.blocks.points, specimen.shape
     if view is None:
-        across = scene.drive is not None and abs(front.toward[scene.drive.axis]) > 0.5
-        view = "iso" if across else "front"
-    return front if view == "front" else oblique_sight()
+        toward = front_view(points, shape).toward
+        view = "iso" if scene.drive is not None and abs(toward[scene.drive.axis]) > 0.5 else "front"
+    return camera_of(view, points, shape)
 
 
 def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str | None = None) -> Any:
     """A matplotlib figure."""
     from matplotlib.figure import Figure
 
-    sight = sight_of(scene, specimen, view)
+    camera = camera_for(scene, specimen, view)
     blocks = specimen.blocks
-    size = float(np.ptp(sight.project(blocks.points), axis=0).max())
+    size = float(np.ptp(camera.project(blocks.points), axis=0).max())
     listed = marks(scene, specimen, joints)
     figure = Figure(figsize=(WIDTH, WIDTH), layout="constrained")
     axes = figure.subplots()
     _title(figure, scene, specimen)
-    pieces = visible_pieces(blocks, joints, sight)
-    faces = FaceDrawing(blocks, sight)
+    pieces = visible_pieces(blocks, joints, camera)
+    faces = FaceDrawing(blocks, camera)
     for piece in pieces:
         faces.add_piece(piece)
     faces.draw(axes)
     for mark in listed:
-        draw_mark(axes, specimen, mark, pieces, sight, size)
-    words = [words for mark in listed if (words := place_of_value(mark, sight, size)) is not None]
+        draw_mark(axes, specimen, mark, pieces, camera, size)
+    words = [words for mark in listed if (words := place_of_value(mark, camera, size)) is not None]
     left_taken = any(stands_left(specimen, mark) for mark in listed)
-    draw_sets(axes, specimen, pieces, sight, size, words, left_taken)
-    draw_axes(axes, blocks, sight, left_taken)
+    draw_sets(axes, specimen, pieces, camera, size, words, left_taken)
+    draw_axes(axes, blocks, camera, left_taken)
     rows = _draw_list(figure, blocks, listed)
     axes.margins(0.02)
     low, high = axes.dataLim.min, axes.dataLim.max

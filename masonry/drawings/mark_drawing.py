@@ -6,7 +6,8 @@ import numpy as np
 
 from geometry.blocks import Specimen
 from masonry.drawings.condition_marks import Mark, box_of, nearer_side, spread
-from masonry.pictures.hidden_surfaces import Piece, Sight, hidden
+from masonry.pictures.camera import Camera
+from masonry.pictures.hidden_surfaces import Piece, hidden
 
 COLOURS = {"support": "#1e7a4c", "drive": "#c0392b", "traction": "#1f5fa8"}
 ARROW = 0.09
@@ -17,14 +18,14 @@ PAPER = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5}
 """Behind words, so that they can be read on joints and hatching."""
 
 
-def draw_mark(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], sight: Sight, size: float) -> None:
+def draw_mark(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], camera: Camera, size: float) -> None:
     """Draw one support, drive or traction; size (m) of the picture, pieces as from visible_pieces."""
     colour = COLOURS[mark.kind]
     if mark.kind == "support":
-        _draw_support(axes, specimen, mark, pieces, sight, size)
+        _draw_support(axes, specimen, mark, pieces, camera, size)
     for base, way, presses in mark.arrows:
-        _draw_arrows(axes, sight, pieces, (base, way, presses), colour, size)
-    if (words := place_of_value(mark, sight, size)) is not None:
+        _draw_arrows(axes, camera, pieces, (base, way, presses), colour, size)
+    if (words := place_of_value(mark, camera, size)) is not None:
         _draw_value(axes, mark, *words, size)
 
 
@@ -38,7 +39,7 @@ def stands_left(specimen: Specimen, mark: Mark) -> bool:
     return False
 
 
-def place_of_value(mark: Mark, sight: Sight, size: float) -> tuple[np.ndarray, np.ndarray] | None:
+def place_of_value(mark: Mark, camera: Camera, size: float) -> tuple[np.ndarray, np.ndarray] | None:
     """Where the words of a mark stand (2,), and in which direction (2,) from its specimen; None without words.
 
     That is the free end of the last arrow of the first group.
@@ -46,8 +47,8 @@ def place_of_value(mark: Mark, sight: Sight, size: float) -> tuple[np.ndarray, n
     if not (mark.arrows and mark.value):
         return None
     base, way, presses = mark.arrows[0]
-    out = (-1.0 if presses else 1.0) * _flat(sight, way)
-    return sight.project(base[-1]) + 1.1 * ARROW * size * out, out
+    out = (-1.0 if presses else 1.0) * _flat(camera, way)
+    return camera.project(base[-1]) + 1.1 * ARROW * size * out, out
 
 
 def _draw_value(axes: Any, mark: Mark, at: np.ndarray, out: np.ndarray, size: float) -> None:
@@ -61,35 +62,40 @@ def _draw_value(axes: Any, mark: Mark, at: np.ndarray, out: np.ndarray, size: fl
     axes.update_datalim([at + (wide - left, 0.05 * size), at - (left, 0.05 * size)])
 
 
-def _flat(sight: Sight, way: np.ndarray) -> np.ndarray:
+def _flat(camera: Camera, way: np.ndarray) -> np.ndarray:
     """Direction on the paper; zero where it runs along the line of sight."""
-    direction = sight.project(way)
+    direction = camera.project(way)
     length = np.linalg.norm(direction)
     return direction / length if length > 0.2 else np.zeros(2)
 
 
 def _draw_arrows(
-    axes: Any, sight: Sight, pieces: list[Piece], arrows: tuple[np.ndarray, np.ndarray, bool], colour: str, size: float
+    axes: Any,
+    camera: Camera,
+    pieces: list[Piece],
+    arrows: tuple[np.ndarray, np.ndarray, bool],
+    colour: str,
+    size: float,
 ) -> None:
     """Arrows onto or away from their places; a dot or a cross in a ring where they run along the line of sight."""
     base, way, presses = arrows
-    direction = _flat(sight, way)
+    direction = _flat(camera, way)
     if not direction.any():
-        nearer = way @ sight.toward > 0
-        for x, z in sight.project(base):
+        nearer = way @ camera.toward > 0
+        for x, z in camera.project(base):
             axes.plot(x, z, "o", ms=11, mfc="white", mec=colour, mew=1.6, zorder=8)
             axes.plot(x, z, "o" if nearer else "x", ms=4 if nearer else 7, color=colour, mew=1.6, zorder=8)
         return
     for point in base:
-        place = sight.project(point)
+        place = camera.project(point)
         start, end = (place - ARROW * size * direction, place) if presses else (place, place + ARROW * size * direction)
-        behind = hidden(point + (-1e-3 if presses else 1e-3) * size * way, pieces, sight, 1e-4 * size)
+        behind = hidden(point + (-1e-3 if presses else 1e-3) * size * way, pieces, camera, 1e-4 * size)
         style = {"arrowstyle": "-|>", "color": colour, "lw": 1.8, "mutation_scale": 14, "shrinkA": 0, "shrinkB": 0}
         axes.annotate("", end, start, zorder=0.5 if behind else 8, arrowprops=style)
         axes.update_datalim([start, end])
 
 
-def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], sight: Sight, size: float) -> None:
+def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], camera: Camera, size: float) -> None:
     """Hatched where nothing moves; else triangles with a line, as rollers, against each direction that is held."""
     from matplotlib.collections import PolyCollection
 
@@ -99,7 +105,7 @@ def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece]
         own = np.isin([owner[p.face] for p in pieces], mark.blocks)
         if mark.faces is not None:
             own = np.isin([p.face for p in pieces], mark.faces)
-        shown = [sight.project(p.corners) for p, mine in zip(pieces, own, strict=True) if mine]
+        shown = [camera.project(p.corners) for p, mine in zip(pieces, own, strict=True) if mine]
         axes.add_collection(
             PolyCollection(shown, facecolors="none", edgecolors=colour, hatch="////", linewidths=0.0, zorder=5)
         )
@@ -110,15 +116,15 @@ def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece]
         for axis in mark.held:
             at_high = nearer_side(specimen, low, high, axis)
             way = (1.0 if at_high else -1.0) * np.eye(3)[axis]
-            direction = _flat(sight, way)
+            direction = _flat(camera, way)
             if not direction.any():
                 continue
             for place in spread(
-                low, high, axis, high[axis] if at_high else low[axis], 3 if sight.front else 2, 0.08 * size
+                low, high, axis, high[axis] if at_high else low[axis], 3 if camera.along_an_axis else 2, 0.08 * size
             ):
-                behind = hidden(place + 1e-3 * size * way, pieces, sight, 1e-4 * size)
+                behind = hidden(place + 1e-3 * size * way, pieces, camera, 1e-4 * size)
                 depth = 0.5 if behind else 7.0
-                _draw_roller(axes, sight.project(place), direction, 0.028 * size, colour, mark.all_held, depth)
+                _draw_roller(axes, camera.project(place), direction, 0.028 * size, colour, mark.all_held, depth)
 
 
 def _draw_roller(

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Blocks, Specimen
-from masonry.pictures.hidden_surfaces import Piece, Sight
+from masonry.pictures.camera import Camera
+from masonry.pictures.hidden_surfaces import Piece
 from masonry.pictures.style import plain
 
 MOST_SETS = 24
@@ -21,7 +22,7 @@ def draw_sets(
     axes: Any,
     specimen: Specimen,
     pieces: list[Piece],
-    sight: Sight,
+    camera: Camera,
     size: float,
     words: Sequence[tuple[np.ndarray, np.ndarray]] = (),
     left_taken: bool = False,
@@ -33,8 +34,8 @@ def draw_sets(
     """
     owner = specimen.blocks.face_block()
     block = np.array([owner[piece.face] for piece in pieces], dtype=np.int64)
-    middle = np.array([sight.project(piece.corners).mean(axis=0) for piece in pieces])
-    flat = sight.project(specimen.blocks.points)
+    middle = np.array([camera.project(piece.corners).mean(axis=0) for piece in pieces])
+    flat = camera.project(specimen.blocks.points)
     low, high = flat.min(axis=0), flat.max(axis=0)
     centre = (low + high) / 2
     sides: dict[bool, list[tuple[float, str, np.ndarray]]] = {False: [], True: []}
@@ -95,7 +96,7 @@ def _apart(levels: list[float], least: float) -> list[float]:
     return [level + shift for level in moved]
 
 
-def draw_axes(axes: Any, blocks: Blocks, sight: Sight, left_taken: bool = False) -> None:
+def draw_axes(axes: Any, blocks: Blocks, camera: Camera, left_taken: bool = False) -> None:
     """Coordinates in mm: the axes of a front view, or three edges of the box round the specimen with marks on them.
 
     left_taken: arrows stand where the upright edge would be; that of the other side is drawn.
@@ -103,11 +104,11 @@ def draw_axes(axes: Any, blocks: Blocks, sight: Sight, left_taken: bool = False)
     axes.set_aspect("equal")
     axes.autoscale_view()
     axes.margins(0.04)
-    if sight.front:
-        names = ["xyz"[int(np.argmax(np.abs(way)))] for way in (sight.right, sight.up)]
+    if camera.along_an_axis:
+        names = ["xyz"[int(np.argmax(np.abs(way)))] for way in (camera.right, camera.up)]
         axes.set_xlabel(f"{names[0]} [mm]")
         axes.set_ylabel(f"{names[1]} [mm]")
-        flat = sight.project(blocks.points)
+        flat = camera.project(blocks.points)
         for spine, across, low, high in zip(("bottom", "left"), "xy", flat.min(axis=0), flat.max(axis=0), strict=True):
             ticks = _ticks(low, high, 6)
             axes.set(**{f"{across}ticks": ticks * 1e-3, f"{across}ticklabels": [f"{tick:.4g}" for tick in ticks]})
@@ -119,7 +120,7 @@ def draw_axes(axes: Any, blocks: Blocks, sight: Sight, left_taken: bool = False)
     upright = ([high[0], high[1], low[2]], [2.0, 0.0, 0.0]) if left_taken else (low, [-1.0, 0.0, 0.0])
     edges = ((low, [0.0, -1.0, 0.0]), ([high[0], low[1], low[2]], [1.0, 0.0, 0.0]), upright)
     for axis, (start, outward) in enumerate(edges):
-        _draw_edge(axes, sight, np.array(start), np.array(outward), axis, low, high)
+        _draw_edge(axes, camera, np.array(start), np.array(outward), axis, low, high)
 
 
 def _ticks(low: float, high: float, most: int) -> np.ndarray:
@@ -131,20 +132,20 @@ def _ticks(low: float, high: float, most: int) -> np.ndarray:
 
 
 def _draw_edge(
-    axes: Any, sight: Sight, start: np.ndarray, outward: np.ndarray, axis: int, low: np.ndarray, high: np.ndarray
+    axes: Any, camera: Camera, start: np.ndarray, outward: np.ndarray, axis: int, low: np.ndarray, high: np.ndarray
 ) -> None:
     """One edge of the box, shifted a little outward (twice as far by a vector of length 2), with ticks and numbers."""
     size, away = float(np.max(high - low)), OUT * np.linalg.norm(outward)
-    out = sight.project(outward)
+    out = camera.project(outward)
     out = out / np.linalg.norm(out)
     span = high[axis] - low[axis]
     ticks = _ticks(low[axis], high[axis], max(1, min(7, round(9 * span / size))))
     ticks = ticks[-1:] if span < 0.05 * size else ticks
     along = np.eye(3)[axis]
-    ends = np.array([sight.project(start + s * span * along) + away * size * out for s in (0.0, 1.0)])
+    ends = np.array([camera.project(start + s * span * along) + away * size * out for s in (0.0, 1.0)])
     axes.plot(*ends.T, color="0.3", lw=0.9)
     for tick in ticks:
-        at = sight.project(start + (tick * 1e-3 - low[axis]) * along) + away * size * out
+        at = camera.project(start + (tick * 1e-3 - low[axis]) * along) + away * size * out
         axes.plot(*np.array([at, at + 0.012 * size * out]).T, color="0.3", lw=0.9)
         axes.annotate(f"{tick:.4g}", at + 0.03 * size * out, ha="center", va="center", fontsize=8, color="0.2")
     name = ends.mean(axis=0) + (0.08, 0.12)[axis] * size * out if axis < 2 else ends[1] + (0.0, 0.05 * size)

@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from geometry.blocks import Joints, Specimen
+from geometry.blocks import Imported, Joints, Specimen
 from geometry.files.atomic import whole_file
 from geometry.files.blocks_h5 import save_blocks
-from geometry.files.imported import Imported
 from geometry.files.sandbox import guarded
 from geometry.joints.find import find_joints
 from geometry.joints.heal import Mended, mend

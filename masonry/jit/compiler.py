@@ -2,11 +2,11 @@
 
 Numba serves a changed law stale from its cache when only another file changed: so the folder of the step is named after
 a hash of every source file that can be compiled into it. What else is compiled (cells in geometry) calls nothing of
-another file, and stays where it is when a law changes. What holds a law of another package is kept apart: law_cache.py.
+another file, and stays where it is when a law changes. A law of another package has a hash of its sources in the name
+of its NamedTuple, and so in the types that the step is compiled for.
 """
 
 import contextlib
-import fcntl
 import hashlib
 import os
 import shutil
@@ -16,8 +16,7 @@ from typing import Any
 
 import numba
 
-from geometry.jit_cache import NOT_KEPT
-from masonry.jit.law_cache import LawCache, hash_of_laws, outside_classes
+from geometry.jit_cache import NOT_KEPT, CheckedCache
 from masonry.jit.sources import COMPILED, source_hash
 
 KEPT = 5
@@ -70,7 +69,7 @@ def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any
         try:
             dispatcher = decorate(function)
             if keep:
-                dispatcher._cache = LawCache(function)
+                dispatcher._cache = CheckedCache(function)
             return dispatcher
         finally:
             numba.config.CACHE_DIR = REST or numba.config.CACHE_DIR
@@ -101,22 +100,23 @@ def once(name: str, folder: str = STEP) -> Iterator[None]:
     if not folder or done.exists():
         yield
         return
-    with contextlib.ExitStack() as held:
-        try:
-            lock = held.enter_context(open(done.with_suffix(".lock"), "w", encoding="utf-8"))
-            fcntl.flock(lock, fcntl.LOCK_EX)
-            if done.exists():
-                fcntl.flock(lock, fcntl.LOCK_UN)
-        except OSError:  # nothing can be kept here: each compiles for itself
-            lock = None
+    from filelock import FileLock
+
+    lock = FileLock(done.with_suffix(".lock"))
+    with contextlib.suppress(OSError):  # nothing can be kept here: each compiles for itself
+        lock.acquire()
+        if done.exists():
+            lock.release()
+    try:
         yield
-        if lock is not None and not NOT_KEPT:
+        if lock.is_locked and not NOT_KEPT:
             with contextlib.suppress(OSError):
                 done.touch()
+    finally:
+        lock.release()
 
 
 def kind_of(arguments: tuple[Any, ...]) -> str:
     """A name for the types of some arguments: what is compiled for one kind serves all of it."""
     kinds = [numba.typeof(argument) for argument in arguments]
-    laws = hash_of_laws(frozenset(outside_classes(kinds)))
-    return hashlib.sha256(f"{kinds}{laws}".encode()).hexdigest()[:16]
+    return hashlib.sha256(f"{kinds}".encode()).hexdigest()[:16]

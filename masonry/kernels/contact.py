@@ -6,9 +6,10 @@ from numba import prange
 from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit, jit_parallel
+from masonry.laws.dispatch import contacts_at_once
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import ContactHistory
-from masonry.simd import any_lane, below, eight, gather, local, or_zero, put_rows, put_where, take, unless, width_of
+from masonry.simd import any_lane, below, gather, local, or_zero, put_rows, put_where, take, unless, width_of
 
 
 @register_jitable
@@ -78,18 +79,19 @@ _sweep_parallel = jit_parallel(_sweep)
 
 @jit
 def sweep(parallel, shape, interface, state, first, last, sides, normal, area, u, force):
-    """One contact group, eight at a time; groups in their order.
+    """One contact group, as many contacts at a time as its law allows.
 
     `parallel` is None or True, and only the version that is used gets compiled.
     """
+    like = contacts_at_once(shape)
     if parallel is None:
         _sweep_serial(
-            eight(), shape, interface, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
+            like, shape, interface, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
             state.intact_s, state.secant, state.slip, state.spent, state.uplift, state.gap, state.run,
         )  # fmt: skip
     else:
         _sweep_parallel(
-            eight(), shape, interface, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
+            like, shape, interface, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
             state.intact_s, state.secant, state.slip, state.spent, state.uplift, state.gap, state.run,
         )  # fmt: skip
 

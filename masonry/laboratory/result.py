@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from geometry.files.atomic import WholeFiles
 from masonry.laboratory.text import summary_rows, summary_text
 from masonry.results import store
 from masonry.results.data import ResultData
-from masonry.runtime.folder import WholeFiles
 from masonry.runtime.tables import html_table
 
 if TYPE_CHECKING:

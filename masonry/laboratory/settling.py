@@ -8,7 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import FEWEST, plan_of
 from masonry.errors import Stopped
-from masonry.history import UNITS, History
+from masonry.history import History
 from masonry.loading.predictor import AT_FIRST
 from masonry.loading.scheduled import ScheduledLoading
 from masonry.model.loads import Controlled, Program
@@ -42,16 +42,18 @@ def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: 
     if isinstance(assembly.plan, Controlled):
         model.damping = AT_FIRST
     while True:
-        scene = with_settle(assembly.scene, steps)
-        trial = _Trial(assembly, scene, steps, threads, progress, asked)
-        found = trial.run()
+        found, unbalanced, moving = _trial(assembly, steps, threads, progress, asked)
         model_state.restore(model, fresh)
-        if not found and trial.unbalanced < AT_REST and trial.still_moving < STILL:
+        if not found and unbalanced < AT_REST and moving < STILL:
+            scene = with_settle(assembly.scene, steps)
             return replace(assembly, scene=scene, plan=plan_of(scene, model.dt))
         if found and gave_way:
             raise Stopped(f"the dead loads move the specimen away: {found}; {ADVICE}")
         if steps >= LONGEST:
-            why = found or trial.words
+            why = found or (
+                f"{unbalanced:.2g} of them are still unbalanced (should be under {AT_REST:g}), and the kinetic energy "
+                f"is {moving:.2g} of the stored (should be under {STILL:g})"
+            )
             raise Stopped(f"the dead loads have not come to rest in {steps} steps: {why}; {ADVICE}")
         steps, gave_way = 2 * steps, found
 
@@ -67,55 +69,27 @@ def with_settle(scene: Scene, steps: int) -> Scene:
     return scene.model_copy(update={"settle": Settle(steps=steps)})
 
 
-class _Trial:
-    """The dead loads alone, in so many steps, with the damping of the run."""
+def _trial(
+    assembly: Assembly, steps: int, threads: int, progress: Progress | None, asked: Callable[[], bool]
+) -> tuple[str, float, float]:
+    """The dead loads alone, in so many steps. Returns why they had to be ended, nothing where they came to their end;
+    and the most of the last looks at the unbalanced force, over the dead loads, and at the kinetic energy, over the
+    stored one."""
+    model, plan = assembly.model, plan_of(with_settle(assembly.scene, steps), assembly.model.dt)
+    varying = None if isinstance(plan, Controlled) or plan.varying is None else plan.varying[:, : steps + 1]
+    alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0, varying)
+    loading, recording = ScheduledLoading(model, alone, ROWS), replace(assembly.recording, frames=1)
+    loop = Loop(model, loading, steps, recording, threads, Outcome(History()))
 
-    def __init__(
-        self,
-        assembly: Assembly,
-        scene: Scene,
-        steps: int,
-        threads: int,
-        progress: Progress | None,
-        asked: Callable[[], bool],
-    ) -> None:
-        model, self.steps, self.progress, self.asked = assembly.model, steps, progress, asked
-        plan = plan_of(scene, model.dt)
-        varying = None if isinstance(plan, Controlled) or plan.varying is None else plan.varying[:, : steps + 1]
-        alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0, varying)
-        loading = ScheduledLoading(model, alone, ROWS)
-        self.outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
-        self.loop = Loop(model, loading, steps, replace(assembly.recording, frames=1), threads, self.outcome)
-
-    @property
-    def unbalanced(self) -> float:
-        """Force, over the dead loads: the most of the last looks."""
-        return max(self.loop.observed["unbalanced"][-LAST:])
-
-    @property
-    def still_moving(self) -> float:
-        """Kinetic energy, over the stored one: the most of the last looks."""
-        return max(self.loop.observed["still_moving"][-LAST:])
-
-    @property
-    def words(self) -> str:
-        """What is left of both."""
-        return (
-            f"{self.unbalanced:.2g} of them are still unbalanced (should be under {AT_REST:g}), and the kinetic energy "
-            f"is {self.still_moving:.2g} of the stored (should be under {STILL:g})"
-        )
-
-    def run(self) -> str:
-        """Take the steps; returns why they had to be ended, nothing where they came to their end."""
-        try:
-            self.loop.run(self.look, None)
-        except Stopped as stop:
-            return str(stop)
-        return ""
-
-    def look(self, now: int, whole: int, words: str) -> None:
-        """After each row."""
-        if self.asked():
+    def look(now: int, whole: int, words: str) -> None:
+        if asked():
             raise KeyboardInterrupt
-        if self.progress is not None:
-            self.progress(0, 0, f"settling, trial of {self.steps} steps: {words}")
+        if progress is not None:
+            progress(0, 0, f"settling, trial of {steps} steps: {words}")
+
+    try:
+        loop.run(look, None)
+    except Stopped as stop:
+        return str(stop), 0.0, 0.0
+    unbalanced, moving = (max(loop.observed[name][-LAST:]) for name in ("unbalanced", "still_moving"))
+    return "", unbalanced, moving

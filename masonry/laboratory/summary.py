@@ -11,7 +11,7 @@ from geometry.specimens.placed import FLOOR
 from masonry import __version__
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import tilt_at
-from masonry.history import TILT
+from masonry.history import TILT, UNITS
 from masonry.jit.sources import source_hash
 from masonry.laboratory.provenance import own_sources
 from masonry.loading.cycles import SPENT, at_peak, goes_one_way, table
@@ -23,10 +23,7 @@ from masonry.results.joint_resultants import unit_joints
 from masonry.scene import Scene
 from masonry.timeloop.recording import Outcome
 
-ENERGY_TERMS = (
-    *("external_work", "elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2"),
-    *("friction", "damping", "kinetic", "contact_work", "imbalance"),
-)
+ENERGY_TERMS = [column for column, unit in UNITS.items() if unit == "J"]
 BROKEN, DAMAGED = 0.95, 0.05
 SUDDEN = 1e-3
 """Share of all energy lost, by cracks, friction and damping, from which on what a sudden crack released is told."""

@@ -1,18 +1,23 @@
-"""The one door: the TYPE of a law's tuple picks its functions, in Python and in the compiled step alike.
+"""Dispatch: the TYPE of a law's tuple picks its functions, in Python and in the compiled step alike.
 
 A law is a NamedTuple in a file of its own beside three plain functions: `tension_intact`, `tension_area`,
 `shear_intact`. They are found in the file in which the tuple's class is defined; no list names them. Those of another
-package may be written for single numbers, with `if`: `fitting` has them called lane by lane.
+package may have an `if` in them: their contacts are computed one at a time, unless their file says LANES = True.
 """
 
 import sys
 from functools import cache
 from inspect import signature
+from types import FunctionType, ModuleType
+from typing import Any
 
+from numba import njit
+from numba.core.errors import NumbaError
 from numba.extending import overload, register_jitable
 
-from masonry.laws.fitting import fitting
-from masonry.simd import any_lane, filled, where
+from masonry.errors import SceneError
+from masonry.jit.sources import is_ours
+from masonry.simd import any_lane, eight, filled, where
 
 DOUBLINGS, HALVINGS = 30, 60
 """Looks at a curve for a slip, from a micrometre to a kilometre."""
@@ -76,37 +81,62 @@ def after(shape, interface, intact, slip, peak, residual, compression):
     return shear_curve(shape, interface, low + slip, peak, residual, compression)
 
 
+def contacts_at_once(shape):
+    """What tells a kernel by its type how many contacts of a law to compute at once: `eight()`, or a single number."""
+    return 0.0
+
+
+@overload(contacts_at_once)
+def _contacts_at_once(shape):
+    law = shape.instance_class
+    return (lambda shape: eight()) if beside(law, "LANES", is_ours(law.__module__)) else (lambda shape: 0.0)
+
+
 @overload(tension_intact)
 def _tension_intact(shape, interface, opening):
-    own, each = fitting(beside(shape.instance_class, "tension_intact"), shape, (shape, interface, opening))
-    return own or (lambda shape, interface, opening: each((shape, interface, opening)))
+    return _compilable("tension_intact", shape, interface, opening)
 
 
 @overload(tension_area)
 def _tension_area(shape, interface, opening, intact):
-    own, each = fitting(beside(shape.instance_class, "tension_area"), shape, (shape, interface, opening, intact))
-    return own or (lambda shape, interface, opening, intact: each((shape, interface, opening, intact)))
+    return _compilable("tension_area", shape, interface, opening, intact)
 
 
 @overload(shear_intact)
 def _shear_intact(shape, interface, intact, slip, peak, residual, compression):
     if by_total_slip(shape.instance_class):
         return after
-    given = (shape, interface, intact, slip, peak, residual, compression)
-    own, each = fitting(beside(shape.instance_class, "shear_intact"), shape, given)
-    return own or (
-        lambda shape, interface, intact, slip, peak, residual, compression: each(
-            (shape, interface, intact, slip, peak, residual, compression)
-        )
-    )
+    return _compilable("shear_intact", shape, interface, intact, slip, peak, residual, compression)
 
 
 @overload(shear_curve)
 def _shear_curve(shape, interface, slip, peak, residual, compression):
-    given = (shape, interface, slip, peak, residual, compression)
-    own, each = fitting(beside(shape.instance_class, "shear_intact"), shape, given)
-    return own or (
-        lambda shape, interface, slip, peak, residual, compression: each(
-            (shape, interface, slip, peak, residual, compression)
-        )
-    )
+    return _compilable("shear_intact", shape, interface, slip, peak, residual, compression)
+
+
+def _compilable(name: str, *kinds: Any) -> Any:
+    """The function `name` of a law for arguments of some Numba types, the first of them that of the law's NamedTuple.
+
+    Raises SceneError, saying why, where the function of another package cannot be compiled.
+    """
+    curve = beside(kinds[0].instance_class, name)
+    if is_ours(curve.__module__):
+        return curve
+    curve = getattr(curve, "py_func", curve)
+    _let_in(sys.modules[curve.__module__])
+    try:
+        njit(error_model="numpy")(curve).compile(kinds)
+    except NumbaError as error:
+        said = [line.strip() for line in str(error).splitlines() if line.strip()]
+        why = " ".join(line for line in said if not line.startswith(("Failed in", "During:", "File ")))[:400]
+        lanes = " for lanes (LANES = True), which have no `if`" if beside(kinds[0].instance_class, "LANES") else ""
+        raise SceneError(f"{curve.__module__}.{curve.__name__} cannot be compiled by Numba{lanes}: {why}") from None
+    return curve
+
+
+@cache
+def _let_in(module: ModuleType) -> None:
+    """Let compiled code call the functions of a module; once for each."""
+    for function in vars(module).values():
+        if isinstance(function, FunctionType) and function.__module__ == module.__name__:
+            register_jitable(function)

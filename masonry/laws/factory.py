@@ -8,7 +8,7 @@ from typing import Any
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
 from masonry.laws.dispatch import beside, shear_intact
-from masonry.laws.plugins import all_law_names, outside_law
+from masonry.laws.plugins import all_law_names, plugin_law
 from masonry.laws.snap_back import Refusal, lost_in_shear
 from masonry.laws.state import Interface
 
@@ -23,7 +23,7 @@ def module_of(name: str) -> Any:
     """The module of a law: of ours by its name, else as another package brings it."""
     if name in law_names():
         return importlib.import_module(f"masonry.laws.{name}")
-    if (found := outside_law(name)) is None:
+    if (found := plugin_law(name)) is None:
         raise SceneError(f"there is no law '{name}'; {nearest(name, all_law_names())}")
     return found.module
 

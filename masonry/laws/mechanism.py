@@ -26,15 +26,15 @@ def stored_energy(shape, interface, memory, opening, tau_squared):
 
 
 @overload(elastic_trial)
-def _quiet(shape, interface, memory, opening, tau_squared):
+def _elastic_trial(shape, interface, memory, opening, tau_squared):
     return _of(shape.instance_class, "elastic_trial")
 
 
 @overload(return_mapping)
-def _evolve(shape, interface, memory, opening, total, tau):
+def _return_mapping(shape, interface, memory, opening, total, tau):
     return _of(shape.instance_class, "return_mapping")
 
 
 @overload(stored_energy)
-def _stored(shape, interface, memory, opening, tau_squared):
+def _stored_energy(shape, interface, memory, opening, tau_squared):
     return _of(shape.instance_class, "stored_energy")

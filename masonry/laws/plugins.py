@@ -22,7 +22,7 @@ CURVES = {
     "shear_intact": ("shape", "interface", "intact", "slip", "peak", "residual", "compression"),
 }
 BY_TOTAL_SLIP = tuple(word for word in CURVES["shear_intact"] if word != "intact")
-"""What `shear_intact` may be given as well, by a law that knows its curve alone: see `door.after`."""
+"""What `shear_intact` may be given as well, by a law that knows its curve alone: see `dispatch.after`."""
 MECHANISM = {
     "elastic_trial": ("shape", "interface", "memory", "opening", "tau_squared"),
     "return_mapping": ("shape", "interface", "memory", "opening", "total", "tau"),
@@ -32,7 +32,7 @@ LEAST_ENERGY = ("shape", "interface", "compression", "intact")
 """The functions of a law and of a mechanism of its own, by the names of what they are given."""
 
 
-class OutsideLaw(NamedTuple):
+class PluginLaw(NamedTuple):
     """A law of another package: its module, its NamedTuple, and the keys that it adds to a scene, with their kinds."""
 
     name: str
@@ -45,23 +45,23 @@ class OutsideLaw(NamedTuple):
 
 
 @cache
-def outside_law(name: str) -> OutsideLaw | None:
+def plugin_law(name: str) -> PluginLaw | None:
     """The law of another package, or None. Raises SceneError, naming the package, for one that does not work."""
     found = plugin(GROUP, name, "law")
     return None if found is None or name in law_names() else _looked_over(found)
 
 
-def outside_names() -> tuple[str, ...]:
+def plugin_law_names() -> tuple[str, ...]:
     """The laws that other packages bring, whether they work or not; without those that take a name of ours."""
     return tuple(name for name in plugins(GROUP) if name not in law_names())
 
 
 def all_law_names() -> tuple[str, ...]:
     """Every law that there is; slow, for messages and lists."""
-    return (*law_names(), *outside_names())
+    return (*law_names(), *plugin_law_names())
 
 
-def _looked_over(found: Plugin) -> OutsideLaw:
+def _looked_over(found: Plugin) -> PluginLaw:
     module = load(found, "law")
     where = f"law '{found.name}' of {found.origin}"
     if not isinstance(module, ModuleType):
@@ -81,7 +81,7 @@ def _looked_over(found: Plugin) -> OutsideLaw:
     for key in keys:
         if key not in parameters.values():
             raise SceneError(f"{where}: '{key}' of KEYS is the key of no parameter in PARAMETERS")
-    return OutsideLaw(found.name, found.origin, module, shapes[0], parameters, keys, example)
+    return PluginLaw(found.name, found.origin, module, shapes[0], parameters, keys, example)
 
 
 def _is_shape(candidate: Any, module: ModuleType) -> bool:

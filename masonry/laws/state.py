@@ -6,7 +6,7 @@ import numpy as np
 from numba import types
 from numba.extending import overload
 
-from masonry.simd.alignment import aligned
+from masonry.simd.rows import aligned
 
 TOUCHING = 1e-9
 """m: a contact that stands open by no more than this counts as closed. It is far above the rounding of displacements

@@ -12,7 +12,7 @@ from masonry.laws.state import ContactState, Interface, fresh
 from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
 from masonry.model.loads import Conditions
 from masonry.model.stable_step import BETWEEN
-from masonry.simd.alignment import BEHIND, aligned
+from masonry.simd.rows import BEHIND, aligned
 
 
 class Groups(NamedTuple):

@@ -15,7 +15,7 @@ from masonry.model.large import Large, Meetings, add_row_sums, bonds_of, near_of
 from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.step_cost import StepCost, step_cost
-from masonry.simd.alignment import aligned
+from masonry.simd.rows import aligned
 
 
 @dataclass(frozen=True)

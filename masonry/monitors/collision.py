@@ -20,6 +20,8 @@ DEEP = 1e-4
 """Share of the smaller block that an overlap needs to be one."""
 DEEPER = 1e-2
 """The same for blocks that touched along an edge or in a corner from the beginning, where a little is a doubt only."""
+ROOM = 1e-2
+"""Share of a block by which its box is grown at least, so that candidates are not found anew at every little motion."""
 TOUCHING = 1e-6
 """Share of the smaller block within which two blocks touch."""
 CLOSURES = 3.0
@@ -85,7 +87,7 @@ class Collision(Observer):
     def _find_candidates(self, reach: np.ndarray) -> None:
         """Pairs without a joint that can meet before a block has gone twice as far as now."""
         blocks = self.blocks
-        self.grown = 2.0 * reach + DEEP * self.size
+        self.grown = 2.0 * reach + ROOM * self.size
         grown = self.grown[:, None]
         pairs = overlapping_boxes(self.low - grown, self.high + grown)
         self.pairs = pairs[~np.isin(pairs @ [blocks.count, 1], self.joined)]

@@ -1,4 +1,4 @@
-"""A film of a run: its cracks beside its curve with a dot on it, frame by frame, in scales that stay the same."""
+"""A movie of a run: its cracks beside its curve with a dot on it, frame by frame, in scales that stay the same."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,7 @@ FLAT = 0.35
 DOT, GONE, TO_COME = "#b2182b", "#1f3b5c", "#c3ccd6"
 
 
-class Film:
+class Movie:
     """A figure that shows one frame of a result after another.
 
     view   as masonry.pictures.crack_picture.VIEWS
@@ -29,10 +29,10 @@ class Film:
     def __init__(self, result: "ResultData", view: str = "front", times: float | None = None) -> None:
         frames = result.history.frames
         if not frames:
-            raise SceneError("this result has no frames: its run ended before there was one; there is nothing to film")
+            raise SceneError("this result has no frames: its run ended before there was one; there is nothing to draw")
         self.result, self.frames = result, frames
         self.drawing = drawing_of(result, view)
-        self.times = magnification(max(frames, key=largest_move), self.drawing.size) if times is None else times
+        self.times = magnification(max(frames, key=largest_move), self.drawing.camera.size) if times is None else times
         self.cracks: list[Any] = [self.drawing.cracks(frame) for frame in frames]
         self.scale = scale_of(np.concatenate([lines.opening for lines in self.cracks]))
         self.limits = self._limits()
@@ -57,7 +57,7 @@ class Film:
     def _limits(self) -> np.ndarray:
         """Lowest and highest place (2, 2) that a corner comes to in any frame, with some room round them."""
         points = self.result.specimen.blocks.points
-        flat = [self.drawing.project(points + self.times * frame.corners) for frame in self.frames]
+        flat = [self.drawing.camera.project(points + self.times * frame.corners) for frame in self.frames]
         low, high = np.min(flat, axis=(0, 1)), np.max(flat, axis=(0, 1))
         room = 0.03 * float(np.max(high - low))
         return np.array([low - room, high + room])

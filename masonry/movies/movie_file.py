@@ -1,4 +1,4 @@
-"""A film of a run as a file: GIF by Pillow, which comes with matplotlib, MP4 by ffmpeg."""
+"""A movie of a run as a file: GIF by Pillow, which comes with matplotlib, MP4 by ffmpeg."""
 
 import shutil
 import subprocess
@@ -13,7 +13,7 @@ from geometry.files.atomic import whole_file
 from masonry.errors import SceneError, extra
 
 if TYPE_CHECKING:
-    from masonry.movies.movie import Film
+    from masonry.movies.movie import Movie
     from masonry.results.data import ResultData
 
 SUFFIXES = (".gif", ".mp4")
@@ -22,7 +22,7 @@ HOLD = 1.5
 """Seconds that the last frame stays."""
 
 
-def write_film(
+def write_movie(
     result: "ResultData",
     path: Path | str,
     fps: int = 6,
@@ -42,51 +42,51 @@ def write_film(
     """
     path = Path(path)
     if path.suffix not in SUFFIXES:
-        raise SceneError(f"'{path}': a film is a .gif or .mp4 file; nearest: '{path.stem or 'movie'}.gif'")
+        raise SceneError(f"'{path}': a movie is a .gif or .mp4 file; nearest: '{path.stem or 'movie'}.gif'")
     if not 1 <= fps <= 60:
-        raise SceneError(f"{fps} frames a second: a film has 1 to 60")
+        raise SceneError(f"{fps} frames a second: a movie has 1 to 60")
     write = _write_gif if path.suffix == ".gif" else partial(_write_mp4, ffmpeg=_ffmpeg())
-    from masonry.movies.movie import Film
+    from masonry.movies.movie import Movie
 
     with whole_file(path) as beside:
         beside.touch()  # before there is anything to lose
-        film = Film(result, view, times)
+        movie = Movie(result, view, times)
         try:
-            write(_shown(film, progress), film, beside, fps)
+            write(_shown(movie, progress), movie, beside, fps)
         except subprocess.CalledProcessError as error:
             raise SceneError(f"ffmpeg could not write '{path}' ({error}); a .gif needs no ffmpeg") from None
     return path
 
 
-def _shown(film: "Film", progress: Callable[[int, int, str], None] | None) -> Iterator[None]:
+def _shown(movie: "Movie", progress: Callable[[int, int, str], None] | None) -> Iterator[None]:
     """Show one frame after the other."""
-    whole = len(film.frames)
+    whole = len(movie.frames)
     for number in range(whole):
-        film.draw(number)
+        movie.draw(number)
         yield
         if progress is not None:
             progress(number + 1, whole, f"frame {number + 1} of {whole}")
 
 
-def _write_gif(shown: Iterator[None], film: "Film", path: Path, fps: int) -> None:
+def _write_gif(shown: Iterator[None], movie: "Movie", path: Path, fps: int) -> None:
     from PIL import Image
 
-    film.figure.set_dpi(DPI)
+    movie.figure.set_dpi(DPI)
     pictures = []
     for _ in shown:
-        film.figure.canvas.draw()
-        pictures.append(Image.fromarray(np.array(film.figure.canvas.buffer_rgba())[:, :, :3]))
+        movie.figure.canvas.draw()
+        pictures.append(Image.fromarray(np.array(movie.figure.canvas.buffer_rgba())[:, :, :3]))
     times = [1000.0 / fps] * (len(pictures) - 1) + [1000.0 / fps + 1000.0 * HOLD]
     pictures[0].save(path, save_all=True, append_images=pictures[1:], duration=times, loop=0)
 
 
-def _write_mp4(shown: Iterator[None], film: "Film", path: Path, fps: int, ffmpeg: str) -> None:
+def _write_mp4(shown: Iterator[None], movie: "Movie", path: Path, fps: int, ffmpeg: str) -> None:
     from matplotlib import rc_context
     from matplotlib.animation import FFMpegWriter
 
     with rc_context({"animation.ffmpeg_path": ffmpeg}):
         writer = FFMpegWriter(fps=fps, codec="h264")
-        with writer.saving(film.figure, str(path), DPI):
+        with writer.saving(movie.figure, str(path), DPI):
             for _ in shown:
                 writer.grab_frame()
             for _ in range(round(HOLD * fps)):

@@ -1,4 +1,4 @@
-"""What stands on the stage of PyVista: blocks, seen through, their units outlined, and the joints in colour."""
+"""A viewer by PyVista: blocks, seen through, their units outlined, and the joints in colour."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -8,11 +8,11 @@ import numpy as np
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.history import Frame
+from masonry.pictures.camera import camera_of
 from masonry.pictures.crack_picture import panel_title
 from masonry.pictures.crack_style import crack_map
-from masonry.pictures.cracks import back_view, front_view
 from masonry.pictures.front import group_colours
-from masonry.pictures.hidden_surfaces import covered_shares, oblique_sight, unit_edges
+from masonry.pictures.hidden_surfaces import covered_shares, unit_edges
 from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.results.joint_fields import JointGrid
 
@@ -60,7 +60,7 @@ def values_of(frame: Frame, name: str) -> np.ndarray:
     return np.maximum(values, 0.0)
 
 
-class Stage:
+class Viewer:
     """Blocks and joints of a result on a plotter; `set` moves them to a frame."""
 
     def __init__(self, plotter: Any, result: "ResultData", field: str, everywhere: bool = False) -> None:
@@ -69,7 +69,7 @@ class Stage:
         self.plotter, self.result, self.field, self.everywhere = plotter, result, field, everywhere
         self.number, self.times = -1, 1.0
         blocks = result.specimen.blocks
-        self.size = front_view(blocks.points).size
+        self.size = float(np.ptp(blocks.points, axis=0).max())
         self.grid = JointGrid(result)
         self.walls = pyvista.PolyData(blocks.points.copy(), faces=self._outer_faces())
         self.walls.cell_data["colour"] = self._colours()
@@ -108,14 +108,9 @@ class Stage:
 
     def look(self, view: str) -> None:
         """From the front, from behind, or from the front, the right and above."""
-        points, shape = self.result.specimen.blocks.points, self.result.specimen.shape
-        if view == "iso":
-            toward, up = oblique_sight().toward, np.eye(3)[2]
-        else:
-            seen = back_view(points, shape) if view == "back" else front_view(points, shape)
-            toward, up = seen.toward, np.eye(3)[seen.up]
+        camera = camera_of(view, self.result.specimen.blocks.points, self.result.specimen.shape)
         self.plotter.enable_parallel_projection()
-        self.plotter.view_vector(toward, viewup=up)
+        self.plotter.view_vector(camera.toward, viewup=camera.up)
 
     def _range(self) -> tuple[float, float]:
         """Of the colours: the same at all frames."""

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from geometry.files.atomic import whole_file
 from masonry.errors import SceneError, extra, nearest
-from masonry.movies.scene_3d import FIELDS, Stage
-from masonry.pictures.crack_picture import VIEWS, magnification
+from masonry.movies.scene_3d import FIELDS, Viewer
+from masonry.pictures.camera import VIEWS
+from masonry.pictures.crack_picture import magnification
 from masonry.results.frames import choose
 
 if TYPE_CHECKING:
@@ -54,9 +55,9 @@ def show(
     if not off and not plotter.notebook and not _has_display():
         plotter.close()
         raise SceneError("there is no display to show it on; give a file: result.show(screenshot='wall.png')")
-    stage = Stage(plotter, result, field, everywhere)
-    stage.set(number, chosen.name, scale if scale is not None else magnification(chosen.frame, stage.size))
-    stage.look(view)
+    viewer = Viewer(plotter, result, field, everywhere)
+    viewer.set(number, chosen.name, scale if scale is not None else magnification(chosen.frame, viewer.size))
+    viewer.look(view)
     if screenshot is not None:
         with whole_file(Path(screenshot)) as beside:
             plotter.screenshot(str(beside))
@@ -65,18 +66,18 @@ def show(
         plotter.show(jupyter_backend="static")
     else:
         if len(frames) > 1 and not off:
-            add_slider(plotter, stage, number)
+            add_slider(plotter, viewer, number)
         plotter.show()
 
 
-def add_slider(plotter: Any, stage: Stage, number: int) -> Any:
+def add_slider(plotter: Any, viewer: Viewer, number: int) -> Any:
     """A slider through the frames, displacements by the same factor; returns it."""
-    count = len(stage.result.history.frames)
+    count = len(viewer.result.history.frames)
 
     def move(value: float) -> None:
         k = round(value)
-        if k != stage.number:
-            stage.set(k, f"frame {k + 1} of {count}", stage.times)
+        if k != viewer.number:
+            viewer.set(k, f"frame {k + 1} of {count}", viewer.times)
 
     return plotter.add_slider_widget(
         move, [0, count - 1], value=number, title="frame", fmt="%.0f", pointa=(0.03, 0.1), pointb=(0.3, 0.1)

@@ -23,13 +23,12 @@ CLOSED = 0.0025
 like cracks where it opens, and like a layer between the units where it closes."""
 KEY_WIDTH = 2.0
 """Inches of an entry of the legend."""
-VIEWS = ("front", "back", "iso")
 Drawing = FlatDrawing | SolidDrawing
 
 
 def drawing_of(result: "ResultData", view: str = "front") -> Drawing:
     """What draws a result in one of VIEWS."""
-    return SolidDrawing(result) if view == "iso" else FlatDrawing(result, view == "back")
+    return SolidDrawing(result) if view == "iso" else FlatDrawing(result, view)
 
 
 def frames_to_draw(result: "ResultData") -> list[tuple[str, Frame]]:
@@ -97,7 +96,7 @@ def gallery(
     cracks: list[Any] = [drawing.cracks(frame) for drawing, (_, _, frame) in zip(shown, panels, strict=True)]
     scale = scale_of(np.concatenate([lines.opening for lines in cracks]))
     for one, (name, result, frame), drawing, lines in zip(axes, panels, shown, cracks, strict=False):
-        larger = magnification(frame, drawing.size) if times is None else times
+        larger = magnification(frame, drawing.camera.size) if times is None else times
         drawing.draw(one, frame, lines, larger, scale)
         frame_axes(one)
         title = panel_title(result, name, frame, larger, narrow=columns > 2)
@@ -116,7 +115,7 @@ def frame_axes(axes: Any) -> None:
 
 def _ratio(drawing: Drawing) -> float:
     """Height over width of a specimen in a view."""
-    extent = np.ptp(drawing.project(drawing.result.specimen.blocks.points), axis=0)
+    extent = np.ptp(drawing.camera.project(drawing.result.specimen.blocks.points), axis=0)
     return float(extent[1] / extent[0]) if extent[0] > 0 else 1.0
 
 

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.history import Frame
-from masonry.pictures.cracks import CrackLines, View
+from masonry.pictures.camera import Camera
+from masonry.pictures.cracks import CrackLines
 from masonry.results.deformation import Corners, Deformation
 
 if TYPE_CHECKING:
@@ -39,13 +40,13 @@ def widths(openings: np.ndarray, scale: float) -> np.ndarray:
 
 
 def draw_cracks(
-    axes: Any, result: "ResultData", lines: CrackLines, frame: Frame, view: View, times: float, scale: float
+    axes: Any, result: "ResultData", lines: CrackLines, frame: Frame, camera: Camera, times: float, scale: float
 ) -> None:
     """Draw the lines where they stand in a frame whose displacements are drawn `times` larger."""
     from matplotlib.collections import LineCollection
 
     field = Deformation(Corners(result.specimen.blocks), frame)
-    pieces = view.project(lines.displaced(result.joints, field, times))
+    pieces = camera.project(lines.displaced(result.joints, field, times))
     order = np.argsort(lines.damage, kind="stable")
     colours = crack_colours(lines.damage, lines.tension_led, lines.dry)
     axes.add_collection(

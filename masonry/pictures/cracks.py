@@ -1,61 +1,18 @@
-"""What a picture of cracks shows, as plain arrays: the view, the outlines of blocks, the contacts seen edge-on."""
+"""What a picture of cracks shows, as plain arrays: the outlines of blocks, and the contacts seen edge-on."""
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
+from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.history import Frame
+from masonry.pictures.camera import Camera
+from masonry.pictures.hidden_surfaces import unit_edges
 from masonry.results.deformation import Deformation
 
 EDGE_ON = 0.5
 """Contacts whose normal makes a smaller cosine with the line of sight are seen edge-on."""
-
-
-@dataclass(frozen=True)
-class View:
-    """A view along one axis: axis numbers to the right and up, the unit vector toward the viewer, the size in m.
-
-    way  1.0, or -1.0 where coordinates grow to the left: seen from behind
-    """
-
-    right: int
-    up: int
-    toward: np.ndarray
-    size: float
-    way: float = 1.0
-
-    def project(self, points: np.ndarray) -> np.ndarray:
-        """(..., 2) of (..., 3)."""
-        return points[..., [self.right, self.up]] * (self.way, 1.0)
-
-
-UPRIGHT = ("arch",)
-"""Shapes of specimens that are seen along y however deep they are."""
-
-
-def plane_of_view(points: np.ndarray, shape: str = "") -> tuple[int, int]:
-    """Axis numbers to the right and up: the two largest extents of points (P, 3); x-z where they tie, and for UPRIGHT
-    shapes."""
-    if shape in UPRIGHT:
-        return 0, 2
-    extent = np.ptp(points, axis=0)
-    preference = np.array([2e-9, 0.0, 1e-9]) * extent.max()
-    right, up = sorted(np.argsort(-(extent + preference))[:2].tolist())
-    return right, up
-
-
-def front_view(points: np.ndarray, shape: str = "") -> View:
-    """The view onto the plane of view."""
-    right, up = plane_of_view(points, shape)
-    toward = np.cross(np.eye(3)[right], np.eye(3)[up])
-    return View(right, up, toward, float(np.ptp(points, axis=0).max()))
-
-
-def back_view(points: np.ndarray, shape: str = "") -> View:
-    """The same plane from behind."""
-    front = front_view(points, shape)
-    return replace(front, toward=-front.toward, way=-1.0)
 
 
 @dataclass(frozen=True)
@@ -71,36 +28,15 @@ class Outlines:
     outer: list[np.ndarray]
 
 
-def outlines(blocks: Blocks, view: View, layers: int = 16) -> Outlines:
+def outlines(blocks: Blocks, camera: Camera, layers: int = 16) -> Outlines:
     """The faces that look toward the viewer, in at most `layers` steps of depth."""
-    start = blocks.face_start[:-1]
-    corner = blocks.points[blocks.face_points]
-    follower = np.roll(np.arange(len(corner)), -1)
-    follower[blocks.face_start[1:] - 1] = start
-    area = 0.5 * np.add.reduceat(np.cross(corner, corner[follower]), start)
-    facing = area @ view.toward > 0.1 * np.linalg.norm(area, axis=1)
-    depth = np.add.reduceat(corner @ view.toward, start) / np.diff(blocks.face_start)
-    span = np.ptp(corner @ view.toward)
+    _, normal, middle = face_areas_normals_centroids(blocks)
+    depth = middle @ camera.toward
+    span = np.ptp(depth)
     layer = np.round((depth - depth.min()) / span * (layers - 1)).astype(int) if span > 0 else np.zeros(len(depth), int)
-    face = np.flatnonzero(facing)
+    face = np.flatnonzero(normal @ camera.toward > 0.1)
     face = face[np.argsort(layer[face], kind="stable")]
-    return Outlines(face, layer[face], _outer_edges(blocks, face, view.size))
-
-
-def _outer_edges(blocks: Blocks, face: np.ndarray, size: float) -> list[np.ndarray]:
-    """An edge that two faces of one unit share is inner; every other one is outer."""
-    unit = blocks.unit[blocks.face_block()]
-    edges: list[list[tuple[object, ...]]] = []
-    seen: dict[tuple[object, ...], int] = {}
-    for f in face:
-        corners = [tuple(p) for p in np.round(blocks.face(f) / (1e-6 * size)).astype(np.int64).tolist()]
-        keys: list[tuple[object, ...]] = [
-            (int(unit[f]), *sorted((p, q))) for p, q in zip(corners, corners[1:] + corners[:1], strict=True)
-        ]
-        for key in keys:
-            seen[key] = seen.get(key, 0) + 1
-        edges.append(keys)
-    return [np.array([seen[key] == 1 for key in keys]) for keys in edges]
+    return Outlines(face, layer[face], unit_edges(blocks, face, normal))
 
 
 @dataclass(frozen=True)
@@ -135,10 +71,10 @@ class CrackLines:
         return np.stack(ends, axis=1)
 
 
-def crack_lines(joints: Joints, frame: Frame, view: View) -> CrackLines:
+def crack_lines(joints: Joints, frame: Frame, camera: Camera) -> CrackLines:
     """Every contact patch seen edge-on, cut midway between neighbouring rows of its contact points."""
-    seen = np.flatnonzero(np.abs(joints.normal @ view.toward) < EDGE_ON)
-    along = np.cross(joints.normal[seen], view.toward)
+    seen = np.flatnonzero(np.abs(joints.normal @ camera.toward) < EDGE_ON)
+    along = np.cross(joints.normal[seen], camera.toward)
     along /= np.linalg.norm(along, axis=1)[:, None]
     patch = joints.patch[seen]
     low, high = _patch_ends(joints, patch, along)
@@ -146,7 +82,7 @@ def crack_lines(joints: Joints, frame: Frame, view: View) -> CrackLines:
     order = np.lexsort((place, patch))
     seen, along, patch, place, low, high = (a[order] for a in (seen, along, patch, place, low, high))
     fresh = np.ones(len(seen), dtype=bool)
-    fresh[1:] = (patch[1:] != patch[:-1]) | (place[1:] - place[:-1] > 1e-6 * view.size)
+    fresh[1:] = (patch[1:] != patch[:-1]) | (place[1:] - place[:-1] > 1e-6 * camera.size)
     row = np.cumsum(fresh) - 1
     weight = joints.area[seen]
     whole = np.bincount(row, weight)

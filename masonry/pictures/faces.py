@@ -5,8 +5,9 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Blocks
+from masonry.pictures.camera import Camera
 from masonry.pictures.front import group_colours
-from masonry.pictures.hidden_surfaces import Piece, Sight
+from masonry.pictures.hidden_surfaces import Piece
 
 UNIT_EDGE, CELL_EDGE = "#3a362f", "#9a9386"
 CLEAR = (0.0, 0.0, 0.0, 0.0)
@@ -15,10 +16,10 @@ CLEAR = (0.0, 0.0, 0.0, 0.0)
 class FaceDrawing:
     """What is added later is drawn over what was added before."""
 
-    def __init__(self, blocks: Blocks, sight: Sight) -> None:
+    def __init__(self, blocks: Blocks, camera: Camera) -> None:
         from matplotlib.colors import to_rgb
 
-        self.sight = sight
+        self.camera = camera
         self._colours = [np.array(to_rgb(c)) for c in group_colours(blocks.groups)]
         self._group = blocks.group[blocks.face_block()]
         self._edges = [(*to_rgb(colour), 1.0) for colour in (CELL_EDGE, UNIT_EDGE)]
@@ -29,9 +30,10 @@ class FaceDrawing:
 
     def add_piece(self, piece: Piece) -> None:
         """A face or a part of one, lit from the front, with its own edges."""
-        flat = self.sight.project(piece.corners)
+        flat = self.camera.project(piece.corners)
         across = np.cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0])
-        light = 1.0 if self.sight.front else 0.78 + 0.22 * float(across @ (0.2, -0.75, 0.6) / np.linalg.norm(across))
+        slant = float(across @ (0.2, -0.75, 0.6) / np.linalg.norm(across))
+        light = 1.0 if self.camera.along_an_axis else 0.78 + 0.22 * slant
         fill = (*np.clip(self._colours[self._group[piece.face]] * light, 0, 1), 1.0)
         self._add(np.vstack([flat, flat[:1]]), fill, fill, 0.4)
         after = np.roll(flat, -1, axis=0)
@@ -42,12 +44,12 @@ class FaceDrawing:
 
     def add_polygon(self, corners: np.ndarray, colour: Any) -> None:
         """A polygon (n, 3) m of one colour."""
-        flat = self.sight.project(corners)
+        flat = self.camera.project(corners)
         self._add(np.vstack([flat, flat[:1]]), colour, colour, 0.4)
 
     def add_line(self, ends: np.ndarray, colour: Any, width: float) -> None:
         """A line between two points (2, 3) m, its width in points."""
-        self._add(self.sight.project(ends), CLEAR, colour, width)
+        self._add(self.camera.project(ends), CLEAR, colour, width)
 
     def _add(self, flat: np.ndarray, fill: Any, line: Any, width: float) -> None:
         from matplotlib.path import Path

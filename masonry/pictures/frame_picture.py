@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING
 
 from geometry.files.atomic import whole_file
 from masonry.errors import SceneError, nearest
-from masonry.pictures.crack_picture import VIEWS, gallery
+from masonry.pictures.camera import VIEWS
+from masonry.pictures.crack_picture import gallery
 from masonry.pictures.style import plain, write_png
 from masonry.results.frames import choose
 

@@ -8,8 +8,9 @@ import numpy as np
 from geometry.blocks import Blocks
 from geometry.polyhedra.indexing import ranges
 from masonry.history import Frame
+from masonry.pictures.camera import camera_of
 from masonry.pictures.crack_style import draw_cracks
-from masonry.pictures.cracks import CrackLines, Outlines, back_view, crack_lines, front_view, outlines
+from masonry.pictures.cracks import CrackLines, Outlines, crack_lines, outlines
 from masonry.pictures.thrust_line import ThrustLine, thrust_line
 from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, moved_undamaged
 
@@ -22,28 +23,18 @@ SPARE_COLOURS = ("#e6dff0", "#e3ecd2", "#f6dcdc", "#d8e8ea", "#f7f0c8")
 
 
 class FlatDrawing:
-    """Draws the frames of one result in one view."""
+    """Draws the frames of one result from the front or from behind."""
 
-    def __init__(self, result: "ResultData", back: bool = False) -> None:
-        points, shape = result.specimen.blocks.points, result.specimen.shape
+    def __init__(self, result: "ResultData", view: str = "front") -> None:
         self.result = result
-        self.view = back_view(points, shape) if back else front_view(points, shape)
-        self.outlines = outlines(result.specimen.blocks, self.view)
-        self.thrust: ThrustLine | None = thrust_line(result, self.view)
-
-    @property
-    def size(self) -> float:
-        """The largest extent of the specimen, m."""
-        return self.view.size
-
-    def project(self, points: np.ndarray) -> np.ndarray:
-        """(..., 2) of (..., 3)."""
-        return self.view.project(points)
+        self.camera = camera_of(view, result.specimen.blocks.points, result.specimen.shape)
+        self.outlines = outlines(result.specimen.blocks, self.camera)
+        self.thrust: ThrustLine | None = thrust_line(result, self.camera)
 
     def cracks(self, frame: Frame) -> CrackLines:
         """The contacts to draw."""
         frame = as_it_stands(self.result, frame)
-        lines = crack_lines(self.result.joints, frame, self.view)
+        lines = crack_lines(self.result.joints, frame, self.camera)
         lines = replace(lines, dry=moved_undamaged(self.result, frame)[lines.contact])
         return lines.select((lines.damage > LEAST_DAMAGE) | lines.dry)
 
@@ -53,10 +44,10 @@ class FlatDrawing:
         scale  opening (m) of a line of full width
         """
         blocks = self.result.specimen.blocks
-        _draw_blocks(axes, blocks, self.outlines, self.view.project(blocks.points + times * frame.corners))
-        draw_cracks(axes, self.result, cracks, frame, self.view, times, scale)
+        _draw_blocks(axes, blocks, self.outlines, self.camera.project(blocks.points + times * frame.corners))
+        draw_cracks(axes, self.result, cracks, frame, self.camera, times, scale)
         if self.thrust is not None:
-            self.thrust.draw(axes, self.result, frame, self.view, times)
+            self.thrust.draw(axes, self.result, frame, self.camera, times)
 
 
 def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -> None:

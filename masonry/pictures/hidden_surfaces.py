@@ -1,4 +1,4 @@
-"""Blocks seen from one side, as plain arrays: the projection, the faces that can be seen, the edges of units."""
+"""Blocks seen from one side, as plain arrays: the faces that can be seen, farthest first, and the edges of units."""
 
 from dataclasses import dataclass
 
@@ -8,41 +8,12 @@ from geometry.blocks import Blocks, Joints
 from geometry.joints.find import patch_faces
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
-from masonry.pictures.cracks import plane_of_view
+from masonry.pictures.camera import Camera
 
 MOST_PLANES = 300
 """Faces in more planes than this are drawn by the depth of their middles alone."""
 PIECES = 12
 """Large faces are drawn in pieces, at most so many along an edge, so that their depth can be told."""
-
-
-@dataclass(frozen=True)
-class Sight:
-    """A parallel projection: unit vectors to the right, up and toward the viewer."""
-
-    right: np.ndarray
-    up: np.ndarray
-    toward: np.ndarray
-    front: bool
-
-    def project(self, points: np.ndarray) -> np.ndarray:
-        """(..., 2) of (..., 3)."""
-        return np.stack([points @ self.right, points @ self.up], axis=-1)
-
-
-def front_sight(points: np.ndarray, shape: str = "") -> Sight:
-    """Onto the plane of view of points (P, 3)."""
-    right, up = plane_of_view(points, shape)
-    axes = np.eye(3)
-    return Sight(axes[right], axes[up], np.cross(axes[right], axes[up]), True)
-
-
-def oblique_sight(azimuth: float = -55.0, elevation: float = 25.0) -> Sight:
-    """From the front, the right-hand side and above; degrees, as matplotlib counts them."""
-    a, e = np.radians(azimuth), np.radians(elevation)
-    toward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
-    right = np.array([-np.sin(a), np.cos(a), 0.0])
-    return Sight(right, np.cross(toward, right), toward, False)
 
 
 def covered_shares(blocks: Blocks, joints: Joints) -> np.ndarray:
@@ -63,10 +34,10 @@ class Piece:
     block_edge: np.ndarray
 
 
-def visible_pieces(blocks: Blocks, joints: Joints, sight: Sight) -> list[Piece]:
+def visible_pieces(blocks: Blocks, joints: Joints, camera: Camera) -> list[Piece]:
     """The faces toward the viewer that no joint covers wholly, in pieces, farthest first."""
     _, normal, _ = face_areas_normals_centroids(blocks)
-    seen = np.flatnonzero((normal @ sight.toward > 1e-6) & (covered_shares(blocks, joints) < 1 - 1e-6))
+    seen = np.flatnonzero((normal @ camera.toward > 1e-6) & (covered_shares(blocks, joints) < 1 - 1e-6))
     corners = [blocks.face(f) for f in seen.tolist()]
     if not corners:
         return []
@@ -78,16 +49,16 @@ def visible_pieces(blocks: Blocks, joints: Joints, sight: Sight) -> list[Piece]:
         for piece in _cut(f, c, bounds, 1.5 * float(edge))
     ]
     size = float(np.ptp(blocks.points, axis=0).max())
-    return _farthest_first(pieces, normal[[piece.face for piece in pieces]], sight, 1e-6 * size)
+    return _farthest_first(pieces, normal[[piece.face for piece in pieces]], camera, 1e-6 * size)
 
 
-def hidden(point: np.ndarray, pieces: list[Piece], sight: Sight, width: float) -> bool:
+def hidden(point: np.ndarray, pieces: list[Piece], camera: Camera, width: float) -> bool:
     """Whether a point (3,) lies more than width (m) behind a piece as seen by the viewer."""
     corners, _ = pad(*_joined(pieces))
     _, normal, middle = areas_normals_centroids(corners)
     edge = np.roll(corners, -1, axis=1) - corners
-    along = ((middle - point) * normal).sum(axis=1) / (normal @ sight.toward)
-    reached = point + along[:, None] * sight.toward
+    along = ((middle - point) * normal).sum(axis=1) / (normal @ camera.toward)
+    reached = point + along[:, None] * camera.toward
     inside = np.einsum(
         "nki,nki->nk", np.cross(edge, reached[:, None] - corners), np.broadcast_to(normal[:, None], corners.shape)
     )
@@ -99,13 +70,13 @@ def _joined(pieces: list[Piece]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return np.concatenate([piece.corners for piece in pieces]), start, np.arange(start[-1])
 
 
-def _farthest_first(pieces: list[Piece], normal: np.ndarray, sight: Sight, width: float) -> list[Piece]:
+def _farthest_first(pieces: list[Piece], normal: np.ndarray, camera: Camera, width: float) -> list[Piece]:
     """By planes, so that what stands in front of a plane comes after it (Newell 1972); within a plane by depth.
 
     Where neither of two planes comes first by this rule, and in a cycle, the depth of their middles decides.
     """
     middle = np.array([piece.corners.mean(axis=0) for piece in pieces])
-    depth = np.round(middle @ sight.toward, 12)
+    depth = np.round(middle @ camera.toward, 12)
     order = np.argsort(depth, kind="stable")
     key = np.column_stack([np.round(normal, 6), np.round(np.einsum("ni,ni->n", middle, normal) / (10 * width))])
     _, plane = np.unique(key, axis=0, return_inverse=True)

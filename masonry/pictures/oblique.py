@@ -13,10 +13,10 @@ from geometry.joints.tributary_areas import tiles
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.history import Frame
+from masonry.pictures.camera import iso_view
 from masonry.pictures.crack_style import crack_colours, widths
-from masonry.pictures.cracks import front_view
 from masonry.pictures.faces import FaceDrawing
-from masonry.pictures.hidden_surfaces import Piece, oblique_sight, visible_pieces
+from masonry.pictures.hidden_surfaces import Piece, visible_pieces
 from masonry.results.deformation import Corners, Deformation
 from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, moved_undamaged
 
@@ -44,18 +44,14 @@ class SolidDrawing:
 
     def __init__(self, result: "ResultData") -> None:
         blocks, joints = result.specimen.blocks, result.joints
-        self.result, self.sight = result, oblique_sight()
-        self.size = front_view(blocks.points).size
+        self.result, self.camera = result, iso_view(blocks.points)
+        size = self.camera.size
         self.shape = Corners(blocks)
-        self.pieces = visible_pieces(blocks, joints, self.sight)
+        self.pieces = visible_pieces(blocks, joints, self.camera)
         self.piece_block = blocks.face_block()[[piece.face for piece in self.pieces]]
         self.start, self.tile = tiles(joints)
-        last = _last_beside(blocks, self.pieces, 1e-5 * self.size)
-        self.after = edges_on_faces(blocks, joints, self.start, self.tile, last, 1e-6 * self.size)
-
-    def project(self, points: np.ndarray) -> np.ndarray:
-        """(..., 2) of (..., 3)."""
-        return self.sight.project(points)
+        last = _last_beside(blocks, self.pieces, 1e-5 * size)
+        self.after = edges_on_faces(blocks, joints, self.start, self.tile, last, 1e-6 * size)
 
     def cracks(self, frame: Frame) -> JointCracks:
         """The contacts to draw."""
@@ -67,7 +63,7 @@ class SolidDrawing:
 
     def draw(self, axes: Any, frame: Frame, cracks: JointCracks, times: float, scale: float) -> None:
         """Draw a frame with displacements `times` larger, and its cracks; `scale` is the opening (m) of full width."""
-        faces = FaceDrawing(self.result.specimen.blocks, self.sight)
+        faces = FaceDrawing(self.result.specimen.blocks, self.camera)
         field = Deformation(self.shape, frame)
         owner, corner = ranges(self.start[cracks.contact], np.diff(self.start)[cracks.contact])
         first, second = field.sides(self.result.joints, cracks.contact[owner], self.tile[corner])

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.history import Frame
-from masonry.pictures.cracks import EDGE_ON, View
+from masonry.pictures.camera import Camera
+from masonry.pictures.cracks import EDGE_ON
 from masonry.results.deformation import Corners, Deformation
 from masonry.results.joint_resultants import UnitJoints, unit_joints
 
@@ -61,9 +62,9 @@ class ThrustLine:
         contact = self.joints.contact[self.joints.start[joint] : self.joints.start[joint + 1]]
         return int(contact[np.argmin(np.linalg.norm(result.joints.point[contact] - place, axis=1))])
 
-    def draw(self, axes: Any, result: "ResultData", frame: Frame, view: View, times: float) -> None:
+    def draw(self, axes: Any, result: "ResultData", frame: Frame, camera: Camera, times: float) -> None:
         """Draw the line, broken where a joint does not press, or the marks."""
-        flat = view.project(self.displaced(result, frame, times))
+        flat = camera.project(self.displaced(result, frame, times))
         axes.plot(*flat.T, "o-" if self.in_a_row else "o", color=COLOUR, lw=WIDTH, ms=MARK, zorder=4.0)
 
     def key(self) -> Any:
@@ -74,7 +75,7 @@ class ThrustLine:
         return Line2D([], [], color=COLOUR, lw=WIDTH * self.in_a_row, marker="o", ms=MARK, label=word)
 
 
-def thrust_line(result: "ResultData", view: View) -> ThrustLine | None:
+def thrust_line(result: "ResultData", camera: Camera) -> ThrustLine | None:
     """What to draw of joints that are seen edge-on; None without gravity, and for fewer or more joints than help."""
     if not result.scene_table.get("gravity"):
         return None
@@ -82,7 +83,7 @@ def thrust_line(result: "ResultData", view: View) -> ThrustLine | None:
     if (row := row_of(joints.units)) is not None:
         return ThrustLine(joints, row, True) if len(row) >= ROW else None
     first = joints.contact[joints.start[:-1]]
-    shown = np.flatnonzero(np.abs(result.joints.normal[first] @ view.toward) < EDGE_ON)
+    shown = np.flatnonzero(np.abs(result.joints.normal[first] @ camera.toward) < EDGE_ON)
     return ThrustLine(joints, shown, False) if 0 < len(shown) <= WALL else None
 
 

@@ -12,10 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
+from geometry.files.hdf5 import new_file, require_plain
 from masonry.history import Frame, History, unit_of
 from masonry.results.validate import require_whole_result
-from masonry.runtime.hdf5 import new_file
-from masonry.runtime.open_archive import require_plain
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
+from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
 from masonry.results import archive, fields, joint_fields
 from masonry.results.data import ResultData
 from masonry.results.joint_resultants import resultants_csv
 from masonry.results.table import csv_text
-from masonry.runtime.folder import WholeFiles
 from masonry.runtime.text_files import json_of
 
 NUMBERS = ("summary.json", "curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.history import UNITS, unit_of
+from masonry.runtime.tables import columns
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -78,9 +79,7 @@ class Table:
 
     def __repr__(self) -> str:
         cells = self._cells()
-        widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
-        lines = ["  ".join(f"{cell:>{width}}" for cell, width in zip(line, widths, strict=True)) for line in cells]
-        return "\n".join([*lines, f"{len(self)} rows"])
+        return "\n".join([*columns(cells, right=range(len(cells[0]))), f"{len(self)} rows"])
 
     def _repr_html_(self) -> str:
         names, units, *rows = ([escape(cell) for cell in line] for line in self._cells())

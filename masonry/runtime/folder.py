@@ -6,7 +6,6 @@ import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
-from types import TracebackType
 
 from geometry.files.atomic import is_name
 from masonry.errors import SceneError
@@ -101,53 +100,3 @@ def _named(out: Path, overwrite: bool) -> Path:
     if not overwrite and there:
         raise SceneError(f"--out '{out}' is not empty; name a new folder, or add --overwrite to replace its results")
     return out
-
-
-class WholeFiles:
-    """Writes several files so that each one appears whole or not at all.
-
-    Within the `with` block, `new(name)` gives a temporary path in the same folder to write to. At the end all of them
-    are flushed to the disk and take their names; if anything was raised, none does and the temporary files go.
-    """
-
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-        self._temporary: dict[str, Path] = {}
-
-    def new(self, name: str) -> Path:
-        """The path to write the file `name` to."""
-        self._temporary[name] = self.folder / f".{os.getpid()}-unfinished-{name}"
-        return self._temporary[name]
-
-    def text(self, name: str, content: str) -> None:
-        """Write a text file, UTF-8 with newlines as they are."""
-        self.new(name).write_text(content, encoding="utf-8", newline="\n")
-
-    def __enter__(self) -> "WholeFiles":
-        self.folder.mkdir(parents=True, exist_ok=True)
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        try:
-            if kind is None:
-                for path in self._temporary.values():
-                    _flush(path)
-                for name, path in self._temporary.items():
-                    os.replace(path, self.folder / name)
-                _flush(self.folder)
-        finally:
-            for path in self._temporary.values():
-                path.unlink(missing_ok=True)
-
-
-def _flush(path: Path) -> None:
-    """Have the disk hold what was written to a file or a folder."""
-    if path.is_dir() and os.name == "nt":
-        return
-    handle = os.open(path, os.O_RDONLY if os.name != "nt" else os.O_RDWR)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)

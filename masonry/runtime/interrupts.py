@@ -38,14 +38,14 @@ class Interrupts:
 @contextlib.contextmanager
 def interruptible() -> Iterator[Interrupts]:
     """Listen to them for a while, but to what is ignored (nohup); outside the main thread nothing changes."""
-    asked = Interrupts()
+    interrupts = Interrupts()
     if threading.current_thread() is not threading.main_thread():
-        yield asked
+        yield interrupts
         return
     heard = [number for number in SIGNALS if number == signal.SIGINT or signal.getsignal(number) != signal.SIG_IGN]
-    usual = {number: signal.signal(number, asked.hear) for number in heard}
+    usual = {number: signal.signal(number, interrupts.hear) for number in heard}
     try:
-        yield asked
+        yield interrupts
     finally:
         for number, handler in usual.items():
             signal.signal(number, handler)

@@ -1,12 +1,13 @@
 """One process at a time in a folder: a lock that the system takes back when its holder dies, however it dies."""
 
 import contextlib
-import fcntl
 import os
 import socket
 import time
 from collections.abc import Iterator
 from pathlib import Path
+
+from filelock import FileLock, Timeout
 
 from masonry.errors import SceneError
 
@@ -23,11 +24,12 @@ def sole(folder: Path, doing: str) -> Iterator[None]:
     Raises SceneError, saying who it is, where another process has the folder, and where it cannot be written to.
     """
     path = folder / LOCK
+    lock = FileLock(path, timeout=0, thread_local=False)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        handle = _held(path)
-        if handle is None:
-            raise SceneError(f"'{folder}' is in use: {_holder(path)}; wait for its end, or name another folder")
+        lock.acquire()
+    except Timeout:
+        raise SceneError(f"'{folder}' is in use: {_holder(path)}; wait for its end, or name another folder") from None
     except OSError as error:
         raise SceneError(
             f"cannot write results to '{folder}': {error.strerror or error}; name a folder that you may write to"
@@ -35,32 +37,12 @@ def sole(folder: Path, doing: str) -> Iterator[None]:
     try:
         with contextlib.suppress(OSError):  # a full disk: the lock holds without a word
             since = time.strftime("%Y-%m-%d %H:%M:%S")
-            text = f"process {os.getpid()} {doing} (on {socket.gethostname()}, since {since})"
-            os.truncate(handle, 0)
-            os.pwrite(handle, text.encode(), 0)
+            path.write_text(f"process {os.getpid()} {doing} (on {socket.gethostname()}, since {since})")
         yield
     finally:
         with contextlib.suppress(OSError):
             path.unlink(missing_ok=True)
-        os.close(handle)
-
-
-def _held(path: Path) -> int | None:
-    """The open lock; None where another process has it. A file that its last holder has removed is no lock."""
-    while True:
-        handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK, 0o644)
-        try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            os.close(handle)
-            return None
-        except OSError:
-            os.close(handle)
-            raise
-        with contextlib.suppress(FileNotFoundError):
-            if os.path.samestat(os.fstat(handle), os.stat(path)):
-                return handle
-        os.close(handle)
+        lock.release()
 
 
 def _holder(path: Path) -> str:

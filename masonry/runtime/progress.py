@@ -165,7 +165,7 @@ def _bar(stream: TextIO) -> Any:
 Tell = Callable[[str], None]
 
 
-class Tally:
+class ProgressLines:
     """One line for each that ends: `[ 3/12] couplet   OK     1.2 s   about 10 s left`."""
 
     def __init__(self, names: Iterable[str], tell: Tell | None) -> None:

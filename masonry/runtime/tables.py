@@ -1,6 +1,7 @@
 """Tables of words: aligned for a terminal, or as HTML for a notebook."""
 
 import textwrap
+from collections.abc import Collection, Sequence
 from html import escape
 
 from masonry.errors import visible
@@ -9,6 +10,16 @@ WIDTH = 110
 
 Rows = list[tuple[str, list[str]]]
 """A word and its lines, row by row."""
+
+
+def columns(rows: Sequence[Sequence[str]], right: Collection[int] = ()) -> list[str]:
+    """A line for each row, its cells in columns that are two spaces apart; `right` has the numbers of those columns
+    whose cells end at one edge."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return [
+        "  ".join(f"{cell:{'>' if k in right else '<'}{widths[k]}}" for k, cell in enumerate(row)).rstrip()
+        for row in rows
+    ]
 
 
 def aligned(rows: Rows, wrap: bool = True) -> str:

@@ -1,11 +1,11 @@
 """A scene file or a packaged scene -> `Scene`, checked and in SI; and back to TOML that gives the same scene."""
 
-import json
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import tomli_w
 from pydantic import ValidationError
 
 from masonry.errors import SceneError
@@ -15,7 +15,7 @@ from masonry.scene.overrides import Overrides, apply
 from masonry.scene.portrait import portrait_html, portrait_text
 from masonry.scene.schema import SceneData
 from masonry.scene.source import Source, packaged, read, titles
-from masonry.scene.tables.own_keys import law_there
+from masonry.scene.tables.law_keys import law_there
 
 __all__ = ["Scene", "changed", "load", "packaged", "titles", "to_toml"]
 
@@ -83,36 +83,4 @@ def _checked(source: Source) -> Scene:
 
 def to_toml(scene: Scene) -> str:
     """The resolved scene as a TOML file; `load` of it gives the same scene bit by bit."""
-    return "\n".join(_table(scene.resolved(), ())).lstrip("\n") + "\n"
-
-
-def _table(table: dict[str, Any], path: tuple[str, ...]) -> list[str]:
-    """Lines of a table: its values first, then the tables and arrays of tables below it."""
-    lines, below = [], []
-    for key, value in table.items():
-        here = (*path, key)
-        if isinstance(value, dict):
-            inner = _table(value, here)
-            below += (["", f"[{_dotted(here)}]"] if inner[:1] != [""] else []) + inner
-        elif isinstance(value, (tuple, list)) and value and isinstance(value[0], dict):
-            for item in value:
-                below += ["", f"[[{_dotted(here)}]]", *_table(item, here)]
-        else:
-            lines.append(f"{_dotted((key,))} = {_value(value)}")
-    return lines + below
-
-
-def _dotted(keys: tuple[str, ...]) -> str:
-    return ".".join(key if key and key.replace("_", "").isalnum() and key.isascii() else _text(key) for key in keys)
-
-
-def _value(value: Any) -> str:
-    if isinstance(value, (tuple, list)):
-        return f"[{', '.join(map(_value, value))}]"
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    return _text(value) if isinstance(value, str) else repr(value)
-
-
-def _text(value: str) -> str:
-    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    return tomli_w.dumps(scene.resolved())

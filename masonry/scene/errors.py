@@ -12,10 +12,9 @@ from masonry.quantity import KINDS, written
 from masonry.scene.lines import split_key
 from masonry.scene.schema import SceneData
 from masonry.scene.source import Source
-from masonry.scene.tables.own_keys import contact_class
-from masonry.scene.tables.own_specimen import specimen_class
+from masonry.scene.tables.law_keys import contact_class
 from masonry.scene.tables.specimen import kinds
-from masonry.scene.tables.specimen_plugins import own_specimen_names
+from masonry.scene.tables.specimen_plugins import plugin_specimen_names, specimen_class
 from masonry.scene.tables.types import Given, KeyedError
 from masonry.scene.variant import Keys
 
@@ -111,9 +110,9 @@ def _text(found: ErrorDetails, loc: Keys, name: str, raw: Any) -> str:
     if kind in MISSING:
         return f"missing{_hint(loc, name, raw)}"
     if kind == "union_tag_not_found":
-        return f"missing; allowed: {', '.join((*kinds(), *own_specimen_names()))}"
+        return f"missing; allowed: {', '.join((*kinds(), *plugin_specimen_names()))}"
     if kind == "union_tag_invalid":
-        return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], [*kinds(), *own_specimen_names()])}"
+        return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], [*kinds(), *plugin_specimen_names()])}"
     if kind == "literal_error":
         return f"{shown} is not allowed; {_choice(shown, re.findall(QUOTED, ctx['expected']))}"
     return PLAIN[kind].format(shown=shown, name=name, **ctx) if kind in PLAIN else found["msg"][:200]

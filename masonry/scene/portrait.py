@@ -11,7 +11,7 @@ READABLE = {"m": ((1e-3, "mm"),), "Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"
 
 def portrait_text(scene: SceneData) -> str:
     """For a terminal."""
-    return f"SceneData {_title(scene)}\n\n{aligned(portrait_rows(scene))}"
+    return f"Scene {_title(scene)}\n\n{aligned(portrait_rows(scene))}"
 
 
 def portrait_html(scene: SceneData) -> str:

@@ -10,11 +10,11 @@ from masonry.history import TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact import Contact, Material
 from masonry.scene.tables.gauge import Curve, Gauge
+from masonry.scene.tables.law_keys import AnyContact
 from masonry.scene.tables.loading import Drive, Settle, Solver, Support, Traction
 from masonry.scene.tables.motion import Floor, Gravity, InitialMotion
-from masonry.scene.tables.own_keys import AnyContact
-from masonry.scene.tables.own_specimen import AnySpecimen
 from masonry.scene.tables.scatter import Scatter, require_contacts
+from masonry.scene.tables.specimen_plugins import AnySpecimen
 from masonry.scene.tables.types import KeyedError, Law, Motion, Strength, Table
 
 INVENTED = "a placeholder that the import made up: put in your own"

@@ -66,15 +66,15 @@ def titles() -> dict[str, str]:
     return {name: str(toml_of(text, name).get("title", "")) for name, text in texts.items()}
 
 
-def read(scene: str | Path, depth: int = 0, asked: str | None = None) -> Source:
+def read(scene: str | Path, depth: int = 0, typed: str | None = None) -> Source:
     """The raw scene of a path or of a packaged name, on top of its `base` if it names one. Raises SceneError.
 
-    asked  what a message may suggest to add to, where that is not the path itself
+    typed  what a message may suggest to add to, where that is not the path itself
     """
     known = packaged()
     file = known[scene] if isinstance(scene, str) and scene in known else Path(scene)
     name = f"{scene}.toml" if isinstance(scene, str) and scene in known else str(scene)
-    text = _text(file, name, known, str(scene) if asked is None else asked)
+    text = _text(file, name, known, str(scene) if typed is None else typed)
     stem = name.replace("\\", "/").rsplit("/", 1)[-1].removesuffix(".toml")
     source = Source(name, stem, text, toml_of(text, name))
     _anchor(source.raw, file)
@@ -107,13 +107,13 @@ def _below(source: Source, base: Any, file: Traversable, depth: int) -> Source:
         raise error.within(where) from None
 
 
-def _text(file: Traversable, name: str, known: dict[str, Traversable], asked: str) -> str:
+def _text(file: Traversable, name: str, known: dict[str, Traversable], typed: str) -> str:
     shown = repr(name if len(name) <= 200 else name[:200] + "...")
     try:
         if file.is_dir():
             raise SceneError(f"{shown} is a folder; give a scene file (.toml) or one of {', '.join(known)}")
         if not file.is_file():
-            nearest = _nearest(file, name, known, asked)
+            nearest = _nearest(file, name, known, typed)
             hint = f"did you mean '{nearest}'? " if nearest else ""
             raise SceneError(f"no scene {shown}: no such file; {hint}packaged scenes are {', '.join(known)}")
         if isinstance(file, Path) and file.stat().st_size == 0:  # some files of the system say so and never end
@@ -129,9 +129,9 @@ def _text(file: Traversable, name: str, known: dict[str, Traversable], asked: st
     return decoded(data, name)
 
 
-def _nearest(file: Traversable, name: str, known: dict[str, Traversable], asked: str) -> str | None:
+def _nearest(file: Traversable, name: str, known: dict[str, Traversable], typed: str) -> str | None:
     """The file of this name that lacks only its ending, or the packaged scene whose name is closest."""
     if isinstance(file, Path) and file.name and file.with_name(f"{file.name}.toml").is_file():
-        return f"{asked}.toml"
+        return f"{typed}.toml"
     stem = re.split(r"[/\\]", name[-200:])[-1].removesuffix(".toml")
     return next(iter(difflib.get_close_matches(stem, known, 1, 0.4)), None)

@@ -20,9 +20,13 @@ RIVALS = (
 def overlay(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
     """Raw values of a scene with those of another on top: tables are merged, lists and values replaced.
 
-    A key takes the place of its rivals. An assumption about what was replaced goes with it.
+    A key takes the place of its rivals, a specimen of another kind that of the whole specimen. An assumption about what
+    was replaced goes with it.
     """
     merged = deepcopy(below)
+    if _kind(above) not in (None, _kind(below)):
+        merged.pop("specimen", None)
+        _forget(merged, ("specimen",), ())
     paths = list(_leaves(above))
     _put(merged, above)
     given = {path[:n] for path in paths for n in range(1, len(path) + 1)}
@@ -31,6 +35,12 @@ def overlay(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
             drop_rivals(merged, path, given)
             _forget(merged, path, given)
     return merged
+
+
+def _kind(raw: dict[str, Any]) -> Any:
+    """Which specimen a scene names, if it names one."""
+    specimen = raw.get("specimen")
+    return specimen.get("kind") if isinstance(specimen, dict) else None
 
 
 def drop_rivals(raw: dict[str, Any], path: Keys, given: Container[Keys]) -> None:

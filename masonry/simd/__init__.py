@@ -5,11 +5,10 @@ MASONRY_LANES=0 the functions of `memory.py` and `rows.py` hand out plain number
 kernels, compiled for numbers, do the same work.
 """
 
-from masonry.simd import exponential, functions  # noqa: F401  math learns of lanes
+from masonry.simd import exponential  # noqa: F401  math.exp learns of lanes
 from masonry.simd.arithmetic import PLAIN
 from masonry.simd.gather import gather, gather_corners, put_rows, scatter, take_slopes
-from masonry.simd.load_store import EIGHT, FOUR, eight, four, or_zero, put, put_where, take, width_of
-from masonry.simd.local import local
+from masonry.simd.load_store import EIGHT, FOUR, eight, four, local, or_zero, put, put_where, take, width_of
 from masonry.simd.rows import numbers, pack, part, plus, put_row, take_row
 from masonry.simd.select import any_lane, below, filled, maximum, minimum, total, unless, where
 

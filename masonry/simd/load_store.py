@@ -148,3 +148,28 @@ def _eight():
 @overload(four)
 def _four():
     return (lambda: 0.0) if PLAIN else (lambda: _zeros_of_four())
+
+
+@intrinsic
+def local(context, parameters, at, like):
+    """The parameters (NamedTuple) of the contact `at` of their group, and of those after it as many as `like` has.
+
+    One that differs from contact to contact is an array in the tuple of the group; numbers and None are handed on, so
+    that a tuple without arrays costs nothing.
+    """
+    there = [like if isinstance(kind, types.Array) else kind for kind in parameters.types]
+    found = types.BaseTuple.from_types(there, parameters.instance_class)
+
+    def generate(context, builder, sig, args):
+        if not any(isinstance(kind, types.Array) for kind in parameters.types):
+            return args[0]
+        taken = []
+        for i, kind in enumerate(parameters.types):
+            value = builder.extract_value(args[0], i)
+            if isinstance(kind, types.Array):
+                pointer = pointer_to(context, builder, kind, value, [(args[1], at)])
+                value = load(builder, pointer, like.width) if isinstance(like, Lanes) else builder.load(pointer)
+            taken.append(value)
+        return context.make_tuple(builder, found, taken)
+
+    return found(parameters, at, like), generate

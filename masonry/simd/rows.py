@@ -1,11 +1,26 @@
-"""Rows of x, y, z with room for a fourth number, as four lanes: to and from arrays, tuples and sums."""
+"""Rows of x, y, z with room for a fourth number, as four lanes: to and from arrays, tuples and sums; and arrays
+that begin on a boundary of 64 bytes, so that eight doubles side by side are one line of the processor's cache."""
 
+import numpy as np
 from llvmlite import ir
 from numba.core import types
 from numba.extending import intrinsic, overload
 
 from masonry.simd.arithmetic import DOUBLE, PLAIN, WORD, Lanes
 from masonry.simd.load_store import load, pointer_to, store
+
+BEHIND = 8
+"""Zeros behind the last number (or row): eight at a time may be read, and rows written, past the last contact."""
+
+
+def aligned(values: np.ndarray) -> np.ndarray:
+    """The same numbers, column after column, with room behind them."""
+    line = 64 // values.dtype.itemsize
+    room = np.zeros(values.size + line + BEHIND, dtype=values.dtype)
+    first = -(room.ctypes.data // values.dtype.itemsize) % line
+    result = room[first : first + values.size].reshape(values.shape, order="F")
+    result[...] = values
+    return result
 
 
 @intrinsic

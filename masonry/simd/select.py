@@ -111,7 +111,7 @@ def any_lane(condition):
 
 
 @overload(any_lane)
-def _some(condition):
+def _any_lane_of(condition):
     if isinstance(condition, Choice):
         return lambda condition: _any_lane(condition)
     return lambda condition: condition

@@ -59,7 +59,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any, tell: Any) -> int:
-    from masonry.runtime.folder import WholeFiles
+    from geometry.files.atomic import WholeFiles
     from masonry.runtime.lock import sole
     from masonry.sweep.engine import run_alone
     from masonry.sweep.picture import PICTURE, draw

@@ -9,10 +9,9 @@ from typing import Any
 from masonry.errors import SceneError
 from masonry.runtime.lock import sole
 from masonry.runtime.processes import Lost, work
-from masonry.runtime.progress import Tally, Tell
+from masonry.runtime.progress import ProgressLines, Tell
 from masonry.sweep.folder import DOING
-from masonry.sweep.job import Job
-from masonry.sweep.names import names
+from masonry.sweep.job import Job, names
 from masonry.sweep.store import Row, Store
 from masonry.sweep.work import ERROR, Ended, compute
 
@@ -49,7 +48,7 @@ def run_alone(
     if rows and tell is not None:
         tell(f"{len(wanted) - len(missing)} of {len(wanted)} runs are done already")
     called = dict(zip(wanted, names(list(wanted.values())), strict=True))
-    tally = Tally((called[job.key()] for job in missing), tell)
+    tally = ProgressLines((called[job.key()] for job in missing), tell)
     try:
         with closing(_ends([job.resolved for job in missing], workers, scheduler)) as ends:
             for number, ended in ends:

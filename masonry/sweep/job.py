@@ -1,7 +1,7 @@
-"""One run of many: a scene and what is set in it, and the key by which its result is found again."""
+"""One run of many: a scene and what is set in it, the key by which its result is found again, and its name."""
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -44,3 +44,28 @@ class Job:
         those of laws and specimens of other packages too: the same key means the same result. Raises SceneError.
         """
         return self._key
+
+
+def names(jobs: Sequence[Job]) -> list[str]:
+    """What to call each of many jobs in the lines that say how far they are: its label, else the settings in which it
+    differs from the others, or the scene.
+    """
+    keys = dict.fromkeys(key for job in jobs for key in job.settings)
+    varied = [key for key in keys if len({repr(job.settings.get(key)) for job in jobs}) > 1]
+    scenes = len({str(job.scene) for job in jobs}) > 1 or not varied
+    return [job.label or " ".join([str(job.scene)] * scenes + _settings(job, varied)) for job in jobs]
+
+
+def _settings(job: Job, keys: Sequence[str]) -> list[str]:
+    return [f"{key.rsplit('.', 1)[-1]}={_short(job.settings[key])}" for key in keys if key in job.settings]
+
+
+def _short(value: Any) -> str:
+    """A value with four digits: a name is no place for more."""
+    if isinstance(value, float):
+        return f"{value:.4g}"
+    number, _, unit = f"{value}".partition(" ")
+    try:
+        return f"{float(number):.4g} {unit}" if unit else f"{value}"
+    except ValueError:
+        return f"{value}"

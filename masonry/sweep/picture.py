@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
 from masonry.pictures.style import MEGA, MILLI, plain, write_png
 from masonry.results.validate import MOST
-from masonry.runtime.folder import WholeFiles
 from masonry.runtime.text_files import text_of
 from masonry.sweep.plan import Planned
 from masonry.sweep.store import Row

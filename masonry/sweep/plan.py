@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from masonry.errors import SceneError, nearest, visible
+from masonry.runtime.tables import columns
 from masonry.sweep.job import Job
 from masonry.sweep.points import points, si
 from masonry.sweep.read import Sweep, Times
@@ -28,25 +29,24 @@ def plan(sweep: Sweep) -> list[Planned]:
     """Every run of a sweep, in order. Raises SceneError for the first that its scene does not take: the message says
     the run, the key, what is wrong and what is allowed.
     """
-    asked = points(sweep)
+    table = points(sweep)
     base = _Base(sweep)
-    for point in asked[:1] + [row for row in asked if set(row) != set(asked[0])]:
+    for point in table[:1] + [row for row in table if set(row) != set(table[0])]:
         base.check_groups(point)
     found = []
-    for number, point in enumerate(asked):
+    for number, point in enumerate(table):
         try:
             found.append(base.planned(point))
         except SceneError as error:
-            run = f", run {number + 1} of {len(asked)}" if len(asked) > 1 else ""
+            run = f", run {number + 1} of {len(table)}" if len(table) > 1 else ""
             raise error.within(f"{sweep.name}{run}", "--set ") from None
     return found
 
 
 def listing(planned: Sequence[Planned]) -> str:
     """A line a run: its number and what the sweep sets in it."""
-    margin = len(str(len(planned)))
     rows = (visible("  ".join(f"{key} = {value!r:.60}" for key, value in run.values.items())) for run in planned)
-    return "\n".join(f"{number:>{margin}}  {row}" for number, row in enumerate(rows, start=1))
+    return "\n".join(columns([(str(number), row) for number, row in enumerate(rows, start=1)], right=[0]))
 
 
 class _Base:

@@ -6,8 +6,8 @@ import shutil
 from pathlib import Path
 from typing import Any
 
+from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
-from masonry.runtime.folder import WholeFiles
 from masonry.runtime.text_files import json_of
 from masonry.sweep.work import OK, STATUSES, Ended
 

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
-from masonry.runtime.folder import WholeFiles
 from masonry.sweep.plan import Planned
 from masonry.sweep.points import si
 from masonry.sweep.store import Row

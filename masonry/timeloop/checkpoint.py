@@ -14,7 +14,8 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from masonry.runtime.folder import WholeFiles, sweep_up
+from geometry.files.atomic import WholeFiles
+from masonry.runtime.folder import sweep_up
 from masonry.runtime.state import Damaged, State, read, write
 
 GENERATIONS = 2

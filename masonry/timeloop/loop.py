@@ -67,7 +67,6 @@ class Loop:
         self.loads_along = recording.surroundings.along(model.layout, recording.axis)
         self.camera = Frames(model)
         self.frames: list[Frame] = []
-        self.peak_frame: Frame | None = None
         self.near_peak: list[tuple[float, Frame, Standing]] = []
         self.heights = np.zeros((0, 2))
         self.highest_row = -np.inf
@@ -154,7 +153,7 @@ class Loop:
         if not self.near_peak or stress > self.near_peak[-1][0] * (1.0 + ALIKE):
             self.near_peak.append((stress, frame, standing))
         self.near_peak = [kept for kept in self.near_peak if kept[0] >= reached(stress)] or [(stress, frame, standing)]
-        self.highest_row, self.peak_frame, self.outcome.standing["peak"] = stress, *self.near_peak[0][1:]
+        self.highest_row, self.outcome.standing["peak"] = stress, self.near_peak[0][2]
 
     def along(self, place: float) -> float:
         """A place of the drive (m) along its direction, for one along an axis."""
@@ -218,9 +217,7 @@ class Loop:
         self.outcome.observed = {key: np.array(values) for key, values in self.observed.items()}
         for observer in self.observers.values():
             self.outcome.found |= observer.found()
-        frames = {frame.step: frame for frame in self.frames}
-        if self.peak_frame is not None:
-            frames[self.peak_frame.step] = self.peak_frame
+        frames = {frame.step: frame for frame in [*self.frames, *(frame for _, frame, _ in self.near_peak[:1])]}
         self.outcome.standing = {k: v for k in ("peak", "end") if (v := self.outcome.standing.get(k)) is not None}
         self.outcome.control = self.loading.report()
         self.outcome.events = [] if self.loading.events is None else self.loading.events.found
@@ -228,14 +225,12 @@ class Loop:
 
     def state(self) -> State:
         """All that the run remembers between two chunks, but for the model."""
-        peak = self.peak_frame
         return {
             **attributes(self, REMEMBERED),
             "seconds": self.seconds,
             "rows": {key: np.array(values, dtype=float) for key, values in self.rows.items()},
             "observed": {key: np.array(values) for key, values in self.observed.items()},
             "frames": [_kept(frame) for frame in self.frames],
-            "peak_frame": None if peak is None else _kept(peak),
             "near_peak": [[stress, _kept(frame), _kept(standing)] for stress, frame, standing in self.near_peak],
             "found": attributes(self.outcome, FOUND),
             "standing": {when: _kept(standing) for when, standing in self.outcome.standing.items()},
@@ -245,7 +240,6 @@ class Loop:
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        peak = state["peak_frame"]
         put_back(self, REMEMBERED, state)
         put_back(self.outcome, FOUND, state["found"])
         self.outcome.standing = {when: Standing(**kept) for when, kept in state["standing"].items()}
@@ -254,7 +248,6 @@ class Loop:
             {key: values.tolist() for key, values in state[name].items()} for name in ("rows", "observed")
         )
         self.frames = [Frame(**frame) for frame in state["frames"]]
-        self.peak_frame = None if peak is None else Frame(**peak)
         self.near_peak = [(height, Frame(**frame), Standing(**acts)) for height, frame, acts in state["near_peak"]]
         self.loading.restore(state["loading"])
         for name, observer in self.observers.items():

@@ -5,11 +5,10 @@ import time
 from collections.abc import Callable
 
 import numba
-import numpy as np
 
 from geometry.jit_cache import NOT_KEPT
 from masonry.errors import SceneError, Stopped
-from masonry.history import UNITS, History
+from masonry.history import History
 from masonry.laws.dispatch import word_of
 from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.rest import Rest
@@ -35,7 +34,7 @@ def run(
 
     keeper  writes checkpoints, goes on from one, and says when to end; without one, Ctrl-C ends the run
     """
-    outcome = Outcome(History({key: np.zeros(0) for key in UNITS}))
+    outcome = Outcome(History())
     outcome.seconds_compile = prepare(model, threads, progress)
     loading = loading_of(model, plan, recording.rows)
     if NOT_KEPT:

@@ -11,9 +11,10 @@ from geometry.polyhedra.construct import concatenate, divide, from_boxes
 from masonry.assembly.assemble import joined
 from masonry.cli.main import main
 from masonry.drawings.condition_marks import marks, parts_of
-from masonry.drawings.geometry_picture import draw_geometry, geometry_figure, sight_of
+from masonry.drawings.geometry_picture import camera_for, draw_geometry, geometry_figure
 from masonry.drawings.picture_frame import _apart, _clear
-from masonry.pictures.hidden_surfaces import covered_shares, front_sight, hidden, oblique_sight, visible_pieces
+from masonry.pictures.camera import front_view, iso_view
+from masonry.pictures.hidden_surfaces import covered_shares, hidden, visible_pieces
 from masonry.scene import load
 
 PNG = b"\x89PNG\r\n\x1a\n"
@@ -24,8 +25,8 @@ def grid(numbers, low=(0, 0, 0), high=(1, 1, 1), unit=0):
     return from_boxes(lows, highs, np.full(len(lows), unit), np.zeros(len(lows)), ["units"])
 
 
-def drawn_area(piece, sight):
-    x, y = sight.project(piece.corners).T
+def drawn_area(piece, camera):
+    x, y = camera.project(piece.corners).T
     return 0.5 * abs(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
 
 
@@ -73,22 +74,25 @@ def test_a_picture_that_fails_leaves_the_old_one(tmp_path, monkeypatch):
 def test_the_view_is_oblique_by_default_only_where_the_drive_moves_across_the_front():
     for name, front in (("couplet", True), ("wallette-mode-1", True), ("bending-0", False)):
         scene = load(name)
-        assert sight_of(scene, joined(scene)[0], None).front is front
+        assert camera_for(scene, joined(scene)[0], None).along_an_axis is front
 
 
-@pytest.mark.parametrize("sight", [front_sight(np.array([[0, 0, 0], [3, 1, 2.0]])), oblique_sight()])
-def test_what_is_drawn_of_a_divided_box_is_its_outer_faces_toward_the_viewer_and_no_more(sight):
+BOX = np.array([[0, 0, 0], [3, 1, 2.0]])
+
+
+@pytest.mark.parametrize("camera", [front_view(BOX), iso_view(BOX)])
+def test_what_is_drawn_of_a_divided_box_is_its_outer_faces_toward_the_viewer_and_no_more(camera):
     blocks = grid((4, 2, 3), high=(3, 1, 2))
-    pieces = visible_pieces(blocks, find_joints(blocks), sight)
-    faces = 4 * 3 if sight.front else 4 * 3 + 4 * 2 + 2 * 3
+    pieces = visible_pieces(blocks, find_joints(blocks), camera)
+    faces = 4 * 3 if camera.along_an_axis else 4 * 3 + 4 * 2 + 2 * 3
     assert len({piece.face for piece in pieces}) == faces
-    outline = abs(sight.toward) @ (1 * 2, 3 * 2, 3 * 1)
-    assert sum(drawn_area(piece, sight) for piece in pieces) == pytest.approx(outline)
+    outline = abs(camera.toward) @ (1 * 2, 3 * 2, 3 * 1)
+    assert sum(drawn_area(piece, camera) for piece in pieces) == pytest.approx(outline)
 
 
 def test_edges_between_blocks_of_a_unit_are_inner_and_ridges_and_edges_between_units_outer():
     blocks = concatenate([grid((2, 1, 1)), grid((1, 1, 1), (1, 0, 0), (2, 1, 1), 1)])
-    pieces = visible_pieces(blocks, find_joints(blocks), oblique_sight())
+    pieces = visible_pieces(blocks, find_joints(blocks), iso_view(blocks.points))
     inner = [piece.corners[k] for piece in pieces for k in np.flatnonzero(piece.block_edge & ~piece.unit_edge)]
     assert {tuple(p[:1]) for p in inner} == {(0.5,)}
     assert len(inner) == 4, "one edge on the front and one on the top, from both sides"
@@ -98,8 +102,9 @@ def test_edges_between_blocks_of_a_unit_are_inner_and_ridges_and_edges_between_u
 def test_a_post_before_a_wall_is_drawn_after_all_that_it_hides(height):
     wall = grid((6, 1, 6), high=(3, 0.3, 3))
     post = grid((1, 1, 1), (1.2, -0.1, 0.0), (1.3, 0.0, height), 1)
-    blocks, sight = concatenate([wall, post]), oblique_sight()
-    pieces = visible_pieces(blocks, find_joints(blocks), sight)
+    blocks = concatenate([wall, post])
+    camera = iso_view(blocks.points)
+    pieces = visible_pieces(blocks, find_joints(blocks), camera)
     owner = blocks.face_block()
     of_post = np.array([owner[piece.face] == wall.count for piece in pieces])
     in_front = np.array([abs(piece.corners[:, 1].max()) < 1e-9 for piece in pieces])
@@ -108,10 +113,10 @@ def test_a_post_before_a_wall_is_drawn_after_all_that_it_hides(height):
 
 def test_a_point_behind_the_wall_is_hidden_and_one_before_or_above_it_is_not():
     wall = grid((3, 1, 3), high=(3, 0.3, 3))
-    sight = oblique_sight()
-    pieces = visible_pieces(wall, find_joints(wall), sight)
+    camera = iso_view(wall.points)
+    pieces = visible_pieces(wall, find_joints(wall), camera)
     for place, behind in (((1.5, 0.4, 1.5), True), ((1.5, -0.1, 1.5), False), ((1.5, 0.15, 3.2), False)):
-        assert hidden(np.array(place), pieces, sight, 1e-6) is behind
+        assert hidden(np.array(place), pieces, camera, 1e-6) is behind
 
 
 def test_covered_faces_are_those_in_joints():

@@ -12,9 +12,9 @@ from PIL import Image
 from masonry.cli.main import main
 from masonry.errors import SceneError
 from masonry.laboratory.result import load_result
-from masonry.movies import movie_file as film_file
-from masonry.movies.movie import Film
-from masonry.movies.movie_file import write_film
+from masonry.movies import movie_file
+from masonry.movies.movie import Movie
+from masonry.movies.movie_file import write_movie
 from masonry.pictures.crack_picture import drawing_of, frames_to_draw, magnification, panel_title, share_of_way
 from masonry.pictures.frame_picture import draw_frame
 from masonry.results.frames import choose
@@ -144,7 +144,7 @@ def test_from_behind_left_and_right_change_places():
     result = sample()
     front, back = (drawing_of(result, view) for view in ("front", "back"))
     points = result.specimen.blocks.points
-    np.testing.assert_allclose(front.project(points) * (-1, 1), back.project(points))
+    np.testing.assert_allclose(front.camera.project(points) * (-1, 1), back.camera.project(points))
 
 
 def test_a_crack_comes_out_on_the_front_and_on_top_where_its_joint_ends():
@@ -191,29 +191,29 @@ def test_what_does_not_fit_ends_with_code_2_one_message_and_no_file(folder, caps
     assert new_files(folder) == set() and [path.name for path in folder.parent.iterdir()] == ["run"]
 
 
-def test_a_film_has_every_frame_and_keeps_its_scales(tmp_path):
+def test_a_movie_has_every_frame_and_keeps_its_scales(tmp_path):
     result = sample()
-    film, limits, places = Film(result), [], []
-    assert film.times == magnification(result.history.frames[-1], film.drawing.size), "of what moves most"
+    movie, limits, places = Movie(result), [], []
+    assert movie.times == magnification(result.history.frames[-1], movie.drawing.camera.size), "of what moves most"
     for number in range(3):
-        film.draw(number)
-        limits.append((film.panel.get_xlim(), film.panel.get_ylim()))
-        places.append((film.dot.get_xdata()[0], film.dot.get_ydata()[0]))
+        movie.draw(number)
+        limits.append((movie.panel.get_xlim(), movie.panel.get_ylim()))
+        places.append((movie.dot.get_xdata()[0], movie.dot.get_ydata()[0]))
     assert limits[0] == limits[1] == limits[2]
     np.testing.assert_allclose(places, [(0.0, 0.0), (0.04, 0.19), (0.2, 0.19 * np.exp(-3.2))])
-    assert "1 of 3" not in film.panel.get_title() and "3 of 3: displacement 0.2 mm" in film.panel.get_title()
+    assert "1 of 3" not in movie.panel.get_title() and "3 of 3: displacement 0.2 mm" in movie.panel.get_title()
 
 
 def test_a_gif_opens_with_cracks_in_its_last_frame_only_and_the_last_one_stays(folder):
     assert main(["movie", str(folder), "--fps", "10"]) == 0
     assert new_files(folder) == {"movie.gif"}
-    with Image.open(folder / "movie.gif") as film:
-        assert film.n_frames == 3
+    with Image.open(folder / "movie.gif") as movie:
+        assert movie.n_frames == 3
         shares, times = [], []
         for number in range(3):
-            film.seek(number)
-            times.append(film.info["duration"])
-            picture = np.asarray(film.convert("RGB")) / 255.0
+            movie.seek(number)
+            times.append(movie.info["duration"])
+            picture = np.asarray(movie.convert("RGB")) / 255.0
             shares.append(int(red(picture[: int(0.8 * len(picture)), : int(0.45 * picture.shape[1])]).sum()))
     assert shares[0] < 20 and shares[2] > 500
     assert times[:2] == [100, 100] and times[2] > 1000
@@ -221,22 +221,22 @@ def test_a_gif_opens_with_cracks_in_its_last_frame_only_and_the_last_one_stays(f
 
 def test_an_mp4_is_written_where_there_is_an_ffmpeg_and_refused_in_one_message_elsewhere(tmp_path, monkeypatch):
     frames = pytest.importorskip("imageio_ffmpeg")
-    path = write_film(sample(), tmp_path / "wall.mp4", fps=2)
+    path = write_movie(sample(), tmp_path / "wall.mp4", fps=2)
     assert path.read_bytes()[4:8] == b"ftyp"
     assert frames.count_frames_and_secs(str(path))[0] == 3 + 3
-    monkeypatch.setattr(film_file.shutil, "which", lambda name: None)
+    monkeypatch.setattr(movie_file.shutil, "which", lambda name: None)
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
     with pytest.raises(SceneError, match=r"pip install '\.\[movie\]'"):
-        write_film(sample(), tmp_path / "other.mp4")
+        write_movie(sample(), tmp_path / "other.mp4")
     assert [path.name for path in tmp_path.iterdir()] == ["wall.mp4"]
 
 
-def test_a_film_that_is_broken_off_leaves_the_old_one(folder, monkeypatch):
+def test_a_movie_that_is_broken_off_leaves_the_old_one(folder, monkeypatch):
     (folder / "movie.gif").write_bytes(b"old")
 
     def stop(*arguments):
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        write_film(load_result(folder), folder / "movie.gif", progress=stop)
+        write_movie(load_result(folder), folder / "movie.gif", progress=stop)
     assert new_files(folder) == {"movie.gif"} and (folder / "movie.gif").read_bytes() == b"old"

@@ -10,14 +10,13 @@ from pathlib import Path
 
 from masonry import plugins
 from masonry.laws import plugins as outside
-from masonry.scene.tables import own_keys, own_specimen
-from masonry.scene.tables import specimen_plugins as own_specimens
+from masonry.scene.tables import law_keys, specimen_plugins
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "own-laws.md"
 BLOCK = re.compile(r"^```\{code-block\} \w+\n:caption: ([\w.]+)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 CACHES = (
-    *(plugins.plugins, outside.outside_law, own_specimens.own_specimen),
-    *(own_keys.keys_of, own_keys._with_keys, own_specimen.specimen_class),
+    *(plugins.plugins, outside.plugin_law, specimen_plugins.plugin_specimen),
+    *(law_keys.keys_of, law_keys._with_keys, specimen_plugins.specimen_class),
 )
 
 
@@ -45,9 +44,15 @@ def install(folder: Path, files: dict[str, str] | None = None, name: str = "my-m
 
 
 def law_with_if() -> str:
-    """The law of the page with its functions of single numbers in place of those for eight at a time."""
+    """The law of the page with `if` in its functions."""
     files = files_of_page()
     return files["bilinear.py"] + "\n" + files["with_if.py"]
+
+
+def law_in_lanes() -> str:
+    """The law of the page, eight contacts at a time."""
+    files = files_of_page()
+    return files["bilinear.py"] + "\n" + files["lanes.py"]
 
 
 def law_by_slip() -> str:

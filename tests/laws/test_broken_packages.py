@@ -5,7 +5,8 @@ import pytest
 from masonry.cli.main import main
 from masonry.errors import SceneError
 from masonry.scene import load
-from tests.laws.own_package import files_of_page, install, on_the_path
+from masonry.simd import PLAIN
+from tests.laws.own_package import files_of_page, install, law_with_if, on_the_path
 from verification.fixtures.one_contact import along, law, walk
 
 KNEE = {"contact.unit_unit.opening_at_knee": "8 um", "contact.unit_unit.share_at_knee": 0.3}
@@ -75,6 +76,16 @@ def test_a_curve_that_cannot_be_compiled_is_named(tmp_path):
     with on_the_path(install(tmp_path / "broken", files)):
         wrong = law("bilinear", opening_at_knee=8e-6, share_at_knee=0.3)
         with pytest.raises(SceneError, match="bilinear.tension_area cannot be compiled by Numba: .*open"):
+            walk(wrong, along([(0.0, 0.0, 0.0), (0.0, 0.0, 9e-6)], 1e-6))
+
+
+@pytest.mark.skipif(PLAIN, reason="single numbers have no lanes")
+def test_a_law_with_an_if_that_asks_for_lanes_is_told_why_it_cannot_have_them(tmp_path):
+    files = with_bilinear(law_with_if() + "\nLANES = True\n")
+    with on_the_path(install(tmp_path / "lanes", files)):
+        wrong = law("bilinear", opening_at_knee=8e-6, share_at_knee=0.3)
+        said = r"bilinear.tension_\w+ cannot be compiled by Numba for lanes \(LANES = True\), which have no `if`"
+        with pytest.raises(SceneError, match=said):
             walk(wrong, along([(0.0, 0.0, 0.0), (0.0, 0.0, 9e-6)], 1e-6))
 
 

@@ -14,7 +14,7 @@ from masonry.model.law_portrait import portrait
 from masonry.model.one_contact import follow
 from masonry.scene import load, to_toml
 from masonry.sweep.job import Job
-from tests.laws.own_package import files_of_page, install, law_by_slip, law_with_if, on_the_path
+from tests.laws.own_package import files_of_page, install, law_by_slip, law_in_lanes, law_with_if, on_the_path
 from tests.laws.test_random_paths import corners, legs, numbers, require_dissipation, unhurried
 from verification.fixtures.one_contact import TABLE_1, along, law, walk
 
@@ -26,12 +26,14 @@ AT_PEAK = 0.58e6 / 150e9
 
 @pytest.fixture(scope="module", autouse=True)
 def page(tmp_path_factory):
-    """The package of the page, and the same law with `if` under another name."""
+    """The package of the page, and the same law with `if`, in lanes and by the slip alone under other names."""
     files = files_of_page()
     files["bilinear_with_if.py"] = law_with_if()
+    files["bilinear_in_lanes.py"] = law_in_lanes()
     files["bilinear_by_slip.py"] = law_by_slip()
     files["weaker.py"] = re.sub(r"shape\.G_I\b", "(0.8 * shape.G_I)", files["bilinear.py"])
-    more = '\nwith-if = "bilinear_with_if"\nby-slip = "bilinear_by_slip"\nweaker = "weaker"\nbilinear'
+    more = '\nwith-if = "bilinear_with_if"\nin-lanes = "bilinear_in_lanes"'
+    more += '\nby-slip = "bilinear_by_slip"\nweaker = "weaker"\nbilinear'
     files["pyproject.toml"] = files["pyproject.toml"].replace("\nbilinear", more, 1)
     folder = install(tmp_path_factory.mktemp("page"), files)
     with on_the_path(folder):
@@ -89,9 +91,10 @@ def test_two_laws_whose_tuples_have_one_name_are_two_laws_in_compiled_code():
 
 @settings(unhurried, max_examples=20)
 @given(points=corners(), steps=st.sampled_from([7, 60]))
-def test_written_with_if_or_for_eight_at_once_or_in_python_a_law_does_the_same(points, steps):
+@pytest.mark.parametrize("name", ["bilinear", "in-lanes"])
+def test_written_with_if_or_for_eight_at_once_or_in_python_a_law_does_the_same(name, points, steps):
     path = legs(points, steps) * (1.0, 0.0, 1.0)
-    one, other = walk(own("with-if"), path, ninth=True), walk(own(), path)
+    one, other = walk(own("with-if"), path), walk(own(name), path, ninth=True)
     plain = follow(*own(), path[:, 2], path[:, 0])
     size = np.abs(one.stress).max() + 1.0
     np.testing.assert_allclose(other.stress, one.stress, rtol=0, atol=1e-9 * size)

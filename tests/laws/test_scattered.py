@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from masonry.simd.alignment import aligned
+from masonry.simd.rows import aligned
 from verification.fixtures.one_contact import COUNT, along, law, walk
 from verification.references import closed_forms
 from verification.references.closed_forms import LAWS, Joint

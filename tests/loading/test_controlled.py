@@ -15,7 +15,7 @@ from masonry.monitors.energy import Seen
 from masonry.scene import load
 from tests.timeloop.test_loop import bits, corner_numbers, couplet
 from tests.timeloop.test_loop import load as load_text
-from verification import timed_run as trial
+from verification import timed_run
 from verification.convergence.joint_in_tension import SCENE as PULLED_APART
 from verification.references.closed_forms import Joint
 from verification.references.closed_forms import couplet as curve_of
@@ -163,7 +163,7 @@ def test_the_drive_slows_down_before_the_first_crack_and_says_how_far_it_ran_ahe
 
 def test_a_specimen_that_came_apart_holds_up_the_drive_no_longer() -> None:
     """Nothing is stored any more, so that any motion is large beside it."""
-    done = trial.run(PULLED_APART, {"law": "linear"})
+    done = timed_run.run(PULLED_APART, {"law": "linear"})
     row = int(np.argmax(done.rows["fracture_mode_1"] >= (1 - 1e-9) * done.rows["fracture_mode_1"][-1]))
     assert done.rows["displacement"][row] < 0.6 * done.rows["displacement"][-1]
     assert done.summary["steps"] - done.rows["step"][row] < done.rows["step"][row]

@@ -3,9 +3,7 @@
 import numpy as np
 import pytest
 
-from masonry import scene
 from masonry.assembly.assemble import assemble
-from masonry.laboratory import laboratory
 from masonry.laboratory.text import sudden_text
 from masonry.loading.rest import brake
 from masonry.loading.scheduled import Chunk
@@ -14,11 +12,11 @@ from masonry.results.trust import trust
 from masonry.timeloop.compiled_step import advance_model, compile_for
 from tests.scenes import load
 from tests.timeloop.test_loop import couplet
-from verification.fixtures.scenes import path_of
+from verification.scene_runs import result_of
 
 
 def run(name: str, **over) -> dict:
-    return laboratory.run(scene.load(path_of(name), {k.replace("__", "."): v for k, v in over.items()})).summary
+    return result_of(name, {k.replace("__", "."): v for k, v in over.items()}).summary
 
 
 def dissipated(summary: dict) -> float:

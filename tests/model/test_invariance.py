@@ -8,8 +8,8 @@ from geometry.joints.find import find_joints
 from masonry.laws import factory as law_build
 from masonry.model.loads import Push
 from masonry.model.model import Stepping, sort_by_group
-from verification.checks.conservation import contact_forces, momentum
-from verification.fixtures import rig, shapes
+from verification.checks.invariance import contact_forces, momentum
+from verification.fixtures import models, shapes
 
 MIXTURES = {
     "rigid": ["rigid"] * 5,
@@ -52,36 +52,36 @@ def specimen(kinds, shape="wall"):
 @pytest.mark.parametrize("kinds", MIXTURES.values(), ids=MIXTURES)
 def test_a_rigid_motion_of_all_blocks_makes_no_force(kinds, shape):
     s = shapes.mapped(specimen(kinds, shape), TURN, (0.4, -0.2, 1.3))
-    model = rig.make(s)
+    model = models.make(s)
     rng = np.random.default_rng(1)
     spin = rng.normal(size=3)
     cross = np.cross(np.eye(3), -spin)
-    rigid = rig.linear_field(model, rng.normal(size=3), cross)
+    rigid = models.linear_field(model, rng.normal(size=3), cross)
     noise = rng.normal(size=len(rigid)) * np.abs(rigid).max()
-    scale = np.abs(rig.forces(model, noise)).max()
-    assert np.abs(rig.forces(model, rigid)).max() < 1e-13 * scale
+    scale = np.abs(models.forces(model, noise)).max()
+    assert np.abs(models.forces(model, rigid)).max() < 1e-13 * scale
     assert np.abs(model.contacts.force).max() < 1e-13 * scale, "no contact feels it"
 
 
 @pytest.mark.parametrize("kinds", MIXTURES.values(), ids=MIXTURES)
 def test_contacts_push_both_sides_alike_and_along_one_line(kinds):
-    model = rig.make(shapes.mapped(specimen(kinds, "skewed"), TURN))
-    noise = np.random.default_rng(2).normal(size=len(rig.free(model)))
-    rig.forces(model, noise)
+    model = models.make(shapes.mapped(specimen(kinds, "skewed"), TURN))
+    noise = np.random.default_rng(2).normal(size=len(models.free(model)))
+    models.forces(model, noise)
     everywhere = np.abs(model.contacts.force).sum()
     assert np.abs(contact_forces(model)).max() < 1e-13 * everywhere
 
 
-@pytest.mark.parametrize("law", [rig.GLUE, SOFT], ids=["elastic", "softening"])
+@pytest.mark.parametrize("law", [models.GLUE, SOFT], ids=["elastic", "softening"])
 @pytest.mark.parametrize("kinds", MIXTURES.values(), ids=MIXTURES)
 def test_momentum_is_kept_without_supports_and_damping(kinds, law):
-    model = rig.make(shapes.mapped(specimen(kinds, "skewed"), TURN), law=law)
+    model = models.make(shapes.mapped(specimen(kinds, "skewed"), TURN), law=law)
     rng = np.random.default_rng(3)
-    for _, body in rig.present(model):
+    for _, body in models.present(model):
         body.v[:] = rng.normal(size=body.v.shape) * 0.04
     before = momentum(model)
-    swing = sum(np.abs(model.masses[kind] * body.v).sum() for kind, body in rig.present(model))
-    rig.march(model, 3000)
+    swing = sum(np.abs(model.masses[kind] * body.v).sum() for kind, body in models.present(model))
+    models.march(model, 3000)
     assert np.abs(momentum(model) - before).max() < 1e-12 * swing
     assert np.abs(before).max() > 1e-3 * swing
     if law is SOFT:
@@ -91,37 +91,37 @@ def test_momentum_is_kept_without_supports_and_damping(kinds, law):
 def run(s, law, turn, dt, damping=0.0, order=None):
     """Blocks 0 and 1 (by their old numbers) held; weight and a traction turned with the specimen."""
     order = np.arange(s.blocks.count) if order is None else order
-    held = rig.everything(*(np.argsort(order)[b] for b in (0, 1)))
+    held = models.everything(*(np.argsort(order)[b] for b in (0, 1)))
     top = int(np.argsort(order)[4])
     push = Push(np.array([s.blocks.block_face_start[top]]), turn @ [6e4, 3e4, -3e4])
-    model = rig.make(
+    model = models.make(
         *(s, law, Stepping("real", dt, damping=damping), [held], [push]),
         gravity=turn @ np.array([40.0, 30.0, -20.0]) * 2,
     )
-    rig.march(model, 1500)
+    models.march(model, 1500)
     return model
 
 
 def step_of(s):
     """A step (s) well within the exact limit."""
-    return 0.4 * rig.true_limit(rig.make(s, holds=[rig.everything(0, 1)]))
+    return 0.4 * models.true_limit(models.make(s, holds=[models.everything(0, 1)]))
 
 
-@pytest.mark.parametrize("law", [rig.GLUE, SOFT], ids=["elastic", "softening"])
+@pytest.mark.parametrize("law", [models.GLUE, SOFT], ids=["elastic", "softening"])
 @pytest.mark.parametrize("turn", [TURN, MIRROR], ids=["turned", "mirrored"])
 @pytest.mark.parametrize("kinds", MIXTURES.values(), ids=MIXTURES)
 def test_a_turned_or_mirrored_scene_answers_turned_or_mirrored(kinds, turn, law):
     s = specimen(kinds, "wall")
     dt = step_of(s)
     plain, turned = run(s, law, np.eye(3), dt), run(shapes.mapped(s, turn), law, turn, dt)
-    for was, is_now in zip(rig.displacements(plain), rig.displacements(turned), strict=True):
+    for was, is_now in zip(models.displacements(plain), models.displacements(turned), strict=True):
         assert np.abs(is_now - was @ turn.T).max(initial=0.0) < 1e-9 * np.abs(was).max(initial=0.0) + 1e-300
     if law is SOFT:
         assert plain.state.intact_n.min() < 0.9, "contacts did crack"
         assert np.abs(plain.state.spent - turned.state.spent).max() < 1e-9 * plain.state.spent.max()
 
 
-@pytest.mark.parametrize("law", [rig.GLUE, SOFT], ids=["elastic", "softening"])
+@pytest.mark.parametrize("law", [models.GLUE, SOFT], ids=["elastic", "softening"])
 @pytest.mark.parametrize("kinds", [MIXTURES["rigid"], MIXTURES["affine"]], ids=["rigid", "affine"])
 def test_contacts_found_anew_on_turned_blocks_answer_alike(kinds, law):
     s = specimen(kinds, "skewed")
@@ -130,18 +130,18 @@ def test_contacts_found_anew_on_turned_blocks_answer_alike(kinds, law):
     joints = sort_by_group(turned.blocks, find_joints(turned.blocks))[2]
     anew = shapes.Setup(turned.blocks, turned.kind, joints, None)
     assert len(joints.area) == len(s.joints.area)
-    was, is_now = (rig.displacements(run(x, law, t, dt))[0] for x, t in ((s, np.eye(3)), (anew, TURN)))
+    was, is_now = (models.displacements(run(x, law, t, dt))[0] for x, t in ((s, np.eye(3)), (anew, TURN)))
     assert np.abs(is_now - was @ TURN.T).max() < 1e-9 * np.abs(was).max()
 
 
-@pytest.mark.parametrize("law", [rig.GLUE, SOFT], ids=["elastic", "softening"])
+@pytest.mark.parametrize("law", [models.GLUE, SOFT], ids=["elastic", "softening"])
 @pytest.mark.parametrize("kinds", MIXTURES.values(), ids=MIXTURES)
 def test_numbering_blocks_differently_changes_nothing(kinds, law):
     s, order = specimen(kinds, "wall"), np.array([3, 0, 4, 2, 1])
     dt = step_of(s)
     other, nodes = shapes.renumbered(s, order)
     was, is_now = run(s, law, np.eye(3), dt, 0.8), run(other, law, np.eye(3), dt, 0.8, order)
-    (blocks_was, nodes_was), (blocks_now, nodes_now) = rig.displacements(was), rig.displacements(is_now)
+    (blocks_was, nodes_was), (blocks_now, nodes_now) = models.displacements(was), models.displacements(is_now)
     scale = max(np.abs(blocks_was).max(), np.abs(nodes_was).max(initial=0.0))
     assert np.abs(blocks_now - blocks_was[order]).max() < 1e-9 * scale
     assert np.abs(nodes_now - nodes_was[nodes]).max(initial=0.0) < 1e-9 * scale
@@ -153,8 +153,8 @@ def test_a_damped_elastic_scene_comes_to_the_same_rest_however_it_is_turned(kind
     for turn in (np.eye(3), TURN):
         s = shapes.mapped(specimen(kinds, "wall"), turn)
         stepping = Stepping("scaled", damping=0.8)
-        model = rig.make(s, rig.GLUE, stepping, [rig.everything(0, 1)], gravity=turn @ [1.0, 2.0, -9.0])
-        rig.march(model, 40000 if "tets" in kinds else 15000)
-        answers.append([field @ turn for field in rig.displacements(model)])
+        model = models.make(s, models.GLUE, stepping, [models.everything(0, 1)], gravity=turn @ [1.0, 2.0, -9.0])
+        models.march(model, 40000 if "tets" in kinds else 15000)
+        answers.append([field @ turn for field in models.displacements(model)])
     for was, is_now in zip(*answers, strict=True):
         assert np.abs(is_now - was).max(initial=0.0) < 1e-9 * np.abs(was).max(initial=0.0) + 1e-300

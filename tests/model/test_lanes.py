@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from masonry.jit.compiler import jit
-from masonry.simd import PLAIN, eight, put, take, where
+from masonry.simd import PLAIN, eight, put, take
 
 RUNS = {
     "rigid": ["wallette-mode-1", "specimen.divisions=[2, 1]", "drive.rate=20 mm/s"],
@@ -76,20 +76,3 @@ def test_exp_of_lanes_is_exp_to_fourteen_digits_and_keeps_its_limits():
     wanted = np.exp(x)
     np.testing.assert_array_equal(y[:8], wanted[:8])
     assert np.abs(y[8:] / wanted[8:] - 1.0).max() < 1e-14
-
-
-@pytest.mark.skipif(PLAIN, reason="single numbers use the functions of the C library")
-def test_functions_that_a_law_may_call_give_in_lanes_what_they_give_for_numbers():
-    @jit
-    def apply(x, y):
-        for k in range(len(x) // 8):
-            a = take(x, 8 * k, eight())
-            put(y, 8 * k, math.log(a) + math.sin(a) + math.tanh(a) + math.atan(a) + 2.0**a + a**1.5 + math.sqrt(a))
-            b = max(min(a, 3.0), 0.5) + math.fabs(-a)
-            put(y, 8 * k, where((a < 1.0) | (a > 5.0), take(y, 8 * k, eight()), b))
-
-    x = np.random.default_rng(1).uniform(0.01, 8.0, 800)
-    y = np.zeros_like(x)
-    apply(x, y)
-    first = np.log(x) + np.sin(x) + np.tanh(x) + np.arctan(x) + 2.0**x + x**1.5 + np.sqrt(x)
-    np.testing.assert_allclose(y, np.where((x < 1.0) | (x > 5.0), first, np.clip(x, 0.5, 3.0) + x), rtol=1e-13)

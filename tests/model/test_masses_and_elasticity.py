@@ -9,9 +9,9 @@ from masonry.model.layout import Material
 from masonry.model.loads import Push
 from masonry.model.model import Stepping
 from masonry.model.supports import Hold
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
-KN, KS = rig.GLUE[1].normal_stiffness, rig.GLUE[1].shear_stiffness
+KN, KS = models.GLUE[1].normal_stiffness, models.GLUE[1].shear_stiffness
 KINDS = ("rigid", "affine", "tets")
 SHEAR = np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0.0, 0.0, 0.9]])
 
@@ -19,10 +19,10 @@ SHEAR = np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0.0, 0.0, 0.9]])
 def oscillator(damping: float, fraction: float):
     """A rigid block on a held one that can only rise and fall: mass m on a spring kn A."""
     s = shapes.setup(shapes.stack([0.05, 0.07]), ["rigid", "rigid"])
-    holds = [rig.everything(0), Hold(np.array([1]), (0, 1), turns=(0, 1, 2))]
+    holds = [models.everything(0), Hold(np.array([1]), (0, 1), turns=(0, 1, 2))]
     mass, spring = 1900 * 0.2 * 0.1 * 0.07, KN * 0.2 * 0.1
     omega = np.sqrt(spring / mass)
-    model = rig.make(s, rig.GLUE, Stepping("real", 2 * fraction / omega, damping=damping), holds)
+    model = models.make(s, models.GLUE, Stepping("real", 2 * fraction / omega, damping=damping), holds)
     return model, omega
 
 
@@ -31,7 +31,7 @@ def path_of(model, steps: int) -> np.ndarray:
     q = model.bodies.rigid.q
     path = np.empty(steps)
     for k in range(steps):
-        rig.march(model, 1)
+        models.march(model, 1)
         path[k] = q[1, 2]
     return path
 
@@ -79,10 +79,10 @@ def test_local_damping_shrinks_and_times_each_half_swing_as_the_closed_form_says
 def test_a_damped_body_falls_with_its_share_of_gravity_and_without_strain(kind):
     xi, g, steps = 0.8, 9.81, 500
     s = shapes.setup(shapes.stack([0.1, 0.1]), [kind, kind], mesh_size=0.08)
-    model = rig.make(s, rig.GLUE, Stepping("real", 1e-6, damping=xi), gravity=(0.0, 0.0, -g))
-    rig.march(model, steps)
+    model = models.make(s, models.GLUE, Stepping("real", 1e-6, damping=xi), gravity=(0.0, 0.0, -g))
+    models.march(model, steps)
     speed = g * model.dt * (1 + (1 - xi) * (steps - 1))  # the first step starts from rest, where sign(v) = 0
-    for _, body in rig.present(model):
+    for _, body in models.present(model):
         assert body.v[:, 2] == pytest.approx(-speed, rel=1e-12)
         assert np.abs(np.delete(body.v, 2, axis=1)).max() < 1e-12 * speed
 
@@ -102,7 +102,7 @@ def skew_block_on_a_held_one() -> tuple[Blocks, np.ndarray]:
 def test_a_skewed_rigid_block_swings_and_turns_with_its_real_inertia():
     """All six frequencies against a mass matrix in global axes that knows no principal ones."""
     blocks, edges = skew_block_on_a_held_one()
-    model = rig.make(shapes.setup(blocks, ["rigid", "rigid"]), holds=[rig.everything(0)])
+    model = models.make(shapes.setup(blocks, ["rigid", "rigid"]), holds=[models.everything(0)])
     mass, inertia = parallelepiped_inertia(edges, 1900.0)
     centre = SHEAR @ [0.1, 0.05, 0.05 + 0.035]
     stiffness = np.zeros((6, 6))
@@ -115,24 +115,24 @@ def test_a_skewed_rigid_block_swings_and_turns_with_its_real_inertia():
     matrix = np.zeros((6, 6))
     matrix[:3, :3], matrix[3:, 3:] = mass * np.eye(3), inertia
     exact = np.sqrt(eigh(stiffness, matrix, eigvals_only=True))
-    assert rig.frequencies(model) == pytest.approx(exact, rel=1e-10)
+    assert models.frequencies(model) == pytest.approx(exact, rel=1e-10)
     off = inertia - np.diag(np.diag(inertia))
     assert np.abs(off).max() > 0.02 * inertia.max(), "its principal axes do not lie along x, y, z"
 
 
 def test_a_skewed_block_released_in_its_lowest_mode_swings_in_time_at_that_frequency():
     blocks, _ = skew_block_on_a_held_one()
-    model = rig.make(shapes.setup(blocks, ["rigid", "rigid"]), holds=[rig.everything(0)])
-    omega = rig.frequencies(model)[0]
-    which, mass = rig.free(model), rig.mass_vector(model)
-    stiffness = rig.stiffness_matrix(model)[np.ix_(which, which)]
+    model = models.make(shapes.setup(blocks, ["rigid", "rigid"]), holds=[models.everything(0)])
+    omega = models.frequencies(model)[0]
+    which, mass = models.free(model), models.mass_vector(model)
+    stiffness = models.stiffness_matrix(model)[np.ix_(which, which)]
     mode = eigh(stiffness, np.diag(mass[which]))[1][:, 0]
     velocity = np.zeros(len(which))
     velocity[which] = 1e-3 * mode
-    rig.put(model, {"rigid": model.bodies.rigid.v}, velocity)
+    models.put(model, {"rigid": model.bodies.rigid.v}, velocity)
     path = []
     for _ in range(400):
-        rig.march(model, 1)
+        models.march(model, 1)
         path.append(model.bodies.rigid.q.ravel()[which] @ np.diag(mass[which]) @ mode)
     phase = 2 * np.arcsin(omega * model.dt / 2)
     exact = np.sin(phase * np.arange(1, 401)) * path[0] / np.sin(phase)
@@ -155,13 +155,13 @@ def test_one_block_resists_stretch_and_shear_as_hooke_says(kind, turned, i, k):
     if turned:
         blocks = shapes.skewed(blocks, SHEAR)
     s = shapes.setup(blocks, [kind], mesh_size=0.05)
-    model = rig.make(s, stepping=Stepping("real", 1e-7, damping=0.0))
+    model = models.make(s, stepping=Stepping("real", 1e-7, damping=0.0))
     gradient = np.zeros((3, 3))
     gradient[i, k] = 1e-4
-    force = rig.forces(model, rig.linear_field(model, np.zeros(3), gradient))
-    stress, volume = hooke(gradient, rig.STONE), model.layout.volume[0]
+    force = models.forces(model, models.linear_field(model, np.zeros(3), gradient))
+    stress, volume = hooke(gradient, models.STONE), model.layout.volume[0]
     for other in np.random.default_rng(4).normal(size=(3, 3, 3)):
-        work = force @ rig.linear_field(model, np.zeros(3), other)
+        work = force @ models.linear_field(model, np.zeros(3), other)
         assert work == pytest.approx(-volume * np.sum(stress * other), rel=1e-9)
 
 
@@ -172,22 +172,22 @@ def test_one_block_between_plates_stretches_by_its_own_and_its_contacts_complian
     s = shapes.setup(shapes.stack([0.03, 0.2, 0.03]), ["rigid", kind, "rigid"], mesh_size=0.1)
     top = s.blocks.block_face_start[2] + 5
     push = Push(np.array([top]), np.array([0.0, 0.0, 0.5e6]))
-    model = rig.make(s, rig.GLUE, Stepping(damping=0.8), [rig.everything(0)], [push], material=material)
-    rig.march(model, 12000)
+    model = models.make(s, models.GLUE, Stepping(damping=0.8), [models.everything(0)], [push], material=material)
+    models.march(model, 12000)
     assert model.bodies.rigid.q[1, 2] == pytest.approx(0.5e6 * (0.2 / 5e9 + 2 / KN), rel=1e-9)
 
 
 def test_a_bar_of_tets_sings_at_its_first_frequency_and_converges_with_the_mesh():
     """Held at one end, guided along its length: f1 = c/(4 L), c of plane waves; second order in the mesh size."""
     length, size = 1.0, 0.25
-    lame, mu = rig.STONE.lame()
-    exact = np.pi / (2 * length) * np.sqrt((lame + 2 * mu) / rig.STONE.density)
+    lame, mu = models.STONE.lame()
+    exact = np.pi / (2 * length) * np.sqrt((lame + 2 * mu) / models.STONE.density)
     errors = []
     for mesh_size in (0.25, 0.125, 0.0833):
         s = shapes.setup(shapes.stack([0.1, length], (size, size)), ["rigid", "tets"], mesh_size)
-        stiff = (rig.GLUE[0], rig.GLUE[1]._replace(normal_stiffness=1e15, shear_stiffness=1e15))
-        model = rig.make(s, stiff, rig.REAL, [rig.everything(0), Hold(np.array([1]), (0, 1))])
-        errors.append(rig.frequencies(model)[0] / exact - 1)
+        stiff = (models.GLUE[0], models.GLUE[1]._replace(normal_stiffness=1e15, shear_stiffness=1e15))
+        model = models.make(s, stiff, models.REAL, [models.everything(0), Hold(np.array([1]), (0, 1))])
+        errors.append(models.frequencies(model)[0] / exact - 1)
     assert np.abs(errors[-1]) < 0.01
     assert np.abs(errors[0]) > 4 * np.abs(errors[-1])
     print("bar of tets, error of the first frequency:", errors)

@@ -9,7 +9,7 @@ from masonry.laws.elastic import Elastic
 from masonry.laws.state import Interface
 from masonry.model.layout import Material
 from masonry.model.model import Stepping
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 LEAST_RATIO = {"scaled": 0.4, "real": 0.04}
 """Slivers with real masses cost most: turns and strains of a block share one length. Usual blocks reach 0.4 to 1."""
@@ -18,10 +18,10 @@ kinds = st.sampled_from(["rigid", "affine", "tets"])
 
 def power_iteration(model, turns: int = 3000) -> float:
     """w_max (rad/s) by repeated application of the compiled step alone."""
-    which, mass = rig.free(model), rig.mass_vector(model)
+    which, mass = models.free(model), models.mass_vector(model)
     vector, omega = np.random.default_rng(5).normal(size=len(which)) * which, 0.0
     for _ in range(turns):
-        vector = -rig.forces(model, vector / np.linalg.norm(vector)) / np.where(which, mass, 1.0)
+        vector = -models.forces(model, vector / np.linalg.norm(vector)) / np.where(which, mass, 1.0)
         omega = np.sqrt(np.linalg.norm(vector))
     return float(omega)
 
@@ -52,29 +52,29 @@ def made(c: dict):
     s = shapes.setup(blocks, c["kinds"], mesh_size=max(c["size"]), rule=rule, points_per_edge=count)
     law = Elastic(), Interface(c["kn"], c["kn"] * c["ks_over_kn"])
     stepping = Stepping(c["masses"], damping=c["damping"])
-    held = [rig.everything(0)] if c["held"] else []
-    return rig.make(s, law, stepping, held, material=Material(1900.0, c["young"], c["nu"]))
+    held = [models.everything(0)] if c["held"] else []
+    return models.make(s, law, stepping, held, material=Material(1900.0, c["young"], c["nu"]))
 
 
 @settings(max_examples=120, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(c=scenes)
 def test_the_bound_is_never_above_the_true_limit_and_not_far_below(c):
     model = made(c)
-    ratio = model.bound / rig.true_limit(model)
+    ratio = model.bound / models.true_limit(model)
     assert ratio <= 1.0 + 1e-9
     assert ratio >= LEAST_RATIO[c["masses"]]
 
 
 def test_a_power_iteration_finds_the_same_limit_as_the_eigenvalues():
     s = shapes.setup(shapes.stack([0.05, 0.08, 0.06]), ["rigid", "affine", "tets"], mesh_size=0.15)
-    model = rig.make(s, holds=[rig.everything(0)])
-    assert power_iteration(model) == pytest.approx(rig.frequencies(model)[-1], rel=1e-3)
+    model = models.make(s, holds=[models.everything(0)])
+    assert power_iteration(model) == pytest.approx(models.frequencies(model)[-1], rel=1e-3)
 
 
 def swinging(kinds, damping: float, seed: int = 6):
     s = shapes.setup(shapes.stack([0.05, 0.08]), kinds, mesh_size=0.3)
-    model = rig.make(s, rig.GLUE, Stepping("real", damping=damping, step_fraction=0.99), [rig.everything(0)])
-    for kind, body in rig.present(model):
+    model = models.make(s, models.GLUE, Stepping("real", damping=damping, step_fraction=0.99), [models.everything(0)])
+    for kind, body in models.present(model):
         body.v[:] = np.random.default_rng(seed).normal(size=body.v.shape) * np.where(body.dt_over_mass > 0, 1e-3, 0.0)
         if kind != "tets":
             body.v[:, 3:] *= 10.0
@@ -82,7 +82,7 @@ def swinging(kinds, damping: float, seed: int = 6):
 
 
 def kinetic(model) -> float:
-    return 0.5 * sum(float(np.sum(model.masses[kind] * body.v**2)) for kind, body in rig.present(model))
+    return 0.5 * sum(float(np.sum(model.masses[kind] * body.v**2)) for kind, body in models.present(model))
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.8])
@@ -92,7 +92,7 @@ def test_just_below_the_bound_a_million_steps_stay_bounded(kinds, damping):
     assert model.dt == pytest.approx(0.99 * model.bound)
     first, most = kinetic(model), 0.0
     for _ in range(100):
-        rig.march(model, 10_000 if damping == 0.0 else 1_000)
+        models.march(model, 10_000 if damping == 0.0 else 1_000)
         most = max(most, kinetic(model))
     assert most < 20 * first
     if damping == 0.8:
@@ -104,24 +104,24 @@ def test_just_below_the_bound_a_million_steps_stay_bounded(kinds, damping):
 def test_the_stiffest_mode_grows_just_above_the_true_limit_and_not_below(kinds, damping):
     for share, grows in ((0.99, False), (1.01, True)):
         model = swinging(kinds, damping)
-        limit = rig.true_limit(model)
+        limit = models.true_limit(model)
         model = remade(kinds, damping, share * limit)
-        velocity = {kind: body.v for kind, body in rig.present(model)}
-        rig.put(model, velocity, 1e-6 * stiffest_mode(model))
+        velocity = {kind: body.v for kind, body in models.present(model)}
+        models.put(model, velocity, 1e-6 * stiffest_mode(model))
         first = kinetic(model)
-        rig.march(model, 400)
+        models.march(model, 400)
         assert (kinetic(model) > 1e6 * first) == grows
 
 
 def remade(kinds, damping: float, dt: float):
     s = shapes.setup(shapes.stack([0.05, 0.08]), kinds, mesh_size=0.3)
-    return rig.make(s, rig.GLUE, Stepping("real", dt, damping=damping), [rig.everything(0)])
+    return models.make(s, models.GLUE, Stepping("real", dt, damping=damping), [models.everything(0)])
 
 
 def stiffest_mode(model) -> np.ndarray:
-    which = rig.free(model)
-    root = np.sqrt(rig.mass_vector(model)[which])
-    matrix = rig.stiffness_matrix(model)[np.ix_(which, which)] / np.outer(root, root)
+    which = models.free(model)
+    root = np.sqrt(models.mass_vector(model)[which])
+    matrix = models.stiffness_matrix(model)[np.ix_(which, which)] / np.outer(root, root)
     mode = np.zeros(len(which))
     mode[which] = np.linalg.eigh(0.5 * (matrix + matrix.T))[1][:, -1] / root
     return mode / np.abs(mode).max()

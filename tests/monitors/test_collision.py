@@ -196,10 +196,13 @@ def test_corners_move_as_pictures_show_them(kinematics):
 
 
 def test_candidates_are_neighbours_and_a_face_that_turns_with_its_block_still_parts_them():
+    for gap_mm, count in ((0.1, 1), (2.5, 0)):  # 1 % of 100 mm is 1 mm
+        model = assemble(load(slider(gap_mm))).model
+        far = Collision(model, {})
+        far.look(model, shown(model), 0)
+        assert len(far.pairs) == count
     model = assemble(load(slider(0.1))).model
     look = Collision(model, {})
-    look.look(model, shown(model), 0)
-    assert len(look.pairs) == 0  # the stop is 0.1 mm away and nothing has moved
     model.bodies.rigid.q[1:, 4] = 0.02  # both turn alike: their boxes overlap by 1.9 mm, and their faces do not
     place, _, gradient = look.corners.now()
     look.look(model, shown(model, rotation=0.02), 1)

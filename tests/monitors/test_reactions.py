@@ -8,14 +8,15 @@ import pytest
 from masonry.laboratory import laboratory
 from masonry.monitors.reactions import Standing, moved_by, open_by
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
-from verification.checks.ledgers import scene_of
 from verification.fixtures.scene_text import loaded
+from verification.scene_runs import result_of, text_of
 
+WALL = "energy-of-all-kinds"
 KINDS = {
-    "rigid": '"rigid"',
-    "affine": '"affine"',
-    "tets": '"tets"',
-    "mixed": '{hard = "rigid", fine = "affine", soft = "tets"}',
+    "rigid": "rigid",
+    "affine": "affine",
+    "tets": "tets",
+    "mixed": {"hard": "rigid", "fine": "affine", "soft": "tets"},
 }
 
 
@@ -34,9 +35,8 @@ def left(balance: dict, key: str) -> float:
 
 @pytest.mark.parametrize("kinematics", KINDS.values(), ids=KINDS)
 def test_at_rest_the_reactions_are_the_loads_in_force_and_moment(kinematics):
-    text = scene_of(kinematics, "exponential", 'masses = "scaled"\ndamping = 0.8')
-    text = re.sub(r"\[drive\][^\[]*", "", text).replace("steps = 800", "steps = 12000")
-    with loaded(text) as scene:
+    text = re.sub(r"\[drive\][^\[]*", "", text_of(WALL))
+    with loaded(text, {"kinematics": kinematics, "settle.steps": 12000}) as scene:
         balance = laboratory.run(scene).summary["reactions"]["end"]
     assert {"support.0", "support.1", "traction.0", "traction.1", "gravity"} <= balance.keys()
     volume = 5 * 0.2 * 0.1 * 0.08
@@ -51,11 +51,8 @@ def test_at_rest_the_reactions_are_the_loads_in_force_and_moment(kinematics):
 
 @pytest.mark.parametrize("kinematics", KINDS.values(), ids=KINDS)
 def test_a_drive_that_has_come_to_rest_is_in_balance_with_the_supports(kinematics):
-    text = scene_of(kinematics, "exponential", 'masses = "scaled"\ndamping = 0.8')
-    waits = 'history = [["0 s", "0 mm"], ["1 s", "0.02 mm"], ["8 s", "0.02 mm"]]\nsteps = 20000'
-    text = text.replace('displacement = "0.1 mm"\nsteps = 3000', waits)
-    with loaded(text) as scene:
-        result = laboratory.run(scene)
+    waits = [["0 s", "0 mm"], ["1 s", "0.02 mm"], ["8 s", "0.02 mm"]]
+    result = result_of(WALL, {"kinematics": kinematics, "drive.history": waits, "drive.steps": 20000})
     balance = result.summary["reactions"]["end"]
     assert balance["drive"]["force_n"][0] == pytest.approx(result.history.rows["force"][-1], rel=1e-12)
     assert left(balance, "force_n") < 1e-13 and left(balance, "moment_nm") < 1e-13
@@ -65,9 +62,8 @@ def test_a_drive_that_has_come_to_rest_is_in_balance_with_the_supports(kinematic
 @pytest.mark.parametrize("masses", ["scaled", "real"])
 @pytest.mark.parametrize("kinematics", KINDS.values(), ids=KINDS)
 def test_in_the_midst_of_motion_inertia_and_damping_close_the_balance(kinematics, masses):
-    text = scene_of(kinematics, "exponential", f'masses = "{masses}"\ndamping = 0.3')
-    with loaded(text.replace("steps = 800", "steps = 40").replace("steps = 3000", "steps = 200")) as scene:
-        summary = laboratory.run(scene).summary
+    keys = {"kinematics": kinematics, "solver.masses": masses, "solver.damping": 0.3}
+    summary = result_of(WALL, keys | {"settle.steps": 40, "drive.steps": 200}).summary
     balance = summary["reactions"]["end"]
     assert moving(balance, "force_n") > 1e-3 and moving(balance, "moment_nm") > 1e-3
     assert left(balance, "force_n") < 1e-12 and left(balance, "moment_nm") < 1e-12

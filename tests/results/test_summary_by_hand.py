@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.laboratory import laboratory
-from verification.checks.ledgers import scene_of
-from verification.fixtures.scene_text import loaded
+from verification.scene_runs import loaded
 
 SETTLE, DRIVE = 800, 3000
 
@@ -13,8 +12,7 @@ SETTLE, DRIVE = 800, 3000
 @pytest.fixture(scope="module")
 def ran():
     """Five rigid blocks, pushed faster than is good for them, and the share of the ramp of their drive."""
-    text = scene_of('"rigid"', "elastic", 'masses = "scaled"\ndamping = 0.8', one_group=True)
-    with loaded(text) as scene:
+    with loaded("energy-of-five-blocks", {"law": "elastic"}) as scene:
         return laboratory.run(scene), scene.drive.ramp
 
 

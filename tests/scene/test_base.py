@@ -43,6 +43,17 @@ def test_a_key_takes_the_place_of_its_rival_below(tmp_path):
     assert "drive.accuracy" not in own.assumptions
 
 
+def test_a_specimen_of_another_kind_takes_the_place_of_the_whole_specimen_and_of_what_was_assumed_of_it(tmp_path):
+    below = 'base = "couplet"\n[specimen]\nmesh_size = "10 mm"\n[assumptions]\n"specimen.length" = "guessed"\n'
+    (tmp_path / "below.toml").write_text(below, encoding="utf-8")
+    prism = '[specimen]\nkind = "prism"\nunits = 3\nlength = "0.3 m"\nwidth = "0.1 m"\nheight = "0.1 m"\n'
+    own = scene(tmp_path, f'base = "below.toml"\n{prism}')
+    assert (own.specimen.kind, own.specimen.mesh_size) == ("prism", None)
+    assert "specimen.length" not in own.assumptions
+    same = scene(tmp_path, 'base = "below.toml"\n[specimen]\nkind = "couplet"\nlength = "0.3 m"\n')
+    assert (same.specimen.length, same.specimen.mesh_size) == (0.3, 0.01)
+
+
 def test_an_assumption_about_a_changed_key_goes_unless_it_is_made_anew(tmp_path):
     text = 'base = "couplet"\n[contact.unit_unit]\ntensile_strength = "0.5 MPa"\n'
     key = "contact.unit_unit.tensile_strength"
@@ -142,10 +153,15 @@ def test_a_file_that_lacks_only_its_ending_is_the_nearest(tmp_path, monkeypatch)
             "here/own.toml, line 3: drive.stpes: unknown key; did you mean 'steps'",
         ),
         (
-            'base = "couplet"\n[drive]\non = "x"\n[specimen]\nkind = "boxes"',
-            "couplet.toml, line 9: specimen.length: unkn",
+            'base = "couplet"\n[specimen]\nkind = "boxes"',
+            "here/own.toml, line 2: specimen.section: missing",
         ),
     ],
 )
 def test_what_is_wrong_is_told_where_it_stands(tmp_path, text, words):
     assert words in refusal(tmp_path, text)
+
+
+def test_what_is_wrong_in_the_scene_below_is_told_where_it_stands_there(tmp_path):
+    (tmp_path / "below.toml").write_text('base = "couplet"\n[specimen]\nlength = "5 K"\n', encoding="utf-8")
+    assert "here/below.toml, line 3: specimen.length" in refusal(tmp_path, 'base = "below.toml"')

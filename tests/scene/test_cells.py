@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from geometry.blocks import GeometryError
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.polyhedra.construct import from_boxes
 from geometry.specimens import stacked
 from masonry.assembly.specimens import specimen_of
@@ -50,9 +50,9 @@ def test_every_key_of_cells_reaches_the_division(monkeypatch):
         specimen_of(load(MESO, {"specimen.mortar.cells": table, "assumptions": {}}))
     places = ((0.05, 0.002, 0.055), (0.1, 0.002, 0.058))
     assert heard == [
-        CellsAsked(total=2, laguerre=False, space=True, seed=9, regularise=False, sites=places),
-        CellsAsked(per_unit=2, sizes=(1.0, 2.0)),
-        CellsAsked(size=0.005, spread=0.3),
+        CellRequest(total=2, laguerre=False, space=True, seed=9, regularise=False, sites=places),
+        CellRequest(per_unit=2, sizes=(1.0, 2.0)),
+        CellRequest(size=0.005, spread=0.3),
     ]
 
 

@@ -9,8 +9,7 @@ from masonry.laboratory.result import load_result
 from masonry.runtime.lock import sole
 from masonry.sweep import engine
 from masonry.sweep.folder import DOING
-from masonry.sweep.job import SHOWING, Job
-from masonry.sweep.names import names
+from masonry.sweep.job import SHOWING, Job, names
 from masonry.sweep.store import Store
 from tests.sweep.samples import SHORT, dying, jobs, marks, mistaken, untimed
 

@@ -3,7 +3,7 @@
 import pytest
 
 from verification.catalogue import catalogue
-from verification.worker import run_case
+from verification.outcome import run_case
 
 CASES = catalogue()
 NOT_BUILT = {"paper-experiments", "rocking-block", "stressed-block-turned-by-90-degrees"}

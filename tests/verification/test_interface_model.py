@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from verification.cases.fracture import wallette_of_two_courses
-from verification.checks.paired_run import twin
-from verification.fixtures.scene_text import assembled
+from verification.checks.paired_run import interface_model
 from verification.references import closed_forms
 from verification.references.interface import newton
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import Model, model
 from verification.references.interface.points import History, tangent, traction, unharmed
+from verification.scene_runs import assembled
 
 ROOT = Path(__file__).resolve().parents[2]
 LAWS = ("linear", "polynomial", "exponential")
@@ -115,7 +115,7 @@ def test_the_tangent_is_the_derivative_while_softening_in_both_modes():
 
 def test_points_and_areas_are_those_of_the_contacts_of_a_run_on_the_same_tets():
     assembly = assembled(wallette_of_two_courses.SCENE)
-    joint = twin(assembly).joints[0]
+    joint = interface_model(assembly).joints[0]
     ours = np.column_stack([joint.place, joint.weight, joint.normal, joint.blocks])
     given = assembly.model.joints
     theirs = np.column_stack([given.point, given.area, given.normal, given.block_a, given.block_b])

@@ -7,13 +7,13 @@ import pytest
 from masonry.errors import SceneError
 from tests.verification import samples
 from tests.verification.samples import case
-from verification import catalogue, printout, runner
+from verification import catalogue, runner
 from verification.case import Check, Findings, at_most
-from verification.outcome import judge
+from verification.outcome import judge, off
 
 ENDS = {
     samples.holds: ("PASS", ""),
-    samples.off: ("FAIL", "error 2.00e-02 > 1e-03"),
+    samples.off: ("FAIL", "error +2.00e-02, tolerance 1e-03"),
     samples.lacking: ("NOT BUILT", "large rotations"),
     samples.refused: ("ERROR", "SceneError: contact.unit_unit: no law"),
     samples.mistaken: ("ERROR", "ZeroDivisionError"),
@@ -56,8 +56,8 @@ def test_a_bound_holds_or_not_and_is_never_near_or_loose():
     assert not broken.holds and math.isinf(broken.used) and not broken.too_loose
     assert not at_most("strength left", "1", math.nan, 0.9, "it must crack").holds
     assert judge(Findings([kept]))[0] == "PASS"
-    assert judge(Findings([broken])) == ("FAIL", "strength left: 0.95 1, at most 0.9")
-    assert printout.off(broken) == "strength left is 0.95, but may be at most 0.9 (it must crack)"
+    assert judge(Findings([broken])) == ("FAIL", off(broken))
+    assert off(broken) == "strength left is 0.95, but may be at most 0.9 (it must crack)"
 
 
 def test_the_nearest_case_is_suggested():
@@ -81,10 +81,21 @@ def test_every_case_of_the_catalogue_is_named_and_placed_as_the_report_needs_it(
 def test_a_module_without_a_case_is_an_error_and_does_not_vanish(monkeypatch, tmp_path):
     (tmp_path / "without_its_case.py").write_text('"""Lost its last lines."""\n', encoding="utf-8")
     monkeypatch.setattr(catalogue.cases, "__path__", [*catalogue.cases.__path__, str(tmp_path)])
-    catalogue.modules.cache_clear()
+    catalogue.catalogue.cache_clear()
     with pytest.raises(ValueError, match="without_its_case holds no case"):
-        catalogue.modules()
-    catalogue.modules.cache_clear()
+        catalogue.catalogue()
+    catalogue.catalogue.cache_clear()
+
+
+def test_a_module_may_hold_several_cases_but_no_two_of_one_name(monkeypatch, tmp_path):
+    held = "CASES = tuple(Case('twice', '1', 'Twice', 'Dynamics', Findings) for _ in range(2))\n"
+    text = '"""A table."""\nfrom verification.case import Case, Findings\n' + held
+    (tmp_path / "a_table.py").write_text(text, encoding="utf-8")
+    monkeypatch.setattr(catalogue.cases, "__path__", [*catalogue.cases.__path__, str(tmp_path)])
+    catalogue.catalogue.cache_clear()
+    with pytest.raises(ValueError, match="two cases are called 'twice', one of .*a_table"):
+        catalogue.catalogue()
+    catalogue.catalogue.cache_clear()
 
 
 def test_rows_stand_in_the_order_of_the_catalogue():

@@ -12,25 +12,25 @@ from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.results.trust import trust
 from verification.html.page import Chapter
-from verification.stability import motion, suite
+from verification.scene_runs import Run, joint_of, load
+from verification.stability import maps, motion
 from verification.stability.cells import GOOD, KINDS, POOR, STATUSES, Cell, Exact, Grid
 from verification.stability.drawing import heat_map, length, written
+from verification.stability.maps import judged
 from verification.stability.references import sheared
-from verification.stability.running import judged
-from verification.stability.scenes import CHAIN, COUPLET, joint_of
+from verification.stability.scenes import CHAIN, COUPLET
 from verification.studies import stability
-from verification.timed_run import Trial
 
 SOUND = {"energy_imbalance": 0.0, "reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
 
 
-def made(status="OK", reason="", **summary) -> Trial:
-    return Trial("couplet", {}, status=status, reason=reason, summary={**SOUND, **summary})
+def made(status="OK", reason="", **summary) -> Run:
+    return Run("couplet", {}, status=status, reason=reason, summary={**SOUND, **summary})
 
 
 @pytest.fixture(scope="module")
 def quick():
-    return {grid.title: suite.run(grid) for grid in suite.cells(full=False)}
+    return {grid.title: maps.run(grid) for grid in maps.all_grids(full=False)}
 
 
 def test_what_is_wrong_without_a_word_is_bad_and_what_says_so_is_not():
@@ -81,8 +81,8 @@ def test_every_cell_leaves_a_record_with_finite_numbers_and_its_reason(quick):
 
 
 def test_the_full_map_has_the_quick_one_within_it_and_spans_what_is_asked():
-    full = {grid.title: grid for grid in suite.cells(full=True)}
-    for grid in suite.cells(full=False):
+    full = {grid.title: grid for grid in maps.all_grids(full=True)}
+    for grid in maps.all_grids(full=False):
         assert set(grid.cells) <= set(full[grid.title].cells), grid.title
     assert {"1e+06", "1e+15"} <= set(full["Stiffness of the joint"].columns)
     assert {"1", "10000"} <= set(full["Stiffness of the joint"].rows)
@@ -98,7 +98,7 @@ def test_the_full_map_has_the_quick_one_within_it_and_spans_what_is_asked():
 
 
 def test_the_limit_of_the_chain_is_the_largest_frequency_of_its_stiffness_matrix():
-    loaded = scene.load(CHAIN, motion.REAL)
+    loaded = load(CHAIN, motion.REAL)
     n, k = motion.BLOCKS - 2, loaded.contact["unit_unit"].normal_stiffness * 0.01
     mass = loaded.material["units"].density * 1e-3
     matrix = k / mass * (2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1))
@@ -107,7 +107,7 @@ def test_the_limit_of_the_chain_is_the_largest_frequency_of_its_stiffness_matrix
 
 def test_a_changed_reference_is_noticed():
     """The closed form takes its numbers from the scene: with 2 % more energy in the scene alone, it fails."""
-    one = Trial(COUPLET, {"drive.steps": 4000})
+    one = Run(COUPLET, {"drive.steps": 4000})
     one.summary = laboratory.run(scene.load(COUPLET, one.knobs)).summary
     assert max(exact.error for exact in sheared(one).values()) < 1e-3
     more = 1.02 * joint_of(COUPLET, {}).G_II
@@ -116,7 +116,7 @@ def test_a_changed_reference_is_noticed():
 
 
 def test_the_picture_has_a_field_for_every_cell_and_its_bars_go_with_the_logarithm(quick):
-    grid = next(g for g in suite.cells(full=False) if g.title == "Confinement")
+    grid = next(g for g in maps.all_grids(full=False) if g.title == "Confinement")
     axes = heat_map(grid, quick["Confinement"]).axes[0]
     words = " ".join(text.get_text() for text in axes.texts)
     assert "refused" in words and "stopped" in words

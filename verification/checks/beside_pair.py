@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from verification.case import Check, Findings, Line, Plot
-from verification.checks import ablation_steps as held_steps
-from verification.checks.paired_run import twin
+from verification.case import Findings, Line
+from verification.checks import increments
+from verification.checks.paired_run import interface_model
 from verification.references.interface.model import Model
 from verification.references.interface.newton import Path
 
@@ -36,17 +36,17 @@ def compare(
     wait: int,
     parts: int = 1,
 ) -> None:
-    """Run a scene through `places` (m) and its twin under `conditions`; add checks and a plot of both curves.
+    """Run a scene through `places` (m) and its interface model under `conditions`; add checks and a plot.
 
     move, wait  steps of the run to each place, and at rest there      parts  implicit steps to each place
     """
     assembly = make()
-    model = twin(assembly)
+    model = interface_model(assembly)
     conditions(model)
     settle = DEAD_STEPS if model.dead.any() else 0
     force, harm, path = follow(model, places, parts)
     stress, peak = force / assembly.specimen.section, float(np.abs(force).max()) / assembly.specimen.section
-    result = findings.note(name, held_steps.run(assembly, places, move, wait, settle))
+    result = findings.note(name, increments.run(assembly, places, move, wait, settle))
     ran = result.history.rows["stress"][1 + settle :]
     sound = harm == 0.0
     why = "both models are one discretisation; "
@@ -57,18 +57,15 @@ def compare(
     ]  # fmt: skip
     for what, which, (expected, tolerance), reason in ranges:
         k = np.flatnonzero(which)[int(np.argmax(np.abs(ran - stress)[which]))]
-        findings.checks.append(
-            Check(f"{name}: stress where the curves differ most, {what}", "Pa", float(ran[k]), float(stress[k]),
-                  "same discretisation", tolerance, expected, reason, scale=peak)
-        )  # fmt: skip
+        findings.check(f"{name}: stress where the curves differ most, {what}", "Pa", float(ran[k]), float(stress[k]),
+                       "same discretisation", tolerance, expected, reason, scale=peak)  # fmt: skip
     apart = np.abs(result.history.frames[-1].nodes - model.displacement(path.displacements())).max()
-    findings.checks.append(
-        Check(f"{name}: largest difference of a node's displacement at the end", "m", float(apart), 0.0,
-              "same discretisation", allowed.nodes[1], allowed.nodes[0], why + "as above", scale=float(places[-1]))
-    )  # fmt: skip
+    findings.check(f"{name}: largest difference of a node's displacement at the end", "m", float(apart), 0.0,
+                   "same discretisation", allowed.nodes[1], allowed.nodes[0], why + "as above",
+                   scale=float(places[-1]))  # fmt: skip
     where = np.asarray(places) * 1e6
     lines = (Line("interface model, tier 1", where, stress / 1e6, "dashed"), Line("run", where, ran / 1e6, "points"))
-    findings.plots.append(Plot(name, "displacement of the drive (um)", "stress (MPa)", lines))
+    findings.plot(name, "displacement of the drive (um)", "stress (MPa)", *lines)
 
 
 def follow(model: Model, places: Sequence[float], parts: int = 1) -> tuple[Array, Array, Path]:

@@ -10,7 +10,7 @@ from masonry.model.model import Model
 from masonry.monitors import energy
 from verification import balance
 from verification.case import Findings
-from verification.fixtures import rig
+from verification.fixtures import models
 from verification.fixtures.one_contact import TABLE_1
 
 STRONG = build(
@@ -49,9 +49,9 @@ def follow(
     first = balance.residual(energy.ledger(model, energy.observe(model), energy.velocities(model)))
     between = max(1, steps // every // rows)
     for k in range(1, steps // every + 1):
-        rig.march(model, every - 1)
+        models.march(model, every - 1)
         before = energy.velocities(model)
-        rig.march(model, 1)
+        models.march(model, 1)
         seen.append(np.copy(look(model)))
         if k % between == 0:
             terms = energy.ledger(model, energy.observe(model), before)

@@ -8,10 +8,9 @@ from scipy.spatial.transform import Rotation
 from masonry.laws.factory import build
 from masonry.model.loads import Push
 from masonry.model.model import Model, Stepping
-from verification.case import Check, Findings, at_most
-from verification.checks.conservation import contact_forces, momentum
+from verification.case import Findings, at_most
 from verification.checks.free_motion import STRONG, follow
-from verification.fixtures import assembled, rig, shapes
+from verification.fixtures import assembled, models, shapes
 from verification.fixtures.one_contact import TABLE_1
 
 TURNS = {
@@ -29,6 +28,9 @@ SOFT = build(
      "tan_residual_friction": 0.6, "fracture_energy_mode_1": 2.0, "fracture_energy_mode_2": 20.0},
 )  # fmt: skip
 KIND = "invariance"
+LEVI_CIVITA = np.zeros((3, 3, 3))
+for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+    LEVI_CIVITA[i, j, k], LEVI_CIVITA[i, k, j] = 1.0, -1.0
 
 
 def wall(kinds: Sequence[str], skew: bool = False) -> shapes.Setup:
@@ -39,41 +41,64 @@ def wall(kinds: Sequence[str], skew: bool = False) -> shapes.Setup:
     return shapes.setup(shapes.skewed(blocks, SHEAR) if skew else blocks, kinds, mesh_size=0.09)
 
 
+def resultant(model: Model, values: dict[str, np.ndarray]) -> np.ndarray:
+    """(6,) sum and moment about the origin of forces (or momenta) given on the freedoms of each kind."""
+    total, layout = np.zeros(6), model.layout
+    for kind, _ in models.present(model):
+        f = values[kind]
+        which = layout.members[kind]
+        place = layout.centroid[which] if layout.mesh is None or kind != "tets" else layout.mesh.nodes
+        total[:3] += f[:, :3].sum(axis=0)
+        total[3:] += np.cross(place, f[:, :3]).sum(axis=0)
+        if kind == "rigid":
+            total[3:] += np.einsum("bij,bj->i", layout.axes[which], f[:, 3:])
+        if kind == "affine":
+            first_moment = np.einsum("bjl,bkl->bjk", layout.axes[which], f[:, 3:].reshape(-1, 3, 3))
+            total[3:] += np.einsum("ijk,bjk->i", LEVI_CIVITA, first_moment)
+    return total
+
+
+def momentum(model: Model) -> np.ndarray:
+    """(6,) linear (kg m/s) and angular momentum (kg m2/s)."""
+    return resultant(model, {kind: model.masses[kind] * body.v for kind, body in models.present(model)})
+
+
+def contact_forces(model: Model) -> np.ndarray:
+    """(6,) N, N m: what all contacts together do to all blocks."""
+    return resultant(model, {kind: body.contact for kind, body in models.present(model)})
+
+
 def rigid_motion(findings: Findings, kinds: Sequence[str], words: str) -> None:
     """All blocks move and turn together: no force at all. And contacts push both sides alike, along one line."""
     turn = next(iter(TURNS.values()))
-    model = rig.make(shapes.mapped(wall(kinds, skew=True), turn, SHIFT), STRONG)
+    model = models.make(shapes.mapped(wall(kinds, skew=True), turn, SHIFT), STRONG)
     random = np.random.default_rng(1)
     spin = random.normal(size=3)
-    rigid = rig.linear_field(model, random.normal(size=3), np.cross(np.eye(3), -spin))
+    rigid = models.linear_field(model, random.normal(size=3), np.cross(np.eye(3), -spin))
     noise = random.normal(size=len(rigid)) * np.abs(rigid).max()
-    scale = float(np.abs(rig.forces(model, noise)).max())
+    scale = float(np.abs(models.forces(model, noise)).max())
     everywhere = float(np.abs(model.contacts.force).sum())
     unequal = float(np.abs(contact_forces(model)).max())
-    left = float(np.abs(rig.forces(model, rigid)).max())
-    findings.checks += [
-        Check(f"{words}: force of a rigid motion, largest", "N", left, 0.0, KIND, 1e-13, 3e-15,
-              "differences of displacements that are alike: rounding", scale),
-        Check(f"{words}: sum and moment of all contact forces", "N", unequal, 0.0, KIND, 1e-13, 1e-16,
-              "the same numbers with both signs: rounding of their sums", everywhere),
-    ]  # fmt: skip
+    left = float(np.abs(models.forces(model, rigid)).max())
+    findings.check(f"{words}: force of a rigid motion, largest", "N", left, 0.0, KIND, 1e-13, 3e-15,
+                   "differences of displacements that are alike: rounding", scale)  # fmt: skip
+    findings.check(f"{words}: sum and moment of all contact forces", "N", unequal, 0.0, KIND, 1e-13, 1e-16,
+                   "the same numbers with both signs: rounding of their sums", everywhere)  # fmt: skip
 
 
 def kept_momentum(findings: Findings, kinds: Sequence[str], words: str) -> None:
     """Free blocks that fly apart and crack their joints keep their momentum and their angular momentum."""
-    model = rig.make(wall(kinds, skew=True), SOFT)
+    model = models.make(wall(kinds, skew=True), SOFT)
     random = np.random.default_rng(3)
-    for _, body in rig.present(model):
+    for _, body in models.present(model):
         body.v[:] = random.normal(size=body.v.shape) * 0.04
     before = momentum(model)
-    swing = sum(float(np.abs(model.masses[kind] * body.v).sum()) for kind, body in rig.present(model))
+    swing = sum(float(np.abs(model.masses[kind] * body.v).sum()) for kind, body in models.present(model))
     name = f"{words}: cracking apart"
     follow(findings, name, model, 3000, lambda m: np.zeros(1), every=100)
     off = float(np.abs(momentum(model) - before).max())
-    findings.checks += [
-        Check(f"{words}: momentum and angular momentum after 3000 steps", "kg m/s", off, 0.0, KIND, 1e-12, 1e-14,
-              "rounding of 3000 kicks", swing),
-    ]  # fmt: skip
+    findings.check(f"{words}: momentum and angular momentum after 3000 steps", "kg m/s", off, 0.0, KIND, 1e-12, 1e-14,
+                   "rounding of 3000 kicks", swing)  # fmt: skip
     _weakest(findings, f"{words}: strength left of the weakest joint meanwhile", model)
 
 
@@ -87,8 +112,8 @@ def _loaded(setup: shapes.Setup, law: tuple, turn: np.ndarray, stepping: Steppin
     """Blocks 0 and 1 (by their old numbers) held; weight, and a traction on top."""
     where = np.argsort(order)
     push = Push(np.array([setup.blocks.block_face_start[where[4]]]), turn @ np.array([6e4, 3e4, -3e4]))
-    held = rig.everything(int(where[0]), int(where[1]))
-    return rig.make(setup, law, stepping, [held], [push], gravity=turn @ np.array([80.0, 60.0, -40.0]))
+    held = models.everything(int(where[0]), int(where[1]))
+    return models.make(setup, law, stepping, [held], [push], gravity=turn @ np.array([80.0, 60.0, -40.0]))
 
 
 def alike(findings: Findings, kinds: Sequence[str], words: str, law: tuple, steps: int, stepping: Stepping) -> None:
@@ -96,7 +121,7 @@ def alike(findings: Findings, kinds: Sequence[str], words: str, law: tuple, step
     still, rest = wall(kinds), np.arange(5)
     plain = _loaded(still, law, np.eye(3), stepping, rest)
     follow(findings, f"{words}: as it stands", plain, steps, lambda m: np.zeros(1), every=steps // 20)
-    was = rig.displacements(plain)
+    was = models.displacements(plain)
     scale = max(float(np.abs(field).max(initial=0.0)) for field in was)
     why = "rounding, whose share grows with the steps in which joints soften"
     if law is SOFT:
@@ -105,16 +130,16 @@ def alike(findings: Findings, kinds: Sequence[str], words: str, law: tuple, step
         setup = shapes.mapped(still, turn, SHIFT if "shifted" in name else np.zeros(3))
         model = _loaded(setup, law, turn, stepping, rest)
         follow(findings, f"{words}: {name}", model, steps, lambda m: np.zeros(1), every=steps // 20)
-        now = rig.displacements(model)
+        now = models.displacements(model)
         off = max(float(np.abs(b - a @ turn.T).max(initial=0.0)) for a, b in zip(was, now, strict=True))
-        findings.checks.append(Check(f"{words}: {name}, displacements", "m", off, 0.0, KIND, 1e-12, 1e-14, why, scale))
+        findings.check(f"{words}: {name}, displacements", "m", off, 0.0, KIND, 1e-12, 1e-14, why, scale)
     other, nodes = shapes.renumbered(still, ORDER)
     model = _loaded(other, law, np.eye(3), stepping, ORDER)
     follow(findings, f"{words}: renumbered", model, steps, lambda m: np.zeros(1), every=steps // 20)
-    now = rig.displacements(model)
+    now = models.displacements(model)
     off = float(np.abs(now[0] - was[0][ORDER]).max())
     off = max(off, float(np.abs(now[1] - was[1][nodes]).max(initial=0.0)))
-    findings.checks.append(Check(f"{words}: renumbered, displacements", "m", off, 0.0, KIND, 1e-12, 1e-14, why, scale))
+    findings.check(f"{words}: renumbered, displacements", "m", off, 0.0, KIND, 1e-12, 1e-14, why, scale)
 
 
 def study(findings: Findings, kinds: Sequence[str], words: str, steps: int) -> None:
@@ -123,5 +148,5 @@ def study(findings: Findings, kinds: Sequence[str], words: str, steps: int) -> N
     kept_momentum(findings, kinds, words)
     alike(findings, kinds, f"{words}, at rest", STRONG, steps, Stepping("scaled", damping=0.8))
     model = _loaded(wall(kinds), STRONG, np.eye(3), Stepping("real", damping=0.0), np.arange(5))
-    dt = 0.4 * 2.0 / assembled.fastest(model, assembled.stiffness(model, rig.STONE))[0]
+    dt = 0.4 * 2.0 / assembled.fastest(model, assembled.stiffness(model, models.STONE))[0]
     alike(findings, kinds, f"{words}, cracking", SOFT, 1500, Stepping("real", dt, damping=0.0))

@@ -10,7 +10,7 @@ from verification.references.interface.mesh import solid
 from verification.references.interface.model import Model, model
 
 
-def twin(assembly: Assembly) -> Model:
+def interface_model(assembly: Assembly) -> Model:
     """Tier 1 of an assembly of tets, of one material; nothing is held, driven or loaded yet."""
     mesh, blocks = assembly.mesh, assembly.specimen.blocks
     assert mesh is not None and len(mesh.tets) > 0

@@ -1,1 +1,1 @@
-"""Problems on which error is set against run time: one a file, as PROBLEMS; found without a list."""
+"""Problems on which error is set against run time, as PROBLEMS of each file; found without a list."""

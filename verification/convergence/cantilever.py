@@ -13,61 +13,24 @@ only the meshes are held against the beam; the loading is, against the converged
 
 from typing import Any
 
-from verification.ladder import ACCURACY, FEW_ROWS, Problem, Rungs, accuracies, dampings, fractions, steps
-from verification.timed_run import Trial
+from verification.problem import ACCURACY, FEW_ROWS, Problem, Refinement, accuracies, dampings, fractions, steps
+from verification.scene_runs import Run
 
 BLOCKS, SIDE, LENGTH, PLATE = 5, 0.1, 0.1, 0.02
 KN, KS, YOUNG, POISSON, PUSH = 150e9, 70e9, 16.7e9, 0.2, 20e-6
 
 
-def _box(name: str, group: str, unit: int, start: float, length: float) -> str:
-    return f"""
-[[specimen.box]]
-name = "{name}"
-group = "{group}"
-origin = ["{start} m", "0 m", "0 m"]
-size = ["{length} m", "{SIDE} m", "{SIDE} m"]
-unit = {unit}"""
-
-
-BOXES = [_box("wall", "plates", 0, -PLATE, PLATE), _box("tip", "plates", 9, BLOCKS * LENGTH, PLATE)]
-BOXES += [_box(f"block {k + 1}", "units", k + 1, k * LENGTH, LENGTH) for k in range(BLOCKS)]
-SCENE = f"""
-law = "elastic"
-[kinematics]
-default = "rigid"
-[specimen]
-kind = "boxes"
-section = "{SIDE**2} m^2"
-mesh_size = "50 mm"
-{"".join(BOXES)}
-[material]
-units = {{density = "1900 kg/m^3", young_modulus = "{YOUNG} Pa", poisson_ratio = {POISSON}}}
-plates = {{density = "7850 kg/m^3"}}
-[contact]
-unit_unit = {{normal_stiffness = "{KN} Pa/m", shear_stiffness = "{KS} Pa/m"}}
-plate = {{normal_stiffness = "{KN} Pa/m", shear_stiffness = "{KS} Pa/m"}}
-[[support]]
-on = "wall"
-fix = "all"
-[[support]]
-on = "tip"
-fix = ["y"]
-[drive]
-on = "tip"
-direction = "-z"
-displacement = "{PUSH} m"
-"""
+SCENE = "cantilever"
 STIFFNESS = "stiffness of the tip"
 TETS: dict[str, Any] = {"kinematics": {"default": "tets", "plates": "rigid"}}
 
 
-def measured(one: Trial) -> dict[str, float]:
+def measured(one: Run) -> dict[str, float]:
     """Force over displacement at the tip (N/m)."""
     return {STIFFNESS: one.value("final") * SIDE**2 / PUSH}
 
 
-def exact(one: Trial) -> dict[str, float]:
+def exact(one: Run) -> dict[str, float]:
     """The same by beam theory; the blocks' own bending and shear only where they have any."""
     inertia, area, tip = SIDE**4 / 12, SIDE**2, BLOCKS * LENGTH + PLATE / 2
     arms = [tip - k * LENGTH for k in range(BLOCKS + 1)]
@@ -78,16 +41,16 @@ def exact(one: Trial) -> dict[str, float]:
     return {STIFFNESS: 1.0 / give}
 
 
-def loading(fine: int, extra: dict[str, Any]) -> dict[str, Rungs]:
+def loading(fine: int, extra: dict[str, Any]) -> dict[str, Refinement]:
     """The knobs of an elastic test: nothing is spent, so that only the motion at the end counts."""
     usual = {"drive.steps": fine // 2}
     rates = steps(*(fine >> k for k in (4, 3, 2, 1, 0)))
     found = {"constant rate": rates, ACCURACY: accuracies()}
     found |= {"step fraction": fractions(usual), "damping": dampings(usual)}
-    return {knob: {label: extra | keys for label, keys in rungs.items()} for knob, rungs in found.items()}
+    return {knob: {label: extra | keys for label, keys in settings.items()} for knob, settings in found.items()}
 
 
-def points(kind: str) -> Rungs:
+def points(kind: str) -> Refinement:
     """Contact points along each edge."""
     keys = {"specimen.contact_points": kind, "drive.steps": 16000}
     return {f"{n} x {n}": {**keys, "specimen.points_per_edge": n} for n in (2, 3, 4, 8)}

@@ -17,45 +17,14 @@ from functools import cache
 import numpy as np
 from scipy.optimize import brentq
 
-from verification.fixtures.scene_text import joint_table
-from verification.ladder import FEW_ROWS, Problem, pace
+from verification.problem import FEW_ROWS, Problem, pace
 from verification.references.closed_forms import Joint, dissipated_in_tension, tension
-from verification.timed_run import Trial
+from verification.scene_runs import Run
 
 JOINT = Joint(G_I=20.0)
 LENGTH, WIDTH, ECCENTRICITY, PULL, LAW = 0.2, 0.05, 0.03, 60e-6, "exponential"
-WIDE = LENGTH + 2 * ECCENTRICITY
 
-SCENE = f"""
-law = "{LAW}"
-kinematics = "rigid"
-[specimen]
-kind = "boxes"
-section = "{LENGTH * WIDTH} m^2"
-[[specimen.box]]
-name = "foot"
-origin = ["0 m", "0 m", "-50 mm"]
-size = ["{LENGTH} m", "{WIDTH} m", "50 mm"]
-unit = 0
-[[specimen.box]]
-name = "head"
-origin = ["0 m", "0 m", "0 m"]
-size = ["{WIDE} m", "{WIDTH} m", "50 mm"]
-unit = 1
-[material]
-units = {{density = "1900 kg/m^3"}}
-{joint_table(JOINT)}
-[[support]]
-on = "foot"
-fix = "all"
-[[support]]
-on = "head"
-fix = ["y", "rotation x", "rotation z"]
-[drive]
-on = "head"
-direction = "z"
-displacement = "{PULL} m"
-"""
+SCENE = "eccentric-joint"
 FIBRES = 2000
 PLACES = (np.arange(FIBRES) + 0.5) * LENGTH / FIBRES - LENGTH / 2
 """(F,) x of the fibres from the middle of the joint (m)."""
@@ -83,7 +52,7 @@ def solution() -> tuple[float, float]:
     return peak, spent * WIDTH * LENGTH / FIBRES
 
 
-def exact(one: Trial) -> dict[str, float]:
+def exact(one: Run) -> dict[str, float]:
     """Peak (Pa) and dissipated energy (J) of the continuous joint."""
     peak, dissipated = solution()
     return {"peak stress": peak, "dissipated energy": dissipated}
@@ -91,7 +60,7 @@ def exact(one: Trial) -> dict[str, float]:
 
 POINTS = {str(n): {"specimen.points_per_edge": {"x": n}, "drive.steps": 16000} for n in (2, 4, 8, 16, 32)}
 FINE = {"specimen.points_per_edge": {"x": 32}}
-KNOBS = {knob: {label: FINE | keys for label, keys in rungs.items()} for knob, rungs in pace(32000).items()}
+KNOBS = {knob: {label: FINE | keys for label, keys in settings.items()} for knob, settings in pace(32000).items()}
 PROBLEMS = (
     Problem(
         "eccentric-joint",

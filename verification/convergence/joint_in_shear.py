@@ -1,40 +1,39 @@
-"""The couplet by law and confinement: peak, final stress and energy are known at every slip, see closed_forms.shear."""
+"""Joints in shear whose peak, final stress and energy are known at every slip, see closed_forms.shear.
+
+The couplet by law and confinement. And the shear triplet, linear law, whose middle unit is pushed out under pressure:
+
+p  | upper |          two joints carry the push, each by the same slip s
+   +-------+  -> s    peak      c0 + p tan(phi0)
+middle unit           energy    2 A (work of a joint up to s less tau^2/(2 ks))
+   +-------+
+   | lower | held     section 2 A, so that the reported stress is tau
+"""
 
 from typing import Any
 
 import numpy as np
 
-from masonry import scene
-from verification.ladder import FEW_ROWS, Problem, pace
+from verification.problem import FEW_ROWS, Problem, pace
 from verification.references import closed_forms
-from verification.timed_run import Trial
+from verification.references.closed_forms import Joint
+from verification.scene_runs import Run, joint_of, load
 
 STEPS = 32000
 
 
-def exact_stress(case: str, knobs: dict[str, Any], slip: np.ndarray) -> np.ndarray:
+def exact_stress(scene: str, knobs: dict[str, Any], slip: np.ndarray) -> np.ndarray:
     """Shear stress (Pa) at slips (m) of the couplet as the scene gives it: up with ks, then the law's envelope."""
-    loaded = scene.load(case, knobs)
-    contact = loaded.contact["unit_unit"]
-    joint = closed_forms.Joint(
-        ks=contact.shear_stiffness,
-        c0=contact.cohesion or 0.0,
-        tan0=contact.tan_friction or 0.0,
-        c_res=contact.residual_cohesion or 0.0,
-        tan_res=contact.tan_residual_friction or 0.0,
-        G_II=contact.fracture_energy_mode_2 or 0.0,
-        G_II_slope=contact.fracture_energy_mode_2_slope or 0.0,
-        beta=contact.exponent_shear or 0.0,
-    )
-    return closed_forms.shear(contact.law, joint, slip, loaded.confinement or 0.0)
+    loaded = load(scene, knobs)
+    joint = joint_of(scene, knobs)
+    return closed_forms.shear(loaded.contact["unit_unit"].law, joint, slip, loaded.confinement or 0.0)
 
 
-def exact_values(one: Trial) -> dict[str, float]:
+def exact_values(one: Run) -> dict[str, float]:
     """Peak and final stress (Pa), and the energy (J) that the joint has dissipated at the end of the drive."""
-    loaded = scene.load(one.case, one.knobs)
+    loaded = load(one.scene, one.knobs)
     assert loaded.drive is not None
     slip = np.linspace(0.0, loaded.drive.farthest, 400_001)
-    tau = exact_stress(one.case, one.knobs, slip)
+    tau = exact_stress(one.scene, one.knobs, slip)
     held = 0.5 * tau[-1] ** 2 / loaded.contact["unit_unit"].shear_stiffness
     area = loaded.specimen.length * loaded.specimen.width  # type: ignore[union-attr]
     return {
@@ -44,7 +43,7 @@ def exact_values(one: Trial) -> dict[str, float]:
     }
 
 
-def exact(one: Trial) -> dict[str, float]:
+def exact(one: Run) -> dict[str, float]:
     """Peak and end stress (Pa), and dissipated energy (J), from the closed form."""
     found = exact_values(one)
     return {"peak stress": found["peak"], "end stress": found["final"], "dissipated energy": found["dissipated"]}
@@ -68,9 +67,21 @@ def problem(law: str, confinement: str) -> Problem:
     )
 
 
+JOINT = Joint(kn=80e9, ks=35e9, fT=0.2e6, c0=0.3e6, tan0=0.84, tan_res=0.7, G_I=10.0, G_II=50.0, G_II_slope=0.0)
+LENGTH, WIDTH, PRESSURE, PUSH = 0.25, 0.1, 0.2e6, 0.6e-3
+"""Of the triplet: m, m, Pa, m."""
+
+
+def exact_of_triplet(one: Run) -> dict[str, float]:
+    """Peak (Pa) and dissipated energy (J)."""
+    spent = float(closed_forms.dissipated_in_shear("linear", JOINT, PUSH, PRESSURE))
+    return {"peak stress": float(JOINT.peak(PRESSURE)), "dissipated energy": 2 * LENGTH * WIDTH * spent}
+
+
 PROBLEMS = (
     problem("exponential", "0.1 MPa"),
     problem("exponential", "1.0 MPa"),
     problem("linear", "0.5 MPa"),
     problem("polynomial", "0.5 MPa"),
+    Problem("triplet", "Shear triplet, linear law", "shear-triplet", pace(STEPS), FEW_ROWS, exact=exact_of_triplet),
 )

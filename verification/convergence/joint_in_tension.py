@@ -11,46 +11,17 @@ Peak fT. Dissipated: A (work of the joint up to u less sigma u/2, which secant u
 
 import numpy as np
 
-from verification.fixtures.scene_text import joint_table
-from verification.ladder import FEW_ROWS, Problem, pace
+from verification.problem import FEW_ROWS, Problem, pace
 from verification.references.closed_forms import Joint, dissipated_in_tension, tension
-from verification.timed_run import Trial
+from verification.scene_runs import Run
 
 JOINT = Joint()
 GLUE, LENGTH, WIDTH, PULL = 600e9, 0.2, 0.05, 40e-6
 
-SCENE = f"""
-law = "exponential"
-kinematics = "rigid"
-[specimen]
-kind = "prism"
-units = 2
-length = "{LENGTH} m"
-width = "{WIDTH} m"
-height = "50 mm"
-plates = "20 mm"
-[material]
-units = {{density = "1900 kg/m^3"}}
-plates = {{density = "7850 kg/m^3"}}
-{joint_table(JOINT)}
-[contact.plate]
-law = "elastic"
-normal_stiffness = "{GLUE} Pa/m"
-shear_stiffness = "{GLUE / 2} Pa/m"
-[[support]]
-on = "bottom plate"
-fix = "all"
-[[support]]
-on = "top plate"
-fix = ["x", "y", "rotation"]
-[drive]
-on = "top plate"
-direction = "z"
-displacement = "{PULL} m"
-"""
+SCENE = "joint-and-glue"
 
 
-def exact(one: Trial) -> dict[str, float]:
+def exact(one: Run) -> dict[str, float]:
     """Peak (Pa) and dissipated energy (J) of the law that a run had."""
     law = str(one.knobs["law"])
     opening = np.linspace(0.0, PULL, 400_001)

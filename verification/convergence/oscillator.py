@@ -9,58 +9,24 @@ Central differences are of second order: the error falls with the square of the 
 
 import numpy as np
 
-from verification.ladder import Problem
-from verification.timed_run import Trial
+from verification.problem import Problem
+from verification.scene_runs import Run
 
 SIDE, HEIGHT, DENSITY, KN, GRAVITY = 0.2, 0.1, 2000.0, 1e9, 9.81
 PERIODS = 2.25
 OMEGA = (KN / (DENSITY * HEIGHT)) ** 0.5
 MASS, DURATION = DENSITY * HEIGHT * SIDE**2, PERIODS * 2 * np.pi / OMEGA
 
-SCENE = f"""
-law = "elastic"
-kinematics = "rigid"
-[specimen]
-kind = "boxes"
-section = "{SIDE**2} m^2"
-[[specimen.box]]
-name = "foot"
-origin = ["0 m", "0 m", "-100 mm"]
-size = ["{SIDE} m", "{SIDE} m", "100 mm"]
-unit = 0
-[[specimen.box]]
-name = "block"
-origin = ["0 m", "0 m", "0 m"]
-size = ["{SIDE} m", "{SIDE} m", "{HEIGHT} m"]
-unit = 1
-[material]
-units = {{density = "{DENSITY} kg/m^3"}}
-[contact.unit_unit]
-normal_stiffness = "{KN} Pa/m"
-shear_stiffness = "{KN / 2} Pa/m"
-[[support]]
-on = "foot"
-fix = "all"
-[[support]]
-on = "block"
-fix = ["x", "y", "rotation"]
-[gravity]
-z = "-{GRAVITY} m/s^2"
-[settle]
-steps = 100
-[solver]
-masses = "real"
-damping = 0
-"""
+SCENE = "oscillator"
 MOTION, SPRING = "energy of motion", "energy of the joint"
 
 
-def measured(one: Trial) -> dict[str, float]:
+def measured(one: Run) -> dict[str, float]:
     """At the end (J); kinetic energy is that of half a step before, which is part of the error."""
     return {MOTION: float(one.rows["kinetic"][-1]), SPRING: float(one.rows["elastic_contacts"][-1])}
 
 
-def exact(one: Trial) -> dict[str, float]:
+def exact(one: Run) -> dict[str, float]:
     """Duhamel's integral by Gauss points."""
     half = DURATION / 2
     nodes, weights = np.polynomial.legendre.leggauss(60)
@@ -75,7 +41,7 @@ def exact(one: Trial) -> dict[str, float]:
     return {MOTION: 0.5 * MASS * v * v, SPRING: 0.5 * KN * SIDE**2 * x * x}
 
 
-def rungs() -> dict[str, dict[str, object]]:
+def time_steps() -> dict[str, dict[str, object]]:
     """The same time in more and more steps."""
     return {f"{n} steps": {"settle.steps": n, "solver.time_step": f"{DURATION / n!r} s"} for n in COUNTS}
 
@@ -83,7 +49,7 @@ def rungs() -> dict[str, dict[str, object]]:
 COUNTS = (16, 32, 64, 128, 256, 512, 1024)
 PROBLEMS = (
     Problem(
-        *("oscillator", "Undamped oscillator in real time", SCENE, {"time step": rungs()}),
+        *("oscillator", "Undamped oscillator in real time", SCENE, {"time step": time_steps()}),
         measure=measured,
         exact=exact,
         units={MOTION: "J", SPRING: "J"},

@@ -1,13 +1,16 @@
-"""The scenes of the paper as they are shipped: couplet, the wallettes of both failure modes, the wall in bending."""
+"""The scenes of the paper as they are shipped: couplet, the wallettes of both failure modes, the wall in bending.
+
+And two courses of the wallette of mode 2, with an eighth of its blocks, which can be driven far more slowly.
+"""
 
 from typing import Any
 
 from verification.convergence.joint_in_shear import exact
-from verification.ladder import (
+from verification.problem import (
     ACCURACY,
     RATE,
     Problem,
-    Rungs,
+    Refinement,
     accuracies,
     dampings,
     fractions,
@@ -21,20 +24,20 @@ from verification.timed_run import THREADS
 FACTORS = (8.0, 4.0, 2.0, 1.0, 0.5)
 
 
-def rates(usual: float) -> Rungs:
+def rates(usual: float) -> Refinement:
     """Constant rates (mm/s): `FACTORS` times as fast as usual."""
     return {f"x{f:g}": {"drive.rate": f"{f * usual:g} mm/s"} for f in FACTORS}
 
 
-def cells(extra: dict[str, Any], *sizes: tuple[int, ...]) -> Rungs:
+def cells(extra: dict[str, Any], *sizes: tuple[int, ...]) -> Refinement:
     """The grid of a unit."""
     return {"x".join(map(str, d)): {"specimen.divisions": list(d), **extra} for d in sizes}
 
 
-def motions(mesh: str, extra: dict[str, Any]) -> Rungs:
+def motions(mesh: str, extra: dict[str, Any]) -> Refinement:
     """How the units move."""
     tets: dict[str, Any] = {"kinematics": {"units": "tets"}, "specimen.mesh_size": mesh}
-    given: Rungs = {"rigid": {"kinematics": "rigid"}, "affine": {"kinematics": {"units": "affine"}}, "tets": tets}
+    given: Refinement = {"rigid": {"kinematics": "rigid"}, "affine": {"kinematics": {"units": "affine"}}, "tets": tets}
     return {label: {**knobs, **extra} for label, knobs in given.items()}
 
 
@@ -109,10 +112,25 @@ def deformable(mode: int, motion: str) -> Problem:
     )
 
 
+def two_courses() -> Problem:
+    """A wall of two courses, pulled along the bed joints."""
+    quick = {"drive.rate": "0.5 mm/s"}
+    knobs = {
+        RATE: {f"{rate} mm/s": {"drive.rate": f"{rate} mm/s"} for rate in (4, 2, 1, 0.5, 0.25, 0.125, 0.0625)},
+        ACCURACY: accuracies(),
+        "step fraction": fractions(quick),
+        "damping": dampings(quick),
+        "model: law": laws(quick),
+    }
+    base = {"specimen.courses": 2, "specimen.divisions": [4, 2], "drive.displacement": "0.2 mm"}
+    return Problem("small-wallette", "Wallette of two courses", "wallette-mode-2", knobs, base)
+
+
 PROBLEMS = (
     couplet(),
     wallette(1),
     wallette(2),
     bending(),
     *(deformable(k, m) for k in (1, 2) for m in ("affine", "tets")),
+    two_courses(),
 )

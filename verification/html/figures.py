@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator
 
 from verification.case import Line, Plot
-from verification.ladder import Point, changes_model
+from verification.problem import Point, changes_model
 
 COLOURS = ("#1f3b5c", "#d7301f", "#2f8f4e", "#e07b00", "#7b4fa3", "#5b5b5b", "#00a0b0", "#c2185b", "#8d6e3a")
 MARKS = "osD^vPX<>"
@@ -39,7 +39,7 @@ def error_against_time(
     floor: float,
     fronts: Mapping[str, Sequence[Point]],
 ) -> Figure:
-    """Panel title -> knob -> (seconds, error, label of the rung): log-log, one line a knob.
+    """Panel title -> knob -> (seconds, error, label of the setting): log-log, one line a knob.
 
     A knob whose name starts with "model" changes what is solved, and is drawn dashed. Errors below `floor` are drawn
     on it. `doubts`: by panel, what the reference itself may be off by; shaded. `fronts`: by panel title, the settings
@@ -57,8 +57,8 @@ def error_against_time(
             *zip(*best, strict=True), color="0.8", linewidth=5.0, zorder=0, drawstyle="steps-post"
         ) if best else None
         named: list[tuple[float, float]] = []
-        for k, (knob, rungs) in enumerate(knobs.items()):
-            seconds, error, labels = zip(*rungs, strict=True)
+        for k, (knob, points) in enumerate(knobs.items()):
+            seconds, error, labels = zip(*points, strict=True)
             shown = [max(100.0 * abs(e), 100.0 * floor) for e in error]
             style = "--" if changes_model(knob) else "-"
             mark, colour = MARKS[k % len(MARKS)], COLOURS[k % len(COLOURS)]

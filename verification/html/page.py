@@ -37,6 +37,14 @@ class Chapter:
     group: str = "Studies"
     anchor: str = ""
 
+    def add(self, *parts: str) -> None:
+        """Pieces of HTML, in their order; text that is no HTML becomes a paragraph."""
+        self.parts += [part if part.startswith("<") else paragraph(part) for part in parts if part]
+
+    def judge(self, area: str, kind: bool | str, sentence: str) -> None:
+        """A verdict: one of WORDS, or whether it holds."""
+        self.verdicts.append(Verdict(area, _kind(kind), sentence))
+
 
 @dataclass(frozen=True)
 class Cell:
@@ -45,6 +53,15 @@ class Cell:
     text: str
     kind: str = ""
     note: str = ""
+
+
+def judged(text: Any, kind: bool | str, note: str = "") -> Cell:
+    """A cell in the colour of a word of WORDS, or of whether it holds."""
+    return Cell(str(text), _kind(kind), note)
+
+
+def _kind(kind: bool | str) -> str:
+    return kind if isinstance(kind, str) else "ok" if kind else "bad"
 
 
 @dataclass(frozen=True)

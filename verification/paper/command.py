@@ -7,8 +7,9 @@ import sys
 import time
 from pathlib import Path
 
+from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
-from masonry.runtime.folder import RESULTS, WholeFiles
+from masonry.runtime.folder import RESULTS
 from masonry.runtime.shell import Parser
 from verification.paper import catalogue, gathering, page
 from verification.paper.experiment import Shown

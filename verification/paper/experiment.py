@@ -1,6 +1,7 @@
 """What an experiment of the paper consists of: runs of scenes, and what they show: pictures and checked claims."""
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -10,7 +11,6 @@ from masonry import __version__
 from masonry.jit.compiler import source_hash
 from masonry.laboratory.result import Result, load_result
 from verification.html.page import Chapter, Verdict
-from verification.paper.misprints import Misprint
 
 ACCURACY = "drive.accuracy"
 PERCENT, QUICK_PERCENT = 1.0, 4.0
@@ -71,9 +71,26 @@ class Claim:
             raise ValueError(f"the claim '{self.says}' does not hold or cannot be decided: say why")
 
 
-def answer(holds: bool, why: str) -> tuple[bool, str]:
-    """The last two entries of a claim: whether it holds, and the reason only where it does not."""
-    return holds, "" if holds else why
+def claim(says: str, source: str, check: str, measured: str, holds: bool | None, why: str = "") -> Claim:
+    """A claim whose reason is kept only where it does not hold or cannot be decided; 5% in its words is 5 %."""
+    check, measured, why = (re.sub(r"(?<=\d)%", " %", text) for text in (check, measured, why))
+    return Claim(says, source, check, measured, None if holds is None else bool(holds), "" if holds else why)
+
+
+@dataclass(frozen=True)
+class Misprint:
+    """A line of the paper that cannot be meant as it stands; it claims nothing.
+
+    where     "3, eq. (15)"
+    printed   what stands there
+    comes_to  what it would do, with numbers
+    built     what this program has in its place
+    """
+
+    where: str
+    printed: str
+    comes_to: str
+    built: str
 
 
 @dataclass

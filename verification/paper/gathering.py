@@ -6,16 +6,7 @@ from pathlib import Path
 
 from masonry.sweep import engine
 from masonry.sweep.job import Job
-from verification.paper.experiment import (
-    QUICK_PERCENT,
-    Claim,
-    Done,
-    Experiment,
-    Missing,
-    Run,
-    Section,
-    Shown,
-)
+from verification.paper.experiment import QUICK_PERCENT, Done, Experiment, Missing, Run, Section, Shown, claim
 from verification.paper.soundness import HALVED, soundness
 
 
@@ -61,7 +52,7 @@ def shown(experiment: Experiment, done: Done) -> Shown:
     try:
         section = experiment.show(done)
     except Missing as missing:
-        failed = Claim(experiment.title, "the paper", "its runs come to their end", "no", False, str(missing))
+        failed = claim(experiment.title, "the paper", "its runs come to their end", "no", False, str(missing))
         section = Section(claims=[failed])
     seconds = sum(float(row["seconds"] or 0.0) for row in done.rows.values())
     return Shown(experiment, section, soundness(done), seconds, len(done.rows))

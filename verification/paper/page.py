@@ -5,8 +5,7 @@ from collections.abc import Sequence
 from masonry.runtime.progress import duration
 from verification.html import cover
 from verification.html.page import Cell, Chapter, Link, Verdict, heading, link_line, paragraph, table
-from verification.paper.experiment import Claim, Shown
-from verification.paper.misprints import misprint_table
+from verification.paper.experiment import Claim, Misprint, Shown
 
 TITLE = "The paper, whole"
 GROUP = "The paper"
@@ -26,6 +25,7 @@ LEAD = (
     "make sure that it is not an error of solving."
 )
 HEADER = ("claim", "where", "check", "measured", "verdict")
+MISPRINTED = ("where", "as printed", "what that comes to", "as built")
 
 
 def chapters(shown: Sequence[Shown]) -> list[Chapter]:
@@ -53,6 +53,12 @@ def tables(shown: Sequence[Shown]) -> list[str]:
         heading("How sound the runs are"),
         table(("experiment", "what must hold", "check", "measured", "verdict"), sound),
     ]
+
+
+def misprint_table(found: Sequence[Misprint]) -> str:
+    """The list as a table."""
+    rows = [(m.where, Cell(m.printed, "claim"), Cell(m.comes_to, "claim"), Cell(m.built, "claim")) for m in found]
+    return table(MISPRINTED, rows, f"Misprints: {len(found)}")
 
 
 def row(claim: Claim) -> list[str | Cell]:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.paper.experiment import Claim, Done
+from verification.paper.experiment import Claim, Done, claim
 
 IMBALANCE, MISMATCH, MOVED = 1e-6, 0.02, 0.01
 NAMED = 4
@@ -21,7 +21,7 @@ def soundness(done: Done) -> list[Claim]:
     fine = [label for label in done if done.has(label)]
     failed = [f"{label} ({done.rows[label]['reason']})" for label in done if not done.has(label)]
     made = [
-        Claim(
+        claim(
             "Every run comes to its end",
             "this program",
             "no run is refused or stopped",
@@ -41,8 +41,8 @@ def soundness(done: Done) -> list[Claim]:
     sudden = {label: mismatch_before_peak(done[label]) for label in rows if done.runs[label].sudden}
     if sudden:
         reasons = "; ".join(sorted({done.runs[label].sudden for label in sudden}))
-        claim = _largest(sudden, MISMATCH, "So do they before the peak where a specimen gives way at once", ends)
-        made.append(replace(claim, why="; ".join(filter(None, (claim.why, f"at once: {reasons}")))))
+        before = _largest(sudden, MISMATCH, "So do they before the peak where a specimen gives way at once", ends)
+        made.append(replace(before, why="; ".join(filter(None, (before.why, f"at once: {reasons}")))))
     moved = {
         label: abs(done.peak(label) / done.peak(HALVED.format(label)) - 1.0)
         for label in fine
@@ -71,11 +71,7 @@ def _largest(values: Mapping[str, float], limit: float, says: str, what: str) ->
     order = sorted(values, key=lambda label: -values[label])
     beyond = [f"{label} ({show(values[label])})" for label in order if values[label] >= limit]
     more = f" and {len(beyond) - NAMED} more" if len(beyond) > NAMED else ""
-    return Claim(
-        says,
-        "this program",
-        f"{what} < {show(limit)} in each of {len(values)} runs",
-        f"at most {show(values[order[0]])} ({order[0]})",
-        not beyond,
-        f"beyond it: {', '.join(beyond[:NAMED])}{more}" if beyond else "",
-    )
+    return claim(says, "this program",
+                 f"{what} < {show(limit)} in each of {len(values)} runs",
+                 f"at most {show(values[order[0]])} ({order[0]})",
+                 not beyond, f"beyond it: {', '.join(beyond[:NAMED])}{more}" if beyond else "")  # fmt: skip

@@ -10,14 +10,14 @@ import numba
 
 from masonry.jit.compiler import OPTIONS
 
-by_hand = numba.njit(**OPTIONS | {"cache": False})
+compiled = numba.njit(**OPTIONS | {"cache": False})
 
 
 @cache
 def shoving(contacts):
     """Moves side b of every contact by by[c] and sweeps over the contacts (or not), round after round."""
 
-    @by_hand
+    @compiled
     def shove(rounds, by, sweeps, law, ends, frame, u, force, past, slip, spent):
         for _ in range(rounds):
             for c in range(len(by)):
@@ -31,7 +31,7 @@ def shoving(contacts):
     return shove
 
 
-@by_hand
+@compiled
 def elastic(law, ends, frame, u, force, past, slip, spent):
     """Eqs (5) and (6): no history."""
     kn, ks = law[0], law[1]
@@ -53,7 +53,7 @@ def softening(curved: bool):
     past (C, 4)   largest opening, shares left in tension and in shear, and the secant stiffness that follows from them
     """
 
-    @by_hand
+    @compiled
     def contacts(law, ends, frame, u, force, past, slip, spent):
         kn, ks, ft, c0, tan0, cr, tanr, g1, g2 = law
         un0, steep, fall, soft = ft / kn, -ft / g1, -c0 / g2, 1.0 / ks

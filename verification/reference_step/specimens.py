@@ -1,7 +1,6 @@
 """Specimens for timing: a wall in running bond, and a grid of bricks whose tets match across joints."""
 
 from dataclasses import replace
-from itertools import permutations
 from typing import Any
 
 import numpy as np
@@ -9,16 +8,15 @@ import numpy as np
 from geometry.blocks import Blocks, Joints, TetMesh
 from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import divide, from_boxes
+from verification.fixtures import shapes
+from verification.fixtures.structured import grid_of_tets
 
 UNIT = np.array([0.24, 0.115, 0.113])
 
 
 def wall(columns: int, courses: int) -> tuple[Blocks, Joints]:
     """Running bond, every second course shifted by half a unit; every block is a unit of its own."""
-    column, course = (index.ravel() for index in np.indices((columns, courses)))
-    low = np.stack([column + 0.5 * (course % 2), np.zeros(len(column)), course], axis=1) * UNIT
-    count = len(low)
-    blocks = from_boxes(low, low + UNIT, np.arange(count), np.zeros(count, dtype=np.int64), ("units",))
+    blocks = shapes.wall(columns, courses, tuple(UNIT))
     return blocks, find_joints(blocks)
 
 
@@ -27,10 +25,9 @@ def bricks(count: tuple[int, int, int], cells: tuple[int, int, int]) -> tuple[Bl
     low, high = divide([0.0, 0.0, 0.0], (UNIT * count).tolist(), count)
     number = len(low)
     blocks = from_boxes(low, high, np.arange(number), np.zeros(number, dtype=np.int64), ("units",))
-    k, j, i = (index.ravel() for index in np.indices([n + 1 for n in cells[::-1]]))
-    grid = np.stack([i, j, k], axis=1)
-    nodes = (low[:, None] + grid * (UNIT / cells)).reshape(-1, 3)
-    own = _tets(cells)
+    within, own = grid_of_tets(np.zeros(3), UNIT, cells)
+    grid = np.rint(within * cells / UNIT).astype(int)
+    nodes = (low[:, None] + within).reshape(-1, 3)
     each = len(grid)
     mesh = TetMesh(
         nodes=nodes,
@@ -42,26 +39,12 @@ def bricks(count: tuple[int, int, int], cells: tuple[int, int, int]) -> tuple[Bl
 
 
 def pairs() -> tuple[Blocks, Joints, TetMesh]:
-    """2700 contacts of 125 bricks of tets, few enough for a cache; every contact has two nodes of its own."""
+    """3468 contacts of 125 bricks of tets, few enough for a cache; every contact has two nodes of its own."""
     blocks, joints, mesh = bricks((5, 5, 5), (4, 4, 4))
     uses = np.bincount(np.concatenate([joints.node_a, joints.node_b]), minlength=len(mesh.nodes))
     alone = (uses[joints.node_a] == 1) & (uses[joints.node_b] == 1)
     names = ("block_a", "block_b", "node_a", "node_b", "point", "normal", "area", "patch")
     return blocks, replace(joints, **{name: getattr(joints, name)[alone] for name in names}), mesh
-
-
-def _tets(cells: tuple[int, int, int]) -> np.ndarray:
-    """(6 cells, 4) nodes of the tets of one brick: a path from the low to the high corner of a cell for each order of
-    the axes, which divides the faces of all cells alike."""
-    stride = np.array([1, cells[0] + 1, (cells[0] + 1) * (cells[1] + 1)])
-    k, j, i = (index.ravel() for index in np.indices(cells[::-1]))
-    corner = np.stack([i, j, k], axis=1) @ stride
-    paths = []
-    for order in permutations(range(3)):
-        path = np.cumsum([0, *stride[list(order)]])
-        even = np.linalg.det(np.eye(3)[list(order)]) > 0
-        paths.append(path if even else path[[0, 2, 1, 3]])
-    return (corner[:, None, None] + np.array(paths)).reshape(-1, 4)
 
 
 def _joints(count: tuple, cells: tuple, grid: np.ndarray, nodes: np.ndarray) -> Joints:

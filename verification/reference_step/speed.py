@@ -4,9 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from verification.reference_step import specimens, trial
+from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import against
-from verification.reference_step.twin import Twin
+from verification.reference_step.reference import ReferenceStep
 
 STEPS, ROUNDS = 10, 100
 UNITS = 16
@@ -30,16 +30,16 @@ class Speed(NamedTuple):
 
 def measure(rounds: int = ROUNDS) -> Speed:
     """Time both in turn; contacts with the exponential law that stay untouched, in a wall that moves slightly."""
-    model = trial.model_of(*specimens.wall(UNITS, UNITS))
-    twin = Twin(model)
+    model = models.model_of(*specimens.wall(UNITS, UNITS))
+    twin = ReferenceStep(model)
     velocity = np.random.default_rng(1).normal(scale=1e-6, size=(model.blocks.count, 6))
-    trial.set_velocity(model, velocity)
+    models.set_velocity(model, velocity)
     twin.set_velocity(velocity)
-    ours, by_hand = trial.stepping(model, STEPS), twin.stepping(STEPS)
+    ours, by_hand = models.stepping(model, STEPS), twin.stepping(STEPS)
     ours()
     by_hand()
-    alike = bool(np.allclose(trial.forces(model), twin.force[:, :3], rtol=1e-6, atol=1e-9 * np.abs(twin.force).max()))
-    found = against((ours, trial.stepping(model, 0)), (by_hand, twin.stepping(0)), rounds)
+    alike = bool(np.allclose(models.forces(model), twin.force[:, :3], rtol=1e-6, atol=1e-9 * np.abs(twin.force).max()))
+    found = against((ours, models.stepping(model, 0)), (by_hand, twin.stepping(0)), rounds)
     points = len(model.joints.area)
     each = 1e9 / STEPS / points
     return Speed(each * found.ours, each * found.by_hand, found.spread, points, alike)

@@ -7,7 +7,7 @@ from functools import cache
 
 import numpy as np
 
-from verification.reference_step.contacts import by_hand
+from verification.reference_step.contacts import compiled
 
 ONE = np.uint32(1)
 
@@ -19,7 +19,7 @@ def freedom(damped: bool, booked: bool):
     What holds is damping where the freedom can move, and else (pace 0) the reaction, whose work is external.
     """
 
-    @by_hand
+    @compiled
     def kick(xi, half, i, row, pace, v, before, work, contact, inner):
         velocity, give = v[row, i], pace[row, i]
         total = contact + inner
@@ -47,7 +47,7 @@ def rigid_step(contacts, damped: bool, booked: bool):
     """
     kick = freedom(damped, booked)
 
-    @by_hand
+    @compiled
     def steps(count, dt, xi, law, ends, frame, u, force, past, slip, spent, q, v, pace, before, work, start, code, arm):
         for _ in range(count):
             for b in range(len(start) - 1):
@@ -85,7 +85,7 @@ def tet_step(contacts, damped: bool, booked: bool):
     """
     kick = freedom(damped, booked)
 
-    @by_hand
+    @compiled
     def tets(first, last, corner, slope, lame, mu, u, inner):
         for e in range(first, last):
             o, a, b, c = corner[e, 0], corner[e, 1], corner[e, 2], corner[e, 3]
@@ -119,7 +119,7 @@ def tet_step(contacts, damped: bool, booked: bool):
             for n in (o, a, b, c):
                 inner[n, 3] += 0.0
 
-    @by_hand
+    @compiled
     def steps(
         count, dt, xi, law, ends, frame, u, force, past, slip, spent,
         v, pace, before, work, start, code, node_start, tet_start, corner, slope, lame, inner,

@@ -94,21 +94,6 @@ def tension_work(law: str, joint: Joint, opening: ArrayLike) -> Floats:
     raise ValueError(f"no closed form for law '{law}'")
 
 
-def tension_energy(law: str, joint: Joint) -> float:
-    """Energy (J/m2) of complete separation: G_I for linear, r G_I more or 2 G_I/(alpha - 1) for the others.
-
-    verification 2.1: r = fT^2/(2 kn G_I) is the elastic triangle's share, which G_I of the linear law alone includes.
-    """
-    triangle = 0.5 * joint.fT**2 / joint.kn
-    post_peak = {
-        "brittle": 0.0,
-        "linear": joint.G_I - triangle,
-        "polynomial": 2.0 * joint.G_I / (joint.alpha - 1.0),
-        "exponential": joint.G_I,
-    }
-    return triangle + post_peak[law]
-
-
 def unloaded(law: str, joint: Joint, opening: ArrayLike, widest: float, unloading: str = "secant") -> Floats:
     """Stress (Pa) at an opening (m) once the contact has been opened to `widest` (m), beyond it the envelope.
 

@@ -1,13 +1,11 @@
 """`python -m verification.report`: runs all cases and studies, writes results/report.html and results/records.json."""
 
 import argparse
-import importlib
-import pkgutil
 import time
 from collections.abc import Callable
 from pathlib import Path
 
-from masonry.runtime.folder import WholeFiles
+from geometry.files.atomic import WholeFiles
 from verification import catalogue, records, runner, studies
 from verification.html import cover
 from verification.html.page import Chapter
@@ -22,10 +20,7 @@ CASES, PAPER = "cases", "paper"
 
 def found() -> dict[str, Callable[[Tell], Chapter]]:
     """Name -> `chapter` of every module of `verification.studies` that has one, by its ORDER."""
-    modules = [
-        importlib.import_module(f"{studies.__name__}.{entry.name}") for entry in pkgutil.iter_modules(studies.__path__)
-    ]
-    chosen = sorted((m for m in modules if hasattr(m, "chapter")), key=lambda m: m.ORDER)
+    chosen = sorted((m for m in catalogue.modules_of(studies) if hasattr(m, "chapter")), key=lambda m: m.ORDER)
     return {m.__name__.rpartition(".")[2]: m.chapter for m in chosen}
 
 

@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 
 from masonry.runtime.progress import duration
-from verification import printout
+from verification import text
 from verification.case import LOOSE, UNEXPECTED, Check
 from verification.catalogue import formula
 from verification.html import figures, page
 from verification.outcome import IMBALANCE, Outcome
 from verification.records import records_of
+from verification.scene_runs import text_of
 
 KINDS = {"PASS": "ok", "FAIL": "bad", "ERROR": "bad", "NOT BUILT": "stop"}
 AREAS = (
@@ -23,19 +24,21 @@ def chapters(outcomes: Sequence[Outcome], seconds: float) -> list[page.Chapter]:
         return []
     outcomes = sorted(outcomes, key=lambda o: _areas(outcomes).index(o.case.area))
     made = page.Chapter("All cases at a glance", group="Cases with known answers")
-    made.parts.append(page.paragraph(INTRODUCTION))
-    made.parts.append(page.paragraph(printout.verdict(outcomes, seconds), "lead"))
     rows = [[page.Link(o.case.title, anchor(o)), *_row(o)] for o in outcomes]
-    made.parts.append(page.table(["case", *printout.HEADER[1:]], rows))
-    for heading, sentences in printout.notes(outcomes).items():
-        made.parts += [page.heading(heading), page.bullets(sentences)]
-    made.verdicts += verdicts(outcomes)
+    made.add(
+        INTRODUCTION,
+        page.paragraph(text.verdict(outcomes, seconds), "lead"),
+        page.table(["case", *text.HEADER[1:]], rows),
+    )
+    for heading, sentences in text.notes(outcomes).items():
+        made.add(page.heading(heading), page.bullets(sentences))
+    judge(made, outcomes)
     return [made, *map(chapter, outcomes)]
 
 
 def _row(outcome: Outcome) -> list[str | page.Cell]:
     """The cells of a case after its name, the status in its colour."""
-    _, row, status, *numbers = printout.row(outcome)
+    _, row, status, *numbers = text.row(outcome)
     return [row, page.Cell(status, KINDS[status]), *(page.Cell(number, "number") for number in numbers)]
 
 
@@ -44,23 +47,21 @@ def anchor(outcome: Outcome) -> str:
     return f"case-{outcome.case.name}"
 
 
-def verdicts(outcomes: Sequence[Outcome]) -> list[page.Verdict]:
-    """One for each area that has cases, and one on the energy ledgers of them all."""
-    made = []
+def judge(made: page.Chapter, outcomes: Sequence[Outcome]) -> None:
+    """A verdict on each area that has cases, and one on the energy ledgers of them all."""
     for area in _areas(outcomes):
         here = [o for o in outcomes if o.case.area == area]
         if here:
-            made.append(page.Verdict(area, _kind(here), _sentence(here)))
+            made.judge(area, _kind(here), _sentence(here))
     ledgers = [share for o in outcomes for share in o.findings.imbalance.values()]
     if ledgers:
         fine = all(share <= IMBALANCE for share in ledgers)
-        words = "closes" if fine else "does not close: it is off by up to"
+        words = "closes within" if fine else "does not close: it is off by up to"
         sentence = (
-            f"The energy balance of {len(ledgers)} runs {words} {'within ' if fine else ''}{max(ledgers):.0e} of the "
-            f"external work at every row (limit {IMBALANCE:.0e})."
+            f"The energy balance of {len(ledgers)} runs {words} {max(ledgers):.0e} of the external work at every row "
+            f"(limit {IMBALANCE:.0e})."
         )
-        made.append(page.Verdict("Energy of the cases", "ok" if fine else "bad", sentence))
-    return made
+        made.judge("Energy of the cases", fine, sentence)
 
 
 def _areas(outcomes: Sequence[Outcome]) -> list[str]:
@@ -95,22 +96,24 @@ def chapter(outcome: Outcome) -> page.Chapter:
     made = page.Chapter(case.title, group=case.area, anchor=anchor(outcome), records=records_of(outcome))
     line = f"Row {case.row} of the catalogue, area “{case.area}”, `masonry verify {case.name}`"
     status = page.Cell(outcome.status, KINDS[outcome.status])
-    made.parts.append(page.table([], [[status, line, duration(outcome.seconds)]]))
-    if outcome.status == "NOT BUILT":
-        made.parts.append(page.paragraph(f"Not run: {outcome.reason}.", "lead"))
-    wrong = printout.failures(outcome)
-    made.parts += [page.paragraph("What does not hold:"), page.bullets(wrong)] if wrong else []
-    made.parts.append(page.preformatted(formula(case)))
+    lacking, wrong = outcome.status == "NOT BUILT", text.failures(outcome)
+    made.add(
+        page.table([], [[status, line, duration(outcome.seconds)]]),
+        page.paragraph(f"Not run: {outcome.reason}.", "lead") if lacking else "",
+        *(("What does not hold:", page.bullets(wrong)) if wrong else ()),
+        page.preformatted(formula(case)),
+    )
     for k in range(0, len(findings.plots), 2):
         pair = findings.plots[k : k + 2]
         caption = "; ".join(p.title for p in pair) + "."
-        made.parts.append(page.picture(figures.plots(pair), caption, "half" if len(pair) == 1 else ""))
-    if findings.checks:
-        made.parts.append(page.table(CHECKS, map(_check, findings.checks), "What was measured and what it should be."))
-    if findings.imbalance:
-        made.parts.append(page.table(RUNS, _runs(outcome), "The runs of this case and their energy ledgers."))
-    made.parts += [page.bullets(findings.remarks)] if findings.remarks else []
-    made.parts += [page.folded("The scene", page.preformatted(case.scene.strip()))] if case.scene else []
+        made.add(page.picture(figures.plots(pair), caption, "half" if len(pair) == 1 else ""))
+    checks, runs = map(_check, findings.checks), "The runs of this case and their energy ledgers."
+    made.add(
+        page.table(CHECKS, checks, "What was measured and what it should be.") if findings.checks else "",
+        page.table(RUNS, _runs(outcome), runs) if findings.imbalance else "",
+        page.bullets(findings.remarks) if findings.remarks else "",
+        page.folded("The scene", page.preformatted(text_of(case.scene).strip())) if case.scene else "",
+    )
     return made
 
 
@@ -120,15 +123,6 @@ RUNS = ("run", "steps", "seconds of stepping", "energy residual / external work"
 
 def _check(check: Check) -> list[str | page.Cell]:
     unit = f" {check.unit}" if check.unit not in ("", "1") else ""
-    if check.is_bound:
-        return [
-            check.quantity,
-            page.Cell(f"{check.value:.7g}{unit}", "number"),
-            page.Cell(f"at most {check.reference:.7g}{unit}", "number", check.kind),
-            page.Cell("holds" if check.holds else "fails", "ok" if check.holds else "bad"),
-            "-",
-            page.Cell(check.reason, "text"),
-        ]
     notes = {
         f"too loose: passes by more than {LOOSE:.0f} times": check.too_loose,
         f"worse than expected: more than {UNEXPECTED:.0f} times that error": check.worse,
@@ -136,12 +130,15 @@ def _check(check: Check) -> list[str | page.Cell]:
     }
     note = "; ".join(words for words, so in notes.items() if so)
     kind = "bad" if not check.holds else "warn" if note else "ok"
+    most = "at most " if check.is_bound else ""
     return [
         check.quantity,
         page.Cell(f"{check.value:.7g}{unit}", "number"),
-        page.Cell(f"{check.reference:.7g}{unit}", "number", check.kind),
-        page.Cell(f"{check.error:+.1e}", f"{kind} number", note),
-        page.Cell(f"{check.tolerance:.0e}", "number", f"expected {check.expected:.0e}"),
+        page.Cell(f"{most}{check.reference:.7g}{unit}", "number", check.kind),
+        page.judged("holds" if check.holds else "fails", kind)
+        if check.is_bound
+        else page.Cell(f"{check.error:+.1e}", f"{kind} number", note),
+        "-" if check.is_bound else page.Cell(f"{check.tolerance:.0e}", "number", f"expected {check.expected:.0e}"),
         page.Cell(check.reason, "text"),
     ]
 
@@ -149,17 +146,11 @@ def _check(check: Check) -> list[str | page.Cell]:
 def _runs(outcome: Outcome) -> list[list[str | page.Cell]]:
     rows: list[list[str | page.Cell]] = []
     for name, share in outcome.findings.imbalance.items():
-        measures = outcome.findings.measures.get(name, {})
+        measures, seconds = outcome.findings.measures.get(name, {}), outcome.findings.seconds.get(name, 0.0)
         steps, kinetic = measures.get("steps"), measures.get("kinetic_over_internal")
-        rows.append(
-            [
-                name,
-                "-" if steps is None else f"{steps:.0f}",
-                f"{outcome.findings.seconds.get(name, 0.0):.2g}",
-                page.Cell(f"{share:.0e}", "ok" if share <= IMBALANCE else "bad"),
-                "-" if kinetic is None else f"{kinetic:.1e}",
-            ]
-        )
+        closes = page.judged(f"{share:.0e}", share <= IMBALANCE)
+        said = "-" if steps is None else f"{steps:.0f}", "-" if kinetic is None else f"{kinetic:.1e}"
+        rows.append([name, said[0], f"{seconds:.2g}", closes, said[1]])
     return rows
 
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from verification.timed_run import Trial
+from verification.scene_runs import Run
 
 GOOD, POOR = 0.01, 0.05
 """Errors up to which a cell is right, and beyond which one that says nothing is wrong."""
@@ -15,7 +15,7 @@ STATUSES = ("OK", "WARNED", "REFUSED", "STOPPED", "WRONG", "NOT FINITE")
 
 
 class Exact(NamedTuple):
-    """A value to hold a trial against, and what the error is relative to (itself where that is 0)."""
+    """A value to hold a run against, and what the error is relative to (itself where that is 0)."""
 
     value: float
     reference: float
@@ -28,18 +28,18 @@ class Exact(NamedTuple):
         return abs(self.value - self.reference) / size if size else math.inf
 
 
-Compare = Callable[[Trial], dict[str, Exact]]
-Make = Callable[[], Trial]
+Compare = Callable[[Run], dict[str, Exact]]
+Make = Callable[[], Run]
 
 
 @dataclass(frozen=True)
 class Cell:
     """One run.
 
-    scene    name of a packaged scene, or path of one of this folder
+    scene    name of a scene of the verification or of a packaged one
     compare  what the result is held against
     must     statuses that the cell must end in, where not any will do
-    make     in place of the scene's run: what makes the trial
+    make     in place of the scene's run: what makes the run
     """
 
     scene: str
@@ -74,15 +74,12 @@ class Grid:
 
 @dataclass
 class Outcome:
-    """What became of a cell: status, reason (the program's own words), error, knobs, seconds of stepping."""
+    """What became of a cell: status, reason (the program's own words), largest error, kind of KINDS, records."""
 
     row: str
     column: str
-    scene: str
-    knobs: dict[str, Any]
     status: str
     reason: str
     error: float
-    seconds: float
     kind: str
     records: list[dict[str, Any]] = field(default_factory=list)

@@ -1,9 +1,10 @@
 """Joints at their limits: stiffness, confinement, fracture energies down to and below the snap-back limit."""
 
 from verification.references.closed_forms import Joint
+from verification.scene_runs import joint_of
 from verification.stability.cells import Cell, Grid
 from verification.stability.references import sheared, sheared_over_plastic_slip, torn
-from verification.stability.scenes import COUPLET, JOINT, PAIR, Knobs, joint_of, pascals, slid
+from verification.stability.scenes import COUPLET, JOINT, PAIR, Knobs, pascals, slid
 
 LAWS = ("linear", "polynomial", "exponential", "brittle")
 STEPS: Knobs = {"drive.steps": 5000, "solver.rows": 200}

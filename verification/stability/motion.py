@@ -5,15 +5,14 @@ from typing import Any
 
 import numpy as np
 
-from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.loading.scheduled import Chunk
 from masonry.model.loads import Program
 from masonry.timeloop import compiled_step
+from verification.scene_runs import Run, joint_of, load
 from verification.stability.cells import Cell, Exact, Grid
 from verification.stability.references import torn
-from verification.stability.scenes import CHAIN, Knobs, chain_of, joint_of
-from verification.timed_run import Trial
+from verification.stability.scenes import CHAIN, Knobs, chain_of
 
 BLOCKS = 6
 LONG = chain_of((0.1,) * BLOCKS)
@@ -48,7 +47,7 @@ def true_limits(full: bool) -> Grid:
     cells = {}
     for row, damping in DAMPING.items() if full else list(DAMPING.items())[:1]:
         guided = {**REAL, **damping, "support": GUIDED}
-        bound = assemble(scene.load(CHAIN, guided)).model.bound
+        bound = assemble(load(CHAIN, guided)).model.bound
         limit = limit_of_chain(guided, 0.8 if row == "damping 0.8" else 0.0)
         for share in shares:
             must = ("OK", "WARNED") if share < 1.0 else ("STOPPED",)
@@ -60,7 +59,7 @@ def true_limits(full: bool) -> Grid:
 
 def limit_of_chain(knobs: Knobs, damping: float) -> float:
     """s, of equal blocks of 0.1 m that can move along z alone."""
-    loaded = scene.load(CHAIN, knobs)
+    loaded = load(CHAIN, knobs)
     stiffness, mass = loaded.contact["unit_unit"].normal_stiffness * 0.01, loaded.material["units"].density * 1e-3
     fastest = 2.0 * math.sqrt(stiffness / mass) * math.cos(math.pi / (2 * (BLOCKS - 2) + 2))
     return 2.0 / fastest / math.sqrt(1.0 + damping)
@@ -93,24 +92,24 @@ def endurance(full: bool) -> Grid:
 
 
 class _Swing:
-    """Makes the trial of an undamped free swing along z; done once for both rows."""
+    """Makes the run of an undamped free swing along z; done once for both rows."""
 
-    made: dict[int, Trial] = {}
+    made: dict[int, Run] = {}
 
     def __init__(self, count: int, knobs: Knobs) -> None:
         self.count, self.knobs = count, knobs
 
-    def __call__(self) -> Trial:
+    def __call__(self) -> Run:
         if self.count not in self.made:
             self.made[self.count] = swing(self.count, self.knobs)
         return self.made[self.count]
 
 
-def swing(count: int, knobs: Knobs) -> Trial:
+def swing(count: int, knobs: Knobs) -> Run:
     """The free block starts with a velocity; `count` steps without loads, looked at about a thousand times."""
     import time
 
-    model = assemble(scene.load(CHAIN, knobs)).model
+    model = assemble(load(CHAIN, knobs)).model
     body = model.bodies.rigid
     free = int(np.flatnonzero(body.dt_over_mass[:, 2])[0])
     mass = model.masses["rigid"][free, 2]
@@ -134,15 +133,15 @@ def swing(count: int, knobs: Knobs) -> Trial:
     rows = {"energy": energies, "place": np.array([body.q[free, 2], exact, reach])}
     summary: dict[str, Any] = {"steps": count, "energy_imbalance": float(np.ptp(energies) / energies.mean())}
     needed = {"reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
-    return Trial(CHAIN, knobs, rows=rows, summary=summary | needed, times=[seconds])
+    return Run(CHAIN, knobs, rows=rows, summary=summary | needed, times=[seconds])
 
 
-def _energy(one: Trial) -> dict[str, Exact]:
+def _energy(one: Run) -> dict[str, Exact]:
     energies = one.rows["energy"]
     worst = energies[np.argmax(np.abs(energies - energies[0]))]
     return {"energy": Exact(float(worst), float(energies[0]))}
 
 
-def _place(one: Trial) -> dict[str, Exact]:
+def _place(one: Run) -> dict[str, Exact]:
     place, exact, reach = one.rows["place"]
     return {"place": Exact(float(place), float(exact), float(reach))}

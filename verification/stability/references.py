@@ -2,18 +2,16 @@
 
 import math
 
-from masonry import scene
 from verification.references import closed_forms
+from verification.scene_runs import Run, joint_of, load
 from verification.stability.cells import Exact
-from verification.stability.scenes import joint_of
-from verification.timed_run import Trial
 
 
-def sheared(one: Trial) -> dict[str, Exact]:
+def sheared(one: Run) -> dict[str, Exact]:
     """Peak stress, and energy dissipated over the work done, of a joint under a constant compression."""
-    loaded = scene.load(one.case, one.knobs)
+    loaded = load(one.scene, one.knobs)
     assert loaded.drive is not None
-    law, joint = loaded.contact["unit_unit"].law, joint_of(one.case, one.knobs)
+    law, joint = loaded.contact["unit_unit"].law, joint_of(one.scene, one.knobs)
     area = one.summary["section_m2"]
     sigma = pressure(one, area)
     slip = loaded.drive.farthest
@@ -27,16 +25,16 @@ def sheared(one: Trial) -> dict[str, Exact]:
     }
 
 
-def sheared_over_plastic_slip(one: Trial) -> dict[str, Exact]:
+def sheared_over_plastic_slip(one: Run) -> dict[str, Exact]:
     """As `sheared`, for the exponential law over the plastic slip p: tau = residual + (peak - residual) e^(-c0 p/G).
 
     The slip of the drive is tau/ks + p; the energy is the integral of tau dp.
     """
     from scipy.optimize import brentq
 
-    loaded = scene.load(one.case, one.knobs)
+    loaded = load(one.scene, one.knobs)
     assert loaded.drive is not None and loaded.contact["unit_unit"].law == "exponential"
-    joint, area = joint_of(one.case, one.knobs), one.summary["section_m2"]
+    joint, area = joint_of(one.scene, one.knobs), one.summary["section_m2"]
     sigma, slip = pressure(one, area), loaded.drive.farthest
     energy, residual = float(joint.mode_2_energy(sigma)), float(joint.residual(sigma))
     drop = float(joint.peak(sigma)) - residual
@@ -53,21 +51,21 @@ def sheared_over_plastic_slip(one: Trial) -> dict[str, Exact]:
     }
 
 
-def pressure(one: Trial, area: float) -> float:
+def pressure(one: Run, area: float) -> float:
     """Compression (Pa) of the joint: the dead load on the top over the joint's area."""
-    loaded = scene.load(one.case, one.knobs)
+    loaded = load(one.scene, one.knobs)
     top = area if loaded.specimen.kind != "boxes" else float(loaded.specimen.box[1].size[0]) ** 2
     return -float(loaded.traction[0].stress.z) * top / area
 
 
-def torn(one: Trial) -> dict[str, Exact]:
+def torn(one: Run) -> dict[str, Exact]:
     """Peak force and dissipated energy of blocks pulled apart at one joint; the drive carries the top's weight too.
 
     Held for openings at which next to nothing of the strength is left, so that other joints matter no more.
     """
-    loaded = scene.load(one.case, one.knobs)
+    loaded = load(one.scene, one.knobs)
     assert loaded.drive is not None and loaded.specimen.kind == "boxes"
-    law, joint = loaded.contact["unit_unit"].law, joint_of(one.case, one.knobs)
+    law, joint = loaded.contact["unit_unit"].law, joint_of(one.scene, one.knobs)
     area = one.summary["section_m2"]
     opened = loaded.drive.farthest
     peak = float(closed_forms.tension(law, joint, min(opened, joint.opening_at_peak)))

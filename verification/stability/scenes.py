@@ -1,36 +1,15 @@
 """The scenes of the maps, and the knobs that put them at their limits."""
 
-from pathlib import Path
 from typing import Any
 
-from masonry import scene
 from verification.references.closed_forms import Joint
+from verification.scene_runs import joint_of
 
-HERE = Path(__file__).parent
-COUPLET, PAIR, CHAIN = "couplet", str(HERE / "pair.toml"), str(HERE / "chain.toml")
+COUPLET, PAIR, CHAIN = "couplet", "pair", "chain"
 JOINT = "contact.unit_unit"
 WIDTHS = 8.0
 """Softening widths that a drive goes beyond the peak."""
 Knobs = dict[str, Any]
-
-
-def joint_of(name: str, knobs: Knobs) -> Joint:
-    """The joint of a scene in the paper's letters."""
-    contact = scene.load(name, knobs).contact["unit_unit"]
-    return Joint(
-        kn=contact.normal_stiffness,
-        ks=contact.shear_stiffness,
-        fT=contact.tensile_strength or 0.0,
-        c0=contact.cohesion or 0.0,
-        tan0=contact.tan_friction or 0.0,
-        c_res=contact.residual_cohesion or 0.0,
-        tan_res=contact.tan_residual_friction or 0.0,
-        G_I=contact.fracture_energy_mode_1 or 0.0,
-        G_II=contact.fracture_energy_mode_2 or 0.0,
-        G_II_slope=contact.fracture_energy_mode_2_slope or 0.0,
-        alpha=contact.exponent_tension or 0.0,
-        beta=contact.exponent_shear or 0.0,
-    )
 
 
 def pascals(**keys: float) -> Knobs:

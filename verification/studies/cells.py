@@ -10,7 +10,7 @@ from geometry.blocks import CellReport
 from geometry.cells.domain import box_domain
 from geometry.cells.power import tessellate
 from geometry.cells.power_blocks import cell_volumes, to_blocks
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.joints.find import find_joints
 from geometry.joints.quality import radius_ratios
 from geometry.meshes.tetrahedralise import mesh_blocks
@@ -32,7 +32,7 @@ class Case:
     name: str
     low: np.ndarray
     high: np.ndarray
-    asked: CellsAsked
+    asked: CellRequest
     neper: str
     edge: float = 0.35
     small: float = 0.0
@@ -50,13 +50,13 @@ def cases() -> list[Case]:
     bed = np.array([[0.0, 0.0, 0.05]]), np.array([[0.2, 0.005, 0.065]])
     brick = np.zeros((1, 3)), np.array([[0.23, 0.114, 0.065]])
     plane = [
-        Case(f"wallette, {n}", bond.low, bond.high, CellsAsked(total=n), "0.15 to 0.34; some", meshed=n != 335)
+        Case(f"wallette, {n}", bond.low, bond.high, CellRequest(total=n), "0.15 to 0.34; some", meshed=n != 335)
         for n in (218, 335, 540)
     ]
-    mortar = [Case(f"mortar bed 200 x 15 mm, {n}", *bed, CellsAsked(total=n), "-") for n in (100, 300)]
-    many = CellsAsked(total=540, space=True)
+    mortar = [Case(f"mortar bed 200 x 15 mm, {n}", *bed, CellRequest(total=n), "-") for n in (100, 300)]
+    many = CellRequest(total=540, space=True)
     space = [
-        Case("brick in space, 218", *brick, CellsAsked(total=218, space=True), "0.09 to 0.2; 5 %", meshed=True),
+        Case("brick in space, 218", *brick, CellRequest(total=218, space=True), "0.09 to 0.2; 5 %", meshed=True),
         Case("brick in space, 540", *brick, many, "0.04 to 0.07; 4 to 5 %", edge=0.3, small=0.05, size=0.02),
     ]
     return plane + mortar + space
@@ -65,14 +65,6 @@ def cases() -> list[Case]:
 def chapter(tell: Callable[[str], None]) -> page.Chapter:
     """Tables of cells and of tets; a verdict on each."""
     made = page.Chapter("Cells")
-    made.parts.append(
-        page.paragraph(
-            "Units and beds are divided into power diagrams, whose cells are convex with planar faces. Lengths are in "
-            "h, the root of the mean area of a cell or the cube root of its mean volume. An edge is small below "
-            "0.125 h in a plane and 0.25 h in space. Worst of "
-            f"{SEEDS} seeds; the seconds are those of a shared machine. Neper's figures are of version 4.10."
-        )
-    )
     rows, tets = [], []
     met: list[bool] = []
     ratios: list[float] = []
@@ -83,40 +75,45 @@ def chapter(tell: Callable[[str], None]) -> page.Chapter:
         made.records += [{"case": case.name, "seed": k, **vars(r)} for k, r in enumerate(reports)]
         if case.meshed:
             tets.append(_meshed(case, ratios))
-    header = ["cells", "shortest / mean edge", "small edges", "size error", "shortest joint piece", "seconds", "Neper"]
-    made.parts.append(page.table(header, rows, "Cells: worst of all seeds"))
-    made.parts.append(page.table(["cells", "tets", "ms a block", "worst radius ratio"], tets, "Tets of 0.55 h by gmsh"))
     tell("cells: 50,000 tessellated")
-    made.parts.append(page.paragraph(_many(50_000)))
+    header = ["cells", "shortest / mean edge", "small edges", "size error", "shortest joint piece", "seconds", "Neper"]
+    made.add(
+        INTRODUCTION,
+        page.table(header, rows, "Cells: worst of all seeds"),
+        page.table(["cells", "tets", "ms a block", "worst radius ratio"], tets, "Tets of 0.55 h by gmsh"),
+        _many(50_000),
+    )
     least = min(ratios)
-    made.verdicts += [
-        page.Verdict("Cells", "ok" if all(met) else "bad", f"{sum(met)} of {len(met)} limits are kept."),
-        page.Verdict(
-            "Tets in cells", "ok" if least >= ROUND else "bad", f"Least radius ratio {least:.2f}; {ROUND:g} is sought."
-        ),
-    ]
+    made.judge("Cells", all(met), f"{sum(met)} of {len(met)} limits are kept.")
+    made.judge("Tets in cells", least >= ROUND, f"Least radius ratio {least:.2f}; {ROUND:g} is sought.")
     return made
 
 
+INTRODUCTION = (
+    "Units and beds are divided into power diagrams, whose cells are convex with planar faces. Lengths are in h, the "
+    "root of the mean area of a cell or the cube root of its mean volume. An edge is small below 0.125 h in a plane "
+    f"and 0.25 h in space. Worst of {SEEDS} seeds; the seconds are those of a shared machine. Neper's figures are of "
+    "version 4.10."
+)
+
+
 def _divided(case: Case, seed: int):
-    asked = CellsAsked(total=case.asked.total, space=case.asked.space, seed=seed)
+    asked = CellRequest(total=case.asked.total, space=case.asked.space, seed=seed)
     return fill_with_cells(case.low, case.high, asked, "units")
 
 
 def _row(case: Case, reports: list[CellReport], met: list[bool]) -> list[page.Cell | str]:
     edge, small = min(r.shortest_over_mean for r in reports), max(r.small_edges for r in reports)
     size, joints = max(r.size_error for r in reports), [r.shortest_joint for r in reports if r.shortest_joint]
-    good = [edge >= case.edge, small <= case.small, size <= case.size]
-    cells = [
-        page.Cell(f"{edge:.2f}", "ok" if good[0] else "bad", f"sought {case.edge:g}"),
-        page.Cell(page.percent(small), "ok" if good[1] else "bad", f"sought {page.percent(case.small)}"),
-        page.Cell(f"{size:.0e}", "ok" if good[2] else "bad", f"sought {case.size:g}"),
-        page.Cell("-"),
+    asked = [
+        (f"{edge:.2f}", edge >= case.edge, f"{case.edge:g}"),
+        (page.percent(small), small <= case.small, page.percent(case.small)),
+        (f"{size:.0e}", size <= case.size, f"{case.size:g}"),
     ]
-    if joints:
-        good.append(min(joints) >= case.joint)
-        cells[3] = page.Cell(f"{min(joints):.2f} h", "ok" if good[3] else "bad", f"sought {case.joint:g} h")
-    met += good
+    asked += [(f"{min(joints):.2f} h", min(joints) >= case.joint, f"{case.joint:g} h")] if joints else []
+    met += [good for _, good, _ in asked]
+    cells = [page.judged(text, good, f"sought {sought}") for text, good, sought in asked]
+    cells += [] if joints else [page.Cell("-")]
     return [case.name, *cells, f"{max(r.seconds for r in reports):.2g}", case.neper]
 
 
@@ -128,7 +125,7 @@ def _meshed(case: Case, ratios: list[float]) -> list[page.Cell | str | int]:
     each = 1e3 * (time.perf_counter() - begin) / blocks.count
     worst = float(radius_ratios(mesh).min())
     ratios.append(worst)
-    ratio = page.Cell(f"{worst:.3f}", "ok" if worst >= ROUND else "bad", f"sought {ROUND:g}")
+    ratio = page.judged(f"{worst:.3f}", worst >= ROUND, f"sought {ROUND:g}")
     return [case.name, len(mesh.tets), f"{each:.1f}", ratio]
 
 

@@ -1,14 +1,15 @@
 """The couplet against its closed form: laws x confinements x kinematics, the whole curve."""
 
+import itertools
 import math
 from collections.abc import Callable
 
 import numpy as np
 
-from verification import timed_run as trial
+from verification import timed_run
 from verification.convergence.joint_in_shear import exact_stress, exact_values
 from verification.html import figures, page
-from verification.timed_run import Trial
+from verification.scene_runs import Run
 
 ORDER = 10
 LAWS = ("linear", "polynomial", "exponential")
@@ -19,7 +20,7 @@ TOLERANCE = {"peak": 1e-3, "residual": 1e-3, "curve": 5e-3, "dissipated": 1e-3}
 WORDS = {"peak": "peak", "residual": "final stress", "curve": "whole curve", "dissipated": "dissipated energy"}
 
 
-def errors(one: Trial) -> tuple[dict[str, tuple[float, float, float]], tuple[np.ndarray, np.ndarray, np.ndarray]]:
+def errors(one: Run) -> tuple[dict[str, tuple[float, float, float]], tuple[np.ndarray, np.ndarray, np.ndarray]]:
     """(quantity -> (value, reference, scale), (slip m, tau Pa, closed form Pa) at the rows).
 
     The curve's value is its largest distance from the closed form, in shares of the peak.
@@ -27,7 +28,7 @@ def errors(one: Trial) -> tuple[dict[str, tuple[float, float, float]], tuple[np.
     exact = exact_values(one)
     moving = one.rows["displacement"] > 0.0
     slip, tau = one.rows["displacement"][moving], one.rows["stress"][moving]
-    closed = exact_stress(one.case, one.knobs, slip)
+    closed = exact_stress(one.scene, one.knobs, slip)
     off = float(np.abs(tau - closed).max() / exact["peak"])
     quantities = {
         "peak": (one.value("peak"), exact["peak"], 0.0),
@@ -48,37 +49,36 @@ def chapter(
     made = page.Chapter("Couplet against closed forms")
     worst = dict.fromkeys(TOLERANCE, 0.0)
     panels: dict[str, list[tuple[str, np.ndarray, np.ndarray, np.ndarray]]] = {}
-    rows = []
-    for law in laws:
-        for motion in kinematics:
-            tell(f"couplet: {law}, {motion}")
-            for confinement in confinements:
-                one = trial.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement, **FINE})
-                cells: list[str | page.Cell] = [law, motion, confinement]
-                if not one.ok:
-                    worst = dict.fromkeys(TOLERANCE, math.inf)
-                    rows.append([*cells, page.Cell(one.status, "bad", page.short(one.reason))])
-                    continue
-                quantities, (slip, tau, closed) = errors(one)
-                for name, (value, reference, scale) in quantities.items():
-                    entry = trial.record(one, name, value, reference, "closed form", scale)
-                    made.records.append(entry)
-                    worst[name] = max(worst[name], abs(entry["error"]))
-                    kind = "ok" if abs(entry["error"]) <= TOLERANCE[name] else "bad"
-                    cells.append(page.Cell(page.percent(entry["error"]), kind))
-                rows.append([*cells, f"{one.seconds:.2g} s"])
-                if motion == kinematics[0]:
-                    panels.setdefault(law, []).append((confinement, 1e3 * slip, 1e-6 * tau, 1e-6 * closed))
+    rows: list[list[str | page.Cell]] = []
+    for law, motion, confinement in itertools.product(laws, kinematics, confinements):
+        tell(f"couplet: {law}, {motion}, {confinement}")
+        one = timed_run.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement, **FINE})
+        rows.append([law, motion, confinement])
+        if not one.ok:
+            worst = dict.fromkeys(TOLERANCE, math.inf)
+            rows[-1].append(page.judged(one.status, False, page.short(one.reason)))
+            continue
+        quantities, (slip, tau, closed) = errors(one)
+        for name, (value, reference, scale) in quantities.items():
+            entry = timed_run.record(one, name, value, reference, "closed form", scale)
+            made.records.append(entry)
+            off = abs(entry["error"])
+            worst[name] = max(worst[name], off)
+            rows[-1].append(page.judged(page.percent(entry["error"]), off <= TOLERANCE[name]))
+        rows[-1].append(f"{one.seconds:.2g} s")
+        if motion == kinematics[0]:
+            panels.setdefault(law, []).append((confinement, 1e3 * slip, 1e-6 * tau, 1e-6 * closed))
     header = ["law", "units", "confinement", *(f"{w} (limit {page.percent(TOLERANCE[k])})" for k, w in WORDS.items())]
-    made.parts += [page.paragraph(INTRODUCTION)]
-    if panels:
-        caption = f"Shear stress against slip, {kinematics[0]} units: the run as a line, the closed form as dots."
-        made.parts.append(page.picture(figures.curves(panels), caption))
-    made.parts.append(page.table([*header, "stepping"], rows, "Signed error against the closed form; curve: largest."))
+    caption = f"Shear stress against slip, {kinematics[0]} units: the run as a line, the closed form as dots."
+    made.add(
+        INTRODUCTION,
+        page.picture(figures.curves(panels), caption) if panels else "",
+        page.table([*header, "stepping"], rows, "Signed error against the closed form; curve: largest."),
+    )
     held = all(worst[name] <= limit for name, limit in TOLERANCE.items())
     said = ", ".join(f"{words} {page.percent(worst[name])}" for name, words in WORDS.items())
     sentence = f"Couplet, {len(rows)} combinations of law, confinement and kinematics; largest errors: {said}."
-    made.verdicts.append(page.Verdict("Closed forms", "ok" if held else "bad", sentence))
+    made.judge("Closed forms", held, sentence)
     return made
 
 

@@ -4,9 +4,9 @@ from collections.abc import Callable, Sequence
 
 from masonry.runtime.progress import duration
 from verification.html import figures, page
-from verification.ladder import Point, Problem, Reference, front, is_setting, time_to
-from verification.studies import ladders_of_cases, threads
-from verification.studies.ladders import Study, problems
+from verification.problem import Point, Problem, Reference, front, is_setting, time_to
+from verification.studies import problems_of_cases, threads
+from verification.studies.refinement import Study, anchor, problems
 
 ORDER = 20
 TARGETS = (0.01, 0.001)
@@ -16,38 +16,29 @@ NEAR, FELT = 1.5, 0.1
 
 
 def chapter(tell: Callable[[str], None], chosen: Sequence[Problem] | None = None) -> page.Chapter:
-    """Each problem: the ladders of its knobs, drawn and tabled; verdicts on the shipped setting."""
+    """Each problem: the refinements of its knobs, drawn and tabled; verdicts on the shipped setting."""
     made = page.Chapter("Error against run time")
-    made.parts += [page.paragraph(text) for text in INTRODUCTION]
-    summary: list[list[str | page.Cell | page.Link]] = []
-    pages: list[str] = []
-    studies: list[Study] = []
-    worst, slow = 0.0, []
-    for problem in problems() if chosen is None else chosen:
-        study = Study(problem, tell)
-        studies.append(study)
-        made.records += [*study.records, *threads.records(study)]
-        points = study.points()
-        shipped = next((p for p in points if (p.knob, p.label) == problem.shipped), None)
-        if shipped is not None:
-            worst = max(worst, shipped.error + study.doubt)
-            slow += [] if near(shipped, points, study.doubt) else [problem.title]
-        summary.append(row(problem, points, shipped, study.doubt))
-        pages += section(study, choice(points, shipped, study.doubt))
+    studies = [Study(problem, tell) for problem in (problems() if chosen is None else chosen)]
+    made.records += [record for study in studies for record in (*study.records, *threads.records(study))]
+    shipped = [(study, one) for study in studies if (one := study.shipped)]
     header = ["problem", "as shipped", "quickest of that error", "time to 1 %", "time to 0.1 %", "settings"]
     caption = "The largest error over all quantities of a problem, and seconds of stepping on one thread"
-    made.parts += [page.table(header, summary, caption), ladders_of_cases.table(), *pages]
-    kind = "ok" if worst <= 0.01 else "warn" if worst <= 0.03 else "bad"
-    sentence = (
-        f"At the shipped loading all quantities of {len(summary)} problems are within {page.percent(worst)} of their "
-        f"references (the references' doubt included)."
+    made.add(*INTRODUCTION, page.table(header, map(row, studies), caption), problems_of_cases.table())
+    for study in studies:
+        made.add(*section(study))
+    worst = max((one.error + study.doubt for study, one in shipped), default=0.0)
+    made.judge(
+        "Loading rate",
+        "ok" if worst <= 0.01 else "warn" if worst <= 0.03 else "bad",
+        f"At the shipped loading all quantities of {len(studies)} problems are within {page.percent(worst)} of their "
+        f"references (the references' doubt included).",
     )
-    made.verdicts.append(page.Verdict("Loading rate", kind, sentence))
+    slow = [study.problem.title for study, one in shipped if not near(one, study.points(), study.doubt)]
     words = (
         f"It takes more than {NEAR:g} times as long as the quickest setting of the same error in: {', '.join(slow)}."
     )
     fine = f"In all problems it takes at most {NEAR:g} times as long as the quickest setting of the same error."
-    made.verdicts.append(page.Verdict("Shipped settings", "warn" if slow else "ok", words if slow else fine))
+    made.judge("Shipped settings", "warn" if slow else "ok", words if slow else fine)
     made.verdicts += threads.verdict(studies)
     return made
 
@@ -63,51 +54,53 @@ def near(shipped: Point, points: list[Point], doubt: float) -> bool:
     return shipped.seconds <= NEAR * quickest or shipped.seconds - quickest <= FELT
 
 
-def row(
-    problem: Problem, points: list[Point], shipped: Point | None, doubt: float
-) -> list[str | page.Cell | page.Link]:
+def row(study: Study) -> list[str | page.Cell | page.Link]:
     """A problem in the table of them all."""
-    cells: list[str | page.Cell | page.Link] = [page.Link(problem.title, f"ladder-{problem.name}")]
-    if shipped is None:
-        cells += ["-", "-"]
-    else:
-        kind = "ok" if shipped.error <= 0.01 else "warn"
-        cells.append(page.Cell(f"{shipped.seconds:.2g} s", kind, f"error {page.percent(shipped.error)}"))
+    problem, points, shipped, doubt = study.problem, study.points(), study.shipped, study.doubt
+    cells: list[str | page.Cell | page.Link] = [page.Link(problem.title, anchor(problem)), "-", "-"]
+    if shipped is not None:
         best = min(equals(shipped, points, doubt), key=lambda p: p.seconds)
         ratio = f"{shipped.seconds / best.seconds:.2g} times quicker, {best.knob} {best.label}"
-        cells.append(
-            page.Cell(
-                f"{best.seconds:.2g} s",
-                "ok" if near(shipped, points, doubt) else "warn",
-                "the shipped one" if best == shipped else ratio,
-            )
-        )
+        said = "the shipped one" if best == shipped else ratio
+        cells[1:] = [
+            page.judged(_seconds(shipped), _care(shipped.error <= 0.01), f"error {page.percent(shipped.error)}"),
+            page.judged(_seconds(best), _care(near(shipped, points, doubt)), said),
+        ]
     for target in TARGETS:
         good = [p for p in points if p.error <= target] if doubt <= target else []
-        best_of = min(good, key=lambda p: p.seconds, default=None)
+        quickest = min(good, key=lambda p: p.seconds, default=None)
+        why = "not reached" if doubt <= target else f"reference to {page.percent(doubt)}"
         cells.append(
-            page.Cell(f"{best_of.seconds:.2g} s", "", f"{best_of.knob} {best_of.label}")
-            if best_of
-            else page.Cell("-", "none", "not reached" if doubt <= target else f"reference to {page.percent(doubt)}")
+            page.Cell(_seconds(quickest), "", f"{quickest.knob} {quickest.label}")
+            if quickest
+            else page.Cell("-", "none", why)
         )
     return [*cells, str(len(points))]
 
 
-def section(study: Study, words: str) -> list[str]:
+def _seconds(point: Point) -> str:
+    return f"{point.seconds:.2g} s"
+
+
+def _care(good: bool) -> str:
+    return "ok" if good else "warn"
+
+
+def section(study: Study) -> list[str]:
     """What to choose, the pictures, the reference, the table of times."""
     problem = study.problem
     panels = {q: study.lines(q) for q in problem.units}
-    fronts = {q: front([Point(k, t, s, 0, abs(e)) for k, rungs in lines.items() if is_setting(k)
-                        for s, e, t in rungs]) for q, lines in panels.items()}  # fmt: skip
+    fronts = {q: front([Point(k, t, s, 0, abs(e)) for k, points in lines.items() if is_setting(k)
+                        for s, e, t in points]) for q, lines in panels.items()}  # fmt: skip
     caption = (
-        f"{problem.title}: error against seconds of stepping. Labels name the rung; the grey line joins the settings "
+        f"{problem.title}: error against seconds of stepping. Labels name the setting; the grey line joins the ones "
         "that no other one beats; shaded: what the reference may be off by. Errors below "
         f"{page.percent(FLOOR)} are drawn there."
     )
     drawn = figures.error_against_time(panels, [study.doubts[q] for q in panels], FLOOR, fronts)
     return [
-        page.heading(problem.title, f"ladder-{problem.name}"),
-        page.paragraph(words, "lead"),
+        page.heading(problem.title, anchor(problem)),
+        page.paragraph(choice(study.points(), study.shipped, study.doubt), "lead"),
         page.picture(drawn, caption),
         reference_line(problem, study.references),
         times(study),
@@ -142,7 +135,7 @@ def times(study: Study) -> str:
                 )
         rows.append(cells)
     header = ["knob", *(f"{words} to {page.percent(t)}" for words in by_quantity for t in TARGETS)]
-    return page.table(header, rows, "Least time to come, and on all finer rungs to stay, this near to the reference")
+    return page.table(header, rows, "Least time to come, and at all finer settings to stay, this near to the reference")
 
 
 def choice(points: list[Point], shipped: Point | None, doubt: float) -> str:
@@ -167,8 +160,8 @@ def told(point: Point) -> str:
 
 
 INTRODUCTION = (
-    "Each point is one run. To the left is quicker, lower is better. One line climbs one knob from coarse to fine and "
-    "leaves the others as they are; knobs other than the loading are climbed at a constant rate, which sets a floor "
+    "Each point is one run. To the left is quicker, lower is better. One line refines one knob and "
+    "leaves the others as they are; knobs other than the loading are refined at a constant rate, which sets a floor "
     "under their errors. The dotted line is 1 %. Full lines are errors in solving the model. Dashed lines change the "
     "model itself: they show how far another model is from the shipped one, and need not go to zero. Seconds are those "
     "of stepping, on one thread but where threads are the knob, the least of three runs where a run takes less than "

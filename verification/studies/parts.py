@@ -17,8 +17,8 @@ from masonry.model.arrays import Bodies, Groups, in_rows, memory_of, own_memory
 from masonry.model.loads import Program
 from masonry.model.model import Model
 from masonry.timeloop.compiled_step import advance_model
-from verification import timed_run as trial
 from verification.convergence.joint_in_tension import SCENE as PULLED
+from verification.scene_runs import load
 
 STEPS = 4000
 WALL: dict[str, Any] = {
@@ -55,7 +55,7 @@ class Part:
 
     def models(self) -> tuple[Assembly, Assembly]:
         """(reduced, full), at rest."""
-        both = [assemble(trial.load(self.scene, keys)) for keys in (self.reduced, self.full)]
+        both = [assemble(load(self.scene, keys)) for keys in (self.reduced, self.full)]
         for assembly, change in zip(both, (self.drop, self.change), strict=True):
             if change is not None:
                 change(assembly.model)

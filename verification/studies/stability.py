@@ -1,9 +1,10 @@
 """Stability: maps of knobs at their limits; every cell is right, or says why it is not."""
 
+from collections import Counter
 from collections.abc import Callable
 
 from verification.html import page
-from verification.stability import suite
+from verification.stability import maps
 from verification.stability.cells import Grid, Outcome
 from verification.stability.drawing import heat_map, written
 
@@ -14,34 +15,37 @@ Tell = Callable[[str], None]
 def chapter(tell: Tell, chosen: list[Grid] | None = None, full: bool = True) -> page.Chapter:
     """All maps as pictures, each with a table of what was said."""
     made = page.Chapter("Stability and extremes")
-    made.parts.append(page.paragraph(INTRODUCTION))
-    counts: dict[str, int] = {}
-    for grid in suite.cells(full) if chosen is None else chosen:
-        if not grid.cells:
-            continue
-        tell(f"stability: {grid.title}")
-        outcomes = suite.run(grid)
-        for outcome in outcomes:
-            counts[outcome.kind] = counts.get(outcome.kind, 0) + 1
-            made.records += outcome.records
-        made.parts += parts_of(grid, outcomes)
-    made.verdicts.append(verdict(counts))
+    made.add(INTRODUCTION)
+    kinds: Counter[str] = Counter()
+    for grid in maps.all_grids(full) if chosen is None else chosen:
+        if grid.cells:
+            tell(f"stability: {grid.title}")
+            outcomes = maps.run(grid)
+            kinds.update(outcome.kind for outcome in outcomes)
+            made.records += [record for outcome in outcomes for record in outcome.records]
+            made.add(*parts_of(grid, outcomes))
+    sentence = (
+        f"{kinds.total()} runs at and beyond the limits: {kinds['ok']} right, {kinds['warn']} to be read with care, "
+        f"{kinds['stop']} refused or stopped with a reason, {kinds['bad']} wrong without a word, not finite, or not "
+        "refused where they must be."
+    )
+    made.judge("Stability", not kinds["bad"], sentence)
     return made
 
 
 def parts_of(grid: Grid, outcomes: list[Outcome]) -> list[str]:
     """Heading, note, picture, and the table of the reasons: what is red is open, the others are folded away."""
     caption = f"{grid.title}: colour, what became of each run; number and bar, its error against the {grid.against}."
-    parts = [page.heading(grid.title)]
-    parts += [page.paragraph(grid.note)] if grid.note else []
-    parts.append(page.picture(heat_map(grid, outcomes), caption))
     wrong = [outcome for outcome in outcomes if outcome.kind == "bad"]
-    if wrong:
-        parts.append(table_of(grid, wrong))
     spoken = [outcome for outcome in outcomes if outcome.reason and outcome.kind != "bad"]
-    if spoken:
-        parts.append(page.folded(f"What the program said in {len(spoken)} cells", table_of(grid, spoken)))
-    return parts
+    said = f"What the program said in {len(spoken)} cells"
+    return [
+        page.heading(grid.title),
+        grid.note,
+        page.picture(heat_map(grid, outcomes), caption),
+        table_of(grid, wrong) if wrong else "",
+        page.folded(said, table_of(grid, spoken)) if spoken else "",
+    ]
 
 
 def table_of(grid: Grid, outcomes: list[Outcome]) -> str:
@@ -51,18 +55,6 @@ def table_of(grid: Grid, outcomes: list[Outcome]) -> str:
         for o in outcomes
     ]
     return page.table([grid.row_title, grid.column_title, "status", "error", "reason"], rows)
-
-
-def verdict(counts: dict[str, int]) -> page.Verdict:
-    """One sentence on all cells."""
-    total = sum(counts.values())
-    bad, stopped = counts.get("bad", 0), counts.get("stop", 0)
-    sentence = (
-        f"{total} runs at and beyond the limits: {counts.get('ok', 0)} right, {counts.get('warn', 0)} to be read with "
-        f"care, {stopped} refused or stopped with a reason, {bad} wrong without a word, not finite, or not refused "
-        "where they must be."
-    )
-    return page.Verdict("Stability", "bad" if bad else "ok", sentence)
 
 
 INTRODUCTION = (

@@ -4,20 +4,21 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from verification import timed_run as trial
+from verification import timed_run
 from verification.html import page
 from verification.records import Record
-from verification.studies.ladders import Study
-from verification.timed_run import THREADS, Trial
+from verification.scene_runs import Run
+from verification.studies.refinement import Study
+from verification.timed_run import THREADS
 
 
-def apart(runs: Mapping[str, Trial]) -> dict[str, float]:
-    """Rung -> largest difference of any row from the first rung's, over the largest value of its kind; 0.0 if none."""
+def apart(runs: Mapping[str, Run]) -> dict[str, float]:
+    """Setting -> largest difference of any row from the first's, over the largest value of its kind; 0.0 if none."""
     first, *others = runs.items()
     return {label: _difference(first[1], one) for label, one in others}
 
 
-def _difference(one: Trial, other: Trial) -> float:
+def _difference(one: Run, other: Run) -> float:
     if not (one.ok and other.ok) or any(len(one.rows[key]) != len(other.rows[key]) for key in one.rows):
         return float("inf")
     worst = 0.0
@@ -30,9 +31,9 @@ def _difference(one: Trial, other: Trial) -> float:
 
 def records(study: Study) -> list[Record]:
     """One for each number of threads beyond the first."""
-    runs = study.trials.get(THREADS, {})
+    runs = study.runs.get(THREADS, {})
     return [
-        trial.record(runs[label], "rows against those of one thread", value, 0.0, "invariance", 1.0)
+        timed_run.record(runs[label], "rows against those of one thread", value, 0.0, "invariance", 1.0)
         | {"case": study.problem.name, "knob": THREADS, "rung": label}
         for label, value in (apart(runs) if runs else {}).items()
     ]
@@ -42,9 +43,9 @@ def verdict(studies: Sequence[Study]) -> list[page.Verdict]:
     """Whether all problems with this knob give the same bits, and what more threads gain; nothing where none has it."""
     told, worst = [], 0.0
     for study in studies:
-        runs = list(study.trials.get(THREADS, {}).values())
+        runs = list(study.runs.get(THREADS, {}).values())
         if runs:
-            worst = max(worst, *apart(study.trials[THREADS]).values())
+            worst = max(worst, *apart(study.runs[THREADS]).values())
             told.append(f"{study.problem.title} {runs[0].seconds / runs[-1].seconds:.2g}")
     if not told:
         return []

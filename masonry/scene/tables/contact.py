@@ -73,8 +73,8 @@ class Contact(Table):
     normal_dashpot: Dashpot | None = None
 
     @property
-    def own_keys(self) -> tuple[str, ...]:
-        """Keys that a law of another package adds (see own_keys.py)."""
+    def law_keys(self) -> tuple[str, ...]:
+        """Keys that a law of another package adds (see law_keys.py)."""
         return tuple(key for key in type(self).model_fields if key not in Contact.model_fields)
 
     def properties(self, turns_back: bool = False) -> dict[str, Any]:
@@ -83,7 +83,7 @@ class Contact(Table):
             *("law", "normal_stiffness", "shear_stiffness", "tensile_strength", "cohesion", "tan_friction"),
             *("residual_cohesion", "tan_residual_friction", "fracture_energy_mode_1", "fracture_energy_mode_2"),
             *("fracture_energy_mode_2_slope", "exponent_tension", "exponent_shear", "dilation_angle"),
-            *("dilation_cutoff", "unloading", "softening_variable", "coupling", *self.own_keys),
+            *("dilation_cutoff", "unloading", "softening_variable", "coupling", *self.law_keys),
         )
         found = {key: getattr(self, key) for key in keys}
         if self.normal_dashpot is not None:

@@ -15,7 +15,7 @@ from pydantic import (
 from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
 from masonry.laws import law_names
-from masonry.laws.plugins import all_law_names, outside_law
+from masonry.laws.plugins import all_law_names, plugin_law
 from masonry.quantity import KINDS, convert
 
 
@@ -24,7 +24,7 @@ def _law(value: Any) -> Any:
     if isinstance(value, str):
         if value in law_names():
             return value
-        if outside_law(value) is not None:
+        if plugin_law(value) is not None:
             return value
     raise PydanticKnownError("literal_error", {"expected": " or ".join(map(repr, all_law_names()))})
 

@@ -15,7 +15,7 @@ from geometry.cells.plane import areas_and_centroids, hold_sizes, plane_diagram
 from geometry.cells.plane_cells import divide_plane
 from geometry.cells.plane_domains import plane_domains
 from geometry.cells.plane_energy import Wishes, energy, tessellate
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import face_areas_normals_centroids, volumes
 from geometry.polyhedra.overlaps import check_overlaps
@@ -36,7 +36,7 @@ def modules() -> tuple[np.ndarray, np.ndarray]:
 
 
 def wall(total: int, seed: int = 0, **how):
-    return fill_with_cells(*modules(), CellsAsked(total=total, seed=seed, **how), "units")
+    return fill_with_cells(*modules(), CellRequest(total=total, seed=seed, **how), "units")
 
 
 @pytest.mark.parametrize("total", [218, 335, 540])
@@ -79,7 +79,7 @@ def test_the_joints_of_a_wall_of_cells_cover_its_inner_faces_once():
 @pytest.mark.parametrize("total", [100, 300])
 def test_a_mortar_bed_of_cells_has_no_short_edge(total):
     low, high = np.array([[0.0, 0.0, 0.05]]), np.array([[0.2, 0.005, 0.065]])
-    blocks, report = fill_with_cells(low, high, CellsAsked(total=total), "mortar")
+    blocks, report = fill_with_cells(low, high, CellRequest(total=total), "mortar")
     assert blocks.count == total and report.shortest_joint is None
     assert report.shortest_over_mean >= 0.35 and report.small_edges == 0.0 and report.size_error < 1e-9
 
@@ -96,20 +96,20 @@ def test_lognormal_sizes_have_the_spread_asked_for_and_are_met():
 def test_given_sizes_are_met_in_every_unit():
     low, high = np.array([[0.0, 0, 0], [1, 0, 0]]), np.array([[1.0, 1, 1], [2, 1, 1]])
     sizes = (1.0, 2.0, 3.0, 4.0, 5.0)
-    blocks, report = fill_with_cells(low, high, CellsAsked(total=10, sizes=sizes), "units")
+    blocks, report = fill_with_cells(low, high, CellRequest(total=10, sizes=sizes), "units")
     np.testing.assert_allclose(volumes(blocks).reshape(2, 5), [np.array(sizes) / 15] * 2, rtol=1e-9)
     assert report.small_edges == 0.0
 
 
 def test_own_sites_without_regularisation_give_their_voronoi_cells():
     site = [(0.25, 0.5, 0.25), (0.75, 0.5, 0.25), (0.25, 0.5, 0.75), (0.75, 0.5, 0.75)]
-    asked = CellsAsked(total=4, sites=tuple(site), laguerre=False, regularise=False)
+    asked = CellRequest(total=4, sites=tuple(site), laguerre=False, regularise=False)
     blocks, _ = fill_with_cells(np.zeros((1, 3)), np.ones((1, 3)), asked, "units")
     np.testing.assert_allclose(volumes(blocks), 0.25, rtol=1e-15)
     assert len(blocks.face_start) - 1 == 4 * 6, "four corners that meet in one point are no edge"
     rng = np.random.default_rng(3)
     site = rng.uniform(0, 1, (12, 3))
-    asked = CellsAsked(total=12, sites=tuple(map(tuple, site)), laguerre=False, regularise=False)
+    asked = CellRequest(total=12, sites=tuple(map(tuple, site)), laguerre=False, regularise=False)
     blocks, _ = fill_with_cells(np.zeros((1, 3)), np.ones((1, 3)), asked, "units")
     point = rng.uniform(0, 1, (2000, 2))
     nearest = np.argmin(np.linalg.norm(point[:, None] - site[None][:, :, [0, 2]], axis=2), axis=1)
@@ -219,17 +219,17 @@ def fingerprint(seed: int) -> str:
 )
 def test_what_cannot_be_divided_is_said(asked, words):
     with pytest.raises(GeometryError, match=words):
-        fill_with_cells(*modules(), CellsAsked(**asked), "units")
+        fill_with_cells(*modules(), CellRequest(**asked), "units")
 
 
 def test_exactly_one_way_to_say_how_many():
     with pytest.raises(GeometryError, match="exactly one"):
-        CellsAsked(total=3, size=0.1)
+        CellRequest(total=3, size=0.1)
     with pytest.raises(GeometryError, match="exactly one"):
-        CellsAsked()
+        CellRequest()
 
 
 def test_two_sites_in_one_place_are_refused():
-    asked = CellsAsked(total=2, sites=((0.3, 0.5, 0.4),) * 2, laguerre=False, regularise=False)
+    asked = CellRequest(total=2, sites=((0.3, 0.5, 0.4),) * 2, laguerre=False, regularise=False)
     with pytest.raises(GeometryError, match=r"the site at x = 0.3, z = 0.4 m has no cell"):
         fill_with_cells(np.zeros((1, 3)), np.ones((1, 3)), asked, "units")

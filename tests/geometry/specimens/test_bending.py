@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from geometry.blocks import GeometryError
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import bounds, volumes
 from geometry.specimens.bending import bending
@@ -33,7 +33,7 @@ def strips(specimen):
     return touched
 
 
-@pytest.mark.parametrize("filling", [(1, 1, 1), (4, 1, 2), CellsAsked(per_unit=8, seed=2)])
+@pytest.mark.parametrize("filling", [(1, 1, 1), (4, 1, 2), CellRequest(per_unit=8, seed=2)])
 def test_every_roller_touches_the_wall_in_a_strip_over_its_height(filling):
     specimen = bending(**WALL, divisions=filling)
     touched = strips(specimen)

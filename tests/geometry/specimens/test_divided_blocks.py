@@ -5,7 +5,7 @@ import pytest
 
 from geometry.blocks import GeometryError, Specimen
 from geometry.cells.domain import Domain
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.cells.space import divide_space
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import bounds, volumes
@@ -48,10 +48,10 @@ def areas(blocks):
 
 FILLINGS = {
     "grid": (2, 1, 3),
-    "cells of the plane": CellsAsked(total=30),
-    "cells in space": CellsAsked(per_unit=5, space=True),
-    "Voronoi cells in space": CellsAsked(per_unit=4, space=True, laguerre=False, regularise=False),
-    "cells of two sizes": CellsAsked(per_unit=3, sizes=(1.0, 2.0, 3.0)),
+    "cells of the plane": CellRequest(total=30),
+    "cells in space": CellRequest(per_unit=5, space=True),
+    "Voronoi cells in space": CellRequest(per_unit=4, space=True, laguerre=False, regularise=False),
+    "cells of two sizes": CellRequest(per_unit=3, sizes=(1.0, 2.0, 3.0)),
 }
 
 
@@ -83,10 +83,10 @@ def test_a_grid_in_boxes_is_that_of_a_built_wall():
 def test_given_sites_say_where_cells_lie(arch):
     inner = [tuple(voussoir(k)[0].mean(axis=0)) for k in range(ARCH)]
     more = (*inner, (1.1, 0.15, 0.1))
-    found = divided(arch, CellsAsked(total=6, sites=more, space=True, laguerre=False, regularise=False))
+    found = divided(arch, CellRequest(total=6, sites=more, space=True, laguerre=False, regularise=False))
     assert np.bincount(found.blocks.unit, minlength=13)[7:].tolist() == [2, 1, 1, 1, 1, 1]
     with pytest.raises(GeometryError, match=r"the site \(0, 0, 0\) m lies in no unit"):
-        divided(arch, CellsAsked(total=6, sites=(*inner, (0.0, 0.0, 0.0))))
+        divided(arch, CellRequest(total=6, sites=(*inner, (0.0, 0.0, 0.0))))
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.3, 1.1])
@@ -107,4 +107,4 @@ def test_what_cannot_be_divided_is_refused(arch):
     upright = prism([(0, 0), (1, 0), (0, 1)], 0.0, 1.0)
     foot = (CUBE - [0, 0, 1], QUADS)
     with pytest.raises(GeometryError, match="block 1 is no prism along y.*form = 'space'"):
-        divided(Specimen(polyhedra([foot, upright], ["a", "b"], [0, 1], ["feet", "units"])), CellsAsked(total=3))
+        divided(Specimen(polyhedra([foot, upright], ["a", "b"], [0, 1], ["feet", "units"])), CellRequest(total=3))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from geometry.blocks import GeometryError
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import bounds, volumes
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
@@ -50,7 +50,7 @@ def test_the_layers_of_a_prism_meet_over_their_whole_area(mortar):
 
 
 def test_a_bed_of_cells_fills_the_space_between_the_units():
-    specimen = couplet(0.2, 0.005, 0.05, (1, 1, 1), (0.015, CellsAsked(total=100, seed=3)))
+    specimen = couplet(0.2, 0.005, 0.05, (1, 1, 1), (0.015, CellRequest(total=100, seed=3)))
     mortar = specimen.sets["mortar"]
     low, high = bounds(specimen.blocks)
     assert (len(mortar), [report.count for report in specimen.cells]) == (100, [100])
@@ -61,7 +61,7 @@ def test_a_bed_of_cells_fills_the_space_between_the_units():
 
 
 def test_the_cells_of_all_beds_are_shared_out_and_no_face_is_bent():
-    specimen = prism(3, *SIZE, CellsAsked(per_unit=6), (0.01, CellsAsked(total=50)))
+    specimen = prism(3, *SIZE, CellRequest(per_unit=6), (0.01, CellRequest(total=50)))
     assert [len(specimen.sets[name]) for name in ("unit 1", "unit 2", "unit 3", "mortar")] == [6, 6, 6, 50]
     assert [report.count for report in specimen.cells] == [18, 50]
     blocks = specimen.blocks

@@ -9,7 +9,7 @@ import pytest
 from masonry import scene
 from verification.paper import page
 from verification.paper.catalogue import catalogue
-from verification.paper.couplets import beds, energies, failure, laws, measures, mortar, printed
+from verification.paper.couplets import beds, cells, energies, laws, measures, mortar, printed
 from verification.paper.couplets.laws import CONFINEMENTS, LAWS, joint, name
 from verification.paper.experiment import Claim, Done, Section, Shown
 from verification.references.closed_forms import Joint, dissipated_in_shear, shear, shear_area, shear_work
@@ -201,8 +201,8 @@ def test_the_stress_on_interfaces_is_weighed_by_area_in_the_frame_nearest_to_the
     )
     found = measures.interfaces(one)
     assert (found.scatter, found.tension, found.softened) == pytest.approx((np.sqrt(0.75), 0.25, 0.75))
-    assert failure.uneven({"one": (found, 1.0)}).holds
-    assert failure.uneven({"one": (found, 10.0)}).holds is False
+    assert cells.uneven({"one": (found, 1.0)}).holds
+    assert cells.uneven({"one": (found, 10.0)}).holds is False
 
 
 @pytest.mark.parametrize("experiment", ["couplet", "meso-couplet"])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from masonry import scene
-from masonry.pictures.cracks import back_view, front_view
+from masonry.pictures.camera import back_view, front_view
 from tests.results.sample import DEPTH, HEIGHT
 from tests.verification.paper.test_crack_paths import parted
 from verification.paper.bending.by_hand import Wall, edge_moment, wall_of

@@ -8,7 +8,7 @@ from masonry import scene
 from masonry.errors import SceneError
 from tests.results.sample import sample
 from verification.paper import catalogue, command, gathering, page
-from verification.paper.experiment import ACCURACY, Claim, Done, Experiment, Missing, Run, Section, Shown
+from verification.paper.experiment import ACCURACY, Claim, Done, Experiment, Missing, Run, Section, Shown, claim
 from verification.paper.experiments import sensitivity
 from verification.paper.soundness import HALVED, soundness
 from verification.paper.variations import assumed, options
@@ -24,6 +24,14 @@ def test_every_run_of_the_paper_is_a_scene_that_can_be_read(name, quick):
     assert runs
     for run in runs.values():
         assert scene.load(run.scene, run.settings).name == run.scene
+
+
+def test_a_claim_says_why_only_where_it_does_not_hold_and_parts_numbers_from_percent_signs():
+    held = claim("it holds", "1", "within 5%", "3.1%", True, "nothing")
+    assert (held.check, held.measured, held.why) == ("within 5 %", "3.1 %", "")
+    assert claim("lost", "1", "-", "-", None, "10% are lost").why == "10 % are lost"
+    with pytest.raises(ValueError, match="say why"):
+        claim("it fails", "1", "-", "-", False)
 
 
 def test_a_quick_look_asks_for_fewer_runs_than_the_whole():

@@ -10,7 +10,7 @@ Linear law, of which nothing is left at the end: at e = kappa, half and a tenth 
 Reference: the rule of the errata, "torn faces lose the residual cohesion as they open, and find it again on closing".
 """
 
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings
 from verification.fixtures.one_contact import along, law, walk
 from verification.fixtures.single_tension import ROUNDING, UM
 from verification.references.closed_forms import Joint, tension
@@ -40,15 +40,11 @@ def run() -> Findings:
             alone = JOINT.c_res - left * share * JOINT.tan_res
             for coupling, wanted in (("combined", lost), ("independent", max(alone, 0.0))):
                 where = f"torn to {kappa / UM:g} um, at {share:g} of it, {coupling}"
-                found.checks.append(
-                    Check(f"shear stress, {where}", "Pa", slid(kappa, e, coupling), wanted, "closed form", 1e-12, 1e-14,
-                          ROUNDING, JOINT.c_res)
-                )  # fmt: skip
+                found.check(f"shear stress, {where}", "Pa", slid(kappa, e, coupling), wanted, "closed form", 1e-12,
+                            1e-14, ROUNDING, JOINT.c_res)  # fmt: skip
         wanted = JOINT.c_res + JOINT.kn * PRESSED * JOINT.tan_res
-        found.checks.append(
-            Check(f"shear stress, torn to {kappa / UM:g} um, pressed", "Pa", slid(kappa, -PRESSED, "combined"), wanted,
-                  "closed form", 1e-12, 1e-14, ROUNDING)
-        )  # fmt: skip
+        found.check(f"shear stress, torn to {kappa / UM:g} um, pressed", "Pa", slid(kappa, -PRESSED, "combined"),
+                    wanted, "closed form", 1e-12, 1e-14, ROUNDING)  # fmt: skip
     return found
 
 
@@ -59,5 +55,5 @@ CASE = Case(
     area="Contact laws",
     run=run,
     quick=True,
-    no_ladders="one contact point, driven by displacement: exact at any setting",
+    no_problems="one contact point, driven by displacement: exact at any setting",
 )

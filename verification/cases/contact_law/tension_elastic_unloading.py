@@ -14,27 +14,23 @@ Reference: incremental laws such as 3DEC's; eqs (7), (12), (14), (16) of the pap
 
 import numpy as np
 
-from verification.case import Case, Check, Findings
-from verification.fixtures.single_tension import WIDEST, cycle
-from verification.references.closed_forms import LAWS, Joint, tension
-
-JOINT = Joint()
+from verification.case import Case, Findings
+from verification.fixtures.single_tension import JOINT, WIDEST, cycle
+from verification.references.closed_forms import LAWS, tension
 
 
 def run() -> Findings:
     """The cycle of each law, and the opening that stays."""
     found = Findings()
     for name in LAWS:
-        walked = cycle(found, name, JOINT, "elastic")
+        walked = cycle(found, name, "elastic")
         opening, first = walked.path[:, 2], int(np.argmax(walked.path[:, 2] >= WIDEST))
         below = first + int(np.argmax(walked.sigma[first:] < 0.0))
         a, b = walked.sigma[below - 1], walked.sigma[below]
         stays = float(opening[below - 1] + (opening[below] - opening[below - 1]) * a / (a - b))
         wanted = WIDEST - float(tension(name, JOINT, WIDEST)) / JOINT.kn
-        found.checks.append(
-            Check(f"opening that stays, {name}", "m", stays, wanted, "closed form", 1e-12, 1e-14,
-                  "a straight line between two points: rounding")
-        )  # fmt: skip
+        found.check(f"opening that stays, {name}", "m", stays, wanted, "closed form", 1e-12, 1e-14,
+                    "a straight line between two points: rounding")  # fmt: skip
     return found
 
 
@@ -45,5 +41,5 @@ CASE = Case(
     area="Contact laws",
     run=run,
     quick=True,
-    no_ladders="one contact point, driven by displacement: exact at any setting",
+    no_problems="one contact point, driven by displacement: exact at any setting",
 )

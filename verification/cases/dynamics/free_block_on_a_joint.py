@@ -14,9 +14,9 @@ Reference: mechanics; sums over six and twelve freedoms.
 
 import numpy as np
 
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings
 from verification.checks.free_motion import glued
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 SIZE = np.array([0.2, 0.1, 0.08])
 SKEW = np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0.0, 0.15, 0.9]])
@@ -33,7 +33,7 @@ def by_hand() -> tuple[np.ndarray, np.ndarray]:
     """Mass (kg, kg m2) and stiffness (N/m, N, N m) of the twelve freedoms."""
     edges = SKEW * SIZE  # in columns
     volume, (a, b, c) = float(np.linalg.det(edges)), edges.T
-    mass = rig.STONE.density * volume
+    mass = models.STONE.density * volume
     spread = mass / 12 * edges @ edges.T
     inertia = np.zeros((12, 12))
     inertia[:3, :3], inertia[3:, 3:] = mass * EYE, np.kron(EYE, spread)
@@ -44,7 +44,7 @@ def by_hand() -> tuple[np.ndarray, np.ndarray]:
     slopes = [move(side) - move(0 * side) for side in (a, b)]
     parts = [(area, move(below)), *((area / 12, slope) for slope in slopes)]
     stiffness = sum(share * m.T @ glue @ m for share, m in parts)
-    lame, mu = rig.STONE.lame()
+    lame, mu = models.STONE.lame()
     own = lame * np.einsum("ij,kl->ijkl", EYE, EYE)
     own += mu * (np.einsum("ik,jl->ijkl", EYE, EYE) + np.einsum("il,jk->ijkl", EYE, EYE))
     stiffness[3:, 3:] += volume * own.reshape(9, 9)
@@ -68,13 +68,12 @@ def run() -> Findings:
         squares = np.linalg.eigvals(np.linalg.solve(base.T @ inertia @ base, base.T @ stiffness @ base))
         wanted = np.sort(np.sqrt(squares.real))
         blocks = shapes.skewed(shapes.stack([SIZE[2], SIZE[2]], (SIZE[0], SIZE[1])), SKEW)
-        model = rig.make(shapes.setup(blocks, [kind, kind]), glued(KN, KS), holds=[rig.everything(0)])
-        had = np.sort(np.sqrt(np.linalg.eigvals(-rig.acceleration_matrix(model)).real))
+        model = models.make(shapes.setup(blocks, [kind, kind]), glued(KN, KS), holds=[models.everything(0)])
+        had = np.sort(np.sqrt(np.linalg.eigvals(-models.acceleration_matrix(model)).real))
         for k, (value, reference) in enumerate(zip(had, wanted, strict=True)):
-            found.checks.append(
-                Check(f"{kind}: frequency {k + 1} of {len(wanted)}", "rad/s", float(value), float(reference),
-                      "closed form", 1e-12, 1e-13, "sums of some hundred products and an eigenvalue: rounding")
-            )  # fmt: skip
+            found.check(f"{kind}: frequency {k + 1} of {len(wanted)}", "rad/s", float(value), float(reference),
+                        "closed form", 1e-12, 1e-13,
+                        "sums of some hundred products and an eigenvalue: rounding")  # fmt: skip
     return found
 
 
@@ -85,5 +84,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    no_ladders="one step of a linear system: the same at any setting, to rounding",
+    no_problems="one step of a linear system: the same at any setting, to rounding",
 )

@@ -15,13 +15,13 @@ Reference: the half sine, by hand.
 import numpy as np
 
 from masonry.model.model import Stepping
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.checks.free_motion import follow, loose
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 SPEED, KN, SIZE = 1e-3, 1e9, (0.2, 0.1)
 HEIGHT = 0.1
-MASS = rig.STONE.density * SIZE[0] * SIZE[1] * HEIGHT
+MASS = models.STONE.density * SIZE[0] * SIZE[1] * HEIGHT
 STIFFNESS = KN * SIZE[0] * SIZE[1]
 OMEGA = float(np.sqrt(STIFFNESS / MASS))
 COUNTS = (20, 40, 80, 160)
@@ -32,7 +32,7 @@ def hit(findings: Findings, count: int) -> tuple[np.ndarray, float, float, float
     setup = shapes.setup(shapes.stack([HEIGHT, HEIGHT], SIZE), ["rigid", "rigid"])
     dt = np.pi / (OMEGA * (count + 0.5))
     stepping = Stepping("real", dt, damping=0.0)
-    model = rig.make(setup, loose(KN), stepping, [rig.everything(0)])
+    model = models.make(setup, loose(KN), stepping, [models.everything(0)])
     model.bodies.rigid.v[1, 2] = -SPEED
     steps = count + 20
     look = follow(
@@ -61,19 +61,17 @@ def run() -> Findings:
     ):
         size = float(exact[k]) if k < 2 else 1.0
         order = float(np.log2(errors[-2, k] / errors[-1, k]) / np.log2((COUNTS[-1] + 0.5) / (COUNTS[-2] + 0.5)))
-        found.checks += [
-            Check(f"{name}, {COUNTS[-1]} steps", unit, float(errors[-1, k] + 1) * size, size, "closed form",
-                  3 * expected, expected, "three times the leading term of leapfrog"),
-            Check(f"order of the {name} in dt", "1", order, 2.0, "closed form", 5e-4, 1e-4,
-                  "leapfrog; the next term is (w dt)^2 = 4e-4 of the first"),
-        ]  # fmt: skip
+        found.check(f"{name}, {COUNTS[-1]} steps", unit, float(errors[-1, k] + 1) * size, size, "closed form",
+                    3 * expected, expected, "three times the leading term of leapfrog")  # fmt: skip
+        found.check(f"order of the {name} in dt", "1", order, 2.0, "closed form", 5e-4, 1e-4,
+                    "leapfrog; the next term is (w dt)^2 = 4e-4 of the first")  # fmt: skip
     t, force = runs[1][0]
     wanted = exact[1] * np.maximum(np.sin(OMEGA * np.minimum(t, exact[0])), 0.0)
     lines = (Line("40 steps", 1e3 * t, force, "points"), Line("half sine", 1e3 * t, wanted, "dashed"))
-    found.plots.append(Plot("Force of the impact", "time (ms)", "force (N)", lines))
+    found.plot("Force of the impact", "time (ms)", "force (N)", *lines)
     steps = np.array(COUNTS) + 0.5
     curves = tuple(Line(name, steps, np.abs(errors[:, k])) for k, name in enumerate(names))
-    found.plots.append(Plot("Error against steps", "steps of the impact", "error (1)", curves, log=True))
+    found.plot("Error against steps", "steps of the impact", "error (1)", *curves, log=True)
     return found
 
 
@@ -84,5 +82,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    ladders=("oscillator",),
+    problems=("oscillator",),
 )

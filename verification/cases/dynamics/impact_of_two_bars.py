@@ -21,12 +21,12 @@ from scipy.optimize import brentq
 from scipy.special import itj0y0
 
 from masonry.model.model import Model, Stepping
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.checks.free_motion import follow, glued
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 SPEED, KN, SIDE, PITCH = 1e-3, 1e10, 0.1, 0.1
-AREA, MASS = SIDE**2, rig.STONE.density * SIDE**2 * PITCH
+AREA, MASS = SIDE**2, models.STONE.density * SIDE**2 * PITCH
 OMEGA = float(np.sqrt(KN * AREA / MASS))
 FORCE = 0.5 * SPEED * float(np.sqrt(KN * AREA * MASS))
 
@@ -35,7 +35,7 @@ def bars(count: int, fraction: float) -> tuple[Model, np.ndarray]:
     """Two bars of `count` blocks upon each other at a share of the stable step; and which contacts lie between them."""
     blocks = shapes.stack([PITCH] * (2 * count), (SIDE, SIDE))
     setup = shapes.setup(blocks, ["rigid"] * (2 * count))
-    model = rig.make(setup, glued(KN, KN), Stepping("real", fraction / OMEGA, damping=0.0))
+    model = models.make(setup, glued(KN, KN), Stepping("real", fraction / OMEGA, damping=0.0))
     between = (setup.joints.block_a == count - 1) & (setup.joints.block_b == count)
     model.state.intact_n[between], model.state.secant[between] = 0.0, 0.0  # torn: the middle only presses
     model.bodies.rigid.v[:count, 2], model.bodies.rigid.v[count:, 2] = 0.5 * SPEED, -0.5 * SPEED
@@ -85,23 +85,22 @@ def run() -> Findings:
         wanted = FORCE * itj0y0(2 * t)[0]
         off.append(float(np.abs(force - wanted).max() / FORCE))
     lines = (Line("bars of 50 blocks", t, force / FORCE), Line("lattice", t[::20], wanted[::20] / FORCE, "points"))
-    found.plots.append(Plot("Force of the impact", "w t (1)", "force over Z v/2 (1)", lines))
+    found.plot("Force of the impact", "w t (1)", "force over Z v/2 (1)", *lines)
     # a frequency f of leapfrog is off by (f dt)^2/24: the tail sqrt(1/(pi w t)) at 2 w is shifted by 2 w t of that
     expected = float(np.sqrt(60 / np.pi) * 2 * (2 * 0.02) ** 2 / 24)
-    found.checks += [
-        Check("force against the lattice, largest deviation over Z v/2", "1", off[2], 0.0, kind, 3 * expected, expected,
-              "the phase that leapfrog gains at the highest frequency by the end of the curve", 1.0),
-        Check("order of the force in dt", "1", float(np.log2(off[1] / off[2])), 2.0, kind, 0.02, 5e-3, "leapfrog"),
-    ]  # fmt: skip
+    found.check("force against the lattice, largest deviation over Z v/2", "1", off[2], 0.0, kind, 3 * expected,
+                expected, "the phase that leapfrog gains at the highest frequency by the end of the curve",
+                1.0)  # fmt: skip
+    found.check("order of the force in dt", "1", float(np.log2(off[1] / off[2])), 2.0, kind, 0.02, 5e-3, "leapfrog")
     late = []
     for fraction in (0.04, 0.02):
         t, force, _ = meet(found, 50, fraction, 110.0)
         late.append(parting(t, force, 50) / released(50) - 1.0)
-    found.checks += [
-        Check("duration against the lattice, 50 blocks", "s", (late[1] + 1) * released(50) / OMEGA,
-              released(50) / OMEGA, kind, 1e-4, 3e-5, "leapfrog, at the low frequencies of the front"),
-        Check("order of the duration in dt", "1", float(np.log2(late[0] / late[1])), 2.0, kind, 0.05, 0.01, "leapfrog"),
-    ]  # fmt: skip
+    found.check("duration against the lattice, 50 blocks", "s", (late[1] + 1) * released(50) / OMEGA,
+                released(50) / OMEGA, kind, 1e-4, 3e-5, "leapfrog, at the low frequencies of the front")  # fmt: skip
+    found.check(
+        "order of the duration in dt", "1", float(np.log2(late[0] / late[1])), 2.0, kind, 0.05, 0.01, "leapfrog"
+    )
     lost = []
     for count in (100, 200):
         t, force, speed = meet(found, count, 0.1, 2.6 * count)
@@ -109,20 +108,20 @@ def run() -> Findings:
     first, longer = t <= count, released(count) / (2 * count) - 1.0
     tail = float((2 * count) ** -1.5 * np.sqrt(2 / np.pi))
     mean = float(np.trapezoid(force[first], t[first]) / count)
-    found.checks += [
-        Check("mean force up to L/c, 200 blocks", "N", mean, FORCE, kind, 3 * tail, tail,
-              "what the integral of J0 still swings, averaged: sqrt(2/pi) (2 N)^(-3/2)"),
-        Check("duration, 200 blocks", "s", parting(t, force, count) / OMEGA, 2 * count / OMEGA, kind, 3 * longer,
-              longer, "by as much as the front is smeared, of order N^(-2/3): that of the lattice in closed form"),
-        Check("order of the velocity kept in the number of blocks", "1", float(np.log2(lost[0] / lost[1])), 2 / 3, kind,
-              0.02, 5e-3, "what rings on in the bars: N^(-2/3) of the energy"),
-    ]  # fmt: skip
-    found.plots.append(
-        Plot("Bars of 200 blocks", "w t (1)", "force over Z v/2 (1)", (
-            Line("lattice of the program", t, force / FORCE),
-            Line("continuum", np.array([0, 0, 400, 400, 520]), np.array([0, 1, 1, 0, 0]), "dashed"),
-        ))
-    )  # fmt: skip
+    found.check("mean force up to L/c, 200 blocks", "N", mean, FORCE, kind, 3 * tail, tail,
+                "what the integral of J0 still swings, averaged: sqrt(2/pi) (2 N)^(-3/2)")  # fmt: skip
+    found.check("duration, 200 blocks", "s", parting(t, force, count) / OMEGA, 2 * count / OMEGA, kind, 3 * longer,
+                longer, "by as much as the front is smeared, of order N^(-2/3): that of the lattice in closed "
+                "form")  # fmt: skip
+    found.check("order of the velocity kept in the number of blocks", "1", float(np.log2(lost[0] / lost[1])), 2 / 3,
+                kind, 0.02, 5e-3, "what rings on in the bars: N^(-2/3) of the energy")  # fmt: skip
+    found.plot(
+        "Bars of 200 blocks",
+        "w t (1)",
+        "force over Z v/2 (1)",
+        Line("lattice of the program", t, force / FORCE),
+        Line("continuum", np.array([0, 0, 400, 400, 520]), np.array([0, 1, 1, 0, 0]), "dashed"),
+    )
     return found
 
 
@@ -133,5 +132,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    ladders=("oscillator",),
+    problems=("oscillator",),
 )

@@ -15,12 +15,12 @@ Reference: by hand, eq. (3) of the paper.
 import numpy as np
 
 from masonry.model.model import Model, Stepping
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.checks.free_motion import follow, glued, loose
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 XI, START, KN, SIZE, HEIGHT, GRAVITY = 0.8, 1e-5, 1e9, (0.2, 0.1), 0.1, 9.81
-MASS = rig.STONE.density * SIZE[0] * SIZE[1] * HEIGHT
+MASS = models.STONE.density * SIZE[0] * SIZE[1] * HEIGHT
 OMEGA = float(np.sqrt(KN * SIZE[0] * SIZE[1] / MASS))
 HALF = np.pi / (2 * OMEGA) * (1 / np.sqrt(1 - XI) + 1 / np.sqrt(1 + XI))
 RATIO = float(np.sqrt((1 - XI) / (1 + XI)))
@@ -30,7 +30,9 @@ FRACTIONS = (4e-3, 2e-3, 1e-3)
 def made(law: tuple, dt: float, gravity: float = 0.0) -> Model:
     """A block on a held one."""
     setup = shapes.setup(shapes.stack([HEIGHT, HEIGHT], SIZE), ["rigid", "rigid"])
-    return rig.make(setup, law, Stepping("real", dt, damping=XI), [rig.everything(0)], gravity=(0.0, 0.0, gravity))
+    return models.make(
+        setup, law, Stepping("real", dt, damping=XI), [models.everything(0)], gravity=(0.0, 0.0, gravity)
+    )
 
 
 def swung(findings: Findings, fraction: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -57,26 +59,24 @@ def run() -> Findings:
     first, square = -where[0] / START, (OMEGA * dt) ** 2
     undamped, late = XI / (2 * (1 - XI)) * square, 2 * XI / (1 - XI) * dt
     errors = [-w[0] / START / RATIO - 1 for *_, w in runs]
-    found.checks += [
-        Check("first half cycle over the start", "1", float(first), RATIO, kind, 3 * undamped, undamped,
-              "three times what the undamped first step adds"),
-        Check("order of the first amplitude in dt", "1", float(np.log2(errors[-2] / errors[-1])), 2.0, kind, 0.05, 0.01,
-              "the turning point, whose share of a step differs, adds up to a tenth as much again"),
-        Check("second half cycle over the first", "1", float(-where[1] / where[0]), RATIO, kind, 3 * undamped, undamped,
-              "at most (1 + xi)^2/(8 (1 - xi)) (w dt)^2 = 2 (w dt)^2 by the step in which it turns"),
-        Check("half period", "s", float(when[1] - when[0]), HALF, kind, late / HALF, 0.5 * late / HALF,
-              "the step in which it turns: at most 2 xi dt/(1 - xi)"),
-        Check("half period and what that step gains", "s", float(when[1] - when[0] + (1 - share[0]) * late), HALF, kind,
-              3 * dt / HALF * OMEGA * dt, dt / HALF * OMEGA * dt, "of second order: (w dt)^2 over w times the period"),
-    ]  # fmt: skip
+    found.check("first half cycle over the start", "1", float(first), RATIO, kind, 3 * undamped, undamped,
+                "three times what the undamped first step adds")  # fmt: skip
+    found.check("order of the first amplitude in dt", "1", float(np.log2(errors[-2] / errors[-1])), 2.0, kind, 0.05,
+                0.01, "the turning point, whose share of a step differs, adds up to a tenth as much again")  # fmt: skip
+    found.check("second half cycle over the first", "1", float(-where[1] / where[0]), RATIO, kind, 3 * undamped,
+                undamped,
+                "at most (1 + xi)^2/(8 (1 - xi)) (w dt)^2 = 2 (w dt)^2 by the step in which it turns")  # fmt: skip
+    found.check("half period", "s", float(when[1] - when[0]), HALF, kind, late / HALF, 0.5 * late / HALF,
+                "the step in which it turns: at most 2 xi dt/(1 - xi)")  # fmt: skip
+    found.check("half period and what that step gains", "s", float(when[1] - when[0] + (1 - share[0]) * late), HALF,
+                kind, 3 * dt / HALF * OMEGA * dt, dt / HALF * OMEGA * dt, "of second order: (w dt)^2 over w times the "
+                "period")  # fmt: skip
     model = made(loose(KN), 1e-5, GRAVITY)
     speed = follow(found, "free fall", model, 200, lambda m: m.bodies.rigid.v[1, 2:3])[:, 0]
-    found.checks.append(
-        Check("acceleration of free fall, away from the joint", "m/s2", float((speed[-1] - speed[1]) / (199 * 1e-5)),
-              (1 - XI) * GRAVITY, kind, 1e-12, 1e-14, "a constant force: rounding of 200 sums")
-    )  # fmt: skip
+    found.check("acceleration of free fall, away from the joint", "m/s2", float((speed[-1] - speed[1]) / (199 * 1e-5)),
+                (1 - XI) * GRAVITY, kind, 1e-12, 1e-14, "a constant force: rounding of 200 sums")  # fmt: skip
     x = 1e3 * dt * np.arange(len(place))
-    found.plots.append(Plot("Swing", "time (ms)", "displacement (um)", (Line("block", x, 1e6 * place),)))
+    found.plot("Swing", "time (ms)", "displacement (um)", Line("block", x, 1e6 * place))
     return found
 
 
@@ -87,5 +87,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    ladders=("oscillator",),
+    problems=("oscillator",),
 )

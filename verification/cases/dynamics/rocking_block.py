@@ -25,5 +25,5 @@ CASE = Case(
     "A block that rocks on its edges",
     area="Friction and stability",
     run=run,
-    no_ladders="not built: there is nothing to run",
+    no_problems="not built: there is nothing to run",
 )

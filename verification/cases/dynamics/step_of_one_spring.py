@@ -15,11 +15,11 @@ import numpy as np
 from masonry.model.model import Model, Stepping
 from verification.case import Case, Check, Findings
 from verification.checks.free_motion import glued
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 KN, SIDES, HEIGHT = 2e11, (0.2, 0.1), 0.05
 AREA = SIDES[0] * SIDES[1]
-LIMIT = 2.0 * np.sqrt(rig.STONE.density * AREA * HEIGHT / (2.0 * KN * AREA))
+LIMIT = 2.0 * np.sqrt(models.STONE.density * AREA * HEIGHT / (2.0 * KN * AREA))
 TAN, FRACTION = 0.3, 0.7
 
 
@@ -29,12 +29,12 @@ def blocks(stepping: Stepping, tan_dilation: float | None = None) -> Model:
     if tan_dilation is not None:
         interface = interface._replace(tan_dilation=tan_dilation, dilation_cutoff=1.0)
     setup = shapes.setup(shapes.stack([HEIGHT, HEIGHT], SIDES), ["rigid", "rigid"], points_per_edge=1)
-    return rig.make(setup, (shape, interface), stepping)
+    return models.make(setup, (shape, interface), stepping)
 
 
 def moving(model: Model) -> float:
     """Highest frequency (rad/s), of the blocks against each other, from their own step."""
-    return float(np.sqrt(np.linalg.eigvals(-rig.acceleration_matrix(model)).real.max()))
+    return float(np.sqrt(np.linalg.eigvals(-models.acceleration_matrix(model)).real.max()))
 
 
 def run() -> Findings:
@@ -69,5 +69,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    no_ladders="a bound: there is nothing to choose",
+    no_problems="a bound: there is nothing to choose",
 )

@@ -24,5 +24,5 @@ CASE = Case(
     "A block under stress that is turned",
     area="Invariance",
     run=run,
-    no_ladders="not built: there is nothing to run",
+    no_problems="not built: there is nothing to run",
 )

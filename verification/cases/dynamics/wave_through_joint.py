@@ -13,7 +13,7 @@ contacts and leapfrog are all of second order, so the error falls as h^2.
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.waves import WAVELENGTH, Bar, Floats, Wave
 
 PULSE = 1e-6
@@ -22,7 +22,7 @@ STIFFNESSES = {0.2: 4e-3, 1.0: 8e-4, 5.0: 6e-5}
 """k/(w Z) at the frequency w = 2 pi c / wavelength, and the error of |T| to expect."""
 PERIOD = WAVELENGTH / Bar(shear=False, joint="").speed
 IMPEDANCE = Bar(shear=False, joint="").impedance
-LADDER = (10, 20, 40)
+COUNTS = (10, 20, 40)
 
 
 def moved(time: Floats) -> Floats:
@@ -79,7 +79,7 @@ def waves(found: Findings, ratio: float, expected: float) -> None:
     rate = 2 * k / IMPEDANCE
     errors: list[float] = []
     passed: list[float] = []
-    for n in LADDER:
+    for n in COUNTS:
         wave = bar.run(n, moved, 8.0 * PERIOD)
         found.note(f"k/(wZ) = {ratio}, {n} cells a wavelength", wave.result)
         reference = exact(bar, rate, wave)
@@ -88,30 +88,19 @@ def waves(found: Findings, ratio: float, expected: float) -> None:
     theory = float(1 / np.sqrt(1 + 1 / (2 * ratio) ** 2))
     limit = (4 * passed[-1] - passed[-2]) / 3
     order = float(np.log2(errors[-2] / errors[-1]))
-    found.checks += [
-        Check(
-            f"order of the error in h, k/(wZ) = {ratio}", "1", order, 2.0, "closed form", 0.05, 0.01,
-            f"space and time are of second order; the errors are {errors[0]:.1e}, {errors[1]:.1e}, {errors[2]:.1e} of "
-            "the largest displacement, and the next order is still felt a little",
-        ),
-        Check(
-            f"|T|, k/(wZ) = {ratio}, {LADDER[-1]} cells a wavelength", "1", passed[-1], theory, "closed form",
-            3 * expected, expected,
-            "a quarter of what a chain of masses has with half as many cells",
-        ),
-        Check(
-            f"|T| extrapolated by h^2, k/(wZ) = {ratio}", "1", limit, theory,
-            "closed form", 5e-4, 1e-4,
-            "what is left is of the order h^4, some hundredths of the errors above",
-        ),
-    ]  # fmt: skip
-    found.plots.append(
-        Plot(
-            f"Displacement of the bar, k/(wZ) = {ratio}",
-            "x (m)",
-            "u (m)",
-            (Line("masonry", wave.x, wave.u), Line("closed form", wave.x, reference, "dashed")),
-        )  # fmt: skip
+    found.check(f"order of the error in h, k/(wZ) = {ratio}", "1", order, 2.0, "closed form", 0.05, 0.01,
+                f"space and time are of second order; the errors are {errors[0]:.1e}, {errors[1]:.1e}, "
+                f"{errors[2]:.1e} of the largest displacement, and the next order is still felt a little")  # fmt: skip
+    found.check(f"|T|, k/(wZ) = {ratio}, {COUNTS[-1]} cells a wavelength", "1", passed[-1], theory, "closed form",
+                3 * expected, expected, "a quarter of what a chain of masses has with half as many cells")  # fmt: skip
+    found.check(f"|T| extrapolated by h^2, k/(wZ) = {ratio}", "1", limit, theory, "closed form", 5e-4, 1e-4,
+                "what is left is of the order h^4, some hundredths of the errors above")  # fmt: skip
+    found.plot(
+        f"Displacement of the bar, k/(wZ) = {ratio}",
+        "x (m)",
+        "u (m)",
+        Line("masonry", wave.x, wave.u),
+        Line("closed form", wave.x, reference, "dashed"),
     )
 
 
@@ -122,5 +111,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     quick=True,
-    no_ladders="cells a wavelength are all there is to choose: their order is in the case",
+    no_problems="cells a wavelength are all there is to choose: their order is in the case",
 )

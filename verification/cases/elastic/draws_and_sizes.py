@@ -10,7 +10,7 @@ Reference: Aitchison and Brown, The lognormal distribution; Abramowitz and Stegu
 
 import numpy as np
 
-from geometry.cells.request import CellsAsked
+from geometry.cells.request import CellRequest
 from geometry.cells.targets import target_sizes
 from geometry.polyhedra.measures import volumes
 from geometry.specimens.filling import fill_with_cells
@@ -33,10 +33,8 @@ def of_draws(found: Findings) -> None:
         ("mean square", "Pa2", weight @ value**2, MEAN**2 * (1 + VARIATION**2)),
         ("median", "Pa", lognormal(MEAN, VARIATION, np.zeros(1))[0], MEAN / np.sqrt(1 + VARIATION**2)),
     ):
-        found.checks.append(
-            Check(f"lognormal: {name}", unit, float(had), float(wanted), "closed form", 1e-12, 1e-14,
-                  "a quadrature that is exact here: rounding")
-        )  # fmt: skip
+        found.check(f"lognormal: {name}", unit, float(had), float(wanted), "closed form", 1e-12, 1e-14,
+                    "a quadrature that is exact here: rounding")  # fmt: skip
     pairs = np.column_stack([np.arange(JOINTS), np.arange(JOINTS) + 1])
     normals = standard_normals(7, "unit_unit", pairs)
     count = np.sqrt(normals.size)
@@ -60,13 +58,11 @@ def of_cells(found: Findings) -> None:
     low, high, whole = np.zeros((1, 3)), np.array([SIDES]), float(np.prod(SIDES))
     off = []
     for given, sizes in ((SIZES, SIZES), (None, (1.0,) * 5)):
-        volume = volumes(fill_with_cells(low, high, CellsAsked(per_unit=5, sizes=given), "units")[0])
+        volume = volumes(fill_with_cells(low, high, CellRequest(per_unit=5, sizes=given), "units")[0])
         off.append(np.abs(volume * sum(sizes) / (whole * np.array(sizes)) - 1.0).max())
-    found.checks.append(
-        Check("given and equal sizes: volumes of the cells, largest relative error", "1", float(max(off)), 0.0,
-              "closed form", 1e-9, 1e-10, "Newton's method on the weights of the power diagram", 1.0)
-    )  # fmt: skip
-    asked = CellsAsked(total=CELLS, spread=VARIATION)
+    found.check("given and equal sizes: volumes of the cells, largest relative error", "1", float(max(off)), 0.0,
+                "closed form", 1e-9, 1e-10, "Newton's method on the weights of the power diagram", 1.0)  # fmt: skip
+    asked = CellRequest(total=CELLS, spread=VARIATION)
     volume = volumes(fill_with_cells(low, high, asked, "units")[0])
     wished = target_sizes(asked, np.array([MANY]), np.array([whole]), np.random.default_rng(3))
     error = VARIATION * np.sqrt((1.0 + 2.0 * VARIATION**2) / (2.0 * MANY))
@@ -93,5 +89,5 @@ CASE = Case(
     area="Quasi-static loading",
     run=run,
     quick=True,
-    no_ladders="geometry and draws alone: nothing is run",
+    no_problems="geometry and draws alone: nothing is run",
 )

@@ -16,7 +16,7 @@ its depth. Past the elastic range the peak of the exponential joint is too high 
 
 import numpy as np
 
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Check, Findings, Line
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import Model, model
@@ -74,20 +74,16 @@ def peak(cells: int, degree: int, rule: str | int) -> float:
 def run() -> Findings:
     """Elastic stiffness by both degrees and rules, and the peaks."""
     found, exact = Findings(), 1.0 / compliance()
-    found.checks.append(
-        Check("stiffness, quadratic tets and Gauss points, 4 elements in depth", "1/J", stiffness(4, 2, 4), exact,
-              "closed form", 1e-12, 5e-14, "the displacement is in the elements' space: rounding")
-    )  # fmt: skip
+    found.check("stiffness, quadratic tets and Gauss points, 4 elements in depth", "1/J", stiffness(4, 2, 4), exact,
+                "closed form", 1e-12, 5e-14, "the displacement is in the elements' space: rounding")  # fmt: skip
     cells, lines = (4, 8, 16), []
     for name, rule in (("vertices", "vertex"), ("Gauss points", 4)):
         errors = np.array([stiffness(n, 1, rule) / exact - 1.0 for n in cells])
         lines.append(Line(f"linear tets, {name}", np.array([DEPTH / n for n in cells]) * 1e3, errors))
-        found.checks.append(
-            Check(f"order of the stiffness, linear tets and {name}, 8 to 16 elements", "1",
-                  float(np.log2(errors[1] / errors[2])), 2.0, "closed form", 0.1, 0.03,
-                  "an energy converges with h^2, from below while elements are few")
-        )  # fmt: skip
-    found.plots.append(Plot("Error of the elastic stiffness", "h (mm)", "relative error", tuple(lines), log=True))
+        found.check(f"order of the stiffness, linear tets and {name}, 8 to 16 elements", "1",
+                    float(np.log2(errors[1] / errors[2])), 2.0, "closed form", 0.1, 0.03,
+                    "an energy converges with h^2, from below while elements are few")  # fmt: skip
+    found.plot("Error of the elastic stiffness", "h (mm)", "relative error", *lines, log=True)
     truth = peak(8, 2, 4)
     lumped = [peak(n, 1, "vertex") for n in (8, 16)]
     found.checks += [
@@ -105,5 +101,5 @@ CASE = Case(
     "Eccentric tension: vertices against Gauss points and quadratic tets",
     area="Elastic assemblies",
     run=run,
-    no_ladders="the finite element model alone: its orders are in the case",
+    no_problems="the finite element model alone: its orders are in the case",
 )

@@ -14,43 +14,28 @@ their cells 2:3 in size, against the same with faces that match.
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
+from verification.fixtures.scene_text import made_of_tets
 from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.structured import row_of_boxes
 
 MODULUS, POISSON, NORMAL, SHEAR, STRESS = 10e9, 0.2, 150e9, 70e9, 1e5
 CUTS, HEIGHT, DEPTH = [0.0, 0.1, 0.22, 0.3], 0.1, 0.08
 CELLS = [(2, 3, 3), (3, 2, 5), (2, 4, 3)]
-LADDER = (2, 4, 8, 16)
+COUNTS = (2, 4, 8, 16)
 
-HEAD = f"""
-law = "elastic"
-kinematics = "tets"
-[specimen]
-kind = "file"
-path = "made.blocks.h5"
-[material.units]
-density = "2000 kg/m^3"
-young_modulus = "{MODULUS!r} Pa"
-poisson_ratio = {POISSON}
-[contact.unit_unit]
-normal_stiffness = "{NORMAL!r} Pa/m"
-shear_stiffness = "{SHEAR!r} Pa/m"
-[settle]
-steps = 20000
-[solver]
-damping = 0.3
-rows = 40
-"""
+AT_REST = "[settle]\nsteps = 20000\n[solver]\ndamping = 0.3\nrows = 40\n"
 ROLLER = '[[support]]\non = "box {box}.{face}-"\nfix = "{face}"\n'
 PATCH = (
-    HEAD
+    made_of_tets(2000.0, MODULUS, POISSON, NORMAL, SHEAR)
+    + AT_REST
     + ROLLER.format(box=0, face="x")
     + "".join(ROLLER.format(box=b, face=axis) for b in range(3) for axis in "yz")
     + f'[[traction]]\non = "box 2.x+"\nstress = {{ x = "{STRESS} Pa" }}\n'
 )
 BEAM = (
-    HEAD.replace(f"poisson_ratio = {POISSON}", "poisson_ratio = 0")
+    made_of_tets(2000.0, MODULUS, 0.0, NORMAL, SHEAR)
+    + AT_REST
     + f'[[support]]\non = "box 0.x-"\nfix = "all"\n[[traction]]\non = "box 1.x+"\nstress = {{ z = "{STRESS} Pa" }}\n'
 )
 
@@ -64,19 +49,9 @@ def patch(found: Findings) -> None:
     exact[:, 0] += box * STRESS / NORMAL
     moved = result.history.frames[-1].nodes
     worst = int(np.argmax(np.abs(moved - exact).max(axis=1)))
-    found.checks.append(
-        Check(
-            "displacement, the worst node",
-            "m",
-            float(np.abs(moved - exact)[worst].max()),
-            0.0,
-            "closed form",
-            1e-12,
-            1e-14,
-            "exact in principle: what is left is how far the run has come to rest, and rounding",
-            float(np.abs(exact).max()),
-        )  # fmt: skip
-    )
+    found.check("displacement, the worst node", "m", float(np.abs(moved - exact)[worst].max()), 0.0, "closed form",
+                1e-12, 1e-14, "exact in principle: what is left is how far the run has come to rest, and rounding",
+                float(np.abs(exact).max()))  # fmt: skip
 
 
 def beam(cells: int, other: int) -> tuple[float, Result]:
@@ -93,34 +68,27 @@ def run() -> Findings:
     patch(found)
     values: list[float] = []
     matching: list[float] = []
-    for n in LADDER:
+    for n in COUNTS:
         for other, kept in ((3 * n // 2, values), (n, matching)):
             value, result = beam(n, other)
             found.note(f"{n} and {other} cells over the height", result)
             kept.append(value)
     limits = [kept[-1] + (kept[-1] - kept[-2]) / 3 for kept in (values, matching)]
     errors = [np.abs(np.array(kept) / limits[1] - 1) for kept in (values, matching)]
-    found.checks += [
-        Check(
-            "order of the error in h", "1", float(np.log2(errors[0][-2] / errors[0][-1])), 2.0, "converged run",
-            0.05, 0.02,
-            "8:12 and 16:24 cells over the height against the limit of faces that match; tets of constant strain "
-            "are of second order, and points in the common refinement take nothing from it",
-        ),
-        Check(
-            "deflection extrapolated by h^2", "m", limits[0], limits[1], "converged run", 5e-4, 1e-4,
-            "faces that match tend to the same; the difference is of the order h^4",
-        ),
-    ]  # fmt: skip
-    cells = np.array(LADDER, dtype=float)
-    found.plots.append(
-        Plot(
-            "Error of the deflection of two blocks",
-            "cells over the height of the coarser block (1)",
-            "error (1)",
-            (Line("n : 3n/2", cells, errors[0], "points"), Line("n : n", cells, errors[1], "dashed")),
-            log=True,
-        )  # fmt: skip
+    found.check("order of the error in h", "1", float(np.log2(errors[0][-2] / errors[0][-1])), 2.0, "converged run",
+                0.05, 0.02, "8:12 and 16:24 cells over the height against the limit of faces that match; tets of "
+                "constant strain are of second order, and points in the common refinement take nothing "
+                "from it")  # fmt: skip
+    found.check("deflection extrapolated by h^2", "m", limits[0], limits[1], "converged run", 5e-4, 1e-4,
+                "faces that match tend to the same; the difference is of the order h^4")  # fmt: skip
+    cells = np.array(COUNTS, dtype=float)
+    found.plot(
+        "Error of the deflection of two blocks",
+        "cells over the height of the coarser block (1)",
+        "error (1)",
+        Line("n : 3n/2", cells, errors[0], "points"),
+        Line("n : n", cells, errors[1], "dashed"),
+        log=True,
     )
     return found
 
@@ -131,5 +99,5 @@ CASE = Case(
     title="Faces that do not match",
     area="Elastic assemblies",
     run=run,
-    ladders=("cantilever-tets",),
+    problems=("cantilever-tets",),
 )

@@ -15,7 +15,7 @@ import numpy as np
 from geometry.joints.find import find_joints
 from geometry.meshes.fan import mesh_by_fans
 from geometry.polyhedra.construct import from_faces
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings
 from verification.fixtures import shapes
 
 SIDES = (0.2, 0.1)
@@ -26,13 +26,12 @@ ROUNDING = "sums of products: rounding"
 def moments(findings: Findings, words: str, point: np.ndarray, area: np.ndarray, second: float, exact: str) -> None:
     """Sum, first moments and second moment along x about the middle of the face."""
     arm = point[:, :2] - 0.5 * np.array(SIDES)
-    findings.checks += [
-        Check(f"{words}: sum", "m2", float(area.sum()), AREA, "closed form", 1e-13, 1e-15, ROUNDING),
-        Check(f"{words}: first moments, largest", "m3", float(np.abs(area @ arm).max()), 0.0, "closed form", 1e-13,
-              1e-15, ROUNDING, AREA * SIDES[0]),
-        Check(f"{words}: second moment over that of the face", "1",
-              float(area @ arm[:, 0] ** 2 / (AREA * SIDES[0] ** 2 / 12)), second, "closed form", 1e-13, 1e-15, exact),
-    ]  # fmt: skip
+    findings.check(f"{words}: sum", "m2", float(area.sum()), AREA, "closed form", 1e-13, 1e-15, ROUNDING)
+    findings.check(f"{words}: first moments, largest", "m3", float(np.abs(area @ arm).max()), 0.0, "closed form", 1e-13,
+                   1e-15, ROUNDING, AREA * SIDES[0])  # fmt: skip
+    findings.check(f"{words}: second moment over that of the face", "1",
+                   float(area @ arm[:, 0] ** 2 / (AREA * SIDES[0] ** 2 / 12)), second, "closed form", 1e-13, 1e-15,
+                   exact)  # fmt: skip
 
 
 def partly(findings: Findings) -> None:
@@ -47,18 +46,14 @@ def partly(findings: Findings) -> None:
         (1, 3): (bed, (0.35, 0.05, 0.08)),
     }
     pair = list(zip(joints.block_a.tolist(), joints.block_b.tolist(), strict=True))
-    findings.checks.append(
-        Check("running bond: joints", "1", len(set(pair)), len(wanted), kind, 1e-14, 0.0, "a count: exact")
-    )
+    findings.check("running bond: joints", "1", len(set(pair)), len(wanted), kind, 1e-14, 0.0, "a count: exact")
     for (a, b), (area, middle) in wanted.items():
         own = np.array([p == (a, b) for p in pair])
         size = float(joints.area[own].sum())
         off = np.abs(joints.area[own] @ joints.point[own] / area - middle).max()
-        findings.checks += [
-            Check(f"running bond: joint of {a} and {b}", "m2", size, area, kind, 1e-12, 1e-15, ROUNDING),
-            Check(f"running bond: middle of the joint of {a} and {b}, off by", "m", float(off), 0.0, kind, 1e-12, 1e-15,
-                  ROUNDING, 0.1),
-        ]  # fmt: skip
+        findings.check(f"running bond: joint of {a} and {b}", "m2", size, area, kind, 1e-12, 1e-15, ROUNDING)
+        findings.check(f"running bond: middle of the joint of {a} and {b}, off by", "m", float(off), 0.0, kind, 1e-12,
+                       1e-15, ROUNDING, 0.1)  # fmt: skip
     side, quarter = 0.1, np.sqrt(0.5)
     two = shapes.stack([side, side], (side, side))
     centre = np.array([side / 2, side / 2, 0.0])
@@ -66,10 +61,9 @@ def partly(findings: Findings) -> None:
     upper = [(face - centre) @ turn.T + centre for face in shapes.faces_of(two, 1)]
     blocks = from_faces([shapes.faces_of(two, 0), upper], [0, 1], [0, 0], ("units",))
     octagon = 2.0 * (np.sqrt(2.0) - 1.0) * side**2
-    findings.checks.append(
-        Check("a square on a turned one", "m2", float(find_joints(blocks).area.sum()), octagon, kind, 1e-12, 1e-15,
-              ROUNDING)
-    )  # fmt: skip
+    findings.check(
+        "a square on a turned one", "m2", float(find_joints(blocks).area.sum()), octagon, kind, 1e-12, 1e-15, ROUNDING
+    )
 
 
 def run() -> Findings:
@@ -87,19 +81,15 @@ def run() -> Findings:
     corner = np.array([(x, y) for x in (0.0, SIDES[0]) for y in (0.0, SIDES[1])])
     share = np.sort([fan.area[np.abs(fan.point[:, :2] - c).max(axis=1) < 1e-12].sum() / AREA for c in corner])
     for k, wanted in enumerate((1 / 6, 1 / 6, 1 / 3, 1 / 3)):
-        found.checks.append(
-            Check(f"two triangles: share of corner {k + 1} in order", "1", float(share[k]), wanted, "closed form",
-                  1e-13, 1e-15, ROUNDING)
-        )  # fmt: skip
+        found.check(f"two triangles: share of corner {k + 1} in order", "1", float(share[k]), wanted, "closed form",
+                    1e-13, 1e-15, ROUNDING)  # fmt: skip
     for size in (1.0, 0.03, 0.011):
         joints = shapes.setup(blocks, ["tets", "tets"], mesh_size=size).joints
         arm = joints.point[:, :2] - 0.5 * np.array(SIDES)
         words = f"mesh of {1e3 * size:g} mm, {len(joints.area)} nodes on the face"
-        found.checks += [
-            Check(f"{words}: sum", "m2", float(joints.area.sum()), AREA, "closed form", 1e-13, 1e-15, ROUNDING),
-            Check(f"{words}: first moments, largest", "m3", float(np.abs(joints.area @ arm).max()), 0.0, "closed form",
-                  1e-13, 1e-15, ROUNDING, AREA * SIDES[0]),
-        ]  # fmt: skip
+        found.check(f"{words}: sum", "m2", float(joints.area.sum()), AREA, "closed form", 1e-13, 1e-15, ROUNDING)
+        found.check(f"{words}: first moments, largest", "m3", float(np.abs(joints.area @ arm).max()), 0.0,
+                    "closed form", 1e-13, 1e-15, ROUNDING, AREA * SIDES[0])  # fmt: skip
     return found
 
 
@@ -110,5 +100,5 @@ CASE = Case(
     area="Elastic assemblies",
     run=run,
     quick=True,
-    no_ladders="geometry alone: nothing is run",
+    no_problems="geometry alone: nothing is run",
 )

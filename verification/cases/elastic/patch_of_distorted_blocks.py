@@ -25,9 +25,9 @@ from masonry.laboratory import laboratory
 from masonry.model.layout import Layout
 from masonry.model.loads import Conditions
 from masonry.timeloop import timeloop
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings
 from verification.checks.other_conditions import rebuilt
-from verification.fixtures.scene_text import assembled
+from verification.fixtures.scene_text import assembled, made_of_tets
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import solid
 from verification.references.interface.model import model
@@ -42,19 +42,7 @@ STRESS = np.array([[0.8, 0.3, -0.2], [0.3, -0.5, 0.25], [-0.2, 0.25, 0.4]]) * 1e
 CELLS, NEAR = 3, 1e-9
 FACES = ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6))
 SCENE = f"""title = "Patch of distorted blocks"
-law = "elastic"
-kinematics = "tets"
-[specimen]
-kind = "file"
-path = "made.blocks.h5"
-[material.units]
-density = "1900 kg/m^3"
-young_modulus = "{YOUNG!r} Pa"
-poisson_ratio = {POISSON}
-[contact.unit_unit]
-normal_stiffness = "{KN!r} Pa/m"
-shear_stiffness = "{KS!r} Pa/m"
-[[support]]
+{made_of_tets(1900.0, YOUNG, POISSON, KN, KS)}[[support]]
 on = "x = 0 m"
 fix = "all"
 [settle]
@@ -167,14 +155,10 @@ def run() -> Findings:
     why = "the field is in the space of both elements, and both rules integrate it: rounding"
     for name, degree, rule in (("linear, vertices", 1, "vertex"), ("linear, Gauss", 1, 4), ("quadratic, Gauss", 2, 4)):
         value = implicit(mesh, degree, rule)
-        found.checks.append(
-            Check(f"interface model, {name}: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14, why, size)
-        )
+        found.check(f"interface model, {name}: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14, why, size)
     value = explicit(found, specimen, mesh)
-    found.checks.append(
-        Check("run, points at nodes: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14,
-              "as above, and how far the run comes to rest", size)
-    )  # fmt: skip
+    found.check("run, points at nodes: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14,
+                "as above, and how far the run comes to rest", size)  # fmt: skip
     wrong = implicit(mesh, 2, "vertex") / size
     found.remarks.append(f"quadratic tets with points at the corners, which fail by rule: error {wrong:.2%}")
     return found
@@ -188,5 +172,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    no_ladders="linear and at rest: exact on any mesh",
+    no_problems="linear and at rest: exact on any mesh",
 )

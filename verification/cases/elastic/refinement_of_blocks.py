@@ -9,7 +9,7 @@ that opens takes G for each unit of its area (linear law: the whole area under i
 
 import numpy as np
 
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.scene_text import run as run_text
 
 LENGTH, HEIGHT, WIDTH, MODULUS, STRESS = 1.0, 0.2, 0.1, 10e9, 1e4
@@ -107,43 +107,21 @@ def beams(found: Findings) -> None:
         result = found.note(f"{n} joints", run_text(beam(n)))
         end = np.abs(result.specimen.blocks.points[:, 0] - LENGTH) < 1e-9
         tips.append(float(result.history.frames[-1].corners[end, 2].mean()))
-        found.checks.append(
-            Check(
-                f"deflection of a bar of {n} joints",
-                "m",
-                tips[-1],
-                bent * (1 - 0.25 / n**2) + sheared,
-                "closed form",
-                1e-12,
-                1e-14,
-                "the sum is exact for rigid blocks; what is left is how far the run has come to rest",
-            )  # fmt: skip
-        )
+        found.check(f"deflection of a bar of {n} joints", "m", tips[-1], bent * (1 - 0.25 / n**2) + sheared,
+                    "closed form", 1e-12, 1e-14, "the sum is exact for rigid blocks; what is left is how far the run "
+                    "has come to rest")  # fmt: skip
     errors = np.abs(np.array(tips) / (bent + sheared) - 1)
-    found.checks.append(
-        Check(
-            "order of the error in h",
-            "1",
-            float(np.log2(errors[-2] / errors[-1])),
-            2.0,
-            "closed form",
-            1e-11,
-            1e-12,
-            "the midpoint rule of x^2 is in error by exactly 1/(4 n^2); rounding is multiplied by 1/error = 1000",
-        )  # fmt: skip
-    )
+    found.check("order of the error in h", "1", float(np.log2(errors[-2] / errors[-1])), 2.0, "closed form", 1e-11,
+                1e-12, "the midpoint rule of x^2 is in error by exactly 1/(4 n^2); rounding is multiplied by 1/error "
+                "= 1000")  # fmt: skip
     joints = np.array(JOINTS, dtype=float)
-    found.plots.append(
-        Plot(
-            "Error of the deflection",
-            "joints (1)",
-            "error (1)",
-            (
-                Line("masonry", joints, errors, "points"),
-                Line("1/(4 n^2)", joints, 0.25 / joints**2 * bent / (bent + sheared), "dashed"),
-            ),
-            log=True,
-        )  # fmt: skip
+    found.plot(
+        "Error of the deflection",
+        "joints (1)",
+        "error (1)",
+        Line("masonry", joints, errors, "points"),
+        Line("1/(4 n^2)", joints, 0.25 / joints**2 * bent / (bent + sheared), "dashed"),
+        log=True,
     )
 
 
@@ -152,18 +130,9 @@ def tears(found: Findings) -> None:
     for n in DIVISIONS:
         result = found.note(f"{n} x {n} blocks a unit", run_text(tear(n)))
         spent = float(result.summary["energy_j"]["fracture_mode_1"]) / float(result.summary["section_m2"])
-        found.checks.append(
-            Check(
-                f"energy of the open joint per area, {n} x {n} blocks a unit",
-                "N/m",
-                spent,
-                ENERGY,
-                "closed form",
-                1e-12,
-                1e-14,
-                "the law books the area under its curve between two openings exactly, however far apart",
-            )  # fmt: skip
-        )
+        found.check(f"energy of the open joint per area, {n} x {n} blocks a unit", "N/m", spent, ENERGY, "closed form",
+                    1e-12, 1e-14, "the law books the area under its curve between two openings exactly, however far "
+                    "apart")  # fmt: skip
 
 
 def run() -> Findings:
@@ -180,5 +149,5 @@ CASE = Case(
     title="More and smaller blocks",
     area="Elastic assemblies",
     run=run,
-    ladders=("couplet", "wallette-mode-1"),
+    problems=("couplet", "wallette-mode-1"),
 )

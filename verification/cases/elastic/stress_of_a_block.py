@@ -20,7 +20,7 @@ from masonry.monitors.stability import Watch
 from masonry.results.vtkhdf import TO_VTK
 from verification.case import Case, Check, Findings
 from verification.checks.free_motion import glued
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 COMPONENTS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 NAMES = ("xx", "yy", "zz", "yz", "xz", "xy")
@@ -34,15 +34,15 @@ ROUNDING = "sums of some products: rounding"
 
 def of_strains(found: Findings) -> None:
     """Affine blocks and tets in uniform strain."""
-    lame, mu = rig.STONE.lame()
+    lame, mu = models.STONE.lame()
     strain = 0.5 * (GRADIENT + GRADIENT.T)
     wanted = lame * np.trace(strain) * np.eye(3) + 2.0 * mu * strain
     for kind in ("affine", "tets"):
         blocks = shapes.skewed(
             shapes.stack([0.08, 0.08]), np.array([[1.0, 0.3, 0.0], [0.0, 1.0, 0.2], [0.1, 0.0, 1.0]])
         )
-        model = rig.make(shapes.setup(blocks, [kind, kind], mesh_size=0.1), GLUE)
-        rig.put(model, rig.positions(model), rig.linear_field(model, np.zeros(3), GRADIENT))
+        model = models.make(shapes.setup(blocks, [kind, kind], mesh_size=0.1), GLUE)
+        models.put(model, models.positions(model), models.linear_field(model, np.zeros(3), GRADIENT))
         compare(found, kind, energy.observe(model).stress[1], wanted)
         turned(found, kind, model, GRADIENT)
         if kind == "affine":
@@ -53,10 +53,8 @@ def corners(found: Findings, kind: str, model: Model, gradient: np.ndarray) -> N
     """Displacement of all corners of blocks whose points x move by gradient @ x."""
     place = model.blocks.points
     off = np.abs(Frames(model).corners() - place @ gradient.T).max()
-    found.checks.append(
-        Check(f"{kind}: displacement of the corners, largest deviation", "m", float(off), 0.0, "closed form", 1e-12,
-              1e-14, ROUNDING, float(np.abs(place @ gradient.T).max()))
-    )  # fmt: skip
+    found.check(f"{kind}: displacement of the corners, largest deviation", "m", float(off), 0.0, "closed form", 1e-12,
+                1e-14, ROUNDING, float(np.abs(place @ gradient.T).max()))  # fmt: skip
 
 
 def turned(found: Findings, kind: str, model: Model, gradient: np.ndarray) -> None:
@@ -64,9 +62,7 @@ def turned(found: Findings, kind: str, model: Model, gradient: np.ndarray) -> No
     watch = Watch(model, 1.0)
     watch.check(1)
     wanted = float(np.abs(0.5 * (gradient - gradient.T)).max())
-    found.checks.append(
-        Check(f"{kind}: largest rotation", "rad", watch.rotation, wanted, "closed form", 1e-12, 1e-14, ROUNDING)
-    )
+    found.check(f"{kind}: largest rotation", "rad", watch.rotation, wanted, "closed form", 1e-12, 1e-14, ROUNDING)
 
 
 def of_contacts(found: Findings) -> None:
@@ -74,12 +70,12 @@ def of_contacts(found: Findings) -> None:
     low = np.zeros(3)
     sides = [sign * SIZE * axis for axis in np.eye(3) for sign in (-1.0, 1.0)]
     blocks = shapes.boxes([(low + shift, low + shift + SIZE) for shift in (np.zeros(3), *sides)])
-    model = rig.make(shapes.setup(blocks, ["rigid"] * 7), GLUE)
+    model = models.make(shapes.setup(blocks, ["rigid"] * 7), GLUE)
     joints = model.joints
     model.contacts.force[:] = joints.area[:, None] * (joints.normal @ STRESS)
     compare(found, "rigid", Frames(model).contact_stress()[0], STRESS)
     turn = 0.5 * (GRADIENT - GRADIENT.T)
-    rig.put(model, rig.positions(model), rig.linear_field(model, np.zeros(3), turn))
+    models.put(model, models.positions(model), models.linear_field(model, np.zeros(3), turn))
     corners(found, "rigid", model, turn)
     turned(found, "rigid", model, turn)
 
@@ -95,22 +91,19 @@ def compare(found: Findings, kind: str, had: np.ndarray, wanted: np.ndarray) -> 
 
 def overlapping(found: Findings) -> None:
     """The closure of a joint is taken over the thinner of its two blocks."""
-    model = rig.make(shapes.setup(shapes.stack([0.05, 0.1]), ["rigid"] * 2), GLUE)
+    model = models.make(shapes.setup(shapes.stack([0.05, 0.1]), ["rigid"] * 2), GLUE)
     seen = energy.Seen(np.full(4, -1e-6), *np.zeros((3, 4)))
     overlap = Openings(model).look(model, View(seen), 0)["overlap"]
-    found.checks.append(
-        Check("closure of a joint over the thinner block", "1", overlap, 1e-6 / 0.05, "closed form", 1e-12,
-              1e-15, ROUNDING)
-    )  # fmt: skip
+    found.check("closure of a joint over the thinner block", "1", overlap, 1e-6 / 0.05, "closed form", 1e-12,
+                1e-15, ROUNDING)  # fmt: skip
 
 
 def in_order(found: Findings) -> None:
     """Where the file for ParaView has each component."""
     had = [NAMES[k] for k in TO_VTK]
-    found.checks.append(
-        Check("components that stand where ParaView looks for them", "1", sum(a == b for a, b in zip(had, IN_PARAVIEW,
-              strict=True)), 6.0, "closed form", 1e-14, 0.0, "names: exact")
-    )  # fmt: skip
+    found.check("components that stand where ParaView looks for them", "1",
+                sum(a == b for a, b in zip(had, IN_PARAVIEW, strict=True)), 6.0, "closed form", 1e-14, 0.0,
+                "names: exact")  # fmt: skip
 
 
 def run() -> Findings:
@@ -128,5 +121,5 @@ CASE = Case(
     area="Elastic assemblies",
     run=run,
     quick=True,
-    no_ladders="what is read off a state: exact",
+    no_problems="what is read off a state: exact",
 )

@@ -13,12 +13,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from masonry.pictures.cracks import crack_lines, front_view
-from verification.case import Case, Check, Findings
+from masonry.pictures.camera import front_view
+from masonry.pictures.cracks import crack_lines
+from verification.case import Case, Findings
 from verification.cases.friction import triplet
 from verification.fixtures.scene_text import TWO_BOXES
 from verification.fixtures.scene_text import run as run_text
 from verification.references.closed_forms import Joint, shear
+from verification.scene_runs import result_of
 
 KN, PULLS = 150e9, (20e-6, 30e-6)
 PULLED = f"""title = "A joint pulled twice"
@@ -49,7 +51,7 @@ ROUNDING = "sums of some products: rounding"
 def of_a_frame(found: Findings) -> None:
     """The last frame of the triplet whose middle unit has slid by 1 mm, and the cracks drawn of it."""
     joint, s = Joint(), triplet.S
-    result = found.note("triplet", run_text(triplet.SCENE))
+    result = found.note("triplet", result_of(triplet.SCENE))
     frame, blocks, joints = result.history.frames[-1], result.specimen.blocks, result.joints
     slip, upwards = frame.displacement, joints.normal[:, 2]
     owner = np.unique(blocks.face_points[blocks.face_start[blocks.block_face_start[1]] :][:24])
@@ -67,18 +69,15 @@ def of_a_frame(found: Findings) -> None:
     )
     for name, unit, values, wanted, scale in pairs:
         worst = values[int(np.argmax(np.abs(values - wanted)))]
-        found.checks.append(
-            Check(f"frame: {name}, where it is furthest off", unit, float(worst), float(wanted), "closed form", 1e-12,
-                  4e-13, "what the settled compression still swings by, and rounding", scale)
-        )  # fmt: skip
+        found.check(f"frame: {name}, where it is furthest off", unit, float(worst), float(wanted), "closed form", 1e-12,
+                    4e-13, "what the settled compression still swings by, and rounding", scale)  # fmt: skip
     view = front_view(blocks.points)
     for words, opening, width in (("open", 3e-6, 5e-6), ("pressed", -3e-6, 4e-6)):
         apart = replace(frame, opening=np.full(len(upwards), opening), slip=np.full(len(upwards), 4e-6))
         shown = crack_lines(joints, apart, view).opening
-        found.checks.append(
-            Check(f"width of a crack, {words}, where it is furthest off", "m",
-                  float(shown[int(np.argmax(np.abs(shown - width)))]), width, "closed form", 1e-13, 1e-15, ROUNDING)
-        )  # fmt: skip
+        found.check(f"width of a crack, {words}, where it is furthest off", "m",
+                    float(shown[int(np.argmax(np.abs(shown - width)))]), width, "closed form", 1e-13,
+                    1e-15, ROUNDING)  # fmt: skip
 
 
 def of_a_summary(found: Findings) -> None:
@@ -88,18 +87,16 @@ def of_a_summary(found: Findings) -> None:
     for damage, broken, damaged in ((0.04, 0.0, 0.0), (0.06, 0.0, both), (0.94, 0.0, both), (0.96, both, both)):
         slip = float(joint.peak(s) / joint.ks - np.log1p(-damage) * joint.mode_2_energy(s) / joint.c0)
         few = {"drive.displacement": f"{slip!r} m", "drive.steps": 4000, "solver.rows": 20}
-        summary = found.note(f"triplet, damage {damage:g}", run_text(triplet.SCENE, few)).summary
+        summary = found.note(f"triplet, damage {damage:g}", result_of(triplet.SCENE, few)).summary
         for name, wanted in (("broken", broken), ("damaged", damaged)):
-            found.checks.append(
-                Check(f"{name} area at a damage of {damage:g}", "m2", sum(summary[f"{name}_area_m2"].values()), wanted,
-                      "closed form", 1e-13, 1e-15, "a sum of areas: rounding", both)
-            )  # fmt: skip
+            found.check(f"{name} area at a damage of {damage:g}", "m2", sum(summary[f"{name}_area_m2"].values()),
+                        wanted, "closed form", 1e-13, 1e-15, "a sum of areas: rounding", both)  # fmt: skip
 
 
 def of_cycles(found: Findings) -> None:
     """An elastic joint pulled twice and let go: widest opening, greatest stress, farthest place, nothing spent."""
     cycles = found.note("two cycles", run_text(PULLED)).summary["cycles"]
-    found.checks.append(Check("cycles", "1", len(cycles), len(PULLS), "closed form", 1e-14, 0.0, "a count: exact"))
+    found.check("cycles", "1", len(cycles), len(PULLS), "closed form", 1e-14, 0.0, "a count: exact")
     for number, (cycle, pull) in enumerate(zip(cycles, PULLS, strict=False), start=1):
         for key, unit, wanted, scale in (
             ("widest_opening_m", "m", pull, pull),
@@ -108,10 +105,8 @@ def of_cycles(found: Findings) -> None:
             ("stiffness_pa_per_m", "Pa/m", KN, KN),
             ("dissipated_j", "J", 0.0, 1e-3),
         ):
-            found.checks.append(
-                Check(f"cycle {number}: {key}", unit, cycle[key], wanted, "closed form", 1e-12, 1e-14,
-                      "the drive turns at a step, and a row is taken there: rounding", scale)
-            )  # fmt: skip
+            found.check(f"cycle {number}: {key}", unit, cycle[key], wanted, "closed form", 1e-12, 1e-14,
+                        "the drive turns at a step, and a row is taken there: rounding", scale)  # fmt: skip
 
 
 def run() -> Findings:
@@ -130,5 +125,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=triplet.SCENE,
-    no_ladders="what is read off a state: exact",
+    no_problems="what is read off a state: exact",
 )

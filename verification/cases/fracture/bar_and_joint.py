@@ -20,13 +20,13 @@ from dataclasses import replace
 import numpy as np
 
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.checks import ablation_steps as held_steps
-from verification.fixtures.scene_text import assembled, joint_table
+from verification.checks import increments
 from verification.references.closed_forms import Joint, tension
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import model
 from verification.references.interface.newton import Path
+from verification.scene_runs import assembled
 
 Array = np.ndarray
 JOINT, YOUNG, SIDE, NEAR = Joint(), 16.7e9, 0.05, 1e-9
@@ -39,37 +39,7 @@ SHORT, LONG = 0.1, 0.6
 OPENINGS = np.concatenate(
     [np.linspace(0.0, JOINT.opening_at_peak, 4)[1:], JOINT.opening_at_peak + np.geomspace(1e-7, 4e-5, 40)]
 )
-SCENE = (
-    """title = "A bar with a joint across"
-law = "exponential"
-kinematics = "tets"
-[specimen]
-kind = "boxes"
-section = "2500 mm^2"
-mesh_size = "50 mm"
-box = [
-  {name = "lower", origin = ["0 mm", "0 mm", "0 mm"], size = ["50 mm", "50 mm", "HALF m"], unit = 0},
-  {name = "upper", origin = ["0 mm", "0 mm", "HALF m"], size = ["50 mm", "50 mm", "HALF m"], unit = 1},
-]
-[material.units]
-density = "1900 kg/m^3"
-young_modulus = "16.7 GPa"
-poisson_ratio = 0.0
-"""
-    + joint_table(JOINT)
-    + """[[support]]
-on = "z = 0 mm"
-fix = "all"
-[[support]]
-on = "upper.z+"
-fix = ["x", "y"]
-[drive]
-on = "upper.z+"
-direction = "z"
-displacement = "1 mm"
-steps = 1000
-"""
-)
+SCENE = "bar-and-joint"
 
 
 def implicit(found: Findings, law: str, length: float) -> None:
@@ -111,8 +81,11 @@ def implicit(found: Findings, law: str, length: float) -> None:
 
 def drawn(found: Findings, length: float, places: Array) -> tuple[Array, Array]:
     """Stress (Pa) and work per area (J/m2) of a run at each place of the drive (m)."""
-    assembly = assembled(SCENE.replace("HALF", repr(0.5 * length)))
-    result = held_steps.run(assembly, places.tolist(), move=2000, wait=1000)
+    half = f"{0.5 * length!r} m"
+    size, above = ["50 mm", "50 mm", half], ["0 m", "0 m", half]
+    boxes = {"specimen.box.0.size": size, "specimen.box.1.size": size, "specimen.box.1.origin": above}
+    assembly = assembled(SCENE, boxes)
+    result = increments.run(assembly, places.tolist(), move=2000, wait=1000)
     rows = found.note(f"L = {length:g} m", result).history.rows
     plot = next(plot for plot in found.plots if f"of {length:g} m" in plot.title)
     line = Line(f"run, L = {length:g} m", rows["displacement"] * 1e6, rows["stress"] / 1e6, "points")
@@ -179,5 +152,6 @@ CASE = Case(
     area="Fracture",
     run=run,
     quick=True,
-    ladders=("tension-linear", "tension-polynomial", "tension-exponential"),
+    scene=SCENE,
+    problems=("tension-linear", "tension-polynomial", "tension-exponential"),
 )

@@ -16,11 +16,11 @@ Reference: eqs (8), (13), (15), (17) of the paper.
 
 import numpy as np
 
-from masonry import scene
-from masonry.laboratory import laboratory
+from verification.balance import dissipated
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.fixtures.single_shear import around_the_peak
 from verification.references.closed_forms import Joint, dissipated_in_shear, shear
+from verification.scene_runs import result_of
 
 LAWS = ("linear", "polynomial", "exponential")
 BETA = {0.1: 2.1, 0.5: 2.1 + 0.8 * 4 / 9, 1.0: 2.9}
@@ -31,15 +31,14 @@ def sheared(findings: Findings, law: str, mpa: float) -> tuple[Line, Line]:
     """One run, its checks, and the curves for the plot."""
     words = f"{law}, {mpa:g} MPa"
     joint, s = Joint(beta=BETA[mpa]), 1e6 * mpa
-    given = scene.load("couplet", {"law": law, "confinement": f"{mpa} MPa", "drive.steps": STEPS, "solver.rows": 600})
-    result = findings.note(words, laboratory.run(given))
+    keys = {"law": law, "confinement": f"{mpa} MPa", "drive.steps": STEPS, "solver.rows": 600}
+    result = findings.note(words, result_of("couplet", keys))
     rows, kind = result.history.rows, "closed form"
     moved = rows["displacement"] > 0.0
     slip, stress = rows["displacement"][moved], rows["stress"][moved]
     wanted, peak = shear(law, joint, slip, s), joint.c0 + s * joint.tan0
     missed, rough = around_the_peak(law, joint, s, rows)
-    energy = result.summary["energy_j"]
-    spent = energy["fracture_mode_1"] + energy["fracture_mode_2"] + energy["friction"]
+    spent = dissipated(result.summary)
     gone = AREA * float(dissipated_in_shear(law, joint, slip[-1], s))
     rough *= AREA / gone
     findings.checks += [
@@ -75,8 +74,8 @@ CASE = Case(
     area="Contact laws",
     run=run,
     quick=True,
-    scene=scene.packaged()["couplet"].read_text(encoding="utf-8"),
-    ladders=(
+    scene="couplet",
+    problems=(
         "couplet",
         "couplet-exponential-01",
         "couplet-exponential-10",

@@ -12,7 +12,6 @@ So mode II takes no more than the area above the residual. Amplitudes 0.1, 0.2 a
 Reference: by hand from eqs (8) and (17) of the paper (verification/references/cyclic_forms.py).
 """
 
-from masonry import scene
 from verification.case import Case, Findings
 from verification.fixtures.sheared_in_cycles import cycled
 
@@ -33,6 +32,6 @@ CASE = Case(
     area="Contact laws",
     run=run,
     quick=True,
-    scene=scene.packaged()["couplet-cyclic"].read_text(encoding="utf-8"),
-    no_ladders="the drive prescribes all that moves: exact at any setting",
+    scene="couplet-cyclic",
+    no_problems="the drive prescribes all that moves: exact at any setting",
 )

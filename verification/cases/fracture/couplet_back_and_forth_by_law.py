@@ -28,5 +28,5 @@ CASE = Case(
     "Couplet sheared back and forth, other laws and softening by plastic slip",
     area="Contact laws",
     run=run,
-    no_ladders="the drive prescribes all that moves; the step of plastic slip follows from the accuracy",
+    no_problems="the drive prescribes all that moves; the step of plastic slip follows from the accuracy",
 )

@@ -17,44 +17,10 @@ import numpy as np
 
 from verification.case import Case, Findings
 from verification.checks.beside_pair import Allowed, compare
-from verification.fixtures.scene_text import assembled, joint_table
-from verification.references.closed_forms import Joint
 from verification.references.interface.model import Model
+from verification.scene_runs import assembled
 
-SCENE = (
-    """title = "Couplet of tets under shear"
-law = "exponential"
-kinematics = "tets"
-[specimen]
-kind = "couplet"
-length = "200 mm"
-width = "50 mm"
-height = "50 mm"
-mesh_size = "50 mm"
-[material.units]
-density = "1900 kg/m^3"
-young_modulus = "16.7 GPa"
-poisson_ratio = 0.2
-"""
-    + joint_table(Joint())
-    + """[[support]]
-on = "bottom.z-"
-fix = "all"
-[[support]]
-on = "top"
-fix = "y"
-[drive]
-on = "top"
-direction = "x"
-displacement = "200 um"
-steps = 1000
-[[traction]]
-on = "top.z+"
-stress = {z = "-0.5 MPa"}
-[settle]
-steps = 1000
-"""
-)
+SCENE = "couplet-of-tets"
 PLACES = [*np.linspace(0, 20e-6, 6)[1:], *np.linspace(20e-6, 40e-6, 11)[1:], *np.linspace(40e-6, 200e-6, 17)[1:]]
 HEIGHT, NEAR = 0.1, 1e-9
 
@@ -85,5 +51,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("couplet-of-tets",),
+    problems=("couplet-of-tets",),
 )

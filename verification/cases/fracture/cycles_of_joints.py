@@ -18,7 +18,7 @@ import numpy as np
 from verification.case import Case, Findings
 from verification.cases.fracture import couplet_of_tets, eccentric_tension, wallette_of_two_courses
 from verification.checks.beside_pair import Allowed, compare
-from verification.fixtures.scene_text import assembled
+from verification.scene_runs import assembled
 
 UM = 1e-6
 
@@ -64,5 +64,5 @@ CASE = Case(
     "Unloading, closing and reversal of slip, against the interface model on the same tets",
     area="Fracture",
     run=run,
-    ladders=("eccentric-tension", "couplet-of-tets", "two-courses-of-tets"),
+    problems=("eccentric-tension", "couplet-of-tets", "two-courses-of-tets"),
 )

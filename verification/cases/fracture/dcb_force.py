@@ -14,68 +14,17 @@ metres long. A softer tail would blunt the peak, a steeper one would let the cra
 
 import numpy as np
 
-from geometry.blocks import Specimen
-from geometry.polyhedra.construct import from_boxes
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.fixtures.scene_text import run as run_text
 from verification.references.closed_forms import Floats
+from verification.scene_runs import result_of
 
 MODULUS, HEIGHT, WIDTH, CRACK, LENGTH, CELL = 10e9, 0.1, 0.05, 0.5, 1.0, 0.01
 STIFFNESS, ENERGY = 300e9, 50.0
-STRENGTH = float(np.sqrt(2 * STIFFNESS * ENERGY / 4))
-PULL = 2.5e-3
 BENDING = MODULUS * WIDTH * HEIGHT**3 / 12
 FOOT = (4 * BENDING / (STIFFNESS * WIDTH)) ** 0.25
 """1/l, m"""
 
-SCENE = f"""
-law = "linear"
-kinematics = "rigid"
-[specimen]
-kind = "file"
-path = "made.blocks.h5"
-[material]
-arm = {{ density = "2000 kg/m^3" }}
-base = {{ density = "2000 kg/m^3" }}
-[contact.within_arm]
-law = "elastic"
-normal_stiffness = "{MODULUS / CELL!r} Pa/m"
-shear_stiffness = "{5 * MODULUS / CELL!r} Pa/m"
-[contact.arm_base]
-normal_stiffness = "{STIFFNESS!r} Pa/m"
-shear_stiffness = "{1e-4 * STIFFNESS!r} Pa/m"
-tensile_strength = "{STRENGTH!r} Pa"
-cohesion = "1 MPa"
-tan_friction_angle = 0
-fracture_energy_mode_1 = "{ENERGY!r} N/m"
-fracture_energy_mode_2 = "1e6 N/m"
-coupling = "independent"
-[[support]]
-on = "base"
-fix = "all"
-[[support]]
-on = "arm"
-fix = ["y", "rotation x", "rotation z"]
-[drive]
-on = "end"
-direction = "z"
-displacement = "{PULL!r} m"
-steps = 400000
-[solver]
-damping = 0.3
-rows = 500
-"""
-
-
-def specimen() -> Specimen:
-    """The arm along x, its end at x = 0, on a base from the crack's tip on."""
-    cuts = np.linspace(0.0, LENGTH, round(LENGTH / CELL) + 1)
-    low = [[x, 0.0, 0.0] for x in cuts[:-1]] + [[CRACK, 0.0, -HEIGHT]]
-    high = [[x, WIDTH, HEIGHT] for x in cuts[1:]] + [[LENGTH, WIDTH, 0.0]]
-    n = len(low) - 1
-    role = np.append(np.zeros(n, dtype=np.int64), 1)
-    blocks = from_boxes(np.array(low), np.array(high), role, role, ("arm", "base"))
-    return Specimen(blocks, {"arm": np.arange(n), "base": np.array([n]), "end": np.array([0])}, HEIGHT * WIDTH)
+SCENE = "dcb-force"
 
 
 def compliance(a: Floats | float) -> Floats:
@@ -91,7 +40,7 @@ def critical(a: Floats | float) -> Floats:
 def run() -> Findings:
     """One pull, through the first tear and over most of the ligament."""
     found = Findings()
-    result = found.note("pull", run_text(SCENE, None, specimen()))
+    result = found.note("pull", result_of(SCENE))
     w, force = result.history.rows["displacement"], result.history.rows["stress"] * HEIGHT * WIDTH
     top = int(np.argmax(force))
     elastic = (w > 0.2 * w[top]) & (w < 0.5 * w[top])
@@ -120,14 +69,8 @@ def run() -> Findings:
             "closed form", 0.10, 0.03, "the catalogue's band of 10 %, at every row",
         ),
     ]  # fmt: skip
-    found.plots.append(
-        Plot(
-            "Half of a double cantilever beam",
-            "w (m)",
-            "P (N)",
-            (Line("masonry", w, force), Line("theory", path, limit, "dashed")),
-        )  # fmt: skip
-    )
+    lines = (Line("masonry", w, force), Line("theory", path, limit, "dashed"))
+    found.plots.append(Plot("Half of a double cantilever beam", "w (m)", "P (N)", lines))
     return found
 
 
@@ -138,5 +81,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
-    ladders=("dcb-force",),
+    problems=("dcb-force",),
 )

@@ -31,11 +31,11 @@ from masonry.model.loads import program
 from masonry.timeloop import timeloop
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.checks.other_conditions import turned
-from verification.fixtures.scene_text import assembled
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import Model, model
 from verification.references.interface.newton import Path
+from verification.scene_runs import assembled
 
 Array = np.ndarray
 Curve = tuple[Array, Array]
@@ -50,49 +50,7 @@ PLATEAU = (0.033 * TURN, 0.048 * TURN)
 OPENING = 1e-6
 LAYERS = (4, 8)
 STEPS = 150_000
-SCENE = f"""title = "An arm on a joint, turned at its end"
-law = "linear"
-kinematics = {{default = "tets", base = "rigid", plates = "rigid"}}
-[specimen]
-kind = "file"
-path = "made.blocks.h5"
-[material.units]
-density = "1900 kg/m^3"
-young_modulus = "{YOUNG!r} Pa"
-poisson_ratio = 0.0
-[material.base]
-density = "1900 kg/m^3"
-[material.plates]
-density = "1900 kg/m^3"
-[contact.base_units]
-normal_stiffness = "{2 * KN!r} Pa/m"
-shear_stiffness = "1 Pa/m"
-tensile_strength = "{STRENGTH!r} Pa"
-cohesion = "{STRENGTH!r} Pa"
-tan_friction_angle = 0.0
-fracture_energy_mode_1 = "{0.5 * ENERGY!r} N/m"
-fracture_energy_mode_2 = "1e13 N/m"
-[contact.plate]
-law = "elastic"
-normal_stiffness = "5e12 Pa/m"
-shear_stiffness = "5e12 Pa/m"
-[[support]]
-on = "base"
-fix = "all"
-[[support]]
-on = "arm"
-fix = ["y"]
-[[support]]
-on = "plate"
-fix = ["y", "rotation x", "rotation z"]
-[drive]
-on = "plate"
-direction = "z"
-displacement = "1 mm"
-steps = 1000
-[solver]
-damping = 0.1
-"""
+SCENE = "dcb-under-moment"
 
 
 def lines(layers: int, degree: int = 1) -> tuple[Array, Array, Array]:
@@ -140,7 +98,7 @@ def explicit(found: Findings, layers: int) -> Curve:
     blocks = from_boxes(low, high, np.arange(3), np.arange(3), ("units", "base", "plates"))
     mesh = TetMesh(nodes, np.array([0, *[len(nodes)] * 3]), tets, np.array([0, *[len(tets)] * 3]))
     sets = {name: np.array([k]) for k, name in enumerate(("arm", "base", "plate"))}
-    assembly = turned(assembled(SCENE, Specimen(blocks, sets, 1.0), mesh), "y")
+    assembly = turned(assembled(SCENE, None, Specimen(blocks, sets, 1.0), mesh), "y")
     plan = program(assembly.model.dt, 0, 1.04 * PLATEAU[1], STEPS, None, 0.2)
     outcome = timeloop.run(assembly.model, plan, assembly.recording)
     rows = found.note(f"{layers} layers", laboratory.result_of(assembly, outcome)).history.rows
@@ -194,5 +152,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
-    ladders=("dcb-force",),
+    problems=("dcb-force",),
 )

@@ -22,38 +22,10 @@ import numpy as np
 
 from verification.case import Case, Findings
 from verification.checks.beside_pair import Allowed, compare
-from verification.fixtures.scene_text import assembled, joint_table
-from verification.references.closed_forms import Joint
 from verification.references.interface.model import Model
+from verification.scene_runs import assembled
 
-SCENE = (
-    """title = "A joint pulled open from one side"
-law = "exponential"
-kinematics = "tets"
-[specimen]
-kind = "boxes"
-section = "5000 mm^2"
-mesh_size = "40 mm"
-box = [
-  {name = "lower", origin = ["0 mm", "0 mm", "0 mm"], size = ["100 mm", "50 mm", "50 mm"], unit = 0},
-  {name = "upper", origin = ["0 mm", "0 mm", "50 mm"], size = ["100 mm", "50 mm", "50 mm"], unit = 1},
-]
-[material.units]
-density = "1900 kg/m^3"
-young_modulus = "16.7 GPa"
-poisson_ratio = 0.2
-"""
-    + joint_table(Joint(G_II_slope=0.0))
-    + """[[support]]
-on = "lower.z-"
-fix = "all"
-[drive]
-on = "upper.x+"
-direction = "z"
-displacement = "60 um"
-steps = 1000
-"""
-)
+SCENE = "eccentric-tension"
 PLACES = [*np.linspace(0, 8e-6, 9)[1:], *np.linspace(8e-6, 60e-6, 27)[1:]]
 LENGTH, HIGH, NEAR = 0.1, 0.05, 1e-9
 
@@ -80,5 +52,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("eccentric-tension",),
+    problems=("eccentric-tension",),
 )

@@ -15,12 +15,12 @@ from geometry.blocks import Specimen, TetMesh
 from geometry.polyhedra.construct import from_boxes
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.cases.fracture.eccentric_tension import HIGH, LENGTH, SCENE, conditions
-from verification.checks import ablation_steps as held_steps
+from verification.checks import increments
 from verification.checks.beside_pair import follow
 from verification.checks.paired_run import law_of
-from verification.fixtures.scene_text import assembled
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import model
+from verification.scene_runs import assembled
 
 Array = np.ndarray
 WIDTH = 0.05
@@ -53,16 +53,10 @@ def made(cells: int) -> tuple[Specimen, TetMesh]:
     return Specimen(blocks, sets, LENGTH * WIDTH), TetMesh(nodes, starts[0], tets, starts[1])
 
 
-def text() -> str:
-    """The scene, of a made specimen."""
-    head, rest = SCENE.split("[specimen]")
-    return f'{head}[specimen]\nkind = "file"\npath = "made.blocks.h5"\n[material{rest.split("[material", 1)[1]}'
-
-
 def run() -> Findings:
     """First stiffness and peak of runs on two grids."""
     found = Findings()
-    specimen = {cells: assembled(text(), *made(cells)) for cells in BRICKS}
+    specimen = {cells: assembled(SCENE, None, *made(cells)) for cells in BRICKS}
     material, contact = (getattr(specimen[BRICKS[0]].scene, key) for key in ("material", "contact"))
     law = law_of(contact["unit_unit"])
     units = material["units"]
@@ -74,7 +68,7 @@ def run() -> Findings:
     curves = [Line("quadratic tets", np.array(PLACES) * 1e6, truth / 1e6, "dashed")]
     errors = []
     for cells, assembly in specimen.items():
-        result = found.note(f"{cells} bricks", held_steps.run(assembly, PLACES, move=1500, wait=1000))
+        result = found.note(f"{cells} bricks", increments.run(assembly, PLACES, move=1500, wait=1000))
         stress = result.history.rows["stress"][1:]
         curves.append(Line(f"run, {cells} bricks in height", np.array(PLACES) * 1e6, stress / 1e6))
         errors.append((stress[ELASTIC] / truth[ELASTIC] - 1.0, stress.max() / truth.max() - 1.0))
@@ -103,5 +97,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     scene=SCENE,
-    ladders=("eccentric-tension",),
+    problems=("eccentric-tension",),
 )

@@ -14,11 +14,10 @@ Reference: eqs (12), (14), (16) of the paper for the envelopes, straight lines b
 
 import numpy as np
 
-from masonry import scene
-from masonry.laboratory import laboratory
 from verification.case import Case, Check, Findings, Line, Plot
 from verification.fixtures.single_tension import CYCLE
 from verification.references.closed_forms import Joint, dissipated_in_tension, unloaded
+from verification.scene_runs import result_of
 
 LAWS = ("linear", "polynomial", "exponential")
 JOINT, AREA = Joint(), 0.2 * 0.05
@@ -36,7 +35,7 @@ def cycled(findings: Findings, law: str, unloading: str) -> None:
     """One run beside its closed form."""
     of = f"{law}, {unloading}"
     keys = {**KEYS, "law": law, "contact.unit_unit.unloading": unloading}
-    result = findings.note(of, laboratory.run(scene.load("couplet", keys)))
+    result = findings.note(of, result_of("couplet", keys))
     rows = result.history.rows
     place, widest = rows["displacement"], np.maximum.accumulate(rows["displacement"])
     wanted = np.array([float(unloaded(law, JOINT, x, w, unloading)) for x, w in zip(place, widest, strict=True)])
@@ -70,5 +69,5 @@ CASE = Case(
     "Joint opened, pressed and opened again by the solver",
     area="Contact laws",
     run=run,
-    no_ladders="the drive prescribes all that moves: exact at any setting",
+    no_problems="the drive prescribes all that moves: exact at any setting",
 )

@@ -8,12 +8,11 @@ drive to an accuracy damps what it did not expect as heavily; then all of them g
 
 from typing import Any
 
-from masonry import scene
-from masonry.laboratory import laboratory
+from verification.balance import dissipated
 from verification.case import Case, Check, Findings, at_most
-from verification.fixtures.scenes import path_of
+from verification.scene_runs import result_of
 
-SCENE = path_of("shear-wall-late-crack")
+SCENE = "shear-wall-late-crack"
 FINE = {"drive.accuracy": "0.1 %"}
 OTHERS: dict[str, dict[str, Any]] = {
     "accuracy 1 %": {},
@@ -26,9 +25,9 @@ REASON = "an accuracy of 1 %, and the drag of 200,000 steps at a rate, each leav
 def run() -> Findings:
     """Dissipated energy and end stress of each against the finest accuracy."""
     findings = Findings()
-    wanted = _answer(findings.note("accuracy 0.1 %", laboratory.run(scene.load(SCENE, FINE))).summary)
+    wanted = _answer(findings.note("accuracy 0.1 %", result_of(SCENE, FINE)).summary)
     for label, keys in OTHERS.items():
-        summary = findings.note(label, laboratory.run(scene.load(SCENE, keys))).summary
+        summary = findings.note(label, result_of(SCENE, keys)).summary
         for (quantity, unit), value in _answer(summary).items():
             reference = wanted[quantity, unit]
             findings.checks.append(
@@ -41,7 +40,7 @@ def run() -> Findings:
 
 
 def _answer(summary: dict) -> dict[tuple[str, str], float]:
-    spent = sum(summary["energy_j"][key] for key in ("fracture_mode_1", "fracture_mode_2", "friction"))
+    spent = dissipated(summary)
     return {("dissipated energy", "J"): spent, ("end stress", "Pa"): summary["final_stress_pa"]}
 
 
@@ -51,6 +50,6 @@ CASE = Case(
     title="A sudden crack, whatever the damping",
     area="Quasi-static loading",
     run=run,
-    scene=SCENE.read_text(encoding="utf-8"),
-    no_ladders="the case itself varies pace, damping and accuracy",
+    scene=SCENE,
+    no_problems="the case itself varies pace, damping and accuracy",
 )

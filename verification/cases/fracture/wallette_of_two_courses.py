@@ -18,53 +18,10 @@ import numpy as np
 
 from verification.case import Case, Findings
 from verification.checks.beside_pair import Allowed, compare
-from verification.fixtures.scene_text import assembled
 from verification.references.interface.model import Model
+from verification.scene_runs import assembled
 
-SCENE = """title = "Two courses in tension along the bed joint"
-law = "exponential"
-kinematics = "tets"
-[specimen]
-kind = "boxes"
-section = "8000 mm^2"
-mesh_size = "90 mm"
-box = [
-  {name = "left below", origin = ["0 mm", "0 mm", "0 mm"], size = ["200 mm", "40 mm", "100 mm"], unit = 0},
-  {name = "right below", origin = ["200 mm", "0 mm", "0 mm"], size = ["160 mm", "40 mm", "100 mm"], unit = 1},
-  {name = "left above", origin = ["0 mm", "0 mm", "100 mm"], size = ["120 mm", "40 mm", "100 mm"], unit = 2},
-  {name = "right above", origin = ["120 mm", "0 mm", "100 mm"], size = ["240 mm", "40 mm", "100 mm"], unit = 3},
-]
-[material.units]
-density = "1900 kg/m^3"
-young_modulus = "16.7 GPa"
-poisson_ratio = 0.2
-[contact.unit_unit]               # Table 3, without dilation
-normal_stiffness = "167 GPa/m"
-shear_stiffness = "69.6 GPa/m"
-tensile_strength = "0.1 MPa"
-cohesion = "0.15 MPa"
-friction_angle = "45 deg"
-residual_cohesion = "1.5 kPa"
-residual_friction_angle = "36 deg"
-fracture_energy_mode_1 = "5 N/m"
-fracture_energy_mode_2 = "15 N/m"
-[[support]]
-on = "x = 0 mm"
-fix = ["x", "y"]
-[[support]]
-on = "z = 0 mm"
-fix = ["z"]
-[drive]
-on = "x = 360 mm"
-direction = "x"
-displacement = "105 um"
-steps = 1000
-[[traction]]
-on = "z = 200 mm"
-stress = {z = "-20 kPa"}
-[settle]
-steps = 1000
-"""
+SCENE = "two-courses-of-tets"
 PLACES = [*np.linspace(0, 5e-6, 11)[1:], *np.linspace(5e-6, 105e-6, 34)[1:]]
 LENGTH, HEIGHT, NEAR = 0.36, 0.2, 1e-9
 
@@ -93,5 +50,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("two-courses-of-tets",),
+    problems=("two-courses-of-tets",),
 )

@@ -6,13 +6,11 @@
 The drive must be bounded from the first opening on, not only from the first fracture energy: else it overruns the peak.
 """
 
-from masonry import scene
-from masonry.laboratory import laboratory
 from masonry.results.trust import trust
 from verification.case import Case, Check, Findings, at_most
-from verification.fixtures.scenes import path_of
+from verification.scene_runs import result_of
 
-SCENE = path_of("peel-without-tension")
+SCENE = "peel-without-tension"
 CONVERGED = {"drive.steps": 400_000}
 REASON = "what an accuracy of 1 % promises of the peak, and of the force at the end"
 
@@ -20,8 +18,8 @@ REASON = "what an accuracy of 1 % promises of the peak, and of the force at the 
 def run() -> Findings:
     """Peak and end at 1 % against 400,000 steps, and what the sentence of trust says."""
     findings = Findings()
-    slow = findings.note("400,000 steps", laboratory.run(scene.load(SCENE, CONVERGED))).summary
-    paced = findings.note("accuracy 1 %", laboratory.run(scene.load(SCENE))).summary
+    slow = findings.note("400,000 steps", result_of(SCENE, CONVERGED)).summary
+    paced = findings.note("accuracy 1 %", result_of(SCENE)).summary
     for quantity, key, expected in (("peak", "peak_stress_pa", 0.004), ("end", "final_stress_pa", 0.003)):
         findings.checks.append(
             Check(f"stress at the {quantity}", "Pa", paced[key], slow[key], "converged run", 0.01, expected, REASON)
@@ -38,6 +36,6 @@ CASE = Case(
     area="Quasi-static loading",
     run=run,
     quick=True,
-    scene=SCENE.read_text(encoding="utf-8"),
-    no_ladders="an accuracy and a rate stand beside each other in the case itself",
+    scene=SCENE,
+    no_problems="an accuracy and a rate stand beside each other in the case itself",
 )

@@ -16,67 +16,24 @@ points inside the joint would topple early, by their distance from the edge.
 from functools import partial
 
 from verification.case import Case, Check, Findings
-from verification.fixtures.scene_text import run_to_the_end_or_the_stop
 from verification.fixtures.thresholds import threshold
+from verification.scene_runs import run as run_scene
 
 HEIGHT, WIDTH, G = 1.2, 0.4, 9.81
 NORMAL, DENSITY = 2e10, 2000.0
 HALVINGS = 6
 
-SCENE = f"""
-law = "exponential"
-kinematics = "rigid"
-[specimen]
-kind = "boxes"
-contact_points = "vertex"
-section = "{WIDTH} m^2"
-[[specimen.box]]
-name = "base"
-origin = ["0 m", "0 m", "-0.1 m"]
-size = ["{WIDTH} m", "1 m", "0.1 m"]
-unit = 0
-%s
-[material.units]
-density = "{DENSITY} kg/m^3"
-[contact.unit_unit]
-normal_stiffness = "{NORMAL!r} Pa/m"
-shear_stiffness = "{0.4 * NORMAL!r} Pa/m"
-tensile_strength = "0 Pa"
-cohesion = "0 Pa"
-tan_friction_angle = 1
-fracture_energy_mode_1 = "1 N/m"
-fracture_energy_mode_2 = "1 N/m"
-[[support]]
-on = "base"
-fix = "all"
-[gravity]
-x = "1 m/s^2"
-z = "-{G} m/s^2"
-[settle]
-steps = 30000
-[solver]
-rows = 20
-"""
-BOX = """[[specimen.box]]
-name = "course {k}"
-origin = ["0 m", "0 m", "{z!r} m"]
-size = ["{width} m", "1 m", "{height!r} m"]
-unit = {unit}"""
-
-
-def wall(courses: int) -> str:
-    """The scene of a wall of so many courses on its base."""
-    h = HEIGHT / courses
-    return SCENE % "\n".join(BOX.format(k=k, z=k * h, width=WIDTH, height=h, unit=k + 1) for k in range(courses))
+SCENES = {1: "wall-of-one-course", 3: "wall-of-three-courses"}
+"""Of walls of so many courses on a base."""
 
 
 def falls(found: Findings, courses: int, mu: float, a: float) -> bool:
     """Whether the wall goes on moving: it runs away, or has gone 20 times as far as springs let it."""
     overrides = {"gravity.x": f"{a * G!r} m/s^2", "contact.unit_unit.tan_friction_angle": mu}
-    result, stopped = run_to_the_end_or_the_stop(wall(courses), overrides)
-    found.note(f"{courses} courses, mu = {mu}, a/g = {a:.6f}", result)
+    ran = run_scene(SCENES[courses], overrides)
+    result = found.note(f"{courses} courses, mu = {mu}, a/g = {a:.6f}", ran)
     elastic = DENSITY * G * HEIGHT / NORMAL * (HEIGHT / WIDTH) ** 2
-    return stopped or abs(result.history.frames[-1].corners).max() > 20 * elastic
+    return not ran.ok or abs(result.history.frames[-1].corners).max() > 20 * elastic
 
 
 def run() -> Findings:
@@ -86,18 +43,11 @@ def run() -> Findings:
         limit = min(mu, WIDTH / HEIGHT)
         value, width = threshold(partial(falls, found, courses, mu), 0.97 * limit, 1.03 * limit, HALVINGS)
         found.checks.append(
-            Check(
-                f"a/g at which a wall of {courses} course(s) {what} (mu = {mu})",
-                "1",
-                value,
-                limit,
-                "closed form",
-                3e-3,
-                width / limit + 4e-4,
-                "edge contacts make the limit exact; what is left is that a fall just above it has to get somewhere in "
-                "the time that the run has",
-            )  # fmt: skip
-        )
+            Check(f"a/g at which a wall of {courses} course(s) {what} (mu = {mu})", "1", value, limit, "closed form",
+                  3e-3, width / limit + 4e-4,
+                  "edge contacts make the limit exact; what is left is that a fall just above it has to get somewhere "
+                  "in the time that the run has")
+        )  # fmt: skip
     return found
 
 
@@ -108,6 +58,6 @@ CASE = Case(
     area="Friction and stability",
     run=run,
     quick=True,
-    scene=wall(1),
-    no_ladders="a yes or no, bisected: the width that is left is the error, and each half of it costs a run",
+    scene=SCENES[1],
+    no_problems="a yes or no, bisected: the width that is left is the error, and each half of it costs a run",
 )

@@ -69,5 +69,5 @@ CASE = Case(
     area="Contact laws",
     run=run,
     quick=True,
-    no_ladders="one contact point, driven by displacement: the order in its step is in the case",
+    no_problems="one contact point, driven by displacement: the order in its step is in the case",
 )

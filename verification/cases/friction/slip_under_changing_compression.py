@@ -124,5 +124,5 @@ CASE = Case(
     area="Contact laws",
     run=run,
     quick=True,
-    no_ladders="one contact point, driven by displacement: exact at any setting",
+    no_problems="one contact point, driven by displacement: exact at any setting",
 )

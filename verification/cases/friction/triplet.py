@@ -11,53 +11,14 @@ Reference: eqs (8), (17) of the paper; statics.
 
 import numpy as np
 
+from verification.balance import dissipated
 from verification.case import Case, Check, Findings, Line, Plot
-from verification.fixtures.scene_text import joint_table
-from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.single_shear import around_the_peak
 from verification.references.closed_forms import Joint, dissipated_in_shear, shear
+from verification.scene_runs import result_of
 
 AREA, S, LAST = 0.2 * 0.05, 0.5e6, 1e-3
-SCENE = (
-    """
-law = "exponential"
-kinematics = "rigid"
-confinement = "0.5 MPa"
-[specimen]
-kind = "boxes"
-section = "0.01 m^2"                # of one joint
-box = [
-  {name = "bottom", origin = ["0 m", "0 m", "0 mm"], size = ["200 mm", "50 mm", "50 mm"], unit = 0},
-  {name = "middle", origin = ["0 m", "0 m", "50 mm"], size = ["200 mm", "50 mm", "50 mm"], unit = 1},
-  {name = "top", origin = ["0 m", "0 m", "100 mm"], size = ["200 mm", "50 mm", "50 mm"], unit = 2},
-]
-[material.units]
-density = "1900 kg/m^3"
-"""
-    + joint_table(Joint())
-    + """[[support]]
-on = "bottom"
-fix = "all"
-[[support]]
-on = "middle"
-fix = ["y", "rotation"]
-[[support]]
-on = "top"
-fix = ["x", "y", "rotation"]
-[[traction]]
-on = "top.z+"
-stress = {z = "-confinement"}
-[settle]
-steps = 8000
-[drive]
-on = "middle"
-direction = "x"
-displacement = "1 mm"
-steps = 20000
-[solver]
-rows = 600
-"""
-)
+SCENE = "triplet-of-rigid-units"
 
 
 NEAR = 1e-3
@@ -67,8 +28,8 @@ NEAR = 1e-3
 def at_every_step(found: Findings) -> None:
     """A short run with few rows finds the peak of the same run with a row at every step, and its displacement."""
     short = {"settle.steps": 2000, "drive.displacement": "0.03 mm", "drive.steps": 2000}
-    rows = found.note("triplet, a row a step", run_text(SCENE, short | {"solver.rows": 4000})).history.rows
-    few = found.note("triplet, few rows", run_text(SCENE, short | {"solver.rows": 20})).summary
+    rows = found.note("triplet, a row a step", result_of(SCENE, short | {"solver.rows": 4000})).history.rows
+    few = found.note("triplet, few rows", result_of(SCENE, short | {"solver.rows": 20})).summary
     highest = int(np.argmax(rows["stress"]))
     near = int(np.argmax(rows["stress"] >= (1.0 - NEAR) * rows["stress"].max()))
     for name, key, unit, column, row in (
@@ -84,14 +45,13 @@ def at_every_step(found: Findings) -> None:
 def run() -> Findings:
     """Force on the middle unit, and what both joints dissipate."""
     found, joint, kind = Findings(), Joint(), "closed form"
-    result = found.note("triplet", run_text(SCENE))
+    result = found.note("triplet", result_of(SCENE))
     rows = result.history.rows
     moved = rows["displacement"] > 0.0
     slip, force = rows["displacement"][moved], AREA * rows["stress"][moved]
     wanted = 2 * AREA * shear("exponential", joint, slip, S)
     peak = 2 * AREA * float(joint.peak(S))
-    energy = result.summary["energy_j"]
-    spent = energy["fracture_mode_1"] + energy["fracture_mode_2"] + energy["friction"]
+    spent = dissipated(result.summary)
     gone = 2 * AREA * float(dissipated_in_shear("exponential", joint, slip[-1], S))
     missed, rough = around_the_peak("exponential", joint, S, rows)
     rough *= 2 * AREA / gone
@@ -131,5 +91,5 @@ CASE = Case(
     run=run,
     quick=True,
     scene=SCENE,
-    ladders=("triplet",),
+    problems=("triplet",),
 )

@@ -10,17 +10,17 @@ Reference: by hand, the sum of v(n+1/2) - v(n-1/2) = F dt/m times v.
 """
 
 from verification.case import Case, Findings
-from verification.checks.ledgers import identity, scene_of, two_sums
-from verification.fixtures.scene_text import run as run_text
+from verification.cases.specimens.energy_identity import SCENE, finer
+from verification.checks.ledgers import identity, two_sums
+from verification.scene_runs import result_of
 
-MIXED = '{default = "rigid", soft = "affine", fine = "tets"}'
-SOLVER = 'masses = "scaled"\ndamping = 0.8'
-OPTIONS = (
-    'unloading = "elastic"',
-    'softening_variable = "plastic"',
-    'coupling = "independent"',
-    'dilation_angle = "5 deg"',
-)
+ALL_KINDS = "energy-of-all-kinds"
+OPTIONS = {
+    "unloading": "elastic",
+    "softening_variable": "plastic",
+    "coupling": "independent",
+    "dilation_angle": "5 deg",
+}
 
 EXPECTED = 1e-3
 """Difference of the two sums of the dissipation at the finer step, over the first."""
@@ -29,19 +29,13 @@ EXPECTED = 1e-3
 def run() -> Findings:
     """All kinds with the exponential law; rigid blocks with the others, with each option, and without damping."""
     found = Findings()
-    identity(found, "all kinds, exponential", run_text(scene_of(MIXED, "exponential", SOLVER)))
+    identity(found, "all kinds, exponential", result_of(ALL_KINDS))
     for law in ("brittle", "linear", "polynomial"):
-        identity(
-            found, f"rigid, {law}", run_text(scene_of('"rigid"', law, SOLVER, one_group=True)), ("elastic_blocks",)
-        )
-    for option in OPTIONS:
-        result = run_text(scene_of('"rigid"', "exponential", SOLVER, more=option, one_group=True))
-        identity(found, f"rigid, exponential, {option}", result, ("elastic_blocks",))
-    undamped = 'masses = "real"\ndamping = 0.0\nstep_fraction = '
-    runs = [
-        run_text(scene_of('"rigid"', "exponential", f"{undamped}{0.9 / finer}", finer, one_group=True))
-        for finer in (2, 4)
-    ]
+        identity(found, f"rigid, {law}", result_of(SCENE, {"law": law}), ("elastic_blocks",))
+    for key, value in OPTIONS.items():
+        result = result_of(SCENE, {f"contact.unit_unit.{key}": value})
+        identity(found, f'rigid, exponential, {key} = "{value}"', result, ("elastic_blocks",))
+    runs = [result_of(SCENE, finer(times, masses="real", damping=0.0)) for times in (2, 4)]
     identity(found, "rigid, no damping", runs[0], ("elastic_blocks", "damping"))
     found.note("rigid, no damping, half the step", runs[1])
     two_sums(found, "rigid, no damping", runs, EXPECTED)
@@ -54,6 +48,6 @@ CASE = Case(
     "Where the energy goes: all kinds, laws and options",
     area="Dynamics",
     run=run,
-    scene=scene_of(MIXED, "exponential", SOLVER),
-    no_ladders="an identity: it holds at any setting",
+    scene=ALL_KINDS,
+    no_problems="an identity: it holds at any setting",
 )

@@ -125,5 +125,5 @@ CASE = Case(
     area="Elastic assemblies",
     run=run,
     quick=True,
-    no_ladders="the finite element model alone: its orders are in the case",
+    no_problems="the finite element model alone: its orders are in the case",
 )

@@ -13,18 +13,16 @@ from functools import partial
 from verification.case import Case, Findings
 from verification.cases.fracture.wallette_of_two_courses import PLACES, SCENE, conditions
 from verification.checks.beside_pair import Allowed, compare
-from verification.fixtures.scene_text import assembled
+from verification.scene_runs import assembled
 
-TABLE = "[contact.unit_unit]"
-VARIANTS = {
-    "linear": SCENE.replace('law = "exponential"', 'law = "linear"'),
-    "polynomial": SCENE.replace('law = "exponential"', 'law = "polynomial"').replace(
-        'residual_friction_angle = "36 deg"',
-        'residual_friction_angle = "36 deg"\nexponent_tension = 3.0\nexponent_shear = 2.5',
-    ),
-    "independent": SCENE.replace(
-        'residual_friction_angle = "36 deg"', 'residual_friction_angle = "36 deg"\ncoupling = "independent"'
-    ),
+VARIANTS: dict[str, dict[str, object]] = {
+    "linear": {"law": "linear"},
+    "polynomial": {
+        "law": "polynomial",
+        "contact.unit_unit.exponent_tension": 3.0,
+        "contact.unit_unit.exponent_shear": 2.5,
+    },
+    "independent": {"contact.unit_unit.coupling": "independent"},
 }
 
 
@@ -33,9 +31,9 @@ def run() -> Findings:
     found = Findings()
     smooth = Allowed(elastic=(1e-9, 1e-8), softening=(1e-5, 5e-5), nodes=(1e-7, 1e-6))
     kinked = Allowed(elastic=(1e-9, 1e-8), softening=(3e-5, 1e-4), nodes=(1e-6, 1e-5))
-    for name, text in VARIANTS.items():
+    for name, keys in VARIANTS.items():
         allowed, parts = {"linear": (kinked, 8), "polynomial": (kinked, 16)}.get(name, (smooth, 1))
-        make = partial(assembled, text)
+        make = partial(assembled, SCENE, keys)
         compare(found, f"two courses, {name}", make, conditions, PLACES, allowed, 3000, 1000, parts)
     return found
 
@@ -46,5 +44,5 @@ CASE = Case(
     "Linear, polynomial and uncoupled softening, against the interface model on the same tets",
     area="Fracture",
     run=run,
-    ladders=("two-courses-of-tets",),
+    problems=("two-courses-of-tets",),
 )

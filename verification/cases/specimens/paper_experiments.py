@@ -20,5 +20,5 @@ CASE = Case(
     area="Fracture",
     run=run,
     quick=True,
-    ladders=("couplet", "wallette-mode-1", "wallette-mode-2", "bending-0"),
+    problems=("couplet", "wallette-mode-1", "wallette-mode-2", "bending-0"),
 )

@@ -3,9 +3,9 @@
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.paper.bending.runs import ASSUMED, SCENES, SEEDS, STRENGTHS, WEAKER, label, name_of
+from verification.paper.bending.runs import ASSUMED, SCENES, SEEDS, STRENGTHS, WEAKER, label, name_of, walls
 from verification.paper.bending.strength_map import crack_of
-from verification.paper.experiment import Claim, Done, answer
+from verification.paper.experiment import Claim, Done, claim
 
 FREE, PRESSED = SCENES
 LOST = (
@@ -33,7 +33,7 @@ def modes(done: Done) -> list[Claim]:
         check = f"units cracked in {count}, {name_of(ASSUMED)} (chosen for this)"
         measured = f"{assumed.sentence()}. With {name_of(WEAKER)} {other.sentence()}"
         wider = "" if word == "stepped" else ". A straight crack, too, goes through units and head joints"
-        made.append(Claim(says, source, check, measured, *answer(assumed.word == word, LOST + wider)))
+        made.append(claim(says, source, check, measured, assumed.word == word, LOST + wider))
     return made
 
 
@@ -42,25 +42,20 @@ def pattern_changes(done: Done) -> Claim:
     tried = (ASSUMED, WEAKER) if done.quick else STRENGTHS
     words = {pair: tuple(crack_of(done, label(pair, sigma)).word for sigma in SCENES) for pair in tried}
     both = [pair for pair, word in words.items() if word == ("stepped", "mixed")]
-    return Claim(
-        "The failure changes from stepped to mixed with the pre-compression",
-        "7, Fig. 22",
-        f"it does with the shipped strengths; {len(tried)} pairs were tried, units 3 to 10 times as strong as joints",
-        f"{len(both)} of {len(tried)}: {'; '.join(map(name_of, both)) or 'none'}",
-        *answer(ASSUMED in both, LOST),
-    )
+    return claim("The failure changes from stepped to mixed with the pre-compression", "7, Fig. 22",
+                 f"it does with the shipped strengths; {len(tried)} pairs were tried, units 3 to 10 times as strong as "
+                 "joints",
+                 f"{len(both)} of {len(tried)}: {'; '.join(map(name_of, both)) or 'none'}",
+                 ASSUMED in both, LOST)  # fmt: skip
 
 
 def tension_leads(done: Done) -> Claim:
     """What broke the head joints of the stepped crack."""
     opened = crack_of(done, label(ASSUMED, FREE)).opened
-    return Claim(
-        "In the stepped crack head joints fail by flexural tension",
-        "7, Fig. 22a",
-        f"broken area of head joints that lost more by tension than by shear: > 90 %, {name_of(ASSUMED)}",
-        f"{opened:.0%}",
-        *answer(opened > 0.9, "head joints slide as they open"),
-    )
+    return claim("In the stepped crack head joints fail by flexural tension", "7, Fig. 22a",
+                 f"broken area of head joints that lost more by tension than by shear: > 90 %, {name_of(ASSUMED)}",
+                 f"{opened:.0%}",
+                 opened > 0.9, "head joints slide as they open")  # fmt: skip
 
 
 def rollers(done: Done) -> Claim:
@@ -71,45 +66,36 @@ def rollers(done: Done) -> Claim:
         final = float(done[label(ASSUMED, sigma)].history.rows["force"][-1])
         carried.append(abs(-force / (2.0 * final) - 1.0))
         rubbed.append(shear / final)
-    return Claim(
-        "Only rollers hold the wall on both sides",
-        "7",
-        "at the end load and support rollers press with twice the force of the drive, within 2 %, and do not rub",
-        f"off by {max(carried):.2%}; rubbing {max(rubbed):.0e} of the force",
-        *answer(max(carried) < 0.02 and max(rubbed) < 1e-9, "rollers carry another force than the drive"),
-    )
+    return claim("Only rollers hold the wall on both sides", "7",
+                 "at the end load and support rollers press with twice the force of the drive, within 2 %, and do not "
+                 "rub",
+                 f"off by {max(carried):.2%}; rubbing {max(rubbed):.0e} of the force",
+                 max(carried) < 0.02 and max(rubbed) < 1e-9, "rollers carry another force than the drive")  # fmt: skip
 
 
 def held_below(done: Done) -> Claim:
     """What the plate under the wall carries at the end."""
     force, shear, area = _carried(done[label(ASSUMED, PRESSED)], "plate")
     stress = -force / area
-    return Claim(
-        "With pre-compression the bottom is held in its direction, and in no other",
-        "7",
-        "at the end the plate below carries 0.25 MPa within 0.1 %, and no shear",
-        f"{stress * 1e-6:.5f} MPa, shear {shear / abs(force):.0e} of it",
-        *answer(abs(stress / 0.25e6 - 1.0) < 1e-3 and shear < 1e-9 * abs(force), "the plate carries something else"),
-    )
+    return claim("With pre-compression the bottom is held in its direction, and in no other", "7",
+                 "at the end the plate below carries 0.25 MPa within 0.1 %, and no shear",
+                 f"{stress * 1e-6:.5f} MPa, shear {shear / abs(force):.0e} of it",
+                 abs(stress / 0.25e6 - 1.0) < 1e-3 and shear < 1e-9 * abs(force),
+                 "the plate carries something else")  # fmt: skip
 
 
 def cells(done: Done) -> Claim:
     """Other random cells in the units."""
     same, spread = [], []
-    for pair in (ASSUMED, WEAKER):
-        for sigma in SCENES:
-            names = [label(pair, sigma), *(label(pair, sigma, f"cells {seed}") for seed in SEEDS)]
-            peaks = np.array([done.peak(name) for name in names])
-            spread.append(float(np.ptp(peaks) / peaks.mean()))
-            words = {crack_of(done, name).word for name in names}
-            same.append(len(words) == 1)
-    return Claim(
-        "Peak and pattern are those of the wall, not of its random cells",
-        "7",
-        "three divisions into cells crack in the same way, their peaks within 10 %, in all four walls",
-        f"the same way in {sum(same)} of {len(same)}, peaks within {max(spread):.1%}",
-        *answer(all(same) and max(spread) < 0.1, "cells decide where several ways are nearly as weak"),
-    )
+    for wall in walls():
+        names = [label(*wall), *(label(*wall, f"cells {seed}") for seed in SEEDS)]
+        peaks = np.array([done.peak(name) for name in names])
+        spread.append(float(np.ptp(peaks) / peaks.mean()))
+        same.append(len({crack_of(done, name).word for name in names}) == 1)
+    return claim("Peak and pattern are those of the wall, not of its random cells", "7",
+                 "three divisions into cells crack in the same way, their peaks within 10 %, in all four walls",
+                 f"the same way in {sum(same)} of {len(same)}, peaks within {max(spread):.1%}",
+                 all(same) and max(spread) < 0.1, "cells decide where several ways are nearly as weak")  # fmt: skip
 
 
 def _carried(result: Result, group: str) -> tuple[float, float, float]:

@@ -1,5 +1,6 @@
 """Which walls are bent: the strengths that Table 5 has lost, units 3 to 10 times as strong as joints, and more."""
 
+from collections.abc import Iterable
 from itertools import product
 
 GAUGE = "mid-span deflection"
@@ -26,6 +27,11 @@ def strengths(interface: float, units: float) -> dict[str, str]:
         for group, strength in (("unit_unit", interface), ("within_units", units))
         for key, factor in (("tensile_strength", 1.0), ("cohesion", 1.5), ("residual_cohesion", 0.015))
     }
+
+
+def walls(pairs: Iterable[Pair] = (ASSUMED, WEAKER)) -> list[tuple[Pair, str]]:
+    """(pair of strengths, pre-compression) of each wall."""
+    return list(product(pairs, SCENES))
 
 
 def name_of(pair: Pair) -> str:

@@ -8,10 +8,15 @@ from verification.html import page
 from verification.html.figures import COLOURS, sheet
 from verification.paper.bending.by_hand import Wall, bending_spec, wall_of
 from verification.paper.bending.crack import FlexuralCrack, flexural_crack
-from verification.paper.bending.runs import ASSUMED, SCENES, STRENGTHS, label
+from verification.paper.bending.runs import ASSUMED, SCENES, STRENGTHS, label, walls
 from verification.paper.experiment import Done
 
 MARK = {"stepped": ("s", COLOURS[0]), "mixed": ("D", COLOURS[4]), "straight": ("|", COLOURS[1])}
+HEADER = (
+    *("fT interface / units [MPa]", "pre-compression", "by hand, brittle [MPa]", "peak M/W [MPa]"),
+    *("by hand, plastic [MPa]", "crack", "courses with cracked units", "of the section within units"),
+    "broken bed joints, sections",
+)
 CAPTION = (
     "Crack pattern and peak stress M/W by the tensile strengths of interfaces and units. Lines: where by hand the "
     "crack round all units and the one straight through them need the same moment; above, the stepped one is weaker."
@@ -35,27 +40,15 @@ def _scene(done: Done, name: str) -> scene.Scene:
 def parts(done: Done) -> list[str]:
     """The map, and the table of its numbers."""
     rows = []
-    for pair in STRENGTHS:
-        for sigma in SCENES:
-            run = label(pair, sigma)
-            crack, peak = crack_of(done, run), done.peak(run)
-            low, high = wall_by_hand(done, run).bounds()
-            numbers = (f"{1e-6 * value:.3g}" for value in (low, peak, high))
-            shares = (f"{100 * crack.unit_share:.0f} %", f"{crack.shares['bed joints']:.2f}")
-            name = f"{pair[0]:g} / {pair[1]:g}" + (", as shipped" if pair == ASSUMED else "")
-            rows.append([name, sigma, *numbers, crack.word, str(crack.through), *shares])
-    header = (
-        "fT interface / units [MPa]",
-        "pre-compression",
-        "by hand, brittle [MPa]",
-        "peak M/W [MPa]",
-        "by hand, plastic [MPa]",
-        "crack",
-        "courses with cracked units",
-        "of the section within units",
-        "broken bed joints, sections",
-    )
-    return [page.picture(picture(done), CAPTION), page.table(header, rows, "Peak and crack by the lost strengths.")]
+    for pair, sigma in walls(STRENGTHS):
+        run = label(pair, sigma)
+        crack, peak = crack_of(done, run), done.peak(run)
+        low, high = wall_by_hand(done, run).bounds()
+        numbers = (f"{1e-6 * value:.3g}" for value in (low, peak, high))
+        shares = (f"{100 * crack.unit_share:.0f} %", f"{crack.shares['bed joints']:.2f}")
+        name = f"{pair[0]:g} / {pair[1]:g}" + (", as shipped" if pair == ASSUMED else "")
+        rows.append([name, sigma, *numbers, crack.word, str(crack.through), *shares])
+    return [page.picture(picture(done), CAPTION), page.table(HEADER, rows, "Peak and crack by the lost strengths.")]
 
 
 def picture(done: Done) -> Figure:

@@ -3,9 +3,8 @@
 from masonry import scene
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
-from verification.paper.couplets.checked import checked
 from verification.paper.couplets.laws import CONFINEMENTS, LAWS, joint, name, words
-from verification.paper.experiment import Claim, Done
+from verification.paper.experiment import Claim, Done, claim
 from verification.references.closed_forms import Joint, dissipated_in_tension, shear_area
 
 GIVEN, CLOSED = 0.05, 0.01
@@ -32,14 +31,10 @@ def energy(done: Done, law: str, equation: int) -> Claim:
         summary = done[name(law, c)].summary
         ratios.append(summary["energy_j"]["fracture_mode_2"] / summary["section_m2"] / given)
         whole.append(shear_area(law, joint(c), s) / given)
-    return checked(
-        f"The {law} law takes into account the mode II fracture energy",
-        f"3, eq. ({equation})",
-        f"energy of mode II to 1 mm within {GIVEN:.0%} of G_II, at 0.1 / 0.5 / 1.0 MPa",
-        f"{words(ratios, '.2f')} of it; by the equation, to the end, {words(whole, '.2f')}",
-        all(abs(r - 1.0) <= GIVEN for r in ratios),
-        WHY_ENERGY[law],
-    )
+    return claim(f"The {law} law takes into account the mode II fracture energy", f"3, eq. ({equation})",
+                 f"energy of mode II to 1 mm within {GIVEN:.0%} of G_II, at 0.1 / 0.5 / 1.0 MPa",
+                 f"{words(ratios, '.2f')} of it; by the equation, to the end, {words(whole, '.2f')}",
+                 all(abs(r - 1.0) <= GIVEN for r in ratios), WHY_ENERGY[law])  # fmt: skip
 
 
 WHY_ENERGY = {
@@ -62,16 +57,12 @@ def tensions(done: Done) -> list[Claim]:
     if not ratios:
         return []
     return [
-        checked(
-            "The laws take into account the mode I fracture energy",
-            "3, eqs (12), (14), (16)",
-            f"energy to 0.2 mm of opening within {CLOSED:.0%} of the closed form; to the end G_I = 5.8 N/m with the "
-            "elastic triangle of 1.12 N/m in it (linear) or on top of it",
-            "; ".join(f"{law} {spent:.2f} N/m ({r:.3f} of it)" for law, (r, spent) in ratios.items()),
-            all(abs(r - 1.0) <= CLOSED for r, _ in ratios.values()),
-            "the run does not take what the equation does",
-        )
-    ]
+        claim("The laws take into account the mode I fracture energy", "3, eqs (12), (14), (16)",
+              f"energy to 0.2 mm of opening within {CLOSED:.0%} of the closed form; to the end G_I = 5.8 N/m with the "
+              "elastic triangle of 1.12 N/m in it (linear) or on top of it",
+              "; ".join(f"{law} {spent:.2f} N/m ({r:.3f} of it)" for law, (r, spent) in ratios.items()),
+              all(abs(r - 1.0) <= CLOSED for r, _ in ratios.values()), "the run does not take what the equation does"),
+    ]  # fmt: skip
 
 
 def snap_back() -> Claim:
@@ -87,11 +78,9 @@ def snap_back() -> Claim:
             said[least] = "it runs"
         except SceneError as error:
             said[least] = str(error)
-    return checked(
-        "The proposed contact models have no capability to capture snap-back",
-        "3",
-        "linear law, energies below (tau_max - tau_res)^2/(2 ks) = 5.76 and fT^2/(2 kn) = 1.12 N/m: refused, naming it",
-        "; ".join(said.values()),
-        all(f"above {least:g} N/m" in text for least, text in said.items()),
-        "an energy that is too small is not refused",
-    )
+    return claim("The proposed contact models have no capability to capture snap-back", "3",
+                 "linear law, energies below (tau_max - tau_res)^2/(2 ks) = 5.76 and fT^2/(2 kn) = 1.12 N/m: refused, "
+                 "naming it",
+                 "; ".join(said.values()),
+                 all(f"above {least:g} N/m" in text for least, text in said.items()),
+                 "an energy that is too small is not refused")  # fmt: skip

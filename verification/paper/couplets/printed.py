@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from verification.paper.misprints import Misprint
+from verification.paper.experiment import Misprint
 from verification.references.closed_forms import Floats, Joint
 
 SIGMA, ANOTHER = 0.1e6, 1.0e6

@@ -3,10 +3,9 @@
 from collections.abc import Iterator
 from typing import Any
 
-from verification.paper.couplets.checked import checked
 from verification.paper.couplets.laws import CONFINEMENTS, words
 from verification.paper.couplets.measures import apart, strength_line
-from verification.paper.experiment import Claim, Done, Run
+from verification.paper.experiment import Claim, Done, Run, claim
 from verification.references.closed_forms import Joint, affine_couplet_compliance
 
 UNIT, SHEAR_MODULUS, GLUE = (0.2, 0.05), 16.7e9 / 2.4, (2e12, 1e12)
@@ -72,14 +71,11 @@ def whole(done: Done) -> Claim:
     """Units that could deform, but are driven and held as a whole."""
     rigid = done[f"exponential, {MIDDLE}"]
     gaps = {k: apart(rigid, done[WHOLE.format(k, MIDDLE)]) for k in ("affine", "tets")}
-    return checked(
-        "The macro stiffness of the brick, 16.7 GPa, is used in the discrete blocks",
-        "4",
-        f"units moved and held as a whole, as the paper says: within {SAME:.1%} of the peak of the curve of rigid ones",
-        "; ".join(f"{k} {gap:.1e}" for k, gap in gaps.items()),
-        max(gaps.values()) <= SAME,
-        "the units shear",
-    )
+    return claim("The macro stiffness of the brick, 16.7 GPa, is used in the discrete blocks", "4",
+                 f"units moved and held as a whole, as the paper says: within {SAME:.1%} of the peak of the curve of "
+                 "rigid ones",
+                 "; ".join(f"{k} {gap:.1e}" for k, gap in gaps.items()),
+                 max(gaps.values()) <= SAME, "the units shear")  # fmt: skip
 
 
 def plated(done: Done) -> Claim:
@@ -93,16 +89,13 @@ def plated(done: Done) -> Claim:
         soft.append(stiff[-1] + 1e3 * given * peak)
         found.append(1e3 * done[PLATED.format(c)].summary["displacement_at_peak_m"])
     peaks = [done.peak(PLATED.format(c)) / float(Joint().peak(CONFINEMENTS[c])) - 1.0 for c in (LOW, HIGH)]
-    return checked(
-        "The macro stiffness of the brick, where the bricks are loaded through their ends",
-        "4, Fig. 5",
-        f"units glued to plates: displacement at the peak within {STIFF:.0%} of tau/ks + tau (2 h/G + glue), "
-        f"{words(soft, '.4f')} mm, the peak as before",
-        f"{words(found, '.4f')} mm, {words((f / s for f, s in zip(found, stiff, strict=True)), '.2f')} times that of "
-        f"rigid units; peak {words((100 * p for p in peaks), '+.2f')} %",
-        all(abs(f / s - 1.0) <= STIFF for f, s in zip(found, soft, strict=True)) and max(map(abs, peaks)) <= STEADY,
-        "the closed form is not met",
-    )
+    return claim("The macro stiffness of the brick, where the bricks are loaded through their ends", "4, Fig. 5",
+                 f"units glued to plates: displacement at the peak within {STIFF:.0%} of tau/ks + tau (2 h/G + glue), "
+                 f"{words(soft, '.4f')} mm, the peak as before",
+                 f"{words(found, '.4f')} mm, {words((f / s for f, s in zip(found, stiff, strict=True)), '.2f')} times "
+                 f"that of rigid units; peak {words((100 * p for p in peaks), '+.2f')} %",
+                 all(abs(f / s - 1.0) <= STIFF for f, s in zip(found, soft, strict=True))
+                 and max(map(abs, peaks)) <= STEADY, "the closed form is not met")  # fmt: skip
 
 
 def moments(done: Done) -> Claim:
@@ -115,15 +108,12 @@ def moments(done: Done) -> Claim:
     cohesion, tangent = strength_line([CONFINEMENTS[c] for c in held], peaks)
     off = cohesion / Joint().c0 - 1.0, tangent / Joint().tan0 - 1.0
     finer = done.peak(FINER) / peaks[-1] - 1.0
-    return checked(
-        "Where stress is not uniform, the moment along the joint leads to false characterisation",
-        "4",
-        f"units held by their outer faces only: strength line more than {FALSE:.0%} off that of the joint",
-        f"peaks {words(p / 1e6 for p in peaks)} MPa at 0.5 and 1.0 MPa ({finer:+.1%} with half the mesh size): "
-        f"cohesion {cohesion / 1e6:.3f} MPa ({off[0]:+.0%}), tan(phi) {tangent:.3f} ({off[1]:+.0%}). {OTHERS}",
-        max(map(abs, off)) > FALSE,
-        "the moment does not matter here",
-    )
+    return claim("Where stress is not uniform, the moment along the joint leads to false characterisation", "4",
+                 f"units held by their outer faces only: strength line more than {FALSE:.0%} off that of the joint",
+                 f"peaks {words(p / 1e6 for p in peaks)} MPa at 0.5 and 1.0 MPa ({finer:+.1%} with half the mesh "
+                 f"size): cohesion {cohesion / 1e6:.3f} MPa ({off[0]:+.0%}), tan(phi) {tangent:.3f} ({off[1]:+.0%}). "
+                 f"{OTHERS}",
+                 max(map(abs, off)) > FALSE, "the moment does not matter here")  # fmt: skip
 
 
 def rates(done: Done) -> Claim:
@@ -133,15 +123,11 @@ def rates(done: Done) -> Claim:
     kinetic = {label: done[label].summary["kinetic_over_internal_max"] for label in (PACED, SLOW, FAST)}
     mismatch = {label: done[label].summary["reaction_mismatch_max"] for label in (PACED, SLOW, FAST)}
     steps = {label: done[label].summary["steps"] for label in (PACED, SLOW, FAST)}
-    return checked(
-        "The upper block is moved at 0.1 mm/s",
-        "4",
-        f"units between plates: peak within {STEADY:.0%} of the one paced by its error, kinetic energy < 1 % of the "
-        "internal one",
-        f"peak {off[SLOW]:+.2%}, kinetic {kinetic[SLOW]:.1e}, ends differ by {mismatch[SLOW]:.1e} of the peak, "
-        f"{steps[SLOW]} steps to 0.3 mm. Paced: kinetic {kinetic[PACED]:.1e}, ends {mismatch[PACED]:.1e}, "
-        f"{steps[PACED]} steps to 1 mm. At 10 mm/s: peak {off[FAST]:+.1%}, kinetic {kinetic[FAST]:.1e}, ends "
-        f"{mismatch[FAST]:.1e}",
-        abs(off[SLOW]) <= STEADY and kinetic[SLOW] < 0.01,
-        "the rate is felt",
-    )
+    return claim("The upper block is moved at 0.1 mm/s", "4",
+                 f"units between plates: peak within {STEADY:.0%} of the one paced by its error, kinetic energy < 1 % "
+                 "of the internal one",
+                 f"peak {off[SLOW]:+.2%}, kinetic {kinetic[SLOW]:.1e}, ends differ by {mismatch[SLOW]:.1e} of the "
+                 f"peak, {steps[SLOW]} steps to 0.3 mm. Paced: kinetic {kinetic[PACED]:.1e}, ends "
+                 f"{mismatch[PACED]:.1e}, {steps[PACED]} steps to 1 mm. At 10 mm/s: peak {off[FAST]:+.1%}, kinetic "
+                 f"{kinetic[FAST]:.1e}, ends {mismatch[FAST]:.1e}",
+                 abs(off[SLOW]) <= STEADY and kinetic[SLOW] < 0.01, "the rate is felt")  # fmt: skip

@@ -9,8 +9,7 @@ from matplotlib.figure import Figure
 
 from verification.html.figures import COLOURS, sheet
 from verification.paper.ensembles.realisations import Ensemble
-
-MILLI, MEGA = 1e3, 1e-6
+from verification.paper.pictures import MEGA, MILLI
 
 
 def bands(modes: Mapping[str, tuple[Ensemble, Mapping[str, Ensemble]]]) -> Figure:

@@ -6,7 +6,7 @@ import numpy as np
 
 from verification.html.page import percent
 from verification.paper.ensembles.realisations import Ensemble
-from verification.paper.experiment import Claim
+from verification.paper.experiment import Claim, claim
 
 WIDE = 0.1
 """Of the mean peak: a band that one test, or one run, cannot stand for."""
@@ -29,8 +29,8 @@ def told(modes: Modes, says: str, source: str, check: str, measured: str, holds:
     """A claim, or where there are few walls (a quick look) one that cannot be decided."""
     least = min(len(w.walls) for _, _, w in each(modes))
     if least < FEW:
-        return Claim(says, source, check, measured, None, f"{least} walls are too few to tell")
-    return Claim(says, source, check, measured, holds, "" if holds else why)
+        return claim(says, source, check, measured, None, f"{least} walls are too few to tell")
+    return claim(says, source, check, measured, holds, why)
 
 
 def ways_text(walls: Ensemble) -> str:
@@ -44,47 +44,36 @@ def envelope_claim(modes: Modes) -> Claim:
     patterns = {name: w.patterns for name, _, w in each(modes)}
     shown = "; ".join(f"{name}: {percent(widths[name])}, {patterns[name]} patterns" for name in widths)
     holds = min(widths.values()) > WIDE and min(patterns.values()) > 1
-    return told(
-        modes,
-        "Properties vary so much that an envelope of test results and fracture patterns should be obtained",
-        "7",
-        f"5 to 95 % of the peaks span over {percent(WIDE)} of their mean, and more than one set of places breaks",
-        shown,
-        holds,
-        "the peak hardly depends on which joints are weak",
-    )
+    return told(modes, "Properties vary so much that an envelope of test results and fracture patterns should be "
+                "obtained", "7",
+                f"5 to 95 % of the peaks span over {percent(WIDE)} of their mean, and more than one set of places "
+                "breaks",
+                shown,
+                holds, "the peak hardly depends on which joints are weak")  # fmt: skip
 
 
 def qualitative_claim(modes: Modes) -> Claim:
     """Most walls with scatter crack in the way of the one without."""
     alike = {name: w.ways[alone.walls[0].way] / len(w.walls) for name, alone, w in each(modes)}
     holds = min(alike.values()) > 0.8
-    return told(
-        modes,
-        "Variation is not considered; the crack patterns found without it are satisfying qualitatively",
-        "6",
-        "over 80 % of the walls with scatter crack in the same way (stepped, straight, mixed) as the one without",
-        "; ".join(
-            f"{name}: {100.0 * alike[name]:.0f} % {alone.walls[0].way} as without" for name, alone, _ in each(modes)
-        ),
-        holds,
-        "which way a crack goes depends on which joints and units are weak",
-    )
+    return told(modes, "Variation is not considered; the crack patterns found without it are satisfying qualitatively",
+                "6",
+                "over 80 % of the walls with scatter crack in the same way (stepped, straight, mixed) as the one "
+                "without",
+                "; ".join(f"{name}: {100.0 * alike[name]:.0f} % {alone.walls[0].way} as without"
+                for name, alone, _ in each(modes)),
+                holds, "which way a crack goes depends on which joints and units are weak")  # fmt: skip
 
 
 def mixed_claim(modes: Modes) -> Claim:
     """Within a scene cracks are stepped, straight or both, by what was drawn."""
     ways = {mode: {way for w in kinds.values() for way in w.ways if w.ways[way]} for mode, (_, kinds) in modes.items()}
     holds = any(len(found) > 1 for found in ways.values())
-    return told(
-        modes,
-        "Stepped and straight cracks occur at once or by themselves, among other things because properties vary",
-        "6",
-        "walls of one scene that differ by what is drawn alone crack in more than one way",
-        "; ".join(f"{name}: {ways_text(w)}" for name, _, w in each(modes)),
-        holds,
-        ONE_WAY,
-    )
+    return told(modes, "Stepped and straight cracks occur at once or by themselves, among other things because "
+                "properties vary", "6",
+                "walls of one scene that differ by what is drawn alone crack in more than one way",
+                "; ".join(f"{name}: {ways_text(w)}" for name, _, w in each(modes)),
+                holds, ONE_WAY)  # fmt: skip
 
 
 def weakest_claim(modes: Modes) -> Claim:
@@ -94,27 +83,25 @@ def weakest_claim(modes: Modes) -> Claim:
         falls[name] = 1.0 - float(w.peaks.mean() / alone.peaks[0])
         sure[name] = 2.0 * w.variation / np.sqrt(len(w.walls))
     holds = all(falls[name] > sure[name] for name in falls)
-    return told(
-        modes,
-        "Scatter costs strength: weak joints break first and hand on their load",
-        "beyond the paper",
-        "the mean peak is below that without scatter by more than twice its standard error",
-        "; ".join(f"{name}: lower by {percent(falls[name])} (± {percent(sure[name])})" for name in falls),
-        holds,
-        f"too few walls to tell, or no loss, in {', '.join(n for n in falls if falls[n] <= sure[n])}",
-    )
+    return told(modes, "Scatter costs strength: weak joints break first and hand on their load", "beyond the paper",
+                "the mean peak is below that without scatter by more than twice its standard error",
+                "; ".join(f"{name}: lower by {percent(falls[name])} (± {percent(sure[name])})" for name in falls),
+                holds, f"too few walls to tell, or no loss, in "
+                f"{', '.join(n for n in falls if falls[n] <= sure[n])}")  # fmt: skip
 
 
 def averaging_claim(modes: Modes) -> Claim:
     """Several joints carry together: peaks vary less than joints do."""
     variations = {name: w.variation for name, _, w in each(modes)}
     holds = max(variations.values()) < 0.3
-    return told(
-        modes,
-        "A wall varies less than its joints, which share the load",
-        "beyond the paper",
-        "variation of the peak below the 30 % of the joints",
-        "; ".join(f"{name}: {percent(value)}" for name, value in variations.items()),
-        holds,
-        "the peak depends on single joints",
-    )
+    return told(modes, "A wall varies less than its joints, which share the load", "beyond the paper",
+                "variation of the peak below the 30 % of the joints",
+                "; ".join(f"{name}: {percent(value)}" for name, value in variations.items()),
+                holds, "the peak depends on single joints")  # fmt: skip
+
+
+def claims(modes: Modes) -> list[Claim]:
+    """All of them."""
+    return [
+        claim_on(modes) for claim_on in (envelope_claim, qualitative_claim, mixed_claim, weakest_claim, averaging_claim)
+    ]

@@ -1,6 +1,7 @@
 """Section 7: wallettes in horizontal bending, Table 5 and Figs. 20 to 22, with and without pre-compression."""
 
 from collections.abc import Iterator
+from itertools import product
 from typing import Any
 
 from masonry import scene
@@ -18,6 +19,7 @@ from verification.paper.bending.runs import (
     WEAKER,
     label,
     strengths,
+    walls,
 )
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
 from verification.paper.pictures import Line, cracks, curves
@@ -39,25 +41,20 @@ MAPPED = " Units 3 to 10 times as strong as joints stand in the map below."
 def runs(quick: bool) -> dict[str, Run]:
     """Both walls for every pair of strengths; for two pairs with other cells and other contact points as well."""
     made = {}
-    for pair in (ASSUMED, WEAKER) if quick else STRENGTHS:
-        for sigma, name in SCENES.items():
-            chosen = pair in (ASSUMED, WEAKER)
-            sudden = SUDDEN if pair in GIVE_WAY else ""
-            settings = {**strengths(*pair), **(QUICK if quick else {})}
-            made[label(pair, sigma)] = Run(name, settings, halve=chosen, sudden=sudden)
+    for pair, sigma in walls() if quick else walls(STRENGTHS):
+        settings, sudden = {**strengths(*pair), **(QUICK if quick else {})}, SUDDEN if pair in GIVE_WAY else ""
+        made[label(pair, sigma)] = Run(SCENES[sigma], settings, halve=pair in (ASSUMED, WEAKER), sudden=sudden)
     return made if quick else made | dict(_varied())
 
 
 def _varied() -> Iterator[tuple[str, Run]]:
     """Other cells, more and fewer points through the thickness, and the mode II energy without pre-compression."""
-    for sigma, name in SCENES.items():
-        for pair in (ASSUMED, WEAKER):
-            for seed in SEEDS:
-                settings: dict[str, Any] = {**strengths(*pair), "specimen.cells.seed": seed}
-                yield label(pair, sigma, f"cells {seed}"), Run(name, settings)
-        for points in POINTS:
-            settings = {**strengths(*ASSUMED), "specimen.points_per_edge.y": points}
-            yield label(ASSUMED, sigma, f"{points} points"), Run(name, settings)
+    for (pair, sigma), seed in product(walls(), SEEDS):
+        settings: dict[str, Any] = {**strengths(*pair), "specimen.cells.seed": seed}
+        yield label(pair, sigma, f"cells {seed}"), Run(SCENES[sigma], settings)
+    for sigma, points in product(SCENES, POINTS):
+        settings = {**strengths(*ASSUMED), "specimen.points_per_edge.y": points}
+        yield label(ASSUMED, sigma, f"{points} points"), Run(SCENES[sigma], settings)
     lower = {**strengths(*ASSUMED), "contact.unit_unit.fracture_energy_mode_2": "40 N/m"}
     yield label(ASSUMED, "0.25 MPa", "GII 40 N/m"), Run(SCENES["0.25 MPa"], lower)
 
@@ -101,11 +98,8 @@ def _line(done: Done, pair: tuple[float, float], sigma: str) -> Line:
 
 def seen_from_behind(done: Done) -> list[str]:
     """Fig. 22: the cracks at the end, seen from the tension face."""
-    shown = {}
-    for pair in (ASSUMED, WEAKER):
-        for sigma in SCENES:
-            name = label(pair, sigma)
-            shown[f"{strength_map.crack_of(done, name).word}, {name}"] = done[name]
+    names = [label(*wall) for wall in walls()]
+    shown = {f"{strength_map.crack_of(done, name).word}, {name}": done[name] for name in names}
     caption = "Our Fig. 22: cracks at the end of the test, seen from the tension face (support rollers in front)."
     return [page.picture(cracks(shown, 2, back=True), caption, pixels=True)]
 

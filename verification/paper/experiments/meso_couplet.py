@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from verification.html.figures import COLOURS
 from verification.html.page import paragraph, picture
 from verification.paper import pictures
-from verification.paper.couplets import assumed, beds, cells, failure, mortar
+from verification.paper.couplets import assumed, beds, cells, mortar
 from verification.paper.couplets.laws import CONFINEMENTS
 from verification.paper.couplets.measures import strength_line
 from verification.paper.couplets.mortar import SEMI_RIGID, SIZES, known, name
@@ -36,7 +36,6 @@ def show(done: Done) -> Section:
     claims = [
         *mortar.claims(done),
         *cells.claims(done),
-        *failure.claims(done),
         *beds.claims(done),
         *assumed.claims(done),
     ]

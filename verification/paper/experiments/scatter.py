@@ -6,17 +6,11 @@ import numpy as np
 
 from verification.html import page
 from verification.html.page import percent
-from verification.paper.ensembles.bands import MEGA, bands, frequencies
-from verification.paper.ensembles.claims import (
-    averaging_claim,
-    envelope_claim,
-    mixed_claim,
-    qualitative_claim,
-    ways_text,
-    weakest_claim,
-)
+from verification.paper.ensembles.bands import bands, frequencies
+from verification.paper.ensembles.claims import claims, ways_text
 from verification.paper.ensembles.realisations import Ensemble, ensemble
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
+from verification.paper.pictures import MEGA
 
 SCENES = {"failure mode 1": "wallette-mode-1", "failure mode 2": "wallette-mode-2"}
 VARIATION = {"unit_unit": 0.3, "within_units": 0.2}
@@ -94,13 +88,7 @@ def show(done: Done) -> Section:
         page.picture(frequencies(modes), "How often each joint, and each face within a unit, is broken at the end."),
         page.table(HEADER, [line(mode, kind, *both) for mode, both in modes.items() for kind in KINDS]),
     ]
-    made.claims += [
-        envelope_claim(modes),
-        qualitative_claim(modes),
-        mixed_claim(modes),
-        weakest_claim(modes),
-        averaging_claim(modes),
-    ]
+    made.claims += claims(modes)
     for mode, (alone, kinds) in modes.items():
         for kind, found in kinds.items():
             label = walls(mode, kind, done.quick)[0]

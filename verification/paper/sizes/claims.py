@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from verification.html.page import percent
-from verification.paper.experiment import Claim
+from verification.paper.experiment import Claim, claim
 from verification.paper.sizes.families import (
     BRITTLE,
     FIRST,
@@ -37,15 +37,11 @@ def claims(found: Mapping[str, Found], quick: bool) -> list[Claim]:
 def curves_claim(found: Mapping[str, Found], name: str, limit: float, says: str) -> Claim:
     """The curves of the sizes against each other, beside what seeds do."""
     sizes, seeds = curves_apart(found[name])
-    fine = sizes < limit
-    return Claim(
-        says,
-        "6, Fig. 15",
-        f"{name}: mean curves of 335 and 540 cells within {percent(limit)} of the peak of that of 218 cells",
-        f"{percent(sizes)}; seeds of one size differ from its mean curve by {percent(seeds)}",
-        fine,
-        "" if fine else "the curve after the peak depends on the paths that the division offers, at every size",
-    )
+    return claim(says, "6, Fig. 15",
+                 f"{name}: mean curves of 335 and 540 cells within {percent(limit)} of the peak of that of 218 cells",
+                 f"{percent(sizes)}; seeds of one size differ from its mean curve by {percent(seeds)}",
+                 sizes < limit, "the curve after the peak depends on the paths that the division offers, "
+                 "at every size")  # fmt: skip
 
 
 def pattern_claim(found: Mapping[str, Found]) -> Claim:
@@ -54,32 +50,23 @@ def pattern_claim(found: Mapping[str, Found]) -> Claim:
     held = (
         f"; plates that do not turn: {straight(found[HELD])[0]} of {straight(found[HELD])[2]}" if HELD in found else ""
     )
-    return Claim(
-        "No difference in the fracture pattern: an almost vertical crack",
-        "6, Fig. 16",
-        f"failure mode 2: spread of the crack along the wall < {STRAIGHT * MILLI:.0f} mm in every run",
-        f"{narrow} of {count}{held}",
-        narrow == count,
-        "" if narrow == count else "some cracks change from one section to another, or share the wall with a second",
-    )
+    return claim("No difference in the fracture pattern: an almost vertical crack", "6, Fig. 16",
+                 f"failure mode 2: spread of the crack along the wall < {STRAIGHT * MILLI:.0f} mm in every run",
+                 f"{narrow} of {count}{held}",
+                 narrow == count, "some cracks change from one section to another, or share the wall "
+                 "with a second")  # fmt: skip
 
 
 def place_claim(found: Mapping[str, Found]) -> Claim:
     """Whether it stands at mid-length."""
     narrow, middle, _ = straight(found[SECOND])
-    fine = middle == narrow > 0
-    return Claim(
-        "The crack is at the mid-length of the specimen",
-        "6, Fig. 16",
-        f"failure mode 2: middle of the crack within {STRAIGHT * MILLI:.0f} mm of {SECTIONS[1] * MILLI:.0f} mm",
-        f"{middle} of {narrow}",
-        fine,
-        ""
-        if fine
-        else "the sections at 125, 250 and 375 mm each hold two head joints and two mid-lengths of units, and are "
-        "equally "
-        "strong: the cells decide. The units' mid-length is met in all of them",
-    )
+    return claim("The crack is at the mid-length of the specimen", "6, Fig. 16",
+                 f"failure mode 2: middle of the crack within {STRAIGHT * MILLI:.0f} mm of {SECTIONS[1] * MILLI:.0f} "
+                 "mm",
+                 f"{middle} of {narrow}",
+                 middle == narrow > 0, "the sections at 125, 250 and 375 mm each hold two head joints "
+                 "and two mid-lengths of units, and are equally strong: the cells decide. The units' "
+                 "mid-length is met in all of them")  # fmt: skip
 
 
 def capacity_claim(found: Mapping[str, Found], name: str, quick: bool) -> Claim:
@@ -94,14 +81,10 @@ def capacity_claim(found: Mapping[str, Found], name: str, quick: bool) -> Claim:
             f"; by seed ± {percent(spread.within / spread.mean)}, by size ± {percent(spread.between / spread.mean)} "
             f"beyond chance (p = {spread.chance:.2g})"
         )
-    return Claim(
-        f"No severe block size dependency and capacity difference, {name}",
-        "6, conclusion 2",
-        "mean peaks of the three sizes within 5 % of each other",
-        " / ".join(f"{m:.4f}" for m in means.values()) + f" MPa, {percent(reach)} apart{told}",
-        reach < 0.05,
-        "" if reach < 0.05 else "the peak depends on the size",
-    )
+    return claim(f"No severe block size dependency and capacity difference, {name}", "6, conclusion 2",
+                 "mean peaks of the three sizes within 5 % of each other",
+                 " / ".join(f"{m:.4f}" for m in means.values()) + f" MPa, {percent(reach)} apart{told}",
+                 reach < 0.05, "the peak depends on the size")  # fmt: skip
 
 
 def coarse_claim(found: Mapping[str, Found]) -> Claim:
@@ -112,16 +95,12 @@ def coarse_claim(found: Mapping[str, Found]) -> Claim:
         spent = [np.mean([energy_per_section(r)["fracture"] for r in results]) for results in (coarse, fine)]
         top = [np.mean([mpa(r) for r in results]) for results in (coarse, fine)]
         off += [float(top[0] / top[1] - 1.0), float(spent[0] / spent[1] - 1.0)]
-    good = max(abs(value) for value in off) < 0.1
-    return Claim(
-        "Coarse blocks give enough accuracy",
-        "6",
-        "218 against 540 cells: mean peak and fracture energy within 10 %",
-        f"mode 1: {100 * off[0]:+.2g} % and {100 * off[1]:+.2g} %; mode 2: {100 * off[2]:+.2g} % and "
-        f"{100 * off[3]:+.2g} %",
-        good,
-        "" if good else "cracks along coarse cells need more energy, because their faces are rougher",
-    )
+    return claim("Coarse blocks give enough accuracy", "6",
+                 "218 against 540 cells: mean peak and fracture energy within 10 %",
+                 f"mode 1: {100 * off[0]:+.2g} % and {100 * off[1]:+.2g} %; mode 2: {100 * off[2]:+.2g} % and "
+                 f"{100 * off[3]:+.2g} %",
+                 max(abs(value) for value in off) < 0.1,
+                 "cracks along coarse cells need more energy, because their faces are rougher")  # fmt: skip
 
 
 def brittle_claim(found: Mapping[str, Found]) -> Claim:
@@ -129,13 +108,10 @@ def brittle_claim(found: Mapping[str, Found]) -> Claim:
     soft, hard = (spread_of(peaks(found[name])) for name in (SECOND, BRITTLE))
     whole = [float(np.ptp([p for v in peaks(found[n]).values() for p in v])) for n in (SECOND, BRITTLE)]
     more = [hard.reach / soft.reach, whole[1] / hard.mean / (whole[0] / soft.mean)]
-    fine = min(more) > 1.0
-    return Claim(
-        "Dependency on the blocks, known of brittle models, is considerably minimised by the fracture energies",
-        "conclusion 2",
-        "failure mode 2: peaks are further apart with the brittle law, between mean peaks of sizes and over all runs",
-        f"sizes: {percent(hard.reach)} against {percent(soft.reach)}; all: {percent(whole[1] / hard.mean)} against "
-        f"{percent(whole[0] / soft.mean)}; mean peak {hard.mean:.4f} against {soft.mean:.4f} MPa",
-        fine,
-        "" if fine else "not here",
-    )
+    return claim("Dependency on the blocks, known of brittle models, is considerably minimised by the fracture "
+                 "energies", "conclusion 2",
+                 "failure mode 2: peaks are further apart with the brittle law, between mean peaks of sizes and over "
+                 "all runs",
+                 f"sizes: {percent(hard.reach)} against {percent(soft.reach)}; all: {percent(whole[1] / hard.mean)} "
+                 f"against {percent(whole[0] / soft.mean)}; mean peak {hard.mean:.4f} against {soft.mean:.4f} MPa",
+                 min(more) > 1.0, "not here")  # fmt: skip
