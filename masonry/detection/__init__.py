@@ -1,4 +1,0 @@
-"""Contact detection of large displacement: convex pieces, their common planes, overlap polygons, neighbours, history.
-
-Knows plain arrays; no laws, time steps or scenes.
-"""
