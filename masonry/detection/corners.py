@@ -1,0 +1,89 @@
+"""The corners of an overlap polygon as contact points: the area that each stands for.
+
+The two triangles between the centroid c and the edges at a corner give it half of their area each: a_k = (t_(k-1) +
+t_k)/2. That reproduces area A and centroid of any convex polygon, and no a_k is below 0: triangle t_k = (c, x_k,
+x_(k+1)) has its centroid at (c + x_k + x_(k+1))/3, so that sum t_k (x_k + x_(k+1))/2 = (3 A c - A c)/2 = A c.
+"""
+
+from masonry.detection.bare import bare
+
+MERGED = 1e-4
+"""Of the root of the area: corners that are nearer to each other become one, at their middle weighted by area."""
+
+
+@bare
+def weigh(u, v, row, count, cu, cv, weight):
+    """Areas (m2) of the corners of a polygon with centroid c into weight; they add up to its area."""
+    last = count - 1
+    before = (u[row, last] - cu) * (v[row, 0] - cv) - (v[row, last] - cv) * (u[row, 0] - cu)
+    for k in range(count):
+        j = k + 1 if k + 1 < count else 0
+        after = (u[row, k] - cu) * (v[row, j] - cv) - (v[row, k] - cv) * (u[row, j] - cu)
+        weight[k] = 0.25 * (max(before, 0.0) + max(after, 0.0))
+        before = after
+
+
+@bare
+def merge(u, v, name, row, count, weight, near):
+    """Corners of a polygon within `near` (m) of each other made one; area and first moment stay. Returns their number.
+
+    u, v, weight and the names (count,) are written over; the least name stays.
+    """
+    first, close = -1, False
+    for k in range(count):
+        j = k - 1 if k > 0 else count - 1
+        du, dv = u[row, k] - u[row, j], v[row, k] - v[row, j]
+        if du * du + dv * dv <= near * near:
+            close = True
+        elif first < 0:
+            first = k
+    if not close:
+        return count
+    if first < 0:
+        return _one(u, v, name, row, 0, count, weight, 0)
+    other, kept, begun = 1 - row, 0, 0
+    for k in range(count):  # round from `first`, into the other row
+        i = (first + k) % count
+        u[other, k], v[other, k] = u[row, i], v[row, i]
+    _turn(name, first, count)
+    _turn(weight, first, count)
+    for k in range(1, count + 1):
+        if k < count:
+            du, dv = u[other, k] - u[other, begun], v[other, k] - v[other, begun]
+        if k == count or du * du + dv * dv > near * near:
+            _one(u, v, name, other, begun, k, weight, kept)
+            u[row, kept], v[row, kept] = u[other, kept], v[other, kept]
+            kept, begun = kept + 1, k
+    return kept
+
+
+@bare
+def _turn(values, first, count):
+    """The first `count` values begin with number `first`: reversed thrice."""
+    _reverse(values, 0, first)
+    _reverse(values, first, count)
+    _reverse(values, 0, count)
+
+
+@bare
+def _reverse(values, a, b):
+    while b - a > 1:
+        b -= 1
+        values[a], values[b] = values[b], values[a]
+        a += 1
+
+
+@bare
+def _one(u, v, name, row, begin, end, weight, place):
+    """Corners begin..end put together at `place` <= begin; returns 1."""
+    total, mu, mv, least = 0.0, 0.0, 0.0, name[begin]
+    for k in range(begin, end):
+        total += weight[k]
+        mu += weight[k] * (u[row, k] - u[row, begin])
+        mv += weight[k] * (v[row, k] - v[row, begin])
+        least = min(least, name[k])
+    u0, v0 = u[row, begin], v[row, begin]
+    u[row, place] = u0 + mu / total if total > 0.0 else u0
+    v[row, place] = v0 + mv / total if total > 0.0 else v0
+    weight[place], name[place] = total, least
+    return 1
