@@ -100,7 +100,7 @@ def open_edges(edge, first, last, normal, offset, x, y, z, beyond, count, found)
 
 
 @bare
-def edgexis(edge, e, g, vertex, normal, dx, dy, dz):
+def edge_axis(edge, e, g, vertex, normal, dx, dy, dz):
     """Gap (m) and unit normal, from the first piece to the second, of two crossed edges whose arcs of normals cross.
 
     Returns (crosses, gap, nx, ny, nz); without a crossing of the arcs no face of the Minkowski difference is theirs.

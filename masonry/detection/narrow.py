@@ -1,10 +1,10 @@
 """The common plane of two convex pieces, and where they touch.
 
 The common plane lies across the axis along which the pieces overlap least, or are farthest apart: a normal of a face,
-or of two edges whose arcs of normals cross. Two faces: n is the normal of the one that leaves the wider gap to the other
-piece; where both leave the same one (blocks of one size on each other) the mean of both; between them the weight changes
-within BLEND of the smaller radius, so that n does not jump. Whether an axis is the best is proven by points of the
-overlap: no axis parts two pieces by more than it parts a point of one from a point of the other.
+or of two edges whose arcs of normals cross. Two faces: n is the normal of the one that leaves the wider gap to the
+other piece; where both leave the same one (blocks of one size on each other) the mean of both; between them the weight
+changes within BLEND of the smaller radius, so that n does not jump. Whether an axis is the best is proven by points of
+the overlap: no axis parts two pieces by more than it parts a point of one from a point of the other.
 
 A pair is worked on in the order of the pieces' `rank`: exchanged, it gives the same bits, n and the kinds of features
 turned round.
@@ -27,7 +27,7 @@ HOLD = 0.1
 HOLD_FACING = 0.02
 """Cosine by which another face must look more against n."""
 FLAT, FLAT_HELD = 0.995, 0.998
-"""Cosine between n and the axis of two edges: nearer ones count as part of the overlap of two faces; while they touch."""
+"""Cosine between n and the axis of two edges: nearer ones are part of the overlap of two faces; while they touch."""
 SNAP, ROUND_OFF = 1e-12, 1e-9
 """Of the smaller radius: corners on a line of the clip; axes that are as good as each other."""
 
