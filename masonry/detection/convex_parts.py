@@ -66,7 +66,7 @@ def convex_parts(blocks: Blocks, block: int) -> list[Convex]:
                 waiting.append((half, [o for o, _ in inside], [piece for _, piece in inside]))
         if len(parts) + len(waiting) > MOST:
             raise GeometryError(f"block {block} (unit {blocks.unit[block]}) needs more than {MOST} convex parts")
-    return [_tidy(part.corners, part.loops) for part in parts]
+    return parts
 
 
 def _best_plane(
@@ -134,7 +134,7 @@ def _half(cell: Convex, normal: np.ndarray, level: float, width: float) -> Conve
     while at != first:
         cap.append(at)
         at = after[at]
-    return Convex(np.array(corners), [*loops, cap])
+    return _tidy(np.array(corners), [*loops, cap])
 
 
 def _box(low: np.ndarray, high: np.ndarray) -> Convex:
@@ -143,7 +143,7 @@ def _box(low: np.ndarray, high: np.ndarray) -> Convex:
 
 
 def _tidy(corners: np.ndarray, loops: list[list[int]]) -> Convex:
-    """The same without corners that no face uses, and with the largest face first where that is one of several."""
+    """The same without corners that no face uses."""
     used = np.unique(np.concatenate(loops))
     number = np.zeros(len(corners), dtype=np.int64)
     number[used] = np.arange(len(used))

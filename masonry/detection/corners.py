@@ -6,6 +6,7 @@ x_(k+1)) has its centroid at (c + x_k + x_(k+1))/3, so that sum t_k (x_k + x_(k+
 """
 
 from masonry.detection.bare import bare
+from masonry.detection.clip import area_and_centroid, clip
 
 MERGED = 1e-4
 """Of the root of the area: corners that are nearer to each other become one, at their middle weighted by area."""
@@ -87,3 +88,44 @@ def _one(u, v, name, row, begin, end, weight, place):
     v[row, place] = v0 + mv / total if total > 0.0 else v0
     weight[place], name[place] = total, least
     return 1
+
+
+@bare
+def region(eu, ev, row, count, cu, cv, k):
+    """Area (m2) that corner k of a patch stands for: the two triangles beside it. Patches are rows of eu, ev."""
+    one = _triangle(eu, ev, row, count, cu, cv, k, 0)
+    two = _triangle(eu, ev, row, count, cu, cv, k, 1)
+    return _size(one) + _size(two)
+
+
+@bare
+def _triangle(eu, ev, row, count, cu, cv, k, side):
+    """Triangle of the centroid, corner k and the middle of the edge before (0) or after it (1), counter-clockwise."""
+    j = (k + 1 if k + 1 < count else 0) if side else (k - 1 if k > 0 else count - 1)
+    ku, kv = eu[row, k], ev[row, k]
+    mu, mv = 0.5 * (ku + eu[row, j]), 0.5 * (kv + ev[row, j])
+    if side:
+        return cu, cv, ku, kv, mu, mv
+    return cu, cv, mu, mv, ku, kv
+
+
+@bare
+def _size(t):
+    return max(0.5 * ((t[2] - t[0]) * (t[5] - t[1]) - (t[3] - t[1]) * (t[4] - t[0])), 0.0)
+
+
+@bare
+def shared_area(eu, ev, count, ou, ov, i, side, new_count, nu, nv, k, other, u, v, label, wu, wv):
+    """Area (m2) that a triangle of the old patch shares with one of the new patch."""
+    a = _triangle(eu, ev, 0, count, ou, ov, i, side)
+    b = _triangle(eu, ev, 1, new_count, nu, nv, k, other)
+    if (
+        _size(a) <= 0.0 or _size(b) <= 0.0
+        or max(a[0], a[2], a[4]) <= min(b[0], b[2], b[4]) or max(b[0], b[2], b[4]) <= min(a[0], a[2], a[4])
+        or max(a[1], a[3], a[5]) <= min(b[1], b[3], b[5]) or max(b[1], b[3], b[5]) <= min(a[1], a[3], a[5])
+    ):  # fmt: skip
+        return 0.0
+    u[0, 0], v[0, 0], u[0, 1], v[0, 1], u[0, 2], v[0, 2] = a
+    wu[0], wv[0], wu[2], wv[2], wu[1], wv[1] = b
+    row, left = clip(u, v, label, 3, wu, wv, 3, 0, 0.0)
+    return area_and_centroid(u, v, row, left)[0] if left >= 3 else 0.0

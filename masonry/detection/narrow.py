@@ -22,6 +22,8 @@ NONE, FACE, EDGE = 0, 1, 2
 """Kinds: no contact; two faces, or a face and an edge or corner; two crossed edges."""
 BLEND = 1e-3
 """Of the smaller radius: difference of the gaps of two faces over which n turns from one normal to the other."""
+BETWEEN = 0.1
+"""Of the size of a patch: what motions are compared with while n lies between two normals."""
 HOLD = 0.1
 """Of the gap or depth: by how much another axis must be better before it takes the place of the present one."""
 HOLD_FACING = 0.02
@@ -47,7 +49,8 @@ def touch(
     point, gap, area, feature  (K, 3) m, (K,) m, (K,) m2, (K,): written; K >= most_points(pieces)
     separation       m along n, < 0 where the pieces overlap; where they do not, no more than their distance
     blend            weight of p's normal in n
-    size             m, root of the area of the overlap: what motions are compared with
+    size             m, root of the area of the overlap: what motions are compared with; a tenth of that where n lies
+                     between two normals, since a tilt may soon turn it to one of them
     """
     rank = pieces.rank
     body = pieces.body
@@ -149,7 +152,9 @@ def _ordered(
         a, b, dx, dy, dz, ax, ay, az, bx, by, bz, beyond, flat, full > 0.0, u, v, row, count, plane, wide,
         edge_start, edge, vertex, normal, offset, edges,
     )  # fmt: skip
-    if ea >= 0 and apart <= skin:
+    if ea >= 0 and apart > skin:
+        return NONE, 0, apart, blend, 0.0, fa, fb, nx, ny, nz
+    if ea >= 0:
         found = crossing_point(
             vertex, edge, edge_start[a], edge_start[b], ea, eb, dx, dy, dz, ex, ey, ez, apart, least,
             point, gap, area, feature,
@@ -162,7 +167,8 @@ def _ordered(
         u, v, label, row, count, full, plane, snap, reach, least, fa - la, fb - lb, weight, name,
         point, gap, area, feature,
     )  # fmt: skip
-    return (FACE if count else NONE), count, wide, blend, sqrt(full), fa, fb, nx, ny, nz
+    size = sqrt(full) if blend in (0.0, 1.0) else BETWEEN * sqrt(full)
+    return (FACE if count else NONE), count, wide, blend, size, fa, fb, nx, ny, nz
 
 
 @bare

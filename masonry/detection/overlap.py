@@ -14,7 +14,8 @@ from masonry.detection.pieces import Pieces
 class Scratch(NamedTuple):
     """Room for one pair at a time; each thread needs its own.
 
-    u, v, label (2, K) polygons; wu, wv (K,) a window; weight, name (K,) of corners; edges (2, E) candidates
+    u, v, label (2, K) polygons; wu, wv (K,) a window; weight, name (K,) of corners; edges (2, E) candidates;
+    edge_u, edge_v (2, K) two patches that are compared
     """
 
     u: np.ndarray
@@ -25,6 +26,8 @@ class Scratch(NamedTuple):
     weight: np.ndarray
     name: np.ndarray
     edges: np.ndarray
+    edge_u: np.ndarray
+    edge_v: np.ndarray
 
 
 class Common(NamedTuple):
@@ -63,7 +66,7 @@ def scratch_of(pieces: Pieces) -> Scratch:
     k = 2 * most_points(pieces)
     numbers = np.zeros((2, k)), np.zeros((2, k)), np.zeros((2, k), dtype=np.int64), np.zeros(k), np.zeros(k)
     edges = np.zeros((2, int(np.diff(pieces.edge_start).max(initial=1))), dtype=np.int64)
-    return Scratch(*numbers, np.zeros(k), np.zeros(k, dtype=np.int64), edges)
+    return Scratch(*numbers, np.zeros(k), np.zeros(k, dtype=np.int64), edges, np.zeros((2, k)), np.zeros((2, k)))
 
 
 @bare
