@@ -5,13 +5,13 @@ Everything is seen from the position of the first piece's body; d is the positio
 
 from math import sqrt
 
-from masonry.detection.bare import bare
+from masonry.detection.bare import bare, inlined
 
 PARALLEL = 1e-6
 """Sine of the angle below which two edges have no axis of their own."""
 
 
-@bare
+@inlined
 def lowest(vertex, first, last, nx, ny, nz):
     """The least height n . x of some corners."""
     least = nx * vertex[first, 0] + ny * vertex[first, 1] + nz * vertex[first, 2]
@@ -20,20 +20,20 @@ def lowest(vertex, first, last, nx, ny, nz):
     return least
 
 
-@bare
+@inlined
 def face_gap(normal, offset, f, vertex, first, last, dx, dy, dz):
     """How far (m) corners first..last, at d from the body of face f, stand above it; < 0 where some are below."""
     nx, ny, nz = normal[f, 0], normal[f, 1], normal[f, 2]
     return lowest(vertex, first, last, nx, ny, nz) + (nx * dx + ny * dy + nz * dz) - offset[f]
 
 
-@bare
+@inlined
 def height(normal, offset, f, x, y, z):
     """Height (m) of a point above face f, both from the position of its body."""
     return normal[f, 0] * x + normal[f, 1] * y + normal[f, 2] * z - offset[f]
 
 
-@bare
+@inlined
 def most_facing(normal, inner, first, last, nx, ny, nz, present, hold):
     """The free face whose normal is most against n; `present` (-1 for none) where no other is by `hold` more so."""
     best, found = 2.0, -1
@@ -49,7 +49,7 @@ def most_facing(normal, inner, first, last, nx, ny, nz, present, hold):
     return found
 
 
-@bare
+@inlined
 def widest_face(
     normal, offset, inner, face_first, face_last, vertex, first, last, dx, dy, dz, x, y, z, beyond
 ):  # fmt: skip

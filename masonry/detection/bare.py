@@ -8,3 +8,6 @@ them, but not make, return or keep one.
 from masonry.jit.compiler import STEP, _kept
 
 bare = _kept(STEP, _nrt=False)
+inlined = _kept(STEP, _nrt=False, forceinline=True)
+"""The same for what is called in one place: an array is handed over as nine numbers, which costs as much as the work
+of a small function."""

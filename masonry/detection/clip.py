@@ -3,35 +3,33 @@
 Polygons lie in the rows of u, v (2, K) m and label (2, K): label[k] is the name of the edge from corner k to k + 1.
 """
 
-from math import sqrt
+from math import inf
 
-from masonry.detection.bare import bare
+from masonry.detection.bare import inlined
 
 
-@bare
-def cut_by(u, v, label, row, count, pu, pv, du, dv, level, name, snap):
-    """Keep what lies where (x - p) . d <= level of polygon `row`, d a unit vector; the new edge gets `name`.
+@inlined
+def cut_by(u, v, label, height, row, count, pu, pv, du, dv, level, name, snap):
+    """Keep what lies where (x - p) . d <= level of polygon `row`; the new edge gets `name`.
 
-    Corners within snap (m) of the line lie on it. Returns the row and the number of corners of what is left.
+    d may have any length, which level and snap are multiplied by: corners where (x - p) . d is within snap of the level
+    lie on the line. height (K,) is scratch. Returns the row and the number of corners of what is left.
     """
-    beyond, inside = False, False
+    base, most, least = pu * du + pv * dv + level, -inf, inf
     for k in range(count):
-        height = (u[row, k] - pu) * du + (v[row, k] - pv) * dv - level
-        if height > snap:
-            beyond = True
-        else:
-            inside = True
-    if not beyond:
+        h = u[row, k] * du + v[row, k] * dv - base
+        height[k] = h
+        most, least = max(most, h), min(least, h)
+    if most <= snap:
         return row, count
-    if not inside:
+    if least > snap:
         return row, 0
-    other, kept = 1 - row, 0
-    last = count - 1
-    before = (u[row, last] - pu) * du + (v[row, last] - pv) * dv - level
+    other, kept, last = 1 - row, 0, count - 1
+    before = height[last]
     if abs(before) <= snap:
         before = 0.0
     for k in range(count):
-        here = (u[row, k] - pu) * du + (v[row, k] - pv) * dv - level
+        here = height[k]
         if abs(here) <= snap:
             here = 0.0
         if before * here < 0.0:
@@ -41,19 +39,16 @@ def cut_by(u, v, label, row, count, pu, pv, du, dv, level, name, snap):
             label[other, kept] = name if here > 0.0 else label[row, last]
             kept += 1
         if here <= 0.0:
-            u[other, kept], v[other, kept] = u[row, k], v[row, k]
-            label[other, kept] = label[row, k]
+            u[other, kept], v[other, kept], label[other, kept] = u[row, k], v[row, k], label[row, k]
+            if here == 0.0 and height[k + 1 if k + 1 < count else 0] > snap:
+                label[other, kept] = name
             kept += 1
-            if here == 0.0:
-                ahead = k + 1 if k + 1 < count else 0
-                if (u[row, ahead] - pu) * du + (v[row, ahead] - pv) * dv - level > snap:
-                    label[other, kept - 1] = name
         before, last = here, k
     return other, kept
 
 
-@bare
-def clip(u, v, label, count, wu, wv, window, name, snap):
+@inlined
+def clip(u, v, label, height, count, wu, wv, window, name, snap):
     """What of polygon 0 lies within a convex window (corners wu, wv, clockwise) with edges called name, name + 1, ...
 
     Returns the row and the number of corners of what is left.
@@ -62,17 +57,14 @@ def clip(u, v, label, count, wu, wv, window, name, snap):
     for k in range(window):
         j = k + 1 if k + 1 < window else 0
         eu, ev = wu[j] - wu[k], wv[j] - wv[k]
-        square = eu * eu + ev * ev
-        if square == 0.0:
-            continue
-        share = 1.0 / sqrt(square)
-        row, count = cut_by(u, v, label, row, count, wu[k], wv[k], -share * ev, share * eu, 0.0, name + k, snap)
+        near = snap * (abs(eu) + abs(ev))
+        row, count = cut_by(u, v, label, height, row, count, wu[k], wv[k], -ev, eu, 0.0, name + k, near)
         if count < 3:
             return row, 0
     return row, count
 
 
-@bare
+@inlined
 def area_and_centroid(u, v, row, count):
     """Area (m2) and centroid of a convex polygon; the first corner where it has no area."""
     u0, v0 = u[row, 0], v[row, 0]

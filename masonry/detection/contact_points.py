@@ -2,14 +2,14 @@
 
 from math import sqrt
 
-from masonry.detection.bare import bare
+from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import area_and_centroid, cut_by
 from masonry.detection.corners import MERGED, merge, weigh
 from masonry.detection.features import CUT, corner_feature, crossing_feature
 from masonry.detection.overlap import heights, point_of
 
 
-@bare
+@inlined
 def polygon_points(
     u, v, label, row, count, full, plane, snap, reach, least, face_a, face_b, weight, name, point, gap, area, feature
 ):  # fmt: skip
@@ -22,7 +22,7 @@ def polygon_points(
     slope = sqrt(gu * gu + gv * gv)
     if slope > 0.0:
         level = (reach - plane.b0) / slope
-        row, count = cut_by(u, v, label, row, count, 0.0, 0.0, gu / slope, gv / slope, level, CUT, snap)
+        row, count = cut_by(u, v, label, weight, row, count, 0.0, 0.0, gu / slope, gv / slope, level, CUT, snap)
     elif plane.b0 > reach:
         count = 0
     if count < 3:

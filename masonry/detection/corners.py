@@ -5,14 +5,14 @@ t_k)/2. That reproduces area A and centroid of any convex polygon, and no a_k is
 x_(k+1)) has its centroid at (c + x_k + x_(k+1))/3, so that sum t_k (x_k + x_(k+1))/2 = (3 A c - A c)/2 = A c.
 """
 
-from masonry.detection.bare import bare
+from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import area_and_centroid, clip
 
 MERGED = 1e-4
 """Of the root of the area: corners that are nearer to each other become one, at their middle weighted by area."""
 
 
-@bare
+@inlined
 def weigh(u, v, row, count, cu, cv, weight):
     """Areas (m2) of the corners of a polygon with centroid c into weight; they add up to its area."""
     last = count - 1
@@ -115,7 +115,7 @@ def _size(t):
 
 
 @bare
-def shared_area(eu, ev, count, ou, ov, i, side, new_count, nu, nv, k, other, u, v, label, wu, wv):
+def shared_area(eu, ev, count, ou, ov, i, side, new_count, nu, nv, k, other, u, v, label, height, wu, wv):
     """Area (m2) that a triangle of the old patch shares with one of the new patch."""
     a = _triangle(eu, ev, 0, count, ou, ov, i, side)
     b = _triangle(eu, ev, 1, new_count, nu, nv, k, other)
@@ -127,5 +127,5 @@ def shared_area(eu, ev, count, ou, ov, i, side, new_count, nu, nv, k, other, u, 
         return 0.0
     u[0, 0], v[0, 0], u[0, 1], v[0, 1], u[0, 2], v[0, 2] = a
     wu[0], wv[0], wu[2], wv[2], wu[1], wv[1] = b
-    row, left = clip(u, v, label, 3, wu, wv, 3, 0, 0.0)
+    row, left = clip(u, v, label, height, 3, wu, wv, 3, 0, 0.0)
     return area_and_centroid(u, v, row, left)[0] if left >= 3 else 0.0

@@ -13,7 +13,7 @@ turned round.
 from math import inf, sqrt
 
 from masonry.detection.axes import edge_axis, face_gap, most_facing, open_edges, widest_face
-from masonry.detection.bare import bare
+from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import area_and_centroid
 from masonry.detection.contact_points import crossing_point, polygon_points
 from masonry.detection.overlap import common_plane, heights, overlap, point_of
@@ -79,7 +79,7 @@ def touch(
     return kind, count, separation, blend, size
 
 
-@bare
+@inlined
 def _ordered(
     a, b, dx, dy, dz, skin, reach, least, known, fa, fb,
     vertex_start, face_start, loop_start, loop, inner, edge_start, edge, radius, vertex, centre, normal, offset,
@@ -122,7 +122,7 @@ def _ordered(
         if wide > skin:
             return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
         plane = common_plane(vertex, loop, loop_start, normal, offset, fa, fb, dx, dy, dz, nx, ny, nz)
-        row, count = overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, label, wu, wv)
+        row, count = overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, label, weight, wu, wv)
         full, cu, cv = area_and_centroid(u, v, row, count) if count >= 3 else (0.0, 0.0, 0.0)
         if full > 0.0:
             low, high = heights(plane, cu, cv)

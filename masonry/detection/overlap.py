@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.bare import bare
+from masonry.detection.bare import inlined
 from masonry.detection.clip import clip
 from masonry.detection.features import OTHER
 from masonry.detection.pieces import Pieces
@@ -69,7 +69,7 @@ def scratch_of(pieces: Pieces) -> Scratch:
     return Scratch(*numbers, np.zeros(k), np.zeros(k, dtype=np.int64), edges, np.zeros((2, k)), np.zeros((2, k)))
 
 
-@bare
+@inlined
 def common_plane(vertex, loop, loop_start, normal, offset, fa, fb, dx, dy, dz, nx, ny, nz):
     """The plane across n through the first corner of face fa; face fb belongs to a body at d."""
     if abs(nx) <= abs(ny) and abs(nx) <= abs(nz):
@@ -95,8 +95,8 @@ def common_plane(vertex, loop, loop_start, normal, offset, fa, fb, dx, dy, dz, n
     )  # fmt: skip
 
 
-@bare
-def overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, label, wu, wv):
+@inlined
+def overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, label, height, wu, wv):
     """The overlap polygon of faces fa and fb in the axes of the plane: its row in u, v and number of corners."""
     ox, oy, oz = plane.ox, plane.oy, plane.oz
     sx, sy, sz, tx, ty, tz = plane.sx, plane.sy, plane.sz, plane.tx, plane.ty, plane.tz
@@ -111,10 +111,10 @@ def overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, lab
         i = loop[first + k]
         x, y, z = vertex[i, 0] - ox, vertex[i, 1] - oy, vertex[i, 2] - oz
         wu[k], wv[k] = sx * x + sy * y + sz * z, tx * x + ty * y + tz * z
-    return clip(u, v, label, count, wu, wv, window, OTHER, snap)
+    return clip(u, v, label, height, count, wu, wv, window, OTHER, snap)
 
 
-@bare
+@inlined
 def point_of(plane, u, v, h):
     """Where (u, v) of a plane at height h is, from the position of the first body."""
     return (
@@ -124,7 +124,7 @@ def point_of(plane, u, v, h):
     )
 
 
-@bare
+@inlined
 def heights(plane, u, v):
     """Heights (m) of the first and the second face at (u, v) of a plane."""
     return plane.au * u + plane.av * v, plane.b0 + plane.bu * u + plane.bv * v

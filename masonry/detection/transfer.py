@@ -55,7 +55,7 @@ def transfer(
         new_tau[k, 0] = new_tau[k, 1] = new_tau[k, 2] = 0.0
     if not _by_regions(
         point, area, tau, count, new_point, new_area, new_tau, new_count, axis,
-        scratch.u, scratch.v, scratch.label, scratch.wu, scratch.wv, scratch.edge_u, scratch.edge_v,
+        scratch.u, scratch.v, scratch.label, scratch.weight, scratch.wu, scratch.wv, scratch.edge_u, scratch.edge_v,
     ):  # fmt: skip
         for k in range(new_count):
             for i in range(count):
@@ -95,7 +95,7 @@ def _give(tau, i, new_tau, k, part):
 
 @bare
 def _by_regions(
-    point, area, tau, count, new_point, new_area, new_tau, new_count, axis, u, v, label, wu, wv, eu, ev
+    point, area, tau, count, new_point, new_area, new_tau, new_count, axis, u, v, label, height, wu, wv, eu, ev
 ):  # fmt: skip
     """Add the forces (N) that go over with the shared areas to new_tau; False where a patch has no area of its own."""
     if count < 3 or new_count < 3:
@@ -121,7 +121,7 @@ def _by_regions(
                 for side in range(2):
                     for other in range(2):
                         shared += shared_area(
-                            eu, ev, count, ou, ov, i, side, new_count, nu, nv, k, other, u, v, label, wu, wv
+                            eu, ev, count, ou, ov, i, side, new_count, nu, nv, k, other, u, v, label, height, wu, wv
                         )
                 if shared > 0.0:
                     _give(tau, i, new_tau, k, shared * min(area[i] / own, new_area[k] / theirs))
