@@ -6,7 +6,7 @@ both bodies; it lies midway between its two points, where both bodies feel its f
 
 from math import sqrt
 
-from masonry.detection.bare import bare
+from masonry.detection.bare import bare, inlined
 from masonry.detection.narrow import EDGE
 
 MOVED = 0.01
@@ -50,32 +50,25 @@ def hold_axis(pieces, witness, axis, frame_a, frame_b, normal_a, normal_b):
             normal_a[k], normal_b[k] = normal[witness[1], k], -normal[witness[2], k]
 
 
-@bare
-def turned_normal(cof, normal):
-    """The unit vector that a normal (3,) carried by a body has become."""
-    x, y, z = normal[0], normal[1], normal[2]
-    nx = cof[0, 0] * x + cof[0, 1] * y + cof[0, 2] * z
-    ny = cof[1, 0] * x + cof[1, 1] * y + cof[1, 2] * z
-    nz = cof[2, 0] * x + cof[2, 1] * y + cof[2, 2] * z
-    share = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
-    return share * nx, share * ny, share * nz
-
-
-@bare
+@inlined
 def present_axis(cof_a, cof_b, normal_a, normal_b, blend):
-    """The normal of a held pair now, a unit vector."""
-    if blend == 1.0:
-        return turned_normal(cof_a, normal_a)
-    if blend == 0.0:
-        return turned_normal(cof_b, normal_b)
-    ax, ay, az = turned_normal(cof_a, normal_a)
-    bx, by, bz = turned_normal(cof_b, normal_b)
-    nx, ny, nz = blend * ax + (1.0 - blend) * bx, blend * ay + (1.0 - blend) * by, blend * az + (1.0 - blend) * bz
+    """The normal of a held pair now, a unit vector; of affine blocks the shares weigh normals times their stretch."""
+    nx = ny = nz = 0.0
+    if blend > 0.0:
+        x, y, z = blend * normal_a[0], blend * normal_a[1], blend * normal_a[2]
+        nx = cof_a[0, 0] * x + cof_a[0, 1] * y + cof_a[0, 2] * z
+        ny = cof_a[1, 0] * x + cof_a[1, 1] * y + cof_a[1, 2] * z
+        nz = cof_a[2, 0] * x + cof_a[2, 1] * y + cof_a[2, 2] * z
+    if blend < 1.0:
+        x, y, z = (1.0 - blend) * normal_b[0], (1.0 - blend) * normal_b[1], (1.0 - blend) * normal_b[2]
+        nx += cof_b[0, 0] * x + cof_b[0, 1] * y + cof_b[0, 2] * z
+        ny += cof_b[1, 0] * x + cof_b[1, 1] * y + cof_b[1, 2] * z
+        nz += cof_b[2, 0] * x + cof_b[2, 1] * y + cof_b[2, 2] * z
     share = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
     return share * nx, share * ny, share * nz
 
 
-@bare
+@inlined
 def present_points(i, j, position, frame, nx, ny, nz, first, last, arm_a, arm_b, born, point, gap):
     """Where the held points first..last of bodies i and j are now: point (C, 3) m and gap (C,) m along n.
 
@@ -90,20 +83,21 @@ def present_points(i, j, position, frame, nx, ny, nz, first, last, arm_a, arm_b,
     v, w, m = frame[j, 2, 0], frame[j, 2, 1], frame[j, 2, 2]
     ix, iy, iz = position[i, 0], position[i, 1], position[i, 2]
     jx, jy, jz = position[j, 0] - ix, position[j, 1] - iy, position[j, 2] - iz
+    ix, iy, iz = ix + 0.5 * jx, iy + 0.5 * jy, iz + 0.5 * jz
     moved = 0.0
     for k in range(first, last):
         x, y, z = arm_a[k, 0], arm_a[k, 1], arm_a[k, 2]
         ax, ay, az = a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + o * z
         x, y, z = arm_b[k, 0], arm_b[k, 1], arm_b[k, 2]
-        bx, by, bz = p * x + q * y + r * z + jx, s * x + t * y + u * z + jy, v * x + w * y + m * z + jz
-        x, y, z = bx - ax, by - ay, bz - az
+        bx, by, bz = p * x + q * y + r * z, s * x + t * y + u * z, v * x + w * y + m * z
+        x, y, z = bx - ax + jx, by - ay + jy, bz - az + jz
         apart, then = nx * x + ny * y + nz * z, born[k]
         gap[k] = apart
         point[k, 0] = ix + 0.5 * (ax + bx)
         point[k, 1] = iy + 0.5 * (ay + by)
         point[k, 2] = iz + 0.5 * (az + bz)
-        x, y, z = x - then * nx, y - then * ny, z - then * nz
-        moved = max(moved, x * x + y * y + z * z)
+        square = x * x + y * y + z * z + then * (then - 2.0 * apart)  # of what is left without n times the gap of then
+        moved = square if square > moved else moved
     return moved
 
 
@@ -130,7 +124,7 @@ def present_pairs(
     return found
 
 
-@bare
+@inlined
 def has_moved(moved, size):
     """Whether a pair that moved (m2, as `present_points` returns it) must be clipped anew; size (m) as `touch` says."""
     return moved > MOVED * MOVED * size * size
