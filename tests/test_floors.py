@@ -14,7 +14,7 @@ FLOORS = (
     *("geometry.blocks", "geometry.checks", "geometry.jit_cache", "geometry.polyhedra", "geometry.cells"),
     *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.files", "geometry"),
     *("masonry.errors", "masonry.quantity", "masonry.history", "masonry.plugins", "masonry.simd", "masonry.runtime"),
-    *("masonry.jit", "masonry.laws", "masonry.kinematics", "masonry.kernels", "masonry.model"),
+    *("masonry.jit", "masonry.detection", "masonry.laws", "masonry.kinematics", "masonry.kernels", "masonry.model"),
     *("masonry.scene.tables", "masonry.scene", "masonry.monitors", "masonry.loading", "masonry.timeloop"),
     *(
         "masonry.results",
@@ -41,6 +41,7 @@ PACKAGES = {
     **dict.fromkeys(("masonry.simd", "masonry.laws", "masonry.kinematics", "masonry.kernels"), "numpy numba llvmlite"),
     **dict.fromkeys(("masonry.model", "masonry.loading"), "numpy numba llvmlite"),
     "masonry.jit": "numpy numba llvmlite filelock",
+    "masonry.detection": "numpy numba",
     "geometry.jit_cache": "numba",
 }
 """The packages that a floor may use besides the standard library; any where nothing is said."""

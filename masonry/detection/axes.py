@@ -1,0 +1,138 @@
+"""How far two convex pieces are apart along the axes that can part them: normals of faces, crossed edges.
+
+Everything is seen from the position of the first piece's body; d is the position of the second one's body from there.
+"""
+
+from math import sqrt
+
+from masonry.detection.bare import bare, inlined
+
+PARALLEL = 1e-6
+"""Sine of the angle below which two edges have no axis of their own."""
+
+
+@inlined
+def lowest(vertex, first, last, nx, ny, nz):
+    """The least height n . x of some corners."""
+    least = nx * vertex[first, 0] + ny * vertex[first, 1] + nz * vertex[first, 2]
+    for v in range(first + 1, last):
+        least = min(least, nx * vertex[v, 0] + ny * vertex[v, 1] + nz * vertex[v, 2])
+    return least
+
+
+@inlined
+def face_gap(normal, offset, f, vertex, first, last, dx, dy, dz):
+    """How far (m) corners first..last, at d from the body of face f, stand above it; < 0 where some are below."""
+    nx, ny, nz = normal[f, 0], normal[f, 1], normal[f, 2]
+    return lowest(vertex, first, last, nx, ny, nz) + (nx * dx + ny * dy + nz * dz) - offset[f]
+
+
+@inlined
+def height(normal, offset, f, x, y, z):
+    """Height (m) of a point above face f, both from the position of its body."""
+    return normal[f, 0] * x + normal[f, 1] * y + normal[f, 2] * z - offset[f]
+
+
+@inlined
+def most_facing(normal, inner, first, last, nx, ny, nz, present, hold):
+    """The free face whose normal is most against n; `present` (-1 for none) where no other is by `hold` more so."""
+    best, found = 2.0, -1
+    for f in range(first, last):
+        if not inner[f]:
+            along = normal[f, 0] * nx + normal[f, 1] * ny + normal[f, 2] * nz
+            if along < best:
+                best, found = along, f
+    if present >= 0:
+        along = normal[present, 0] * nx + normal[present, 1] * ny + normal[present, 2] * nz
+        if along <= best + hold:
+            return present
+    return found
+
+
+@inlined
+def widest_face(
+    normal, offset, inner, face_first, face_last, vertex, first, last, dx, dy, dz, x, y, z, beyond
+):  # fmt: skip
+    """The free face with the widest gap to corners first..last of the other piece, if that is more than `beyond`.
+
+    Returns it, its gap, and whether a face inside the body parts the pieces. (x, y, z) is a point of the other piece as
+    it stands: no gap is wider than this point is high, so that most faces are told by one product. -1 where none is.
+    """
+    found, parted = -1, False
+    for f in range(face_first, face_last):
+        bound = height(normal, offset, f, x, y, z)
+        if inner[f]:
+            parted = parted or (bound > 0.0 and face_gap(normal, offset, f, vertex, first, last, dx, dy, dz) > 0.0)
+        elif bound > beyond:
+            gap = face_gap(normal, offset, f, vertex, first, last, dx, dy, dz)
+            if gap > beyond:
+                beyond, found = gap, f
+    return found, beyond, parted
+
+
+@bare
+def arc_height(one, two, cosine):
+    """The greatest n . q of the unit vectors n from n_1 to n_2, for n_1 . q, n_2 . q and n_1 . n_2."""
+    alpha, beta = one - cosine * two, two - cosine * one
+    if alpha > 0.0 and beta > 0.0:
+        return sqrt((alpha * one + beta * two) / (1.0 - cosine * cosine))
+    return max(one, two)
+
+
+@bare
+def open_edges(edge, first, last, normal, offset, x, y, z, beyond, count, found):
+    """Edges whose axes may part the pieces by more than `beyond`, for a point (x, y, z) of the other piece.
+
+    count < 0: of all edges first..last; else of the `count` ones in found, which is written over. Returns their number.
+    """
+    kept = 0
+    for k in range(last - first if count < 0 else count):
+        e = first + k if count < 0 else found[k]
+        f, g = edge[e, 2], edge[e, 3]
+        one, two = height(normal, offset, f, x, y, z), height(normal, offset, g, x, y, z)
+        if one <= beyond and two <= beyond and one <= 0.0 and two <= 0.0:
+            continue
+        cosine = normal[f, 0] * normal[g, 0] + normal[f, 1] * normal[g, 1] + normal[f, 2] * normal[g, 2]
+        if arc_height(one, two, cosine) > beyond:
+            found[kept] = e
+            kept += 1
+    return kept
+
+
+@bare
+def edge_axis(edge, e, g, vertex, normal, dx, dy, dz):
+    """Gap (m) and unit normal, from the first piece to the second, of two crossed edges whose arcs of normals cross.
+
+    Returns (crosses, gap, nx, ny, nz); without a crossing of the arcs no face of the Minkowski difference is theirs.
+    """
+    p, q = edge[e, 0], edge[e, 1]
+    r, s = edge[g, 0], edge[g, 1]
+    ax, ay, az = vertex[q, 0] - vertex[p, 0], vertex[q, 1] - vertex[p, 1], vertex[q, 2] - vertex[p, 2]
+    bx, by, bz = vertex[s, 0] - vertex[r, 0], vertex[s, 1] - vertex[r, 1], vertex[s, 2] - vertex[r, 2]
+    f1, f2, g1, g2 = edge[e, 2], edge[e, 3], edge[g, 2], edge[g, 3]
+    one = -_along(normal, g1, ax, ay, az)  # the arc of the second piece is turned round: it looks the other way
+    two = -_along(normal, g2, ax, ay, az)
+    three, four = _along(normal, f1, bx, by, bz), _along(normal, f2, bx, by, bz)
+    if not (one * two < 0.0 and three * four < 0.0):
+        return False, 0.0, 0.0, 0.0, 0.0
+    nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+    square = nx * nx + ny * ny + nz * nz
+    if square <= PARALLEL * PARALLEL * (ax * ax + ay * ay + az * az) * (bx * bx + by * by + bz * bz):
+        return False, 0.0, 0.0, 0.0, 0.0
+    share = 1.0 / sqrt(square)
+    if _along(normal, f1, nx, ny, nz) + _along(normal, f2, nx, ny, nz) < 0.0:
+        share = -share
+    nx, ny, nz = share * nx, share * ny, share * nz
+    if _along(normal, g1, nx, ny, nz) + _along(normal, g2, nx, ny, nz) > 0.0:
+        return False, 0.0, 0.0, 0.0, 0.0
+    x, y, z = (
+        vertex[r, 0] + dx - vertex[p, 0],
+        vertex[r, 1] + dy - vertex[p, 1],
+        vertex[r, 2] + dz - vertex[p, 2],
+    )
+    return True, nx * x + ny * y + nz * z, nx, ny, nz
+
+
+@bare
+def _along(normal, f, x, y, z):
+    return normal[f, 0] * x + normal[f, 1] * y + normal[f, 2] * z

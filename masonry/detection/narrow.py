@@ -1,0 +1,222 @@
+"""The common plane of two convex pieces, and where they touch.
+
+The common plane lies across the axis along which the pieces overlap least, or are farthest apart: a normal of a face,
+or of two edges whose arcs of normals cross. Two faces: n is the normal of the one that leaves the wider gap to the
+other piece; where both leave the same one (blocks of one size on each other) the mean of both; between them the weight
+changes within BLEND of the smaller radius, so that n does not jump. Whether an axis is the best is proven by points of
+the overlap: no axis parts two pieces by more than it parts a point of one from a point of the other.
+
+A pair is worked on in the order of the pieces' `rank`: exchanged, it gives the same bits, n and the kinds of features
+turned round.
+"""
+
+from math import inf, sqrt
+
+from masonry.detection.axes import edge_axis, face_gap, most_facing, open_edges, widest_face
+from masonry.detection.bare import bare, inlined
+from masonry.detection.clip import area_and_centroid
+from masonry.detection.contact_points import crossing_point, polygon_points
+from masonry.detection.overlap import common_plane, heights, overlap, point_of
+
+NONE, FACE, EDGE = 0, 1, 2
+"""Kinds: no contact; two faces, or a face and an edge or corner; two crossed edges."""
+BLEND = 1e-3
+"""Of the smaller radius: difference of the gaps of two faces over which n turns from one normal to the other."""
+BETWEEN = 0.1
+"""Of the size of a patch: what motions are compared with while n lies between two normals."""
+HOLD = 0.1
+"""Of the gap or depth: by how much another axis must be better before it takes the place of the present one."""
+HOLD_FACING = 0.02
+"""Cosine by which another face must look more against n."""
+FLAT, FLAT_HELD = 0.995, 0.998
+"""Cosine between n and the axis of two edges: nearer ones are part of the overlap of two faces; while they touch."""
+SNAP, ROUND_OFF = 1e-12, 1e-9
+"""Of the smaller radius: corners on a line of the clip; axes that are as good as each other."""
+
+
+@bare
+def touch(
+    pieces, turned, position, p, q, skin, reach, least, axis, witness, scratch, point, gap, area, feature
+):  # fmt: skip
+    """Where pieces p and q touch. Returns (kind, count, separation, blend, size).
+
+    position         (N, 3) m of the bodies; `turned` holds their pieces (placing.py)
+    skin             m: beyond this gap there is no contact, and no more is looked at
+    reach            m: the overlap is cut where the gap is wider than this
+    least            m2: area of crossed edges, and the least one that a cut overlap keeps
+    axis             (3,) written: n from p to q
+    witness          (3,) kind and faces or edges of the last call, which speed up this one; -1 at first; written
+    point, gap, area, feature  (K, 3) m, (K,) m, (K,) m2, (K,): written; K >= most_points(pieces)
+    separation       m along n, < 0 where the pieces overlap; where they do not, no more than their distance
+    blend            weight of p's normal in n
+    size             m, root of the area of the overlap: what motions are compared with; a tenth of that where n lies
+                     between two normals, since a tilt may soon turn it to one of them
+    """
+    rank = pieces.rank
+    body = pieces.body
+    if rank[p] <= rank[q]:
+        a, b, wa, wb = p, q, witness[1], witness[2]
+    else:
+        a, b, wa, wb = q, p, witness[2], witness[1]
+    i, j = body[a], body[b]
+    dx, dy, dz = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1], position[j, 2] - position[i, 2]
+    kind, count, separation, blend, size, fa, fb, nx, ny, nz = _ordered(
+        a, b, dx, dy, dz, skin, reach, least, witness[0], wa, wb,
+        pieces.vertex_start, pieces.face_start, pieces.loop_start, pieces.loop, pieces.inner,
+        pieces.edge_start, pieces.edge, pieces.radius, turned.vertex, turned.centre, turned.normal, turned.offset,
+        scratch.u, scratch.v, scratch.label, scratch.wu, scratch.wv, scratch.weight, scratch.name, scratch.edges,
+        point, gap, area, feature,
+    )  # fmt: skip
+    for k in range(count):
+        point[k, 0] += position[i, 0]
+        point[k, 1] += position[i, 1]
+        point[k, 2] += position[i, 2]
+    witness[0] = kind
+    if a == p:
+        axis[0], axis[1], axis[2], witness[1], witness[2] = nx, ny, nz, fa, fb
+    else:
+        axis[0], axis[1], axis[2], witness[1], witness[2], blend = -nx, -ny, -nz, fb, fa, 1.0 - blend
+    return kind, count, separation, blend, size
+
+
+@inlined
+def _ordered(
+    a, b, dx, dy, dz, skin, reach, least, known, fa, fb,
+    vertex_start, face_start, loop_start, loop, inner, edge_start, edge, radius, vertex, centre, normal, offset,
+    u, v, label, wu, wv, weight, name, edges, point, gap, area, feature,
+):  # fmt: skip
+    """`touch` for pieces in the order of their ranks, points from the first body's position."""
+    va, va_end, vb, vb_end = vertex_start[a], vertex_start[a + 1], vertex_start[b], vertex_start[b + 1]
+    la, la_end, lb, lb_end = face_start[a], face_start[a + 1], face_start[b], face_start[b + 1]
+    small = min(radius[a], radius[b])
+    snap, tie = SNAP * small, ROUND_OFF * small
+    ax, ay, az = centre[a, 0], centre[a, 1], centre[a, 2]
+    bx, by, bz = centre[b, 0] + dx, centre[b, 1] + dy, centre[b, 2] + dz
+    if known == EDGE or fa < 0 or fb < 0:
+        fa, gap_a, _ = widest_face(normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, -inf)
+        fb, gap_b, _ = widest_face(
+            normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, -inf
+        )
+        if gap_a >= gap_b:
+            fb = most_facing(normal, inner, lb, lb_end, normal[fa, 0], normal[fa, 1], normal[fa, 2], -1, 0.0)
+        else:
+            fa = most_facing(normal, inner, la, la_end, normal[fb, 0], normal[fb, 1], normal[fb, 2], -1, 0.0)
+    for _ in range(4):
+        gap_a = face_gap(normal, offset, fa, vertex, vb, vb_end, dx, dy, dz)
+        gap_b = face_gap(normal, offset, fb, vertex, va, va_end, -dx, -dy, -dz)
+        if gap_a >= gap_b:
+            other = most_facing(normal, inner, lb, lb_end, normal[fa, 0], normal[fa, 1], normal[fa, 2], fb, HOLD_FACING)
+            if other != fb:
+                fb, gap_b = other, face_gap(normal, offset, other, vertex, va, va_end, -dx, -dy, -dz)
+        else:
+            other = most_facing(normal, inner, la, la_end, normal[fb, 0], normal[fb, 1], normal[fb, 2], fa, HOLD_FACING)
+            if other != fa:
+                fa, gap_a = other, face_gap(normal, offset, other, vertex, vb, vb_end, dx, dy, dz)
+        wide = max(gap_a, gap_b)
+        blend = min(max(0.5 + 0.5 * (gap_a - gap_b) / (BLEND * small), 0.0), 1.0)
+        nx = blend * normal[fa, 0] - (1.0 - blend) * normal[fb, 0]
+        ny = blend * normal[fa, 1] - (1.0 - blend) * normal[fb, 1]
+        nz = blend * normal[fa, 2] - (1.0 - blend) * normal[fb, 2]
+        share = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
+        nx, ny, nz = share * nx, share * ny, share * nz
+        if wide > skin:
+            return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
+        plane = common_plane(vertex, loop, loop_start, normal, offset, fa, fb, dx, dy, dz, nx, ny, nz)
+        row, count = overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, label, weight, wu, wv)
+        full, cu, cv = area_and_centroid(u, v, row, count) if count >= 3 else (0.0, 0.0, 0.0)
+        if full > 0.0:
+            low, high = heights(plane, cu, cv)
+            ax, ay, az = point_of(plane, cu, cv, low)
+            bx, by, bz = point_of(plane, cu, cv, high)
+        beyond = wide + HOLD * abs(wide) + tie
+        other, gap_a, parted = widest_face(
+            normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, beyond
+        )
+        another, gap_b, also = widest_face(
+            normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, gap_a
+        )
+        if parted or also:
+            return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
+        if another >= 0:
+            fb = another
+            fa = most_facing(normal, inner, la, la_end, normal[fb, 0], normal[fb, 1], normal[fb, 2], -1, 0.0)
+        elif other >= 0:
+            fa = other
+            fb = most_facing(normal, inner, lb, lb_end, normal[fa, 0], normal[fa, 1], normal[fa, 2], -1, 0.0)
+        else:
+            break
+    flat = FLAT
+    if known == EDGE:
+        beyond, flat = wide - HOLD * abs(wide) - tie, FLAT_HELD
+    ea, eb, apart, ex, ey, ez = _crossed(
+        a, b, dx, dy, dz, ax, ay, az, bx, by, bz, beyond, flat, full > 0.0, u, v, row, count, plane, wide,
+        edge_start, edge, vertex, normal, offset, edges,
+    )  # fmt: skip
+    if ea >= 0 and apart > skin:
+        return NONE, 0, apart, blend, 0.0, fa, fb, nx, ny, nz
+    if ea >= 0:
+        found = crossing_point(
+            vertex, edge, edge_start[a], edge_start[b], ea, eb, dx, dy, dz, ex, ey, ez, apart, least,
+            point, gap, area, feature,
+        )  # fmt: skip
+        if found:
+            return EDGE, found, apart, 0.5, sqrt(least), ea, eb, ex, ey, ez
+    if full <= 0.0:
+        return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
+    count = polygon_points(
+        u, v, label, row, count, full, plane, snap, reach, least, fa - la, fb - lb, weight, name,
+        point, gap, area, feature,
+    )  # fmt: skip
+    size = sqrt(full) if blend in (0.0, 1.0) else BETWEEN * sqrt(full)
+    return (FACE if count else NONE), count, wide, blend, size, fa, fb, nx, ny, nz
+
+
+@bare
+def _crossed(
+    a, b, dx, dy, dz, ax, ay, az, bx, by, bz, beyond, flat, overlaps, u, v, row, count, plane, wide,
+    edge_start, edge, vertex, normal, offset, edges,
+):  # fmt: skip
+    """The two edges whose axis parts the pieces by more than `beyond`, and most; their gap and axis; -1 without any.
+
+    (ax, ay, az), (bx, by, bz): a point of each piece. Edges that nearly lie in two faces add nothing to the corners of
+    their overlap, unless all these are deeper than the edges are.
+    """
+    one, two = edges[0], edges[1]
+    ea, eb, ex, ey, ez = -1, -1, 0.0, 0.0, 0.0
+    count_a = open_edges(edge, edge_start[a], edge_start[a + 1], normal, offset, bx, by, bz, beyond, -1, one)
+    if count_a == 0:
+        return ea, eb, beyond, ex, ey, ez
+    count_b = open_edges(
+        edge, edge_start[b], edge_start[b + 1], normal, offset, ax - dx, ay - dy, az - dz, beyond, -1, two
+    )
+    deep = wide
+    if overlaps and count_b > 0:
+        du, dv, deep = _deepest(u, v, row, count, plane, wide)
+        low, high = heights(plane, du, dv)
+        x, y, z = point_of(plane, du, dv, high)
+        count_a = open_edges(edge, 0, 0, normal, offset, x, y, z, beyond, count_a, one)
+        x, y, z = point_of(plane, du, dv, low)
+        count_b = open_edges(edge, 0, 0, normal, offset, x - dx, y - dy, z - dz, beyond, count_b, two)
+    for k in range(count_a):
+        for m in range(count_b):
+            crosses, apart, x, y, z = edge_axis(edge, one[k], two[m], vertex, normal, dx, dy, dz)
+            if crosses and apart > beyond:
+                along = x * plane.nx + y * plane.ny + z * plane.nz
+                if not overlaps or along < flat or apart > deep + HOLD * abs(deep):
+                    beyond, ea, eb, ex, ey, ez = apart, one[k], two[m], x, y, z
+    return ea, eb, beyond, ex, ey, ez
+
+
+@bare
+def _deepest(u, v, row, count, plane, wide):
+    """The middle of the corners of an overlap that are within a hair as deep as the deepest one, and that one's gap."""
+    least = inf
+    for k in range(count):
+        low, high = heights(plane, u[row, k], v[row, k])
+        least = min(least, high - low)
+    mu, mv, found = 0.0, 0.0, 0
+    for k in range(count):
+        low, high = heights(plane, u[row, k], v[row, k])
+        if high - low <= least + 0.5 * HOLD * abs(wide):
+            mu, mv, found = mu + u[row, k], mv + v[row, k], found + 1
+    return mu / found, mv / found, least
