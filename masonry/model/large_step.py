@@ -1,10 +1,10 @@
-"""The proven stable time step where blocks turn and deform: row sums by the norms of 3-vectors, from wherever one looks.
+"""The proven stable step where blocks turn and deform: row sums by the norms of 3-vectors, from wherever one looks.
 
 stable_step.py adds |K_ij| along x, y, z: true at the start, and no longer once a block has turned. Here every freedom
-that is a vector (a move, a column of H, a node) counts by its length, and K_ij by its 2-norm: max_i |x_i| is a norm too,
-so w_max^2 <= max_i sum_j ||K_ij|| / m_i holds as Gershgorin's does, as long as the three masses of a vector are equal.
-Then no turn changes the sums, neither of blocks nor of normals: levers about a rigid block's own axes keep their length,
-and a material point's lever in a deforming block is its place at the start.
+that is a vector (a move, a column of H, a node) counts by its length, and K_ij by its 2-norm. max_i |x_i| is a norm
+too, so w_max^2 <= max_i sum_j ||K_ij|| / m_i holds as Gershgorin's does, where the three masses of a vector are equal.
+Then no turn changes the sums, neither of blocks nor of normals: levers about a rigid block's own axes keep their
+length, and a material point's lever in a deforming block is its place at the start.
 
 Assumed: every contact of the start counts as closed, with its largest stiffness; the two material points of a bond stay
 within `slack` of each other; overlaps are small against levers (of the stiffness of turning normals, force over lever,

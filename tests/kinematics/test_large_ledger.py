@@ -1,0 +1,86 @@
+"""Blocks of all kinds that tumble and deform on springs: momenta are kept, the ledger closes, and the energy that no
+force gave falls with the square of the step.
+"""
+
+import numpy as np
+import pytest
+
+from masonry.model.layout import Material
+from masonry.model.model import Stepping
+from tests.kinematics import bricks
+from verification.fixtures import rig, shapes
+
+RUBBER = Material(density=1900.0, young_modulus=4e6, poisson_ratio=0.2)
+SLANT = np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0.0, 0.0, 0.9]])
+MIXTURE = ["rigid", "affine", "tets"]
+
+
+def tumbling(dt: float, normal: float, shear: float, apart: bool = True, between: bool = False) -> bricks.Springs:
+    """Three slanted blocks, a kind each, on springs of so many N/m along the normals at the start and across."""
+    points = {"per_edge": 3} if between else {}
+    s = shapes.setup(shapes.skewed(shapes.stack([0.05, 0.07, 0.06]), SLANT), MIXTURE, **points)
+    model = rig.make(s, stepping=Stepping("real", dt, damping=0.0), material=RUBBER)
+    n = model.contacts.normal[:, :3]
+    k = shear * np.eye(3) + (normal - shear) * np.einsum("ci,cj->cij", n, n)
+    springs = bricks.Springs(model, k, apart)
+    springs.set_velocities(3, 0.6)
+    return springs
+
+
+def test_momenta_are_kept_to_round_off():
+    """Springs that are stiffer along a direction that stays: forces are not along the line between their two ends."""
+    springs = tumbling(2e-5, 3e4, 5e3)
+    start, size = springs.momenta(), [0.0, 0.0]
+    for _ in range(20):
+        springs.march(50)
+        now = springs.momenta()
+        size = [max(size[i], np.abs(now[i] - start[i]).max() / np.abs(start[i]).max()) for i in (0, 1)]
+    assert max(size) < 2e-13
+    assert np.abs(springs.apart).max() > 1e-3
+
+
+def test_without_apart_a_couple_is_left():
+    springs = tumbling(2e-5, 3e4, 5e3, apart=False)
+    (_, start), _ = springs.momenta(), springs.march(1000)
+    assert np.abs(springs.momenta()[1] - start).max() > 1e-4 * np.abs(start).max()
+
+
+def balance(dt: float, time: float, damping=None) -> dict[str, float]:
+    """Gap of the ledger, energy that comes from no force, and what the springs got beyond their energy; J."""
+    springs = tumbling(dt, 1e4, 1e4)
+    springs.march(1)
+    before = springs.before()
+    springs.march(1, damping)
+    first = springs.kinetic(before) + springs.works()[3] - springs.works()[:3].sum()
+    gaps = []
+    for _ in range(5):
+        springs.march(round(time / dt / 5) - 1, damping)
+        before = springs.before()
+        springs.march(1, damping)
+        works, kinetic = springs.works(), springs.kinetic(before)
+        gaps.append(abs(kinetic + works[3] - works[:3].sum() - first))
+    rotor = springs.bodies.rigid.work[0, 3]
+    return {
+        "gap": max(gaps),
+        "rotor": rotor,
+        "geometry": works[3] - rotor - springs.elastic(),
+        "springs": -works[0] - springs.in_springs(),
+        "moving": kinetic,
+        "damping": -works[1],
+        "elastic": springs.elastic(),
+    }
+
+
+@pytest.mark.parametrize("damping", [None, 0.2])
+def test_the_ledger_closes_to_round_off(damping):
+    found = balance(4e-5, 0.01, damping)
+    assert found["gap"] < 1e-13 * (found["moving"] + found["damping"])
+    assert (found["damping"] > 0.0) == (damping is not None)
+
+
+def test_energy_that_no_force_gave_falls_with_the_square_of_the_step():
+    coarse, fine, finer = (balance(dt, 0.02) for dt in (4e-5, 2e-5, 1e-5))
+    assert fine["elastic"] > 0.01 * fine["moving"]
+    for name in ("rotor", "geometry", "springs"):
+        assert coarse[name] / fine[name] == pytest.approx(4.0, abs=0.6), name
+        assert fine[name] / finer[name] == pytest.approx(4.0, abs=0.3), name
