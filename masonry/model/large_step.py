@@ -11,16 +11,39 @@ within `slack` of each other; overlaps are small against levers (of the stiffnes
 nothing is counted); no line of a block gets longer than `stretch` times its length, which `observe` tells.
 St Venant-Kirchhoff: K(F) = (1 x F) K(1) (1 x F^T) + geometric part, so the first grows by no more than stretch^2; the
 second is V S, and only tension adds to the highest frequency: S <= (3 lambda + 2 mu) (stretch^2 - 1) / 2.
-The sums take the place of those of stable_step.py; `unscale`, `stable_step` and `scaled_masses` go on from there.
+`row_sums` takes the place of the sums of stable_step.py; `stable_step` and `scaled_masses` go on from there.
 """
 
 import numpy as np
 
-from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
-from masonry.model.stable_step import BETWEEN, CHUNK, Side, across
+from masonry.model.layout import FREEDOMS, KINDS, Layout, tet_gradients, tet_volumes
+from masonry.model.stable_step import BETWEEN, CHUNK, Side, across, unscale
 
 STRETCH = 1.02
 """What no line is assumed to exceed: masonry breaks at a thousandth of that strain."""
+
+
+def row_sums(
+    layout: Layout,
+    sides: tuple[Side, Side],
+    stiffness: np.ndarray,
+    lame: np.ndarray,
+    length: np.ndarray,
+    stretch: float = STRETCH,
+    slack: float = 0.0,
+) -> dict[str, np.ndarray]:
+    """Row sums per kind, as `stable_step` and `scaled_masses` take them.
+
+    stiffness  (C,) N/m, the larger of the normal and the shear stiffness of each contact, dilation included
+    lame       (B, 2) Pa, of rigid blocks 0
+    length     (B, 3) m, of `lengths`
+    """
+    sums = {kind: np.zeros((layout.rows(kind), FREEDOMS[kind])) for kind in KINDS}
+    contact_row_sums(sums, sides, stiffness, slack)
+    affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length, stretch)
+    tet_row_sums(sums["tets"], layout, lame, stretch)
+    unscale(sums, layout, length)
+    return sums
 
 
 def contact_row_sums(

@@ -83,17 +83,17 @@ class Springs:
         if self.bodies.rigid is not None:
             turning.spin(self.bodies.rigid)
 
-    def march(self, steps: int, damping=None) -> None:
+    def march(self, steps: int, damping=None, parallel=None) -> None:
         """Steps of all bodies; the springs in between."""
         dt = self.model.dt
         for _ in range(steps):
             for _, body in self.present:
-                place(None, body, dt, self.u)
+                place(parallel, body, dt, self.u)
             a, b = self.model.contacts.sides.T
             self.apart[...] = self.u[b] - self.u[a]
             self.force[...] = np.einsum("cij,cj->ci", self.stiffness, self.apart)
             for _, body in self.present:
-                move(None, body, dt, damping, ALL_OF_IT, self.force, self.u)
+                move(parallel, body, dt, damping, ALL_OF_IT, self.force, self.u)
 
     def before(self) -> list[np.ndarray]:
         """What `kinetic` needs a step later."""

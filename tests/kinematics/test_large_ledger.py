@@ -5,6 +5,8 @@ force gave falls with the square of the step.
 import numpy as np
 import pytest
 
+from masonry.kinematics.dispatch import move, place
+from masonry.model.arrays import in_rows
 from masonry.model.layout import Material
 from masonry.model.model import Stepping
 from tests.kinematics import bricks
@@ -17,7 +19,7 @@ MIXTURE = ["rigid", "affine", "tets"]
 
 def tumbling(dt: float, normal: float, shear: float, apart: bool = True, between: bool = False) -> bricks.Springs:
     """Three slanted blocks, a kind each, on springs of so many N/m along the normals at the start and across."""
-    points = {"per_edge": 3} if between else {}
+    points = {"rule": "gauss", "points_per_edge": 2} if between else {}
     s = shapes.setup(shapes.skewed(shapes.stack([0.05, 0.07, 0.06]), SLANT), MIXTURE, **points)
     model = rig.make(s, stepping=Stepping("real", dt, damping=0.0), material=RUBBER)
     n = model.contacts.normal[:, :3]
@@ -27,9 +29,11 @@ def tumbling(dt: float, normal: float, shear: float, apart: bool = True, between
     return springs
 
 
-def test_momenta_are_kept_to_round_off():
+@pytest.mark.parametrize("between", [False, True])
+def test_momenta_are_kept_to_round_off(between):
     """Springs that are stiffer along a direction that stays: forces are not along the line between their two ends."""
-    springs = tumbling(2e-5, 3e4, 5e3)
+    springs = tumbling(2e-5, 3e4, 5e3, between=between)
+    assert (springs.bodies.tets.start_between is not None) == between
     start, size = springs.momenta(), [0.0, 0.0]
     for _ in range(20):
         springs.march(50)
@@ -43,6 +47,52 @@ def test_without_apart_a_couple_is_left():
     springs = tumbling(2e-5, 3e4, 5e3, apart=False)
     (_, start), _ = springs.momenta(), springs.march(1000)
     assert np.abs(springs.momenta()[1] - start).max() > 1e-4 * np.abs(start).max()
+
+
+def test_threads_give_the_same_bits():
+    one, two = tumbling(2e-5, 3e4, 5e3), tumbling(2e-5, 3e4, 5e3)
+    one.march(100, 0.2)
+    two.march(100, 0.2, parallel=True)
+    assert np.array_equal(one.u, two.u)
+    assert all(np.array_equal(a.work, b.work) for (_, a), (_, b) in zip(one.present, two.present, strict=True))
+
+
+@pytest.mark.parametrize("kind", MIXTURE)
+def test_patches_act_as_contacts_at_the_same_points_do(kind):
+    """The upper block of a pair on springs: once through its contact sides, once through what they sum up to."""
+    sided, patched = (pair(kind) for _ in range(2))
+    layout, body = patched.model.layout, getattr(patched.bodies, kind)
+    joints, points = patched.model.joints, patched.model.contacts.sides[:, 1]
+    width = {"rigid": 6, "affine": 12, "tets": 3}[kind]
+    patches = in_rows(np.zeros((len(body.v), width)))
+    body = body._replace(patches=patches, start=np.zeros_like(body.start), apart=None)
+    for _ in range(200):
+        sided.march(1)
+        place(None, body, patched.model.dt, patched.u)
+        force = -sided.force
+        if kind == "tets":
+            patches[...] = 0.0
+            np.add.at(patches, joints.node_b, force)
+        else:
+            patches[0, :3] = force.sum(axis=0)
+            lever = joints.point + sided.u[points] - layout.centroid[1] - body.q[0, :3]
+            whole = np.cross(lever, force).sum(axis=0) if kind == "rigid" else np.einsum("ci,cj->ij", force, lever)
+            patches[0, 3:] = whole.ravel()
+        move(None, body, patched.model.dt, None, bricks.ALL_OF_IT, patched.force, patched.u)
+    same = getattr(sided.bodies, kind)
+    assert np.abs(same.v).max() > 0.01
+    assert body.v == pytest.approx(same.v, abs=1e-12 * np.abs(same.v).max())
+    assert body.work == pytest.approx(same.work, abs=1e-12 * np.abs(same.work).max())
+
+
+def pair(kind: str) -> bricks.Springs:
+    """A block of a kind above a held one, pulled along y at one edge by springs that are not alike."""
+    s = shapes.setup(shapes.skewed(shapes.stack([0.05, 0.07]), SLANT), ["affine" if kind == "rigid" else "rigid", kind])
+    model = rig.make(s, stepping=Stepping("real", 2e-5, damping=0.0), material=RUBBER)
+    stiffness = np.arange(len(model.group))[:, None, None] * 1e3 * np.eye(3)
+    springs = bricks.Springs(model, stiffness)
+    springs.set_velocities(5, 0.5)
+    return springs
 
 
 def balance(dt: float, time: float, damping=None) -> dict[str, float]:
