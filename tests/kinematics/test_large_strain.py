@@ -131,3 +131,14 @@ def test_small_strains_give_the_forces_of_the_small_bodies_but_for_their_square(
         excess.append(np.abs(square - linear).max() / np.abs(linear).max())
     assert excess[0] < 30 * 1e-5
     assert excess[0] / excess[1] == pytest.approx(2.0, rel=1e-3)
+
+
+def test_axes_that_are_x_y_z_may_be_left_out():
+    forces = []
+    for axes in (None, np.eye(3)[None].copy()):
+        model = rig.make(shapes.setup(shapes.stack([0.12]), ["affine"]))
+        model.bodies = large(model.bodies._replace(affine=model.bodies.affine._replace(axes=axes)), np.zeros((0, 3)))
+        model.bodies.affine.q[0, 3:] = GRADIENT.ravel()
+        forces.append((inner_forces(model, "affine"), *observed(model, "affine")))
+    for left_out, there in zip(*forces, strict=True):
+        assert left_out == pytest.approx(there, rel=1e-13, abs=1e-13 * np.abs(there).max())
