@@ -2,7 +2,8 @@
 
 H = F - 1 is held along the block's axes at the start, as in affine.py: column k is the derivative along axis k. The
 mass matrix is constant, no term is gyroscopic, and a rigid turn of the whole changes neither energy nor stress in the
-block. A force at a point y from the centroid, in space, acts on H with the lever F^-1 y that its material has.
+block. A force at a point y from the centroid, in space, acts on H with the lever F^-1 y that its material has; of the
+lever beyond a contact's own point (levers.py) only the couple counts, with F^-T.
 """
 
 from typing import NamedTuple
@@ -12,7 +13,7 @@ from numba import prange
 from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit
-from masonry.kinematics.levers import moments, moments_apart, patch_force, patch_moments
+from masonry.kinematics.levers import couple_apart, moments, patch_force, patch_moments, skew
 from masonry.kinematics.matrices import (
     added,
     determinant,
@@ -147,11 +148,7 @@ def _edges(h, axes, b):
     """What the block's axes have become, in columns: F times the axes."""
     if axes is None:
         return _plus_one(h)
-    a = matrix_at(axes, b)
-    return (
-        *(a[0] + h[0], a[1] + h[1], a[2] + h[2], a[3] + h[3], a[4] + h[4], a[5] + h[5]),
-        *(a[6] + h[6], a[7] + h[7], a[8] + h[8]),
-    )
+    return _sum(matrix_at(axes, b), h)
 
 
 @register_jitable
@@ -173,17 +170,16 @@ def _with_spatial(apart, patches, start, code, force, b, moment, h, axes):
     """First moments by material levers, and what levers in space add to them."""
     if apart is None and patches is None:
         return moment
-    more, detected = moments_apart(apart, start, code, force, b), patch_moments(patches, b)
-    total_more = (
-        *(more[0] + detected[0], more[1] + detected[1], more[2] + detected[2]),
-        *(more[3] + detected[3], more[4] + detected[4], more[5] + detected[5]),
-        *(more[6] + detected[6], more[7] + detected[7], more[8] + detected[8]),
-    )
-    more = product(total_more, transposed(inverse(_edges(h, axes, b))))
+    in_space = _sum(skew(couple_apart(apart, start, code, force, b)), patch_moments(patches, b))
+    return _sum(moment, product(in_space, transposed(inverse(_edges(h, axes, b)))))
+
+
+@register_jitable
+def _sum(m, a):
+    """Of two matrices."""
     return (
-        *(moment[0] + more[0], moment[1] + more[1], moment[2] + more[2]),
-        *(moment[3] + more[3], moment[4] + more[4], moment[5] + more[5]),
-        *(moment[6] + more[6], moment[7] + more[7], moment[8] + more[8]),
+        *(m[0] + a[0], m[1] + a[1], m[2] + a[2], m[3] + a[3], m[4] + a[4], m[5] + a[5]),
+        *(m[6] + a[6], m[7] + a[7], m[8] + a[8]),
     )
 
 

@@ -1,9 +1,9 @@
 """Blocks of constant-strain tets that turn and deform as far as they like: total Lagrangian, St Venant-Kirchhoff.
 
 As tets.py, with the quadratic strain: gradients of the shape functions and volumes are kept apart. The frame of a block
-is its mean deformation gradient, F = 1 + sum of u_i g_i with g_i the mean gradient of node i's shape function: these
-are linear in the nodes, vanish inside, and add up to nothing; so a moment T about material points, brought to the nodes
-as T F^-T g_i, has no resultant and exactly the moment T, and does the work that F does under it.
+is its mean deformation gradient, F = 1 + sum of u_i g_i with g_i the mean gradient of node i's shape function: the g_i
+vanish inside and add up to nothing. So a couple beyond material points (levers.py), antisymmetric first moments T,
+brought to the nodes as T F^-T g_i, has no resultant and exactly its moment, and does the work of the turn of F.
 """
 
 from typing import NamedTuple
@@ -14,6 +14,7 @@ from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit
 from masonry.kinematics.deforming import keep_drawn
+from masonry.kinematics.levers import skew
 from masonry.kinematics.matrices import (
     determinant,
     inverse,
@@ -132,7 +133,7 @@ def _put_frame(frame, mean_slope, start, b, u):
 
 @register_jitable
 def _couple(apart, frame, first, last, start, code, pull_start, pull_code, pull_share, force, b):
-    """T F^-T: first moments of the forces on sides a about their material points, brought to the start; 0 without."""
+    """T F^-T, with T of the couple of the forces on sides a about their material points; 0 without `apart`."""
     if apart is None:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     by_x = by_y = by_z = pack((0.0, 0.0, 0.0, 0.0))
@@ -148,8 +149,8 @@ def _couple(apart, frame, first, last, start, code, pull_start, pull_code, pull_
             by_x, by_y = plus(by_x, on_a * apart[c, 0], own), plus(by_y, on_a * apart[c, 1], own)
             by_z = plus(by_z, on_a * apart[c, 2], own)
     x, y, z = numbers(by_x), numbers(by_y), numbers(by_z)
-    whole = x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]
-    return product(whole, transposed(inverse(matrix_at(frame, b))))
+    couple = y[2] - z[1], z[0] - x[2], x[1] - y[0]
+    return product(skew(couple), transposed(inverse(matrix_at(frame, b))))
 
 
 @register_jitable

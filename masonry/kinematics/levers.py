@@ -1,12 +1,13 @@
 """Levers of contact forces on blocks that turn: both sides of a contact act at one point, the material point of side b.
 
 So the lever of side a is that of its own material point and `apart`, u_b - u_a: then the two forces have no couple, and
-the angular momentum of the pair is kept.
+the angular momentum of the pair is kept. What a force has beyond its material point is a couple: it acts on the turn of
+a block that deforms, and not on its stretch, as the frames of contacts turn and do not stretch.
 """
 
 from numba.extending import register_jitable
 
-from masonry.kinematics.matrices import vector_at
+from masonry.kinematics.matrices import scaled, vector_at
 from masonry.simd import numbers, pack, plus, take_row
 
 
@@ -26,10 +27,10 @@ def moments(start, code, arm, force, b):
 
 
 @register_jitable
-def moments_apart(apart, start, code, force, b):
-    """First moments (9) of the forces on sides a of block b about their material points, global; 0 without `apart`."""
+def couple_apart(apart, start, code, force, b):
+    """Couple of the forces on sides a of block b about their material points, global; 0 without `apart`."""
     if apart is None:
-        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        return 0.0, 0.0, 0.0
     nothing = pack((0.0, 0.0, 0.0, 0.0))
     by_x, by_y, by_z = nothing, nothing, nothing
     for k in range(start[b], start[b + 1]):
@@ -39,13 +40,20 @@ def moments_apart(apart, start, code, force, b):
         by_y = plus(by_y, on_a * apart[c, 1], own)
         by_z = plus(by_z, on_a * apart[c, 2], own)
     x, y, z = numbers(by_x), numbers(by_y), numbers(by_z)
-    return x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]
+    return y[2] - z[1], z[0] - x[2], x[1] - y[0]
 
 
 @register_jitable
 def axial(m):
     """The moment, sum of x cross f, of first moments (9), sum of f_i x_j row by row."""
     return m[7] - m[5], m[2] - m[6], m[3] - m[1]
+
+
+@register_jitable
+def skew(couple):
+    """The antisymmetric first moments (9) of a couple: what they do work on is the turn alone."""
+    x, y, z = scaled(0.5, couple)
+    return 0.0, -z, y, z, 0.0, -x, -y, x, 0.0
 
 
 @register_jitable

@@ -201,19 +201,24 @@ def straightened(r):
 
 
 @register_jitable
+def _mean(m, t):
+    """Of two matrices."""
+    return (
+        *(0.5 * (m[0] + t[0]), 0.5 * (m[1] + t[1]), 0.5 * (m[2] + t[2]), 0.5 * (m[3] + t[3]), 0.5 * (m[4] + t[4])),
+        *(0.5 * (m[5] + t[5]), 0.5 * (m[6] + t[6]), 0.5 * (m[7] + t[7]), 0.5 * (m[8] + t[8])),
+    )
+
+
+@register_jitable
 def nearest_rotation(m):
     """The rotation of the polar decomposition, for det m > 0: Newton's iteration r <- (r + r^-T) / 2 (Higham 1986)."""
     for _ in range(30):
         t = transposed(inverse(m))
+        m, last = _mean(m, t), m
         change = 0.0
         for i in range(9):
-            change += (t[i] - m[i]) ** 2
-        m = (
-            *(0.5 * (m[0] + t[0]), 0.5 * (m[1] + t[1]), 0.5 * (m[2] + t[2])),
-            *(0.5 * (m[3] + t[3]), 0.5 * (m[4] + t[4]), 0.5 * (m[5] + t[5])),
-            *(0.5 * (m[6] + t[6]), 0.5 * (m[7] + t[7]), 0.5 * (m[8] + t[8])),
-        )
-        if change < 1e-15:  # the next one is a quarter of its square: nothing
+            change += (m[i] - last[i]) ** 2
+        if change < 1e-17:  # the next change is about its square, and nothing
             break
     return m
 

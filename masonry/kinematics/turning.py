@@ -16,7 +16,7 @@ from numba import prange
 from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit
-from masonry.kinematics.levers import axial, moments, moments_apart, patch_couple, patch_force
+from masonry.kinematics.levers import axial, couple_apart, moments, patch_couple, patch_force
 from masonry.kinematics.matrices import (
     added,
     cross,
@@ -180,8 +180,8 @@ def move(body, dt, damping, clock, force, u):
     for b in prange(len(body.q)):
         r = matrix_at(frame, b)
         own, moment = moments(start, code, arm, force, b)
-        beside = moments_apart(apart, start, code, force, b)
-        moment = added(added(axial(product(moment, transposed(r))), axial(beside)), patch_couple(patches, b))
+        beside = couple_apart(apart, start, code, force, b)
+        moment = added(added(axial(product(moment, transposed(r))), beside), patch_couple(patches, b))
         own = added(own, patch_force(patches, b))
         done = 0.0, 0.0, 0.0
         done = advance(body, (b, 0), own[0], 0.0, dt, damping, clock, done)

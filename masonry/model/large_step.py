@@ -1,26 +1,49 @@
-"""The proven stable time step where blocks turn and deform: row sums by the norms of 3-vectors, from wherever one looks.
+"""The proven stable step where blocks turn and deform: row sums by the norms of 3-vectors, from wherever one looks.
 
 stable_step.py adds |K_ij| along x, y, z: true at the start, and no longer once a block has turned. Here every freedom
-that is a vector (a move, a column of H, a node) counts by its length, and K_ij by its 2-norm: max_i |x_i| is a norm too,
-so w_max^2 <= max_i sum_j ||K_ij|| / m_i holds as Gershgorin's does, as long as the three masses of a vector are equal.
-Then no turn changes the sums, neither of blocks nor of normals: levers about a rigid block's own axes keep their length,
-and a material point's lever in a deforming block is its place at the start.
+that is a vector (a move, a column of H, a node) counts by its length, and K_ij by its 2-norm. max_i |x_i| is a norm
+too, so w_max^2 <= max_i sum_j ||K_ij|| / m_i holds as Gershgorin's does, where the three masses of a vector are equal.
+Then no turn changes the sums, neither of blocks nor of normals: levers about a rigid block's own axes keep their
+length, and a material point's lever in a deforming block is its place at the start.
 
 Assumed: every contact of the start counts as closed, with its largest stiffness; the two material points of a bond stay
 within `slack` of each other; overlaps are small against levers (of the stiffness of turning normals, force over lever,
 nothing is counted); no line of a block gets longer than `stretch` times its length, which `observe` tells.
 St Venant-Kirchhoff: K(F) = (1 x F) K(1) (1 x F^T) + geometric part, so the first grows by no more than stretch^2; the
 second is V S, and only tension adds to the highest frequency: S <= (3 lambda + 2 mu) (stretch^2 - 1) / 2.
-The sums take the place of those of stable_step.py; `unscale`, `stable_step` and `scaled_masses` go on from there.
+`row_sums` takes the place of the sums of stable_step.py; `stable_step` and `scaled_masses` go on from there.
 """
 
 import numpy as np
 
-from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
-from masonry.model.stable_step import BETWEEN, CHUNK, Side, across
+from masonry.model.layout import FREEDOMS, KINDS, Layout, tet_gradients, tet_volumes
+from masonry.model.stable_step import BETWEEN, CHUNK, Side, across, unscale
 
 STRETCH = 1.02
 """What no line is assumed to exceed: masonry breaks at a thousandth of that strain."""
+
+
+def row_sums(
+    layout: Layout,
+    sides: tuple[Side, Side],
+    stiffness: np.ndarray,
+    lame: np.ndarray,
+    length: np.ndarray,
+    stretch: float = STRETCH,
+    slack: float = 0.0,
+) -> dict[str, np.ndarray]:
+    """Row sums per kind, as `stable_step` and `scaled_masses` take them.
+
+    stiffness  (C,) N/m, the larger of the normal and the shear stiffness of each contact, dilation included
+    lame       (B, 2) Pa, of rigid blocks 0
+    length     (B, 3) m, of `lengths`
+    """
+    sums = {kind: np.zeros((layout.rows(kind), FREEDOMS[kind])) for kind in KINDS}
+    contact_row_sums(sums, sides, stiffness, slack)
+    affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length, stretch)
+    tet_row_sums(sums["tets"], layout, lame, stretch)
+    unscale(sums, layout, length)
+    return sums
 
 
 def contact_row_sums(

@@ -1,0 +1,88 @@
+"""Blocks that turn and deform as far as they like, against those that hardly move: per block and per tet."""
+
+import numpy as np
+import pytest
+
+from masonry.jit.compiler import jit
+from masonry.kinematics.dispatch import move, place
+from masonry.kinematics.turning import spin
+from masonry.model.arrays import Bodies
+from masonry.model.large_bodies import deforming_tets, large
+from verification.reference_step import specimens, trial
+from verification.reference_step.interleaved import in_turn, require
+
+STEPS, DAMPING, CLOCK = 20, 0.8, (1.0, 1.0, 0.0, 0.0)
+
+
+@jit
+def _place(steps, dt, body, u):
+    for _ in range(steps):
+        place(None, body, dt, u)
+
+
+@jit
+def _move(steps, dt, body, force, u):
+    for _ in range(steps):
+        move(None, body, dt, DAMPING, CLOCK, force, u)
+
+
+def halves(model, kind: str):
+    """The two halves of a step of a model's bodies of one kind, without the contacts' sweep."""
+    body, contacts = getattr(model.bodies, kind), model.contacts
+    return (
+        lambda: _place(STEPS, model.dt, body, contacts.u),
+        lambda: _move(STEPS, model.dt, body, contacts.force, contacts.u),
+    )
+
+
+def wall(kind: str, turns: bool, joined: bool):
+    """1000 blocks that tumble, with contact sides or without."""
+    model = trial.model_of(*specimens.wall(25, 40), kind=kind)
+    if turns:
+        model.bodies = large(model.bodies, model.masses["rigid"][:, 3:])
+    body = getattr(model.bodies, kind)
+    body.v[...] = np.random.default_rng(1).normal(scale=0.1, size=body.v.shape)
+    if turns and kind == "rigid":
+        spin(body)
+    if not joined:
+        trial.replace_bodies(model, start=np.zeros_like(body.start))
+    return model
+
+
+@pytest.mark.parametrize("kind", ["rigid", "affine"])
+def test_a_block_that_turns(figure, kind):
+    small, big = wall(kind, False, True), wall(kind, True, True)
+    alone = wall(kind, True, False)
+    works = [half for model in (small, big, alone) for half in halves(model, kind)]
+    for work in works:
+        work()
+    times = in_turn(*works, rounds=40)
+    ns = [1e9 * t.least / STEPS / small.blocks.count for t in times]
+    sides = 2.0 * len(small.joints.area) / small.blocks.count
+    figure(f"turn of a {kind} block, no contacts", ns[4], "ns", 150.0, 100.0, times[4].spread)
+    figure("  its forces, works and momenta", ns[5], "ns", 150.0, 80.0, times[5].spread)
+    figure(f"whole motion of a {kind} block with {sides:.0f} contact sides, large", ns[2] + ns[3], "ns")
+    figure("  small displacement", ns[0] + ns[1], "ns")
+
+
+def test_a_tet_of_st_venant_and_kirchhoff(figure):
+    steps = 5
+    specimen = specimens.bricks((6, 6, 6), (2, 2, 2))
+    models = [trial.model_of(*specimen, kind="tets") for _ in range(3)]
+    velocity = np.random.default_rng(1).normal(scale=1e-6, size=models[0].bodies.tets.v.shape)
+    for model, framed in zip(models[1:], (False, True), strict=True):
+        model.bodies = Bodies(None, None, deforming_tets(model.bodies.tets, None, framed))
+    for model in models:
+        trial.set_velocity(model, velocity)
+    takes = [trial.stepping(model, steps) for model in models]
+    for take in takes:
+        take()
+    assert np.allclose(trial.moved(models[1]), trial.moved(models[0]), rtol=1e-4, atol=1e-16)
+    assert np.array_equal(trial.moved(models[1]), trial.moved(models[2]))
+    times = in_turn(*takes, rounds=200)
+    count = len(models[0].layout.mesh.tets)
+    linear, square, framed = (1e9 * t.least / steps / count for t in times)
+    figure("step per tet, 10k tets, St Venant-Kirchhoff", square, "ns", 1.6 * linear, 1.4 * linear, times[1].spread)
+    figure("  with frames", framed, "ns")
+    figure("  linear", linear, "ns")
+    require(square / linear, 1.7, "a whole step of tets of St Venant and Kirchhoff")
