@@ -78,7 +78,7 @@ def assemble(scene: Scene) -> Assembly:
     meetings = None if pairs is None else meetings_of(pairs)
     built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings)
     plan = plan_of(scene, built.dt)
-    if plan.settle == 0 and isinstance(plan, loads.Program):
+    if isinstance(plan, loads.Program) and plan.steps > plan.settle == 0:
         begin(built, None if plan.varying is None else plan.varying[:, 0], scene.has_dead_loads)
     sign = scene.drive.sign if scene.drive else 1.0
     gauges = gauges_of(scene, specimen, joints, layout)

@@ -1,5 +1,6 @@
 """curve.png of a scene without a drive: how far its gauges, or its top, have moved; its reactions; the ledger."""
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -32,19 +33,28 @@ def settling_figure(result: "ResultData") -> Any:
     rows = result.history.rows
     for axes in (moved, ledger):
         tidy(axes)
+    over, label = _across(result)
     for (name, (steps, way)), colour in zip(movements(result).items(), 9 * COLOURS, strict=False):
-        moved.plot(steps, MILLI * way, color=colour, linewidth=2.0, label=plain(name))
+        moved.plot(over(steps), MILLI * way, color=colour, linewidth=2.0, label=plain(name))
     moved.set_ylabel("displacement [mm]")
     if lines := reaction_lines(result.summary):
         shown = lines if len(lines) <= MOST else [*lines[:MOST], f"and {len(lines) - MOST} more in summary.json"]
         words = ["reactions at the end, along x, y, z", *shown]
         moved.set_title("\n".join(map(plain, words)), fontsize=10, loc="left")
-    draw_ledger(ledger, rows, rows["step"])
+    draw_ledger(ledger, rows, over(rows["step"]))
     ledger.set_ylabel("energy [J]")
-    ledger.set_xlabel("step")
+    ledger.set_xlabel(label)
     for axes in (moved, ledger):
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
     return figure
+
+
+def _across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], str]:
+    """What is drawn over what: from steps (n,) to values, and their label: the tilt of gravity where the scene asks."""
+    rows, asked = result.history.rows, result.scene_table.get("curve", {})
+    if TILT in rows and isinstance(asked, dict) and asked.get("x") == TILT:
+        return lambda steps: np.degrees(np.interp(steps, rows["step"], rows[TILT])), "tilt of gravity [deg]"
+    return lambda steps: steps, "step"
 
 
 def movements(result: "ResultData") -> dict[str, tuple[np.ndarray, np.ndarray]]:

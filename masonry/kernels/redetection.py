@@ -17,6 +17,7 @@ from masonry.detection.narrow import NONE, touch
 from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
+from masonry.detection.transfer import transfer, turn_tractions
 from masonry.kernels.patches import Motion, Pairs, Points, Rules, stored, turned
 
 MOVED = 0.01
@@ -40,7 +41,7 @@ class Search(NamedTuple):
     mass     (B,) kg, real     least (B,) m2, area of a contact of edges     position (B, 3) m, of centroids now
     built    (B,) m, travel at the last search      skin (1,) m
     point, gap, area, feature  room for what one look finds
-    shear, was_area, was_feature  (K, 3) Pa, (K,) m2, (K,) room for what a patch was before
+    was_normal, was_point, shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was before
     found    (F, 2) room for the pairs that a search finds
     flag     (4,) why no step was taken, the pair to blame; searches and looks so far
     """
@@ -59,6 +60,8 @@ class Search(NamedTuple):
     gap: np.ndarray
     area: np.ndarray
     feature: np.ndarray
+    was_normal: np.ndarray
+    was_point: np.ndarray
     shear: np.ndarray
     was_area: np.ndarray
     was_feature: np.ndarray
@@ -84,18 +87,16 @@ class Near(NamedTuple):
 
 @bare
 def refresh(near, dt):
-    """Count the travel of the coming step, and look at all pairs that it may change; False where a step cannot go on."""
+    """Count the travel of the coming step, and look at all pairs that it may change; False where it cannot be taken."""
     motion, search, pairs = near.motion, near.search, near.pairs
     count_travel(motion, dt)
     travel = motion.travel
-    if needs_search(travel, search.built, search.skin[0]):
-        if not find_pairs(near):
-            return False
+    if needs_search(travel, search.built, search.skin[0]) and not find_pairs(near):
+        return False
     body, mark, limit = pairs.body, pairs.mark, pairs.limit
     for p in range(pairs.number[0]):
-        if travel[body[p, 0]] + travel[body[p, 1]] - mark[p] > limit[p]:
-            if not look(near, p):
-                return False
+        if travel[body[p, 0]] + travel[body[p, 1]] - mark[p] > limit[p] and not look(near, p):
+            return False
     return True
 
 
@@ -124,7 +125,7 @@ def needs_search(travel, built, skin):
 
 @bare
 def look(near, p):
-    """Where pair p touches now; its points take over what they remember. False without room, or where it is too deep."""
+    """Where pair p touches now; its points take over what they remember. False without room."""
     pieces, pairs, points, motion, search = near.pieces, near.pairs, near.points, near.motion, near.search
     a, b = pairs.body[p, 0], pairs.body[p, 1]
     for side in range(2):
@@ -202,7 +203,11 @@ def renew(near, p, count, own):
         total += search.area[k]
     points.held[s] = count
     if had > 0:
-        hand_over(points, search, s, had)
+        turn_tractions(search.shear, had, search.was_normal, axis, 0.0)
+        transfer(
+            *(search.was_point, search.was_area, search.was_feature, search.shear, had),
+            *(search.point, search.area, search.feature, points.shear[s], count, axis, near.scratch),
+        )
     else:
         for k in range(count):
             points.shear[s, k, 0] = points.shear[s, k, 1] = points.shear[s, k, 2] = 0.0
@@ -215,60 +220,18 @@ def renew(near, p, count, own):
 
 @bare
 def remember(pairs, points, motion, search, p):
-    """Keep the names, areas and shear tractions of a patch, these turned to the new normal; returns how many."""
-    s, ref, axis = pairs.slot[p], pairs.body[p, 1 - pairs.points_of[p]], pairs.axis[p]
+    """Keep the places, names, areas, shear tractions and the normal of a patch; returns how many points it has."""
+    s, own = pairs.slot[p], pairs.points_of[p]
+    ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
     n = turned(motion.frame, ref, pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2])
-    cosine = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]
-    ax, ay, az = n[1] * axis[2] - n[2] * axis[1], n[2] * axis[0] - n[0] * axis[2], n[0] * axis[1] - n[1] * axis[0]
+    search.was_normal[0], search.was_normal[1], search.was_normal[2] = n
     for k in range(points.held[s]):
-        x, y, z = points.shear[s, k, 0], points.shear[s, k, 1], points.shear[s, k, 2]
-        if cosine > -0.5:  # by the least rotation from one normal to the other
-            along = (ax * x + ay * y + az * z) / (1.0 + cosine)
-            search.shear[k, 0] = cosine * x + ay * z - az * y + along * ax
-            search.shear[k, 1] = cosine * y + az * x - ax * z + along * ay
-            search.shear[k, 2] = cosine * z + ax * y - ay * x + along * az
-        else:
-            search.shear[k, 0] = search.shear[k, 1] = search.shear[k, 2] = 0.0
+        arm = turned(motion.frame, other, points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2])
+        for i in range(3):
+            search.was_point[k, i] = search.position[other, i] + arm[i]
+            search.shear[k, i] = points.shear[s, k, i]
         search.was_area[k], search.was_feature[k] = points.area[s, k], points.feature[s, k]
     return points.held[s]
-
-
-@bare
-def hand_over(points, search, s, had):
-    """Shear tractions of the points of slot s from those before: by name; of the rest the force, over the larger area.
-
-    New area begins without traction, so that no energy is added: area times traction squared never grows.
-    """
-    fx = fy = fz = left = area = 0.0
-    for k in range(points.held[s]):
-        points.shear[s, k, 0] = points.shear[s, k, 1] = points.shear[s, k, 2] = 0.0
-        match = -1
-        for j in range(had):
-            if search.was_feature[j] == points.feature[s, k]:
-                match = j
-        if match < 0:
-            area += points.area[s, k]
-            continue
-        share = min(1.0, search.was_area[match] / points.area[s, k]) if points.area[s, k] > 0.0 else 0.0
-        for i in range(3):
-            points.shear[s, k, i] = share * search.shear[match, i]
-        search.was_feature[match] = -1
-    for j in range(had):
-        if search.was_feature[j] >= 0:
-            left += search.was_area[j]
-            fx += search.was_area[j] * search.shear[j, 0]
-            fy += search.was_area[j] * search.shear[j, 1]
-            fz += search.was_area[j] * search.shear[j, 2]
-    if left == 0.0 or area == 0.0:
-        return
-    share = 1.0 / max(left, area)
-    for k in range(points.held[s]):
-        match = -1
-        for i in range(3):
-            if points.shear[s, k, i] != 0.0:
-                match = 1
-        if match < 0:
-            points.shear[s, k, 0], points.shear[s, k, 1], points.shear[s, k, 2] = share * fx, share * fy, share * fz
 
 
 @bare
@@ -370,13 +333,20 @@ def is_bonded(bonded, a, b, count):
 
 def no_pairs(room: int) -> Pairs:
     """Room for so many pairs, and none in it."""
-    whole = [np.zeros((room, 2), dtype=np.int64) for _ in range(2)]
-    vectors = [np.zeros((room, 3)) for _ in range(2)]
+    numbers, twice, vectors = (room,), (room, 2), (room, 3)
+    whole = {name: np.zeros(shape, dtype=np.int64) for name, shape in (("piece", twice), ("body", twice), ("law", numbers))}
     return Pairs(
-        np.zeros(1, dtype=np.int64), *whole, np.full(room, -1, dtype=np.int64), np.zeros(room, dtype=np.int64),
-        *vectors, np.full((room, 3), -1, dtype=np.int64), np.zeros(room), np.zeros(room),
-        np.zeros(room, dtype=np.int64), np.zeros(room),
-    )  # fmt: skip
+        number=np.zeros(1, dtype=np.int64),
+        slot=np.full(room, -1, dtype=np.int64),
+        points_of=np.zeros(room, dtype=np.int64),
+        normal=np.zeros(vectors),
+        axis=np.zeros(vectors),
+        witness=np.full(vectors, -1, dtype=np.int64),
+        mark=np.zeros(room),
+        limit=np.zeros(room),
+        dashpot=np.zeros(room),
+        **whole,
+    )
 
 
 def no_points(room: int, most: int) -> Points:

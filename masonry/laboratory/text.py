@@ -1,5 +1,6 @@
 """What the command line says about a scene and about a result, aligned for a person."""
 
+from math import degrees, tan
 from pathlib import Path
 from typing import Any
 
@@ -70,6 +71,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
     return [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
+        *([("tilt of gravity", [tilt_text(tilt)])] if isinstance(tilt := summary.get("tilt_rad"), float) else []),
         *((name, [gauge_text(readings, driven)]) for name, readings in (summary.get("gauges") or {}).items()),
         *([("work of dead loads", [words])] if driven and (words := loads_text(summary)) else []),
         ("energy balance", [f"open by {_number(summary, 'energy_imbalance', 1.0, 'of the external work')}"]),
@@ -134,6 +136,11 @@ def cycles_text(cycles: list[dict[str, Any]]) -> str:
     first, last = (cycles[k]["stiffness_pa_per_m"] for k in (0, -1))
     left = f"; stiffness of the last over the first: {last / first:.2g}" if first and last and len(cycles) > 1 else ""
     return f"{len(cycles)}, dissipating {spent}{more} J{left}"
+
+
+def tilt_text(tilt: float) -> str:
+    """By how much (rad) gravity was turned."""
+    return f"{degrees(tilt):.4g} deg at the end, tangent {tan(tilt):.4g}"
 
 
 def gauge_text(readings: dict[str, float], driven: bool = True) -> str:

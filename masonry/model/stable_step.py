@@ -156,7 +156,8 @@ def stable_step(
     for kind in KINDS:
         if not free[kind].any():
             continue
-        step = np.where(free[kind], 2.0 * np.sqrt(masses[kind] / sums[kind] / (1.0 + damping)), np.inf)
+        with np.errstate(divide="ignore"):  # what touches nothing limits no step
+            step = np.where(free[kind], 2.0 * np.sqrt(masses[kind] / sums[kind] / (1.0 + damping)), np.inf)
         row, i = np.unravel_index(np.argmin(step), step.shape)
         if step[row, i] < best[0]:
             best = (float(step[row, i]), kind, int(row), int(i))

@@ -15,6 +15,8 @@ def require_fit(scene: Any) -> None:
         for key in LIMITS:
             if key in scene.solver.model_fields_set:
                 raise KeyedError(f"solver.{key}", 'no run of displacements = "large" stops there; leave it out')
+    if scene.scatter is not None and "default" in scene.scatter.groups:
+        raise KeyedError("scatter.default", "scatter needs a group of its own, with its own table of contacts")
     _real_time(scene)
     if scene.gravity is not None:
         _gravity(scene)

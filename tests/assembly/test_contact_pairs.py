@@ -62,7 +62,7 @@ def test_the_floor_is_held_by_itself_and_weighs_nothing_on_the_rest():
     built = assemble(scene(tables_needed, large=False))
     floor = built.specimen.sets["floor"]
     assert [one.name for one in built.recording.surroundings.holds] == ["support.0", "floor"]
-    held = np.flatnonzero(built.model.bodies.rigid.pace[:, 0] == 0.0)
+    held = np.flatnonzero(built.model.bodies.rigid.dt_over_mass[:, 0] == 0.0)
     assert floor[0] in held and len(held) == 2
 
 

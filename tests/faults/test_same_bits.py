@@ -14,6 +14,7 @@ from masonry.scene import load as load_scene
 from masonry.timeloop import model_state
 from masonry.timeloop.checkpoint import Checkpoints
 from masonry.timeloop.checkpointer import Checkpointer
+from tests.model.test_motion import GRAVITY, flight, standing
 from tests.scenes import load
 from tests.timeloop.test_loop import couplet
 
@@ -29,6 +30,11 @@ SCENES = {
     "turns beside a load that varies": lambda: load_scene(
         "couplet", {**TURNS, "traction": [WAVE], "settle.steps": 300, "solver.rows": 30}
     ),
+    "gravity that turns": lambda: load_scene(
+        "arch", {"gravity.tilt": {"about": "y", "angle": "2 deg", "steps": 900}, "settle.steps": 300, "solver.rows": 30}
+    ),
+    "a blow after the settling": lambda: standing('["1 m/s", 0, 0]', 300).with_({"solver.rows": 30}),
+    "a flight": lambda: flight(gravity=GRAVITY),
     "a wall that cracks": lambda: load_scene(
         "wallette-mode-1", ["specimen.divisions=[4, 2]", "drive.rate=50 mm/s", "solver.rows=60"]
     ),

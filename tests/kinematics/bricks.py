@@ -33,7 +33,7 @@ def brick(dt: float, arms=(), free=(True,) * 6, **fields) -> Turning:
     rows = {name: in_rows(np.zeros((1, 6))) for name in ("q", "v", "contact", "hold")}
     masses = np.array([[MASS, MASS, MASS, *INERTIA]])
     values = {
-        "pace": in_rows(np.where(np.array([free]), dt / masses, 0.0)),
+        "dt_over_mass": in_rows(np.where(np.array([free]), dt / masses, 0.0)),
         "frame": np.eye(3)[None].copy(),
         "momentum": np.zeros((1, 3)),
         "inertia": INERTIA[None].copy(),
@@ -58,7 +58,7 @@ def fly(body: Turning, dt: float, steps: int, damping=None, speed=0.0, drive=Non
 
 def kinetic_of_a_brick(body: Turning, before: np.ndarray) -> float:
     """J, by the bilinear form."""
-    return turning.kinetic(body, np.where(body.pace > 0, MASS, 0.0), before)
+    return turning.kinetic(body, np.where(body.dt_over_mass > 0, MASS, 0.0), before)
 
 
 class Springs:
@@ -77,7 +77,7 @@ class Springs:
         """Random ones, m/s; turns and strains by as much at a tenth of a metre."""
         rng = np.random.default_rng(seed)
         for kind, body in self.present:
-            body.v[...] = np.where(body.pace > 0, size * rng.normal(size=body.v.shape), 0.0)
+            body.v[...] = np.where(body.dt_over_mass > 0, size * rng.normal(size=body.v.shape), 0.0)
             if kind != "tets":
                 body.v[:, 3:] *= 10.0
         if self.bodies.rigid is not None:

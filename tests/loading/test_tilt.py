@@ -2,12 +2,14 @@
 
 import numpy as np
 import pytest
+from masonry.loading.dispatch import pace_of
+from masonry.timeloop.reactions import Surroundings
 
 from masonry.assembly.assemble import assemble
 from masonry.assembly.schedule import plan_of
+from masonry.curves.settling import settling_figure
 from masonry.laboratory import laboratory
-from masonry.loading.dispatch import pace_of
-from masonry.timeloop.reactions import Surroundings
+from masonry.laboratory.text import summary_text
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
 MU, DENSITY, G = 0.4, 1900.0, 9.81
@@ -37,7 +39,7 @@ def tilt(angle="23 deg", pace="steps = 40000", about="y", vector='z = "-9.81 m/s
 
 @pytest.fixture(scope="module")
 def tilted():
-    return laboratory.run(incline(tilt(), more="[solver]\ndamping = 0.2\n"))
+    return laboratory.run(incline(tilt(), more='[solver]\ndamping = 0.2\n[curve]\nx = "tilt_of_gravity"\n'))
 
 
 def test_a_block_slips_where_the_tangent_of_the_tilt_is_the_coefficient_of_friction(tilted):
@@ -54,6 +56,7 @@ def test_a_block_slips_where_the_tangent_of_the_tilt_is_the_coefficient_of_frict
 def test_the_summary_says_how_far_gravity_was_turned_and_its_balances_close(tilted):
     summary, rows = tilted.summary, tilted.history.rows
     assert summary["tilt_rad"] == rows["tilt_of_gravity"][-1] == pytest.approx(np.radians(23.0), rel=1e-12)
+    assert "tilt of gravity    23 deg at the end, tangent 0.4245" in summary_text(summary)
     assert summary["energy_imbalance"] < 1e-12
     assert summary["force_balance"] < 1e-12
     end = summary["reactions"]["end"]
@@ -61,6 +64,14 @@ def test_the_summary_says_how_far_gravity_was_turned_and_its_balances_close(tilt
     whole = WEIGHT * (1 + 0.8 * 0.2 * 0.1 / (0.2 * 0.2 * 0.02))
     angle = np.radians(23.0)
     assert force == pytest.approx((-whole * np.sin(angle), 0.0, -whole * np.cos(angle)), rel=1e-7, abs=1e-9)
+
+
+def test_the_slide_is_drawn_over_the_tilt(tilted):
+    moved, ledger = settling_figure(tilted).axes
+    assert ledger.get_xlabel() == "tilt of gravity [deg]"
+    rows = tilted.history.rows
+    assert moved.lines[0].get_xdata() == pytest.approx(np.degrees(rows["tilt_of_gravity"]), rel=1e-12)
+    assert moved.lines[0].get_ydata() == pytest.approx(1e3 * rows["slide"], rel=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -131,6 +131,10 @@ WRONG = {
     ),
     "curve": ({"more": GRAVITY + '[curve]\nx = "tilt_of_gravity"\n'}, "'tilt_of_gravity' is no gauge"),
     "floor": ({"more": GRAVITY + '[floor]\nlevl = "0 m"\n'}, "floor.levl: unknown key; did you mean 'level'?"),
+    "scatter": (
+        {"top": LARGE, "contact": "default", "more": GRAVITY + "[scatter.default]\ncohesion = 0.1\n"},
+        "scatter.default: scatter needs a group of its own",
+    ),
     "soft floor": ({"top": 'kinematics = {floor = "affine"}', "more": GRAVITY + "[floor]\n"}, "kinematics.floor: a fl"),
     "turned": ({"specimen": 'turned = {about = "y"}'}, "specimen.turned.angle: missing; angle is an angle"),
 }
