@@ -49,6 +49,7 @@ class Points(NamedTuple):
     level    (S, K) m, of the plane that the point meets, along the normal from the centroid of the reference
     area     (S, K) m2       feature (S, K) names
     shear    (S, K, 3) Pa, elastic shear traction on side 0, in space
+    damper   (S, K) Pa, stress of the dashpot at the last step
     free     (S + 1,) the last number is how many slots are free, the first ones which
     """
 
@@ -58,6 +59,7 @@ class Points(NamedTuple):
     area: np.ndarray
     feature: np.ndarray
     shear: np.ndarray
+    damper: np.ndarray
     free: np.ndarray
 
 
@@ -100,7 +102,7 @@ def press(near, dt):
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
     body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
     law, dashpot, count = pairs.law, pairs.dashpot, points.held
-    material, level, area, shear = points.material, points.level, points.area, points.shear
+    material, level, area, shear, damper = points.material, points.level, points.area, points.shear, points.damper
     friction = damped = 0.0
     for b in range(len(push)):
         for i in range(6):
@@ -126,29 +128,31 @@ def press(near, dt):
             ax, ay, az = turned(frame, other, material[s, k, 0], material[s, k, 1], material[s, k, 2])
             bx, by, bz = ax + ox - cx, ay + oy - cy, az + oz - cz
             gap = side * (nx * bx + ny * by + nz * bz - level[s, k])
-            if gap >= 0.0:
-                shear[s, k, 0] = shear[s, k, 1] = shear[s, k, 2] = 0.0
-                continue
             # velocity of side 1 against side 0 at the point
             dx = v[other, 0] - v[ref, 0] + v[other, 4] * az - v[other, 5] * ay - v[ref, 4] * bz + v[ref, 5] * by
             dy = v[other, 1] - v[ref, 1] + v[other, 5] * ax - v[other, 3] * az - v[ref, 5] * bx + v[ref, 3] * bz
             dz = v[other, 2] - v[ref, 2] + v[other, 3] * ay - v[other, 4] * ax - v[ref, 3] * by + v[ref, 4] * bx
             dx, dy, dz = side * dx, side * dy, side * dz
             rate = dx * nx + dy * ny + dz * nz
-            sigma = kn * gap
-            if dashpot[p] > 0.0:
-                damper = min(dashpot[p] * rate, -sigma)
-                damped += damper * rate * dt * area[s, k]
-                sigma += damper
-            tx, ty, tz = turned_with(shear, s, k, wx * dt, wy * dt, wz * dt, nx, ny, nz)
-            tx += ks * dt * (dx - rate * nx)
-            ty += ks * dt * (dy - rate * ny)
-            tz += ks * dt * (dz - rate * nz)
+            sigma = kn * min(gap, 0.0)
+            if dashpot[p] > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
+                now = min(dashpot[p] * rate, -sigma) if gap < 0.0 else 0.0
+                damped += 0.5 * (now + damper[s, k]) * rate * dt * area[s, k]
+                damper[s, k] = now
+                sigma += now
+            hx, hy, hz = turned_with(shear, s, k, wx * dt, wy * dt, wz * dt, nx, ny, nz)
+            sx, sy, sz = dt * (dx - rate * nx), dt * (dy - rate * ny), dt * (dz - rate * nz)
+            tx, ty, tz = hx + ks * sx, hy + ks * sy, hz + ks * sz
             trial, most = sqrt(tx * tx + ty * ty + tz * tz), -tan * sigma
-            if trial > most:
-                share = most / trial
-                tx, ty, tz = share * tx, share * ty, share * tz
-                friction += most * (trial - most) / ks * area[s, k]
+            if trial > most:  # what the trapezoid puts in, less what the springs then hold more
+                fraction = most / trial
+                tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
+                put_in = (hx + tx) * sx + (hy + ty) * sy + (hz + tz) * sz
+                held = (most * most - hx * hx - hy * hy - hz * hz) / ks
+                friction += 0.5 * (put_in - held) * area[s, k]
+            if gap >= 0.0:
+                shear[s, k, 0] = shear[s, k, 1] = shear[s, k, 2] = 0.0
+                continue
             shear[s, k, 0], shear[s, k, 1], shear[s, k, 2] = tx, ty, tz
             gx = area[s, k] * (sigma * nx + tx)
             gy = area[s, k] * (sigma * ny + ty)

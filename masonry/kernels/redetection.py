@@ -200,6 +200,8 @@ def renew(near, p, count, own):
         points.level[s, k] = along - side * gap
         points.area[s, k] = search.area[k]
         points.feature[s, k] = search.feature[k]
+        if k >= had or search.was_feature[k] != search.feature[k]:
+            points.damper[s, k] = 0.0
         total += search.area[k]
     points.held[s] = count
     if had > 0:
@@ -334,7 +336,9 @@ def is_bonded(bonded, a, b, count):
 def no_pairs(room: int) -> Pairs:
     """Room for so many pairs, and none in it."""
     numbers, twice, vectors = (room,), (room, 2), (room, 3)
-    whole = {name: np.zeros(shape, dtype=np.int64) for name, shape in (("piece", twice), ("body", twice), ("law", numbers))}
+    whole = {
+        name: np.zeros(shape, dtype=np.int64) for name, shape in (("piece", twice), ("body", twice), ("law", numbers))
+    }
     return Pairs(
         number=np.zeros(1, dtype=np.int64),
         slot=np.full(room, -1, dtype=np.int64),
@@ -351,8 +355,14 @@ def no_pairs(room: int) -> Pairs:
 
 def no_points(room: int, most: int) -> Points:
     """Room for the points of so many pairs, `most` (K) each, and none in it."""
+    one, three = (room, most), (room, most, 3)
     return Points(
-        np.zeros(room, dtype=np.int64), np.zeros((room, most, 3)), np.zeros((room, most)), np.zeros((room, most)),
-        np.zeros((room, most), dtype=np.int64), np.zeros((room, most, 3)),
-        np.append(np.arange(room)[::-1], room).astype(np.int64),
-    )  # fmt: skip
+        held=np.zeros(room, dtype=np.int64),
+        material=np.zeros(three),
+        level=np.zeros(one),
+        area=np.zeros(one),
+        feature=np.zeros(one, dtype=np.int64),
+        shear=np.zeros(three),
+        damper=np.zeros(one),
+        free=np.append(np.arange(room)[::-1], room).astype(np.int64),
+    )
