@@ -6,8 +6,9 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints
 from masonry.kinematics.motion import Guided
+from masonry.laws.elastic import Elastic
 from masonry.laws.friction import Friction
-from masonry.laws.state import ContactState
+from masonry.laws.state import ContactState, Interface
 from masonry.model import stable_step as stiffness
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, in_rows, memory_of, number_sides, own_memory
 from masonry.model.contact_groups import contact_groups
@@ -180,9 +181,22 @@ def enlarged(model: Model, meetings: Meetings, masses: np.ndarray) -> Model:
     return replace(
         model,
         contacts=contacts,
+        groups=idle_where_dry(model.groups),
         bodies=Bodies(body, None, None),  # type: ignore[arg-type]
         large=Large(bonds, near, ~dry),
     )
+
+
+def idle_where_dry(groups: Groups) -> Groups:
+    """The same groups, where those without strength have a law that does nothing: patches take their place."""
+    parts = zip(groups.parameters, groups.properties, groups.states, strict=True)
+    kept = [
+        (Elastic(), Interface(joint.normal_stiffness, joint.shear_stiffness), ContactState())
+        if isinstance(parameters, Friction)
+        else (parameters, joint, state)
+        for parameters, joint, state in parts
+    ]
+    return Groups(*(tuple(column) for column in zip(*kept, strict=True)), groups.bounds) if kept else groups
 
 
 def _row_and_number(freedoms: np.ndarray | None, kind: str) -> np.ndarray | None:
