@@ -143,14 +143,14 @@ def left_out(assembly: Assembly) -> list[str]:
         out.append("drive")
     if all(body is None or body.guess is None for body in m.bodies):
         out.append("expected motion: a drive at a rate or in steps does not need it")
-    for name, interface in zip(m.group_names, m.groups.properties, strict=True):
+    for name, joint in zip(m.group_names, m.groups.properties, strict=True):
         lacks = []
-        if interface.tensile_strength is None:
+        if joint.tensile_strength is None:
             lacks = ["strength", "softening", "history"]
         else:
-            lacks += ["dilation"] if interface.tan_dilation is None else []
-            lacks += ["plastic opening"] if interface.elastic_unloading is None else []
-            lacks += ["shared loss of tension and cohesion"] if interface.combined is None else []
+            lacks += ["dilation"] if joint.tan_dilation is None else []
+            lacks += ["plastic opening"] if joint.elastic_unloading is None else []
+            lacks += ["shared loss of tension and cohesion"] if joint.combined is None else []
         if lacks:
             out.append(f"contacts {name}: no {', no '.join(lacks)}")
     if not assembly.drawn:

@@ -8,7 +8,7 @@ from geometry.blocks import Blocks, Joints
 from masonry.kinematics.motion import Guided
 from masonry.laws.state import ContactState
 from masonry.model import stable_step as stiffness
-from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, in_rows, memory_of, number_sides, own_memory
+from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
 from masonry.model.contact_groups import contact_groups
 from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
@@ -90,16 +90,18 @@ def build(
     conditions: Conditions,
     layout: Layout,
 ) -> Model:
-    """Arrays of a model. `joints` sorted by group (sort_by_group); laws: contact group -> (shape, Interface)."""
+    """Arrays of a model. `joints` sorted by group (sort_by_group); laws: group -> (parameters, JointProperties)."""
     names, group = contact_groups(blocks, joints)
-    interfaces = [laws[name][1] for name in names]
+    joint_properties = [laws[name][1] for name in names]
     sides = _side(layout, joints, "a"), _side(layout, joints, "b")
     length = stiffness.lengths(
         layout, np.concatenate([joints.block_a, joints.block_b]), np.concatenate([s.arm for s in sides])
     )
     sides = _with_length(sides[0], length[joints.block_a]), _with_length(sides[1], length[joints.block_b])
-    dilated = np.array([i.normal_stiffness * (1.0 + (i.tan_dilation or 0.0)) for i in interfaces])[group] * joints.area
-    shear = np.array([i.shear_stiffness for i in interfaces])[group] * joints.area
+    dilated = (
+        np.array([i.normal_stiffness * (1.0 + (i.tan_dilation or 0.0)) for i in joint_properties])[group] * joints.area
+    )
+    shear = np.array([i.shear_stiffness for i in joint_properties])[group] * joints.area
     lame = _lame(blocks, layout, materials)
     sums = {kind: np.zeros_like(conditions.prescribed[kind], dtype=float) for kind in KINDS}
     stiffness.contact_row_sums(sums, sides, joints.normal, dilated, shear)
@@ -119,9 +121,9 @@ def build(
     side_rows, ordered = number_sides(sides, first, rows)
     u = in_rows(np.zeros((first["between"] + int(np.sum(forms == stiffness.BETWEEN)), 3)))
     bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first, stepping.guided)
-    state = memory_of(group, interfaces)
+    state = initial_state(group, joint_properties)
     bounds = np.searchsorted(group, np.arange(len(names) + 1)).astype(np.uint32)
-    states = tuple(own_memory(state, i) for i in interfaces)
+    states = tuple(group_state(state, i) for i in joint_properties)
     return Model(
         blocks=blocks,
         joints=joints,
@@ -129,7 +131,7 @@ def build(
         group_names=names,
         group=group,
         state=state,
-        groups=Groups(tuple(laws[n][0] for n in names), tuple(interfaces), states, bounds),
+        groups=Groups(tuple(laws[n][0] for n in names), tuple(joint_properties), states, bounds),
         contacts=Contacts(
             side_rows, aligned(joints.normal), aligned(joints.area), u, in_rows(np.zeros((len(group), 3)))
         ),

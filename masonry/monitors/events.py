@@ -50,7 +50,7 @@ class Events:
 
     def _spent(self) -> np.ndarray:
         """(C,) J that each contact has dissipated."""
-        spent = self.model.state.spent
+        spent = self.model.state.dissipated
         return np.zeros(0) if spent is None else self.model.joints.area * spent.sum(axis=1)
 
     def _damped(self) -> float:

@@ -81,7 +81,7 @@ def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None
 def compiling_text(model: Model) -> str:
     """What is compiled: the kinds of blocks and the laws that are in it."""
     blocks = " and ".join(kind for kind, members in model.layout.members.items() if len(members))
-    laws = ", ".join(dict.fromkeys(word_of(shape) for shape in model.groups.parameters))
+    laws = ", ".join(dict.fromkeys(word_of(parameters) for parameters in model.groups.parameters))
     return f"compiling the step for {blocks} blocks, law {laws or 'none'} (once for all such scenes, half a minute)"
 
 
