@@ -63,12 +63,12 @@ def _sweep(
             put_where(own, dissipated, (c, 0), or_zero(take(dissipated, (c, 0), like), like) + update.mode_1)
             put_where(own, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
             put_where(own, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
-            sigma, share = update.sigma, update.share
-            left = (1.0 - share) * flexibility
+            sigma, fraction = update.sigma, update.fraction
+            left = (1.0 - fraction) * flexibility
             put_where(own, slip, (c, 0), px + left * tx)
             put_where(own, slip, (c, 1), py + left * ty)
             put_where(own, slip, (c, 2), pz + left * tz)
-            tx, ty, tz = share * tx, share * ty, share * tz
+            tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
         size = take(area, c, like)
         put_rows(force, c, size * (sigma * nx + tx), size * (sigma * ny + ty), size * (sigma * nz + tz))
 

@@ -11,7 +11,7 @@ from masonry.kinematics.dispatch import move, place
 
 
 @jit
-def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, contacts, bodies, drives, gauge):
+def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, contacts, bodies, drives, drive_force):
     """Run `steps` steps from step number `first`; all state is changed in place.
 
     damping    None, a number (xi of eq. 3) or Guided
@@ -21,7 +21,7 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
     contacts   (sides, normal, area, u, force)
     bodies     (rigid, affine, tets), None where absent
     drives     (K, 2) row and number of the freedoms that the drive moves, one array per kinematics or None
-    gauge      (steps,) out: force (N) that the drive exerts, after each step
+    drive_force  (steps,) out: force (N) that the drive exerts, after each step
     """
     parameters, joints, states, bounds = groups
     sides, normal, area, u, force = contacts
@@ -40,7 +40,7 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
         move(parallel, affine_blocks, dt, damping, clock, force, u)
         move(parallel, tet_blocks, dt, damping, clock, force, u)
 
-        gauge[k] = (
+        drive_force[k] = (
             reaction(rigid_blocks, rigid_drive)
             + reaction(affine_blocks, affine_drive)
             + reaction(tet_blocks, tet_drive)

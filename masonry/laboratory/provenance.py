@@ -51,7 +51,7 @@ def other_sources(toml: str) -> str:
     return own_sources(laws, scene["specimen"]["kind"])
 
 
-def origin_of(toml: str) -> dict[str, str]:
+def provenance_of(toml: str) -> dict[str, str]:
     """What a run of a resolved scene depends on, by a few words each."""
     return {
         "its scene": hashlib.sha256(toml.encode()).hexdigest()[:16],

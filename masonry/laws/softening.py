@@ -49,8 +49,8 @@ def return_mapping(parameters, joint, history, opening, total, tau):
     parted, energy = stay_open(slid.permanent_opening, joint, slid, e - rise, lifted)
     mode_2 = slipped * 0.5 * (started - residual + yielded - last)
     friction = slipped * 0.5 * (residual + last) + 0.5 * (normal_stress(joint, slid, e) + lifted) * rise
-    share = where(slides, yielded / tau, 1.0)
-    return StressUpdate(normal_stress(joint, parted, e - rise), share, parted, mode_1 + energy, mode_2, friction)
+    fraction = where(slides, yielded / tau, 1.0)
+    return StressUpdate(normal_stress(joint, parted, e - rise), fraction, parted, mode_1 + energy, mode_2, friction)
 
 
 def stored_energy(parameters, joint, history, opening, tau_squared):

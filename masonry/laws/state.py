@@ -55,13 +55,13 @@ class StressUpdate(NamedTuple):
     """How a contact answers when its history changes.
 
     sigma      Pa
-    share      of the elastic shear stress that is left after the return to the Coulomb line
+    fraction   of the elastic shear stress that is left after the return to the Coulomb line
     history    its new history
     mode_1, mode_2, friction  J/m2 dissipated now
     """
 
     sigma: float
-    share: float
+    fraction: float
     history: ContactHistory
     mode_1: float
     mode_2: float

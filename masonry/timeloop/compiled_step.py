@@ -52,8 +52,8 @@ def interrupt_afterwards() -> Iterator[None]:
         raise KeyboardInterrupt
 
 
-def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, gauge: np.ndarray) -> None:
-    """Take some compiled steps of a chunk; gauge (steps,) N out: force of the drive after each."""
+def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
+    """Take some compiled steps of a chunk; drive_force (steps,) N out, after each."""
     advance(
         True if threads > 1 else None,
         first,
@@ -63,5 +63,5 @@ def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: i
         chunk.dead_load,
         chunk.speed,
         *model.step_arguments(),
-        gauge,
+        drive_force,
     )

@@ -19,9 +19,9 @@ def changing(model: Model) -> dict[str, np.ndarray]:
     found: dict[str, np.ndarray | None] = {"u": model.contacts.u, "force": model.contacts.force}
     for kind, body in present(model):
         found |= {f"{kind}.{name}": getattr(body, name, None) for name in CHANGED}
-    for g, memory in enumerate((model.state, *model.groups.states)):
+    for g, contacts in enumerate((model.state, *model.groups.states)):
         seen = {id(array) for array in found.values()}
-        found |= {f"memory.{g}.{k}": array for k, array in enumerate(memory) if id(array) not in seen}
+        found |= {f"contacts.{g}.{k}": array for k, array in enumerate(contacts) if id(array) not in seen}
     return {name: array for name, array in found.items() if array is not None}
 
 

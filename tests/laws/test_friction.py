@@ -78,9 +78,9 @@ def test_a_contact_presses_rubs_and_lets_go():
     assert (opened.sigma, opened.history.intact_n, opened.history.intact_s) == (0.0, 0.0, 1.0)
     tau = 2.5e5
     slid = return_mapping(parameters, joint, FRESH, -1e-5, tau / KS, tau)
-    assert slid.share * tau == pytest.approx(MU * 3e5, rel=1e-12) and slid.history.intact_s == 0.0
+    assert slid.fraction * tau == pytest.approx(MU * 3e5, rel=1e-12) and slid.history.intact_s == 0.0
     assert (slid.mode_1, slid.mode_2) == (0.0, 0.0)
-    before, after = (stored_energy(parameters, joint, FRESH, -1e-5, t * t) for t in (tau, slid.share * tau))
+    before, after = (stored_energy(parameters, joint, FRESH, -1e-5, t * t) for t in (tau, slid.fraction * tau))
     excess = (tau - MU * 3e5) ** 2 / (2 * KS)
     assert before - after == pytest.approx(slid.friction + excess, rel=1e-9), "the overshoot of a step is its error"
     assert (

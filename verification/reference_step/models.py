@@ -52,12 +52,12 @@ def model_of(
 
 def stepping(model: Model, steps: int, threads: int = 1) -> Callable[[], None]:
     """A call that takes so many steps, without a drive and with the whole dead load."""
-    chunk, gauge = Chunk(np.ones(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
+    chunk, drive_force = Chunk(np.ones(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
 
     def take() -> None:
         if threads > 1:
             numba.set_num_threads(threads)
-        compiled_step.advance_model(model, chunk, threads, 0, steps, gauge)
+        compiled_step.advance_model(model, chunk, threads, 0, steps, drive_force)
 
     return take
 

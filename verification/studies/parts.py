@@ -66,9 +66,9 @@ def march(assembly: Assembly) -> np.ndarray:
     """Take all steps of a program in one call: (steps,) force of the drive, N."""
     plan = assembly.plan
     assert isinstance(plan, Program)
-    gauge = np.zeros(plan.steps)
-    advance_model(assembly.model, Chunk(plan.dead_load, plan.speed, False), 1, 0, plan.steps, gauge)
-    return gauge
+    drive_force = np.zeros(plan.steps)
+    advance_model(assembly.model, Chunk(plan.dead_load, plan.speed, False), 1, 0, plan.steps, drive_force)
+    return drive_force
 
 
 def few_steps(assembly: Assembly, steps: int) -> list[np.ndarray]:
@@ -76,9 +76,9 @@ def few_steps(assembly: Assembly, steps: int) -> list[np.ndarray]:
     model, plan = assembly.model, assembly.plan
     assert isinstance(plan, Program)
     speed = np.full(steps + 1, plan.speed[np.argmax(np.abs(plan.speed))])
-    gauge = np.zeros(steps)
-    advance_model(model, Chunk(np.zeros(steps + 1), speed, False), 1, 0, steps, gauge)
-    return [gauge, model.contacts.u, *(body.v for body in model.bodies if body is not None)]
+    drive_force = np.zeros(steps)
+    advance_model(model, Chunk(np.zeros(steps + 1), speed, False), 1, 0, steps, drive_force)
+    return [drive_force, model.contacts.u, *(body.v for body in model.bodies if body is not None)]
 
 
 def put_in_the_state_of(other: Model, model: Model) -> None:
