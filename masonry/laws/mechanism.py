@@ -16,7 +16,7 @@ def elastic_trial(parameters, joint, history, opening, tau_squared):
 
 
 def return_mapping(parameters, joint, history, opening, total, tau):
-    """Answer of a contact whose history changes; total slip (m), elastic shear stress before any return (Pa)."""
+    """StressUpdate of a contact whose history changes; total slip (m), elastic shear stress before any return (Pa)."""
     return _of(type(parameters), "return_mapping")(parameters, joint, history, opening, total, tau)
 
 
