@@ -49,8 +49,8 @@ def stepper(assembly: Assembly) -> tuple[Callable[[], object], int]:
     model = assembly.model
     compiled_step.compile_for(model, 1)
     steps = max(1, 500_000 // items(assembly))
-    chunk, gauge = Chunk(np.zeros(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
-    return lambda: compiled_step.advance_model(model, chunk, 1, 0, steps, gauge), steps
+    chunk, drive_force = Chunk(np.zeros(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
+    return lambda: compiled_step.advance_model(model, chunk, 1, 0, steps, drive_force), steps
 
 
 def growth(numbers: Sequence[float], costs: Sequence[float]) -> float:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from masonry.laws.elastic import Elastic
-from masonry.laws.state import Interface
+from masonry.laws.state import JointProperties
 from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import against, require
 from verification.reference_step.reference import ReferenceStep
@@ -95,7 +95,7 @@ def test_a_contact_of_rigid_blocks_costs_what_a_whole_step_by_hand_costs(benchma
 
 
 def test_an_elastic_contact_costs_what_a_hand_written_one_costs(benchmark, figure):
-    law = Elastic(), Interface(models.JOINT.normal_stiffness, models.JOINT.shear_stiffness)
+    law = Elastic(), JointProperties(models.JOINT.normal_stiffness, models.JOINT.shear_stiffness)
     model = models.model_of(*specimens.pairs(), kind="tets", law=law)
     twin, count = ReferenceStep(model, "elastic"), len(model.joints.area)
     by = np.random.default_rng(1).uniform(-1e-9, 1e-9, (count, 3))

@@ -7,7 +7,7 @@ from masonry.jit.compiler import jit
 from masonry.kinematics.dispatch import move, place
 from masonry.kinematics.turning import spin
 from masonry.model.arrays import Bodies
-from masonry.model.large_bodies import deforming_tets, large
+from masonry.model.large.bodies import deforming_tets, large
 from verification.reference_step import specimens, trial
 from verification.reference_step.interleaved import in_turn, require
 

@@ -15,7 +15,7 @@ from masonry.assembly.assemble import assemble
 from masonry.kinematics.motion import Guided
 from masonry.laws.brittle import Brittle
 from masonry.laws.elastic import Elastic
-from masonry.laws.state import Interface
+from masonry.laws.state import JointProperties
 from masonry.scene.source import packaged
 from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import against, in_turn, require
@@ -25,11 +25,11 @@ STEPS, ROUNDS = 10, 400
 LIMIT = 1.03
 """Of a step to that by hand."""
 BRITTLE = Brittle(), models.JOINT
-ELASTIC = Elastic(), Interface(models.JOINT.normal_stiffness, models.JOINT.shear_stiffness)
+ELASTIC = Elastic(), JointProperties(models.JOINT.normal_stiffness, models.JOINT.shear_stiffness)
 
 
 def law(**options) -> tuple:
-    """The usual law with other options of its interface."""
+    """The usual law with other options of its joint."""
     return models.SOFTENING[0], models.JOINT._replace(**options)
 
 

@@ -40,9 +40,9 @@ def laws(tmp_path_factory):
         yield OURS | {name: plugin_law(law).shape(*OWN) for name, law in found.items()}
 
 
-def wall(shape: tuple, soft: bool) -> models.Model:
+def wall(parameters: tuple, soft: bool) -> models.Model:
     """A wall in a motion that is the same whatever acts: slow, or such that it gets longer and all of it softens."""
-    model = models.model_of(*specimens.wall(16, 16), law=(shape, models.JOINT))
+    model = models.model_of(*specimens.wall(16, 16), law=(parameters, models.JOINT))
     velocity = np.random.default_rng(1).normal(scale=1e-7, size=(model.blocks.count, 6))
     if soft:
         velocity[:] = 0.0
@@ -55,8 +55,8 @@ def wall(shape: tuple, soft: bool) -> models.Model:
 @pytest.mark.parametrize("state", ["untouched", "all softening"])
 def test_an_own_law_is_as_fast_as_ours(figure, laws, state):
     soft, works = state == "all softening", {}
-    for name, shape in laws.items():
-        model = wall(shape, soft)
+    for name, parameters in laws.items():
+        model = wall(parameters, soft)
         works[name] = models.stepping(model, STEPS)
         for _ in range(STRETCHED if soft else 1):
             works[name]()

@@ -31,10 +31,10 @@ def stepper(name: str, overrides: list[str], steps: int) -> tuple[Callable[[], N
     assembly = assemble(scene.load(name, overrides))
     compiled_step.compile_for(assembly.model, 1)
     chunk = Chunk(np.zeros(steps + 1), np.full(steps + 1, 1e-3), row=False)
-    gauge = np.zeros(steps)
+    drive_force = np.zeros(steps)
     tets = 0 if assembly.mesh is None else len(assembly.mesh.tets)
     return (
-        lambda: compiled_step.advance_model(assembly.model, chunk, 1, 0, steps, gauge),
+        lambda: compiled_step.advance_model(assembly.model, chunk, 1, 0, steps, drive_force),
         len(assembly.model.group),
         tets,
     )

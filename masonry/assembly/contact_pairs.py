@@ -11,7 +11,7 @@ from masonry.errors import SceneError
 from masonry.kernels.patches import Rules
 from masonry.laws import factory
 from masonry.model.contact_groups import contact_group_name
-from masonry.model.large import Meetings
+from masonry.model.large.meeting import Meetings
 from masonry.scene import Scene
 
 NONE = -1

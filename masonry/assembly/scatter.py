@@ -9,7 +9,7 @@ import numpy as np
 from geometry.blocks import Blocks, Joints
 from masonry.errors import SceneError, nearest
 from masonry.laws import factory as law_build
-from masonry.laws.state import Interface
+from masonry.laws.state import JointProperties
 from masonry.model.draws import PROPERTIES, correlated, lognormal, pairs_of, standard_normals
 from masonry.scene.tables.scatter import Scatter
 from masonry.simd.rows import aligned
@@ -88,12 +88,12 @@ def draw(scatter: Scatter, contact: Mapping[str, Any], group: str, blocks: Block
     return Drawn(group, pairs, joint, joints.point[own], values)
 
 
-def laws_of(drawn: Drawn, properties: Mapping[str, Any], compressions: Sequence[float]) -> tuple[Any, Interface]:
-    """(shape, interface) of a group with an array (c,) for each parameter that differs; raises SceneError.
+def laws_of(drawn: Drawn, properties: Mapping[str, Any], compressions: Sequence[float]) -> tuple[Any, JointProperties]:
+    """(parameters, joint) of a group with an array (c,) for each parameter that differs; raises SceneError.
 
     properties, compressions  as for laws.build.build; the properties that are drawn give the mean
     """
-    laws: list[tuple[Any, Interface]] = []
+    laws: list[tuple[Any, JointProperties]] = []
     for j in range(len(drawn.pairs)):
         own = {**properties, **{key: float(values[j]) for key, values in drawn.values.items()}}
         try:
@@ -101,17 +101,17 @@ def laws_of(drawn: Drawn, properties: Mapping[str, Any], compressions: Sequence[
         except SceneError as error:
             raise SceneError(f"{error}, as [scatter.{drawn.group}] draws it for {drawn.words(j)}") from None
     _require_no_snap_back(drawn, properties, laws, compressions)
-    shape, interface = (_together([law[k] for law in laws], drawn.joint) for k in (0, 1))
-    return shape, interface
+    parameters, joint = (_together([law[k] for law in laws], drawn.joint) for k in (0, 1))
+    return parameters, joint
 
 
 def _require_no_snap_back(
-    drawn: Drawn, properties: Mapping[str, Any], laws: list[tuple[Any, Interface]], compressions: Sequence[float]
+    drawn: Drawn, properties: Mapping[str, Any], laws: list[tuple[Any, JointProperties]], compressions: Sequence[float]
 ) -> None:
     """Raise SceneError for the draw that lacks most, if any snaps back."""
     refused = {}
-    for j, (shape, interface) in enumerate(laws):
-        found = law_build.refusal(shape, interface, compressions)
+    for j, (parameters, joint) in enumerate(laws):
+        found = law_build.refusal(parameters, joint, compressions)
         if found is not None:
             given = drawn.values[found.key][j] if found.key in drawn.values else properties[found.key]
             refused[j] = found.least / given, given, found

@@ -54,11 +54,11 @@ def main(arguments: list[str] | None = None) -> int:
     from masonry.laws.factory import build
     from masonry.model.law_portrait import COMPRESSIONS, portrait
 
-    shape, interface = build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS))
-    found = portrait(shape, interface)
+    parameters, joint = build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS))
+    found = portrait(parameters, joint)
     from masonry.runtime.tables import aligned
 
-    print(aligned([*_about(words.name, contact, shape), *_energies(contact, found)]))
+    print(aligned([*_about(words.name, contact, parameters), *_energies(contact, found)]))
     if words.plot is not None:
         from masonry.drawings.law_picture import draw_law
 
@@ -104,12 +104,12 @@ def _contact(name: str, changes: list[str]) -> Any:
     return load(COUPLET, {"law": name, **example, **given}).contact["unit_unit"]
 
 
-def _about(name: str, contact: Any, shape: Any) -> list[tuple[str, list[str]]]:
+def _about(name: str, contact: Any, parameters: Any) -> list[tuple[str, list[str]]]:
     from masonry.laws.factory import module_of, properties_of
 
     own = None if name in law_names() else plugin_law(name)
     module = module_of(name)
-    above_0 = [key for field, key in module.PARAMETERS.items() if field not in shape._field_defaults]
+    above_0 = [key for field, key in module.PARAMETERS.items() if field not in parameters._field_defaults]
     read = properties_of(name)
     residual = ("residual_cohesion", "tan_residual_friction") if "cohesion" in read else ()
     keys = ["normal_stiffness", "shear_stiffness", *read, *residual]

@@ -67,7 +67,7 @@ class _Run:
     def __init__(
         self, scene: Any, checkpoints: Any, threads: int, every: float, interrupts: Interrupts, quiet: bool
     ) -> None:
-        from masonry.laboratory.provenance import origin_of
+        from masonry.laboratory.provenance import provenance_of
         from masonry.scene import to_toml
         from masonry.timeloop.checkpointer import Checkpointer
 
@@ -75,7 +75,7 @@ class _Run:
         self.threads, self.interrupts, self.quiet = threads, interrupts, quiet
         self.new = True
         self.out: Path = checkpoints.results
-        self.provenance = origin_of(to_toml(scene))
+        self.provenance = provenance_of(to_toml(scene))
         self.checkpointer = Checkpointer(
             checkpoints if math.isfinite(every) else None, self.provenance, every, interrupts, _tell
         )
@@ -152,9 +152,9 @@ class _Run:
         from masonry.runtime.progress import Progress
 
         if self.quiet:
-            return laboratory.run(self.scene, threads=self.threads, progress=None, keeper=self.checkpointer)
+            return laboratory.run(self.scene, threads=self.threads, progress=None, checkpointer=self.checkpointer)
         with Progress(label=label) as progress:
-            return laboratory.run(self.scene, threads=self.threads, progress=progress, keeper=self.checkpointer)
+            return laboratory.run(self.scene, threads=self.threads, progress=progress, checkpointer=self.checkpointer)
 
     def _save(self, result: Any) -> dict[str, Path]:
         try:

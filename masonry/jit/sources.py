@@ -10,7 +10,10 @@ from pathlib import Path
 from masonry.errors import SceneError
 
 ALL = ("geometry", "masonry")
-COMPILED = ("masonry/simd", "masonry/jit", "masonry/laws", "masonry/kinematics", "masonry/kernels")
+COMPILED = (
+    *("masonry/simd", "masonry/jit", "masonry/detection"),
+    *("masonry/laws", "masonry/kinematics", "masonry/kernels"),
+)
 
 
 @cache

@@ -21,17 +21,17 @@ def apart(a, b, n):
 
 
 def _sweep(
-    like, shape, interface, first, last, sides, normal, area, u, force,
-    opening_max, intact_n, intact_s, secant, slip, spent, uplift, gap, run,
+    like, parameters, joint, first, last, sides, normal, area, u, force,
+    opening_max, intact_n, intact_s, secant, slip, dissipated, dilation, permanent_opening, plastic_slip,
 ):  # fmt: skip
     """Contacts first..last, as many at a time as `like` has: d = u_b - u_a, split along n; force acts on side a.
 
     The last ones may be fewer: what is beyond them is read (arrays have room behind their last number), and its history
     left alone; its force is written, and written again by the group that it belongs to.
     Arrays are read and written by `take` and `put` alone: handed to a function they would be counted at every contact.
-    Parameters of shape and interface that are arrays hold one number for each contact of the group, from 0 on.
+    Numbers of `parameters` and `joint` that are arrays hold one number for each contact of the group, from 0 on.
     """
-    ks, width = interface.shear_stiffness, width_of(like)
+    ks, width = joint.shear_stiffness, width_of(like)
     flexibility = 1.0 / ks
     for k in prange((last - first + width - 1) // width):
         c = first + width * k
@@ -44,31 +44,31 @@ def _sweep(
         pz = or_zero(take(slip, (c, 2), like), like)
         tx, ty, tz = ks * (sx - px), ks * (sy - py), ks * (sz - pz)
         tau_squared = tx * tx + ty * ty + tz * tz
-        memory = ContactHistory(
+        history = ContactHistory(
             take(opening_max, c, like), take(intact_n, c, like), take(intact_s, c, like), take(secant, c, like),
-            take(uplift, c, like), take(gap, c, like), take(run, c, like),
+            take(dilation, c, like), take(permanent_opening, c, like), take(plastic_slip, c, like),
         )  # fmt: skip
-        form, joint = local(shape, c - first, like), local(interface, c - first, like)
-        sigma, unchanged = elastic_trial(form, joint, memory, opening, tau_squared)
+        parameters_c, joint_c = local(parameters, c - first, like), local(joint, c - first, like)
+        sigma, unchanged = elastic_trial(parameters_c, joint_c, history, opening, tau_squared)
         if any_lane(unless(own, unchanged)):
             total = sqrt(sx * sx + sy * sy + sz * sz)
-            answer = return_mapping(form, joint, memory, opening, total, sqrt(tau_squared))
-            put_where(own, opening_max, c, answer.memory.opening_max)
-            put_where(own, intact_n, c, answer.memory.intact_n)
-            put_where(own, intact_s, c, answer.memory.intact_s)
-            put_where(own, secant, c, answer.memory.secant)
-            put_where(own, uplift, c, answer.memory.uplift)
-            put_where(own, gap, c, answer.memory.gap)
-            put_where(own, run, c, answer.memory.run)
-            put_where(own, spent, (c, 0), or_zero(take(spent, (c, 0), like), like) + answer.mode_1)
-            put_where(own, spent, (c, 1), or_zero(take(spent, (c, 1), like), like) + answer.mode_2)
-            put_where(own, spent, (c, 2), or_zero(take(spent, (c, 2), like), like) + answer.friction)
-            sigma, share = answer.sigma, answer.share
-            left = (1.0 - share) * flexibility
+            update = return_mapping(parameters_c, joint_c, history, opening, total, sqrt(tau_squared))
+            put_where(own, opening_max, c, update.history.opening_max)
+            put_where(own, intact_n, c, update.history.intact_n)
+            put_where(own, intact_s, c, update.history.intact_s)
+            put_where(own, secant, c, update.history.secant)
+            put_where(own, dilation, c, update.history.dilation)
+            put_where(own, permanent_opening, c, update.history.permanent_opening)
+            put_where(own, plastic_slip, c, update.history.plastic_slip)
+            put_where(own, dissipated, (c, 0), or_zero(take(dissipated, (c, 0), like), like) + update.mode_1)
+            put_where(own, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
+            put_where(own, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
+            sigma, fraction = update.sigma, update.fraction
+            left = (1.0 - fraction) * flexibility
             put_where(own, slip, (c, 0), px + left * tx)
             put_where(own, slip, (c, 1), py + left * ty)
             put_where(own, slip, (c, 2), pz + left * tz)
-            tx, ty, tz = share * tx, share * ty, share * tz
+            tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
         size = take(area, c, like)
         put_rows(force, c, size * (sigma * nx + tx), size * (sigma * ny + ty), size * (sigma * nz + tz))
 
@@ -78,31 +78,33 @@ _sweep_parallel = jit_parallel(_sweep)
 
 
 @jit
-def sweep(parallel, shape, interface, state, first, last, sides, normal, area, u, force):
+def sweep(parallel, parameters, joint, state, first, last, sides, normal, area, u, force):
     """One contact group, as many contacts at a time as its law allows.
 
     `parallel` is None or True, and only the version that is used gets compiled.
     """
-    like = contacts_at_once(shape)
+    like = contacts_at_once(parameters)
     if parallel is None:
         _sweep_serial(
-            like, shape, interface, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
-            state.intact_s, state.secant, state.slip, state.spent, state.uplift, state.gap, state.run,
+            like, parameters, joint, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
+            state.intact_s, state.secant, state.slip, state.dissipated, state.dilation, state.permanent_opening,
+            state.plastic_slip,
         )  # fmt: skip
     else:
         _sweep_parallel(
-            like, shape, interface, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
-            state.intact_s, state.secant, state.slip, state.spent, state.uplift, state.gap, state.run,
+            like, parameters, joint, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
+            state.intact_s, state.secant, state.slip, state.dissipated, state.dilation, state.permanent_opening,
+            state.plastic_slip,
         )  # fmt: skip
 
 
 @jit
-def observe(shape, interface, state, first, last, sides, normal, area, u, force, seen):
+def observe(parameters, joint, state, first, last, sides, normal, area, u, force, seen):
     """Fill seen[:, c] = opening, slip, sigma, tau, and return the stored energy (J) of the group.
 
     Stresses come from the force that acts; opening, slip and stored energy from displacements and state.
     """
-    energy, ks = 0.0, interface.shear_stiffness
+    energy, ks = 0.0, joint.shear_stiffness
     for c in range(first, last):
         nx, ny, nz = normal[c, 0], normal[c, 1], normal[c, 2]
         a, b = gather(u, sides, (c, 0), 0.0), gather(u, sides, (c, 1), 0.0)
@@ -111,12 +113,13 @@ def observe(shape, interface, state, first, last, sides, normal, area, u, force,
         py = or_zero(take(state.slip, (c, 1), 0.0), 0.0)
         pz = or_zero(take(state.slip, (c, 2), 0.0), 0.0)
         tau_squared = ks * ks * ((sx - px) ** 2 + (sy - py) ** 2 + (sz - pz) ** 2)
-        memory = ContactHistory(
+        history = ContactHistory(
             take(state.opening_max, c, 0.0), take(state.intact_n, c, 0.0), take(state.intact_s, c, 0.0),
-            take(state.secant, c, 0.0), take(state.uplift, c, 0.0), take(state.gap, c, 0.0), take(state.run, c, 0.0),
+            take(state.secant, c, 0.0), take(state.dilation, c, 0.0), take(state.permanent_opening, c, 0.0),
+            take(state.plastic_slip, c, 0.0),
         )  # fmt: skip
-        form, joint = local(shape, c - first, 0.0), local(interface, c - first, 0.0)
-        energy += area[c] * stored_energy(form, joint, memory, opening, tau_squared)
+        parameters_c, joint_c = local(parameters, c - first, 0.0), local(joint, c - first, 0.0)
+        energy += area[c] * stored_energy(parameters_c, joint_c, history, opening, tau_squared)
         sigma = (force[c, 0] * nx + force[c, 1] * ny + force[c, 2] * nz) / area[c]
         fx, fy, fz = force[c, 0] / area[c], force[c, 1] / area[c], force[c, 2] / area[c]
         seen[0, c] = opening

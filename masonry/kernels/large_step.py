@@ -12,7 +12,7 @@ from masonry.kinematics.dispatch import move, place
 
 
 @jit
-def advance(first, steps, dt, damping, dead_load, speed, groups, contacts, bonds, bodies, drives, near, gauge):
+def advance(first, steps, dt, damping, dead_load, speed, groups, contacts, bonds, bodies, drives, near, drive_force):
     """Run up to `steps` steps from step number `first`; returns how many were run: fewer where room ran out.
 
     Arguments as of kernels.step.advance; contacts hold displacements and forces in the frames of the bonds.
@@ -33,6 +33,6 @@ def advance(first, steps, dt, damping, dead_load, speed, groups, contacts, bonds
         press(near, dt)
         clock = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
         move(None, blocks, dt, damping, clock, bonds.force, bonds.u)
-        gauge[k] = reaction(blocks, drive)
+        drive_force[k] = reaction(blocks, drive)
         pull(blocks, drive, speed[n + 1])
     return steps

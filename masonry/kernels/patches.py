@@ -252,3 +252,38 @@ def deepest(near, width):
             gap = gap_of(pairs, points, near.motion, p, k)
             most = max(most, -gap / min(width[pairs.body[p, 0]], width[pairs.body[p, 1]]))
     return most
+
+
+def no_pairs(room: int) -> Pairs:
+    """Room for so many pairs, and none in it."""
+    numbers, twice, vectors = (room,), (room, 2), (room, 3)
+    whole = {
+        name: np.zeros(shape, dtype=np.int64) for name, shape in (("piece", twice), ("body", twice), ("law", numbers))
+    }
+    return Pairs(
+        number=np.zeros(1, dtype=np.int64),
+        slot=np.full(room, -1, dtype=np.int64),
+        points_of=np.zeros(room, dtype=np.int64),
+        normal=np.zeros(vectors),
+        axis=np.zeros(vectors),
+        witness=np.full(vectors, -1, dtype=np.int64),
+        mark=np.zeros(room),
+        limit=np.zeros(room),
+        dashpot=np.zeros(room),
+        **whole,
+    )
+
+
+def no_points(room: int, most: int) -> Points:
+    """Room for the points of so many pairs, `most` (K) each, and none in it."""
+    one, three = (room, most), (room, most, 3)
+    return Points(
+        held=np.zeros(room, dtype=np.int64),
+        material=np.zeros(three),
+        level=np.zeros(one),
+        area=np.zeros(one),
+        feature=np.zeros(one, dtype=np.int64),
+        shear=np.zeros(three),
+        damper=np.zeros(one),
+        free=np.append(np.arange(room)[::-1], room).astype(np.int64),
+    )

@@ -12,12 +12,13 @@ import numpy as np
 
 from masonry.detection import placing
 from masonry.detection.bare import bare
-from masonry.detection.broad import Cells, near_pairs, write_boxes
+from masonry.detection.broad import Cells
 from masonry.detection.narrow import NONE, touch
 from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
 from masonry.detection.transfer import transfer, turn_tractions
+from masonry.kernels.pair_search import find_pairs
 from masonry.kernels.patches import Motion, Pairs, Points, Rules, stored, turned
 
 MOVED = 0.01
@@ -41,7 +42,7 @@ class Search(NamedTuple):
     mass     (B,) kg, real     least (B,) m2, area of a contact of edges     position (B, 3) m, of centroids now
     built    (B,) m, travel at the last search      skin (1,) m
     point, gap, area, feature  room for what one look finds
-    was_normal, was_point, shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was before
+    was_normal, was_point, shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was
     found    (F, 2) room for the pairs that a search finds
     flag     (4,) why no step was taken, the pair to blame; searches and looks so far
     """
@@ -244,125 +245,3 @@ def set_dashpot(pairs, rules, search, p, area):
     if share > 0.0 and area > 0.0:
         a, b = search.mass[pairs.body[p, 0]], search.mass[pairs.body[p, 1]]
         pairs.dashpot[p] = 2.0 * share * sqrt(kn * (a * b / (a + b)) / area)
-
-
-@bare
-def find_pairs(near):
-    """All pairs that may meet before the next search; what is known of those that were near before stays.
-
-    Blocks that do not move are no pair, nor are two that bonds hold together. False where there is no room.
-    """
-    pieces, motion, search = near.pieces, near.motion, near.search
-    placing.place_all(pieces, motion.frame, near.turned)
-    for b in range(len(motion.travel)):
-        search.built[b] = motion.travel[b]
-        for i in range(3):
-            search.position[b, i] = motion.centre[b, i] + motion.moved[b, i]
-    search.flag[2] += 1
-    write_boxes(pieces, near.turned, search.position, 2.0 * search.skin[0], near.cells)
-    count = near_pairs(near.cells, search.found)
-    if count > len(search.found):
-        search.flag[0], search.flag[1] = NEED_PAIRS, count
-        return False
-    copy_pairs(near.pairs, near.before)
-    merge(near.pairs, near.before, near.points, pieces.body, search, count)
-    return True
-
-
-@bare
-def copy_pairs(pairs, before):
-    """Keep what is known of all pairs."""
-    before.number[0] = pairs.number[0]
-    for p in range(pairs.number[0]):
-        copy_pair(pairs, p, before, p)
-
-
-@bare
-def copy_pair(source, p, target, q):
-    """Row q of the target becomes row p of the source."""
-    for i in range(2):
-        target.piece[q, i], target.body[q, i] = source.piece[p, i], source.body[p, i]
-    for i in range(3):
-        target.normal[q, i], target.axis[q, i] = source.normal[p, i], source.axis[p, i]
-        target.witness[q, i] = source.witness[p, i]
-    target.slot[q], target.points_of[q] = source.slot[p], source.points_of[p]
-    target.mark[q], target.limit[q] = source.mark[p], source.limit[p]
-    target.law[q], target.dashpot[q] = source.law[p], source.dashpot[p]
-
-
-@bare
-def merge(pairs, before, points, body, search, count):
-    """Write the sorted pairs that were found, with what is known of them; slots of those that are gone become free."""
-    number, p, had, room = 0, 0, before.number[0], len(points.held)
-    for k in range(count):
-        i, j = search.found[k, 0], search.found[k, 1]
-        while p < had and (before.piece[p, 0] < i or (before.piece[p, 0] == i and before.piece[p, 1] < j)):
-            if before.slot[p] >= 0:
-                points.free[points.free[room]] = before.slot[p]
-                points.free[room] += 1
-                points.held[before.slot[p]] = 0
-            p += 1
-        a, b = body[i], body[j]
-        known = p < had and before.piece[p, 0] == i and before.piece[p, 1] == j
-        if known:
-            copy_pair(before, p, pairs, number)
-            p, number = p + 1, number + 1
-        elif (search.moves[a] or search.moves[b]) and not is_bonded(search.bonded, a, b, len(body)):
-            one = 1 if search.unit[a] == search.unit[b] else 0
-            pairs.piece[number, 0], pairs.piece[number, 1] = i, j
-            pairs.body[number, 0], pairs.body[number, 1] = a, b
-            pairs.slot[number], pairs.mark[number], pairs.limit[number] = -1, -FAR, 0.0
-            pairs.law[number], pairs.dashpot[number] = search.law_of[search.group[a], search.group[b], one], 0.0
-            for m in range(3):
-                pairs.axis[number, m], pairs.witness[number, m] = 0.0, -1
-            number += 1
-    while p < had:
-        if before.slot[p] >= 0:
-            points.free[points.free[room]] = before.slot[p]
-            points.free[room] += 1
-            points.held[before.slot[p]] = 0
-        p += 1
-    pairs.number[0] = number
-
-
-@bare
-def is_bonded(bonded, a, b, count):
-    """Whether bonds hold two blocks together."""
-    key = min(a, b) * count + max(a, b)
-    k = np.searchsorted(bonded, key)
-    return k < len(bonded) and bonded[k] == key
-
-
-def no_pairs(room: int) -> Pairs:
-    """Room for so many pairs, and none in it."""
-    numbers, twice, vectors = (room,), (room, 2), (room, 3)
-    whole = {
-        name: np.zeros(shape, dtype=np.int64) for name, shape in (("piece", twice), ("body", twice), ("law", numbers))
-    }
-    return Pairs(
-        number=np.zeros(1, dtype=np.int64),
-        slot=np.full(room, -1, dtype=np.int64),
-        points_of=np.zeros(room, dtype=np.int64),
-        normal=np.zeros(vectors),
-        axis=np.zeros(vectors),
-        witness=np.full(vectors, -1, dtype=np.int64),
-        mark=np.zeros(room),
-        limit=np.zeros(room),
-        dashpot=np.zeros(room),
-        **whole,
-    )
-
-
-def no_points(room: int, most: int) -> Points:
-    """Room for the points of so many pairs, `most` (K) each, and none in it."""
-    one, three = (room, most), (room, most, 3)
-    return Points(
-        held=np.zeros(room, dtype=np.int64),
-        material=np.zeros(three),
-        level=np.zeros(one),
-        area=np.zeros(one),
-        feature=np.zeros(one, dtype=np.int64),
-        shear=np.zeros(three),
-        damper=np.zeros(one),
-        free=np.append(np.arange(room)[::-1], room).astype(np.int64),
-    )

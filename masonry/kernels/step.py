@@ -11,19 +11,19 @@ from masonry.kinematics.dispatch import move, place
 
 
 @jit
-def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, contacts, bodies, drives, gauge):
+def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, contacts, bodies, drives, drive_force):
     """Run `steps` steps from step number `first`; all state is changed in place.
 
     damping    None, a number (xi of eq. 3) or Guided
     dead_load  (n + 1,) share of the dead load at step 0..n; above 1: 1 + share of what its bodies hold as its change
     speed      (n + 1,) velocity of the drive after step i, m/s
-    groups     (shapes, interfaces, states, bounds), one entry per contact group; bounds (G + 1,)
+    groups     (parameters, joints, states, bounds), one entry per contact group; bounds (G + 1,)
     contacts   (sides, normal, area, u, force)
     bodies     (rigid, affine, tets), None where absent
     drives     (K, 2) row and number of the freedoms that the drive moves, one array per kinematics or None
-    gauge      (steps,) out: force (N) that the drive exerts, after each step
+    drive_force  (steps,) out: force (N) that the drive exerts, after each step
     """
-    shapes, interfaces, states, bounds = groups
+    parameters, joints, states, bounds = groups
     sides, normal, area, u, force = contacts
     rigid_blocks, affine_blocks, tet_blocks = bodies
     rigid_drive, affine_drive, tet_drive = drives
@@ -33,14 +33,14 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
         place(parallel, affine_blocks, dt, u)
         place(parallel, tet_blocks, dt, u)
 
-        sweep_groups(parallel, shapes, interfaces, states, 0, bounds, sides, normal, area, u, force)
+        sweep_groups(parallel, parameters, joints, states, 0, bounds, sides, normal, area, u, force)
 
         clock = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
         move(parallel, rigid_blocks, dt, damping, clock, force, u)
         move(parallel, affine_blocks, dt, damping, clock, force, u)
         move(parallel, tet_blocks, dt, damping, clock, force, u)
 
-        gauge[k] = (
+        drive_force[k] = (
             reaction(rigid_blocks, rigid_drive)
             + reaction(affine_blocks, affine_drive)
             + reaction(tet_blocks, tet_drive)
@@ -70,21 +70,21 @@ def reaction(body, freedoms):
     return total
 
 
-def sweep_groups(parallel, shapes, interfaces, states, g, bounds, sides, normal, area, u, force):
+def sweep_groups(parallel, parameters, joints, states, g, bounds, sides, normal, area, u, force):
     """Every contact group with its own compiled law."""
-    for i, (shape, interface, state) in enumerate(zip(shapes, interfaces, states, strict=True)):
-        contact.sweep(parallel, shape, interface, state, bounds[i], bounds[i + 1], sides, normal, area, u, force)
+    for i, (numbers, joint, state) in enumerate(zip(parameters, joints, states, strict=True)):
+        contact.sweep(parallel, numbers, joint, state, bounds[i], bounds[i + 1], sides, normal, area, u, force)
 
 
 @overload(sweep_groups)
-def _sweep_groups(parallel, shapes, interfaces, states, g, bounds, sides, normal, area, u, force):
-    if len(shapes) == 0:
-        return lambda parallel, shapes, interfaces, states, g, bounds, sides, normal, area, u, force: None
+def _sweep_groups(parallel, parameters, joints, states, g, bounds, sides, normal, area, u, force):
+    if len(parameters) == 0:
+        return lambda parallel, parameters, joints, states, g, bounds, sides, normal, area, u, force: None
 
-    def first_then_rest(parallel, shapes, interfaces, states, g, bounds, sides, normal, area, u, force):
+    def first_then_rest(parallel, parameters, joints, states, g, bounds, sides, normal, area, u, force):
         contact.sweep(
-            parallel, shapes[0], interfaces[0], states[0], bounds[g], bounds[g + 1], sides, normal, area, u, force
+            parallel, parameters[0], joints[0], states[0], bounds[g], bounds[g + 1], sides, normal, area, u, force
         )
-        sweep_groups(parallel, shapes[1:], interfaces[1:], states[1:], g + 1, bounds, sides, normal, area, u, force)
+        sweep_groups(parallel, parameters[1:], joints[1:], states[1:], g + 1, bounds, sides, normal, area, u, force)
 
     return first_then_rest

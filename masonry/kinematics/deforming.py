@@ -35,7 +35,7 @@ from masonry.simd import FOUR, four, pack, part, plus, put, put_row, take, total
 class Deforming(NamedTuple):
     """Arrays of B affine blocks that have S contact sides in all.
 
-    q, v, dt_over_mass      (B, 12): t, then H row by row; dt/mass (0 = prescribed); the masses of a column of H are equal
+    q, v, dt_over_mass  (B, 12): t, then H row by row; dt/mass (0 = prescribed); those of a column of H are equal
     contact, hold   (B, 12) generalised forces at the last step: contacts and patches; damping or reaction
     inner           (B, 12) generalised force of the block's own stiffness at the last step
     frame           (B, 3, 3) deformation gradient F, along x, y, z

@@ -52,7 +52,8 @@ from masonry.simd import (
 class DeformingTets(NamedTuple):
     """Arrays of B meshed blocks with N nodes and T tets; node k is row k of u.
 
-    v, dt_over_mass, contact, hold, inner, start, code, node_start, group_start, corner, lame, load to pull_share: as Tets
+    v, dt_over_mass, contact, hold, inner, start, code, node_start, group_start, corner, lame, load to pull_share  as
+                    Tets
     slope           (G, 9, 8) 1/m, gradients of the last three shape functions; 0 where filled up
     volume          (G, 8) m3 at the start; 0 where filled up
     work            (B, 4) J: contacts, damping, external, and what was put into the tets

@@ -87,7 +87,7 @@ def _dead_load(body, at, like, share):
 
 
 @register_jitable
-def book(done, held, half_step_move, contact, hold, load):
+def accumulate_work(done, held, half_step_move, contact, hold, load):
     """Add a trapezoid's half-sums of forces times the move to the works done so far: of the contacts, of damping, and
     of reactions and dead loads.
     """
@@ -119,7 +119,7 @@ def advance(body, at, contact, inner, dt, damping, clock, done):
     contacts = contact + take(body.contact, at, contact)
     holds = hold + take(body.hold, at, contact)
     loads = load + dead_load(body, at, contact, clock[1])
-    done = book(done, held, 0.5 * dt * velocity, contacts, holds, loads)
+    done = accumulate_work(done, held, 0.5 * dt * velocity, contacts, holds, loads)
     put(body.contact, at, contact)
     put(body.hold, at, hold)
     put(body.v, at, at_rest_or(velocity + dt_over_mass * (sum_of_forces + hold)))

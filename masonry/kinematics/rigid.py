@@ -86,7 +86,7 @@ def place(body, dt, u):
 
 
 def move(body, dt, damping, clock, force, u):
-    """Sum the contact forces of each block, damp, book the work, and kick the velocities by half a step each way."""
+    """Sum the contact forces of each block, damp, add up the work, and kick the velocities by half a step each way."""
     arm, start, code, axes = body.arm, body.start, body.code, body.axes
     for b in prange(len(body.q)):
         nothing = pack((0.0, 0.0, 0.0, 0.0))

@@ -44,7 +44,7 @@ class Turning(NamedTuple):
     """Arrays of B rigid blocks that have S contact sides in all; components are global but where it says otherwise.
 
     q               (B, 6) displacement of the centroid (m), and the sum of all small turns (rad), which is no rotation
-    v, dt_over_mass         (B, 6) velocity and angular velocity; dt/mass, and 0 where prescribed; of turns only whether it is 0
+    v, dt_over_mass  (B, 6) velocity and angular velocity; dt/mass, 0 where prescribed; of turns only whether it is 0
     contact, hold   (B, 6) force and moment at the last step: contacts and patches; damping or reaction
     frame           (B, 3, 3) rotation R since the start
     momentum        (B, 3) kg m2/s, angular momentum L about the centroid; 0 about held axes. It belongs to v: `spin`

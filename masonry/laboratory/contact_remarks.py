@@ -8,7 +8,7 @@ from geometry.blocks import Joints
 from masonry.assembly.assemble import Assembly
 from masonry.history import Frame
 from masonry.laws.factory import properties_of
-from masonry.laws.state import Interface
+from masonry.laws.state import JointProperties
 from masonry.monitors.energy import present
 from masonry.monitors.stability import smallest_block
 from masonry.scene.tables.contact import Contact
@@ -23,13 +23,13 @@ LIFTED = 1e-3
 def contact_remarks(assembly: Assembly) -> list[str]:
     """One line for each number that is cut, or that nothing can come of in this specimen."""
     model, found = assembly.model, []
-    for name, interface in zip(model.group_names, model.groups.properties, strict=True):
+    for name, joint in zip(model.group_names, model.groups.properties, strict=True):
         given = assembly.scene.contact_of(name)
         reads = "tensile_strength" in properties_of(given.law)
-        if reads and interface.tensile_strength is not None and np.ndim(interface.tensile_strength) == 0:
-            found += _of_tension(name, given, interface, smallest_block(model))
-        if interface.tan_dilation is not None:
-            found += _of_dilation(name, given, interface, way_of(assembly.scene.drive))
+        if reads and joint.tensile_strength is not None and np.ndim(joint.tensile_strength) == 0:
+            found += _of_tension(name, given, joint, smallest_block(model))
+        if joint.tan_dilation is not None:
+            found += _of_dilation(name, given, joint, way_of(assembly.scene.drive))
     return found
 
 
@@ -54,11 +54,11 @@ def rocked_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
 def _of_rocking(assembly: Assembly, which: np.ndarray, what: str) -> list[str]:
     """One line for each group with joints, among these contacts (C,), that neither pull nor have points at the edge."""
     model, found, reach = assembly.model, [], _reach(assembly.joints)
-    for g, (name, interface) in enumerate(zip(model.group_names, model.groups.properties, strict=True)):
+    for g, (name, joint) in enumerate(zip(model.group_names, model.groups.properties, strict=True)):
         law = assembly.scene.contact_of(name).law
-        dry = law == "friction" or ("tensile_strength" in properties_of(law) and not np.any(interface.tensile_strength))
+        dry = law == "friction" or ("tensile_strength" in properties_of(law) and not np.any(joint.tensile_strength))
         mine = which & (model.group == g)
-        if not (dry and interface.tan_friction and mine.any()) or (least := float(reach[mine].min())) > REACH:
+        if not (dry and joint.tan_friction and mine.any()) or (least := float(reach[mine].min())) > REACH:
             continue
         found.append(
             f"contact.{name}: joints without tension {what} about their outermost contact points, which reach "
@@ -91,9 +91,9 @@ def _may_turn(assembly: Assembly) -> np.ndarray:
     return turns
 
 
-def _of_tension(name: str, given: Contact, interface: Interface, block: float) -> list[str]:
+def _of_tension(name: str, given: Contact, joint: JointProperties, block: float) -> list[str]:
     """Tensile strength beyond the apex of the Coulomb line, or so low that no opening takes the cohesion."""
-    wanted, has = given.tensile_strength or 0.0, float(interface.tensile_strength or 0.0)
+    wanted, has = given.tensile_strength or 0.0, float(joint.tensile_strength or 0.0)
     where = f"contact.{name}.tensile_strength"
     if wanted > 0.0 and has == 0.0 and given.cohesion:
         return [f"{where} = {wanted:g} Pa is less than 1e-5 of the cohesion of {given.cohesion:g} Pa: it is taken as 0"]
@@ -111,9 +111,9 @@ def _of_tension(name: str, given: Contact, interface: Interface, block: float) -
     return []
 
 
-def _of_dilation(name: str, given: Contact, interface: Interface, way: float) -> list[str]:
+def _of_dilation(name: str, given: Contact, joint: JointProperties, way: float) -> list[str]:
     """A dilation that does not end within the way of the drive, though no end was given."""
-    end = float(np.max(interface.dilation_cutoff)) if interface.dilation_cutoff is not None else inf
+    end = float(np.max(joint.dilation_cutoff)) if joint.dilation_cutoff is not None else inf
     if given.dilation_cutoff is not None or end <= way:
         return []
     return [

@@ -63,7 +63,7 @@ def _paced(assembly: Assembly, plan: Controlled) -> float:
 def drive_prescribes_all(assembly: Assembly) -> bool:
     """Whether nothing is left to swing: blocks are free to shift across the drive at most, and no joint dilates."""
     model, drive = assembly.model, assembly.scene.drive
-    if drive is None or any(interface.tan_dilation is not None for interface in model.groups.properties):
+    if drive is None or any(joint.tan_dilation is not None for joint in model.groups.properties):
         return False
     across = [i for i in range(3) if i != drive.axis]
     swinging = {kind: np.array(mass > 0.0) for kind, mass in model.masses.items()}

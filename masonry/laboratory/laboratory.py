@@ -10,7 +10,7 @@ from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
 from masonry.laboratory.contact_remarks import contact_remarks, rocked_remarks, rocking_remarks
 from masonry.laboratory.cost import expected_seconds, expected_steps
-from masonry.laboratory.provenance import origin_of
+from masonry.laboratory.provenance import provenance_of
 from masonry.laboratory.quality import quality_lines
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
@@ -29,7 +29,9 @@ if TYPE_CHECKING:
 Progress = Callable[[int, int, str], None]
 
 
-def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper: Checkpointer | None = None) -> Result:
+def run(
+    scene: Scene, threads: int = 1, progress: Progress | None = None, checkpointer: Checkpointer | None = None
+) -> Result:
     """Run a scene to its end; `progress(step, steps, note)` is called between chunks.
 
     Raises SceneError or GeometryError before anything is computed, Stopped (with `.result`, the rows up to the last
@@ -38,7 +40,7 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper
     Where the scene has dead loads and does not say how many steps they settle in, this is found first; the scene that
     the result holds has the number.
 
-    keeper  writes checkpoints, goes on from one, and says when to end, in place of Ctrl-C
+    checkpointer  writes checkpoints, goes on from one, and says when to end, in place of Ctrl-C
     """
     if progress is not None:
         progress(0, 0, "building the specimen")
@@ -46,11 +48,13 @@ def run(scene: Scene, threads: int = 1, progress: Progress | None = None, keeper
     seconds = 0.0
     if scene.has_dead_loads and scene.settle is None:
         seconds = timeloop.prepare(assembly.model, threads, progress)
-        assembly = settled(assembly, threads, progress, keeper.asked if keeper is not None else lambda: False)
-        if keeper is not None:
+        assembly = settled(
+            assembly, threads, progress, checkpointer.asked if checkpointer is not None else lambda: False
+        )
+        if checkpointer is not None:
             toml = to_toml(assembly.scene)
-            keeper.run_another(toml, origin_of(toml))
-    outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress, keeper)
+            checkpointer.run_another(toml, provenance_of(toml))
+    outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress, checkpointer)
     outcome.seconds_compile += seconds
     result = result_of(assembly, outcome)
     if outcome.stopped:
@@ -144,14 +148,14 @@ def left_out(assembly: Assembly) -> list[str]:
         out.append("drive")
     if all(body is None or body.guess is None for body in m.bodies):
         out.append("expected motion: a drive at a rate or in steps does not need it")
-    for name, interface in zip(m.group_names, m.groups.properties, strict=True):
+    for name, joint in zip(m.group_names, m.groups.properties, strict=True):
         lacks = []
-        if interface.tensile_strength is None:
+        if joint.tensile_strength is None:
             lacks = ["strength", "softening", "history"]
         else:
-            lacks += ["dilation"] if interface.tan_dilation is None else []
-            lacks += ["plastic opening"] if interface.elastic_unloading is None else []
-            lacks += ["shared loss of tension and cohesion"] if interface.combined is None else []
+            lacks += ["dilation"] if joint.tan_dilation is None else []
+            lacks += ["plastic opening"] if joint.elastic_unloading is None else []
+            lacks += ["shared loss of tension and cohesion"] if joint.combined is None else []
         if lacks:
             out.append(f"contacts {name}: no {', no '.join(lacks)}")
     if not assembly.drawn:

@@ -51,7 +51,7 @@ def other_sources(toml: str) -> str:
     return own_sources(laws, scene["specimen"]["kind"])
 
 
-def origin_of(toml: str) -> dict[str, str]:
+def provenance_of(toml: str) -> dict[str, str]:
     """What a run of a resolved scene depends on, by a few words each."""
     return {
         "its scene": hashlib.sha256(toml.encode()).hexdigest()[:16],
@@ -103,7 +103,7 @@ def _processor() -> str:
 def own_sources(laws: Iterable[str | None], kind: str) -> str:
     """Hash (hex) of the packages that bring some laws (None is none) and a kind of specimen; "" where all are ours."""
     found = [plugin_law(law) for law in sorted({law for law in laws if law is not None and law not in law_names()})]
-    hashes = [package_hash(law.shape) for law in found if law is not None]
+    hashes = [package_hash(law.parameters_class) for law in found if law is not None]
     if kind not in kinds() and (specimen := plugin_specimen(kind)) is not None:
         hashes.append(package_hash(specimen.function))
     return hashlib.sha256(" ".join(hashes).encode()).hexdigest()[:16] if hashes else ""

@@ -12,16 +12,16 @@ class Brittle(NamedTuple):
 PARAMETERS: dict[str, str] = {}
 
 
-def tension_intact(shape, interface, opening):
+def tension_intact(parameters, joint, opening):
     """Nothing is left beyond the elastic limit, eq. (7)."""
-    return shape.left
+    return parameters.left
 
 
-def tension_area(shape, interface, opening, intact):
+def tension_area(parameters, joint, opening, intact):
     """Only the elastic triangle."""
-    return 0.5 * interface.tensile_strength**2 / interface.normal_stiffness
+    return 0.5 * joint.tensile_strength**2 / joint.normal_stiffness
 
 
-def shear_intact(shape, interface, intact, slip, peak, residual, compression):
+def shear_intact(parameters, joint, intact, slip, peak, residual, compression):
     """Only the residual is left beyond the peak, eq. (8)."""
-    return shape.left
+    return parameters.left

@@ -21,97 +21,99 @@ from masonry.simd import any_lane, eight, filled, where
 
 DOUBLINGS, HALVINGS = 30, 60
 """Looks at a curve for a slip, from a micrometre to a kilometre."""
+GIVEN_IN_SHEAR = 7
+"""What `shear_intact` takes, `intact` among it; one less where a law gives its curve over the whole slip."""
 
 
-def beside(shape_class: type, name: str, default=None):
+def beside(parameters_class: type, name: str, default=None):
     """The function `name` in the file that defines the law, or the default."""
-    return getattr(sys.modules[shape_class.__module__], name, default)
+    return getattr(sys.modules[parameters_class.__module__], name, default)
 
 
-def word_of(shape) -> str:
+def word_of(parameters) -> str:
     """What a law is called in a message; a law of another package has a hash behind the name of its class."""
-    return type(shape).__name__.partition("_")[0].lower()
+    return type(parameters).__name__.partition("_")[0].lower()
 
 
-def tension_intact(shape, interface, opening):
+def tension_intact(parameters, joint, opening):
     """Share of the tensile strength left on the envelope at an opening (m) beyond the elastic limit."""
-    return beside(type(shape), "tension_intact")(shape, interface, opening)
+    return beside(type(parameters), "tension_intact")(parameters, joint, opening)
 
 
-def tension_area(shape, interface, opening, intact):
+def tension_area(parameters, joint, opening, intact):
     """Work per area (J/m2) under the tension curve from 0 to an opening (m), whose intact share is known."""
-    return beside(type(shape), "tension_area")(shape, interface, opening, intact)
+    return beside(type(parameters), "tension_area")(parameters, joint, opening, intact)
 
 
-def shear_intact(shape, interface, intact, slip, peak, residual, compression):
+def shear_intact(parameters, joint, intact, slip, peak, residual, compression):
     """Share of (peak - residual) shear strength left after a slip (m) more, where `intact` was left; stresses in Pa."""
-    if by_total_slip(type(shape)):
-        return after(shape, interface, intact, slip, peak, residual, compression)
-    return beside(type(shape), "shear_intact")(shape, interface, intact, slip, peak, residual, compression)
+    if by_total_slip(type(parameters)):
+        return after(parameters, joint, intact, slip, peak, residual, compression)
+    return beside(type(parameters), "shear_intact")(parameters, joint, intact, slip, peak, residual, compression)
 
 
-def shear_curve(shape, interface, slip, peak, residual, compression):
+def shear_curve(parameters, joint, slip, peak, residual, compression):
     """The same share at a slip (m) beyond the peak, for a law that knows its curve alone."""
-    return beside(type(shape), "shear_intact")(shape, interface, slip, peak, residual, compression)
+    return beside(type(parameters), "shear_intact")(parameters, joint, slip, peak, residual, compression)
 
 
 @cache
-def by_total_slip(shape_class: type) -> bool:
+def by_total_slip(parameters_class: type) -> bool:
     """Whether a law gives its curve in shear over the whole slip, and not what is left of a share."""
-    curve = beside(shape_class, "shear_intact")
-    return "intact" not in signature(getattr(curve, "py_func", curve)).parameters
+    curve = beside(parameters_class, "shear_intact")
+    return len(signature(getattr(curve, "py_func", curve)).parameters) < GIVEN_IN_SHEAR
 
 
 @register_jitable
-def after(shape, interface, intact, slip, peak, residual, compression):
+def after(parameters, joint, intact, slip, peak, residual, compression):
     """What `shear_intact` answers, by the curve alone: look for the last slip that leaves `intact`, and go on from it.
 
     By halves, from a micrometre on: as near as numbers come, but with some eighty looks at the curve.
     """
     low, high = filled(0.0, intact), filled(1e-6, intact)
     for _ in range(DOUBLINGS):
-        leaves = shear_curve(shape, interface, high, peak, residual, compression) >= intact
+        leaves = shear_curve(parameters, joint, high, peak, residual, compression) >= intact
         if not any_lane(leaves):
             break
         low, high = where(leaves, high, low), where(leaves, 2.0 * high, high)
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        leaves = shear_curve(shape, interface, middle, peak, residual, compression) >= intact
+        leaves = shear_curve(parameters, joint, middle, peak, residual, compression) >= intact
         low, high = where(leaves, middle, low), where(leaves, high, middle)
-    return shear_curve(shape, interface, low + slip, peak, residual, compression)
+    return shear_curve(parameters, joint, low + slip, peak, residual, compression)
 
 
-def contacts_at_once(shape):
+def contacts_at_once(parameters):
     """What tells a kernel by its type how many contacts of a law to compute at once: `eight()`, or a single number."""
     return 0.0
 
 
 @overload(contacts_at_once)
-def _contacts_at_once(shape):
-    law = shape.instance_class
-    return (lambda shape: eight()) if beside(law, "LANES", is_ours(law.__module__)) else (lambda shape: 0.0)
+def _contacts_at_once(parameters):
+    law = parameters.instance_class
+    return (lambda parameters: eight()) if beside(law, "LANES", is_ours(law.__module__)) else (lambda parameters: 0.0)
 
 
-@overload(tension_intact)
-def _tension_intact(shape, interface, opening):
-    return _compilable("tension_intact", shape, interface, opening)
+@overload(tension_intact, strict=False)
+def _tension_intact(parameters, joint, opening):
+    return _compilable("tension_intact", parameters, joint, opening)
 
 
-@overload(tension_area)
-def _tension_area(shape, interface, opening, intact):
-    return _compilable("tension_area", shape, interface, opening, intact)
+@overload(tension_area, strict=False)
+def _tension_area(parameters, joint, opening, intact):
+    return _compilable("tension_area", parameters, joint, opening, intact)
 
 
-@overload(shear_intact)
-def _shear_intact(shape, interface, intact, slip, peak, residual, compression):
-    if by_total_slip(shape.instance_class):
+@overload(shear_intact, strict=False)
+def _shear_intact(parameters, joint, intact, slip, peak, residual, compression):
+    if by_total_slip(parameters.instance_class):
         return after
-    return _compilable("shear_intact", shape, interface, intact, slip, peak, residual, compression)
+    return _compilable("shear_intact", parameters, joint, intact, slip, peak, residual, compression)
 
 
-@overload(shear_curve)
-def _shear_curve(shape, interface, slip, peak, residual, compression):
-    return _compilable("shear_intact", shape, interface, slip, peak, residual, compression)
+@overload(shear_curve, strict=False)
+def _shear_curve(parameters, joint, slip, peak, residual, compression):
+    return _compilable("shear_intact", parameters, joint, slip, peak, residual, compression)
 
 
 def _compilable(name: str, *kinds: Any) -> Any:

@@ -14,19 +14,19 @@ class Elastic(NamedTuple):
 PARAMETERS: dict[str, str] = {}
 
 
-def elastic_trial(shape, interface, memory, opening, tau_squared):
+def elastic_trial(parameters, joint, history, opening, tau_squared):
     """Eq. (5); there is no history to change."""
-    return interface.normal_stiffness * opening, True
+    return joint.normal_stiffness * opening, True
 
 
-def return_mapping(shape, interface, memory, opening, total, tau):
+def return_mapping(parameters, joint, history, opening, total, tau):
     """Never needed; the elastic answer."""
-    return StressUpdate(interface.normal_stiffness * opening, 1.0, memory, 0.0, 0.0, 0.0)
+    return StressUpdate(joint.normal_stiffness * opening, 1.0, history, 0.0, 0.0, 0.0)
 
 
-def stored_energy(shape, interface, memory, opening, tau_squared):
+def stored_energy(parameters, joint, history, opening, tau_squared):
     """All of it is recoverable; without shear stiffness (a frictionless glue) there is no shear to store."""
-    normal = 0.5 * interface.normal_stiffness * opening * opening
-    if interface.shear_stiffness == 0.0:
+    normal = 0.5 * joint.normal_stiffness * opening * opening
+    if joint.shear_stiffness == 0.0:
         return normal
-    return normal + 0.5 * tau_squared / interface.shear_stiffness
+    return normal + 0.5 * tau_squared / joint.shear_stiffness

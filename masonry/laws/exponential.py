@@ -27,29 +27,29 @@ WHY_IN_SHEAR = (
 )
 
 
-def refuse(shape, interface, compressions):
+def refuse(parameters, joint, compressions):
     """Snap-back over plastic slip: a Refusal or None."""
-    return refuse_in_shear(shape, interface, compressions)
+    return refuse_in_shear(parameters, joint, compressions)
 
 
-def least_mode_2_energy(shape, interface, compression, intact):
+def least_mode_2_energy(parameters, joint, compression, intact):
     """Over plastic slip the slope, (peak - residual) intact c0/G_II, must stay below ks."""
-    if interface.plastic_softening is None:
+    if joint.plastic_softening is None:
         return None
-    return intact * interface.cohesion * lost_in_shear(interface, compression) / interface.shear_stiffness
+    return intact * joint.cohesion * lost_in_shear(joint, compression) / joint.shear_stiffness
 
 
-def tension_intact(shape, interface, opening):
+def tension_intact(parameters, joint, opening):
     """Eq. (16): exp(-(fT/G_I)(un - un0))."""
-    fT = interface.tensile_strength
-    return exp(-fT / shape.G_I * (opening - fT / interface.normal_stiffness))
+    fT = joint.tensile_strength
+    return exp(-fT / parameters.G_I * (opening - fT / joint.normal_stiffness))
 
 
-def tension_area(shape, interface, opening, intact):
+def tension_area(parameters, joint, opening, intact):
     """Elastic triangle and the integral of eq. (16)."""
-    return 0.5 * interface.tensile_strength**2 / interface.normal_stiffness + shape.G_I * (1.0 - intact)
+    return 0.5 * joint.tensile_strength**2 / joint.normal_stiffness + parameters.G_I * (1.0 - intact)
 
 
-def shear_intact(shape, interface, intact, slip, peak, residual, compression):
+def shear_intact(parameters, joint, intact, slip, peak, residual, compression):
     """Eq. (17), mended: exp(-(c0/G_II)(us - us0)); tan(phi) follows the cohesion in proportion."""
-    return intact * exp(-interface.cohesion / mode_2_energy(shape.G_II, shape.G_II_slope, compression) * slip)
+    return intact * exp(-joint.cohesion / mode_2_energy(parameters.G_II, parameters.G_II_slope, compression) * slip)

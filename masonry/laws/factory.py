@@ -10,7 +10,7 @@ from masonry.laws import law_names
 from masonry.laws.dispatch import beside, shear_intact
 from masonry.laws.plugins import all_law_names, plugin_law
 from masonry.laws.snap_back import Refusal, lost_in_shear
-from masonry.laws.state import Interface
+from masonry.laws.state import JointProperties
 
 NEAREST, FARTHEST = 1e-18, 1e3
 """m: slips between which a curve is asked where the cohesion has gone."""
@@ -28,7 +28,7 @@ def module_of(name: str) -> Any:
     return found.module
 
 
-def _shape_class(name: str) -> type:
+def _parameters_class(name: str) -> type:
     """The NamedTuple of a law file."""
     file = module_of(name)
     return next(
@@ -36,26 +36,28 @@ def _shape_class(name: str) -> type:
     )
 
 
-def build(group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)) -> tuple[Any, Interface]:
-    """(shape, interface) of a contact group; raises SceneError.
+def build(
+    group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)
+) -> tuple[Any, JointProperties]:
+    """(parameters, joint) of a contact group; raises SceneError.
 
     properties    SI values under the scene's names; None or absent where not given
     compressions  Pa, the confining stresses at which snap-back in shear is looked for
     """
-    shape, interface = made(group, properties, compressions)
-    refused = refusal(shape, interface, compressions)
+    parameters, joint = made(group, properties, compressions)
+    refused = refusal(parameters, joint, compressions)
     if refused is not None:
         raise SceneError(
             f"contact.{group}.{refused.key} = {properties[refused.key]:g} (SI) does not work with law "
             f"'{properties['law']}': it must be above {refused.wanted}; {refused.why}"
         )
-    return shape, interface
+    return parameters, joint
 
 
-def refusal(shape: Any, interface: Interface, compressions: Sequence[float]) -> Refusal | None:
+def refusal(parameters: Any, joint: JointProperties, compressions: Sequence[float]) -> Refusal | None:
     """What a law refuses of its parameters at some compressions (Pa), or None."""
-    refuse = beside(type(shape), "refuse")
-    return None if refuse is None else refuse(shape, interface, compressions)
+    refuse = beside(type(parameters), "refuse")
+    return None if refuse is None else refuse(parameters, joint, compressions)
 
 
 def properties_of(law: str) -> tuple[str, ...]:
@@ -69,31 +71,31 @@ def strengths_of(file: Any) -> tuple[str, ...]:
     return found
 
 
-def made(group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)) -> tuple[Any, Interface]:
+def made(
+    group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)
+) -> tuple[Any, JointProperties]:
     """`build` without a look whether the curves would snap back."""
     name = properties["law"]
     file, where = module_of(name), f"contact.{group}"
     stiffness = {key: properties[key] for key in ("normal_stiffness", "shear_stiffness")}
     if name == "elastic":
-        return _shape_class(name)(), Interface(**stiffness)
+        return _parameters_class(name)(), JointProperties(**stiffness)
     strengths = strengths_of(file)
     _require(where, name, properties, strengths)
     if strengths != STRENGTHS:
         properties = _without_the_rest(properties, strengths)
-    shape_class: Any = _shape_class(name)
-    optional = shape_class._field_defaults
+    parameters_class: Any = _parameters_class(name)
+    optional = parameters_class._field_defaults
     _require(where, name, properties, [key for field, key in file.PARAMETERS.items() if field not in optional])
     given = {field: properties.get(key) for field, key in file.PARAMETERS.items()}
-    shape = shape_class(**{field: value for field, value in given.items() if value is not None})
+    parameters = parameters_class(**{field: value for field, value in given.items() if value is not None})
     for field, key in file.PARAMETERS.items():
-        if field not in optional and getattr(shape, field) <= 0.0:
-            raise SceneError(f"{where}.{key} = {getattr(shape, field):g}: law '{name}' needs a value above 0")
-    interface = _interface(where, properties, stiffness)
-    if interface.tan_dilation is not None:
-        interface = interface._replace(
-            dilation_cutoff=_dilation_cutoff(properties, shape, interface, max(compressions))
-        )
-    return shape, interface
+        if field not in optional and getattr(parameters, field) <= 0.0:
+            raise SceneError(f"{where}.{key} = {getattr(parameters, field):g}: law '{name}' needs a value above 0")
+    joint = _joint_properties(where, properties, stiffness)
+    if joint.tan_dilation is not None:
+        joint = joint._replace(dilation_cutoff=_dilation_cutoff(properties, parameters, joint, max(compressions)))
+    return parameters, joint
 
 
 def _without_the_rest(properties: Mapping[str, Any], strengths: Sequence[str]) -> dict[str, Any]:
@@ -115,7 +117,7 @@ def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence
 _SPELLING = {"tan_friction": "friction_angle (or tan_friction_angle)"}
 
 
-def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) -> Interface:
+def _joint_properties(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) -> JointProperties:
     residual_cohesion = p.get("residual_cohesion") or 0.0
     tan_residual = p.get("tan_residual_friction")
     tan_residual = p["tan_friction"] if tan_residual is None else tan_residual
@@ -132,7 +134,7 @@ def _interface(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) ->
         raise SceneError(
             f"{where}.dilation_angle is larger than the residual friction angle: sliding would then produce energy"
         )
-    return Interface(
+    return JointProperties(
         **stiffness,
         tensile_strength=tensile_strength(p),
         cohesion=p["cohesion"],
@@ -159,7 +161,7 @@ def tensile_strength(p: Mapping[str, Any]) -> float:
     return min(strength, p["cohesion"] / p["tan_friction"]) if p["tan_friction"] > 0.0 else strength
 
 
-def _dilation_cutoff(p: Mapping[str, Any], shape: Any, interface: Interface, compression: float) -> float:
+def _dilation_cutoff(p: Mapping[str, Any], parameters: Any, joint: JointProperties, compression: float) -> float:
     """Slip (m) at which dilation ends; where none is given, the slip at which the cohesion has gone.
 
     "Gone" is 1 % left of the curve at a compression (Pa). A brittle contact loses it at once, so it does not dilate
@@ -168,10 +170,10 @@ def _dilation_cutoff(p: Mapping[str, Any], shape: Any, interface: Interface, com
     if p.get("dilation_cutoff") is not None:
         return p["dilation_cutoff"]
     peak = p["cohesion"] + compression * p["tan_friction"]
-    residual = peak - float(lost_in_shear(interface, compression))
+    residual = peak - float(lost_in_shear(joint, compression))
 
     def gone(slip: float) -> bool:
-        return bool(shear_intact(shape, interface, 1.0, slip, peak, residual, compression) <= 0.01)
+        return bool(shear_intact(parameters, joint, 1.0, slip, peak, residual, compression) <= 0.01)
 
     if peak <= residual or not gone(FARTHEST):
         return inf

@@ -21,47 +21,47 @@ STRENGTHS = ("tan_friction",)
 PARAMETERS: dict[str, str] = {}
 
 
-def tension_intact(shape, interface, opening):
+def tension_intact(parameters, joint, opening):
     """There is no strength."""
-    return shape.left
+    return parameters.left
 
 
-def tension_area(shape, interface, opening, intact):
+def tension_area(parameters, joint, opening, intact):
     """It takes no work to open."""
-    return shape.left
+    return parameters.left
 
 
-def shear_intact(shape, interface, intact, slip, peak, residual, compression):
+def shear_intact(parameters, joint, intact, slip, peak, residual, compression):
     """Nothing beyond friction."""
-    return shape.left
+    return parameters.left
 
 
-def elastic_trial(shape, interface, memory, opening, tau_squared):
+def elastic_trial(parameters, joint, history, opening, tau_squared):
     """Eq. (5) in compression; the answer stands where the contact neither slides nor opens further."""
-    sigma = interface.normal_stiffness * minimum(opening, 0.0)
-    most = interface.tan_friction * sigma
-    return sigma, (tau_squared <= most * most) & (opening <= memory.opening_max)
+    sigma = joint.normal_stiffness * minimum(opening, 0.0)
+    most = joint.tan_friction * sigma
+    return sigma, (tau_squared <= most * most) & (opening <= history.opening_max)
 
 
-def return_mapping(shape, interface, memory, opening, total, tau):
+def return_mapping(parameters, joint, history, opening, total, tau):
     """Return to the Coulomb line, eq. (8); what lies beyond it becomes slip, and its work friction."""
-    sigma = interface.normal_stiffness * minimum(opening, 0.0)
-    yielded = minimum(tau, -interface.tan_friction * sigma)
-    slides, opens = tau > yielded, opening > memory.opening_max
+    sigma = joint.normal_stiffness * minimum(opening, 0.0)
+    yielded = minimum(tau, -joint.tan_friction * sigma)
+    slides, opens = tau > yielded, opening > history.opening_max
     now = ContactHistory(
-        maximum(opening, memory.opening_max),
-        where(opens, 0.0, memory.intact_n),
-        where(slides, 0.0, memory.intact_s),
-        *(memory.secant, memory.uplift, memory.gap, memory.run),
+        maximum(opening, history.opening_max),
+        where(opens, 0.0, history.intact_n),
+        where(slides, 0.0, history.intact_s),
+        *(history.secant, history.dilation, history.permanent_opening, history.plastic_slip),
     )
     nothing = filled(0.0, tau)
     if not any_lane(slides):
         return StressUpdate(sigma, filled(1.0, tau), now, nothing, nothing, nothing)
-    friction = yielded * (tau - yielded) / interface.shear_stiffness
+    friction = yielded * (tau - yielded) / joint.shear_stiffness
     return StressUpdate(sigma, where(slides, yielded / tau, 1.0), now, nothing, nothing, friction)
 
 
-def stored_energy(shape, interface, memory, opening, tau_squared):
+def stored_energy(parameters, joint, history, opening, tau_squared):
     """What the springs hold."""
-    normal = interface.normal_stiffness * minimum(opening, 0.0)
-    return 0.5 * (normal * opening + tau_squared / interface.shear_stiffness)
+    normal = joint.normal_stiffness * minimum(opening, 0.0)
+    return 0.5 * (normal * opening + tau_squared / joint.shear_stiffness)

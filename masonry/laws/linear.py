@@ -25,47 +25,47 @@ PARAMETERS = {
 WHY_IN_SHEAR = "the curve would snap back below (peak - residual shear strength)^2 / (2 shear stiffness)"
 
 
-def refuse(shape, interface, compressions):
+def refuse(parameters, joint, compressions):
     """Snap-back, G_I <= fT^2/(2 kn) or ul <= us0: a Refusal or None."""
-    least = interface.tensile_strength**2 / (2.0 * interface.normal_stiffness)
-    if interface.tensile_strength > 0.0 and least >= shape.G_I:
+    least = joint.tensile_strength**2 / (2.0 * joint.normal_stiffness)
+    if joint.tensile_strength > 0.0 and least >= parameters.G_I:
         why = "the curve would snap back below tensile strength^2 / (2 normal stiffness)"
         return Refusal("fracture_energy_mode_1", least, "N/m", why)
-    return refuse_in_shear(shape, interface, compressions)
+    return refuse_in_shear(parameters, joint, compressions)
 
 
-def least_mode_2_energy(shape, interface, compression, intact):
+def least_mode_2_energy(parameters, joint, compression, intact):
     """That ul > us0 takes more than the elastic triangle, (peak - residual)^2/(2 ks), by either softening variable.
 
     The line falls alike at any share that is left.
     """
-    return lost_in_shear(interface, compression) ** 2 / (2.0 * interface.shear_stiffness)
+    return lost_in_shear(joint, compression) ** 2 / (2.0 * joint.shear_stiffness)
 
 
-def tension_intact(shape, interface, opening):
+def tension_intact(parameters, joint, opening):
     """Eq. (12): fT (uf - un)/(uf - un0) over fT, with uf = 2 G_I/fT."""
-    fT = interface.tensile_strength
-    un0 = fT / interface.normal_stiffness
-    uf = 2.0 * shape.G_I / fT
+    fT = joint.tensile_strength
+    un0 = fT / joint.normal_stiffness
+    uf = 2.0 * parameters.G_I / fT
     return maximum((uf - opening) / (uf - un0), 0.0)
 
 
-def tension_area(shape, interface, opening, intact):
+def tension_area(parameters, joint, opening, intact):
     """The triangle less what the envelope has still to give."""
-    fT = interface.tensile_strength
-    un0 = fT / interface.normal_stiffness
-    uf = 2.0 * shape.G_I / fT
-    return shape.G_I - 0.5 * fT * intact * intact * (uf - un0)
+    fT = joint.tensile_strength
+    un0 = fT / joint.normal_stiffness
+    uf = 2.0 * parameters.G_I / fT
+    return parameters.G_I - 0.5 * fT * intact * intact * (uf - un0)
 
 
-def shear_intact(shape, interface, intact, slip, peak, residual, compression):
+def shear_intact(parameters, joint, intact, slip, peak, residual, compression):
     """Eq. (13): straight from peak at us0 to residual at ul = 2 G_II/(peak - residual) + residual/ks.
 
     Over the plastic slip, which has no elastic part, the same triangle ends at 2 G_II/(peak - residual).
     """
-    width = 2.0 * mode_2_energy(shape.G_II, shape.G_II_slope, compression) / (peak - residual)
-    if interface.plastic_softening is None:
-        width -= (peak - residual) / interface.shear_stiffness
+    width = 2.0 * mode_2_energy(parameters.G_II, parameters.G_II_slope, compression) / (peak - residual)
+    if joint.plastic_softening is None:
+        width -= (peak - residual) / joint.shear_stiffness
     return where(width * intact <= slip, 0.0, intact - slip / width)
 
 

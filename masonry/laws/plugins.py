@@ -17,19 +17,19 @@ from masonry.plugins import Plugin, load, plugin, plugins
 
 GROUP = "masonry.laws"
 CURVES = {
-    "tension_intact": ("shape", "interface", "opening"),
-    "tension_area": ("shape", "interface", "opening", "intact"),
-    "shear_intact": ("shape", "interface", "intact", "slip", "peak", "residual", "compression"),
+    "tension_intact": ("parameters", "joint", "opening"),
+    "tension_area": ("parameters", "joint", "opening", "intact"),
+    "shear_intact": ("parameters", "joint", "intact", "slip", "peak", "residual", "compression"),
 }
 BY_TOTAL_SLIP = tuple(word for word in CURVES["shear_intact"] if word != "intact")
 """What `shear_intact` may be given as well, by a law that knows its curve alone: see `dispatch.after`."""
 MECHANISM = {
-    "elastic_trial": ("shape", "interface", "memory", "opening", "tau_squared"),
-    "return_mapping": ("shape", "interface", "memory", "opening", "total", "tau"),
-    "stored_energy": ("shape", "interface", "memory", "opening", "tau_squared"),
+    "elastic_trial": ("parameters", "joint", "history", "opening", "tau_squared"),
+    "return_mapping": ("parameters", "joint", "history", "opening", "total", "tau"),
+    "stored_energy": ("parameters", "joint", "history", "opening", "tau_squared"),
 }
-LEAST_ENERGY = ("shape", "interface", "compression", "intact")
-"""The functions of a law and of a mechanism of its own, by the names of what they are given."""
+LEAST_ENERGY = ("parameters", "joint", "compression", "intact")
+"""The functions of a law and of a mechanism of its own, and what they are given, in this order; names are free."""
 
 
 class PluginLaw(NamedTuple):
@@ -38,7 +38,7 @@ class PluginLaw(NamedTuple):
     name: str
     origin: str
     module: ModuleType
-    shape: type
+    parameters_class: type
     parameters: Mapping[str, str]
     keys: Mapping[str, str]
     example: Mapping[str, Any]
@@ -66,25 +66,25 @@ def _looked_over(found: Plugin) -> PluginLaw:
     where = f"law '{found.name}' of {found.origin}"
     if not isinstance(module, ModuleType):
         raise SceneError(f"{where}: its entry point must name a module, not {found.target}")
-    shapes = [c for c in vars(module).values() if _is_shape(c, module)]
-    if len(shapes) != 1:
-        raise SceneError(f"{where}: {module.__name__} must define one NamedTuple of parameters, not {len(shapes)}")
+    classes = [c for c in vars(module).values() if _is_parameters_class(c, module)]
+    if len(classes) != 1:
+        raise SceneError(f"{where}: {module.__name__} must define one NamedTuple of parameters, not {len(classes)}")
     for name, words in MECHANISM.items() if _has_mechanism(module) else CURVES.items():
         _require_function(where, module, name, words)
     parameters, keys, example = (_table(where, module, name) for name in ("PARAMETERS", "KEYS", "EXAMPLE"))
-    _require_fields(where, shapes[0], parameters)
+    _require_fields(where, classes[0], parameters)
     if hasattr(module, "least_mode_2_energy"):
         _require_function(where, module, "least_mode_2_energy", LEAST_ENERGY)
-        if not {"G_II", "G_II_slope"} <= set(shapes[0]._fields):
+        if not {"G_II", "G_II_slope"} <= set(classes[0]._fields):
             raise SceneError(f"{where}: least_mode_2_energy goes with fields G_II and G_II_slope")
-    shapes[0].__name__ += f"_{package_hash(shapes[0])}"  # two types of one name would be one in compiled code
+    classes[0].__name__ += f"_{package_hash(classes[0])}"  # two types of one name would be one in compiled code
     for key in keys:
         if key not in parameters.values():
             raise SceneError(f"{where}: '{key}' of KEYS is the key of no parameter in PARAMETERS")
-    return PluginLaw(found.name, found.origin, module, shapes[0], parameters, keys, example)
+    return PluginLaw(found.name, found.origin, module, classes[0], parameters, keys, example)
 
 
-def _is_shape(candidate: Any, module: ModuleType) -> bool:
+def _is_parameters_class(candidate: Any, module: ModuleType) -> bool:
     named = isinstance(candidate, type) and issubclass(candidate, tuple) and hasattr(candidate, "_fields")
     return named and candidate.__module__ == module.__name__
 
@@ -100,8 +100,13 @@ def _require_function(where: str, module: ModuleType, name: str, words: tuple[st
     if not inspect.isfunction(function):
         raise SceneError(f"{where}: {module.__name__} has no function {wanted}")
     given = tuple(inspect.signature(function).parameters)
-    if given != words and not (name == "shear_intact" and given == BY_TOTAL_SLIP):
-        raise SceneError(f"{where}: {name}({', '.join(given)}) must be {wanted}, with these names in this order")
+    if name == "shear_intact" and len(given) == len(BY_TOTAL_SLIP):
+        words = BY_TOTAL_SLIP
+    misplaced = any(word in words and word != there for word, there in zip(given, words, strict=False))
+    if len(given) != len(words) or misplaced:
+        raise SceneError(
+            f"{where}: {name}({', '.join(given)}) must be {wanted}, in this order; other names may be chosen"
+        )
 
 
 def _table(where: str, module: ModuleType, name: str) -> dict[str, Any]:
@@ -113,10 +118,12 @@ def _table(where: str, module: ModuleType, name: str) -> dict[str, Any]:
     return dict(table)
 
 
-def _require_fields(where: str, shape: Any, parameters: Mapping[str, str]) -> None:
+def _require_fields(where: str, parameters_class: Any, parameters: Mapping[str, str]) -> None:
     for field in parameters:
-        if field not in shape._fields:
-            raise SceneError(f"{where}: '{field}' of PARAMETERS is no field of {shape.__name__}")
-    for field in shape._fields:
-        if field not in parameters and field not in shape._field_defaults:
-            raise SceneError(f"{where}: field '{field}' of {shape.__name__} has no key in PARAMETERS and no default")
+        if field not in parameters_class._fields:
+            raise SceneError(f"{where}: '{field}' of PARAMETERS is no field of {parameters_class.__name__}")
+    for field in parameters_class._fields:
+        if field not in parameters and field not in parameters_class._field_defaults:
+            raise SceneError(
+                f"{where}: field '{field}' of {parameters_class.__name__} has no key in PARAMETERS and no default"
+            )

@@ -30,40 +30,40 @@ WHY_IN_SHEAR = (
 )
 
 
-def refuse(shape, interface, compressions):
+def refuse(parameters, joint, compressions):
     """Exponents <= 1 leave an infinite energy; snap-back over plastic slip: a Refusal or None."""
-    for key, value in (("exponent_tension", shape.alpha), ("exponent_shear", shape.beta)):
+    for key, value in (("exponent_tension", parameters.alpha), ("exponent_shear", parameters.beta)):
         if value <= 1.0:
             return Refusal(key, 1.0, "", "at 1 and below the area under the curve is infinite")
-    return refuse_in_shear(shape, interface, compressions)
+    return refuse_in_shear(parameters, joint, compressions)
 
 
-def least_mode_2_energy(shape, interface, compression, intact):
+def least_mode_2_energy(parameters, joint, compression, intact):
     """Over plastic slip the slope, (peak - residual) intact^(1 + 1/beta) beta/w with w = 2 G_II/peak, is below ks."""
-    if interface.plastic_softening is None:
+    if joint.plastic_softening is None:
         return None
-    peak = interface.cohesion + compression * interface.tan_friction
-    steepest = shape.beta * peak * lost_in_shear(interface, compression) / (2.0 * interface.shear_stiffness)
-    return steepest * intact ** (1.0 + 1.0 / shape.beta)
+    peak = joint.cohesion + compression * joint.tan_friction
+    steepest = parameters.beta * peak * lost_in_shear(joint, compression) / (2.0 * joint.shear_stiffness)
+    return steepest * intact ** (1.0 + 1.0 / parameters.beta)
 
 
-def tension_intact(shape, interface, opening):
+def tension_intact(parameters, joint, opening):
     """Eq. (14): (w/(w + un - un0))^alpha, w = 2 G_I/fT."""
-    fT = interface.tensile_strength
-    w = 2.0 * shape.G_I / fT
-    return (w / (w + opening - fT / interface.normal_stiffness)) ** shape.alpha
+    fT = joint.tensile_strength
+    w = 2.0 * parameters.G_I / fT
+    return (w / (w + opening - fT / joint.normal_stiffness)) ** parameters.alpha
 
 
-def tension_area(shape, interface, opening, intact):
+def tension_area(parameters, joint, opening, intact):
     """Elastic triangle and the integral of eq. (14)."""
-    fT = interface.tensile_strength
-    un0 = fT / interface.normal_stiffness
-    w = 2.0 * shape.G_I / fT
-    post_peak = fT * w / (shape.alpha - 1.0) * (1.0 - intact * (w + opening - un0) / w)
+    fT = joint.tensile_strength
+    un0 = fT / joint.normal_stiffness
+    w = 2.0 * parameters.G_I / fT
+    post_peak = fT * w / (parameters.alpha - 1.0) * (1.0 - intact * (w + opening - un0) / w)
     return 0.5 * fT * un0 + post_peak
 
 
-def shear_intact(shape, interface, intact, slip, peak, residual, compression):
+def shear_intact(parameters, joint, intact, slip, peak, residual, compression):
     """Eq. (15), mended: lambda = (w/(w + us - us0))^beta, w = 2 G_II/tau_max; lambda^(-1/beta) = 1 + (us - us0)/w."""
-    w = 2.0 * mode_2_energy(shape.G_II, shape.G_II_slope, compression) / peak
-    return (intact ** (-1.0 / shape.beta) + slip / w) ** -shape.beta
+    w = 2.0 * mode_2_energy(parameters.G_II, parameters.G_II_slope, compression) / peak
+    return (intact ** (-1.0 / parameters.beta) + slip / w) ** -parameters.beta

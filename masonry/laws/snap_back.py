@@ -1,6 +1,6 @@
 """Fracture energies in shear below which a law's curve snaps back: refused at input, and looked for during a run.
 
-A law file that has such a limit brings `least_mode_2_energy(shape, interface, compression, intact)`: N/m, at a
+A law file that has such a limit brings `least_mode_2_energy(parameters, joint, compression, intact)`: N/m, at a
 compression in Pa and where a share of the strength above the residual is left; None where its curve never snaps back.
 """
 
@@ -23,32 +23,32 @@ class Refusal(NamedTuple):
         return f"{self.least:.6g} {self.unit}".rstrip()
 
 
-def least_mode_2_energy(shape, interface, compression, intact=1.0):
+def least_mode_2_energy(parameters, joint, compression, intact=1.0):
     """The least energy (N/m) of a law at a compression (Pa) and a share left (numbers or arrays), or None for any."""
-    own = beside(type(shape), "least_mode_2_energy")
-    return None if own is None else own(shape, interface, compression, intact)
+    own = beside(type(parameters), "least_mode_2_energy")
+    return None if own is None else own(parameters, joint, compression, intact)
 
 
-def given_mode_2_energy(shape, compression):
+def given_mode_2_energy(parameters, compression):
     """The energy (N/m) that a law has at a compression (Pa, number or array)."""
-    return shape.G_II + (shape.G_II_slope or 0.0) * compression
+    return parameters.G_II + (parameters.G_II_slope or 0.0) * compression
 
 
-def lost_in_shear(interface, compression):
+def lost_in_shear(joint, compression):
     """Peak less residual shear strength (Pa) at a compression (Pa, number or array)."""
-    loss = interface.tan_friction - interface.tan_residual_friction
-    return interface.cohesion - interface.residual_cohesion + compression * loss
+    loss = joint.tan_friction - joint.tan_residual_friction
+    return joint.cohesion - joint.residual_cohesion + compression * loss
 
 
-def refuse_in_shear(shape, interface, compressions):
+def refuse_in_shear(parameters, joint, compressions):
     """The refusal where the energy is too small at one of the compressions, or None."""
     most = None
     for compression in compressions:
-        least = least_mode_2_energy(shape, interface, compression)
-        if least and given_mode_2_energy(shape, compression) <= least:
-            wanted = least - (shape.G_II_slope or 0.0) * compression, compression
+        least = least_mode_2_energy(parameters, joint, compression)
+        if least and given_mode_2_energy(parameters, compression) <= least:
+            wanted = least - (parameters.G_II_slope or 0.0) * compression, compression
             most = wanted if most is None else max(most, wanted)
     if most is None:
         return None
-    why = beside(type(shape), "WHY_IN_SHEAR")
+    why = beside(type(parameters), "WHY_IN_SHEAR")
     return Refusal("fracture_energy_mode_2", most[0], "N/m", f"{why}, at a compression of {most[1]:g} Pa")

@@ -17,174 +17,176 @@ SECANTS, LEAST_SLOPE, ROUNDS = 4, 1e-3, 2
 what dilation and softening by the total slip make of each other."""
 
 
-def elastic_trial(shape, interface, memory, opening, tau_squared):
+def elastic_trial(parameters, joint, history, opening, tau_squared):
     """(sigma, whether the elastic answer stands): the contact neither opens further, nor tears, nor slips."""
-    e = opening - or_zero(memory.uplift, opening)
-    sigma = normal_stress(interface, memory, e)
-    most = strength(interface, memory, e, sigma)
-    within = (tau_squared <= most * most) & (sigma <= tensile_limit(interface, memory))
-    return sigma, within & (e <= memory.opening_max)
+    e = opening - or_zero(history.dilation, opening)
+    sigma = normal_stress(joint, history, e)
+    most = strength(joint, history, e, sigma)
+    within = (tau_squared <= most * most) & (sigma <= tensile_limit(joint, history))
+    return sigma, within & (e <= history.opening_max)
 
 
-def return_mapping(shape, interface, memory, opening, total, tau):
+def return_mapping(parameters, joint, history, opening, total, tau):
     """Follow the envelope in tension, then return to the Coulomb line: the stress update after eq. (6) of the paper."""
-    e = opening - or_zero(memory.uplift, opening)
-    torn, mode_1 = tear(shape, interface, memory, e)
-    sigma = normal_stress(interface, torn, e)
-    peak, residual = coulomb(interface, torn, e, sigma)
-    slides = tau > left_of(interface, torn, torn.intact_s, peak, residual)
+    e = opening - or_zero(history.dilation, opening)
+    torn, mode_1 = tear(parameters, joint, history, e)
+    sigma = normal_stress(joint, torn, e)
+    peak, residual = coulomb(joint, torn, e, sigma)
+    slides = tau > left_of(joint, torn, torn.intact_s, peak, residual)
     if not any_lane(slides):
         return StressUpdate(sigma, filled(1.0, e), torn, mode_1, filled(0.0, e), filled(0.0, e))
 
-    slip = softening_slip(interface.plastic_softening, shape, interface, torn, e, sigma, tau, peak, residual)
-    whole = where(slides, softened(shape, interface, torn, slip, peak, residual, sigma), torn.intact_s)
-    mode_1 += 0.5 * secant_energy(interface, torn, e) * (torn.intact_s - whole)
-    started = minimum(tau, strength(interface, memory, e, sigma))
-    rise, peak, last = pressed(interface, torn, e, tau, whole, peak, residual)
-    yielded = where(slides, left_of(interface, torn, whole, peak, last), tau)
-    slipped, rise = (tau - yielded) / interface.shear_stiffness, where(slides, rise, 0.0)
-    lift_now, run_now = grown(torn.uplift, rise), grown(torn.run, slipped)
-    slid = remember(interface, torn.opening_max, torn.intact_n, whole, lift_now, torn.gap, run_now)
-    lifted = normal_stress(interface, slid, e - rise)
-    parted, energy = stay_open(slid.gap, interface, slid, e - rise, lifted)
+    slip = softening_slip(joint.plastic_softening, parameters, joint, torn, e, sigma, tau, peak, residual)
+    whole = where(slides, softened(parameters, joint, torn, slip, peak, residual, sigma), torn.intact_s)
+    mode_1 += 0.5 * secant_energy(joint, torn, e) * (torn.intact_s - whole)
+    started = minimum(tau, strength(joint, history, e, sigma))
+    rise, peak, last = pressed(joint, torn, e, tau, whole, peak, residual)
+    yielded = where(slides, left_of(joint, torn, whole, peak, last), tau)
+    slipped, rise = (tau - yielded) / joint.shear_stiffness, where(slides, rise, 0.0)
+    lift_now, run_now = grown(torn.dilation, rise), grown(torn.plastic_slip, slipped)
+    slid = history_with_secant(joint, torn.opening_max, torn.intact_n, whole, lift_now, torn.permanent_opening, run_now)
+    lifted = normal_stress(joint, slid, e - rise)
+    parted, energy = stay_open(slid.permanent_opening, joint, slid, e - rise, lifted)
     mode_2 = slipped * 0.5 * (started - residual + yielded - last)
-    friction = slipped * 0.5 * (residual + last) + 0.5 * (normal_stress(interface, slid, e) + lifted) * rise
-    share = where(slides, yielded / tau, 1.0)
-    return StressUpdate(normal_stress(interface, parted, e - rise), share, parted, mode_1 + energy, mode_2, friction)
+    friction = slipped * 0.5 * (residual + last) + 0.5 * (normal_stress(joint, slid, e) + lifted) * rise
+    fraction = where(slides, yielded / tau, 1.0)
+    return StressUpdate(normal_stress(joint, parted, e - rise), fraction, parted, mode_1 + energy, mode_2, friction)
 
 
-def stored_energy(shape, interface, memory, opening, tau_squared):
+def stored_energy(parameters, joint, history, opening, tau_squared):
     """Recoverable energy per area (J/m2): normal (secant or elastic) and shear."""
-    e = opening - or_zero(memory.uplift, opening)
-    return 0.5 * (
-        normal_stress(interface, memory, e) * (e - or_zero(memory.gap, e)) + tau_squared / interface.shear_stiffness
-    )
+    e = opening - or_zero(history.dilation, opening)
+    elastic = e - or_zero(history.permanent_opening, e)
+    return 0.5 * (normal_stress(joint, history, e) * elastic + tau_squared / joint.shear_stiffness)
 
 
 @register_jitable
-def tear(shape, interface, memory, e):
+def tear(parameters, joint, history, e):
     """The history after an opening e, and the energy of mode I (J/m2) that it cost."""
-    held = shared(interface.combined, memory.intact_s) * memory.intact_n * interface.tensile_strength
-    opens = e > memory.opening_max
+    held = shared(joint.combined, history.intact_s) * history.intact_n * joint.tensile_strength
+    opens = e > history.opening_max
     if not any_lane(opens):
-        return stay_open(memory.gap, interface, memory, e, held)
-    widest, left = where(opens, e, memory.opening_max), where(opens, 0.0, memory.intact_n)
-    if any_lane(interface.tensile_strength > 0.0):
-        left = minimum(memory.intact_n, where(opens, tension_intact(shape, interface, widest), memory.intact_n))
-    torn = remember(interface, widest, left, memory.intact_s, memory.uplift, memory.gap, memory.run)
-    torn, energy = stay_open(memory.gap, interface, torn, e, held)
-    if any_lane(interface.tensile_strength > 0.0):
-        energy += where(opens, envelope_energy(memory.gap, shape, interface, memory, widest, left), 0.0)
+        return stay_open(history.permanent_opening, joint, history, e, held)
+    widest, left = where(opens, e, history.opening_max), where(opens, 0.0, history.intact_n)
+    if any_lane(joint.tensile_strength > 0.0):
+        left = minimum(history.intact_n, where(opens, tension_intact(parameters, joint, widest), history.intact_n))
+    others = history.intact_s, history.dilation, history.permanent_opening, history.plastic_slip
+    torn = history_with_secant(joint, widest, left, *others)
+    torn, energy = stay_open(history.permanent_opening, joint, torn, e, held)
+    if any_lane(joint.tensile_strength > 0.0):
+        gained = envelope_energy(history.permanent_opening, parameters, joint, history, widest, left)
+        energy += where(opens, gained, 0.0)
     return torn, energy
 
 
 @register_jitable
-def envelope_energy(gap, shape, interface, memory, e, left):
+def envelope_energy(permanent_opening, parameters, joint, history, e, left):
     """Secant unloading: area under the envelope between two openings less what the secants give back."""
-    if gap is not None:
+    if permanent_opening is not None:
         return filled(0.0, e)
-    gained = tension_area(shape, interface, e, left)
-    gained -= tension_area(shape, interface, memory.opening_max, memory.intact_n)
-    gained -= 0.5 * interface.tensile_strength * (left * e - memory.intact_n * memory.opening_max)
-    return shared(interface.combined, memory.intact_s) * gained
+    gained = tension_area(parameters, joint, e, left)
+    gained -= tension_area(parameters, joint, history.opening_max, history.intact_n)
+    gained -= 0.5 * joint.tensile_strength * (left * e - history.intact_n * history.opening_max)
+    return shared(joint.combined, history.intact_s) * gained
 
 
 @register_jitable
-def remember(interface, opening_max, intact_n, intact_s, uplift, gap, run):
+def history_with_secant(joint, opening_max, intact_n, intact_s, dilation, permanent_opening, plastic_slip):
     """A history with the secant that follows from it."""
-    secant = secant_of(gap, interface, opening_max, shared(interface.combined, intact_s) * intact_n)
-    return ContactHistory(opening_max, intact_n, intact_s, secant, uplift, gap, run)
+    secant = secant_of(permanent_opening, joint, opening_max, shared(joint.combined, intact_s) * intact_n)
+    return ContactHistory(opening_max, intact_n, intact_s, secant, dilation, permanent_opening, plastic_slip)
 
 
 @register_jitable
-def secant_of(gap, interface, opening_max, intact):
+def secant_of(permanent_opening, joint, opening_max, intact):
     """Stiffness in tension below the largest opening; a share lost in shear no longer carries tension either."""
-    if gap is not None:
+    if permanent_opening is not None:
         return filled(0.0, opening_max)
-    return where(opening_max > 0.0, intact * interface.tensile_strength / opening_max, 0.0)
+    return where(opening_max > 0.0, intact * joint.tensile_strength / opening_max, 0.0)
 
 
 @register_jitable
-def stay_open(gap, interface, memory, e, held):
+def stay_open(permanent_opening, joint, history, e, held):
     """Elastic unloading: what exceeds the strength becomes opening that stays; with its energy (J/m2).
 
     held  Pa, the most that the contact bore before, so that an elastic rise up to there costs nothing
     """
-    if gap is None:
-        return memory, filled(0.0, e)
-    kn = interface.normal_stiffness
-    sigma = kn * (e - gap)
-    limit = shared(interface.combined, memory.intact_s) * memory.intact_n * interface.tensile_strength
+    if permanent_opening is None:
+        return history, filled(0.0, e)
+    kn = joint.normal_stiffness
+    sigma = kn * (e - permanent_opening)
+    limit = shared(joint.combined, history.intact_s) * history.intact_n * joint.tensile_strength
     parted = where(sigma > limit, (sigma - limit) / kn, 0.0)
     energy = 0.5 * (minimum(sigma, held) + limit) * parted
-    gap, old = gap + parted, memory
-    return ContactHistory(old.opening_max, old.intact_n, old.intact_s, old.secant, old.uplift, gap, old.run), energy
+    old, stays = history, permanent_opening + parted
+    now = ContactHistory(old.opening_max, old.intact_n, old.intact_s, old.secant, old.dilation, stays, old.plastic_slip)
+    return now, energy
 
 
 @register_jitable
-def tensile_limit(interface, memory):
+def tensile_limit(joint, history):
     """Strength that elastic unloading must not pass; on a secant the stress cannot pass it."""
-    return strength_over(memory.gap, shared(interface.combined, memory.intact_s) * memory.intact_n, interface)
+    return strength_over(history.permanent_opening, shared(joint.combined, history.intact_s) * history.intact_n, joint)
 
 
 @register_jitable
-def strength_over(gap, intact, interface):
+def strength_over(permanent_opening, intact, joint):
     """The tensile strength left, or no limit."""
-    if gap is None:
+    if permanent_opening is None:
         return filled(inf, intact)
-    return intact * interface.tensile_strength
+    return intact * joint.tensile_strength
 
 
 @register_jitable
-def normal_stress(interface, memory, e):
+def normal_stress(joint, history, e):
     """sigma(e): full kn in compression; in tension by secant (damage) or elastic (plastic opening) unloading."""
-    return unload(memory.gap, interface, memory, e)
+    return unload(history.permanent_opening, joint, history, e)
 
 
 @register_jitable
-def unload(gap, interface, memory, e):
+def unload(permanent_opening, joint, history, e):
     """Elastic, or along the secant."""
-    if gap is not None:
-        return interface.normal_stiffness * (e - gap)
-    return e * where(e > 0.0, memory.secant, interface.normal_stiffness)
+    if permanent_opening is not None:
+        return joint.normal_stiffness * (e - permanent_opening)
+    return e * where(e > 0.0, history.secant, joint.normal_stiffness)
 
 
 @register_jitable
-def coulomb(interface, memory, e, sigma):
+def coulomb(joint, history, e, sigma):
     """Peak and residual shear strength at the present stress, eq. (8); never negative, never crossed.
 
     The residual cohesion acts between faces that touch: torn faces lose it as they open, and find it again on closing.
     """
-    peak = maximum(interface.cohesion - sigma * interface.tan_friction, 0.0)
-    c_res = residual_cohesion(interface, memory, e)
-    residual = maximum(c_res - sigma * interface.tan_residual_friction, 0.0)
+    peak = maximum(joint.cohesion - sigma * joint.tan_friction, 0.0)
+    c_res = residual_cohesion(joint, history, e)
+    residual = maximum(c_res - sigma * joint.tan_residual_friction, 0.0)
     return maximum(peak, residual), residual
 
 
 @register_jitable
-def residual_cohesion(interface, memory, e):
+def residual_cohesion(joint, history, e):
     """Residual cohesion (Pa) of faces that stand open by e."""
-    c_res = filled(interface.residual_cohesion, e)
-    if interface.residual_cohesion == 0.0:
+    c_res = filled(joint.residual_cohesion, e)
+    if joint.residual_cohesion == 0.0:
         return c_res
-    stands_open = (e > 0.0) & (memory.intact_n < 1.0)
+    stands_open = (e > 0.0) & (history.intact_n < 1.0)
     if not any_lane(stands_open):
         return c_res
-    lost = (1.0 - shared(interface.combined, memory.intact_n)) * minimum(e / memory.opening_max, 1.0)
+    lost = (1.0 - shared(joint.combined, history.intact_n)) * minimum(e / history.opening_max, 1.0)
     return where(stands_open, c_res * (1.0 - lost), c_res)
 
 
 @register_jitable
-def strength(interface, memory, e, sigma):
+def strength(joint, history, e, sigma):
     """Shear strength (Pa) that this history leaves at the present stress."""
-    peak, residual = coulomb(interface, memory, e, sigma)
-    return left_of(interface, memory, memory.intact_s, peak, residual)
+    peak, residual = coulomb(joint, history, e, sigma)
+    return left_of(joint, history, history.intact_s, peak, residual)
 
 
 @register_jitable
-def left_of(interface, memory, whole, peak, residual):
+def left_of(joint, history, whole, peak, residual):
     """Shear strength (Pa) where a share `whole` of it is left in shear."""
-    return residual + whole * shared(interface.combined, memory.intact_n) * (peak - residual)
+    return residual + whole * shared(joint.combined, history.intact_n) * (peak - residual)
 
 
 @register_jitable
@@ -196,104 +198,103 @@ def shared(combined, intact):
 
 
 @register_jitable
-def softened(shape, interface, memory, slip, peak, residual, sigma):
+def softened(parameters, joint, history, slip, peak, residual, sigma):
     """Share of the shear strength above the residual that is left after a slip (m) of this step; it only falls."""
-    left = shear_intact(shape, interface, memory.intact_s, slip, peak, residual, maximum(-sigma, 0.0))
-    return where((slip > 0.0) & (peak > residual), minimum(memory.intact_s, left), memory.intact_s)
+    left = shear_intact(parameters, joint, history.intact_s, slip, peak, residual, maximum(-sigma, 0.0))
+    return where((slip > 0.0) & (peak > residual), minimum(history.intact_s, left), history.intact_s)
 
 
 @register_jitable
-def softening_slip(plastic_softening, shape, interface, memory, e, sigma, tau, peak, residual):
+def softening_slip(plastic_softening, parameters, joint, history, e, sigma, tau, peak, residual):
     """How far (m) this step takes a contact along its curve: by the total slip (the paper), or by the plastic slip."""
     if plastic_softening is None:
-        return total_slip(interface.tan_dilation, shape, interface, memory, e, sigma, tau, peak, residual)
-    return plastic_slip(shape, interface, memory, e, sigma, tau, peak, residual)
+        return total_slip_increment(joint.tan_dilation, parameters, joint, history, e, sigma, tau, peak, residual)
+    return plastic_slip_increment(parameters, joint, history, e, sigma, tau, peak, residual)
 
 
 @register_jitable
-def total_slip(tan_dilation, shape, interface, memory, e, sigma, tau, peak, residual):
+def total_slip_increment(tan_dilation, parameters, joint, history, e, sigma, tau, peak, residual):
     """Tau beyond the strength that was left, over ks.
 
     In one direction and under constant stress that is all the slip of the step, at first what lies beyond the peak;
     after a way back it goes on where the contact slides again. Where dilation presses the faces, the strength is that
     under the new stress.
     """
-    ks, whole = interface.shear_stiffness, memory.intact_s
-    slip = maximum(tau - left_of(interface, memory, whole, peak, residual), 0.0) / ks
+    ks, whole = joint.shear_stiffness, history.intact_s
+    slip = maximum(tau - left_of(joint, history, whole, peak, residual), 0.0) / ks
     if tan_dilation is None:
         return slip
     for _ in range(ROUNDS):
-        left = softened(shape, interface, memory, slip, peak, residual, sigma)
-        _, top, last = pressed(interface, memory, e, tau, left, peak, residual)
-        slip = maximum(tau - left_of(interface, memory, whole, top, last), 0.0) / ks
+        left = softened(parameters, joint, history, slip, peak, residual, sigma)
+        _, top, last = pressed(joint, history, e, tau, left, peak, residual)
+        slip = maximum(tau - left_of(joint, history, whole, top, last), 0.0) / ks
     return slip
 
 
 @register_jitable
-def plastic_slip(shape, interface, memory, e, sigma, tau, peak, residual):
+def plastic_slip_increment(parameters, joint, history, e, sigma, tau, peak, residual):
     """The plastic slip s of the step, on which the strength that it leaves depends: s = (tau - strength(s)) / ks.
 
     Solved by secants, exactly where the strength falls along a line. Taken from before the step, it would lag behind.
     """
-    ks = interface.shear_stiffness
+    ks = joint.shear_stiffness
     most = maximum(tau - residual, 0.0) / ks
-    before, slip = filled(0.0, tau), filled(0.0, tau)
-    wanted = filled(0.0, tau)
+    before = slip = wanted = filled(0.0, tau)
     for _ in range(SECANTS):
-        left = softened(shape, interface, memory, slip, peak, residual, sigma)
-        _, top, last = pressed(interface, memory, e, tau, left, peak, residual)
-        wanted, was = maximum(tau - left_of(interface, memory, left, top, last), 0.0) / ks, wanted
-        way = slip - before
-        rise = where(abs(way) > 0.0, (wanted - was) / way, 0.0)
+        left = softened(parameters, joint, history, slip, peak, residual, sigma)
+        _, top, last = pressed(joint, history, e, tau, left, peak, residual)
+        wanted, was = maximum(tau - left_of(joint, history, left, top, last), 0.0) / ks, wanted
+        further = slip - before
+        rise = where(abs(further) > 0.0, (wanted - was) / further, 0.0)
         before, slip = slip, minimum(slip + (wanted - slip) / maximum(1.0 - rise, LEAST_SLOPE), most)
     return slip
 
 
 @register_jitable
-def pressed(interface, memory, e, tau, whole, peak, residual):
+def pressed(joint, history, e, tau, whole, peak, residual):
     """Rise (m) by dilation of a contact that slides and keeps a share `whole`; peak and residual (Pa) under it."""
-    excess = maximum(tau - left_of(interface, memory, whole, peak, residual), 0.0)
-    rise = dilation(interface.tan_dilation, interface, memory, e, excess, whole)
-    top, last = cone_after(interface.tan_dilation, interface, memory, e - rise, peak, residual)
+    excess = maximum(tau - left_of(joint, history, whole, peak, residual), 0.0)
+    rise = dilation_increment(joint.tan_dilation, joint, history, e, excess, whole)
+    top, last = cone_after(joint.tan_dilation, joint, history, e - rise, peak, residual)
     return rise, top, last
 
 
 @register_jitable
-def secant_energy(interface, memory, e):
+def secant_energy(joint, history, e):
     """Twice the energy (J/m2) that tension holds, released as shear takes its share away."""
-    if interface.combined is None:
+    if joint.combined is None:
         return filled(0.0, e)
-    held = memory.intact_n * interface.tensile_strength * e * e / memory.opening_max
-    return on_secant(memory.gap, where(e > 0.0, held, 0.0))
+    held = history.intact_n * joint.tensile_strength * e * e / history.opening_max
+    return on_secant(history.permanent_opening, where(e > 0.0, held, 0.0))
 
 
 @register_jitable
-def on_secant(gap, energy):
+def on_secant(permanent_opening, energy):
     """Only a secant gives energy back at a lower stiffness; elastic unloading books it as opening that stays."""
-    if gap is None:
+    if permanent_opening is None:
         return energy
     return filled(0.0, energy)
 
 
 @register_jitable
-def dilation(tan_dilation, interface, memory, e, excess, whole):
+def dilation_increment(tan_dilation, joint, history, e, excess, whole):
     """Rise (m) by eqs (9) and (10) up to the cut-off; torn faces that stand open do not dilate.
 
     The elastic shear stress exceeds the cone by `excess` (Pa), and the rise itself lifts the cone: both return at once.
     """
     if tan_dilation is None:
         return filled(0.0, e)
-    room = maximum(interface.dilation_cutoff - memory.run, 0.0)
-    room = where((e > 0.0) & (memory.intact_n < 1.0), 0.0, room)
-    tan_res = interface.tan_residual_friction
-    slope = tan_res + whole * shared(interface.combined, memory.intact_n) * (interface.tan_friction - tan_res)
-    slipped = excess / (interface.shear_stiffness + slope * interface.normal_stiffness * tan_dilation)
+    room = maximum(joint.dilation_cutoff - history.plastic_slip, 0.0)
+    room = where((e > 0.0) & (history.intact_n < 1.0), 0.0, room)
+    tan_res = joint.tan_residual_friction
+    slope = tan_res + whole * shared(joint.combined, history.intact_n) * (joint.tan_friction - tan_res)
+    slipped = excess / (joint.shear_stiffness + slope * joint.normal_stiffness * tan_dilation)
     return tan_dilation * minimum(slipped, room)
 
 
 @register_jitable
-def cone_after(tan_dilation, interface, memory, e, peak, residual):
+def cone_after(tan_dilation, joint, history, e, peak, residual):
     """Peak and residual shear strength (Pa) once dilation has pressed the faces; unchanged without it."""
     if tan_dilation is None:
         return peak, residual
-    return coulomb(interface, memory, e, normal_stress(interface, memory, e))
+    return coulomb(joint, history, e, normal_stress(joint, history, e))

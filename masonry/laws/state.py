@@ -1,4 +1,4 @@
-"""What contacts remember: arrays for all of them, plain numbers for one (so that a law never counts references)."""
+"""The history of contacts: arrays for all of them, plain numbers for one (so that a law never counts references)."""
 
 from typing import Any, NamedTuple
 
@@ -16,16 +16,16 @@ and far below an opening that matters; without tensile strength it is where face
 class ContactState(NamedTuple):
     """History of C contact points; None where no law of the group needs it (all of it for an elastic group).
 
-    opening_max   (C,) m, largest opening so far, never below the elastic limit or TOUCHING
-    intact_n      (C,) share of the tensile strength left, 1 .. 0
-    intact_s      (C,) share of the shear strength above the residual left, 1 .. 0
-    secant        (C,) Pa/m, stiffness in tension on the way back: follows from the three above, kept so that no step
-                  divides; 0 where there is no strength, or elastic unloading
-    slip          (C, 3) m, plastic slip
-    spent         (C, 3) J/m2 dissipated so far: fracture mode I, fracture mode II, friction
-    uplift        (C,) m, opening made by dilation
-    gap           (C,) m, opening that stays on elastic unloading
-    run           (C,) m, length of the path of plastic slip
+    opening_max        (C,) m, largest opening so far, never below the elastic limit or TOUCHING
+    intact_n           (C,) share of the tensile strength left, 1 .. 0
+    intact_s           (C,) share of the shear strength above the residual left, 1 .. 0
+    secant             (C,) Pa/m, stiffness in tension on the way back: follows from the three above, kept so that no
+                       step divides; 0 where there is no strength, or elastic unloading
+    slip               (C, 3) m, plastic slip
+    dissipated         (C, 3) J/m2 so far: fracture mode I, fracture mode II, friction
+    dilation           (C,) m, opening made by dilation
+    permanent_opening  (C,) m, opening that stays on elastic unloading
+    plastic_slip       (C,) m, length of the path of plastic slip
     """
 
     opening_max: Any = None
@@ -33,10 +33,10 @@ class ContactState(NamedTuple):
     intact_s: Any = None
     secant: Any = None
     slip: Any = None
-    spent: Any = None
-    uplift: Any = None
-    gap: Any = None
-    run: Any = None
+    dissipated: Any = None
+    dilation: Any = None
+    permanent_opening: Any = None
+    plastic_slip: Any = None
 
 
 class ContactHistory(NamedTuple):
@@ -46,42 +46,44 @@ class ContactHistory(NamedTuple):
     intact_n: Any
     intact_s: Any
     secant: Any
-    uplift: Any
-    gap: Any
-    run: Any
+    dilation: Any
+    permanent_opening: Any
+    plastic_slip: Any
 
 
 class StressUpdate(NamedTuple):
     """How a contact answers when its history changes.
 
     sigma      Pa
-    share      of the elastic shear stress that is left after the return to the Coulomb line
-    memory     its new history
-    mode_1, mode_2, friction  J/m2 spent now
+    fraction   of the elastic shear stress that is left after the return to the Coulomb line
+    history    its new history
+    mode_1, mode_2, friction  J/m2 dissipated now
     """
 
     sigma: float
-    share: float
-    memory: ContactHistory
+    fraction: float
+    history: ContactHistory
     mode_1: float
     mode_2: float
     friction: float
 
 
-def grown(memory, value):
-    """Memory + value, or None where it is absent (numbers, not arrays)."""
-    return None if memory is None else memory + value
+def grown(history, value):
+    """History + value, or None where it is absent (numbers, not arrays)."""
+    return None if history is None else history + value
 
 
 @overload(grown)
-def _grown(memory, value):
-    if not isinstance(memory, types.NoneType):
-        return lambda memory, value: memory + value
-    return lambda memory, value: None
+def _grown(history, value):
+    if not isinstance(history, types.NoneType):
+        return lambda history, value: history + value
+    return lambda history, value: None
 
 
-def fresh(elastic_limit: np.ndarray, normal_stiffness: np.ndarray, dilates: bool, gap: bool) -> ContactState:
-    """Memory of contacts that nothing has happened to; elastic_limit (C,) m, normal_stiffness (C,) Pa/m."""
+def fresh(
+    elastic_limit: np.ndarray, normal_stiffness: np.ndarray, dilates: bool, permanent_opening: bool
+) -> ContactState:
+    """State of contacts that nothing has happened to; elastic_limit (C,) m, normal_stiffness (C,) Pa/m."""
     count = len(elastic_limit)
     none = np.zeros(count)
     return ContactState(
@@ -90,14 +92,14 @@ def fresh(elastic_limit: np.ndarray, normal_stiffness: np.ndarray, dilates: bool
         intact_s=aligned(np.ones(count)),
         secant=aligned(np.where(elastic_limit > 0.0, normal_stiffness, 0.0)),
         slip=aligned(np.zeros((count, 3))),
-        spent=aligned(np.zeros((count, 3))),
-        uplift=aligned(none) if dilates else None,
-        gap=aligned(none) if gap else None,
-        run=aligned(none) if dilates else None,
+        dissipated=aligned(np.zeros((count, 3))),
+        dilation=aligned(none) if dilates else None,
+        permanent_opening=aligned(none) if permanent_opening else None,
+        plastic_slip=aligned(none) if dilates else None,
     )
 
 
-class Interface(NamedTuple):
+class JointProperties(NamedTuple):
     """Properties of one contact group, SI (Pa/m, Pa, 1).
 
     The stress is sigma > 0 in tension, so the Coulomb line of eq. (8) reads |tau| <= c - sigma tan(phi).

@@ -14,7 +14,7 @@ from masonry.monitors.energy import Seen
 from masonry.monitors.events import PARTED, Events
 from masonry.monitors.stability import LEAP, smallest_block
 from masonry.monitors.utilisation import utilisation
-from masonry.runtime.state import State, attributes, put_back
+from masonry.runtime.state import State, attributes, load_attributes
 
 REMEMBERED = (
     *("speed", "made", "used", "target", "steps", "increments", "most_stored", "stored", "broken", "most_force"),
@@ -265,8 +265,8 @@ class AdaptiveLoading:
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        put_back(self, REMEMBERED, state)
-        put_back(self.path, Path.REMEMBERED, state["path"])
+        load_attributes(self, REMEMBERED, state)
+        load_attributes(self.path, Path.REMEMBERED, state["path"])
         self.looks = [(lag, way, drag, force) for lag, way, drag, force in state["looks"].tolist()]
         self.events.restore(state["events"])
         self.settling.restore(state["settling"])

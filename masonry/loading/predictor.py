@@ -9,7 +9,7 @@ import numpy as np
 
 from masonry.kinematics.motion import Guided
 from masonry.model.model import Model
-from masonry.runtime.state import State, attributes, put_back
+from masonry.runtime.state import State, attributes, load_attributes
 
 LITTLE = 0.1
 """xi of the local damping, eq. (3), that acts on all motion."""
@@ -82,7 +82,7 @@ class Predictor:
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        put_back(self, ("displacement", "kinetic", "share", "trust"), state)
+        load_attributes(self, ("displacement", "kinetic", "share", "trust"), state)
         for last, saved in zip(self.last, state["last"], strict=True):
             last[...] = saved
         self._damp(self.share)

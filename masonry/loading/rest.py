@@ -9,7 +9,7 @@ import numpy as np
 from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.events import PARTED, Events
-from masonry.runtime.state import State, attributes, put_back
+from masonry.runtime.state import State, attributes, load_attributes
 
 JUMP, LEAST = 10.0, 1e-5
 """A sudden crack: kinetic energy over what is usual at this speed of the drive, and over the stored energy."""
@@ -88,7 +88,7 @@ class Rest:
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        put_back(self, REMEMBERED, state)
+        load_attributes(self, REMEMBERED, state)
         self.events.restore(state["events"])
         self.hold(self.held)
 

@@ -1,4 +1,4 @@
-"""Flat arrays of a model: the sides of the contacts in the order of their bodies, the bodies, the contacts' memory."""
+"""Flat arrays of a model: the sides of the contacts in the order of their bodies, the bodies, the contacts' state."""
 
 from typing import Any, NamedTuple
 
@@ -8,7 +8,7 @@ from geometry.blocks import TetMesh
 from masonry.kinematics.affine import Affine
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.tets import Tets
-from masonry.laws.state import ContactState, Interface, fresh
+from masonry.laws.state import ContactState, JointProperties, fresh
 from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
 from masonry.model.loads import Conditions
 from masonry.model.stable_step import BETWEEN
@@ -180,28 +180,28 @@ def _between(layout: Layout, mesh: TetMesh, sides: tuple, first: int) -> dict:
     }
 
 
-def memory_of(group: np.ndarray, interfaces: list[Interface]) -> ContactState:
-    """Fresh memory: intact, nothing opened beyond the elastic limit. A strength may differ from contact to contact."""
+def initial_state(group: np.ndarray, joint_properties: list[JointProperties]) -> ContactState:
+    """Intact contacts, nothing opened beyond the elastic limit. A strength may differ from contact to contact."""
     limit, stiffness = np.zeros(len(group)), np.zeros(len(group))
-    for g, interface in enumerate(interfaces):
-        strength = 0.0 if interface.tensile_strength is None else interface.tensile_strength
-        limit[group == g] = strength / interface.normal_stiffness
-        stiffness[group == g] = interface.normal_stiffness
+    for g, joint in enumerate(joint_properties):
+        strength = 0.0 if joint.tensile_strength is None else joint.tensile_strength
+        limit[group == g] = strength / joint.normal_stiffness
+        stiffness[group == g] = joint.normal_stiffness
     return fresh(
         limit,
         stiffness,
-        dilates=any(i.tan_dilation is not None for i in interfaces),
-        gap=any(i.elastic_unloading is not None for i in interfaces),
+        dilates=any(i.tan_dilation is not None for i in joint_properties),
+        permanent_opening=any(i.elastic_unloading is not None for i in joint_properties),
     )
 
 
-def own_memory(state: ContactState, interface: Interface) -> ContactState:
-    """A group's view of the memory: what its law does not use is None, and compiled away."""
-    if interface.tensile_strength is None:
+def group_state(state: ContactState, joint: JointProperties) -> ContactState:
+    """A group's view of the state: what its law does not use is None, and compiled away."""
+    if joint.tensile_strength is None:
         return ContactState()
-    dilates = interface.tan_dilation is not None
+    dilates = joint.tan_dilation is not None
     return state._replace(
-        uplift=state.uplift if dilates else None,
-        gap=state.gap if interface.elastic_unloading is not None else None,
-        run=state.run if dilates else None,
+        dilation=state.dilation if dilates else None,
+        permanent_opening=state.permanent_opening if joint.elastic_unloading is not None else None,
+        plastic_slip=state.plastic_slip if dilates else None,
     )

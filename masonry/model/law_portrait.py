@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from masonry.laws.dispatch import beside
-from masonry.laws.state import Interface
+from masonry.laws.state import JointProperties
 from masonry.model.one_contact import Path, follow
 
 COMPRESSIONS = (0.1e6, 0.5e6, 1.0e6)
@@ -51,60 +51,60 @@ class Portrait:
     mode_2: dict[float, Energy]
 
 
-def portrait(shape: Any, interface: Interface) -> Portrait:
+def portrait(parameters: Any, joint: JointProperties) -> Portrait:
     """Take contacts along paths: opened, closed and opened again; slid and back under three compressions.
 
     Dilation is left out: it would press the faces, and a curve of shear then has no one compression.
     """
-    interface = interface._replace(tan_dilation=None, dilation_cutoff=None)
-    strength = interface.tensile_strength
-    at_peak = (strength or 0.0) / interface.normal_stiffness
+    joint = joint._replace(tan_dilation=None, dilation_cutoff=None)
+    strength = joint.tensile_strength
+    at_peak = (strength or 0.0) / joint.normal_stiffness
     if strength:
-        opened = _pull(shape, interface, _way(at_peak, _given(shape, 1, 0.0), strength, 0.0))
+        opened = _pull(parameters, joint, _way(at_peak, _given(parameters, 1, 0.0), strength, 0.0))
         mode_1 = _energy(opened, opened.opening, opened.sigma, 0.0)
         end = _end(opened.opening, opened.sigma / strength, at_peak)
     else:
         mode_1, end = None, WITHOUT_STRENGTH
     turn = at_peak + 0.25 * (end - at_peak)
-    tension = _pull(shape, interface, _through(0.0, turn, -0.1 * (at_peak or turn), turn, end))
+    tension = _pull(parameters, joint, _through(0.0, turn, -0.1 * (at_peak or turn), turn, end))
     shear, mode_2 = {}, {}
     for compression in (0.0, *COMPRESSIONS):
-        peak, last = _strengths(interface, compression)
-        at_peak = peak / interface.shear_stiffness if peak else 0.0
+        peak, last = _strengths(joint, compression)
+        at_peak = peak / joint.shear_stiffness if peak else 0.0
         end = 3.0 * at_peak or WITHOUT_STRENGTH
         if peak > last:
-            way = _way(at_peak, _given(shape, 2, compression), peak, last)
-            slid = _push(shape, interface, compression, way)
+            way = _way(at_peak, _given(parameters, 2, compression), peak, last)
+            slid = _push(parameters, joint, compression, way)
             end = _end(slid.slip, (slid.tau - last) / (peak - last), at_peak)
             if strength is not None:
                 mode_2[compression] = _energy(slid, slid.slip, slid.tau, last)
         if compression:
             turn = at_peak + 0.3 * (end - at_peak)
-            shear[compression] = _push(shape, interface, compression, _through(0.0, turn, -0.5 * turn, end))
+            shear[compression] = _push(parameters, joint, compression, _through(0.0, turn, -0.5 * turn, end))
     return Portrait(tension, shear, mode_1, mode_2)
 
 
-def _given(shape: Any, mode: int, compression: float) -> float | None:
+def _given(parameters: Any, mode: int, compression: float) -> float | None:
     """Fracture energy (N/m) that the law was given for a mode at a compression (Pa); None where it knows none."""
-    keys = beside(type(shape), "PARAMETERS", {})
-    given = {key: getattr(shape, field) or 0.0 for field, key in keys.items()}
+    keys = beside(type(parameters), "PARAMETERS", {})
+    given = {key: getattr(parameters, field) or 0.0 for field, key in keys.items()}
     energy = given.get(f"fracture_energy_mode_{mode}")
     return energy and energy + given.get(f"fracture_energy_mode_{mode}_slope", 0.0) * compression
 
 
-def _strengths(interface: Interface, compression: float) -> tuple[float, float]:
+def _strengths(joint: JointProperties, compression: float) -> tuple[float, float]:
     """Peak and residual shear strength (Pa) of an untouched contact; zeros where there is no strength."""
-    cohesion, last = interface.cohesion or 0.0, interface.residual_cohesion or 0.0
-    peak = cohesion + compression * (interface.tan_friction or 0.0)
-    return peak, min(last + compression * (interface.tan_residual_friction or 0.0), peak)
+    cohesion, last = joint.cohesion or 0.0, joint.residual_cohesion or 0.0
+    peak = cohesion + compression * (joint.tan_friction or 0.0)
+    return peak, min(last + compression * (joint.tan_residual_friction or 0.0), peak)
 
 
-def _pull(shape: Any, interface: Interface, opening: np.ndarray) -> Path:
-    return follow(shape, interface, opening, np.zeros(len(opening)))
+def _pull(parameters: Any, joint: JointProperties, opening: np.ndarray) -> Path:
+    return follow(parameters, joint, opening, np.zeros(len(opening)))
 
 
-def _push(shape: Any, interface: Interface, compression: float, slip: np.ndarray) -> Path:
-    return follow(shape, interface, np.full(len(slip), -compression / interface.normal_stiffness), slip)
+def _push(parameters: Any, joint: JointProperties, compression: float, slip: np.ndarray) -> Path:
+    return follow(parameters, joint, np.full(len(slip), -compression / joint.normal_stiffness), slip)
 
 
 def _through(*corners: float) -> np.ndarray:

@@ -8,11 +8,11 @@ from geometry.blocks import Blocks, Joints
 from masonry.kinematics.motion import Guided
 from masonry.laws.elastic import Elastic
 from masonry.laws.friction import Friction
-from masonry.laws.state import ContactState, Interface
+from masonry.laws.state import ContactState, JointProperties
 from masonry.model import stable_step as stiffness
-from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, in_rows, memory_of, number_sides, own_memory
+from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
 from masonry.model.contact_groups import contact_groups
-from masonry.model.large import Large, Meetings, add_row_sums, bonds_of, near_of, turning_of
+from masonry.model.large.meeting import Large, Meetings, add_row_sums, bonds_of, near_of, turning_of
 from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.step_cost import StepCost, step_cost
@@ -96,19 +96,21 @@ def build(
     layout: Layout,
     meetings: Meetings | None = None,
 ) -> Model:
-    """Arrays of a model. `joints` sorted by group (sort_by_group); laws: contact group -> (shape, Interface).
+    """Arrays of a model. `joints` sorted by group (sort_by_group); laws: group -> (parameters, JointProperties).
 
     meetings  how blocks meet in large displacement; None in small
     """
     names, group = contact_groups(blocks, joints)
-    interfaces = [laws[name][1] for name in names]
+    joint_properties = [laws[name][1] for name in names]
     sides = _side(layout, joints, "a"), _side(layout, joints, "b")
     length = stiffness.lengths(
         layout, np.concatenate([joints.block_a, joints.block_b]), np.concatenate([s.arm for s in sides])
     )
     sides = _with_length(sides[0], length[joints.block_a]), _with_length(sides[1], length[joints.block_b])
-    dilated = np.array([i.normal_stiffness * (1.0 + (i.tan_dilation or 0.0)) for i in interfaces])[group] * joints.area
-    shear = np.array([i.shear_stiffness for i in interfaces])[group] * joints.area
+    dilated = (
+        np.array([i.normal_stiffness * (1.0 + (i.tan_dilation or 0.0)) for i in joint_properties])[group] * joints.area
+    )
+    shear = np.array([i.shear_stiffness for i in joint_properties])[group] * joints.area
     lame = _lame(blocks, layout, materials)
     sums = {kind: np.zeros_like(conditions.prescribed[kind], dtype=float) for kind in KINDS}
     if meetings is None:
@@ -133,9 +135,9 @@ def build(
     side_rows, ordered = number_sides(sides, first, rows)
     u = in_rows(np.zeros((first["between"] + int(np.sum(forms == stiffness.BETWEEN)), 3)))
     bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first, stepping.guided)
-    state = memory_of(group, interfaces)
+    state = initial_state(group, joint_properties)
     bounds = np.searchsorted(group, np.arange(len(names) + 1)).astype(np.uint32)
-    states = tuple(own_memory(state, i) for i in interfaces)
+    states = tuple(group_state(state, i) for i in joint_properties)
     model = Model(
         blocks=blocks,
         joints=joints,
@@ -143,7 +145,7 @@ def build(
         group_names=names,
         group=group,
         state=state,
-        groups=Groups(tuple(laws[n][0] for n in names), tuple(interfaces), states, bounds),
+        groups=Groups(tuple(laws[n][0] for n in names), tuple(joint_properties), states, bounds),
         contacts=Contacts(
             side_rows, aligned(joints.normal), aligned(joints.area), u, in_rows(np.zeros((len(group), 3)))
         ),
@@ -164,8 +166,10 @@ def build(
 
 
 def enlarged(model: Model, meetings: Meetings, masses: np.ndarray) -> Model:
-    """The same model in large displacement; masses (B, 6) of motion, of held blocks too. Contacts without strength become
-    patches, and only show from then on how material points part."""
+    """The same model in large displacement; masses (B, 6) of motion, of held blocks too.
+
+    Contacts without strength become patches, and only show from then on how material points part.
+    """
     joints, layout, count = model.joints, model.layout, len(model.group)
     assert model.bodies.rigid is not None
     apart, push = (in_rows(np.zeros(shape)) for shape in ((count, 3), (layout.rows("rigid"), 6)))
@@ -182,7 +186,7 @@ def enlarged(model: Model, meetings: Meetings, masses: np.ndarray) -> Model:
         model,
         contacts=contacts,
         groups=idle_where_dry(model.groups),
-        bodies=Bodies(body, None, None),  # type: ignore[arg-type]
+        bodies=Bodies(body, None, None),
         large=Large(bonds, near, ~dry),
     )
 
@@ -191,12 +195,13 @@ def idle_where_dry(groups: Groups) -> Groups:
     """The same groups, where those without strength have a law that does nothing: patches take their place."""
     parts = zip(groups.parameters, groups.properties, groups.states, strict=True)
     kept = [
-        (Elastic(), Interface(joint.normal_stiffness, joint.shear_stiffness), ContactState())
+        (Elastic(), JointProperties(joint.normal_stiffness, joint.shear_stiffness), ContactState())
         if isinstance(parameters, Friction)
         else (parameters, joint, state)
         for parameters, joint, state in parts
     ]
-    return Groups(*(tuple(column) for column in zip(*kept, strict=True)), groups.bounds) if kept else groups
+    columns = [tuple(column) for column in zip(*kept, strict=True)] or [(), (), ()]
+    return Groups(columns[0], columns[1], columns[2], groups.bounds)
 
 
 def _row_and_number(freedoms: np.ndarray | None, kind: str) -> np.ndarray | None:

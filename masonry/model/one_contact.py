@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
-from masonry.laws.state import TOUCHING, ContactHistory, Interface
+from masonry.laws.state import TOUCHING, ContactHistory, JointProperties
 
 
 class Path(NamedTuple):
@@ -30,28 +30,28 @@ class Path(NamedTuple):
     stored: np.ndarray
 
 
-def follow(shape: Any, interface: Interface, opening: np.ndarray, slip: np.ndarray) -> Path:
+def follow(parameters: Any, joint: JointProperties, opening: np.ndarray, slip: np.ndarray) -> Path:
     """Take a contact that nothing has happened to along openings and slips (m), both (N,)."""
     with np.errstate(all="ignore"):
-        return _follow(_of_numpy(shape), _of_numpy(interface), opening, slip)
+        return _follow(_of_numpy(parameters), _of_numpy(joint), opening, slip)
 
 
-def _follow(shape: Any, interface: Interface, opening: np.ndarray, slip: np.ndarray) -> Path:
-    memory, plastic = _of_numpy(_fresh(interface)), 0.0
-    ks = interface.shear_stiffness
+def _follow(parameters: Any, joint: JointProperties, opening: np.ndarray, slip: np.ndarray) -> Path:
+    history, plastic = _of_numpy(_initial_history(joint)), 0.0
+    ks = joint.shear_stiffness
     fracture = friction = 0.0
     rows = np.empty((len(opening), 5))
     for k, (e, s) in enumerate(zip(opening, slip, strict=True)):
         tau = ks * (s - plastic)
-        sigma, unchanged = elastic_trial(shape, interface, memory, e, tau * tau)
+        sigma, unchanged = elastic_trial(parameters, joint, history, e, tau * tau)
         if not unchanged:
-            answer = return_mapping(shape, interface, memory, e, abs(s), abs(tau))
-            memory, sigma = answer.memory, answer.sigma
-            fracture += answer.mode_1 + answer.mode_2
-            friction += answer.friction
-            plastic += (1.0 - answer.share) * tau / ks
-            tau *= answer.share
-        rows[k] = sigma, tau, fracture, friction, stored_energy(shape, interface, memory, e, tau * tau)
+            update = return_mapping(parameters, joint, history, e, abs(s), abs(tau))
+            history, sigma = update.history, update.sigma
+            fracture += update.mode_1 + update.mode_2
+            friction += update.friction
+            plastic += (1.0 - update.fraction) * tau / ks
+            tau *= update.fraction
+        rows[k] = sigma, tau, fracture, friction, stored_energy(parameters, joint, history, e, tau * tau)
     return Path(opening, slip, *rows.T)
 
 
@@ -60,15 +60,15 @@ def _of_numpy(fields: Any) -> Any:
     return type(fields)(*(value if value is None else np.float64(value) for value in fields))
 
 
-def _fresh(interface: Interface) -> ContactHistory:
+def _initial_history(joint: JointProperties) -> ContactHistory:
     """What a contact remembers at first; None where its options need nothing."""
-    limit = 0.0 if interface.tensile_strength is None else interface.tensile_strength / interface.normal_stiffness
+    limit = 0.0 if joint.tensile_strength is None else joint.tensile_strength / joint.normal_stiffness
     return ContactHistory(
-        opening_max=inf if interface.tensile_strength is None else max(limit, TOUCHING),
+        opening_max=inf if joint.tensile_strength is None else max(limit, TOUCHING),
         intact_n=1.0,
         intact_s=1.0,
-        secant=interface.normal_stiffness if limit > 0.0 else 0.0,
-        uplift=None if interface.tan_dilation is None else 0.0,
-        gap=0.0 if interface.elastic_unloading is not None else None,
-        run=None if interface.tan_dilation is None else 0.0,
+        secant=joint.normal_stiffness if limit > 0.0 else 0.0,
+        dilation=None if joint.tan_dilation is None else 0.0,
+        permanent_opening=0.0 if joint.elastic_unloading is not None else None,
+        plastic_slip=None if joint.tan_dilation is None else 0.0,
     )

@@ -34,6 +34,7 @@ class Collapse(Observer):
             if drop.max(initial=0.0) > DROPPED:
                 self.block, self.step = int(drop.argmax()), step
                 self.energies = {key: value for key, value in view.terms.items() if key != "imbalance"}
+        assert model.large is not None
         overlap = deepest(model.large.near, self.width)
         return {"widest": float(view.seen.opening.max(initial=0.0)), "overlap": float(overlap), "slip": 0.0}
 

@@ -38,11 +38,13 @@ class Observation:
 
 def observe(model: Model) -> Observation:
     """Look at every contact and block without changing them."""
-    shapes, interfaces, states, bounds = model.groups
+    law_parameters, joint_properties, states, bounds = model.groups
     seen = np.zeros((4, len(model.group)))
     stored = 0.0
-    for g in range(len(shapes)):
-        stored += contact.observe(shapes[g], interfaces[g], states[g], bounds[g], bounds[g + 1], *model.contacts, seen)
+    for g in range(len(law_parameters)):
+        stored += contact.observe(
+            law_parameters[g], joint_properties[g], states[g], bounds[g], bounds[g + 1], *model.contacts, seen
+        )
     if model.large is not None:
         seen[2:, ~model.large.alive] = 0.0
         stored += patches.stored_energy(model.large.near)
@@ -83,7 +85,7 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
     """All terms (J) at this moment, under the names of history.UNITS, and of LARGE_UNITS in large displacement."""
     works = np.sum([body.work.sum(axis=0) for _, body in present(model)], axis=0)
     contact_work, damping, external = -float(works[0]), -float(works[1]), float(works[2])
-    spent = model.joints.area @ model.state.spent
+    spent = model.joints.area @ model.state.dissipated
     moving = kinetic(model, before)
     lines = {} if model.large is None else large_lines(model.large.near, float(works[3]))
     return {

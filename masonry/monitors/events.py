@@ -33,25 +33,25 @@ class Events:
     def calm(self, step: int) -> None:
         """The specimen follows its drive after this step."""
         self.going_on, self.step = False, step
-        self.spent, self.damped = self._spent(), self._damped()
+        self.dissipated, self.damped = self._dissipated(), self._damped()
 
     def sudden(self, step: int) -> None:
         """It has moved by itself since the last look; a crack that goes on is one with what came before."""
         if self.going_on:
             self.found.pop()
-        grown = self._spent() - self.spent
+        grown = self._dissipated() - self.dissipated
         contact = int(np.argmax(grown)) if grown.max(initial=0.0) > 0.0 else -1
         self.found.append(Event(self.step, step, self._damped() - self.damped, contact))
         self.going_on = True
 
     def anything_spent(self) -> bool:
         """Whether any contact has dissipated energy so far."""
-        return bool(self.spent.any())
+        return bool(self.dissipated.any())
 
-    def _spent(self) -> np.ndarray:
+    def _dissipated(self) -> np.ndarray:
         """(C,) J that each contact has dissipated."""
-        spent = self.model.state.spent
-        return np.zeros(0) if spent is None else self.model.joints.area * spent.sum(axis=1)
+        dissipated = self.model.state.dissipated
+        return np.zeros(0) if dissipated is None else self.model.joints.area * dissipated.sum(axis=1)
 
     def _damped(self) -> float:
         """J that damping has taken from all bodies."""
@@ -64,7 +64,7 @@ class Events:
             "found": found,
             "going_on": self.going_on,
             "step": self.step,
-            "spent": self.spent,
+            "dissipated": self.dissipated,
             "damped": self.damped,
         }
 
@@ -72,7 +72,7 @@ class Events:
         """Go on from there."""
         self.found = [Event(int(a), int(b), c, int(d)) for a, b, c, d in state["found"].tolist()]
         self.going_on, self.step = state["going_on"], state["step"]
-        self.spent, self.damped = state["spent"], state["damped"]
+        self.dissipated, self.damped = state["dissipated"], state["damped"]
 
 
 def table(model: Model, events: list[Event], rows: dict[str, np.ndarray], least: float) -> list[dict[str, Any]]:

@@ -38,38 +38,36 @@ class LawArea(Observer):
 
         A torn contact with residual cohesion is left out: it loses that too, and finds it again on closing.
         """
-        shapes, interfaces, _, bounds = self.model.groups
+        law_parameters, joint_properties, _, bounds = self.model.groups
         most = 0.0
-        for g, (shape, interface) in enumerate(zip(shapes, interfaces, strict=True)):
-            if interface.tensile_strength is None or beside(type(shape), "shear_intact") is None:
+        for g, (parameters, joint) in enumerate(zip(law_parameters, joint_properties, strict=True)):
+            if joint.tensile_strength is None or beside(type(parameters), "shear_intact") is None:
                 continue
-            spent = self.model.state.spent[bounds[g] : bounds[g + 1], 1]
-            lost = lost_in_shear(interface, self.compression[bounds[g] : bounds[g + 1]])
+            spent = self.model.state.dissipated[bounds[g] : bounds[g + 1], 1]
+            lost = lost_in_shear(joint, self.compression[bounds[g] : bounds[g + 1]])
             share = np.divide(spent, lost, out=np.zeros_like(spent), where=lost > 0.0)
-            share[
-                (interface.residual_cohesion > 0.0) & (self.model.state.intact_n[bounds[g] : bounds[g + 1]] < 1.0)
-            ] = 0.0
+            share[(joint.residual_cohesion > 0.0) & (self.model.state.intact_n[bounds[g] : bounds[g + 1]] < 1.0)] = 0.0
             for c in np.argsort(share)[-LOOKED_AT:]:
                 if share[c] > 0.0:
                     between = 0.0, float(self.compression[bounds[g] + c])
-                    has = max(area(_of(shape, c), _of(interface, c), compression) for compression in between)
+                    has = max(area(_of(parameters, c), _of(joint, c), compression) for compression in between)
                     most = max(most, float(spent[c]) / has) if has > 0.0 else most
         return most
 
 
-def area(shape, interface, compression: float) -> float:
+def area(parameters, joint, compression: float) -> float:
     """Area (J/m2) under a law's curve in shear at a compression (Pa), above the residual.
 
     Over the total slip it includes the elastic part, over plastic slip it does not. What is lost at once lets go of the
     elastic part by either.
     """
-    drop = float(lost_in_shear(interface, compression))
+    drop = float(lost_in_shear(joint, compression))
     if drop <= 0.0:
         return 0.0
-    residual = interface.residual_cohesion + compression * interface.tan_residual_friction
+    residual = joint.residual_cohesion + compression * joint.tan_residual_friction
 
     def left(slip: float) -> float:
-        return float(shear_intact(shape, interface, 1.0, slip, residual + drop, residual, compression))
+        return float(shear_intact(parameters, joint, 1.0, slip, residual + drop, residual, compression))
 
     low, high = NEAREST, FARTHEST
     for _ in range(100):
@@ -77,8 +75,8 @@ def area(shape, interface, compression: float) -> float:
         low, high = (low, middle) if left(middle) <= GONE else (middle, high)
     slip = np.concatenate([[0.0], np.geomspace(BEFORE * high, BEYOND * high, POINTS)])
     beyond = drop * float(np.trapezoid([1.0, *map(left, slip[1:])], slip))
-    triangle = 0.5 * drop * drop / interface.shear_stiffness
-    return max(beyond, triangle) if interface.plastic_softening is not None else beyond + triangle
+    triangle = 0.5 * drop * drop / joint.shear_stiffness
+    return max(beyond, triangle) if joint.plastic_softening is not None else beyond + triangle
 
 
 def _of(fields, contact: int):

@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
-from masonry.runtime.state import State, attributes, put_back
+from masonry.runtime.state import State, attributes, load_attributes
 
 
 @dataclass(frozen=True)
@@ -49,4 +49,4 @@ class Observer:
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        put_back(self, self.REMEMBERED, state)
+        load_attributes(self, self.REMEMBERED, state)

@@ -30,7 +30,7 @@ class Slide(Observer):
         self.largest = 0.0
         self.axes, self.extent = joint_extents(model.blocks, model.joints)
         self.least = self.extent.min(axis=1, initial=np.inf)
-        sticks = [not is_roller(interface) for interface in model.groups.properties]
+        sticks = [not is_roller(joint) for joint in model.groups.properties]
         self.sticking = np.where(np.array(sticks, dtype=bool)[model.group], self.least, np.nan)  # nan: never further
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
@@ -57,14 +57,14 @@ class Slide(Observer):
             )
 
 
-def is_roller(interface: Any) -> bool:
+def is_roller(joint: Any) -> bool:
     """Whether contacts with these properties carry no shear, however hard they are pressed."""
-    if interface.tensile_strength is None:
-        return bool(interface.shear_stiffness <= ROLLER * np.min(interface.normal_stiffness))
+    if joint.tensile_strength is None:
+        return bool(joint.shear_stiffness <= ROLLER * np.min(joint.normal_stiffness))
     strengths = (
-        interface.cohesion,
-        interface.tan_friction,
-        interface.residual_cohesion,
-        interface.tan_residual_friction,
+        joint.cohesion,
+        joint.tan_friction,
+        joint.residual_cohesion,
+        joint.tan_residual_friction,
     )
     return not any(np.any(strength) for strength in strengths if strength is not None)

@@ -19,16 +19,18 @@ class SnapBack:
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        shapes, interfaces, _, bounds = model.groups
+        law_parameters, joint_properties, _, bounds = model.groups
         spans = [slice(int(a), int(b)) for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
         self.spans = [
-            (g, span) for g, span in enumerate(spans) if least_mode_2_energy(shapes[g], interfaces[g], 0.0) is not None
+            (g, span)
+            for g, span in enumerate(spans)
+            if least_mode_2_energy(law_parameters[g], joint_properties[g], 0.0) is not None
         ]
         self.before = {g: (self._compression(span), self._intact(span)) for g, span in self.spans}
 
     def check(self, step: int) -> None:
         """Raise Stopped, naming the contact, if one has softened with too little energy since the last look."""
-        shapes, interfaces = self.model.groups[:2]
+        law_parameters, joint_properties = self.model.groups[:2]
         for g, span in self.spans:
             compression, intact = self._compression(span), self._intact(span)
             softened = intact < self.before[g][1]
@@ -36,7 +38,9 @@ class SnapBack:
             self.before[g] = compression, intact
             if not softened.any():
                 continue
-            lacking = least_mode_2_energy(shapes[g], interfaces[g], most, left) - given_mode_2_energy(shapes[g], most)
+            lacking = least_mode_2_energy(law_parameters[g], joint_properties[g], most, left) - given_mode_2_energy(
+                law_parameters[g], most
+            )
             lacking[~softened] = -np.inf
             worst = int(np.argmax(lacking))
             if lacking[worst] > 0.0:
@@ -60,15 +64,15 @@ class SnapBack:
         return self.model.state.intact_s[span].copy()
 
     def _stop(self, step: int, g: int, contact: int, compression: float, lacking: float) -> None:
-        shape, bounds = self.model.groups.parameters[g], self.model.groups.bounds
-        if np.ndim(shape.G_II) == 0:
-            wanted = f"above {shape.G_II + lacking:.4g} N/m"
+        parameters, bounds = self.model.groups.parameters[g], self.model.groups.bounds
+        if np.ndim(parameters.G_II) == 0:
+            wanted = f"above {parameters.G_II + lacking:.4g} N/m"
         else:
-            drawn = shape.G_II[contact - bounds[g]]
+            drawn = parameters.G_II[contact - bounds[g]]
             wanted = f"by more than {1.0 + lacking / drawn:.4g} times (drawn here: {drawn:.4g} N/m)"
         raise Stopped(
             f"step {step}: {self.model.contact(contact)} softens under a compression of {compression:.4g} Pa, where "
-            f"the curve of law '{word_of(shape)}' snaps back and takes more energy than given: raise "
+            f"the curve of law '{word_of(parameters)}' snaps back and takes more energy than given: raise "
             f"contact.{self.model.group_names[g]}.fracture_energy_mode_2 {wanted}, or "
             'choose law exponential with softening_variable = "displacement", which cannot snap back'
         )

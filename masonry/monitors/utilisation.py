@@ -11,16 +11,16 @@ def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
 
     rest  (C,) Pa, normal stress under the dead loads alone: a joint without tensile strength opens when that has gone
     """
-    _, interfaces, _, bounds = model.groups
+    _, joint_properties, _, bounds = model.groups
     most = 0.0
-    for g, interface in enumerate(interfaces):
-        if interface.tensile_strength is None:
+    for g, joint in enumerate(joint_properties):
+        if joint.tensile_strength is None:
             continue
         span = slice(bounds[g], bounds[g + 1])
         sigma, tau = seen.sigma[span], seen.tau[span]
-        strength = interface.cohesion - sigma * interface.tan_friction
+        strength = joint.cohesion - sigma * joint.tan_friction
         in_shear = np.where(tau > 0.0, np.divide(tau, strength, out=np.ones_like(tau), where=strength > 0.0), 0.0)
-        capacity = interface.tensile_strength - np.minimum(rest[span], 0.0)
+        capacity = joint.tensile_strength - np.minimum(rest[span], 0.0)
         gained = sigma - np.minimum(rest[span], 0.0)
         in_tension = np.divide(gained, capacity, out=np.ones_like(sigma), where=capacity > 0.0)
         most = max(most, float(in_shear.max(initial=0.0)), float(in_tension.max(initial=0.0)))

@@ -19,7 +19,7 @@ def attributes(thing: object, names: Iterable[str]) -> State:
     return {name: getattr(thing, name) for name in names}
 
 
-def put_back(thing: object, names: Iterable[str], state: State) -> None:
+def load_attributes(thing: object, names: Iterable[str], state: State) -> None:
     """Make them what they were."""
     for name in names:
         setattr(thing, name, state[name])

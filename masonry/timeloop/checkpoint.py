@@ -96,7 +96,7 @@ class Checkpoints:
 
 
 def _whole(state: State) -> State:
-    """The state, if it has what a keeper writes. Raises Damaged."""
+    """The state, if it has what a checkpointer writes. Raises Damaged."""
     kinds = {"origin": dict, "model": str, "arrays": dict, "run": dict}
     for key, kind in kinds.items():
         if not isinstance(state.get(key), kind):

@@ -27,7 +27,7 @@ class Checkpointer:
     """Checkpoints of one run.
 
     checkpoints  where they go; None: nothing is kept
-    origin       what the bits of a run depend on besides the model, in words; a run goes on from the same only
+    provenance   what the bits of a run depend on besides the model, in words; a run goes on from the same only
     every        seconds from one checkpoint to the next, infinite: only when asked to end; the first comes after FIRST
                  seconds, or after `every` where that is shorter
     asked        whether the run is to end now
@@ -37,12 +37,12 @@ class Checkpointer:
     def __init__(
         self,
         checkpoints: Checkpoints | None,
-        origin: dict[str, str],
+        provenance: dict[str, str],
         every: float,
         asked: Callable[[], bool] = lambda: False,
         tell: Callable[[str], None] = lambda words: None,
     ) -> None:
-        self.checkpoints, self.origin, self.every = checkpoints, origin, every
+        self.checkpoints, self.provenance, self.every = checkpoints, provenance, every
         self.asked, self.tell = asked, tell
         self.saved: State | None = None
         self.remarks: list[str] = []
@@ -51,10 +51,10 @@ class Checkpointer:
         self.written = 0
         self.failing = False
 
-    def run_another(self, toml: str, origin: dict[str, str]) -> None:
+    def run_another(self, toml: str, provenance: dict[str, str]) -> None:
         """Before the start: the scene (TOML) that is run, where it is not just the one that was asked for. Raises
         SceneError where it cannot be kept."""
-        self.origin = origin
+        self.provenance = provenance
         try:
             if self.checkpoints is not None:
                 self.checkpoints.resolve(toml)
@@ -99,7 +99,7 @@ class Checkpointer:
 
     def _write(self, checkpoints: Checkpoints, run: Remembers) -> None:
         whole: State = {
-            "origin": self.origin,
+            "origin": self.provenance,
             "model": model_state.fingerprint(self.model),
             "arrays": model_state.state(self.model),
             "run": run.state(),

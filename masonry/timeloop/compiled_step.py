@@ -53,10 +53,10 @@ def interrupt_afterwards() -> Iterator[None]:
         raise KeyboardInterrupt
 
 
-def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, gauge: np.ndarray) -> None:
-    """Take some compiled steps of a chunk; gauge (steps,) N out: force of the drive after each."""
+def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
+    """Take some compiled steps of a chunk; drive_force (steps,) N out, after each."""
     if model.large is not None:
-        advance_large(model, chunk, first, steps, gauge)
+        advance_large(model, chunk, first, steps, drive_force)
         return
     advance(
         True if threads > 1 else None,
@@ -67,5 +67,5 @@ def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: i
         chunk.dead_load,
         chunk.speed,
         *model.step_arguments(),
-        gauge,
+        drive_force,
     )

@@ -7,12 +7,14 @@ import numpy as np
 from masonry.detection.broad import cells_for
 from masonry.errors import Stopped
 from masonry.kernels.large_step import advance
-from masonry.kernels.redetection import NEED_PAIRS, TOO_DEEP, Near, copy_pairs, no_pairs, no_points
+from masonry.kernels.pair_search import NEED_PAIRS, copy_pairs
+from masonry.kernels.patches import no_pairs, no_points
+from masonry.kernels.redetection import TOO_DEEP, Near
 from masonry.loading.scheduled import Chunk
 from masonry.model.model import Model
 
 
-def advance_large(model: Model, chunk: Chunk, first: int, steps: int, gauge: np.ndarray) -> None:
+def advance_large(model: Model, chunk: Chunk, first: int, steps: int, drive_force: np.ndarray) -> None:
     """Take some compiled steps of a chunk, as advance_model. Raises Stopped where blocks overlap deeply at once."""
     done = 0
     while done < steps or steps == 0:
@@ -20,7 +22,7 @@ def advance_large(model: Model, chunk: Chunk, first: int, steps: int, gauge: np.
         done += advance(
             *(first + done, steps - done, model.dt, model.damping, chunk.dead_load, chunk.speed),
             *(tuple(model.groups), tuple(model.contacts), model.large.bonds, tuple(model.bodies), model.drives),
-            *(model.large.near, gauge[done:]),
+            *(model.large.near, drive_force[done:]),
         )
         if done == steps:
             return

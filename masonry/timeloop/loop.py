@@ -24,7 +24,7 @@ from masonry.monitors.reactions import Standing, WorkOfLoads
 from masonry.monitors.settling import Settling
 from masonry.monitors.slide import Slide
 from masonry.monitors.stability import Watch
-from masonry.runtime.state import State, attributes, put_back
+from masonry.runtime.state import State, attributes, load_attributes
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import advance_model
 from masonry.timeloop.recording import Outcome, Recording
@@ -77,7 +77,7 @@ class Loop:
         """Wall time of the run so far, that of processes before this one included."""
         return self.earlier + time.perf_counter() - self.begun
 
-    def run(self, progress: Callable[[int, int, str], None] | None, keeper: Checkpointer | None) -> None:
+    def run(self, progress: Callable[[int, int, str], None] | None, checkpointer: Checkpointer | None) -> None:
         if not self.observed:
             self.take_row(0, energy.velocities(self.model))
         while (chunk := self.loading.next()) is not None:
@@ -88,7 +88,7 @@ class Loop:
                 self.close_row(before, progress)
             if self.done == self.settle:
                 set_off(self.model, before)
-            if keeper is not None and keeper.look(self):
+            if checkpointer is not None and checkpointer.look(self):
                 self.outcome.interrupted = True
                 return
 
@@ -110,24 +110,24 @@ class Loop:
 
     def take_steps(self, done: int, chunk: Chunk) -> list[np.ndarray]:
         """The steps of a chunk, and a look whether they can be trusted; returns the velocities before the last."""
-        count, gauge = chunk.steps, np.zeros(chunk.steps)
+        count, drive_force = chunk.steps, np.zeros(chunk.steps)
         if count > 1:
-            advance_model(self.model, chunk, self.threads, 0, count - 1, gauge)
+            advance_model(self.model, chunk, self.threads, 0, count - 1, drive_force)
         before = energy.velocities(self.model)
-        advance_model(self.model, chunk, self.threads, count - 1, 1, gauge[count - 1 :])
+        advance_model(self.model, chunk, self.threads, count - 1, 1, drive_force[count - 1 :])
         self.share = min(float(chunk.dead_load[-1]), 1.0)
         self.watch.check(done + count)
         path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
         self.place = float(path[-1]) if chunk.place is None else chunk.place
         begun = max(self.settle - done - 1, 0)
         if begun < count:
-            self.find_peak(path[begun:], gauge[begun:], done < self.settle)
+            self.find_peak(path[begun:], drive_force[begun:], done < self.settle)
         return before
 
-    def find_peak(self, path: np.ndarray, gauge: np.ndarray, begins: bool) -> None:
+    def find_peak(self, path: np.ndarray, drive_force: np.ndarray, begins: bool) -> None:
         """The peak, and the lowest force, are looked for at every step from the last one of the settling on, where it
         `begins`, not only at rows."""
-        force = gauge * self.recording.sign
+        force = drive_force * self.recording.sign
         if begins:
             self.outcome.peak_force = float(force[0])
             self.heights = np.array([[force[0], path[0]]])
@@ -240,8 +240,8 @@ class Loop:
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        put_back(self, REMEMBERED, state)
-        put_back(self.outcome, FOUND, state["found"])
+        load_attributes(self, REMEMBERED, state)
+        load_attributes(self.outcome, FOUND, state["found"])
         self.outcome.standing = {when: Standing(**kept) for when, kept in state["standing"].items()}
         self.earlier = state["seconds"]
         self.rows, self.observed = (

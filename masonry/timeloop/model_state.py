@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.model.large import Large
+from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.monitors.energy import present
 from masonry.runtime.state import Damaged, add_array
@@ -20,9 +20,9 @@ def changing(model: Model) -> dict[str, np.ndarray]:
     found: dict[str, np.ndarray | None] = {"u": model.contacts.u, "force": model.contacts.force}
     for kind, body in present(model):
         found |= {f"{kind}.{name}": getattr(body, name, None) for name in CHANGED}
-    for g, memory in enumerate((model.state, *model.groups.states)):
+    for g, contacts in enumerate((model.state, *model.groups.states)):
         seen = {id(array) for array in found.values()}
-        found |= {f"memory.{g}.{k}": array for k, array in enumerate(memory) if id(array) not in seen}
+        found |= {f"contacts.{g}.{k}": array for k, array in enumerate(contacts) if id(array) not in seen}
     if model.large is not None:
         found |= large_arrays(model.large, model.bodies.rigid)
     return {name: array for name, array in found.items() if array is not None}

@@ -28,11 +28,11 @@ def run(
     recording: Recording,
     threads: int = 1,
     progress: Callable[[int, int, str], None] | None = None,
-    keeper: Checkpointer | None = None,
+    checkpointer: Checkpointer | None = None,
 ) -> Outcome:
     """Run the whole plan. An unstable or too large motion ends it: Outcome.stopped says why, rows stay trusted.
 
-    keeper  writes checkpoints, goes on from one, and says when to end; without one, Ctrl-C ends the run
+    checkpointer  writes checkpoints, goes on from one, and says when to end; without one, Ctrl-C ends the run
     """
     outcome = Outcome(History())
     outcome.seconds_compile = prepare(model, threads, progress)
@@ -40,12 +40,12 @@ def run(
     if NOT_KEPT:
         outcome.log.append(f"what was compiled could not be kept, so the next run compiles it again: {NOT_KEPT[0]}")
     loop = Loop(model, loading, plan.settle, recording, threads, outcome)
-    if keeper is not None and keeper.start(model, loop):
-        outcome.log += [f"resumed at step {loop.done}", *keeper.remarks]
+    if checkpointer is not None and checkpointer.start(model, loop):
+        outcome.log += [f"resumed at step {loop.done}", *checkpointer.remarks]
     try:
-        loop.run(progress, keeper)
+        loop.run(progress, checkpointer)
     except KeyboardInterrupt:
-        if keeper is not None:
+        if checkpointer is not None:
             raise
         outcome.interrupted = True
     except Stopped as stop:
@@ -81,7 +81,7 @@ def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None
 def compiling_text(model: Model) -> str:
     """What is compiled: the kinds of blocks and the laws that are in it."""
     blocks = " and ".join(kind for kind, members in model.layout.members.items() if len(members))
-    laws = ", ".join(dict.fromkeys(word_of(shape) for shape in model.groups.parameters))
+    laws = ", ".join(dict.fromkeys(word_of(parameters) for parameters in model.groups.parameters))
     return f"compiling the step for {blocks} blocks, law {laws or 'none'} (once for all such scenes, half a minute)"
 
 

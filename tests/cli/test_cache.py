@@ -83,7 +83,7 @@ def test_a_second_process_compiles_nothing_whatever_was_edited_that_is_not_compi
 
 
 EDITS = {
-    "law": ("masonry/laws/exponential.py", r"exp\(-interface", "exp(-0.999 * interface"),
+    "law": ("masonry/laws/exponential.py", r"exp\(-joint", "exp(-0.999 * joint"),
     "kernel": ("masonry/kernels/step.py", r"total \+= body.hold", "total += 0.999 * body.hold"),
     "kinematics": ("masonry/kinematics/rigid.py", r"\+ dt \* take", "+ 0.999 * dt * take"),
 }

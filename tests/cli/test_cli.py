@@ -42,7 +42,7 @@ def laboratory(monkeypatch, tmp_path):
     fake = types.ModuleType("masonry.laboratory.laboratory")
     fake.calls = []
 
-    def run(loaded, *, threads, progress, keeper):
+    def run(loaded, *, threads, progress, checkpointer):
         fake.calls.append((loaded, threads, progress))
         return sample()
 

@@ -83,7 +83,7 @@ def test_wrong_words_get_one_message(package, capsys, words, message):
 
 def test_an_area_that_is_not_the_integral_of_its_curve_is_told(tmp_path, capsys):
     files = files_of_page()
-    files["bilinear.py"] = files["bilinear.py"].replace("shape.G_I * area", "0.9 * shape.G_I * area")
+    files["bilinear.py"] = files["bilinear.py"].replace("parameters.G_I * area", "0.9 * parameters.G_I * area")
     with on_the_path(install(tmp_path / "wrong", files)):
         assert "its tension_area is not the integral of its tension_intact" in " ".join(
             said(capsys, "bilinear").split()

@@ -60,20 +60,22 @@ def after(chunks: int):
 @pytest.mark.parametrize("name", SCENES)
 def test_a_run_in_pieces_on_changing_threads_has_the_bits_of_the_run_in_one(name, tmp_path):
     scene, kept, looks = SCENES[name](), Checkpoints(tmp_path), []
-    whole = everything(laboratory.run(scene, keeper=Checkpointer(None, {}, inf, asked=lambda: bool(looks.append(1)))))
+    whole = everything(
+        laboratory.run(scene, checkpointer=Checkpointer(None, {}, inf, asked=lambda: bool(looks.append(1))))
+    )
     ends = sorted(Random(name).sample(range(1, len(looks) - 2), 5))
     kept.begin("", {})
     saved = None
     for n, chunks in enumerate(np.diff([0, *ends])):
-        keeper = Checkpointer(kept, {}, inf, asked=after(int(chunks)))
-        keeper.saved = saved
-        part = laboratory.run(scene, threads=1 if "wall" in name else 1 + n % 2, keeper=keeper)
+        checkpointer = Checkpointer(kept, {}, inf, asked=after(int(chunks)))
+        checkpointer.saved = saved
+        part = laboratory.run(scene, threads=1 if "wall" in name else 1 + n % 2, checkpointer=checkpointer)
         assert part.summary["interrupted"]
         saved, wrong = kept.newest()
         assert not wrong and saved["run"]["done"] >= part.summary["steps"]
-    keeper = Checkpointer(kept, {}, inf)
-    keeper.saved = saved
-    result = laboratory.run(scene, keeper=keeper)
+    checkpointer = Checkpointer(kept, {}, inf)
+    checkpointer.saved = saved
+    result = laboratory.run(scene, checkpointer=checkpointer)
     assert result.log[-1] == f"resumed at step {saved['run']['done']}"
     found = everything(result)
     assert not [key for key in whole if whole[key] != found[key]]
@@ -87,14 +89,14 @@ def test_what_steps_change_is_what_is_kept_and_nothing_else_in_a_model_changes(n
     laboratory.timeloop.run(model, assembly.plan, assembly.recording)
     assert model_state.fingerprint(model) == fixed
     now = model_state.state(model)
-    assert {"u", "force", "memory.0.4"} < {key for key in now if now[key].tobytes() != before[key].tobytes()}
+    assert {"u", "force", "contacts.0.4"} < {key for key in now if now[key].tobytes() != before[key].tobytes()}
 
 
 def test_a_checkpoint_of_another_model_is_refused(tmp_path):
     kept = Checkpoints(tmp_path)
     kept.begin("", {})
-    laboratory.run(SCENES["rigid, steps"](), keeper=Checkpointer(kept, {}, inf, asked=after(4)))
+    laboratory.run(SCENES["rigid, steps"](), checkpointer=Checkpointer(kept, {}, inf, asked=after(4)))
     other = Checkpointer(kept, {}, inf)
     other.saved, _ = kept.newest()
     with pytest.raises(SceneError, match="belongs to another model"):
-        laboratory.run(load(couplet("rigid", settle=400, pace="steps = 800", masses="real")), keeper=other)
+        laboratory.run(load(couplet("rigid", settle=400, pace="steps = 800", masses="real")), checkpointer=other)

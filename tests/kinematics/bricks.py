@@ -7,7 +7,7 @@ from masonry.kinematics import deforming, deforming_tets, turning
 from masonry.kinematics.dispatch import move, place
 from masonry.kinematics.turning import Turning
 from masonry.model.arrays import Bodies, in_rows
-from masonry.model.large_bodies import large
+from masonry.model.large.bodies import large
 from masonry.model.model import Model
 from verification.fixtures import rig
 

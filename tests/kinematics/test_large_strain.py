@@ -6,7 +6,7 @@ import pytest
 from masonry.kinematics import deforming, deforming_tets
 from masonry.kinematics.dispatch import move, place
 from masonry.kinematics.matrices import rotations
-from masonry.model.large_bodies import large
+from masonry.model.large.bodies import large
 from tests.kinematics import bricks
 from verification.fixtures import rig, shapes
 

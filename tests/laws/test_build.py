@@ -133,9 +133,9 @@ def test_a_dilation_steeper_than_the_residual_friction_is_refused():
     ],
 )
 def test_dilation_ends_where_the_cohesion_has_gone_unless_the_scene_says_where(name, slip):
-    interface = build("unit_unit", {"law": name, **TABLE_1, "fracture_energy_mode_2": 58.0, "dilation_angle": 0.1})[1]
+    joint = build("unit_unit", {"law": name, **TABLE_1, "fracture_energy_mode_2": 58.0, "dilation_angle": 0.1})[1]
     if name != "brittle":
-        assert interface.dilation_cutoff == pytest.approx(slip, rel=1e-12)
+        assert joint.dilation_cutoff == pytest.approx(slip, rel=1e-12)
     pressed = build("unit_unit", {"law": name, **TABLE_1, "dilation_angle": 0.1}, (0.0, 1e6))[1]
     energy, peak, drop = 58.0 + 130.0, 0.87e6 + 1.01e6, 0.87e6 + 0.28e6
     wanted = {
@@ -152,8 +152,8 @@ def test_dilation_ends_where_the_cohesion_has_gone_unless_the_scene_says_where(n
 
 
 def test_options_that_are_not_asked_for_are_absent():
-    interface = law("linear", coupling="independent")[1]
+    joint = law("linear", coupling="independent")[1]
     absent = ("tan_dilation", "dilation_cutoff", "elastic_unloading", "plastic_softening", "combined")
-    assert all(getattr(interface, key) is None for key in absent)
+    assert all(getattr(joint, key) is None for key in absent)
     asked = law("linear", dilation_angle=pi / 90, unloading="elastic", softening_variable="plastic")[1]
     assert all(getattr(asked, key) is not None for key in absent)

@@ -50,23 +50,23 @@ def test_under_constant_compression_the_faces_rise_by_tan_psi_times_the_plastic_
 @pytest.mark.parametrize("cutoff", [30.05 * UM, 60 * UM])
 def test_the_rise_ends_exactly_at_the_cutoff(cutoff):
     for name in LAWS:
-        shape, interface = law(name, dilation_angle=PSI, dilation_cutoff=cutoff)
-        state = contact(interface)
-        found = walk((shape, interface), along([(0, 0, -2 * UM), (0.4e-3, 0, -2 * UM)], 0.7 * UM), state)
+        parameters, joint = law(name, dilation_angle=PSI, dilation_cutoff=cutoff)
+        state = contact(joint)
+        found = walk((parameters, joint), along([(0, 0, -2 * UM), (0.4e-3, 0, -2 * UM)], 0.7 * UM), state)
         assert found.slip[-1, 0] > 2 * cutoff
-        assert state.uplift[0] == pytest.approx(tan(PSI) * cutoff, rel=1e-12)
+        assert state.dilation[0] == pytest.approx(tan(PSI) * cutoff, rel=1e-12)
         assert found.sigma[-1] == pytest.approx(-KN * (2 * UM + tan(PSI) * cutoff), rel=1e-12)
 
 
 @pytest.mark.parametrize("name", LAWS)
 def test_the_path_of_slip_counts_not_its_end(name):
-    shape, interface = law(name, dilation_angle=PSI, dilation_cutoff=1.0)
-    state = contact(interface)
+    parameters, joint = law(name, dilation_angle=PSI, dilation_cutoff=1.0)
+    state = contact(joint)
     found = walk(
-        (shape, interface), along([(0, 0, -2 * UM), *[(60 * UM, 0, -2 * UM), (-60 * UM, 0, -2 * UM)] * 2]), state
+        (parameters, joint), along([(0, 0, -2 * UM), *[(60 * UM, 0, -2 * UM), (-60 * UM, 0, -2 * UM)] * 2]), state
     )
     length = np.abs(np.diff(found.slip[:, 0])).sum()
-    assert state.uplift[0] == pytest.approx(tan(PSI) * length, rel=1e-9)
+    assert state.dilation[0] == pytest.approx(tan(PSI) * length, rel=1e-9)
 
 
 def test_perfect_slip_dissipates_tau_less_sigma_tan_psi():
@@ -94,14 +94,14 @@ def test_sliding_makes_no_energy_even_where_dilation_is_as_steep_as_friction(nam
 
 @pytest.mark.parametrize("name", LAWS)
 def test_torn_faces_that_stand_open_do_not_dilate(name):
-    shape, interface = law(name, dilation_angle=PSI, dilation_cutoff=1.0, coupling="independent")
-    state = contact(interface)
-    walk((shape, interface), along([(0, 0, 0), (0, 0, 60 * UM), (100 * UM, 0, 60 * UM)]), state)
-    assert state.uplift[0] == 0.0
+    parameters, joint = law(name, dilation_angle=PSI, dilation_cutoff=1.0, coupling="independent")
+    state = contact(joint)
+    walk((parameters, joint), along([(0, 0, 0), (0, 0, 60 * UM), (100 * UM, 0, 60 * UM)]), state)
+    assert state.dilation[0] == 0.0
 
 
 def test_without_a_dilation_angle_a_contact_has_no_memory_of_uplift():
-    assert contact(law("linear")[1]).uplift is None
+    assert contact(law("linear")[1]).dilation is None
     assert law("linear")[1].tan_dilation is None
 
 

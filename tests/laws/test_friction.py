@@ -70,22 +70,22 @@ def test_brittle_with_zeros_has_the_same_curve(triplet):
 
 
 def test_a_contact_presses_rubs_and_lets_go():
-    shape, interface = build("unit_unit", GIVEN)
-    assert elastic_trial(shape, interface, FRESH, -1e-5, 0.0) == (-3e5, True)
-    assert elastic_trial(shape, interface, FRESH, 1e-5, 0.0) == (0.0, False)
-    assert not elastic_trial(shape, interface, FRESH, -1e-5, (MU * 3e5 * 1.001) ** 2)[1]
-    opened = return_mapping(shape, interface, FRESH, 1e-5, 0.0, 0.0)
-    assert (opened.sigma, opened.memory.intact_n, opened.memory.intact_s) == (0.0, 0.0, 1.0)
+    parameters, joint = build("unit_unit", GIVEN)
+    assert elastic_trial(parameters, joint, FRESH, -1e-5, 0.0) == (-3e5, True)
+    assert elastic_trial(parameters, joint, FRESH, 1e-5, 0.0) == (0.0, False)
+    assert not elastic_trial(parameters, joint, FRESH, -1e-5, (MU * 3e5 * 1.001) ** 2)[1]
+    opened = return_mapping(parameters, joint, FRESH, 1e-5, 0.0, 0.0)
+    assert (opened.sigma, opened.history.intact_n, opened.history.intact_s) == (0.0, 0.0, 1.0)
     tau = 2.5e5
-    slid = return_mapping(shape, interface, FRESH, -1e-5, tau / KS, tau)
-    assert slid.share * tau == pytest.approx(MU * 3e5, rel=1e-12) and slid.memory.intact_s == 0.0
+    slid = return_mapping(parameters, joint, FRESH, -1e-5, tau / KS, tau)
+    assert slid.fraction * tau == pytest.approx(MU * 3e5, rel=1e-12) and slid.history.intact_s == 0.0
     assert (slid.mode_1, slid.mode_2) == (0.0, 0.0)
-    before, after = (stored_energy(shape, interface, FRESH, -1e-5, t * t) for t in (tau, slid.share * tau))
+    before, after = (stored_energy(parameters, joint, FRESH, -1e-5, t * t) for t in (tau, slid.fraction * tau))
     excess = (tau - MU * 3e5) ** 2 / (2 * KS)
     assert before - after == pytest.approx(slid.friction + excess, rel=1e-9), "the overshoot of a step is its error"
     assert (
-        np.isfinite(stored_energy(shape, interface, FRESH, 1e-5, 0.0))
-        and stored_energy(shape, interface, FRESH, 1e-5, 0.0) == 0
+        np.isfinite(stored_energy(parameters, joint, FRESH, 1e-5, 0.0))
+        and stored_energy(parameters, joint, FRESH, 1e-5, 0.0) == 0
     )
 
 

@@ -73,7 +73,7 @@ def test_our_laws_are_found_as_well_where_the_package_has_gone(used):
 
 def test_an_edit_of_the_law_is_compiled_and_changes_the_run(used):
     here, first = used
-    text = re.sub(r"shape\.G_I\b", "(0.8 * shape.G_I)", files_of_page()["bilinear.py"])
+    text = re.sub(r"parameters\.G_I\b", "(0.8 * parameters.G_I)", files_of_page()["bilinear.py"])
     (here.package / "bilinear.py").write_text(text, encoding="utf-8")
     edited = here.run()
     assert "advance" in edited.compiled

@@ -31,13 +31,23 @@ def page(tmp_path_factory):
     files["bilinear_with_if.py"] = law_with_if()
     files["bilinear_in_lanes.py"] = law_in_lanes()
     files["bilinear_by_slip.py"] = law_by_slip()
-    files["weaker.py"] = re.sub(r"shape\.G_I\b", "(0.8 * shape.G_I)", files["bilinear.py"])
+    files["other_words.py"] = in_other_words(files["bilinear.py"])
+    files["other_words_by_slip.py"] = in_other_words(files["bilinear_by_slip.py"])
+    files["weaker.py"] = re.sub(r"parameters\.G_I\b", "(0.8 * parameters.G_I)", files["bilinear.py"])
     more = '\nwith-if = "bilinear_with_if"\nin-lanes = "bilinear_in_lanes"'
-    more += '\nby-slip = "bilinear_by_slip"\nweaker = "weaker"\nbilinear'
+    more += '\nby-slip = "bilinear_by_slip"\nweaker = "weaker"'
+    more += '\nother-words = "other_words"\nother-words-by-slip = "other_words_by_slip"\nbilinear'
     files["pyproject.toml"] = files["pyproject.toml"].replace("\nbilinear", more, 1)
     folder = install(tmp_path_factory.mktemp("page"), files)
     with on_the_path(folder):
         yield folder
+
+
+def in_other_words(text: str) -> str:
+    """The law of the page with other names for what its functions are given."""
+    for word, other in (("parameters", "shape"), ("joint", "interface"), ("intact", "left_before"), ("slip", "s")):
+        text = re.sub(rf"\b{word}\b", other, text)
+    return text
 
 
 def own(name: str = "bilinear", **changes) -> tuple:
@@ -48,6 +58,15 @@ def test_the_law_of_the_page_has_no_more_than_30_lines():
     text = files_of_page()["bilinear.py"].partition("from masonry.laws import Refusal")[0]
     assert len(text.strip().splitlines()) <= 30
     assert len(files_of_page()["vault.py"].splitlines()) < 30
+
+
+@pytest.mark.parametrize("law_and_other", [("bilinear", "other-words"), ("by-slip", "other-words-by-slip")])
+def test_names_of_arguments_are_free(law_and_other):
+    path = along([(0.0, 0.0, -2e-6), (60e-6, 0.0, 4e-6), (-20e-6, 0.0, 9e-6), (90e-6, 0.0, 1e-6)], 0.5e-6)
+    one, other = (walk(own(name), path) for name in law_and_other)
+    for field in ("stress", "spent", "stored", "intact_n", "intact_s"):
+        assert np.array_equal(getattr(one, field), getattr(other, field)), field
+    assert one.spent[-1, :2].min() > 0.0
 
 
 def test_opening_follows_the_two_lines():
@@ -116,10 +135,10 @@ def test_a_law_that_knows_its_curve_alone_goes_on_from_the_share_that_is_left(co
 
 
 def test_dilation_ends_where_the_curve_of_the_law_has_lost_the_cohesion():
-    interface = own(dilation_angle=0.1)[1]
+    joint = own(dilation_angle=0.1)[1]
     end = 58.0 / 0.87e6 * (2.0 - 0.8) / 0.3
     gone = end - 0.01 / 0.3 * (end - 0.8 * 58.0 / 0.87e6)
-    assert interface.dilation_cutoff == pytest.approx(gone, rel=1e-5)
+    assert joint.dilation_cutoff == pytest.approx(gone, rel=1e-5)
 
 
 def test_the_keys_of_the_law_have_units_and_survive_being_written(tmp_path):

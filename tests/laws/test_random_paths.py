@@ -68,14 +68,14 @@ def chosen(name: str, options: dict, values: dict) -> tuple:
     return law(name, **{**options, **values})
 
 
-def strengths(interface, found: Walk) -> tuple[np.ndarray, np.ndarray]:
+def strengths(joint, found: Walk) -> tuple[np.ndarray, np.ndarray]:
     """The most that tension and shear may be, from the history and the normal stress that acts: eqs (7), (8)."""
-    together = interface.combined is not None
+    together = joint.combined is not None
     left_n = found.intact_n * (found.intact_s if together else 1.0)
     left_s = found.intact_s * (found.intact_n if together else 1.0)
-    peak = np.maximum(interface.cohesion - found.sigma * interface.tan_friction, 0.0)
-    residual = np.maximum(interface.residual_cohesion - found.sigma * interface.tan_residual_friction, 0.0)
-    return left_n * interface.tensile_strength, residual + left_s * np.maximum(peak - residual, 0.0)
+    peak = np.maximum(joint.cohesion - found.sigma * joint.tan_friction, 0.0)
+    residual = np.maximum(joint.residual_cohesion - found.sigma * joint.tan_residual_friction, 0.0)
+    return left_n * joint.tensile_strength, residual + left_s * np.maximum(peak - residual, 0.0)
 
 
 @every_law_and_option
@@ -87,20 +87,20 @@ def test_dissipation_never_decreases_and_strength_never_grows(name, options, poi
 
 def require_dissipation(law: tuple, path: np.ndarray) -> None:
     """Whatever the path: nothing is given back that was spent, and nothing heals."""
-    interface, found = law[1], walk(law, path)
+    joint, found = law[1], walk(law, path)
     assert np.isfinite(found.stress).all() and np.isfinite(found.stored).all()
     total = np.concatenate([[0.0], found.dissipated])
     rounding = 1e-12 * (np.max(total) + 1e-6)
     assert np.min(np.diff(total)) >= -rounding
     assert np.min(np.diff(found.spent, axis=0, prepend=0.0)[:, :2]) >= -rounding
-    if interface.tan_dilation is None:
+    if joint.tan_dilation is None:
         assert np.min(np.diff(found.spent[:, 2], prepend=0.0)) >= -rounding
     for falling in (found.intact_n, found.intact_s, -found.opening_max):
         assert np.max(np.diff(falling)) <= 0.0 if len(falling) > 1 else True
     assert np.all((found.intact_n >= 0.0) & (found.intact_n <= 1.0))
     assert np.all((found.intact_s >= 0.0) & (found.intact_s <= 1.0))
     assert np.all(found.stored >= -rounding)
-    tensile, shear = strengths(interface, found)
+    tensile, shear = strengths(joint, found)
     assert np.all(found.tau <= shear * (1 + 1e-9) + 1e-3)
     assert np.all(found.sigma <= tensile * (1 + 1e-9) + 1e-3)
 
@@ -132,20 +132,22 @@ def test_work_less_stored_less_spent_vanishes_with_the_step(name, options, point
 @given(points=corners(least=1, most=3), values=numbers, low=st.floats(-8e-6, -1e-7), slip=share)
 def test_force_is_continuous_where_the_faces_meet_again(name, options, points, values, low, slip):
     """The jump across closing is no more than stiffness times the step, so it halves with the step."""
-    shape, interface = chosen(name, options, values)
+    parameters, joint = chosen(name, options, values)
     before = legs(np.vstack([points, [0.0, 0.0, 30e-6]]), 50)
     end = before[-1] + np.array([slip * 40e-6, 0.0, low - before[-1, 2]])
     for steps in (400, 800, 1600):
-        state = contact(interface)
-        walk((shape, interface), before, state)
-        found = walk((shape, interface), before[-1] + np.arange(steps + 1)[:, None] / steps * (end - before[-1]), state)
+        state = contact(joint)
+        walk((parameters, joint), before, state)
+        found = walk(
+            (parameters, joint), before[-1] + np.arange(steps + 1)[:, None] / steps * (end - before[-1]), state
+        )
         jump = np.linalg.norm(np.diff(found.stress, axis=0), axis=1)
         step = np.linalg.norm(end - before[-1]) / steps
-        gap = 0.0 if state.gap is None else float(state.gap[0])
-        lift = 0.0 if state.uplift is None else float(state.uplift[0])
-        touching = np.abs(found.path[1:, 2] - gap - lift) <= 2 * step
+        rest = 0.0 if state.permanent_opening is None else float(state.permanent_opening[0])
+        lift = 0.0 if state.dilation is None else float(state.dilation[0])
+        touching = np.abs(found.path[1:, 2] - rest - lift) <= 2 * step
         closing = touching | (np.abs(found.path[1:, 2]) <= 2 * step) | (np.abs(found.path[1:, 2] - lift) <= 2 * step)
-        stiffest = (KN + KS) * (2.0 + interface.tan_friction)
+        stiffest = (KN + KS) * (2.0 + joint.tan_friction)
         assert np.all(jump[closing] <= stiffest * step)
 
 
@@ -189,15 +191,15 @@ def test_a_closed_path_takes_no_more_of_mode_2_than_the_law_has_at_the_largest_c
     """
     given = chosen(name, options, values)
     found = walk(given, closed(points, 1600))
-    interface, most = given[1], max(float(-found.sigma.min()), 0.0)
-    joint = Joint(c0=interface.cohesion, c_res=interface.residual_cohesion, tan_res=interface.tan_residual_friction,
+    joint, most = given[1], max(float(-found.sigma.min()), 0.0)
+    closed_form = Joint(c0=joint.cohesion, c_res=joint.residual_cohesion, tan_res=joint.tan_residual_friction,
                   G_II_slope=values["fracture_energy_mode_2_slope"])  # fmt: skip
-    fades = interface.residual_cohesion > 0.0 and found.intact_n[-1] < 1.0
-    if joint.peak(most) > joint.residual(most) and not fades:
-        between = (0.0, most) if interface.cohesion else (most,)
+    fades = joint.residual_cohesion > 0.0 and found.intact_n[-1] < 1.0
+    if closed_form.peak(most) > closed_form.residual(most) and not fades:
+        between = (0.0, most) if joint.cohesion else (most,)
         step = np.linalg.norm(np.diff(found.path, axis=0), axis=1).max()
-        one_step = step * float(joint.peak(most) - joint.residual(most)) if name == "brittle" else 0.0
-        assert found.spent[-1, 1] <= 1.005 * max(shear_area(name, joint, p) for p in between) + one_step
+        one_step = step * float(closed_form.peak(most) - closed_form.residual(most)) if name == "brittle" else 0.0
+        assert found.spent[-1, 1] <= 1.005 * max(shear_area(name, closed_form, p) for p in between) + one_step
 
 
 @every_law_and_option

@@ -14,14 +14,14 @@ ENERGIES = {"G_I": 5.8 * SHARES**2, "G_II": 58.0 * SHARES**2}
 
 
 def scattered(name: str, **changes) -> tuple:
-    """(shape, interface) of nine contacts whose strengths and energies grow by SHARES."""
-    shape, interface = law(name, **changes)
-    own = {key: aligned(values) for key, values in ENERGIES.items() if hasattr(shape, key)}
+    """(parameters, joint) of nine contacts whose strengths and energies grow by SHARES."""
+    parameters, joint = law(name, **changes)
+    own = {key: aligned(values) for key, values in ENERGIES.items() if hasattr(parameters, key)}
     strengths = {"tensile_strength": aligned(0.58e6 * SHARES), "cohesion": aligned(0.87e6 * SHARES)}
-    return shape._replace(**own), interface._replace(**strengths)
+    return parameters._replace(**own), joint._replace(**strengths)
 
 
-def joint(which: int) -> Joint:
+def closed_form_of(which: int) -> Joint:
     """The closed form of one of the nine."""
     return Joint(
         fT=0.58e6 * SHARES[which],
@@ -35,7 +35,7 @@ def joint(which: int) -> Joint:
 @pytest.mark.parametrize("name", LAWS)
 def test_each_contact_opens_along_the_envelope_of_its_own_strength(name, ninth):
     found = walk(scattered(name), along([(0.0, 0.0, 0.0), (0.0, 0.0, 60e-6)], 0.05e-6), ninth=ninth)
-    wanted = closed_forms.tension(name, joint(8 if ninth else 0), found.path[:, 2])
+    wanted = closed_forms.tension(name, closed_form_of(8 if ninth else 0), found.path[:, 2])
     np.testing.assert_allclose(found.sigma, wanted, rtol=0, atol=1e-12 * 0.58e6)
 
 
@@ -45,7 +45,7 @@ def test_each_contact_opens_along_the_envelope_of_its_own_strength(name, ninth):
 def test_each_contact_slips_along_the_envelope_of_its_own_strength(name, compression, ninth):
     z = -compression / 150e9
     found = walk(scattered(name), along([(0.0, 0.0, z), (1e-3, 0.0, z)], 0.5e-6), ninth=ninth)
-    wanted = closed_forms.shear(name, joint(8 if ninth else 0), found.path[:, 0], compression)
+    wanted = closed_forms.shear(name, closed_form_of(8 if ninth else 0), found.path[:, 0], compression)
     np.testing.assert_allclose(found.stress[:, 0], wanted, rtol=0, atol=1e-12 * wanted.max())
 
 
@@ -69,18 +69,18 @@ CASES = [
 @pytest.mark.parametrize(("name", "options"), CASES, ids=str)
 def test_equal_strengths_in_an_array_give_the_bits_of_one_strength_for_all(name, options):
     path = along([(0, 0, 0), (0, 0, 8e-6), (20e-6, 5e-6, 2e-6), (30e-6, 0, -3e-6), (0, 0, 10e-6)], 0.5e-6)
-    shape, interface = law(name, **options)
+    parameters, joint = law(name, **options)
     same = lambda value: value if value is None else aligned(np.full(COUNT, value))  # noqa: E731
     arrays = (
-        shape._replace(G_I=same(shape.G_I), G_II=same(shape.G_II)),
-        interface._replace(
-            tensile_strength=same(interface.tensile_strength),
-            cohesion=same(interface.cohesion),
-            dilation_cutoff=same(interface.dilation_cutoff),
+        parameters._replace(G_I=same(parameters.G_I), G_II=same(parameters.G_II)),
+        joint._replace(
+            tensile_strength=same(joint.tensile_strength),
+            cohesion=same(joint.cohesion),
+            dilation_cutoff=same(joint.dilation_cutoff),
         ),
     )
     for ninth in (False, True):
-        one, many = walk((shape, interface), path, ninth=ninth), walk(arrays, path, ninth=ninth)
+        one, many = walk((parameters, joint), path, ninth=ninth), walk(arrays, path, ninth=ninth)
         for field in ("stress", "spent", "stored", "intact_n", "intact_s", "slip"):
             np.testing.assert_array_equal(getattr(many, field), getattr(one, field), field)
         assert one.spent[-1].min() >= 0.0 < one.spent[-1].max()

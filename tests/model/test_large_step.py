@@ -7,8 +7,9 @@ from masonry.kinematics import deforming, deforming_tets
 from masonry.kinematics.dispatch import move, place
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import Interface
-from masonry.model import large_step, model, stable_step
-from masonry.model.large_bodies import large
+from masonry.model import model, stable_step
+from masonry.model.large import row_sums as large_sums
+from masonry.model.large.bodies import large
 from masonry.model.layout import Material
 from masonry.model.model import Stepping
 from verification.fixtures import rig, shapes
@@ -20,7 +21,7 @@ LAME, MU = rig.STONE.lame()
 
 @pytest.fixture
 def with_large_sums(monkeypatch) -> dict:
-    """Models are built on the sums of large_step.py; returns what it was called with."""
+    """Models are built on the sums of large/row_sums.py; returns what it was called with."""
     seen = {}
 
     class Sums:
@@ -29,14 +30,14 @@ def with_large_sums(monkeypatch) -> dict:
 
         def contact_row_sums(self, sums, sides, normal, kn, ks):
             seen.update(sides=sides, stiffness=np.maximum(kn, ks))
-            large_step.contact_row_sums(sums, sides, np.maximum(kn, ks))
+            large_sums.contact_row_sums(sums, sides, np.maximum(kn, ks))
 
         def affine_row_sums(self, sums, layout, lame, length):
-            large_step.affine_row_sums(sums, layout, lame, length, seen.get("stretch", 1.0))
+            large_sums.affine_row_sums(sums, layout, lame, length, seen.get("stretch", 1.0))
 
         def tet_row_sums(self, sums, layout, lame):
             seen.update(lame=lame)
-            large_step.tet_row_sums(sums, layout, lame, seen.get("stretch", 1.0))
+            large_sums.tet_row_sums(sums, layout, lame, seen.get("stretch", 1.0))
 
     monkeypatch.setattr(model, "stiffness", Sums())
     return seen
@@ -84,10 +85,10 @@ def test_all_sums_in_one_call_are_those_of_the_parts(with_large_sums):
     sides, k, lame = (with_large_sums[name] for name in ("sides", "stiffness", "lame"))
     block = np.concatenate([found.joints.block_a, found.joints.block_b])
     length = stable_step.lengths(found.layout, block, np.concatenate([s.arm for s in sides]))
-    sums = large_step.row_sums(found.layout, sides, k, lame, length, 1.1)
+    sums = large_sums.row_sums(found.layout, sides, k, lame, length, 1.1)
     for kind, rows in sums.items():
         assert rows * (found.dt / 1.8) ** 2 == pytest.approx(found.masses[kind], rel=1e-12)
-    wider = large_step.row_sums(found.layout, sides, k, lame, length, 1.2, slack=0.01)
+    wider = large_sums.row_sums(found.layout, sides, k, lame, length, 1.2, slack=0.01)
     assert all((wider[kind] > sums[kind]).all() for kind in KINDS[1:])
 
 
@@ -126,10 +127,10 @@ def test_a_stretched_and_turned_block_stays_below_the_bound_of_its_stretch(kind,
     sums = np.zeros_like(masses)
     length = stable_step.lengths(layout, np.zeros(0, dtype=int), np.zeros((0, 3)))
     if kind == "affine":
-        large_step.affine_row_sums(sums, layout, np.array([[LAME, MU]]), length, stretch)
+        large_sums.affine_row_sums(sums, layout, np.array([[LAME, MU]]), length, stretch)
         sums[:, 3:] *= np.tile(length, 3) ** 2
     else:
-        large_step.tet_row_sums(sums, layout, np.array([[LAME, MU]]), stretch)
+        large_sums.tet_row_sums(sums, layout, np.array([[LAME, MU]]), stretch)
     root = np.sqrt(masses.ravel())
     scaled = stiffness / np.outer(root, root)
     assert scaled == pytest.approx(scaled.T, abs=1e-6 * np.abs(scaled).max())
@@ -145,5 +146,5 @@ def test_the_norm_of_a_pair_is_that_of_its_matrix():
         for _ in range(20):
             a, b = (v / np.linalg.norm(v) for v in rng.normal(size=(2, 3)))
             matrix = lame * np.outer(a, b) + mu * np.outer(b, a) + mu * (a @ b) * np.eye(3)
-            found = large_step.pair_norm(np.float64(lame), np.float64(mu), a @ b)
+            found = large_sums.pair_norm(np.float64(lame), np.float64(mu), a @ b)
             assert found == pytest.approx(np.linalg.norm(matrix, 2), rel=1e-12)

@@ -65,9 +65,9 @@ def test_each_contact_begins_with_the_elastic_limit_and_the_utilisation_of_its_o
     model = assemble(scene.load("wallette-mode-1", SMALL | scatter(0.5, "unit_unit"))).model
     g = model.group_names.index("unit_unit")
     own = slice(int(model.groups.bounds[g]), int(model.groups.bounds[g + 1]))
-    interface = model.groups.properties[g]
-    strength = interface.tensile_strength
-    np.testing.assert_allclose(model.state.opening_max[own], strength / interface.normal_stiffness, rtol=1e-15)
+    joint = model.groups.properties[g]
+    strength = joint.tensile_strength
+    np.testing.assert_allclose(model.state.opening_max[own], strength / joint.normal_stiffness, rtol=1e-15)
     units = np.sort(model.blocks.unit[np.column_stack([model.joints.block_a, model.joints.block_b])[own]], axis=1)
     for pair in np.unique(units, axis=0):
         assert len(np.unique(strength[(units == pair).all(axis=1)])) == 1
@@ -82,11 +82,9 @@ def test_snap_back_in_a_run_is_looked_for_with_the_energy_drawn_and_the_message_
     changes = {"law": "linear", "contact.unit_unit.tan_residual_friction_angle": 0.5}
     model = assemble(scene.load("wallette-mode-1", SMALL | changes | scatter(0.3, "unit_unit"))).model
     g = model.group_names.index("unit_unit")
-    shape, interface = model.groups.parameters[g], model.groups.properties[g]
-    first, count = int(model.groups.bounds[g]), len(shape.G_II)
-    limit = (np.sqrt(2.0 * interface.shear_stiffness * shape.G_II) - interface.cohesion) / (
-        interface.tan_friction - 0.5
-    )
+    parameters, joint = model.groups.parameters[g], model.groups.properties[g]
+    first, count = int(model.groups.bounds[g]), len(parameters.G_II)
+    limit = (np.sqrt(2.0 * joint.shear_stiffness * parameters.G_II) - joint.cohesion) / (joint.tan_friction - 0.5)
     worst = int(np.argmin(limit))
     for share, c in ((0.99, worst), (1.01, worst)):
         watch = SnapBack(model)
@@ -96,6 +94,6 @@ def test_snap_back_in_a_run_is_looked_for_with_the_energy_drawn_and_the_message_
         if share < 1.0:
             watch.check(7)
         else:
-            with pytest.raises(Stopped, match=f"contact {first + c} .*drawn here: {shape.G_II[c]:.4g} N/m"):
+            with pytest.raises(Stopped, match=f"contact {first + c} .*drawn here: {parameters.G_II[c]:.4g} N/m"):
                 watch.check(7)
     assert count > len(np.unique(limit)) > 2

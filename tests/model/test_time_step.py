@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from masonry.laws.elastic import Elastic
-from masonry.laws.state import Interface
+from masonry.laws.state import JointProperties
 from masonry.model.layout import Material
 from masonry.model.model import Stepping
 from verification.fixtures import models, shapes
@@ -50,7 +50,7 @@ def made(c: dict):
     blocks = shapes.skewed(shapes.stack(c["heights"], c["size"]), shear)
     rule, count = c["points"]
     s = shapes.setup(blocks, c["kinds"], mesh_size=max(c["size"]), rule=rule, points_per_edge=count)
-    law = Elastic(), Interface(c["kn"], c["kn"] * c["ks_over_kn"])
+    law = Elastic(), JointProperties(c["kn"], c["kn"] * c["ks_over_kn"])
     stepping = Stepping(c["masses"], damping=c["damping"])
     held = [models.everything(0)] if c["held"] else []
     return models.make(s, law, stepping, held, material=Material(1900.0, c["young"], c["nu"]))

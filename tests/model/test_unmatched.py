@@ -161,10 +161,10 @@ def test_two_threads_take_the_same_steps(pair):
     found = []
     for parallel in (None, True):
         model = models.make(pair, gravity=(1.0, 0.0, -9.81))
-        gauge, share, speed = np.zeros(50), np.full(51, 1.0), np.zeros(51)
+        drive_force, share, speed = np.zeros(50), np.full(51, 1.0), np.zeros(51)
         advance(
             *(parallel, 0, 50, model.dt, model.damping, share, speed),
-            *(*model.step_arguments(), gauge),
+            *(*model.step_arguments(), drive_force),
         )
         found.append(model.contacts.u.copy())
     assert np.array_equal(*found)

@@ -14,7 +14,7 @@ from masonry.laws.exponential import Exponential
 from masonry.laws.linear import Linear
 from masonry.laws.polynomial import Polynomial
 from masonry.laws.snap_back import least_mode_2_energy
-from masonry.laws.state import Interface
+from masonry.laws.state import JointProperties
 
 ENERGY = 6.5
 BARELY = {
@@ -46,18 +46,21 @@ LAWS = {
 @pytest.mark.parametrize("intact", [1.0, 0.3])
 def test_with_the_least_energy_the_slope_over_plastic_slip_is_the_shear_stiffness(law, compression, intact):
     """Stress over total slip then falls straight down: 1/ks of elastic way back for each slip that is made."""
-    shape, joint = LAWS[law], Interface(150e9, 70e9, 0.58e6, 0.87e6, 1.01, 0.1e6, 0.73, plastic_softening=1.0)
-    least = least_mode_2_energy(shape, joint, compression, intact)
-    just = shape._replace(G_II=least, G_II_slope=0.0)
+    parameters, joint = (
+        LAWS[law],
+        JointProperties(150e9, 70e9, 0.58e6, 0.87e6, 1.01, 0.1e6, 0.73, plastic_softening=1.0),
+    )
+    least = least_mode_2_energy(parameters, joint, compression, intact)
+    just = parameters._replace(G_II=least, G_II_slope=0.0)
     peak, residual = 0.87e6 + 1.01 * compression, 0.1e6 + 0.73 * compression
     slip = 1e-6 * (peak - residual) / 70e9
-    left = sys.modules[type(shape).__module__].shear_intact(just, joint, intact, slip, peak, residual, compression)
+    left = sys.modules[type(parameters).__module__].shear_intact(just, joint, intact, slip, peak, residual, compression)
     assert (intact - left) * (peak - residual) / slip == pytest.approx(70e9, rel=1e-5)
 
 
 def test_over_the_total_slip_only_the_linear_law_snaps_back():
-    joint = Interface(150e9, 70e9, 0.58e6, 0.87e6, 1.01, 0.0, 0.73)
-    limits = {law: least_mode_2_energy(shape, joint, 1e6) for law, shape in LAWS.items()}
+    joint = JointProperties(150e9, 70e9, 0.58e6, 0.87e6, 1.01, 0.0, 0.73)
+    limits = {law: least_mode_2_energy(parameters, joint, 1e6) for law, parameters in LAWS.items()}
     assert limits == {"linear": pytest.approx((0.87e6 + 0.28e6) ** 2 / 140e9), "exponential": None, "polynomial": None}
 
 

@@ -100,19 +100,21 @@ def test_a_run_that_goes_on_finds_the_steps_in_its_scene(tmp_path):
     scene, kept = without_steps(SCENES["rigid, steps"]()), Checkpoints(tmp_path)
     kept.begin("", {})
     looks = []
-    whole = laboratory.run(scene, keeper=Checkpointer(None, {}, inf, asked=lambda: bool(looks.append(1))))
-    part = laboratory.run(scene, keeper=Checkpointer(kept, {}, inf, asked=after(len(looks) - 3)))
+    whole = laboratory.run(scene, checkpointer=Checkpointer(None, {}, inf, asked=lambda: bool(looks.append(1))))
+    part = laboratory.run(scene, checkpointer=Checkpointer(kept, {}, inf, asked=after(len(looks) - 3)))
     assert part.summary["interrupted"]
     going_on = Checkpointer(kept, {}, inf)
     going_on.saved, _ = kept.newest()
     assert going_on.saved["origin"]["its scene"]
-    result = laboratory.run(load_scene(kept.scene), keeper=going_on)
+    result = laboratory.run(load_scene(kept.scene), checkpointer=going_on)
     assert everything(result)["displacement"] == everything(whole)["displacement"]
 
 
 def test_a_trial_ends_when_the_run_is_asked_to_end():
     with pytest.raises(KeyboardInterrupt):
-        laboratory.run(without_steps(SCENES["rigid, steps"]()), keeper=Checkpointer(None, {}, inf, asked=after(3)))
+        laboratory.run(
+            without_steps(SCENES["rigid, steps"]()), checkpointer=Checkpointer(None, {}, inf, asked=after(3))
+        )
 
 
 def test_progress_and_the_check_say_that_the_steps_are_looked_for():

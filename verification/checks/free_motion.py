@@ -28,8 +28,8 @@ def loose(kn: float, ks: float = 0.0) -> tuple:
 
 def glued(kn: float, ks: float) -> tuple:
     """Contacts with stiffnesses in Pa/m that never yield."""
-    shape, interface = STRONG
-    return shape, interface._replace(normal_stiffness=kn, shear_stiffness=ks)
+    parameters, joint = STRONG
+    return parameters, joint._replace(normal_stiffness=kn, shear_stiffness=ks)
 
 
 def follow(

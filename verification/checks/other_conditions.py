@@ -26,8 +26,8 @@ def rebuilt(assembly: Assembly, change: Callable[[Conditions, Layout], None]) ->
     conditions = conditions_of(scene, assembly.specimen, layout, assembly.joints, materials)
     change(conditions, layout)
     laws = {
-        name: (shape, interface)
-        for name, shape, interface in zip(old.group_names, old.groups.parameters, old.groups.properties, strict=True)
+        name: (parameters, joint)
+        for name, parameters, joint in zip(old.group_names, old.groups.parameters, old.groups.properties, strict=True)
     }
     solver = scene.solver
     stepping = model.Stepping(solver.masses, solver.time_step, solver.step_fraction, solver.damping)

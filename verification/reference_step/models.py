@@ -11,7 +11,7 @@ from masonry.jit.compiler import jit
 from masonry.kernels.contact import sweep
 from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
-from masonry.laws.state import Interface
+from masonry.laws.state import JointProperties
 from masonry.loading.scheduled import Chunk
 from masonry.model import loads
 from masonry.model.arrays import Bodies
@@ -20,7 +20,7 @@ from masonry.model.model import Model, Stepping, build, sort_by_group
 from masonry.timeloop import compiled_step
 
 STONE = Material(density=1900.0, young_modulus=16.7e9, poisson_ratio=0.2)
-JOINT = Interface(167e9, 69.6e9, 0.1e6, 0.15e6, 1.0, 1.5e3, 0.7265, combined=1.0)
+JOINT = JointProperties(167e9, 69.6e9, 0.1e6, 0.15e6, 1.0, 1.5e3, 0.7265, combined=1.0)
 SOFTENING = Exponential(5.0, 15.0), JOINT
 
 
@@ -52,12 +52,12 @@ def model_of(
 
 def stepping(model: Model, steps: int, threads: int = 1) -> Callable[[], None]:
     """A call that takes so many steps, without a drive and with the whole dead load."""
-    chunk, gauge = Chunk(np.ones(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
+    chunk, drive_force = Chunk(np.ones(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
 
     def take() -> None:
         if threads > 1:
             numba.set_num_threads(threads)
-        compiled_step.advance_model(model, chunk, threads, 0, steps, gauge)
+        compiled_step.advance_model(model, chunk, threads, 0, steps, drive_force)
 
     return take
 
@@ -89,17 +89,17 @@ def turn_axes(model: Model) -> None:
 def used(model: Model) -> set[str]:
     """Optional parts that the step of a model contains, by the names of test_left_out.py."""
     bodies = [body for body in model.bodies if body is not None]
-    shapes, interfaces = model.groups[:2]
+    law_parameters, joint_properties = model.groups[:2]
     parts = {
         "dead loads": any(body.load is not None for body in bodies),
-        "dilation": any(i.tan_dilation is not None for i in interfaces),
+        "dilation": any(i.tan_dilation is not None for i in joint_properties),
         "damping": model.damping is not None,
         "energy ledger": any(body.work is not None for body in bodies),
         "softening": any(
             i.tensile_strength is not None and not isinstance(s, Brittle)
-            for s, i in zip(shapes, interfaces, strict=True)
+            for s, i in zip(law_parameters, joint_properties, strict=True)
         ),
-        "second law": len(shapes) > 1,
+        "second law": len(law_parameters) > 1,
         "expected motion": any(body.guess is not None for body in bodies),
         "turned axes": any(getattr(body, "axes", None) is not None for body in bodies),
         "tets": model.bodies.tets is not None,
@@ -121,7 +121,7 @@ def works(model: Model) -> np.ndarray:
 
 
 @jit
-def _shove(rounds, sides, by, u, sweeps, shape, interface, state, normal, area, force):
+def _shove(rounds, sides, by, u, sweeps, parameters, joint, state, normal, area, force):
     for _ in range(rounds):
         for c in range(len(by)):
             b = sides[c, 1]
@@ -129,16 +129,16 @@ def _shove(rounds, sides, by, u, sweeps, shape, interface, state, normal, area, 
             u[b, 1] += by[c, 1]
             u[b, 2] += by[c, 2]
         if sweeps:
-            sweep(None, shape, interface, state, 0, len(by), sides, normal, area, u, force)
+            sweep(None, parameters, joint, state, 0, len(by), sides, normal, area, u, force)
 
 
 def sweeping(model: Model, by: np.ndarray, rounds: int, sweeps: bool = True) -> Callable[[], None]:
     """A call that moves side b of every contact by (C, 3) m, then sweeps over the contacts (or not), so many times."""
-    shapes, interfaces, states, _ = model.groups
+    law_parameters, joint_properties, states, _ = model.groups
     sides, normal, area, u, force = model.contacts
 
     def take() -> None:
-        _shove(rounds, sides, by, u, sweeps, shapes[0], interfaces[0], states[0], normal, area, force)
+        _shove(rounds, sides, by, u, sweeps, law_parameters[0], joint_properties[0], states[0], normal, area, force)
 
     return take
 

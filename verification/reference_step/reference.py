@@ -29,13 +29,13 @@ class ReferenceStep:
     def __init__(self, model: Model, law: str = "exponential", damped: bool = True, booked: bool = True) -> None:
         self.model, self.dt, self.xi = model, model.dt, model.damping if damped else 0.0
         joints, count = model.joints, len(model.joints.area)
-        shape, interface = model.groups.parameters[0], model.groups.properties[0]
-        i = interface
+        parameters, joint = model.groups.parameters[0], model.groups.properties[0]
+        i = joint
         self.law = (i.normal_stiffness, i.shear_stiffness)
         self.past, self.slip, self.spent = (np.zeros((count if law != "elastic" else 0, 4)) for _ in range(3))
         if law != "elastic":
             limits = i.tensile_strength, i.cohesion, i.tan_friction, i.residual_cohesion, i.tan_residual_friction
-            self.law += limits + ((shape.G_I, shape.G_II) if law == "exponential" else (0.0, 1.0))
+            self.law += limits + ((parameters.G_I, parameters.G_II) if law == "exponential" else (0.0, 1.0))
             self.past[:] = i.tensile_strength / i.normal_stiffness, 1.0, 1.0, i.normal_stiffness
         self.frame = np.column_stack([joints.normal, joints.area])
         self.force = np.zeros((count, 4))

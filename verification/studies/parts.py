@@ -13,7 +13,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.kinematics.motion import Guided
 from masonry.loading.scheduled import Chunk
-from masonry.model.arrays import Bodies, Groups, in_rows, memory_of, own_memory
+from masonry.model.arrays import Bodies, Groups, group_state, in_rows, initial_state
 from masonry.model.loads import Program
 from masonry.model.model import Model
 from masonry.timeloop.compiled_step import advance_model
@@ -66,9 +66,9 @@ def march(assembly: Assembly) -> np.ndarray:
     """Take all steps of a program in one call: (steps,) force of the drive, N."""
     plan = assembly.plan
     assert isinstance(plan, Program)
-    gauge = np.zeros(plan.steps)
-    advance_model(assembly.model, Chunk(plan.dead_load, plan.speed, False), 1, 0, plan.steps, gauge)
-    return gauge
+    drive_force = np.zeros(plan.steps)
+    advance_model(assembly.model, Chunk(plan.dead_load, plan.speed, False), 1, 0, plan.steps, drive_force)
+    return drive_force
 
 
 def few_steps(assembly: Assembly, steps: int) -> list[np.ndarray]:
@@ -76,13 +76,13 @@ def few_steps(assembly: Assembly, steps: int) -> list[np.ndarray]:
     model, plan = assembly.model, assembly.plan
     assert isinstance(plan, Program)
     speed = np.full(steps + 1, plan.speed[np.argmax(np.abs(plan.speed))])
-    gauge = np.zeros(steps)
-    advance_model(model, Chunk(np.zeros(steps + 1), speed, False), 1, 0, steps, gauge)
-    return [gauge, model.contacts.u, *(body.v for body in model.bodies if body is not None)]
+    drive_force = np.zeros(steps)
+    advance_model(model, Chunk(np.zeros(steps + 1), speed, False), 1, 0, steps, drive_force)
+    return [drive_force, model.contacts.u, *(body.v for body in model.bodies if body is not None)]
 
 
 def put_in_the_state_of(other: Model, model: Model) -> None:
-    """Give a model the place, speed, forces and memory of another one of the same blocks."""
+    """Give a model the place, speed, forces and contact state of another one of the same blocks."""
     for body, its in zip(model.bodies, other.bodies, strict=True):
         for name in ("q", "v", "contact", "hold"):
             if body is not None and hasattr(body, name):
@@ -122,12 +122,14 @@ def book_nothing(model: Model) -> None:
 
 def dilate_by_nothing(model: Model) -> None:
     """Dilation of angle zero in all groups that can crack."""
-    shapes, interfaces, _, bounds = model.groups
-    interfaces = tuple(
-        i if i.tensile_strength is None else i._replace(tan_dilation=0.0, dilation_cutoff=1.0) for i in interfaces
+    law_parameters, joint_properties, _, bounds = model.groups
+    joint_properties = tuple(
+        i if i.tensile_strength is None else i._replace(tan_dilation=0.0, dilation_cutoff=1.0) for i in joint_properties
     )
-    model.state = memory_of(model.group, list(interfaces))
-    model.groups = Groups(shapes, interfaces, tuple(own_memory(model.state, i) for i in interfaces), bounds)
+    model.state = initial_state(model.group, list(joint_properties))
+    model.groups = Groups(
+        law_parameters, joint_properties, tuple(group_state(model.state, i) for i in joint_properties), bounds
+    )
 
 
 def damp_by_nothing(model: Model) -> None:
@@ -137,11 +139,13 @@ def damp_by_nothing(model: Model) -> None:
 
 def split(model: Model) -> None:
     """Each contact group as two, of the same law and numbers."""
-    shapes, interfaces, states, bounds = model.groups
+    law_parameters, joint_properties, states, bounds = model.groups
     middle = (bounds[:-1] + bounds[1:]) // 2
     twice = np.sort(np.concatenate([bounds, middle])).astype(bounds.dtype)
-    shapes, interfaces, states = (tuple(x for x in of for _ in range(2)) for of in (shapes, interfaces, states))
-    model.groups = Groups(shapes, interfaces, states, twice)
+    law_parameters, joint_properties, states = (
+        tuple(x for x in of for _ in range(2)) for of in (law_parameters, joint_properties, states)
+    )
+    model.groups = Groups(law_parameters, joint_properties, states, twice)
 
 
 def glued(kind: str) -> dict[str, Any]:

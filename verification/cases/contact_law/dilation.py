@@ -89,8 +89,8 @@ def ended(findings: Findings) -> None:
             shape, interface = law(name, dilation_angle=PSI, dilation_cutoff=cutoff)
             state = contact(interface)
             walk((shape, interface), along([(0, 0, -2 * UM), (80 * UM, 0, -2 * UM), (0, 0, -2 * UM)], 0.7 * UM), state)
-            assert state.uplift is not None
-            findings.check(f"rise at a cut-off of {1e6 * cutoff:g} um, {name}", "m", float(state.uplift[0]),
+            assert state.dilation is not None
+            findings.check(f"rise at a cut-off of {1e6 * cutoff:g} um, {name}", "m", float(state.dilation[0]),
                            tan(PSI) * cutoff, "closed form", 1e-12, 1e-14,
                            "a sum that stops at its limit: rounding")  # fmt: skip
 

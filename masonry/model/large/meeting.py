@@ -14,13 +14,13 @@ from masonry.detection.overlap import most_points, scratch_of
 from masonry.detection.pieces import pieces_of
 from masonry.detection.placing import turned_of
 from masonry.kernels.bonds import Bonds
-from masonry.kernels.patches import Motion, Rules
-from masonry.kernels.redetection import Near, Search, no_pairs, no_points
+from masonry.kernels.patches import Motion, Rules, no_pairs, no_points
+from masonry.kernels.redetection import Near, Search
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.turning import Turning
 from masonry.model.arrays import in_rows
-from masonry.model.large_bodies import turning
-from masonry.model.large_step import contact_row_sums
+from masonry.model.large.bodies import turning
+from masonry.model.large.row_sums import contact_row_sums
 from masonry.model.layout import Layout
 from masonry.model.stable_step import Side
 
@@ -32,7 +32,7 @@ LEAST = 1e-2
 
 @dataclass(frozen=True)
 class Meetings:
-    """How blocks meet: `rules`, and law_of (G, G, 2), which of them serves two groups of two units (0) or of one (1)."""
+    """How blocks meet: `rules`, and law_of (G, G, 2), which of them serves two groups, of two units (0) or of one."""
 
     rules: Rules
     law_of: np.ndarray
@@ -70,9 +70,9 @@ def add_row_sums(
     """Row sums of the contacts of the undeformed shape, or of blocks whose faces all press, whichever are larger.
 
     stiffness (C,) N/m; stiffest, Pa/m, of all ways in which blocks meet. Every face counts with it over its whole area,
-    on blocks with levers like their own. Its corners have the area of their share of the triangles between corners and centroid:
-    a patch lies within the faces, and lumping a part of a face at its corners gives no larger sum of a convex function
-    of the place than lumping the whole face does.
+    on blocks with levers like their own; its corners have the area of their share of the triangles between corners and
+    centroid. A patch lies within the faces, and lumping a part of a face at its corners gives no larger sum of a convex
+    function of the place than lumping the whole face does.
     """
     contact_row_sums(sums, sides, stiffness)
     corner, area, block = _face_corners(blocks)
@@ -154,6 +154,7 @@ def near_of(
         found=np.zeros((room, 2), dtype=np.int64),
         flag=np.zeros(4, dtype=np.int64),
     )
+    assert body.patches is not None
     motion = Motion(
         layout.centroid.copy(), body.q, body.frame, body.v, body.patches, pieces.reach.copy(), np.zeros(count)
     )
@@ -170,12 +171,13 @@ def keys(pairs: np.ndarray, count: int) -> np.ndarray:
 
 def bonds_of(sides: np.ndarray, joints: Joints, layout: Layout, body: Turning, u: np.ndarray) -> Bonds:
     """Frames and displacements of the contacts; sides (C, 2) rows of u."""
-    count = len(sides)
+    count, apart = len(sides), body.apart
+    assert apart is not None
     return Bonds(
         rows=np.array(sides),
         frames=body.frame,
         owner=layout.local[joints.block_a].astype(np.int64),
         u=u,
         force=in_rows(np.zeros((count, 3))),
-        apart=body.apart,
+        apart=apart,
     )

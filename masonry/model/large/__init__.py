@@ -1,0 +1,1 @@
+"""Models of large displacement, made from those of small ones: bodies, what may meet, the stable step."""
