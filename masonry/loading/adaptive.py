@@ -8,12 +8,12 @@ from masonry.loading.predictor import Predictor
 from masonry.loading.schedule import Path
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.loading.settings import SETTINGS, AdaptiveSettings
+from masonry.loading.utilisation import utilisation
 from masonry.model.loads import Controlled, Program, smooth
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
 from masonry.monitors.events import PARTED, Events
 from masonry.monitors.stability import LEAP, smallest_block
-from masonry.monitors.utilisation import utilisation
 from masonry.runtime.state import State, attributes, load_attributes
 
 REMEMBERED = (

@@ -7,9 +7,9 @@ from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
+from masonry.loading.utilisation import utilisation
 from masonry.monitors.energy import Seen
 from masonry.monitors.snap_back import SnapBack
-from masonry.monitors.utilisation import utilisation
 
 STRENGTHS = ("tensile_strength", "cohesion", "fracture_energy_mode_1", "fracture_energy_mode_2")
 SMALL = {"specimen.divisions": [2, 1]}
