@@ -251,3 +251,9 @@ def rotations(frame: np.ndarray) -> np.ndarray:
     found = np.empty(frame.shape)
     _rotations(frame, found)
     return found
+
+
+def rotation_angles(frame: np.ndarray) -> np.ndarray:
+    """(B,) rad of rotations (B, 3, 3)."""
+    sine = np.stack([frame[:, 2, 1] - frame[:, 1, 2], frame[:, 0, 2] - frame[:, 2, 0], frame[:, 1, 0] - frame[:, 0, 1]])
+    return np.arctan2(np.linalg.norm(sine, axis=0), np.einsum("bii->b", frame) - 1.0)

@@ -293,9 +293,3 @@ def kinetic(body: Turning, masses: np.ndarray, before: np.ndarray) -> float:
     """
     moving = np.sum(masses[:, :3] * before[:, :3] * body.v[:, :3])
     return 0.5 * float(moving + np.sum(before[:, 3:] * body.v[:, 3:]))
-
-
-def rotation_angles(frame: np.ndarray) -> np.ndarray:
-    """(B,) rad of rotations (B, 3, 3)."""
-    sine = np.stack([frame[:, 2, 1] - frame[:, 1, 2], frame[:, 0, 2] - frame[:, 2, 0], frame[:, 1, 0] - frame[:, 0, 1]])
-    return np.arctan2(np.linalg.norm(sine, axis=0), np.einsum("bii->b", frame) - 1.0)

@@ -3,8 +3,8 @@
 import numpy as np
 
 from masonry.errors import Stopped
+from masonry.kinematics.matrices import rotation_angles
 from masonry.kinematics.tets import mean_turn
-from masonry.kinematics.turning import rotation_angles
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
 from masonry.monitors.energy import open_in_contacts
