@@ -72,7 +72,7 @@ def merge(pairs, before, points, body, search, count):
         if known:
             copy_pair(before, p, pairs, number)
             p, number = p + 1, number + 1
-        elif (search.moves[a] or search.moves[b]) and not is_bonded(search.bonded, a, b, len(body)):
+        elif (search.moves[a] or search.moves[b]) and not is_bonded(search.bonded, search.held, a, b, len(body)):
             one = 1 if search.unit[a] == search.unit[b] else 0
             pairs.piece[number, 0], pairs.piece[number, 1] = i, j
             pairs.body[number, 0], pairs.body[number, 1] = a, b
@@ -91,8 +91,8 @@ def merge(pairs, before, points, body, search, count):
 
 
 @bare
-def is_bonded(bonded, a, b, count):
+def is_bonded(bonded, held, a, b, count):
     """Whether bonds hold two blocks together."""
     key = min(a, b) * count + max(a, b)
     k = np.searchsorted(bonded, key)
-    return k < len(bonded) and bonded[k] == key
+    return k < len(bonded) and bonded[k] == key and held[k]

@@ -28,6 +28,8 @@ FAR = 1e30
 FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
 """Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
 points that press changed, and by points that were born pressing."""
+DEEP = 0.5
+"""Of the skin: with a deeper overlap no contact is born, as the two blocks passed each other unseen."""
 NEED_POINTS, NEED_PAIRS, TOO_DEEP = 1, 2, 3
 """Why a step was not taken: no free slot, no room for pairs, or a contact that was born with a deep overlap."""
 
@@ -37,7 +39,7 @@ class Search(NamedTuple):
 
     group, unit (B,) of each block      law_of (G, G, 2) row of Rules for two groups, of two units or of one
     bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;
-             N pieces in all
+             N pieces in all; held (K,) whether they still do
     moves    (B,) whether it can move
     mass     (B,) kg, real     least (B,) m2, area of a contact of edges     position (B, 3) m, of centroids now
     built    (B,) m, travel at the last search      skin (1,) m
@@ -51,6 +53,7 @@ class Search(NamedTuple):
     unit: np.ndarray
     law_of: np.ndarray
     bonded: np.ndarray
+    held: np.ndarray
     moves: np.ndarray
     mass: np.ndarray
     least: np.ndarray
@@ -191,6 +194,9 @@ def renew(near, p, count, own):
     total = 0.0
     for k in range(count):
         along, gap = 0.0, search.gap[k]
+        if had == 0 and gap < -DEEP * search.skin[0]:
+            search.flag[0], search.flag[1] = TOO_DEEP, p
+            return False
         for i in range(3):
             search.point[k, i] += 0.5 * side * gap * axis[i]  # from the middle to the face that the points belong to
             along += axis[i] * (search.point[k, i] - position[ref, i])

@@ -36,8 +36,8 @@ def make_room(model: Model) -> None:
     if why == TOO_DEEP:
         a, b = near.pairs.body[pair]
         raise Stopped(
-            f"blocks {a} and {b} overlap at once by more than a hundredth of their size: the step or the skin is too "
-            "long for their speed, or they overlapped from the start"
+            f"blocks {a} and {b} overlap by more than a hundredth of a block as they first meet: they overlapped from "
+            "the start, or are too fast for the time step"
         )
     model.large = replace(model.large, near=_more_pairs(near) if why == NEED_PAIRS else _more_points(near))
 

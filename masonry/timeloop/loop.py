@@ -28,6 +28,7 @@ from masonry.runtime.state import State, attributes, load_attributes
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import advance_model
 from masonry.timeloop.recording import Outcome, Recording
+from masonry.timeloop.retirement import retire
 
 FOUND = ("peak_force", "displacement_at_peak", "lowest_force", "displacement_at_lowest", "steps", "log")
 """What an outcome has besides the history before the run is over."""
@@ -98,6 +99,8 @@ class Loop:
         frame_due = now * self.recording.frames >= (self.frames_done + 1) * whole or now == whole
         self.frames_done = now * self.recording.frames // whole
         self.take_row(self.done, before, frame_due)
+        if self.model.large is not None:
+            retire(self.model)
         self.outcome.steps = self.done
         if progress is not None:
             progress(now, whole, f"step {self.done}, {self.state_of_the_run()}")

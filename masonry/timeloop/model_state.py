@@ -24,16 +24,17 @@ def changing(model: Model) -> dict[str, np.ndarray]:
         seen = {id(array) for array in found.values()}
         found |= {f"contacts.{g}.{k}": array for k, array in enumerate(contacts) if id(array) not in seen}
     if model.large is not None:
-        found |= large_arrays(model.large, model.bodies.rigid)
+        found |= large_arrays(model.large, model.bodies.rigid, model.contacts.area)
     return {name: array for name, array in found.items() if array is not None}
 
 
-def large_arrays(large: Large, body: Any) -> dict[str, np.ndarray]:
+def large_arrays(large: Large, body: Any, area: np.ndarray) -> dict[str, np.ndarray]:
     """What large displacement changes besides."""
     near = large.near
     parts = {"pairs": near.pairs, "points": near.points}
     found = {"frame": body.frame, "momentum": body.momentum, "patches": body.patches, "account": near.account}
     found |= {"apart": large.bonds.apart, "bond_u": large.bonds.u, "bond_force": large.bonds.force}
+    found |= {"held": near.search.held, "area": area}
     found |= {"travel": near.motion.travel, "built": near.search.built, "flag": near.search.flag, "alive": large.alive}
     return found | {f"{name}.{k}": array for name in ("pairs", "points") for k, array in enumerate(parts[name])}
 

@@ -136,6 +136,7 @@ def near_of(
         unit=blocks.unit.astype(np.int64),
         law_of=meetings.law_of,
         bonded=keys(bonded, len(pieces.body)),
+        held=np.ones(len(keys(bonded, len(pieces.body))), dtype=bool),
         moves=np.asarray(body.dt_over_mass.any(axis=1)),
         mass=mass,
         least=LEAST * size**2,
