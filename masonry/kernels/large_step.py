@@ -6,7 +6,7 @@ A scene of small displacement compiles nothing of this file.
 from masonry.jit.compiler import jit
 from masonry.kernels.bonds import from_frames, to_frames
 from masonry.kernels.patches import press
-from masonry.kernels.redetection import refresh
+from masonry.kernels.refreshing import refresh
 from masonry.kernels.step import pull, reaction, sweep_groups
 from masonry.kinematics.dispatch import move, place
 

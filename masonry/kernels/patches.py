@@ -116,17 +116,16 @@ def press(near, dt):
         kn, ks, tan = rules.normal_stiffness[law[p]], rules.shear_stiffness[law[p]], rules.tan_friction[law[p]]
         side = 1.0 if own == 1 else -1.0  # the normal points from side 0 to side 1
         nx, ny, nz = turned(frame, ref, normal[p, 0], normal[p, 1], normal[p, 2])
-        cx, cy, cz = centre[ref, 0] + moved[ref, 0], centre[ref, 1] + moved[ref, 1], centre[ref, 2] + moved[ref, 2]
-        ox, oy, oz = (
-            centre[other, 0] + moved[other, 0],
-            centre[other, 1] + moved[other, 1],
-            centre[other, 2] + moved[other, 2],
+        ox, oy, oz = (  # the sums of the places would lose digits far from the origin
+            (centre[other, 0] - centre[ref, 0]) + (moved[other, 0] - moved[ref, 0]),
+            (centre[other, 1] - centre[ref, 1]) + (moved[other, 1] - moved[ref, 1]),
+            (centre[other, 2] - centre[ref, 2]) + (moved[other, 2] - moved[ref, 2]),
         )
         wx, wy, wz = 0.5 * (v[ref, 3] + v[other, 3]), 0.5 * (v[ref, 4] + v[other, 4]), 0.5 * (v[ref, 5] + v[other, 5])
         fx = fy = fz = rx = ry = rz = qx = qy = qz = 0.0
         for k in range(count[s]):
             ax, ay, az = turned(frame, other, material[s, k, 0], material[s, k, 1], material[s, k, 2])
-            bx, by, bz = ax + ox - cx, ay + oy - cy, az + oz - cz
+            bx, by, bz = ax + ox, ay + oy, az + oz
             gap = side * (nx * bx + ny * by + nz * bz - level[s, k])
             # velocity of side 1 against side 0 at the point
             dx = v[other, 0] - v[ref, 0] + v[other, 4] * az - v[other, 5] * ay - v[ref, 4] * bz + v[ref, 5] * by
@@ -227,7 +226,7 @@ def gap_of(pairs, points, motion, p, k):
     a = turned(motion.frame, other, points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2])
     along = 0.0
     for i in range(3):
-        between = motion.centre[other, i] + motion.moved[other, i] - motion.centre[ref, i] - motion.moved[ref, i]
+        between = (motion.centre[other, i] - motion.centre[ref, i]) + (motion.moved[other, i] - motion.moved[ref, i])
         along += n[i] * (a[i] + between)
     return (along - points.level[s, k]) * (1.0 if own == 1 else -1.0)
 

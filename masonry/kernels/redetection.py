@@ -1,9 +1,4 @@
-"""Looking for contacts again: which pairs are near, where they touch, and what their points remember.
-
-A block's travel bounds how far any of its points has moved. A pair is looked at again when the travel of its two blocks
-exceeds a limit: 1 % of the patch, or what keeps them apart. All pairs are found anew when the two largest travels since
-the last search exceed the skin.
-"""
+"""Looking for contacts again: where a pair touches, and what its points remember; refreshing.py says when."""
 
 from math import sqrt
 from typing import NamedTuple
@@ -18,13 +13,14 @@ from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
 from masonry.detection.transfer import transfer, turn_tractions
-from masonry.kernels.pair_search import find_pairs
 from masonry.kernels.patches import Motion, Pairs, Points, Rules, stored, turned
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
 FAR = 1e30
 """m: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks."""
+BORN_DEEP = 0.1
+"""Of the side of a contact of edges, itself a tenth of a block's: the overlap at which a contact may not begin."""
 FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
 """Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
 points that press changed, and by points that were born pressing."""
@@ -41,11 +37,14 @@ class Search(NamedTuple):
     bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;
              N pieces in all; held (K,) whether they still do
     moves    (B,) whether it can move
-    mass     (B,) kg, real     least (B,) m2, area of a contact of edges     position (B, 3) m, of centroids now
+    mass     (B,) kg, real     least (B,) m2, area of a contact of edges
+    position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
     built    (B,) m, travel at the last search      skin (1,) m
     point, gap, area, feature  room for what one look finds
     was_normal, was_point, shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was
     found    (F, 2) room for the pairs that a search finds
+    stale    (F,) faces whose patches are all looked at in this step; (B,) the same of blocks: refreshing.py
+    stale_block
     flag     (4,) why no step was taken, the pair to blame; searches and looks so far
     """
 
@@ -70,6 +69,8 @@ class Search(NamedTuple):
     was_area: np.ndarray
     was_feature: np.ndarray
     found: np.ndarray
+    stale: np.ndarray
+    stale_block: np.ndarray
     flag: np.ndarray
 
 
@@ -90,44 +91,6 @@ class Near(NamedTuple):
 
 
 @bare
-def refresh(near, dt):
-    """Count the travel of the coming step, and look at all pairs that it may change; False where it cannot be taken."""
-    motion, search, pairs = near.motion, near.search, near.pairs
-    count_travel(motion, dt)
-    travel = motion.travel
-    if needs_search(travel, search.built, search.skin[0]) and not find_pairs(near):
-        return False
-    body, mark, limit = pairs.body, pairs.mark, pairs.limit
-    for p in range(pairs.number[0]):
-        if travel[body[p, 0]] + travel[body[p, 1]] - mark[p] > limit[p] and not look(near, p):
-            return False
-    return True
-
-
-@bare
-def count_travel(motion, dt):
-    """Add to each block's travel what this step can add to it at most."""
-    v, travel, radius = motion.v, motion.travel, motion.radius
-    for b in range(len(travel)):
-        speed = sqrt(v[b, 0] ** 2 + v[b, 1] ** 2 + v[b, 2] ** 2)
-        spin = sqrt(v[b, 3] ** 2 + v[b, 4] ** 2 + v[b, 5] ** 2)
-        travel[b] += (speed + spin * radius[b]) * dt
-
-
-@bare
-def needs_search(travel, built, skin):
-    """Whether two blocks may have come nearer to each other by the skin since the last search."""
-    first = second = 0.0
-    for b in range(len(travel)):
-        moved = travel[b] - built[b]
-        if moved > first:
-            first, second = moved, first
-        elif moved > second:
-            second = moved
-    return first + second > skin
-
-
-@bare
 def look(near, p):
     """Where pair p touches now; its points take over what they remember. False without room."""
     pieces, pairs, points, motion, search = near.pieces, near.pairs, near.points, near.motion, near.search
@@ -135,8 +98,9 @@ def look(near, p):
     for side in range(2):
         block = pairs.body[p, side]
         placing.place(pieces, pairs.piece[p, side], motion.frame[block], near.turned)
-        for i in range(3):
-            search.position[block, i] = motion.centre[block, i] + motion.moved[block, i]
+    for i in range(3):  # from the first block, so that it is the same everywhere in space
+        search.position[a, i] = 0.0
+        search.position[b, i] = (motion.centre[b, i] - motion.centre[a, i]) + (motion.moved[b, i] - motion.moved[a, i])
     skin, least, axis = search.skin[0], min(search.least[a], search.least[b]), pairs.axis[p]
     search.flag[3] += 1
     kind, count, separation, blend, size = touch(
@@ -153,7 +117,8 @@ def look(near, p):
         search.flag[0], search.flag[1] = NEED_POINTS, p
         pairs.mark[p] = -FAR
         return False
-    return renew(near, p, count, 1 if blend >= 0.5 else 0)
+    own = 1 if blend > 0.5 or (blend == 0.5 and pieces.rank[pairs.piece[p, 0]] <= pieces.rank[pairs.piece[p, 1]]) else 0
+    return renew(near, p, count, own)
 
 
 @bare
@@ -191,8 +156,9 @@ def renew(near, p, count, own):
     pairs.points_of[p] = own
     for i in range(3):
         pairs.normal[p, i] = frame[ref, 0, i] * axis[0] + frame[ref, 1, i] * axis[1] + frame[ref, 2, i] * axis[2]
-    total = 0.0
+    total = deepest = 0.0
     for k in range(count):
+        deepest = min(deepest, search.gap[k])
         along, gap = 0.0, search.gap[k]
         if had == 0 and gap < -DEEP * search.skin[0]:
             search.flag[0], search.flag[1] = TOO_DEEP, p
@@ -221,6 +187,9 @@ def renew(near, p, count, own):
         for k in range(count):
             points.shear[s, k, 0] = points.shear[s, k, 1] = points.shear[s, k, 2] = 0.0
     set_dashpot(pairs, near.rules, search, p, total)
+    if had == 0 and -deepest > BORN_DEEP * sqrt(min(search.least[ref], search.least[other])):
+        search.flag[0], search.flag[1] = TOO_DEEP, p
+        return False
     now_pressed, now_sheared = stored(pairs, points, near.rules, motion, p)
     near.account[SHEAR_LOST] += sheared - now_sheared
     near.account[NORMAL_GAINED if had > 0 else BORN] += now_pressed - pressed

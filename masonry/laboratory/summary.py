@@ -28,6 +28,8 @@ BROKEN, DAMAGED = 0.95, 0.05
 SUDDEN = 1e-3
 """Share of all energy lost, by cracks, friction and damping, from which on what a sudden crack released is told."""
 
+STILL_SHARE = 1e-4
+"""Of the kinetic energy when the first block has fallen: with less, the fall has not begun."""
 MOVED = 1e-12
 """Openings and slips (m) up to this one, far less than an atom, are but rounding."""
 ROUNDING = 1e-9
@@ -71,6 +73,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     standings, size = outcome.standing.values(), float(np.ptp(assembly.specimen.blocks.points, axis=0).max())
     last = {key: float(values[-1]) for key, values in rows.items()}
     torn = abs(open_in_contacts(last))
+    scale = (
+        max(abs(spent), ROUNDING * work) if model.large is None else moved
+    )  # what falls may dissipate next to nothing
     laws = {name: scene.contact_of(name).law for name in model.group_names}
     kinematics = {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups}
     return {
@@ -110,7 +115,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / moved) if moved > 0 else 0.0,
-        "dissipation_mismatch": torn / max(abs(spent), ROUNDING * work) if spent else 0.0,
+        "dissipation_mismatch": torn / scale if (spent or model.large is not None) and scale > 0.0 else 0.0,
         "unbalanced_after_settling": float(observed["unbalanced"][-1]),
         "kinetic_after_settling": float(observed["still_moving"][-1]),
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
@@ -124,7 +129,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "mode_2_over_law": outcome.found["mode_2_over_law"],
         "slip_max": float(observed["slip"].max()),
         "met": outcome.found.get("met", ""),
-        **({} if model.large is None else {"collapse": _collapse(assembly, outcome)}),
+        **({} if model.large is None else _of_large(assembly, outcome)),
         "slip_limit": scene.solver.slip_limit,
         "section_m2": assembly.specimen.section,
         "interrupted": outcome.interrupted,
@@ -142,25 +147,37 @@ def add_tilt(assembly: Assembly, outcome: Outcome) -> None:
         rows[TILT] = tilt
 
 
+def _of_large(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
+    """Whether the run is one in real time, with the masses as they are; and what fell."""
+    return {"in_real_time": not assembly.model.scaled, "collapse": _collapse(assembly, outcome)}
+
+
 def _collapse(assembly: Assembly, outcome: Outcome) -> dict[str, Any] | None:
-    """The first block to fall: its number, set and place at the start; time, drive and force when it had; energies."""
+    """The first block to fall: its number, set and place at the start; time, drive and force when it had; energies.
+
+    `began` says the same of when the fall began: the last row before at which all was as good as still; None without.
+    """
     if outcome.found["collapse"] is None:
         return None
     block, step, energies = outcome.found["collapse"]
     rows, specimen = outcome.history.rows, assembly.specimen
     row = int(np.searchsorted(rows["step"], step))
-    now = {key: float(rows[key][row]) for key in ("time", "displacement", "force")}
+    still = np.flatnonzero(rows["kinetic"][:row] < STILL_SHARE * rows["kinetic"][row])
     return {
         "block": block,
         "sets": sorted(name for name, members in specimen.sets.items() if block in members),
         "at_m": assembly.model.layout.centroid[block].tolist(),
-        "step": step,
-        "time_s": now["time"],
-        "displacement_m": now["displacement"],
-        "force_n": now["force"],
-        **({"tilt_rad": float(rows[TILT][row])} if TILT in rows else {}),
+        **_moment(rows, row),
+        "began": _moment(rows, int(still[-1])) if len(still) else None,
         "energy_j": energies,
     }
+
+
+def _moment(rows: dict[str, np.ndarray], row: int) -> dict[str, float]:
+    """When, and at which drive and tilt."""
+    keys = {"time": "time_s", "displacement": "displacement_m", "force": "force_n", TILT: "tilt_rad"}
+    numbers = {name: float(rows[key][row]) for key, name in keys.items() if key in rows}
+    return {"step": int(rows["step"][row]), **numbers}
 
 
 def _sources(scene: Scene) -> str:

@@ -71,12 +71,17 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
     return [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
-        *([("tilt of gravity", [tilt_text(tilt)])] if isinstance(tilt := summary.get("tilt_rad"), float) else []),
+        *(
+            [("tilt of gravity", [f"{tilt_text(tilt)}, at the end"])]
+            if isinstance(tilt := summary.get("tilt_rad"), float)
+            else []
+        ),
+        *([("collapse", [collapse_text(fallen)])] if (fallen := summary.get("collapse")) else []),
         *((name, [gauge_text(readings, driven)]) for name, readings in (summary.get("gauges") or {}).items()),
         *([("work of dead loads", [words])] if driven and (words := loads_text(summary)) else []),
         ("energy balance", [f"open by {_number(summary, 'energy_imbalance', 1.0, 'of the external work')}"]),
         *([("force balance", [balance_text(summary)])] if summary.get("force_balance") is not None else []),
-        *(_slow_rows(summary) if driven else []),
+        *(_slow_rows(summary) if driven and not summary.get("in_real_time") else []),
         *([("accuracy", [accuracy_text(summary)])] if summary.get("control") else []),
         *([("sudden cracks", [sudden_text(summary)])] if summary.get("sudden_cracks") else []),
         ("steps", [str(summary.get("steps", "not known"))]),
@@ -138,9 +143,25 @@ def cycles_text(cycles: list[dict[str, Any]]) -> str:
     return f"{len(cycles)}, dissipating {spent}{more} J{left}"
 
 
+def has_tilt(summary: dict[str, Any]) -> bool:
+    """Whether gravity was turned."""
+    return isinstance(summary.get("tilt_rad"), float)
+
+
 def tilt_text(tilt: float) -> str:
     """By how much (rad) gravity was turned."""
-    return f"{degrees(tilt):.4g} deg at the end, tangent {tan(tilt):.4g}"
+    return f"{degrees(tilt):.4g} deg, tangent {tan(tilt):.4g}"
+
+
+def collapse_text(fallen: dict[str, Any]) -> str:
+    """Which block fell first, when, and when and at what its fall began."""
+    sets, at = ", ".join(fallen["sets"]), ", ".join(f"{x:.4g}" for x in fallen["at_m"])
+    what = f"block {fallen['block']} ({sets}), first at ({at}) m, is the first to fall, after {fallen['time_s']:.4g} s"
+    if (began := fallen["began"]) is None:
+        return what
+    tilt = f", with gravity turned by {tilt_text(began['tilt_rad'])}" if "tilt_rad" in began else ""
+    drive = f", with the drive at {1e3 * began['displacement_m']:.4g} mm" if began["displacement_m"] else ""
+    return f"{what}; the fall began after {began['time_s']:.4g} s{drive}{tilt}"
 
 
 def gauge_text(readings: dict[str, float], driven: bool = True) -> str:

@@ -38,14 +38,8 @@ def trust(summary: dict[str, Any]) -> str:
     mismatch = summary.get("dissipation_mismatch") or 0.0
     if mismatch > DISSIPATION:
         doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
-    share, moving = (summary.get(f"{what}_after_settling") or 0.0 for what in ("unbalanced", "kinetic"))
-    if share > UNBALANCED or moving > STILL:
-        doubts.append(
-            f"the dead loads had not come to rest ({share:.2g} of them unbalanced, kinetic energy {moving:.2g} of the "
-            "stored): raise settle.steps, or leave it out; if that does not help, the specimen cannot stand under them"
-        )
-    elif not has_drive(summary) and (moving := moving_at_end(summary)) > STILL:
-        doubts.append(f"the specimen still moves at the end: its kinetic energy is {moving:.2g} of the stored")
+    dynamic = bool(summary.get("in_real_time"))
+    doubts += [] if dynamic else not_at_rest(summary)
     if (summary.get("force_balance") or 0.0) > IMBALANCE:
         doubts.append(f"forces and moments add up to {summary['force_balance']:.2g} of the largest, not to 0")
     if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
@@ -77,11 +71,36 @@ def trust(summary: dict[str, Any]) -> str:
             f"damping took {percent(control['drag_at_peak'])} of the force at the peak, which may be too high by as"
             " much: ask for a smaller accuracy"
         )
+    doubts += [] if dynamic else not_slow(summary, damping)
+    if not doubts:
+        kind = "a run in real time" if dynamic else "quasi-static" if has_drive(summary) else "at rest"
+        return (
+            f"{kind} and the energy balance closes: the numbers solve this model; whether the model describes the wall "
+            "depends on the scene's assumptions."
+        )
+    return "with care: " + "; ".join(doubts) + "."
+
+
+def not_at_rest(summary: dict[str, Any]) -> list[str]:
+    """What speaks against dead loads that have settled."""
+    share, moving = (summary.get(f"{what}_after_settling") or 0.0 for what in ("unbalanced", "kinetic"))
+    if share > UNBALANCED or moving > STILL:
+        return [
+            f"the dead loads had not come to rest ({share:.2g} of them unbalanced, kinetic energy {moving:.2g} of the "
+            "stored): raise settle.steps, or leave it out; if that does not help, the specimen cannot stand under them"
+        ]
+    if not has_drive(summary) and (moving := moving_at_end(summary)) > STILL:
+        return [f"the specimen still moves at the end: its kinetic energy is {moving:.2g} of the stored"]
+    return []
+
+
+def not_slow(summary: dict[str, Any], damping: float) -> list[str]:
+    """What speaks against a test that is slow enough to be static; damping over the work."""
     slow = (
         ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),
         ("kinetic_over_internal_max", KINETIC, "kinetic energy reaches {:.2g} of the internal"),
     )
-    fast = []
+    doubts, fast = [], []
     for key, limit, words in slow:
         value = summary.get(key)
         if value is None:
@@ -92,12 +111,7 @@ def trust(summary: dict[str, Any]) -> str:
         fast.append(f"damping takes {damping:.2g} of the work (should be under {DAMPING:g})")
     if fast:
         doubts.append("not quasi-static: " + " and ".join(fast) + "; load more slowly")
-    if not doubts:
-        return (
-            f"{'quasi-static' if has_drive(summary) else 'at rest'} and the energy balance closes: the numbers solve "
-            "this model; whether the model describes the wall depends on the scene's assumptions."
-        )
-    return "with care: " + "; ".join(doubts) + "."
+    return doubts
 
 
 def percent(share: float, digits: int = 2) -> str:

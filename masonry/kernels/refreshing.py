@@ -1,0 +1,110 @@
+"""When contacts are looked for again: which pairs are near, and which of them a step may change.
+
+A block's travel bounds how far any of its points has moved. A pair is looked at again when the travel of its two blocks
+exceeds a limit: 1 % of the patch, or what keeps them apart. All pairs are found anew when the two largest travels since
+the last search exceed the skin.
+"""
+
+from math import sqrt
+
+from masonry.detection.bare import bare
+from masonry.detection.narrow import FACE
+from masonry.kernels.pair_search import find_pairs
+from masonry.kernels.redetection import look
+
+
+@bare
+def refresh(near, dt):
+    """Count the travel of the coming step, and look at all pairs that it may change; False where it cannot be taken."""
+    motion, search, pairs = near.motion, near.search, near.pairs
+    count_travel(motion, dt)
+    travel = motion.travel
+    if needs_search(travel, search.built, search.skin[0]) and not find_pairs(near):
+        return False
+    body, mark, limit = pairs.body, pairs.mark, pairs.limit
+    looked = False
+    for p in range(pairs.number[0]):
+        if travel[body[p, 0]] + travel[body[p, 1]] - mark[p] > limit[p]:
+            looked = True
+            if not look(near, p):
+                return False
+            call_others(near, p)
+    return look_together(near) if looked else True
+
+
+@bare
+def call_others(near, p):
+    """What shares a face of a moving block with pair p, or may soon, is to be looked at in the same step."""
+    pairs, search = near.pairs, near.search
+    for side in range(2):
+        block = pairs.body[p, side]
+        if search.moves[block]:
+            search.stale_block[block] = True
+            if pairs.slot[p] >= 0 and pairs.witness[p, 0] == FACE:
+                search.stale[pairs.witness[p, 1 + side]] = True
+
+
+@bare
+def look_together(near):
+    """Look at the patches of stale faces, and at pairs of stale blocks that nearly touch; False without room.
+
+    A block that slides over a seam stands on one patch before and one behind it. Cut in the same step, they make up the
+    whole face again; one after the other, they would leave a part of it out or count it twice, which is felt as a
+    change of stiffness.
+    """
+    pairs, search, motion = near.pairs, near.search, near.motion
+    again = True
+    while again:
+        again = False
+        for p in range(pairs.number[0]):
+            if pairs.mark[p] == motion.travel[pairs.body[p, 0]] + motion.travel[pairs.body[p, 1]]:
+                continue
+            apart = pairs.slot[p] < 0
+            if not (nearly_touches(pairs, search, p) if apart else on_stale_face(pairs, search, p)):
+                continue
+            if not look(near, p):
+                return False
+            if apart and pairs.slot[p] >= 0:
+                call_others(near, p)
+                again = True
+    search.stale[:] = False
+    search.stale_block[:] = False
+    return True
+
+
+@bare
+def nearly_touches(pairs, search, p):
+    """Whether the pair, which was apart, may touch after a small part of the skin, and one of its blocks is stale."""
+    stale = search.stale_block[pairs.body[p, 0]] or search.stale_block[pairs.body[p, 1]]
+    return stale and pairs.limit[p] <= 0.25 * search.skin[0]
+
+
+@bare
+def on_stale_face(pairs, search, p):
+    """Whether a patch lies on a stale face."""
+    if pairs.witness[p, 0] != FACE:
+        return False
+    return search.stale[pairs.witness[p, 1]] or search.stale[pairs.witness[p, 2]]
+
+
+@bare
+def count_travel(motion, dt):
+    """Add to each block's travel what this step can add to it at most."""
+    v, travel, radius = motion.v, motion.travel, motion.radius
+    for b in range(len(travel)):
+        speed = sqrt(v[b, 0] ** 2 + v[b, 1] ** 2 + v[b, 2] ** 2)
+        spin = sqrt(v[b, 3] ** 2 + v[b, 4] ** 2 + v[b, 5] ** 2)
+        travel[b] += (speed + spin * radius[b]) * dt
+
+
+@bare
+def needs_search(travel, built, skin):
+    """Whether two blocks may have come nearer to each other by the skin since the last search."""
+    first = second = 0.0
+    for b in range(len(travel)):
+        moved = travel[b] - built[b]
+        if moved > first:
+            first, second = moved, first
+        elif moved > second:
+            second = moved
+    return first + second > skin

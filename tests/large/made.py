@@ -1,0 +1,48 @@
+"""Dry boxes of large displacement on a held slab, loose enough to be computed fast."""
+
+from math import cos, radians, sin
+
+from masonry.scene import Scene
+from tests.scenes import box, listed, load, specimen, tables
+
+G = 9.81
+DENSITY = 2000.0
+STIFF = "10 GPa/m"
+
+
+def dry(
+    boxes: list[str],
+    friction: float = 0.6,
+    gravity: tuple[float, float, float] = (0.0, 0.0, -G),
+    duration: float = 0.3,
+    turned: str = "",
+    more: str = "",
+    supports: tuple[str, ...] = ('on = "slab"\nfix = "all"',),
+    settle: int = 0,
+    rows: int = 200,
+) -> Scene:
+    """Boxes under a weight along `gravity` (m/s2); the one called slab is held."""
+    down = "\n".join(f'{axis} = "{part!r} m/s^2"' for axis, part in zip("xyz", gravity, strict=True))
+    contact = (
+        f'normal_stiffness = "{STIFF}"\nshear_stiffness = "5 GPa/m"\ntan_friction_angle = {friction}\n'
+        "normal_dashpot = 0.5"
+    )
+    return load(
+        'displacements = "large"\nlaw = "friction"\nkinematics = "rigid"\n'
+        + specimen(boxes, 0.01, more=turned)
+        + tables("material", {"units": f'density = "{DENSITY} kg/m^3"'})
+        + tables("contact", {"unit_unit": contact})
+        + listed("support", list(supports))
+        + f"[gravity]\n{down}\n[settle]\nsteps = {settle}\n"
+        + f'[solver]\nmasses = "real"\ndamping = 0\nduration = "{duration} s"\nrows = {rows}\n{more}'
+    )
+
+
+def leaning(slope: float) -> tuple[float, float, float]:
+    """The weight on a plane that falls towards x at a slope (deg), seen from the plane."""
+    return G * sin(radians(slope)), 0.0, -G * cos(radians(slope))
+
+
+def slab(length: float = 4.0) -> str:
+    """A flat box whose top is at z = 0."""
+    return box("slab", (-0.5 * length, -0.5, -0.1), (length, 1.0, 0.1), "units", 0)
