@@ -35,8 +35,10 @@ def retire(model: Model) -> None:
     model.contacts.force[going] = large.bonds.force[going] = 0.0
     large.near.search.held[:] = np.isin(large.near.search.bonded, key[large.alive])
     large.near.search.built[:] = -np.inf
-    while not refresh(model.large.near, 0.0):
+    while not refresh(large.near, 0.0):
         make_room(model)
+        large = model.large
+        assert large is not None
     _hand_over(model, tractions, count)
 
 
