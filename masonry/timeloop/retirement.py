@@ -3,7 +3,8 @@
 import numpy as np
 
 from masonry.kernels.patches import gap_of, turned
-from masonry.kernels.redetection import SHEAR_LOST, refresh
+from masonry.kernels.redetection import SHEAR_LOST
+from masonry.kernels.refreshing import refresh
 from masonry.model.large.meeting import Large, keys
 from masonry.model.model import Model
 from masonry.timeloop.large_motion import make_room
