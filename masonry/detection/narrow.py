@@ -22,6 +22,8 @@ NONE, FACE, EDGE = 0, 1, 2
 """Kinds: no contact; two faces, or a face and an edge or corner; two crossed edges."""
 BLEND = 1e-3
 """Of the smaller radius: difference of the gaps of two faces over which n turns from one normal to the other."""
+MOVED = 0.01
+"""Of the size of a patch: motion of its two sides against each other after which it is clipped anew."""
 BETWEEN = 0.1
 """Of the size of a patch: what motions are compared with while n lies between two normals."""
 HOLD = 0.1
@@ -52,7 +54,8 @@ def touch(
     separation       m along n, < 0 where the pieces overlap; where they do not, no more than their distance
     blend            weight of p's normal in n
     size             m, root of the area of the overlap: what motions are compared with; a tenth of that where n lies
-                     between two normals, since a tilt may soon turn it to one of them
+                     between two normals, since a tilt may soon turn it to one of them; and so small that what was
+                     cut away cannot close before the pair is clipped anew
     """
     rank = pieces.rank
     body = pieces.body
@@ -73,6 +76,7 @@ def touch(
         point[k, 0] += position[i, 0]
         point[k, 1] += position[i, 1]
         point[k, 2] += position[i, 2]
+    size = min(size, 0.5 * reach / MOVED)
     witness[0] = kind
     if a == p:
         axis[0], axis[1], axis[2], witness[1], witness[2] = nx, ny, nz, fa, fb
