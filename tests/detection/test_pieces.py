@@ -56,6 +56,7 @@ def test_an_ell_is_cut_into_convex_pieces_that_fill_it():
     pieces = pieces_of(blocks_of(prism(ELL, 0, 1, ELL_ENDS)))
     assert len(pieces.body) == 2 and np.all(pieces.body == 0)
     assert sum(volume(pieces, p) for p in range(2)) == pytest.approx(3.0, rel=1e-12)
+    assert len(pieces.edge) == 12 + 8 and not pieces.inner[pieces.edge[:, 2:]].any()
     assert pieces.inner.sum() == 1  # the other side of the cut is longer than the face that covers it
 
 
