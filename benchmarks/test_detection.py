@@ -86,7 +86,7 @@ def test_a_pair_of_boxes_is_clipped_at_the_price_that_was_set(benchmark, figure)
     per_item(figure, benchmark, "pair of boxes, clipped anew", work, CALLS, (450, 300), 450)
     turned = brick_pair()
     turned.put(1, frame=turn(1e-4, 2e-4, 0.2))
-    per_item(figure, None, "pair of boxes, turned", clipping(turned, pairs, True), CALLS, (900, 600), 900)
+    per_item(figure, None, "pair of boxes, turned", clipping(turned, pairs, True), CALLS, (1200, 900), 1100)
 
 
 def test_a_pair_of_cells_is_clipped_at_the_price_that_was_set(benchmark, figure):

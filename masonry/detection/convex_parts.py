@@ -6,6 +6,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, GeometryError
 from geometry.polyhedra.intersect import is_inside, solid
+from geometry.polyhedra.measures import extent, face_areas_normals_centroids
 from geometry.polyhedra.merged_faces import merged_faces
 from geometry.polyhedra.polygons import areas_normals_centroids
 from geometry.polyhedra.weld import weld
@@ -23,7 +24,38 @@ class Convex(NamedTuple):
     loops: list[list[int]]
 
 
-def convex_block(blocks: Blocks, block: int) -> Convex:
+class Welded(NamedTuple):
+    """Corners of all faces of some blocks, the same number where they are one corner of one block.
+
+    points  (n, 3) m;  number  (., ) for each entry of face_points;  normal  (F, 3)
+    """
+
+    points: np.ndarray
+    number: np.ndarray
+    normal: np.ndarray
+
+
+def welded(blocks: Blocks) -> Welded:
+    """The corners of each block put together where they are nearer than NEAR; those of two blocks never are."""
+    every, size = blocks.points[blocks.face_points], extent(blocks)
+    block = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
+    kept, number = weld(np.c_[every, 10.0 * size * block], NEAR * size)
+    return Welded(every[kept], number, face_areas_normals_centroids(blocks)[1])
+
+
+def convex_block(blocks: Blocks, block: int, weld: Welded) -> Convex:
+    """A convex block with each plane as one face; its own faces where these have a plane each and share their edges."""
+    faces = blocks.faces_of(block)
+    normal = weld.normal[faces.start : faces.stop]
+    if np.count_nonzero(normal @ normal.T > 0.999) == len(faces):
+        loops = [weld.number[blocks.face_start[f] : blocks.face_start[f + 1]].tolist() for f in faces]
+        edges = {edge for loop in loops for edge in zip(loop, [*loop[1:], loop[0]], strict=True)}
+        if all((b, a) in edges and a != b for a, b in edges):
+            return _tidy(weld.points, loops)
+    return merged_block(blocks, block)
+
+
+def merged_block(blocks: Blocks, block: int) -> Convex:
     """A convex block with each plane as one face: faces that were cut in two, or into triangles, are one again."""
     faces = [blocks.face(f) for f in blocks.faces_of(block)]
     every = np.concatenate(faces)
@@ -144,10 +176,9 @@ def _box(low: np.ndarray, high: np.ndarray) -> Convex:
 
 def _tidy(corners: np.ndarray, loops: list[list[int]]) -> Convex:
     """The same without corners that no face uses."""
-    used = np.unique(np.concatenate(loops))
-    number = np.zeros(len(corners), dtype=np.int64)
-    number[used] = np.arange(len(used))
-    return Convex(corners[used], [number[loop].tolist() for loop in loops])
+    used = sorted({corner for loop in loops for corner in loop})
+    number = {corner: k for k, corner in enumerate(used)}
+    return Convex(corners[used], [[number[corner] for corner in loop] for loop in loops])
 
 
 def covered(part: Convex, others: list[Convex], width: float) -> list[bool]:

@@ -22,12 +22,16 @@ NONE, FACE, EDGE = 0, 1, 2
 """Kinds: no contact; two faces, or a face and an edge or corner; two crossed edges."""
 BLEND = 1e-3
 """Of the smaller radius: difference of the gaps of two faces over which n turns from one normal to the other."""
+MOVED = 0.01
+"""Of the size of a patch: motion of its two sides against each other after which it is clipped anew."""
 BETWEEN = 0.1
 """Of the size of a patch: what motions are compared with while n lies between two normals."""
 HOLD = 0.1
 """Of the gap or depth: by how much another axis must be better before it takes the place of the present one."""
 HOLD_FACING = 0.02
 """Cosine by which another face must look more against n."""
+ROUNDS = 4
+"""Pairs of faces that are tried one after the other, each better than the last."""
 FLAT, FLAT_HELD = 0.995, 0.998
 """Cosine between n and the axis of two edges: nearer ones are part of the overlap of two faces; while they touch."""
 SNAP, ROUND_OFF = 1e-12, 1e-9
@@ -50,7 +54,8 @@ def touch(
     separation       m along n, < 0 where the pieces overlap; where they do not, no more than their distance
     blend            weight of p's normal in n
     size             m, root of the area of the overlap: what motions are compared with; a tenth of that where n lies
-                     between two normals, since a tilt may soon turn it to one of them
+                     between two normals, since a tilt may soon turn it to one of them; and so small that what was
+                     cut away cannot close before the pair is clipped anew
     """
     rank = pieces.rank
     body = pieces.body
@@ -71,6 +76,7 @@ def touch(
         point[k, 0] += position[i, 0]
         point[k, 1] += position[i, 1]
         point[k, 2] += position[i, 2]
+    size = min(size, 0.5 * reach / MOVED)
     witness[0] = kind
     if a == p:
         axis[0], axis[1], axis[2], witness[1], witness[2] = nx, ny, nz, fa, fb
@@ -97,28 +103,19 @@ def _ordered(
         fb, gap_b, _ = widest_face(
             normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, -inf
         )
-        if gap_a >= gap_b:
-            fb = most_facing(normal, inner, lb, lb_end, normal[fa, 0], normal[fa, 1], normal[fa, 2], -1, 0.0)
-        else:
-            fa = most_facing(normal, inner, la, la_end, normal[fb, 0], normal[fb, 1], normal[fb, 2], -1, 0.0)
-    for _ in range(4):
+        if fa < 0 or fb < 0:  # a piece in the middle of its body
+            return NONE, 0, inf, 0.5, 0.0, -1, -1, 0.0, 0.0, 0.0
+        fa, fb = _pair_of(normal, inner, fa, fb, la, la_end, lb, lb_end, gap_a >= gap_b, False)
+    for _ in range(ROUNDS):
         gap_a = face_gap(normal, offset, fa, vertex, vb, vb_end, dx, dy, dz)
         gap_b = face_gap(normal, offset, fb, vertex, va, va_end, -dx, -dy, -dz)
-        if gap_a >= gap_b:
-            other = most_facing(normal, inner, lb, lb_end, normal[fa, 0], normal[fa, 1], normal[fa, 2], fb, HOLD_FACING)
-            if other != fb:
-                fb, gap_b = other, face_gap(normal, offset, other, vertex, va, va_end, -dx, -dy, -dz)
-        else:
-            other = most_facing(normal, inner, la, la_end, normal[fb, 0], normal[fb, 1], normal[fb, 2], fa, HOLD_FACING)
-            if other != fa:
-                fa, gap_a = other, face_gap(normal, offset, other, vertex, vb, vb_end, dx, dy, dz)
+        face, other = _pair_of(normal, inner, fa, fb, la, la_end, lb, lb_end, gap_a >= gap_b, True)
+        if face != fa or other != fb:
+            fa, fb = face, other
+            gap_a = face_gap(normal, offset, fa, vertex, vb, vb_end, dx, dy, dz)
+            gap_b = face_gap(normal, offset, fb, vertex, va, va_end, -dx, -dy, -dz)
         wide = max(gap_a, gap_b)
-        blend = min(max(0.5 + 0.5 * (gap_a - gap_b) / (BLEND * small), 0.0), 1.0)
-        nx = blend * normal[fa, 0] - (1.0 - blend) * normal[fb, 0]
-        ny = blend * normal[fa, 1] - (1.0 - blend) * normal[fb, 1]
-        nz = blend * normal[fa, 2] - (1.0 - blend) * normal[fb, 2]
-        share = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
-        nx, ny, nz = share * nx, share * ny, share * nz
+        blend, nx, ny, nz = _between(normal, fa, fb, (gap_a - gap_b) / (BLEND * small))
         if wide > skin:
             return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
         plane = common_plane(vertex, loop, loop_start, normal, offset, fa, fb, dx, dy, dz, nx, ny, nz)
@@ -137,14 +134,9 @@ def _ordered(
         )
         if parted or also:
             return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
-        if another >= 0:
-            fb = another
-            fa = most_facing(normal, inner, la, la_end, normal[fb, 0], normal[fb, 1], normal[fb, 2], -1, 0.0)
-        elif other >= 0:
-            fa = other
-            fb = most_facing(normal, inner, lb, lb_end, normal[fa, 0], normal[fa, 1], normal[fa, 2], -1, 0.0)
-        else:
+        if another < 0 and other < 0:
             break
+        fa, fb = _pair_of(normal, inner, other, another, la, la_end, lb, lb_end, another < 0, False)
     flat = FLAT
     if known == EDGE:
         beyond, flat = wide - HOLD * abs(wide) - tie, FLAT_HELD
@@ -169,6 +161,30 @@ def _ordered(
     )  # fmt: skip
     size = sqrt(full) if blend in (0.0, 1.0) else BETWEEN * sqrt(full)
     return (FACE if count else NONE), count, wide, blend, size, fa, fb, nx, ny, nz
+
+
+@inlined
+def _pair_of(normal, inner, fa, fb, la, la_end, lb, lb_end, first, held):
+    """One of two faces, the first or the second, with the face of the other piece that looks most against it.
+
+    held: the other one of the two stays where no face looks more against it by HOLD_FACING.
+    """
+    if first:
+        x, y, z = normal[fa, 0], normal[fa, 1], normal[fa, 2]
+        return fa, most_facing(normal, inner, lb, lb_end, x, y, z, fb if held else -1, HOLD_FACING)
+    x, y, z = normal[fb, 0], normal[fb, 1], normal[fb, 2]
+    return most_facing(normal, inner, la, la_end, x, y, z, fa if held else -1, HOLD_FACING), fb
+
+
+@inlined
+def _between(normal, fa, fb, lead):
+    """Weight of the normal of face fa, which leads the other one, and the unit normal between both."""
+    blend = min(max(0.5 + 0.5 * lead, 0.0), 1.0)
+    nx = blend * normal[fa, 0] - (1.0 - blend) * normal[fb, 0]
+    ny = blend * normal[fa, 1] - (1.0 - blend) * normal[fb, 1]
+    nz = blend * normal[fa, 2] - (1.0 - blend) * normal[fb, 2]
+    share = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
+    return blend, share * nx, share * ny, share * nz
 
 
 @bare

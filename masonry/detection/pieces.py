@@ -11,8 +11,8 @@ import numpy as np
 from geometry.blocks import Blocks, GeometryError
 from geometry.polyhedra.intersect import are_convex
 from geometry.polyhedra.measures import centroids, extent
-from geometry.polyhedra.polygons import areas_normals_centroids
-from masonry.detection.convex_parts import NEAR, Convex, convex_block, convex_parts, covered
+from geometry.polyhedra.polygons import areas_normals_centroids, pad
+from masonry.detection.convex_parts import NEAR, Convex, convex_block, convex_parts, covered, welded
 from masonry.detection.features import MOST_CORNERS, MOST_FACES
 
 
@@ -61,9 +61,10 @@ def pieces_of(blocks: Blocks) -> Pieces:
     origin = centroids(blocks)
     convex = are_convex(blocks, NEAR * extent(blocks))
     found: list[tuple[int, Convex, list[bool]]] = []
+    together = welded(blocks)
     for b in range(blocks.count):
         if convex[b]:
-            part = convex_block(blocks, b)
+            part = convex_block(blocks, b, together)
             found.append((b, part, [False] * len(part.loops)))
             continue
         parts = convex_parts(blocks, b)
@@ -87,7 +88,8 @@ def _flat(found: list[tuple[int, Convex, list[bool]]], origin: np.ndarray) -> Pi
     face_start = _starts(len(part.loops) for _, part, _ in found)
     loops = [np.array(loop) + vertex_start[p] for p, (_, part, _) in enumerate(found) for loop in part.loops]
     vertex, inner = np.concatenate(vertices), np.array([x for _, _, flags in found for x in flags], dtype=bool)
-    normal = np.array([areas_normals_centroids(vertex[loop][None])[1][0] for loop in loops])
+    loop_start, loop = _starts(map(len, loops)), np.concatenate(loops)
+    normal = areas_normals_centroids(pad(vertex, loop_start, loop)[0])[1]
     edges = [_edges(loops, face_start[p], face_start[p + 1], inner) for p in range(len(found))]
     centre = np.array([v.mean(axis=0) for v in vertices])
     radius = np.array([np.linalg.norm(v - c, axis=1).max() for v, c in zip(vertices, centre, strict=True)])
@@ -99,7 +101,7 @@ def _flat(found: list[tuple[int, Convex, list[bool]]], origin: np.ndarray) -> Pi
     rank[np.lexsort(place.T[::-1])] = np.arange(len(found))
     return Pieces(
         body, np.searchsorted(body, np.arange(len(origin) + 1)), rank, vertex_start, vertex, face_start,
-        _starts(map(len, loops)), np.concatenate(loops), normal, inner, _starts(map(len, edges)),
+        loop_start, loop, normal, inner, _starts(map(len, edges)),
         np.array([edge for some in edges for edge in some], dtype=np.int64).reshape(-1, 4), centre, radius, reach,
     )  # fmt: skip
 

@@ -7,10 +7,8 @@ both bodies; it lies midway between its two points, where both bodies feel its f
 from math import sqrt
 
 from masonry.detection.bare import bare, inlined
-from masonry.detection.narrow import EDGE
+from masonry.detection.narrow import EDGE, MOVED
 
-MOVED = 0.01
-"""Of the size of a patch: motion of its two sides against each other after which it is clipped anew."""
 QUIET = 0.01
 """Of the skin: motion after which two pieces that touch nowhere are looked at again, however near they are."""
 

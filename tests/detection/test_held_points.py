@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
+from masonry.detection.narrow import MOVED
 from masonry.detection.placing import cofactor
-from masonry.detection.tracking import MOVED, hold_axis, hold_points, present_pairs, quiet_distance
+from masonry.detection.tracking import hold_axis, hold_points, present_pairs, quiet_distance
 from tests.detection.touching import Bodies, boxes, random_turn, turn
 
 

@@ -103,6 +103,7 @@ def test_the_overlap_is_cut_where_the_gap_is_wider_than_the_reach_and_keeps_the_
     assert cut.area.sum() == pytest.approx(0.5 * reach / np.tan(tilt), rel=1e-9)
     assert sorted(cut.gap) == pytest.approx([0, 0, reach, reach], abs=1e-12)
     assert cut.size == pytest.approx(np.sqrt(0.5 * np.cos(tilt)))
+    assert rocking.touch(reach=0.002).size == pytest.approx(0.1)  # a motion of half the reach calls for a new clip
     kept = rocking.touch(reach=reach, least=0.2)
     assert kept.area.sum() == pytest.approx(0.2) and np.allclose(kept.point, cut.point)
     flat = boxes(([-9, -9, 0], [9, 9, 1]), ([0, 0, 1], [0.1, 0.1, 2])).touch(reach=reach, least=0.2)

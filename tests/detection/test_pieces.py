@@ -5,9 +5,10 @@ import pytest
 
 from geometry.polyhedra.construct import from_faces
 from geometry.polyhedra.convexity import convex_pieces
+from geometry.polyhedra.measures import centroids
 from masonry.detection.narrow import NONE
 from masonry.detection.pieces import pieces_of
-from tests.detection.touching import Bodies, box_blocks, cells
+from tests.detection.touching import Bodies, box_blocks, cells, subset
 
 
 def prism(outline, low: float, high: float, cut=None) -> list[np.ndarray]:
@@ -55,6 +56,7 @@ def test_an_ell_is_cut_into_convex_pieces_that_fill_it():
     pieces = pieces_of(blocks_of(prism(ELL, 0, 1, ELL_ENDS)))
     assert len(pieces.body) == 2 and np.all(pieces.body == 0)
     assert sum(volume(pieces, p) for p in range(2)) == pytest.approx(3.0, rel=1e-12)
+    assert len(pieces.edge) == 12 + 8 and not pieces.inner[pieces.edge[:, 2:]].any()
     assert pieces.inner.sum() == 1  # the other side of the cut is longer than the face that covers it
 
 
@@ -91,10 +93,11 @@ def test_a_block_on_the_pieces_of_a_body_feels_no_seam():
 
 def test_order_by_place_does_not_depend_on_the_numbers():
     blocks = cells(20, 3)
-    from tests.detection.touching import subset
-
-    mixed = np.random.default_rng(4).permutation(20)
-    assert np.array_equal(pieces_of(subset(blocks, mixed)).rank, pieces_of(blocks).rank[mixed])
+    pieces, mixed = pieces_of(blocks), np.random.default_rng(4).permutation(20)
+    assert np.array_equal(pieces_of(subset(blocks, mixed)).rank, pieces.rank[mixed])
+    middle = [np.unique(pieces_of(subset(blocks, [b])).vertex, axis=0).mean(axis=0)[0] for b in range(20)]
+    along = np.array(middle) + centroids(blocks)[:, 0]
+    assert np.all(np.diff(along[np.argsort(pieces.rank)]) > -1e-12)
 
 
 def test_the_ends_of_the_ell_are_the_convex_pieces_of_its_face():
