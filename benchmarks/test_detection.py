@@ -1,4 +1,4 @@
-"""Detection of large displacement: pairs that are clipped, points that are held, neighbours, a patch carried over.
+"""Detection of large displacement: pairs that are clipped, neighbours, a patch carried over.
 
 The reference is a chain of multiplications, each of which waits for the one before: what any processor, under any load,
 does at its clock. Times are the least of many rounds; gates are ratios to that.
@@ -10,7 +10,6 @@ import pytest
 from masonry.detection.bare import bare
 from masonry.detection.broad import cells_of, near_pairs
 from masonry.detection.narrow import FACE, touch
-from masonry.detection.tracking import hold_axis, hold_points, present_pairs
 from masonry.detection.transfer import transfer
 from tests.detection.touching import Bodies, box_blocks, cells, turn
 from verification.reference_step.interleaved import in_turn, require
@@ -102,38 +101,6 @@ def test_a_pair_of_cells_is_clipped_at_the_price_that_was_set(benchmark, figure)
     work = clipping(bodies, pairs, True)
     row = f"pair of cells of {np.diff(pieces.face_start)[pairs].mean():.0f} faces"
     per_item(figure, benchmark, row, work, CALLS * len(pairs), (1800, 900), 1600)
-
-
-def test_a_held_point_costs_what_was_set(benchmark, figure):
-    courses, units = 20, 20
-    k, i = (x.ravel() for x in np.indices((courses, units)))
-    low = np.stack([0.25 * i + 0.125 * (k % 2), 0 * i, 0.065 * k], axis=1)
-    bodies = Bodies(box_blocks(low, low + [0.24, 0.115, 0.065]))
-    arrays = held(bodies)
-    points = int(arrays[3].sum())
-    per_item(figure, benchmark, "held point", lambda: present_pairs(*arrays), points, (12, 8), 12)
-
-
-def held(bodies: Bodies):
-    """All that touch, as a time loop holds them: the arguments of `present_pairs`."""
-    space, pairs = cells_of(bodies.pieces.body, 10_000), np.zeros((10_000, 2), dtype=np.int64)
-    lows = [bodies.corners(b) for b in range(len(bodies.position))]
-    space.low[:], space.high[:] = np.array([c.min(axis=0) for c in lows]), np.array([c.max(axis=0) for c in lows])
-    pairs, rows = pairs[: near_pairs(space, pairs)], []
-    for p, q in pairs:
-        found = bodies.touch(p, q, skin=0.004, reach=0.004)
-        if found.kind == FACE:
-            arms, normals = (np.zeros((len(found.gap), 3)), np.zeros((len(found.gap), 3))), (np.zeros(3), np.zeros(3))
-            frame = bodies.frame
-            hold_points(found.point, found.gap, len(found.gap), found.axis, p, q, bodies.position, frame, frame, *arms)
-            hold_axis(bodies.pieces, found.witness, found.axis, frame[p], frame[q], *normals)
-            rows.append((p, q, len(found.gap), *normals, found.blend, found.size, *arms, found.gap))
-    a, b, count, na, nb, blend, size, arm_a, arm_b, born = zip(*rows, strict=True)
-    start = np.cumsum([0, *count])[:-1]
-    flat = np.concatenate(arm_a), np.concatenate(arm_b), np.concatenate(born)
-    each = [np.array(x) for x in (a, b, start, count, na, nb, blend, size)]
-    out = np.zeros((len(a), 3)), np.zeros((len(flat[2]), 3)), np.zeros(len(flat[2])), np.zeros(len(a), dtype=bool)
-    return (*each, *flat, bodies.position, bodies.frame, bodies.frame, *out)
 
 
 def wall(count: int):

@@ -219,21 +219,3 @@ def _sort_pairs(pairs, count, first, behind):
             behind[at] = j
         for k in range(first[i], first[i + 1]):
             pairs[k, 0], pairs[k, 1] = i, behind[k]
-
-
-@bare
-def travelled(travel, body, dx, dy, dz, turn, reach):
-    """Add to travel (N,) m the most that a point of a body moved: its shift (m), and its turn (rad) times its reach."""
-    travel[body] += sqrt(dx * dx + dy * dy + dz * dz) + reach * abs(turn)
-
-
-@bare
-def needs_rebuild(travel, skin):
-    """Whether two bodies may have come nearer to each other by more than the skin (m) since travel (N,) was 0."""
-    most = second = 0.0
-    for b in range(len(travel)):
-        if travel[b] > most:
-            most, second = travel[b], most
-        elif travel[b] > second:
-            second = travel[b]
-    return most + second > skin

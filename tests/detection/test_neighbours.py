@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from masonry.detection.broad import cells_for, cells_of, near_pairs, needs_rebuild, travelled, write_boxes
+from masonry.detection.broad import cells_for, cells_of, near_pairs, write_boxes
+from masonry.kernels.patches import Motion
+from masonry.kernels.refreshing import count_travel, needs_search
 from tests.detection.touching import Bodies, box_blocks, cells, random_turn, turn
 
 
@@ -88,11 +90,13 @@ def test_no_contact_is_missed_before_the_neighbours_are_found_anew():
     listed = set(map(tuple, pairs[: near_pairs(space, pairs)].tolist()))
     travel, steps = np.zeros(count), 0
     way, axis = rng.normal(size=(count, 3)), rng.normal(size=(count, 3))
-    while not needs_rebuild(travel, skin):
+    v, reach = np.concatenate([way, axis], axis=1), bodies.pieces.reach
+    motion = Motion(np.zeros((count, 3)), v, bodies.frame, v, v, reach, travel)
+    while not needs_search(travel, np.zeros(count), skin):
+        count_travel(motion, 0.001)
         for b in range(count):
             step, spin = 0.001 * way[b], 0.001 * axis[b]
             bodies.put(b, bodies.position[b] + step, turn(*spin) @ bodies.frame[b])
-            travelled(travel, b, *step, np.linalg.norm(spin), bodies.pieces.reach[b])
         steps += 1
         corners = np.array([bodies.corners(b) for b in range(count)])
         now = brute_force(corners.min(axis=1), corners.max(axis=1), np.arange(count))
@@ -103,8 +107,8 @@ def test_no_contact_is_missed_before_the_neighbours_are_found_anew():
 
 
 def test_two_bodies_that_come_nearer_by_more_than_the_skin_are_noticed():
-    travel = np.zeros(5)
-    travelled(travel, 1, 0.03, 0.04, 0.0, 0.0, 1.0)
-    travelled(travel, 3, 0.0, 0.0, 0.0, -0.1, 0.4)
+    v, travel, reach = np.zeros((5, 6)), np.zeros(5), np.full(5, 0.4)
+    v[1, :2], v[3, 5] = (0.3, 0.4), -1.0
+    count_travel(Motion(v[:, :3], v, v, v, v, reach, travel), 0.1)
     assert travel == pytest.approx([0, 0.05, 0, 0.04, 0])
-    assert needs_rebuild(travel, 0.089) and not needs_rebuild(travel, 0.091)
+    assert needs_search(travel, np.zeros(5), 0.089) and not needs_search(travel, np.zeros(5), 0.091)
