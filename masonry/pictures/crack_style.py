@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry.history import Frame
 from masonry.pictures.camera import Camera
-from masonry.pictures.cracks import CrackLines
+from masonry.pictures.crack_lines import CrackLines
 from masonry.results.deformation import Corners, Deformation
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from masonry.pictures.camera import front_view
-from masonry.pictures.cracks import crack_lines
+from masonry.pictures.crack_lines import crack_lines
 from verification.case import Case, Findings
 from verification.cases.friction import triplet
 from verification.fixtures.scene_text import TWO_BOXES

@@ -8,7 +8,7 @@ import numpy as np
 from masonry.laboratory.result import Result
 from masonry.laboratory.summary import BROKEN
 from masonry.pictures.camera import front_view
-from masonry.pictures.cracks import CrackLines, crack_lines
+from masonry.pictures.crack_lines import CrackLines, crack_lines
 from verification.paper.experiment import Done
 
 POINTS = 300
