@@ -10,7 +10,7 @@ from geometry.meshes.fan_tets import within
 from geometry.polyhedra import overlaps
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.gauge_places import gauges_of
-from masonry.assembly.restraint import require_held
+from masonry.assembly.loose_parts import require_held
 from masonry.assembly.scatter import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of
 from masonry.assembly.size_limits import require_sane_size
