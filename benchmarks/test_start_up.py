@@ -14,6 +14,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from verification.reference_step.interleaved import require
+
 ROUNDS = 3
 WORST = "wallette-mode-2-218"
 """The shipped scene that compiles longest: cells, two laws, dead loads."""
@@ -86,11 +88,6 @@ def clocks(work: Callable[[], object]) -> tuple[float, float]:
     work()
     after = os.times()
     return time.perf_counter() - begun, sum(after[2:4]) - sum(before[2:4])
-
-
-def require(value: float, limit: float, what: str) -> None:
-    """Fail with a sentence."""
-    assert value <= limit, f"{what}: {value:.2f} times the reference, the gate is {limit:.2f}"
 
 
 @pytest.fixture(scope="module")

@@ -36,7 +36,7 @@ class RequiredFeature(Exception):
 
 @dataclass(frozen=True)
 class Check:
-    """One number (or the largest of many) held against its reference; `at_most` makes one against a bound.
+    """One number (or the largest of many) held against its reference; `Findings.at_most` makes one against a bound.
 
     tolerance  on |value - reference| / scale
     expected   the error that the method should have here (same scale): the order of the scheme, rounding, ...
@@ -97,11 +97,6 @@ class Check:
         if self.is_bound or not self.holds:
             return False
         return abs(self.error) > UNEXPECTED * (1 + 1e-9) * max(self.expected, ROUNDS)
-
-
-def at_most(quantity: str, unit: str, value: float, most: float, reason: str) -> Check:
-    """A bound, such as what a scene must have done to be worth anything: "the weakest joint has cracked"."""
-    return Check(quantity, unit, value, most, BOUND, 0.0, 0.0, reason)
 
 
 @dataclass(frozen=True)
@@ -168,6 +163,10 @@ class Findings:
     ) -> None:
         """Add a `Check`."""
         self.checks.append(Check(quantity, unit, value, reference, kind, tolerance, expected, reason, scale))
+
+    def at_most(self, quantity: str, unit: str, value: float, most: float, reason: str) -> None:
+        """Add a bound, such as what a run must have done to be worth anything: "the weakest joint has cracked"."""
+        self.check(quantity, unit, value, most, BOUND, 0.0, 0.0, reason)
 
     def plot(self, title: str, x_label: str, y_label: str, *lines: Line, log: bool = False) -> None:
         """Add a `Plot` of some lines."""

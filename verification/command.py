@@ -5,13 +5,12 @@ moved), 2 wrong words, 130 interrupted.
 """
 
 import json
-import sys
 import time
 from argparse import Namespace
 from pathlib import Path
 
 from masonry.errors import SceneError
-from masonry.runtime.shell import Parser, complain
+from masonry.runtime.shell import Parser, complain, tell
 from verification import catalogue, records, runner, text
 from verification.case import Case
 from verification.comparison import compare, last_version
@@ -77,7 +76,7 @@ def main(arguments: list[str] | None = None) -> int:
             return HOLDS
     begun = time.perf_counter()
     try:
-        outcomes = runner.run(cases, words.workers, _tell)
+        outcomes = runner.run(cases, words.workers, tell)
     except runner.Cut as cut:
         return _cut(words, cut, len(cases), time.perf_counter() - begun)
     code = _say(words.format, outcomes, time.perf_counter() - begun)
@@ -95,7 +94,7 @@ def _missing(cases: list[Case], folder: Path | None) -> list[Case]:
         raise SceneError("--missing skips what is in the records of a folder: name it with --out DIR")
     known = records.done(folder)
     missing = [case for case in cases if case.name not in known]
-    _tell(f"{len(cases) - len(missing)} of {len(cases)} cases hold by the records of this version in '{folder}'")
+    tell(f"{len(cases) - len(missing)} of {len(cases)} cases hold by the records of this version in '{folder}'")
     return missing
 
 
@@ -110,10 +109,6 @@ def _cut(words: Namespace, cut: runner.Cut, count: int, seconds: float) -> int:
     kept = "their numbers are above; with --out DIR they are kept in a file"
     go_on = f"continue with: {again}" if words.out else kept
     return complain(f"interrupted; {len(cut.done)} of {count} cases are done; {go_on}", cut.code)
-
-
-def _tell(line: str) -> None:
-    print(line, file=sys.stderr, flush=True)
 
 
 def _say(form: str, outcomes: list[Outcome], seconds: float) -> int:
@@ -146,4 +141,5 @@ def _write(folder: Path, outcomes: list[Outcome], seconds: float) -> None:
     from verification.report.cases import chapters
 
     page, numbers = write(chapters(outcomes, seconds), seconds, folder, "verify.html")
-    _tell(f"page     {page}\nrecords  {numbers}")
+    tell(f"page     {page}")
+    tell(f"records  {numbers}")

@@ -146,7 +146,7 @@ def pace(fine: int, count: int = 5) -> dict[str, Refinement]:
     }
 
 
-def richardson(values: list[float], kind: str = "converged run") -> Reference:
+def richardson(values: list[float]) -> Reference:
     """The finest of at least three values (each twice as fine), with 1.25 times its extrapolated error.
 
     The observed order is held between 0.5 and 2, so that two values that agree by luck do not promise too much. Where
@@ -154,11 +154,11 @@ def richardson(values: list[float], kind: str = "converged run") -> Reference:
     """
     if len(values) < 3:
         finest = values[-1] if values else math.nan
-        return Reference(finest, kind, abs(finest))
+        return Reference(finest, "converged run", abs(finest))
     coarse, middle, fine = values[-3:]
     step = abs(middle - fine)
     order = math.log2(abs(coarse - middle) / step) if step and coarse != middle else 2.0
-    return Reference(fine, kind, 1.25 * step / (2.0 ** min(max(order, 0.5), 2.0) - 1.0))
+    return Reference(fine, "converged run", 1.25 * step / (2.0 ** min(max(order, 0.5), 2.0) - 1.0))
 
 
 def time_to(points: list[tuple[float, float, str]], target: float) -> tuple[float, str] | None:

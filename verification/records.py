@@ -14,6 +14,7 @@ from geometry.files.atomic import WholeFiles
 from masonry import __version__
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
+from masonry.runtime.folder import writing
 from masonry.runtime.text_files import JSON_LARGEST, json_in, text_of
 from verification.outcome import Outcome
 
@@ -145,14 +146,12 @@ def done(folder: Path) -> set[str]:
 def require_writable(folder: Path) -> None:
     """Raise SceneError where records could not be saved to the folder; nothing is left there that was not."""
     existed, probe = folder.exists(), folder / f".writable-{os.getpid()}"
-    try:
+    with writing(folder, "records"):
         folder.mkdir(parents=True, exist_ok=True)
         probe.touch()
         probe.unlink()
         if not existed:
             folder.rmdir()
-    except OSError as error:
-        raise SceneError(f"cannot write records to '{folder}': {error.strerror or error}") from None
     if (folder / NAME).exists():
         load(folder / NAME)
 
@@ -160,11 +159,9 @@ def require_writable(folder: Path) -> None:
 def save(new: list[Record], folder: Path) -> Path:
     """Put records beside those that are in the folder already: whole or not at all. Returns the path."""
     path = folder / NAME
-    try:
+    with writing(folder, "records"):
         together = merged(load(path) if path.exists() else [], new)
         lines = ",\n".join(json.dumps(record, allow_nan=False) for record in together)
         with WholeFiles(folder) as files:
             files.text(NAME, f"[\n{lines}\n]\n")
-    except OSError as error:
-        raise SceneError(f"cannot write records to '{folder}': {error.strerror or error}") from None
     return path

@@ -107,11 +107,9 @@ def run(
     return one
 
 
-def result_of(
-    name: str, knobs: Settings | None = None, specimen: Specimen | None = None, mesh: TetMesh | None = None
-) -> Result:
+def result_of(name: str, knobs: Settings | None = None) -> Result:
     """The result of a scene that must come to its end. Raises what the program refuses or stops."""
-    with loaded(name, knobs, specimen, mesh) as found:
+    with loaded(name, knobs) as found:
         return laboratory.run(found)
 
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Sequence
 
 from masonry.errors import visible
 from masonry.runtime.progress import duration
+from masonry.runtime.tables import columns
 from verification.case import LOOSE, UNEXPECTED, Case
 from verification.comparison import Change
 from verification.outcome import Outcome, shortcomings
@@ -89,15 +90,8 @@ def changes_notes(changes: Sequence[Change]) -> dict[str, list[str]]:
 
 def as_text(rows: Sequence[Sequence[str]], header: Sequence[str], under: dict[str, list[str]], last: str) -> str:
     """Aligned columns, then wrapped sentences."""
-    header, *rows = ([visible(cell) for cell in cells] for cells in (header, *rows))
-    widths = [max(map(len, column)) for column in zip(header, *rows, strict=True)]
-    lines = []
-    for entry in (header, *rows):
-        cells = [
-            f"{cell:>{width}}" if name in NUMBERS else f"{cell:<{width}}"
-            for name, cell, width in zip(header, entry, widths, strict=True)
-        ]
-        lines.append("  ".join(cells).rstrip())
+    numbers = [k for k, name in enumerate(header) if name in NUMBERS]
+    lines = columns([list(map(visible, cells)) for cells in (header, *rows)], numbers)
     for heading, sentences in under.items():
         lines += ["", f"{heading}:"]
         for sentence in sentences:

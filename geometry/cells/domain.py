@@ -61,16 +61,6 @@ def box_domain(low: np.ndarray, high: np.ndarray) -> Domain:
     return Domain(np.concatenate([-np.eye(3), np.eye(3)]), np.concatenate([-low, high]))
 
 
-def hull_domain(points: np.ndarray) -> Domain:
-    """The convex hull of points (k, 3) m."""
-    try:
-        equations = ConvexHull(points).equations
-    except QhullError:
-        raise GeometryError("cells: the points of the domain lie in one plane; it has no volume") from None
-    distinct = equations[np.unique(np.round(equations, 9), axis=0, return_index=True)[1]]
-    return Domain(distinct[:, :3], -distinct[:, 3])
-
-
 def _inner_point(normal: np.ndarray, offset: np.ndarray) -> tuple[np.ndarray, float]:
     """Centre (3,) and radius of the largest ball inside."""
     walls = np.column_stack([normal, np.linalg.norm(normal, axis=1)])

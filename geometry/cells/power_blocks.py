@@ -75,17 +75,6 @@ def cell_volumes(power: Power) -> np.ndarray:
     return np.bincount(power.cell, of_cell, power.count) - np.bincount(other, of_other, power.count)
 
 
-def bends(power: Power) -> np.ndarray:
-    """(F,) m, the farthest that a corner of each face lies from the mean plane of the face."""
-    vector = face_vectors(power)
-    normal = vector / np.linalg.norm(vector, axis=1)[:, None]
-    corners = np.diff(power.face_start)
-    place = power.vertices[power.face_points]
-    middle = np.add.reduceat(place, power.face_start[:-1]) / corners[:, None]
-    off = np.abs(np.einsum("ci,ci->c", place - np.repeat(middle, corners, axis=0), np.repeat(normal, corners, axis=0)))
-    return np.asarray(np.maximum.reduceat(off, power.face_start[:-1]))
-
-
 def _following(power: Power) -> np.ndarray:
     """(c,) for every corner of every face, where in face_points the next one of the loop is."""
     after = np.arange(1, len(power.face_points) + 1)

@@ -20,7 +20,7 @@ from geometry.polyhedra.measures import volumes
 from geometry.polyhedra.shells import outward
 from geometry.polyhedra.weld import weld
 
-STEP, IGES, BREP = (".step", ".stp"), (".iges", ".igs"), (".brep",)
+STEP, IGES = (".step", ".stp"), (".iges", ".igs")
 MOST_SOLIDS = 50_000
 MILLIMETRE = 1e-3  # m, the unit of the CAD kernel
 EXACT = 1e-9  # relative error of the volume of a flat-faced solid

@@ -144,10 +144,8 @@ if __name__ == "__main__":
 def limited_memory(more: int) -> Iterator[None]:
     """Let the process take up `more` bytes beyond what it has; where the system cannot do this, nothing changes."""
     try:
-        import resource
-
         pages = int(Path("/proc/self/statm").read_text().split()[0])
-    except (ImportError, OSError, ValueError):
+    except (OSError, ValueError):
         yield
         return
     soft, hard = resource.getrlimit(resource.RLIMIT_AS)

@@ -135,18 +135,14 @@ def _solid(step: _Entities, blocks: Blocks, b: int, name: str, normal: np.ndarra
         bound = step.add(f"FACE_OUTER_BOUND('',{step.add(_list('EDGE_LOOP', oriented))},.T.)")
         across = np.cross(normal[f], np.eye(3)[np.argmin(np.abs(normal[f]))])
         axes = _axes(step, vertices[loop[0]], normal[f], across / np.linalg.norm(across))
-        faces.append(step.add(f"ADVANCED_FACE('',({bound}),{step.add(_plane(axes))},.T.)"))
+        plane = step.add(f"PLANE('',{axes})")
+        faces.append(step.add(f"ADVANCED_FACE('',({bound}),{plane},.T.)"))
     return step.add(f"MANIFOLD_SOLID_BREP({quoted(name)},{step.add(_list('CLOSED_SHELL', faces))})")
 
 
 def _list(kind: str, members: Sequence[str]) -> str:
     """An entity that is a list of others."""
     return f"{kind}('',({','.join(members)}))"
-
-
-def _plane(axes: str) -> str:
-    """A plane."""
-    return f"PLANE('',{axes})"
 
 
 def _shell(blocks: Blocks, b: int, width: float) -> tuple[np.ndarray, list[list[int]]]:

@@ -8,12 +8,12 @@ from geometry.polyhedra.measures import extent, face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 
 DIRECTIONS = ("x-", "x+", "y-", "y+", "z-", "z+")
+SAME, LEVEL = 1e-9, 1e-6
+"""Of the specimen's longest side: how far a face or a node may be off a plane; off one that a user names."""
 TET_FACES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
 
 
-def outer_faces(
-    blocks: Blocks, joints: Joints, block_set: np.ndarray, direction: str, tolerance: float = 1e-9
-) -> np.ndarray:
+def outer_faces(blocks: Blocks, joints: Joints, block_set: np.ndarray, direction: str) -> np.ndarray:
     """Faces of these blocks that look along direction ("x-" ... "z+"), on the set's extreme plane there, and are free.
 
     Faces wholly covered by joints are left out. Raises GeometryError for an unknown direction, for a face that is
@@ -22,25 +22,24 @@ def outer_faces(
     if direction not in DIRECTIONS:
         raise GeometryError(f"face {direction!r} is unknown; allowed: {', '.join(DIRECTIONS)}")
     covered = _covered_shares(blocks, joints)
-    faces = _extreme_faces(blocks, block_set, direction, tolerance)
+    faces = _extreme_faces(blocks, block_set, direction)
     _require_wholly_free_or_covered(blocks, covered, faces, f"face {direction}")
     free = faces[covered[faces] <= 1e-6]
     if len(free) == 0:
-        others = [d for d in DIRECTIONS if np.any(covered[_extreme_faces(blocks, block_set, d, tolerance)] <= 1e-6)]
+        others = [d for d in DIRECTIONS if np.any(covered[_extreme_faces(blocks, block_set, d)] <= 1e-6)]
         reason = "lies in a joint" if len(faces) else "does not exist: no block has a face there"
         raise GeometryError(f"face {direction} {reason}; outer faces there are: {', '.join(others) or 'none'}")
     return free
 
 
-def faces_in_plane(blocks: Blocks, axis: int, level: float, tolerance: float = 1e-6) -> np.ndarray:
+def faces_in_plane(blocks: Blocks, axis: int, level: float) -> np.ndarray:
     """Faces across axis 0, 1 or 2 (x, y, z) that lie at level (m), whichever way they look.
 
-    tolerance  of the level, relative to the longest side of the specimen. Raises GeometryError if there is none, naming
-    the nearest levels that have faces.
+    Raises GeometryError if there is none, naming the nearest levels that have faces.
     """
     _, normal, centroid = face_areas_normals_centroids(blocks)
     across = np.flatnonzero(np.abs(normal[:, axis]) > 1 - 1e-9)
-    width = tolerance * extent(blocks)
+    width = LEVEL * extent(blocks)
     found = across[np.abs(centroid[across, axis] - level) <= width]
     if len(found) == 0:
         levels = centroid[across, axis]
@@ -72,7 +71,7 @@ def _require_wholly_free_or_covered(blocks: Blocks, covered: np.ndarray, faces: 
         )
 
 
-def _extreme_faces(blocks: Blocks, block_set: np.ndarray, direction: str, tolerance: float) -> np.ndarray:
+def _extreme_faces(blocks: Blocks, block_set: np.ndarray, direction: str) -> np.ndarray:
     axis, sign = "xyz".index(direction[0]), 1.0 if direction[1] == "+" else -1.0
     _, normal, centroid = face_areas_normals_centroids(blocks)
     mine = np.flatnonzero(np.isin(blocks.face_block(), block_set))
@@ -81,7 +80,7 @@ def _extreme_faces(blocks: Blocks, block_set: np.ndarray, direction: str, tolera
     corners, _ = pad(blocks.points, blocks.face_start, blocks.face_points)
     level = (sign * corners[mine, :, axis]).max()
     looks = sign * normal[mine, axis] > 1 - 1e-9
-    return mine[looks & (sign * centroid[mine, axis] >= level - tolerance * extent(blocks))]
+    return mine[looks & (sign * centroid[mine, axis] >= level - SAME * extent(blocks))]
 
 
 def _covered_shares(blocks: Blocks, joints: Joints) -> np.ndarray:
@@ -93,14 +92,12 @@ def _covered_shares(blocks: Blocks, joints: Joints) -> np.ndarray:
     return covered / area
 
 
-def surface_nodes(
-    mesh: TetMesh, blocks: Blocks, faces: np.ndarray, tolerance: float = 1e-9
-) -> tuple[np.ndarray, np.ndarray]:
+def surface_nodes(mesh: TetMesh, blocks: Blocks, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Nodes of the meshed blocks on these faces, rising, and the area (m2) of each: a third of its triangles.
 
     Faces of blocks without tets give nothing. The areas of a face add up to its area.
     """
-    width = tolerance * extent(blocks)
+    width = SAME * extent(blocks)
     owner = blocks.face_block()
     triangles = [np.zeros((0, 3), dtype=np.int64)]
     for face in np.asarray(faces).tolist():

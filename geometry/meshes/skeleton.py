@@ -35,9 +35,9 @@ class Imprint:
     patch_surface: np.ndarray
 
 
-def imprint(blocks: Blocks, wanted: np.ndarray, joints: Joints, tolerance: float = 1e-9) -> Imprint:
+def imprint(blocks: Blocks, wanted: np.ndarray, joints: Joints) -> Imprint:
     """The skeleton of the wanted blocks (B,) with every joint polygon on them as a surface of its own."""
-    width = tolerance * extent(blocks)
+    width = 1e-9 * extent(blocks)
     first = np.searchsorted(joints.patch, np.arange(len(joints.patch_start) - 1))
     sides = np.stack([joints.block_a[first], joints.block_b[first]], axis=1)
     patches = np.flatnonzero(wanted[sides].any(axis=1))

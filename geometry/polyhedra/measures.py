@@ -46,13 +46,8 @@ def _volumes_centroids(blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
     return volume, origin + moment / volume[:, None]
 
 
-def second_moments(blocks: Blocks) -> np.ndarray:
-    """(B, 3, 3) m5, the integral of r r^T over each block, r from its centroid."""
-    return moments(blocks)[2]
-
-
 def moments(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """volumes, centroids and second_moments at the price of the last."""
+    """Volumes, centroids, and (B, 3, 3) m5 the integral of r r^T over each block, r from its centroid."""
     volume, centroid = _volumes_centroids(blocks)
     block, arm, part = _tets(blocks, centroid)
     total = arm.sum(axis=1)

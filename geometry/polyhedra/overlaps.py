@@ -14,12 +14,12 @@ from geometry.polyhedra.polygons import areas_normals_centroids, pad
 CHUNK = 4096
 
 
-def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None, tolerance: float = 1e-9) -> None:
-    """Raise GeometryError for the first two blocks that overlap by more than tolerance times the specimen's size.
+def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None) -> None:
+    """Raise GeometryError for the first two blocks that overlap by more than 1e-9 of the specimen's size.
 
     names (B,) says what to call each block; without it, its number and unit.
     """
-    depth = tolerance * extent(blocks)
+    depth = 1e-9 * extent(blocks)
     low, high = bounds(blocks)
     _require_thick(blocks, names, high - low, depth)
     pairs = overlapping_boxes(low + depth / 2, high - depth / 2)

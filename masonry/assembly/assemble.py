@@ -12,7 +12,7 @@ from geometry.specimens.placed import with_empty_blocks
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.contact_pairs import Pairs, meetings_of, pairs_of
 from masonry.assembly.gauge_places import gauges_of
-from masonry.assembly.restraint import require_held
+from masonry.assembly.loose_parts import require_held
 from masonry.assembly.scatter import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of
 from masonry.assembly.size_limits import require_sane_size

@@ -78,12 +78,11 @@ def plot_results(words: argparse.Namespace) -> int:
     """`masonry plot`: curve.png and cracks.png again, from summary.json and history.h5."""
     from masonry.laboratory.result import load_result
     from masonry.laboratory.text import paths_text
+    from masonry.runtime.folder import writing
 
     result = load_result(words.folder)
-    try:
+    with writing(words.folder, "pictures"):
         paths = result.save_pictures(words.folder)
-    except OSError as error:
-        raise SceneError(f"cannot write pictures to '{words.folder}': {error.strerror or error}") from None
     print(paths_text(paths))
     return OK
 

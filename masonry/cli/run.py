@@ -18,7 +18,7 @@ NEVER = ("0", "never")
 def run(words: argparse.Namespace) -> int:
     """`masonry run`: everything that the run got to is written, whatever ended it."""
     from masonry import scene
-    from masonry.runtime.folder import claimed, scene_name
+    from masonry.runtime.folder import claimed, scene_name, writing
     from masonry.timeloop.checkpoint import Checkpoints
 
     every = _every(words.checkpoint_every, EVERY)
@@ -26,13 +26,11 @@ def run(words: argparse.Namespace) -> int:
         loaded = scene.load(words.scene, words.overrides)
         with claimed(words.scene, words.out, overwrite=words.overwrite) as out:
             checkpoints = Checkpoints(out)
-            try:
+            with writing(out):
                 checkpoints.sweep_up()
                 checkpoints.clear()
                 if math.isfinite(every):
                     checkpoints.begin(scene.to_toml(loaded), {"threads": words.threads, "checkpoint_every": every})
-            except OSError as error:
-                raise _cannot_write(out, error) from None
             going = _Run(loaded, checkpoints, words.threads, every, interrupts, words.quiet)
             return going.carry_out(scene_name(words.scene))
 
@@ -157,12 +155,12 @@ class _Run:
             return laboratory.run(self.scene, threads=self.threads, progress=progress, checkpointer=self.checkpointer)
 
     def _save(self, result: Any) -> dict[str, Path]:
-        try:
+        from masonry.runtime.folder import writing
+
+        more = f"; once it can, {self._how_to_go_on()}" if self.checkpoints.states() else ""
+        with writing(self.out, more=more):
             paths: dict[str, Path] = result.save(self.out)
-            return paths
-        except OSError as error:
-            more = f"; once it can, {self._how_to_go_on()}" if self.checkpoints.states() else ""
-            raise _cannot_write(self.out, error, more) from None
+        return paths
 
     def _how_to_go_on(self) -> str:
         return f"resume with: masonry resume {self.out}"
@@ -199,10 +197,6 @@ def _every(text: str | None, usual: float) -> float:
     if text is None:
         return usual
     return math.inf if text in NEVER else parse(text, "time", "--checkpoint-every", "(0, 1e9] s")
-
-
-def _cannot_write(out: Path, error: OSError, more: str = "") -> SceneError:
-    return SceneError(f"cannot write results to '{out}': {error.strerror or error}{more}")
 
 
 def _tell(line: str) -> None:

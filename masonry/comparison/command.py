@@ -4,13 +4,12 @@ Exit codes: 0 the table is there; 2 something wrong with the words or the scene,
 is did not come to its end; 130 interrupted, 143 terminated: what is done stays, and the same command goes on.
 """
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from masonry.errors import SceneError, visible
 from masonry.runtime.processors import processors
-from masonry.runtime.shell import INTERRUPTED, OK, STOPPED, Parser
+from masonry.runtime.shell import INTERRUPTED, OK, STOPPED, Parser, tell
 from masonry.runtime.tables import columns
 
 if TYPE_CHECKING:
@@ -55,17 +54,18 @@ def main(arguments: list[str] | None = None) -> int:
     if words.list:
         print(_listing(loaded, only, words.quick))
         return OK
-    tell = None if words.quiet else _tell
     try:
-        found = sensitivity(loaded, words.out, only, words.quick, words.workers, tell, words.overwrite)
+        found = sensitivity(
+            loaded, words.out, only, words.quick, words.workers, None if words.quiet else tell, words.overwrite
+        )
     except KeyboardInterrupt:
-        _tell("masonry: interrupted; what is done stays, and the same command continues from there")
+        tell("masonry: interrupted; what is done stays, and the same command continues from there")
         return INTERRUPTED
-    if tell:
+    if not words.quiet:
         print(f"{found}\n")
         print("\n".join(visible(f"{found.folder / name}") for name in (CSV, "sensitivity.json", PICTURE)))
     if found.rows[0]["status"] != "OK":
-        _tell(f"masonry: the scene as it is: {found.rows[0]['trust_sentence']}")
+        tell(f"masonry: the scene as it is: {found.rows[0]['trust_sentence']}")
         return STOPPED
     return OK
 
@@ -79,7 +79,3 @@ def _listing(loaded: "Scene", only: list[str], quick: bool) -> str:
         for variant in variants(assemble(loaded), only, quick)
     ]
     return "\n".join(map(visible, columns(rows)))
-
-
-def _tell(line: str) -> None:
-    print(visible(line), file=sys.stderr, flush=True)

@@ -11,6 +11,7 @@ from masonry.comparison import table
 from masonry.comparison.study import DOING, TABLE, begin, study
 from masonry.comparison.variants import variants
 from masonry.errors import SceneError
+from masonry.runtime.folder import writing
 from masonry.runtime.lock import sole
 from masonry.runtime.processors import processors
 from masonry.runtime.progress import Tell
@@ -68,12 +69,10 @@ def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]]) -> None:
     from masonry.comparison.picture import figure_of
     from masonry.pictures.style import write_png
 
-    try:
+    with writing(folder):
         (folder / PICTURE).unlink(missing_ok=True)
         with WholeFiles(folder) as files:
             files.text(CSV, table.as_csv(rows))
             files.text(TABLE, table.as_json(rows))
             if any((folder / "runs" / row["key"] / "history.h5").is_file() for row in rows):
                 write_png(figure_of(scene.title or scene.name, folder, rows), files.new(PICTURE))
-    except OSError as error:
-        raise SceneError(f"cannot write results to '{folder}': {error.strerror or error}") from None

@@ -9,7 +9,7 @@ from geometry.files.atomic import WholeFiles
 from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
 from masonry.results.trust import trust
-from masonry.runtime.folder import RESULTS, claim, scene_name
+from masonry.runtime.folder import RESULTS, claim, scene_name, writing
 from masonry.runtime.lock import sole
 from masonry.runtime.progress import Tell
 from masonry.runtime.text_files import json_of, text_of
@@ -126,11 +126,8 @@ def begin(scene: Scene, out: Path | None, overwrite: bool = False, results: Path
                 " table"
             )
         folder = claim(name, out, overwrite=overwrite or _holds(out, text))
-    try:
-        with sole(folder, DOING), WholeFiles(folder) as files:
-            files.text(SCENE, text)
-    except OSError as error:
-        raise SceneError(f"cannot write results to '{folder}': {error.strerror or error}") from None
+    with writing(folder), sole(folder, DOING), WholeFiles(folder) as files:
+        files.text(SCENE, text)
     return folder
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from masonry.curves.curve_axes import CurveAxes, curve_axes
 from masonry.curves.ledger import LEDGER, draw_ledger
 from masonry.loading.cycles import bounds
-from masonry.pictures.style import heading, tidy
+from masonry.pictures.style import MILLI, heading, tidy
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -17,7 +17,6 @@ NAMED = 8
 """Cycles up to which each has its line in the key; of more, some have."""
 ROOM = 1.25
 """Height of the axes of the bars over the tallest one: two lines of words stand on it."""
-MILLI = 1e3
 
 
 def hysteresis_figure(result: "ResultData") -> Any:

@@ -7,13 +7,12 @@ import numpy as np
 
 from masonry.curves.ledger import draw_ledger
 from masonry.history import TILT, UNITS
-from masonry.pictures.style import heading, plain, tidy
+from masonry.pictures.style import MILLI, heading, plain, tidy
 from masonry.results.reactions import reaction_lines
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
-MILLI = 1e3
 TOP, SMALL = 1e-6, 1e-3
 """Of the specimen's height: what lies so near to the highest point is its top. Of the largest movement of the top along
 an axis: smaller ones along the other axes are not drawn."""

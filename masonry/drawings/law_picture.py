@@ -6,11 +6,10 @@ from typing import Any
 from geometry.files.atomic import whole_file
 from masonry.errors import SceneError
 from masonry.model.law_portrait import Portrait
-from masonry.pictures.style import plain, write_png
+from masonry.pictures.style import MEGA, MILLI, plain, write_png
 
 COLOURS = ("#4a90c2", "#1f3b5c", "#b2182b")
 FRACTURE, FRICTION = "#d7301f", "#e07b00"
-MILLI, MEGA = 1e3, 1e-6
 
 
 def draw_law(name: str, found: Portrait, path: Path) -> Path:

@@ -44,8 +44,6 @@ def file_of_blocks(toml: str) -> bytes:
 
 def other_sources(toml: str) -> str:
     """Hash of the packages that a scene has laws or its specimen from; nothing where all are ours."""
-    from masonry.laboratory.provenance import own_sources
-
     scene = tomllib.loads(toml)
     laws = scene.get("law"), *(contact.get("law") for contact in scene["contact"].values())
     return own_sources(laws, scene["specimen"]["kind"])

@@ -13,7 +13,7 @@ from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centr
 from geometry.polyhedra.overlaps import overlapping_pairs, widest_gaps
 from masonry.errors import Stopped
 from masonry.model.model import Model
-from masonry.monitors.corners import Corners
+from masonry.monitors.corners import Corners, moved
 from masonry.monitors.observer import Observer, View
 
 DEEP = 1e-4
@@ -137,6 +137,13 @@ class Collision(Observer):
             return f"block {block} (unit {self.blocks.unit[block]})"
         name = min(holding, key=lambda name: holding[name])
         return f"'{name}'" if holding[name] == 1 else f"block {block} of '{name}'"
+
+
+def compile_look() -> None:
+    """Compile what a look needs, on one block."""
+    place, gradient, one = np.zeros((1, 1, 3)), np.zeros((1, 3, 3)), np.zeros(1, dtype=np.int64)
+    moved(place, place, np.zeros((1, 3)), gradient)
+    overlap_over_face(place, gradient, one, one, np.array([[0.0, 0.0, 1.0]]))
 
 
 @compiled

@@ -1,1 +1,1 @@
-"""Curves and cracks as pictures."""
+"""Cracks as pictures: `crack_lines.py` finds, `crack_style.py` draws them; `crack_picture.py` sets out cracks.png."""

@@ -7,7 +7,8 @@ import numpy as np
 
 from masonry.history import Frame
 from masonry.pictures.camera import Camera
-from masonry.pictures.cracks import CrackLines
+from masonry.pictures.crack_lines import CrackLines
+from masonry.pictures.style import MILLI
 from masonry.results.deformation import Corners, Deformation
 
 if TYPE_CHECKING:
@@ -21,7 +22,6 @@ LEAST_OPENING = 1e-12
 """Openings (m) up to this one, far less than an atom, are but rounding."""
 THIN, THICK = 0.9, 4.6
 """Widths of a line in points: where the faces have not moved apart, and where they did by the scale of the picture."""
-MILLI = 1e3
 
 
 def scale_of(openings: np.ndarray) -> float:

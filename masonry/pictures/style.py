@@ -18,12 +18,12 @@ def drawn(figure: "Figure", path: Path | str | None) -> "Figure":
     return figure
 
 
-def write_png(figure: Any, path: Path | str, dpi: float = 120.0) -> None:
+def write_png(figure: Any, path: Path | str) -> None:
     """Draw a figure to a PNG file without a display."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     canvas = FigureCanvasAgg(figure)
-    figure.set_dpi(dpi)
+    figure.set_dpi(120.0)
     if (engine := figure.get_layout_engine()) is not None:
         engine.execute(figure)
         figure.set_layout_engine("none")

@@ -10,7 +10,7 @@ import numpy as np
 
 from masonry.history import Frame
 from masonry.pictures.camera import Camera
-from masonry.pictures.cracks import EDGE_ON
+from masonry.pictures.crack_lines import EDGE_ON
 from masonry.results.deformation import Corners, Deformation
 from masonry.results.joint_resultants import UnitJoints, unit_joints
 

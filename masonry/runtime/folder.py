@@ -21,21 +21,25 @@ def scene_name(scene: str) -> str:
     return re.sub(r"[^\w.+-]+", "-", stem).strip("-.") or "scene"
 
 
+@contextlib.contextmanager
+def writing(place: Path, what: str = "results", more: str = "") -> Iterator[None]:
+    """Raises SceneError, with the reason and `more`, where the system refuses what is written in the block."""
+    try:
+        yield
+    except OSError as error:
+        raise SceneError(f"cannot write {what} to '{place}': {error.strerror or error}{more}") from None
+
+
 def claim(scene: str, out: Path | None = None, *, overwrite: bool = False, results: Path = RESULTS) -> Path:
     """The folder for this run: `out`, or the next free `results/<scene>-<n>`, made so that no two runs share it.
 
     Raises SceneError if `out` is a file, holds something (without `overwrite`), or cannot be written to.
     """
-    try:
+    with writing(results if out is None else out, more="; give --out a folder that you may write to"):
         folder = _next_free(results, scene_name(scene)) if out is None else _named(out, overwrite)
         probe = folder / f".writable-{os.getpid()}"
         probe.touch()
         probe.unlink()
-    except OSError as error:
-        where = out if out is not None else results
-        raise SceneError(
-            f"cannot write results to '{where}': {error.strerror or error}; give --out a folder that you may write to"
-        ) from None
     return folder
 
 

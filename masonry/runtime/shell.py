@@ -49,6 +49,11 @@ def complain(message: str | Sequence[str], code: int) -> int:
     return code
 
 
+def tell(line: str) -> None:
+    """Say it on standard error."""
+    print(visible(line), file=sys.stderr, flush=True)
+
+
 def flush_errors() -> None:
     """Write what standard error still holds; where it takes nothing, drop it, or Python tries again at its end and
     leaves with a code of its own (120)."""

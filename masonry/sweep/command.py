@@ -4,14 +4,13 @@ Exit codes: 0 all runs ended, the failed ones as rows with their reason; 2 somet
 file or a scene, and nothing was run; 130 interrupted, 143 terminated: what is done stays, and the same command goes on.
 """
 
-import sys
 from collections import Counter
 from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, visible
 from masonry.runtime.processors import processors
-from masonry.runtime.shell import INTERRUPTED, OK, Parser
+from masonry.runtime.shell import INTERRUPTED, OK, Parser, tell
 from masonry.sweep.folder import COPY, DOING, folder_for
 from masonry.sweep.read import Sweep, read
 
@@ -48,40 +47,34 @@ def main(arguments: list[str] | None = None) -> int:
 
         require(words.scheduler)
     folder = folder_for(words.sweep, sweep, words.out, words.overwrite)
-    tell = None if words.quiet else _tell
-    if tell:
+    if not words.quiet:
         tell(f"{len(planned)} runs, results in '{folder}'")
     try:
-        return _run(sweep, planned, folder, words, tell)
+        return _run(sweep, planned, folder, words)
     except KeyboardInterrupt:
-        _tell(f"masonry: interrupted; what is done stays in '{folder}', and the same command continues from there")
+        tell(f"masonry: interrupted; what is done stays in '{folder}', and the same command continues from there")
         return INTERRUPTED
 
 
-def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any, tell: Any) -> int:
+def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any) -> int:
     from geometry.files.atomic import WholeFiles
+    from masonry.runtime.folder import writing
     from masonry.runtime.lock import sole
     from masonry.sweep.engine import run_alone
     from masonry.sweep.picture import PICTURE, draw
     from masonry.sweep.table import TABLE, table_of, write_table
 
-    with sole(folder, DOING):
-        try:
-            for stale in (TABLE, "sweep.csv", PICTURE) if words.overwrite else ():
-                (folder / stale).unlink(missing_ok=True)
-            with WholeFiles(folder) as files:
-                files.text(COPY, words.sweep.read_text(encoding="utf-8-sig"))
-            rows = run_alone([run.job for run in planned], folder, words.workers, tell, words.scheduler)
-            draw(folder, words.sweep.stem, planned, rows)
-            write_table(folder, table_of(planned, rows))
-        except OSError as error:
-            raise SceneError(f"cannot write results to '{folder}': {error.strerror or error}") from None
-    if tell:
+    with sole(folder, DOING), writing(folder):
+        for stale in (TABLE, "sweep.csv", PICTURE) if words.overwrite else ():
+            (folder / stale).unlink(missing_ok=True)
+        with WholeFiles(folder) as files:
+            files.text(COPY, words.sweep.read_text(encoding="utf-8-sig"))
+        say = None if words.quiet else tell
+        rows = run_alone([run.job for run in planned], folder, words.workers, say, words.scheduler)
+        draw(folder, words.sweep.stem, planned, rows)
+        write_table(folder, table_of(planned, rows))
+    if not words.quiet:
         counts = Counter(row["status"] for row in rows)
         print(", ".join(f"{count} {status}" for status, count in counts.items()))
         print("\n".join(visible(f"{folder / name}") for name in (TABLE, "sweep.csv", PICTURE)))
     return OK
-
-
-def _tell(line: str) -> None:
-    print(visible(line), file=sys.stderr, flush=True)

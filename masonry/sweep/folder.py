@@ -16,13 +16,13 @@ DOING = "runs a sweep into it"
 MOST = 3
 
 
-def folder_for(path: Path, sweep: Sweep, out: Path | None, overwrite: bool, results: Path = RESULTS) -> Path:
+def folder_for(path: Path, sweep: Sweep, out: Path | None, overwrite: bool) -> Path:
     """`out`, or the last `results/SWEEP-N` if it holds the beginning of this very sweep, else the next free one.
 
     Raises SceneError if `out` holds another sweep or anything else (without `overwrite`), or cannot be written to.
     """
     if out is None:
-        return _begun(scene_name(str(path)), sweep, results) or claim(str(path), results=results)
+        return _begun(scene_name(str(path)), sweep) or claim(str(path))
     there = out / COPY
     differs = differences(read_toml(there), sweep.raw) if there.is_file() and not overwrite else []
     if differs:
@@ -35,12 +35,12 @@ def folder_for(path: Path, sweep: Sweep, out: Path | None, overwrite: bool, resu
     return claim(str(path), out, overwrite=overwrite or ours)
 
 
-def _begun(name: str, sweep: Sweep, results: Path) -> Path | None:
+def _begun(name: str, sweep: Sweep) -> Path | None:
     """The folder with the greatest number, if it holds this sweep and no table yet."""
-    if not results.is_dir():
+    if not RESULTS.is_dir():
         return None
     numbers = {
-        int(m[1]): entry for entry in results.iterdir() if (m := re.fullmatch(rf"{re.escape(name)}-(\d+)", entry.name))
+        int(m[1]): entry for entry in RESULTS.iterdir() if (m := re.fullmatch(rf"{re.escape(name)}-(\d+)", entry.name))
     }
     last = numbers[max(numbers)] if numbers else None
     if last is None or (last / TABLE).exists() or not (last / COPY).is_file():

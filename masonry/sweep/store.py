@@ -8,6 +8,7 @@ from typing import Any
 
 from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
+from masonry.runtime.folder import writing
 from masonry.runtime.text_files import json_of
 from masonry.sweep.work import OK, STATUSES, Ended
 
@@ -19,11 +20,9 @@ class Store:
 
     def __init__(self, folder: Path) -> None:
         self.runs = folder / "runs"
-        try:
+        with writing(folder):
             self.runs.mkdir(parents=True, exist_ok=True)
             self.sweep_up()
-        except OSError as error:
-            raise SceneError(f"cannot write results to '{folder}': {error.strerror or error}") from None
 
     def sweep_up(self) -> None:
         """Remove what a killed process left half-written."""
@@ -50,7 +49,7 @@ class Store:
     def keep(self, key: str, ended: Ended) -> Row:
         """Write what a run left; returns its row. Raises SceneError where it cannot be written."""
         unfinished, place = self.runs / f".unfinished-{key}", self.runs / key
-        try:
+        with writing(place, more="; what is done stays"):
             with WholeFiles(unfinished) as files:
                 for name, content in ended.files.items():
                     files.new(name).write_bytes(content)
@@ -60,10 +59,6 @@ class Store:
             if place.exists():  # a run that ended in an error, and was tried again
                 shutil.rmtree(place)
             os.rename(unfinished, place)
-        except OSError as error:
-            raise SceneError(
-                f"cannot write results to '{place}': {error.strerror or error}; what is done stays"
-            ) from None
         row = self.row(key)
         assert row is not None
         return row

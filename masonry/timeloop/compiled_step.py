@@ -12,6 +12,7 @@ from masonry.kernels.step import advance
 from masonry.loading.scheduled import Chunk
 from masonry.model.model import Model
 from masonry.monitors import energy
+from masonry.monitors.collision import compile_look
 from masonry.timeloop.large_motion import advance_large
 
 
@@ -20,6 +21,8 @@ def compile_for(model: Model, threads: int) -> None:
     with once(_kind(model, threads)), interrupt_afterwards():
         advance_model(model, Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
         energy.observe(model)
+        if model.large is None:
+            compile_look()
 
 
 def is_compiled(model: Model, threads: int) -> bool:

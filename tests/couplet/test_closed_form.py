@@ -5,6 +5,7 @@ import pytest
 
 from masonry import scene
 from masonry.laboratory.laboratory import run
+from tests.couplet.curve import couplet as curve_of
 from verification.references import closed_forms
 from verification.references.closed_forms import Joint
 
@@ -39,9 +40,7 @@ def wanted_stress(law, confinement, rows, compliance=0.0):
     """(closed form at the rows, t_max) in Pa."""
     compression, beta = COMPRESSIONS[confinement]
     joint = Joint(beta=beta)
-    return closed_forms.couplet(law, joint, rows["displacement"], compression, compliance), float(
-        joint.peak(compression)
-    )
+    return curve_of(law, joint, rows["displacement"], compression, compliance), float(joint.peak(compression))
 
 
 def check(law, confinement, rows, summary):

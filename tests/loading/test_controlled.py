@@ -13,12 +13,12 @@ from masonry.loading.settings import SETTINGS
 from masonry.model.loads import controlled
 from masonry.monitors.energy import Seen
 from masonry.scene import load
+from tests.couplet.curve import couplet as curve_of
 from tests.timeloop.test_loop import bits, corner_numbers, couplet
 from tests.timeloop.test_loop import load as load_text
 from verification import timed_run
 from verification.convergence.joint_in_tension import SCENE as PULLED_APART
 from verification.references.closed_forms import Joint
-from verification.references.closed_forms import couplet as curve_of
 
 
 @pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])

@@ -8,6 +8,8 @@ from geometry.joints.find import find_joints
 from masonry.laws import factory as law_build
 from masonry.model.loads import Push
 from masonry.model.model import Stepping, sort_by_group
+from masonry.monitors.energy import present
+from tests.model.eigen import true_limit
 from verification.checks.invariance import contact_forces, momentum
 from verification.fixtures import models, shapes
 
@@ -77,10 +79,10 @@ def test_contacts_push_both_sides_alike_and_along_one_line(kinds):
 def test_momentum_is_kept_without_supports_and_damping(kinds, law):
     model = models.make(shapes.mapped(specimen(kinds, "skewed"), TURN), law=law)
     rng = np.random.default_rng(3)
-    for _, body in models.present(model):
+    for _, body in present(model):
         body.v[:] = rng.normal(size=body.v.shape) * 0.04
     before = momentum(model)
-    swing = sum(np.abs(model.masses[kind] * body.v).sum() for kind, body in models.present(model))
+    swing = sum(np.abs(model.masses[kind] * body.v).sum() for kind, body in present(model))
     models.march(model, 3000)
     assert np.abs(momentum(model) - before).max() < 1e-12 * swing
     assert np.abs(before).max() > 1e-3 * swing
@@ -104,7 +106,7 @@ def run(s, law, turn, dt, damping=0.0, order=None):
 
 def step_of(s):
     """A step (s) well within the exact limit."""
-    return 0.4 * models.true_limit(models.make(s, holds=[models.everything(0, 1)]))
+    return 0.4 * true_limit(models.make(s, holds=[models.everything(0, 1)]))
 
 
 @pytest.mark.parametrize("law", [models.GLUE, SOFT], ids=["elastic", "softening"])

@@ -9,6 +9,8 @@ from masonry.model.layout import Material
 from masonry.model.loads import Push
 from masonry.model.model import Stepping
 from masonry.model.supports import Hold
+from masonry.monitors.energy import present
+from tests.model.eigen import frequencies
 from verification.fixtures import models, shapes
 
 KN, KS = models.GLUE[1].normal_stiffness, models.GLUE[1].shear_stiffness
@@ -82,7 +84,7 @@ def test_a_damped_body_falls_with_its_share_of_gravity_and_without_strain(kind):
     model = models.make(s, models.GLUE, Stepping("real", 1e-6, damping=xi), gravity=(0.0, 0.0, -g))
     models.march(model, steps)
     speed = g * model.dt * (1 + (1 - xi) * (steps - 1))  # the first step starts from rest, where sign(v) = 0
-    for _, body in models.present(model):
+    for _, body in present(model):
         assert body.v[:, 2] == pytest.approx(-speed, rel=1e-12)
         assert np.abs(np.delete(body.v, 2, axis=1)).max() < 1e-12 * speed
 
@@ -115,7 +117,7 @@ def test_a_skewed_rigid_block_swings_and_turns_with_its_real_inertia():
     matrix = np.zeros((6, 6))
     matrix[:3, :3], matrix[3:, 3:] = mass * np.eye(3), inertia
     exact = np.sqrt(eigh(stiffness, matrix, eigvals_only=True))
-    assert models.frequencies(model) == pytest.approx(exact, rel=1e-10)
+    assert frequencies(model) == pytest.approx(exact, rel=1e-10)
     off = inertia - np.diag(np.diag(inertia))
     assert np.abs(off).max() > 0.02 * inertia.max(), "its principal axes do not lie along x, y, z"
 
@@ -123,7 +125,7 @@ def test_a_skewed_rigid_block_swings_and_turns_with_its_real_inertia():
 def test_a_skewed_block_released_in_its_lowest_mode_swings_in_time_at_that_frequency():
     blocks, _ = skew_block_on_a_held_one()
     model = models.make(shapes.setup(blocks, ["rigid", "rigid"]), holds=[models.everything(0)])
-    omega = models.frequencies(model)[0]
+    omega = frequencies(model)[0]
     which, mass = models.free(model), models.mass_vector(model)
     stiffness = models.stiffness_matrix(model)[np.ix_(which, which)]
     mode = eigh(stiffness, np.diag(mass[which]))[1][:, 0]
@@ -187,7 +189,7 @@ def test_a_bar_of_tets_sings_at_its_first_frequency_and_converges_with_the_mesh(
         s = shapes.setup(shapes.stack([0.1, length], (size, size)), ["rigid", "tets"], mesh_size)
         stiff = (models.GLUE[0], models.GLUE[1]._replace(normal_stiffness=1e15, shear_stiffness=1e15))
         model = models.make(s, stiff, models.REAL, [models.everything(0), Hold(np.array([1]), (0, 1))])
-        errors.append(models.frequencies(model)[0] / exact - 1)
+        errors.append(frequencies(model)[0] / exact - 1)
     assert np.abs(errors[-1]) < 0.01
     assert np.abs(errors[0]) > 4 * np.abs(errors[-1])
     print("bar of tets, error of the first frequency:", errors)

@@ -7,6 +7,8 @@ import pytest
 
 from masonry.model.model import Stepping
 from masonry.model.supports import Hold
+from masonry.monitors.energy import present
+from tests.model.eigen import true_limit
 from verification.fixtures import models, shapes
 
 KINDS = {
@@ -31,9 +33,7 @@ def test_scaled_masses_keep_the_total_mass_of_what_moves(kinds, fraction, dampin
     real = made(kinds, Stepping("real", damping=damping))
     for masses in (scaled.masses, real.masses):
         assert all((m >= 0).all() for m in masses.values())
-    total = [
-        sum(float(model.masses[kind][:, :3].sum()) for kind, _ in models.present(model)) for model in (scaled, real)
-    ]
+    total = [sum(float(model.masses[kind][:, :3].sum()) for kind, _ in present(model)) for model in (scaled, real)]
     assert total[0] == pytest.approx(total[1], rel=1e-12)
     assert scaled.bound > real.bound, "that is what they are for"
 
@@ -75,7 +75,7 @@ def own_bounds(kinds, damping: float) -> np.ndarray:
 @pytest.mark.parametrize("kinds", KINDS.values(), ids=KINDS)
 def test_the_exact_limit_with_scaled_masses_is_not_below_their_bound(kinds):
     model = made(kinds)
-    limit = models.true_limit(model)
+    limit = true_limit(model)
     assert 0.4 * limit < model.bound <= limit * (1 + 1e-9)
 
 
@@ -104,5 +104,5 @@ def test_a_time_step_in_seconds_scales_the_masses_to_it():
 
 def test_the_weight_is_real_where_the_masses_of_motion_are_scaled():
     model = made(KINDS["mixed"])
-    weight = -sum(float(body.load[:, 2].sum()) for _, body in models.present(model))
+    weight = -sum(float(body.load[:, 2].sum()) for _, body in present(model))
     assert weight == pytest.approx(4 * 1900 * 0.2 * 0.1 * 0.08 * 9.81, rel=1e-12)

@@ -9,6 +9,8 @@ from masonry.laws.elastic import Elastic
 from masonry.laws.state import JointProperties
 from masonry.model.layout import Material
 from masonry.model.model import Stepping
+from masonry.monitors.energy import present
+from tests.model.eigen import frequencies, true_limit
 from verification.fixtures import models, shapes
 
 LEAST_RATIO = {"scaled": 0.4, "real": 0.04}
@@ -60,7 +62,7 @@ def made(c: dict):
 @given(c=scenes)
 def test_the_bound_is_never_above_the_true_limit_and_not_far_below(c):
     model = made(c)
-    ratio = model.bound / models.true_limit(model)
+    ratio = model.bound / true_limit(model)
     assert ratio <= 1.0 + 1e-9
     assert ratio >= LEAST_RATIO[c["masses"]]
 
@@ -68,13 +70,13 @@ def test_the_bound_is_never_above_the_true_limit_and_not_far_below(c):
 def test_a_power_iteration_finds_the_same_limit_as_the_eigenvalues():
     s = shapes.setup(shapes.stack([0.05, 0.08, 0.06]), ["rigid", "affine", "tets"], mesh_size=0.15)
     model = models.make(s, holds=[models.everything(0)])
-    assert power_iteration(model) == pytest.approx(models.frequencies(model)[-1], rel=1e-3)
+    assert power_iteration(model) == pytest.approx(frequencies(model)[-1], rel=1e-3)
 
 
 def swinging(kinds, damping: float, seed: int = 6):
     s = shapes.setup(shapes.stack([0.05, 0.08]), kinds, mesh_size=0.3)
     model = models.make(s, models.GLUE, Stepping("real", damping=damping, step_fraction=0.99), [models.everything(0)])
-    for kind, body in models.present(model):
+    for kind, body in present(model):
         body.v[:] = np.random.default_rng(seed).normal(size=body.v.shape) * np.where(body.dt_over_mass > 0, 1e-3, 0.0)
         if kind != "tets":
             body.v[:, 3:] *= 10.0
@@ -82,7 +84,7 @@ def swinging(kinds, damping: float, seed: int = 6):
 
 
 def kinetic(model) -> float:
-    return 0.5 * sum(float(np.sum(model.masses[kind] * body.v**2)) for kind, body in models.present(model))
+    return 0.5 * sum(float(np.sum(model.masses[kind] * body.v**2)) for kind, body in present(model))
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.8])
@@ -104,9 +106,9 @@ def test_just_below_the_bound_a_million_steps_stay_bounded(kinds, damping):
 def test_the_stiffest_mode_grows_just_above_the_true_limit_and_not_below(kinds, damping):
     for share, grows in ((0.99, False), (1.01, True)):
         model = swinging(kinds, damping)
-        limit = models.true_limit(model)
+        limit = true_limit(model)
         model = remade(kinds, damping, share * limit)
-        velocity = {kind: body.v for kind, body in models.present(model)}
+        velocity = {kind: body.v for kind, body in present(model)}
         models.put(model, velocity, 1e-6 * stiffest_mode(model))
         first = kinetic(model)
         models.march(model, 400)

@@ -12,6 +12,8 @@ from geometry.meshes.tetrahedralise import mesh_blocks
 from masonry.model.layout import KINDS, Material
 from masonry.model.model import Stepping, sort_by_group
 from masonry.monitors import energy
+from masonry.monitors.energy import present
+from tests.model.eigen import true_limit
 from verification.checks import invariance
 from verification.fixtures import models, shapes
 
@@ -43,7 +45,7 @@ def pair(request):
 
 def linear(model, gradient, jump):
     """Freedoms under a uniform strain, the last block shifted by jump."""
-    field = {kind: np.zeros_like(body.v) for kind, body in models.present(model)}
+    field = {kind: np.zeros_like(body.v) for kind, body in present(model)}
     whole = models.linear_field(model, np.zeros(3), gradient)
     shifted = models.linear_field(model, np.asarray(jump, dtype=float), gradient)
     first = 0
@@ -105,7 +107,7 @@ def test_contact_forces_add_up_to_nothing_and_turn_nothing(pair):
 
 def test_momentum_is_kept_over_many_steps(pair):
     model = models.make(pair, stepping=Stepping("real", damping=0.0))
-    for kind, body in models.present(model):
+    for kind, body in present(model):
         body.v[:] = np.random.default_rng(6).normal(size=body.v.shape) * 1e-3
         if kind == "rigid":
             body.v[:, 3:] *= 10.0
@@ -136,7 +138,7 @@ def test_the_stiffness_is_symmetric_and_holds_every_relative_motion(pair):
 def test_the_bound_is_never_above_the_true_limit(pair, masses, ratio):
     law = models.GLUE[0], models.GLUE[1]._replace(normal_stiffness=ratio * KN, shear_stiffness=ratio * KS)
     model = models.make(pair, law, Stepping(masses, damping=0.8))
-    share = model.bound / models.true_limit(model)
+    share = model.bound / true_limit(model)
     assert share <= 1.0 + 1e-9
     assert share >= {"real": 0.04, "scaled": 0.4}[masses]
 

@@ -7,8 +7,8 @@ from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
 from masonry.scene import load as load_shipped
+from tests.model.eigen import true_limit
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
-from verification.fixtures import models
 
 
 def tower(kinematics: str, solver: str, steps: int = 20000) -> str:
@@ -29,7 +29,7 @@ def tower(kinematics: str, solver: str, steps: int = 20000) -> str:
 @pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
 def test_a_run_above_the_true_limit_is_stopped_with_a_block_to_blame_and_finite_rows(kinematics, damping):
     model = assemble(load(tower(kinematics, "damping = 0.0"))).model
-    limit = models.true_limit(model) / float(np.sqrt(1.0 + damping))
+    limit = true_limit(model) / float(np.sqrt(1.0 + damping))
     scene = load(tower(kinematics, f'damping = {damping!r}\ntime_step = "{1.01 * limit!r} s"'))
     assert any("above the proven bound" in warning for warning in laboratory.check(scene)["warnings"])
     with pytest.raises(Stopped, match="unstable at step .*block") as stop:
@@ -66,7 +66,7 @@ def test_equation_11_is_unsafe_for_soft_contacts_beside_stiff_blocks():
     """It sees no zone stiffness: at the paper's own fraction it lies above the exact limit, too."""
     text = tower("affine", 'time_step = "equation-11"\ndamping = 0.8').replace("GPa/m", "MPa/m")
     model = assemble(load(text)).model
-    exact = models.true_limit(model)
+    exact = true_limit(model)
     assert model.dt > model.bound
     assert model.dt > exact
     with pytest.raises(Stopped, match="block"):

@@ -9,9 +9,9 @@ from matplotlib import image
 
 import masonry
 from masonry.pictures.camera import front_view
+from masonry.pictures.crack_lines import crack_lines, outlines
 from masonry.pictures.crack_picture import cracks_figure, frames_to_draw, magnification
 from masonry.pictures.crack_style import THICK, THIN, crack_keys, kinds_of, scale_of, widths
-from masonry.pictures.cracks import crack_lines, outlines
 from masonry.pictures.front import FlatDrawing
 from masonry.pictures.oblique import SolidDrawing
 from masonry.results.deformation import Corners, Deformation

@@ -7,7 +7,7 @@ import pytest
 from matplotlib import image
 
 from masonry.errors import SceneError
-from masonry.movies.scene_3d import FIELDS, Stage
+from masonry.movies.scene_3d import FIELDS, Viewer
 from masonry.movies.viewer import add_slider, show
 from tests.results.sample import sample, with_tets
 
@@ -33,7 +33,7 @@ class Plotter:
 @pytest.mark.parametrize("make", [sample, lambda: with_tets(sample())], ids=["faces", "tets"])
 def test_blocks_and_joints_stand_where_the_frame_has_them_drawn_by_the_stated_factor(make):
     result = make()
-    stage = Stage(Plotter(), result, "opening")
+    stage = Viewer(Plotter(), result, "opening")
     stage.set(2, "at the end", 100.0)
     frame, blocks = result.history.frames[2], result.specimen.blocks
     for mesh in (stage.walls, stage.lines):
@@ -48,7 +48,7 @@ def test_blocks_and_joints_stand_where_the_frame_has_them_drawn_by_the_stated_fa
 @pytest.mark.parametrize("field", FIELDS)
 def test_damaged_joints_have_the_values_of_the_frame_and_the_others_none(field):
     result = sample()
-    stage = Stage(Plotter(), result, field)
+    stage = Viewer(Plotter(), result, field)
     colours = stage.plotter.shown["joints"][1]
     for number, frame in enumerate(result.history.frames):
         stage.set(number, "", 1.0)
@@ -62,14 +62,14 @@ def test_damaged_joints_have_the_values_of_the_frame_and_the_others_none(field):
             np.testing.assert_allclose(values[damaged], factor * getattr(frame, field)[damaged])
         inside = (values[damaged] >= colours["clim"][0]) & (values[damaged] <= colours["clim"][1])
         assert inside.all(), "one range of colours for all frames"
-    everywhere = Stage(Plotter(), result, field, everywhere=True)
+    everywhere = Viewer(Plotter(), result, field, everywhere=True)
     everywhere.set(0, "", 1.0)
     assert not np.isnan(everywhere.tiles.cell_data[field]).any()
 
 
 def test_the_outlines_are_those_of_units_not_of_the_cells_in_them():
     result = sample()
-    stage = Stage(Plotter(), result, "slip")
+    stage = Viewer(Plotter(), result, "slip")
     ends = stage.lines.points[stage.lines.lines.reshape(-1, 3)[:, 1:]]
     upright = np.isclose(ends[:, :, 0], 0.125).all(axis=1) & np.isclose(np.ptp(ends[:, :, 2], axis=1), 0.1)
     level = np.floor(ends[upright][:, :, 2].mean(axis=1) / 0.1)
@@ -109,7 +109,7 @@ def test_what_cannot_be_shown_is_refused_in_one_message(tmp_path, monkeypatch):
 
 def test_the_slider_goes_through_the_frames_and_keeps_the_scale():
     plotter = pyvista.Plotter(off_screen=True, window_size=(300, 200))
-    stage = Stage(plotter, sample(), "opening")
+    stage = Viewer(plotter, sample(), "opening")
     stage.set(1, "at the peak", 50.0)
     widget = add_slider(plotter, stage, 1)
     slider = widget.GetRepresentation()

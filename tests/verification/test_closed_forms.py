@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
+from tests.couplet.curve import couplet
 from verification.references.closed_forms import (
     LAWS,
     Joint,
     affine_couplet_compliance,
-    couplet,
     dissipated_in_shear,
     shear,
     shear_area,

@@ -1,5 +1,6 @@
 """Error against run time: the references, the front, and what is said about the shipped setting."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -14,10 +15,23 @@ from verification.problem import Point, Reference, front, richardson, time_to
 from verification.studies import ablation, threads
 from verification.studies import error_against_run_time as chapter
 from verification.studies.parts import PARTS
-from verification.studies.problems_of_cases import gaps, table
+from verification.studies.problems_of_cases import table
 from verification.studies.refinement import Study, problems
 
 SHIPPED = Point("accuracy", "1 %", 2.0, 900, 0.004)
+
+
+def gaps(cases: Mapping[str, Case]) -> list[str]:
+    """What is wrong with the cases, in sentences: neither problem nor reason, or both; a wrong name."""
+    known = {problem.name for problem in problems()}
+    found = []
+    for name, case in cases.items():
+        if bool(case.problems) == bool(case.no_problems):
+            found.append(
+                f"{name}: " + ("problems, and a reason for none" if case.problems else "neither problems nor a reason")
+            )
+        found += [f"{name}: no problem '{problem}'" for problem in case.problems if problem not in known]
+    return found
 
 
 def quiet(_: str) -> None:

@@ -8,7 +8,7 @@ from masonry.errors import SceneError
 from tests.verification import samples
 from tests.verification.samples import case
 from verification import catalogue, runner
-from verification.case import Check, Findings, at_most
+from verification.case import Check, Findings
 from verification.outcome import judge, off
 
 ENDS = {
@@ -51,10 +51,13 @@ def test_a_value_that_is_not_a_number_does_not_hold():
 
 
 def test_a_bound_holds_or_not_and_is_never_near_or_loose():
-    kept, broken = (at_most("strength left", "1", value, 0.9, "it must crack") for value in (0.1, 0.95))
+    findings = Findings()
+    for value in (0.1, 0.95, math.nan):
+        findings.at_most("strength left", "1", value, 0.9, "it must crack")
+    kept, broken, unknown = findings.checks
     assert kept.holds and kept.used == 0.0 and not kept.too_loose
     assert not broken.holds and math.isinf(broken.used) and not broken.too_loose
-    assert not at_most("strength left", "1", math.nan, 0.9, "it must crack").holds
+    assert not unknown.holds
     assert judge(Findings([kept]))[0] == "PASS"
     assert judge(Findings([broken])) == ("FAIL", off(broken))
     assert off(broken) == "strength left is 0.95, but may be at most 0.9 (it must crack)"

@@ -5,7 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from masonry.model.model import Model, Stepping
-from verification.case import Check, Findings, at_most
+from masonry.monitors.energy import present
+from verification.case import Findings
 from verification.checks.free_motion import follow, glued
 from verification.fixtures import assembled, models, shapes
 
@@ -24,7 +25,7 @@ def stack(kinds: Sequence[str], damping: float = 0.0, dt: float | None = None) -
 
 def kinetic(model: Model) -> float:
     """Half the sum of masses times squared velocities (J)."""
-    return 0.5 * sum(float(np.sum(model.masses[kind] * body.v**2)) for kind, body in models.present(model))
+    return 0.5 * sum(float(np.sum(model.masses[kind] * body.v**2)) for kind, body in present(model))
 
 
 def study(findings: Findings, kinds: Sequence[str], words: str) -> None:
@@ -35,12 +36,11 @@ def study(findings: Findings, kinds: Sequence[str], words: str) -> None:
     force, wanted = models.forces(model, random), -(matrix @ random) * models.free(model)
     omega, mode = assembled.fastest(model, matrix)
     limit, same = 2.0 / omega, "same discretisation"
-    findings.checks += [
-        Check(f"{words}: forces against K u, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0, same,
-              1e-12, 1e-15, "sums over contacts and elements: rounding", float(np.abs(wanted).max())),
-        at_most(f"{words}: proven bound over 2/w_max", "1", model.bound / limit, 1.0 + 1e-12,
-                "Gershgorin's bound is never above the limit, but for rounding"),
-    ]  # fmt: skip
+    findings.check(f"{words}: forces against K u, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0,
+                   same, 1e-12, 1e-15, "sums over contacts and elements: rounding",
+                   float(np.abs(wanted).max()))  # fmt: skip
+    findings.at_most(f"{words}: proven bound over 2/w_max", "1", model.bound / limit, 1.0 + 1e-12,
+                     "Gershgorin's bound is never above the limit, but for rounding")  # fmt: skip
     damped = stack(kinds, 0.8)
     findings.check(f"{words}: bound at xi = 0.8 over that without damping", "1", damped.bound / model.bound, 1.8**-0.5,
                    "closed form", 1e-12, 1e-15, "1/sqrt(1 + xi): rounding")  # fmt: skip
@@ -53,7 +53,7 @@ def study(findings: Findings, kinds: Sequence[str], words: str) -> None:
 def _below(findings: Findings, kinds: Sequence[str], words: str, dt: float, mode: np.ndarray) -> None:
     """1e5 steps of the fastest mode at 0.99 of the limit: v(n+1/2) = v0 cos((n + 1/2) a)/cos(a/2), sin(a/2) = 0.99."""
     model = stack(kinds, dt=dt)
-    models.put(model, {kind: body.v for kind, body in models.present(model)}, 1e-6 * mode)
+    models.put(model, {kind: body.v for kind, body in present(model)}, 1e-6 * mode)
     name = f"{words}, {BELOW:g} of the limit"
     seen = follow(findings, name, model, STEPS, lambda m: np.array(kinetic(m)), EVERY, rows=100)
     findings.check(f"{words}: largest kinetic energy in 1e5 steps at {BELOW:g} of the limit, over the first", "1",
@@ -65,7 +65,7 @@ def _below(findings: Findings, kinds: Sequence[str], words: str, dt: float, mode
 def _above(findings: Findings, kinds: Sequence[str], words: str, damping: float, dt: float, mode: np.ndarray) -> None:
     """Growth a step of the fastest mode at 1.05 of the limit: exp(2 acosh(1.05)); damping then works like stiffness."""
     model = stack(kinds, damping, dt)
-    models.put(model, {kind: body.v for kind, body in models.present(model)}, 1e-20 * mode)
+    models.put(model, {kind: body.v for kind, body in present(model)}, 1e-20 * mode)
     models.march(model, 20)
     early = kinetic(model)
     models.march(model, 40)

@@ -8,7 +8,8 @@ from scipy.spatial.transform import Rotation
 from masonry.laws.factory import build
 from masonry.model.loads import Push
 from masonry.model.model import Model, Stepping
-from verification.case import Findings, at_most
+from masonry.monitors.energy import present
+from verification.case import Findings
 from verification.checks.free_motion import STRONG, follow
 from verification.fixtures import assembled, models, shapes
 from verification.fixtures.one_contact import TABLE_1
@@ -44,7 +45,7 @@ def wall(kinds: Sequence[str], skew: bool = False) -> shapes.Setup:
 def resultant(model: Model, values: dict[str, np.ndarray]) -> np.ndarray:
     """(6,) sum and moment about the origin of forces (or momenta) given on the freedoms of each kind."""
     total, layout = np.zeros(6), model.layout
-    for kind, _ in models.present(model):
+    for kind, _ in present(model):
         f = values[kind]
         which = layout.members[kind]
         place = layout.centroid[which] if layout.mesh is None or kind != "tets" else layout.mesh.nodes
@@ -60,12 +61,12 @@ def resultant(model: Model, values: dict[str, np.ndarray]) -> np.ndarray:
 
 def momentum(model: Model) -> np.ndarray:
     """(6,) linear (kg m/s) and angular momentum (kg m2/s)."""
-    return resultant(model, {kind: model.masses[kind] * body.v for kind, body in models.present(model)})
+    return resultant(model, {kind: model.masses[kind] * body.v for kind, body in present(model)})
 
 
 def contact_forces(model: Model) -> np.ndarray:
     """(6,) N, N m: what all contacts together do to all blocks."""
-    return resultant(model, {kind: body.contact for kind, body in models.present(model)})
+    return resultant(model, {kind: body.contact for kind, body in present(model)})
 
 
 def rigid_motion(findings: Findings, kinds: Sequence[str], words: str) -> None:
@@ -90,10 +91,10 @@ def kept_momentum(findings: Findings, kinds: Sequence[str], words: str) -> None:
     """Free blocks that fly apart and crack their joints keep their momentum and their angular momentum."""
     model = models.make(wall(kinds, skew=True), SOFT)
     random = np.random.default_rng(3)
-    for _, body in models.present(model):
+    for _, body in present(model):
         body.v[:] = random.normal(size=body.v.shape) * 0.04
     before = momentum(model)
-    swing = sum(float(np.abs(model.masses[kind] * body.v).sum()) for kind, body in models.present(model))
+    swing = sum(float(np.abs(model.masses[kind] * body.v).sum()) for kind, body in present(model))
     name = f"{words}: cracking apart"
     follow(findings, name, model, 3000, lambda m: np.zeros(1), every=100)
     off = float(np.abs(momentum(model) - before).max())
@@ -105,7 +106,7 @@ def kept_momentum(findings: Findings, kinds: Sequence[str], words: str) -> None:
 def _weakest(findings: Findings, words: str, model: Model) -> None:
     """The scene is worth something only if joints crack in it."""
     left = float(model.state.intact_n.min())
-    findings.checks.append(at_most(words, "1", left, 0.9, "any loss of a tenth will do"))
+    findings.at_most(words, "1", left, 0.9, "any loss of a tenth will do")
 
 
 def _loaded(setup: shapes.Setup, law: tuple, turn: np.ndarray, stepping: Stepping, order: np.ndarray) -> Model:

@@ -3,14 +3,14 @@
 Exit codes: 0 the page was written, whatever the claims came to; 1 a run is not sound; 2 wrong words; 130 interrupted.
 """
 
-import sys
 import time
 from pathlib import Path
 
 from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
-from masonry.runtime.folder import RESULTS
-from masonry.runtime.shell import Parser
+from masonry.runtime.folder import RESULTS, writing
+from masonry.runtime.shell import Parser, tell
+from masonry.runtime.tables import columns
 from verification.paper import catalogue, gathering, page
 from verification.paper.experiment import Shown
 
@@ -36,18 +36,15 @@ def main(arguments: list[str] | None = None) -> int:
     words = parser().parse_args(arguments)
     wanted = catalogue.chosen(words.experiments)
     if words.list:
-        margin = max(len(e.name) for e in wanted) + 2
-        print("\n".join(f"{e.name:<{margin}}{e.title}" for e in wanted))
+        print("\n".join(columns([(e.name, e.title) for e in wanted])))
         return 0
     if words.workers < 1:
         raise SceneError(f"--workers {words.workers}: 1 or more")
     begun = time.perf_counter()
-    try:
-        shown = gathering.gather(wanted, words.out, words.quick, words.workers, _tell)
+    with writing(words.out):
+        shown = gathering.gather(wanted, words.out, words.quick, words.workers, tell)
         with WholeFiles(words.out) as files:
             files.text(NAME, page.html_of(shown, time.perf_counter() - begun, words.quick))
-    except OSError as error:
-        raise SceneError(f"cannot write to '{words.out}': {error.strerror or error}") from None
     print(summary(shown))
     print(f"page     {words.out / NAME}")
     return 0 if all(c.holds for s in shown for c in s.soundness) else 1
@@ -60,7 +57,3 @@ def summary(shown: list[Shown]) -> str:
         for claim in (c for c in [*one.section.claims, *one.soundness] if not c.holds):
             lines.append(f"{one.experiment.name}: {claim.says}: {page.WORDS[claim.holds][0]}: {claim.measured}")
     return "\n".join([*lines, page.verdict(shown).sentence])
-
-
-def _tell(line: str) -> None:
-    print(line, file=sys.stderr, flush=True)

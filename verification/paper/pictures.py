@@ -8,9 +8,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from masonry.laboratory.result import Result
+from masonry.pictures.style import MEGA, MILLI
 from verification.html.figures import COLOURS, sheet
 
-MILLI, MEGA = 1e3, 1e-6
 MOST_POINTS = 500
 """Of a line: more would only make the page heavy."""
 
@@ -26,11 +26,11 @@ class Line:
     colour: str = ""
 
 
-def stress_line(label: str, result: Result, style: str = "-", colour: str = "") -> Line:
+def stress_line(label: str, result: Result, colour: str = "") -> Line:
     """Stress in MPa against the displacement of the drive in mm."""
     rows = result.history.rows
     driven = rows["displacement"] > 0.0
-    return Line(label, rows["displacement"][driven] * MILLI, rows["stress"][driven] * MEGA, style, colour)
+    return Line(label, rows["displacement"][driven] * MILLI, rows["stress"][driven] * MEGA, colour=colour)
 
 
 def curves(

@@ -27,12 +27,6 @@ def in_turn(*works: Callable[[], object], rounds: int = 60) -> list[Times]:
     return [Times(float(a), float(b / a - 1.0)) for a, b in zip(least, upper, strict=True)]
 
 
-def ratio(measured: Callable[[], object], reference: Callable[[], object], rounds: int = 60) -> float:
-    """Least time of `measured` over least time of `reference`."""
-    ours, theirs = in_turn(measured, reference, rounds=rounds)
-    return ours.least / theirs.least
-
-
 class Against(NamedTuple):
     """Time (s) of our work and of that by hand, both less what a call costs that does none of it; spread of ours."""
 

@@ -59,11 +59,11 @@ def pair_of(low: float, top: float) -> Knobs:
     }
 
 
-def chain_of(heights: tuple[float, ...], edge: float = 0.1) -> Knobs:
-    """Blocks of the given heights (m) one on the other, a square of `edge` (m) in plan: "end", "b1", ..., "top"."""
+def chain_of(heights: tuple[float, ...]) -> Knobs:
+    """Blocks of the given heights (m) one on the other, a square of 0.1 m in plan: "end", "b1", ..., "top"."""
     names = ["end", *(f"b{k}" for k in range(1, len(heights) - 1)), "top"]
     boxes, level = [], 0.0
     for k, (name, height) in enumerate(zip(names, heights, strict=True)):
-        boxes.append(box(name, (0.0, 0.0, level), (edge, edge, height), k))
+        boxes.append(box(name, (0.0, 0.0, level), (0.1, 0.1, height), k))
         level += height
-    return {"specimen.box": boxes, "specimen.section": f"{edge * edge!r} m^2"}
+    return {"specimen.box": boxes, "specimen.section": "0.01 m^2"}

@@ -1,24 +1,8 @@
 """Which problems of error against run time stand for a case of the catalogue, or why there is nothing to choose."""
 
-from collections.abc import Mapping
-
-from verification.case import Case
 from verification.catalogue import catalogue
 from verification.html import page
 from verification.studies.refinement import anchor, problems
-
-
-def gaps(cases: Mapping[str, Case]) -> list[str]:
-    """What is wrong with the cases, in sentences: neither problem nor reason, or both; a wrong name."""
-    known = {problem.name for problem in problems()}
-    found = []
-    for name, case in cases.items():
-        if bool(case.problems) == bool(case.no_problems):
-            found.append(
-                f"{name}: " + ("problems, and a reason for none" if case.problems else "neither problems nor a reason")
-            )
-        found += [f"{name}: no problem '{problem}'" for problem in case.problems if problem not in known]
-    return found
 
 
 def table() -> str:

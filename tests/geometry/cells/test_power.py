@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 
 from geometry.blocks import Blocks, GeometryError
-from geometry.cells.domain import Domain, box_domain, hull_domain
+from geometry.cells.domain import Domain, box_domain
 from geometry.cells.power import Power, tessellate
-from geometry.cells.power_blocks import bends, cell_volumes, edge_lengths, edges, to_blocks
+from geometry.cells.power_blocks import cell_volumes, edge_lengths, edges, to_blocks
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import face_areas_normals_centroids, volumes
 from geometry.polyhedra.overlaps import check_overlaps
+from tests.geometry.cells.solids import bends, hull_domain
 
 LOW, HIGH = np.array([1.0, -0.2, 3.0]), np.array([1.230, -0.086, 3.065])
 BRICK = box_domain(LOW, HIGH)

@@ -9,14 +9,15 @@ import numpy as np
 import pytest
 
 from geometry.blocks import CellReport, GeometryError
-from geometry.cells.domain import Domain, box_domain, hull_domain
+from geometry.cells.domain import Domain, box_domain
 from geometry.cells.power import Power, tessellate
-from geometry.cells.power_blocks import bends, cell_volumes, edge_lengths, to_blocks
+from geometry.cells.power_blocks import cell_volumes, edge_lengths, to_blocks
 from geometry.cells.space import divide_space, random_sites_in, space_report
 from geometry.cells.space_energy import Wishes
 from geometry.cells.transport import SpaceDiagram, hold_sizes, relax
 from geometry.polyhedra.measures import centroids, volumes
 from geometry.polyhedra.overlaps import check_overlaps
+from tests.geometry.cells.solids import bends, hull_domain
 
 BRICK = box_domain(np.zeros(3), np.array([0.230, 0.114, 0.065]))
 WEDGE = hull_domain(np.array([[x, y, z] for y in (0, 1) for x, z in ((0, 0), (2, 0), (1.5, 1), (0.5, 1))], dtype=float))

@@ -7,7 +7,7 @@ import pytest
 
 from masonry import scene
 from masonry.laboratory import laboratory
-from masonry.pictures.cracks import CrackLines
+from masonry.pictures.crack_lines import CrackLines
 from verification.paper.ensembles import claims
 from verification.paper.ensembles.realisations import POINTS, Ensemble, Wall, wall
 from verification.paper.experiments import scatter

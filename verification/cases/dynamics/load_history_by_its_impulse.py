@@ -13,56 +13,23 @@ Reference: Newton; areas by hand.
 import numpy as np
 
 from verification.case import Case, Findings
-from verification.fixtures.scene_text import TWO_BOXES
-from verification.fixtures.scene_text import run as run_text
+from verification.scene_runs import result_of
 
 SIDES, HEIGHT, DENSITY = (0.2, 0.1), 0.05, 1900.0
 AREA = SIDES[0] * SIDES[1]
 MASS = DENSITY * AREA * HEIGHT
-STEP, STEPS, SETTLE, SOFT = 2.0**-23, 2000, 10, 1e3
+STEP, STEPS, SETTLE = 2.0**-23, 2000, 10
 STRESS = 0.2e6, -0.3e6
 RISES = 1.0, -1.7
 """Of each load: share of the stress that it rises to."""
 
-
-SCENE = f"""title = "A block under loads that vary"
-law = "elastic"
-kinematics = "rigid"
-{TWO_BOXES}[material.units]
-density = "{DENSITY!r} kg/m^3"
-[contact.unit_unit]
-normal_stiffness = "{SOFT!r} Pa/m"
-shear_stiffness = "{SOFT!r} Pa/m"
-[[support]]
-on = "low"
-fix = "all"
-[[support]]
-on = "top"
-fix = ["y", "rotation"]
-[[traction]]
-on = "top.z+"
-stress = {{x = "{STRESS[0]!r} Pa"}}
-history = "{RISES[0]!r} * t / {STEP * STEPS!r} s"
-duration = "{STEP * STEPS!r} s"
-[[traction]]
-on = "top.z+"
-stress = {{z = "{STRESS[1]!r} Pa"}}
-history = "{RISES[1]!r} * t / {STEP * STEPS!r} s"
-duration = "{STEP * STEPS!r} s"
-[settle]
-steps = {SETTLE}
-[solver]
-masses = "real"
-time_step = "{STEP!r} s"
-damping = 0.0
-rows = 40
-"""
+SCENE = "loads-that-rise"
 
 
 def run() -> Findings:
     """Kinetic energy and work at the end."""
     found = Findings()
-    result = found.note("impulse", run_text(SCENE))
+    result = found.note("impulse", result_of(SCENE))
     momentum = 0.5 * AREA * STEP * STEPS * np.array(STRESS) * RISES
     wanted = float(momentum @ momentum) / (2.0 * MASS)
     rows = result.history.rows

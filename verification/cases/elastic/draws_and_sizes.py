@@ -15,7 +15,7 @@ from geometry.cells.targets import target_sizes
 from geometry.polyhedra.measures import volumes
 from geometry.specimens.filling import fill_with_cells
 from masonry.model.draws import PROPERTIES, correlated, lognormal, standard_normals
-from verification.case import Case, Check, Findings, at_most
+from verification.case import Case, Findings
 
 MEAN, VARIATION, JOINTS, CELLS, MANY = 0.58e6, 0.25, 4000, 60, 400_000
 CORRELATION = 0.4
@@ -38,19 +38,16 @@ def of_draws(found: Findings) -> None:
     pairs = np.column_stack([np.arange(JOINTS), np.arange(JOINTS) + 1])
     normals = standard_normals(7, "unit_unit", pairs)
     count = np.sqrt(normals.size)
-    found.checks += [
-        at_most("draws: mean of the normals, over its standard error", "1", float(abs(normals.mean()) * count), 3.0,
-                "three standard errors"),
-        at_most("draws: mean square of the normals less 1, over its standard error", "1",
-                float(abs((normals**2).mean() - 1.0) * count / np.sqrt(2.0)), 3.0, "three standard errors"),
-    ]  # fmt: skip
+    found.at_most("draws: mean of the normals, over its standard error", "1", float(abs(normals.mean()) * count), 3.0,
+                  "three standard errors")  # fmt: skip
+    found.at_most("draws: mean square of the normals less 1, over its standard error", "1",
+                  float(abs((normals**2).mean() - 1.0) * count / np.sqrt(2.0)), 3.0,
+                  "three standard errors")  # fmt: skip
     one, other = correlated(normals, PROPERTIES[:2], CORRELATION).values()
     had = np.corrcoef(one, other)[0, 1]
     error = (1.0 - CORRELATION**2) / np.sqrt(JOINTS)
-    found.checks.append(
-        at_most("draws: correlation of two properties off what was asked for, over its standard error", "1",
-                float(abs(had - CORRELATION) / error), 3.0, "three standard errors")
-    )  # fmt: skip
+    found.at_most("draws: correlation of two properties off what was asked for, over its standard error", "1",
+                  float(abs(had - CORRELATION) / error), 3.0, "three standard errors")  # fmt: skip
 
 
 def of_cells(found: Findings) -> None:
@@ -66,12 +63,11 @@ def of_cells(found: Findings) -> None:
     volume = volumes(fill_with_cells(low, high, asked, "units")[0])
     wished = target_sizes(asked, np.array([MANY]), np.array([whole]), np.random.default_rng(3))
     error = VARIATION * np.sqrt((1.0 + 2.0 * VARIATION**2) / (2.0 * MANY))
-    found.checks += [
-        Check("spread sizes: sum", "m3", float(volume.sum()), whole, "closed form", 1e-12, 1e-14,
-              "cells fill the unit: rounding"),
-        at_most("spread sizes: coefficient of variation off what was asked for, over its standard error", "1",
-                float(abs(wished.std() / wished.mean() - VARIATION) / error), 3.0, "three standard errors"),
-    ]  # fmt: skip
+    found.check("spread sizes: sum", "m3", float(volume.sum()), whole, "closed form", 1e-12, 1e-14,
+                "cells fill the unit: rounding")  # fmt: skip
+    found.at_most("spread sizes: coefficient of variation off what was asked for, over its standard error", "1",
+                  float(abs(wished.std() / wished.mean() - VARIATION) / error), 3.0,
+                  "three standard errors")  # fmt: skip
 
 
 def run() -> Findings:

@@ -15,56 +15,23 @@ the default, have no such excess. Facets of tets with a third of their area at e
 
 import numpy as np
 
-from masonry.laboratory import laboratory
-from masonry.timeloop import timeloop
 from verification.case import Case, Findings
-from verification.fixtures.scene_text import assembled
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import model
+from verification.scene_runs import result_of
 
 KN, LENGTH, WIDTH, HEIGHT, SHEAR = 2e11, 0.2, 0.1, 0.08, 1e5
 COUPLE = SHEAR * HEIGHT * WIDTH * LENGTH
 EXACT = KN * WIDTH * LENGTH**3 / 12
 CELLS = (1, 2, 3, 4, 9, 16)
-SCENE = f"""title = "A joint in pure bending"
-law = "elastic"
-kinematics = "rigid"
-[specimen]
-kind = "boxes"
-section = "0.02 m^2"
-contact_points = "RULE"
-points_per_edge = POINTS
-box = [
-  {{name = "lower", origin = ["0 m", "0 m", "0 m"], size = ["{LENGTH} m", "{WIDTH} m", "{HEIGHT} m"], unit = 0}},
-  {{name = "upper", origin = ["0 m", "0 m", "{HEIGHT} m"], size = ["{LENGTH} m", "{WIDTH} m", "{HEIGHT} m"], unit = 1}},
-]
-[material.units]
-density = "1900 kg/m^3"
-[contact.unit_unit]
-normal_stiffness = "{KN!r} Pa/m"
-shear_stiffness = "80 GPa/m"
-[[support]]
-on = "lower"
-fix = "all"
-[[traction]]
-on = "upper.x+"
-stress = {{z = "{-SHEAR!r} Pa"}}
-[[traction]]
-on = "upper.x-"
-stress = {{z = "{SHEAR!r} Pa"}}
-[settle]
-steps = 3000
-[solver]
-rows = 10
-"""
+SCENE = "joint-in-bending"
 
 
 def stiffness(found: Findings, rule: str, points: int) -> float:
     """N m/rad of a run at rest under the couple."""
-    assembly = assembled(SCENE.replace("RULE", rule).replace("POINTS", str(points)))
-    outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording)
-    result = found.note(f"{points} points, {rule}", laboratory.result_of(assembly, outcome))
+    knobs = {"specimen.contact_points": rule, "specimen.points_per_edge": points}
+    result = found.note(f"{points} points, {rule}", result_of(SCENE, knobs))
     corner, moved = result.specimen.blocks.points, result.history.frames[-1].corners
     upper = moved[:, 2] != 0.0
     slope = np.polyfit(corner[upper, 0], moved[upper, 2], 1)[0]

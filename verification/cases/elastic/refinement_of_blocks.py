@@ -11,12 +11,13 @@ import numpy as np
 
 from verification.case import Case, Findings, Line
 from verification.fixtures.scene_text import run as run_text
+from verification.scene_runs import result_of
 
 LENGTH, HEIGHT, WIDTH, MODULUS, STRESS = 1.0, 0.2, 0.1, 10e9, 1e4
 SHEAR = 5 / 6 * MODULUS / 2
 JOINTS = (2, 4, 8, 16)
 DIVISIONS = (2, 3, 4)
-ENERGY = 20.0
+ENERGY, TEAR = 20.0, "couplet-torn-apart"
 BOX = '[[specimen.box]]\nname = "part {k}"\norigin = ["{x!r} m", "0 m", "0 m"]\nsize = ["{h!r} m", "{w} m", "{t} m"]\n'
 
 
@@ -54,50 +55,6 @@ rows = 40
 """
 
 
-def tear(divisions: int) -> str:
-    """The scene of a couplet between plates, pulled apart."""
-    return f"""
-law = "elastic"
-kinematics = "rigid"
-[specimen]
-kind = "couplet"
-length = "200 mm"
-width = "100 mm"
-height = "50 mm"
-plates = "20 mm"
-divisions = [{divisions}, {divisions}, 1]
-[material]
-units = {{ density = "2000 kg/m^3" }}
-plates = {{ density = "7850 kg/m^3" }}
-[contact.unit_unit]
-law = "linear"
-normal_stiffness = "150 GPa/m"
-shear_stiffness = "70 GPa/m"
-tensile_strength = "0.5 MPa"
-cohesion = "0.75 MPa"
-tan_friction_angle = 1
-fracture_energy_mode_1 = "{ENERGY!r} N/m"
-fracture_energy_mode_2 = "200 N/m"
-[contact.within_units]
-normal_stiffness = "150 GPa/m"
-shear_stiffness = "70 GPa/m"
-[contact.plate]
-normal_stiffness = "300 GPa/m"
-shear_stiffness = "140 GPa/m"
-[[support]]
-on = "bottom plate"
-fix = "all"
-[[support]]
-on = "top plate"
-fix = ["x", "y", "rotation"]
-[drive]
-on = "top plate"
-direction = "z"
-displacement = "0.12 mm"
-steps = 10000
-"""
-
-
 def beams(found: Findings) -> None:
     """The tip of each beam against its own sum, and the order against the beam of infinitely many."""
     force, second = STRESS * HEIGHT * WIDTH, WIDTH * HEIGHT**3 / 12
@@ -128,7 +85,7 @@ def beams(found: Findings) -> None:
 def tears(found: Findings) -> None:
     """Energy per area of the joint, for each division of the units."""
     for n in DIVISIONS:
-        result = found.note(f"{n} x {n} blocks a unit", run_text(tear(n)))
+        result = found.note(f"{n} x {n} blocks a unit", result_of(TEAR, {"specimen.divisions": [n, n, 1]}))
         spent = float(result.summary["energy_j"]["fracture_mode_1"]) / float(result.summary["section_m2"])
         found.check(f"energy of the open joint per area, {n} x {n} blocks a unit", "N/m", spent, ENERGY, "closed form",
                     1e-12, 1e-14, "the law books the area under its curve between two openings exactly, however far "

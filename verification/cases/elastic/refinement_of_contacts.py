@@ -16,49 +16,14 @@ import numpy as np
 from scipy.optimize import brentq
 
 from verification.case import Case, Findings, Line
-from verification.fixtures.scene_text import joint_table
-from verification.fixtures.scene_text import run as run_text
 from verification.references.closed_forms import Floats, Joint, tension
+from verification.scene_runs import result_of
 
 BREADTH, DEPTH, ECCENTRICITY, PULL = 0.1, 0.05, 0.02, 60e-6
 JOINT = Joint(kn=150e9, ks=70e9, fT=0.5e6, c0=0.75e6, G_I=8.0)
 COUNTS = (2, 4, 8, 16, 32)
 FIBRES = 500
-
-SCENE = f"""
-law = "exponential"
-kinematics = "rigid"
-[specimen]
-kind = "boxes"
-section = "{BREADTH * DEPTH!r} m^2"
-points_per_edge = {{ x = 2, y = 2 }}
-[[specimen.box]]
-name = "lower"
-origin = ["0 m", "0 m", "-0.05 m"]
-size = ["{BREADTH} m", "{DEPTH} m", "0.05 m"]
-unit = 0
-[[specimen.box]]
-name = "upper"
-origin = ["0 m", "0 m", "0 m"]
-size = ["{BREADTH + 2 * ECCENTRICITY!r} m", "{DEPTH} m", "0.05 m"]
-unit = 1
-[material.units]
-density = "2000 kg/m^3"
-{joint_table(JOINT)}
-[[support]]
-on = "lower"
-fix = "all"
-[[support]]
-on = "upper"
-fix = ["y", "rotation x", "rotation z"]
-[drive]
-on = "upper"
-direction = "z"
-displacement = "{PULL!r} m"
-steps = 20000
-[solver]
-rows = 500
-"""
+SCENE = "joint-torn-from-one-side"
 
 
 def continuous(pulled: Floats) -> Floats:
@@ -95,7 +60,8 @@ def run() -> Findings:
     force = continuous(pulled)
     peak, work = float(force.max()), float(np.trapezoid(force, pulled))
     runs = {
-        n: found.note(f"{n} points along the joint", run_text(SCENE, {"specimen.points_per_edge.x": n})) for n in COUNTS
+        n: found.note(f"{n} points along the joint", result_of(SCENE, {"specimen.points_per_edge.x": n}))
+        for n in COUNTS
     }
     peaks = np.array([r.summary["peak_stress_pa"] for r in runs.values()]) * BREADTH * DEPTH
     works = np.array([r.history.rows["contact_work"][-1] for r in runs.values()])

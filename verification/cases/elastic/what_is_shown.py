@@ -14,37 +14,13 @@ from dataclasses import replace
 import numpy as np
 
 from masonry.pictures.camera import front_view
-from masonry.pictures.cracks import crack_lines
+from masonry.pictures.crack_lines import crack_lines
 from verification.case import Case, Findings
 from verification.cases.friction import triplet
-from verification.fixtures.scene_text import TWO_BOXES
-from verification.fixtures.scene_text import run as run_text
 from verification.references.closed_forms import Joint, shear
 from verification.scene_runs import result_of
 
 KN, PULLS = 150e9, (20e-6, 30e-6)
-PULLED = f"""title = "A joint pulled twice"
-law = "elastic"
-kinematics = "rigid"
-{TWO_BOXES}[material.units]
-density = "1900 kg/m^3"
-[contact.unit_unit]
-normal_stiffness = "{KN!r} Pa/m"
-shear_stiffness = "70 GPa/m"
-[[support]]
-on = "low"
-fix = "all"
-[[support]]
-on = "top"
-fix = ["x", "y", "rotation"]
-[drive]
-on = "top"
-direction = "z"
-history = ["{PULLS[0]!r} m", "0 m", "{PULLS[1]!r} m", "0 m"]
-steps = 4000
-[solver]
-rows = 200
-"""
 ROUNDING = "sums of some products: rounding"
 
 
@@ -95,7 +71,7 @@ def of_a_summary(found: Findings) -> None:
 
 def of_cycles(found: Findings) -> None:
     """An elastic joint pulled twice and let go: widest opening, greatest stress, farthest place, nothing spent."""
-    cycles = found.note("two cycles", run_text(PULLED)).summary["cycles"]
+    cycles = found.note("two cycles", result_of("joint-pulled-twice")).summary["cycles"]
     found.check("cycles", "1", len(cycles), len(PULLS), "closed form", 1e-14, 0.0, "a count: exact")
     for number, (cycle, pull) in enumerate(zip(cycles, PULLS, strict=False), start=1):
         for key, unit, wanted, scale in (

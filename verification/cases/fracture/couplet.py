@@ -17,7 +17,7 @@ Reference: eqs (8), (13), (15), (17) of the paper.
 import numpy as np
 
 from verification.balance import dissipated
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.single_shear import around_the_peak
 from verification.references.closed_forms import Joint, dissipated_in_shear, shear
 from verification.scene_runs import result_of
@@ -41,16 +41,14 @@ def sheared(findings: Findings, law: str, mpa: float) -> tuple[Line, Line]:
     spent = dissipated(result.summary)
     gone = AREA * float(dissipated_in_shear(law, joint, slip[-1], s))
     rough *= AREA / gone
-    findings.checks += [
-        Check(f"peak, {words}", "Pa", result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
-              "the step that misses the peak, at most du k_s q/(k_s + q)"),
-        Check(f"curve, {words}, largest deviation", "Pa", float(np.abs(stress - wanted).max()), 0.0, kind, 1e-12, 1e-13,
-              "what the settled confinement still swings by, and rounding", peak),
-        Check(f"residual, {words}", "Pa", float(stress[-1]), float(wanted[-1]), kind, 1e-12, 1e-13,
-              "what the settled confinement still swings by, and rounding"),
-        Check(f"dissipated, {words}", "J", spent, gone, kind, 3 * rough, rough,
-              "the trapezoid: of the envelope, and of the corner at the peak that no step hits"),
-    ]  # fmt: skip
+    findings.check(f"peak, {words}", "Pa", result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
+                   "the step that misses the peak, at most du k_s q/(k_s + q)")  # fmt: skip
+    findings.check(f"curve, {words}, largest deviation", "Pa", float(np.abs(stress - wanted).max()), 0.0, kind, 1e-12,
+                   1e-13, "what the settled confinement still swings by, and rounding", peak)  # fmt: skip
+    findings.check(f"residual, {words}", "Pa", float(stress[-1]), float(wanted[-1]), kind, 1e-12, 1e-13,
+                   "what the settled confinement still swings by, and rounding")  # fmt: skip
+    findings.check(f"dissipated, {words}", "J", spent, gone, kind, 3 * rough, rough,
+                   "the trapezoid: of the envelope, and of the corner at the peak that no step hits")  # fmt: skip
     some = slice(None, None, 20)
     return (
         Line(words, 1e3 * slip, 1e-6 * stress),
@@ -63,7 +61,7 @@ def run() -> Findings:
     found = Findings()
     for law in LAWS:
         lines = [line for mpa in BETA for line in sheared(found, law, mpa)]
-        found.plots.append(Plot(f"Couplet, {law} law", "slip (mm)", "shear stress (MPa)", tuple(lines)))
+        found.plot(f"Couplet, {law} law", "slip (mm)", "shear stress (MPa)", *lines)
     return found
 
 

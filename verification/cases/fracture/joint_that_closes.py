@@ -14,7 +14,7 @@ Reference: eqs (12), (14), (16) of the paper for the envelopes, straight lines b
 
 import numpy as np
 
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.single_tension import CYCLE
 from verification.references.closed_forms import Joint, dissipated_in_tension, unloaded
 from verification.scene_runs import result_of
@@ -43,15 +43,11 @@ def cycled(findings: Findings, law: str, unloading: str) -> None:
     booked = (1e-12, 1e-14, "differences of the area under the envelope: rounding")
     if unloading == "elastic" and law != "linear":
         booked = (1e-5, 2e-6, "the opening that stays is booked by the trapezoid: second order in the step")
-    findings.checks += [
-        Check(f"curve, {of}, largest deviation", "Pa", float(np.abs(rows["stress"] - wanted).max()), 0.0, "closed form",
-              1e-12, 2e-14, "the law sees every turn, and each place to the last bits: rounding", JOINT.fT),
-        Check(f"dissipated, {of}", "J", float(rows["fracture_mode_1"][-1]), gone, "closed form",
-              *booked),
-    ]  # fmt: skip
-    findings.plots.append(
-        Plot(f"Joint, {of}", "opening (um)", "normal stress (MPa)", (Line(of, 1e6 * place, 1e-6 * rows["stress"]),))
-    )
+    findings.check(f"curve, {of}, largest deviation", "Pa", float(np.abs(rows["stress"] - wanted).max()), 0.0,
+                   "closed form", 1e-12, 2e-14, "the law sees every turn, and each place to the last bits: rounding",
+                   JOINT.fT)  # fmt: skip
+    findings.check(f"dissipated, {of}", "J", float(rows["fracture_mode_1"][-1]), gone, "closed form", *booked)
+    findings.plot(f"Joint, {of}", "opening (um)", "normal stress (MPa)", Line(of, 1e6 * place, 1e-6 * rows["stress"]))
 
 
 def run() -> Findings:

@@ -9,7 +9,7 @@ drive to an accuracy damps what it did not expect as heavily; then all of them g
 from typing import Any
 
 from verification.balance import dissipated
-from verification.case import Case, Check, Findings, at_most
+from verification.case import Case, Findings
 from verification.scene_runs import result_of
 
 SCENE = "shear-wall-late-crack"
@@ -30,12 +30,10 @@ def run() -> Findings:
         summary = findings.note(label, result_of(SCENE, keys)).summary
         for (quantity, unit), value in _answer(summary).items():
             reference = wanted[quantity, unit]
-            findings.checks.append(
-                Check(f"{quantity}, {label}", unit, value, reference, "converged run", 0.02, 0.005, REASON)
-            )
+            findings.check(f"{quantity}, {label}", unit, value, reference, "converged run", 0.02, 0.005, REASON)
         if label == "accuracy 1 %" or "0.4" in label:
             silent = float(not summary["sudden_cracks"])
-            findings.checks.append(at_most(f"no sudden crack named, {label}", "1", silent, 0.0, "the run says so"))
+            findings.at_most(f"no sudden crack named, {label}", "1", silent, 0.0, "the run says so")
     return findings
 
 

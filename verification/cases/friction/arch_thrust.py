@@ -15,7 +15,7 @@ joints bear no tension; nothing slides at a friction of 0.7. Weights and centroi
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.case import Case, Check, Findings, Line, Plot, at_most
+from verification.case import Case, Findings, Line
 from verification.fixtures.arches import Arch, greatest_thrust, least_thrust
 from verification.scene_runs import result_of
 
@@ -48,20 +48,20 @@ def run() -> Findings:
         least, greatest = (WEIGHT * bound(arch) for bound in (least_thrust, greatest_thrust))
         limit, rows = least if by.startswith("-") else greatest, result.history.rows
         settled = float(rows["force"][np.flatnonzero(rows["displacement"] == 0.0)[-1]])
-        found.checks += [
-            Check(f"{words}: thrust", "N", float(rows["force"][-1]), limit, "limit analysis", 4e-12, 1e-12,
-                  "points at the edges make hinges exact, joints keep their places: how far all has come to rest"),
-            at_most(f"{words}: eccentricity of the thrust, 1 at the edge", "1", largest_eccentricity(result),
-                    1.0 + 1e-9, "the line of thrust lies in the arch, and touches its edge at the hinges"),
-            at_most(f"{words}: least thrust over that of the weight alone", "1", least / settled, 1.0,
-                    "the safe theorem: any thrust that stands lies between the two"),
-            at_most(f"{words}: thrust of the weight alone over the greatest", "1", settled / greatest, 1.0,
-                    "the safe theorem: any thrust that stands lies between the two"),
-        ]  # fmt: skip
+        found.check(f"{words}: thrust", "N", float(rows["force"][-1]), limit, "limit analysis", 4e-12, 1e-12,
+                    "points at the edges make hinges exact, joints keep their places: "
+                    "how far all has come to rest")  # fmt: skip
+        found.at_most(f"{words}: eccentricity of the thrust, 1 at the edge", "1", largest_eccentricity(result),
+                      1.0 + 1e-9,
+                      "the line of thrust lies in the arch, and touches its edge at the hinges")  # fmt: skip
+        found.at_most(f"{words}: least thrust over that of the weight alone", "1", least / settled, 1.0,
+                      "the safe theorem: any thrust that stands lies between the two")  # fmt: skip
+        found.at_most(f"{words}: thrust of the weight alone over the greatest", "1", settled / greatest, 1.0,
+                      "the safe theorem: any thrust that stands lies between the two")  # fmt: skip
         if arch.voussoirs == ARCHES[0][1].voussoirs:
             way = np.abs(1e3 * rows["displacement"])
             lines += [Line(words, way, rows["force"]), Line("by hand", way[[0, -1]], np.full(2, limit), "dashed")]
-    found.plots.append(Plot("Semicircle of 15 voussoirs", "movement of the abutment (mm)", "thrust (N)", tuple(lines)))
+    found.plot("Semicircle of 15 voussoirs", "movement of the abutment (mm)", "thrust (N)", *lines)
     return found
 
 

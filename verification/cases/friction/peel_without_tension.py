@@ -7,7 +7,7 @@ The drive must be bounded from the first opening on, not only from the first fra
 """
 
 from masonry.results.trust import trust
-from verification.case import Case, Check, Findings, at_most
+from verification.case import Case, Findings
 from verification.scene_runs import result_of
 
 SCENE = "peel-without-tension"
@@ -21,11 +21,10 @@ def run() -> Findings:
     slow = findings.note("400,000 steps", result_of(SCENE, CONVERGED)).summary
     paced = findings.note("accuracy 1 %", result_of(SCENE)).summary
     for quantity, key, expected in (("peak", "peak_stress_pa", 0.004), ("end", "final_stress_pa", 0.003)):
-        findings.checks.append(
-            Check(f"stress at the {quantity}", "Pa", paced[key], slow[key], "converged run", 0.01, expected, REASON)
-        )
+        findings.check(f"stress at the {quantity}", "Pa", paced[key], slow[key], "converged run", 0.01, expected,
+                       REASON)  # fmt: skip
     silent = float("sudden cracks" not in trust(paced))
-    findings.checks.append(at_most("no word on sudden cracks", "1", silent, 0.0, "they released 12 % of the work"))
+    findings.at_most("no word on sudden cracks", "1", silent, 0.0, "they released 12 % of the work")
     return findings
 
 

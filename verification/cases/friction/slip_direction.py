@@ -12,7 +12,7 @@ Reference: perfect plasticity on a circle, by hand; eq. (8) of the paper.
 
 import numpy as np
 
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.one_contact import Walk, along, law, walk
 from verification.fixtures.single_tension import UM
 from verification.references.closed_forms import Joint
@@ -45,20 +45,19 @@ def run() -> Findings:
     size = np.hypot(*slipped.T) * np.hypot(*stress.T)
     skew = float(np.abs(cross[moving] / size[moving]).max())
     first = 0.05 * UM * JOINT.ks / STRENGTH
-    found.checks += [
-        Check("|t| beyond the corner, largest deviation", "Pa", float(np.abs(walked.tau[beyond] - STRENGTH).max()), 0.0,
-              "closed form", 1e-12, 1e-14, "the return ends on the cone: rounding", STRENGTH),
-        Check("sine of the angle from slip to stress, largest", "1", skew, 0.0, "closed form", 5e-12, 1e-13,
-              "a difference of slips of 0.05 um in 100 um: rounding", 1.0),
-        Check("direction of the stress, largest deviation", "rad", off[2], 0.0, "closed form", first, 0.3 * first,
-              "a step turns the stress by up to k_s du/T; an implicit step of first order errs by less", 1.0),
-        Check("order of the direction in du", "1", float(np.log2(off[1] / off[2])), 1.0, "closed form", 0.02, 5e-3,
-              "implicit step: the next term is du k_s/T of it"),
-    ]  # fmt: skip
+    found.check("|t| beyond the corner, largest deviation", "Pa", float(np.abs(walked.tau[beyond] - STRENGTH).max()),
+                0.0, "closed form", 1e-12, 1e-14, "the return ends on the cone: rounding", STRENGTH)  # fmt: skip
+    found.check("sine of the angle from slip to stress, largest", "1", skew, 0.0, "closed form", 5e-12, 1e-13,
+                "a difference of slips of 0.05 um in 100 um: rounding", 1.0)  # fmt: skip
+    found.check("direction of the stress, largest deviation", "rad", off[2], 0.0, "closed form", first, 0.3 * first,
+                "a step turns the stress by up to k_s du/T; an implicit step of first order errs by less",
+                1.0)  # fmt: skip
+    found.check("order of the direction in du", "1", float(np.log2(off[1] / off[2])), 1.0, "closed form", 0.02, 5e-3,
+                "implicit step: the next term is du k_s/T of it")  # fmt: skip
     x = 1e6 * y
     some = slice(0, None, 50)
     lines = (Line("contact", x, had), Line("closed form", x[some], angle[some], "points"))
-    found.plots.append(Plot("Direction of the stress after the corner", "slip along y (um)", "angle (rad)", lines))
+    found.plot("Direction of the stress after the corner", "slip along y (um)", "angle (rad)", *lines)
     return found
 
 

@@ -18,7 +18,7 @@ from math import asin, cos, pi, sin
 import numpy as np
 
 from verification.balance import dissipated
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.waves import WAVELENGTH, Bar, Floats, Wave
 
 AMPLITUDE, CYCLES, CELLS = 1e-6, 3, 80
@@ -82,17 +82,14 @@ def run() -> Findings:
         wave = bar.run(CELLS, moved, 8.0 * PERIOD)
         found.note(f"ts/t0 = {s}", wave.result)
         for name, value, reference in zip("TRA", measured(bar, wave), shares(s), strict=True):
-            found.checks.append(
-                Check(f"{name}, ts/t0 = {s}", "1", value, reference, "closed form", 2e-3, 5e-4,
-                      "the joint's stiffness takes (1/100)^2 of an elastic wave and delays the clipped one's corners; "
-                      "cells of 1/80 wavelength round them", 1.0)
-            )  # fmt: skip
+            found.check(f"{name}, ts/t0 = {s}", "1", value, reference, "closed form", 2e-3, 5e-4,
+                        "the joint's stiffness takes (1/100)^2 of an elastic wave and delays the clipped one's "
+                        "corners; cells of 1/80 wavelength round them", 1.0)  # fmt: skip
         came_in = CYCLES * 0.5 * INCIDENT**2 / IMPEDANCE * PERIOD * wave.area
         heat = dissipated(wave.result.summary) / came_in
-        found.checks.append(
-            Check(f"heat that the joint booked over the incident energy, ts/t0 = {s}", "1", heat, shares(s)[2] ** 2,
-                  "closed form", 2e-3, 5e-4, "the same A^2 from the law's own account, over all three cycles", 1.0)
-        )  # fmt: skip
+        found.check(f"heat that the joint booked over the incident energy, ts/t0 = {s}", "1", heat, shares(s)[2] ** 2,
+                    "closed form", 2e-3, 5e-4, "the same A^2 from the law's own account, over all three cycles",
+                    1.0)  # fmt: skip
         beyond = wave.x > bar.before * WAVELENGTH
         stress = np.diff(wave.u[beyond]) / np.diff(wave.x[beyond]) * bar.modulus
         place = wave.x[beyond][1:]
@@ -101,7 +98,7 @@ def run() -> Findings:
         )
         came = (wave.time - place / bar.speed > 0) & (wave.time - place / bar.speed < CYCLES * PERIOD)
         lines = (Line("masonry", place, -stress), Line("closed form", place, np.where(came, exact, 0.0), "dashed"))
-        found.plots.append(Plot(f"Stress that has passed, ts/t0 = {s}", "x (m)", "tau (Pa)", lines))
+        found.plot(f"Stress that has passed, ts/t0 = {s}", "x (m)", "tau (Pa)", *lines)
     return found
 
 

@@ -12,7 +12,7 @@ Reference: eqs (8), (17) of the paper; statics.
 import numpy as np
 
 from verification.balance import dissipated
-from verification.case import Case, Check, Findings, Line, Plot
+from verification.case import Case, Findings, Line
 from verification.fixtures.single_shear import around_the_peak
 from verification.references.closed_forms import Joint, dissipated_in_shear, shear
 from verification.scene_runs import result_of
@@ -36,10 +36,8 @@ def at_every_step(found: Findings) -> None:
         ("peak stress", "peak_stress_pa", "Pa", "stress", highest),
         ("displacement at the peak", "displacement_at_peak_m", "m", "displacement", near),
     ):
-        found.checks.append(
-            Check(f"{name}, of the row that has it", unit, few[key], float(rows[column][row]),
-                  "closed form", 1e-12, 1e-13, "the same step: rounding of sums")
-        )  # fmt: skip
+        found.check(f"{name}, of the row that has it", unit, few[key], float(rows[column][row]), "closed form", 1e-12,
+                    1e-13, "the same step: rounding of sums")  # fmt: skip
 
 
 def run() -> Findings:
@@ -58,28 +56,26 @@ def run() -> Findings:
     at = (1.0 - NEAR) * float(joint.peak(S)) / joint.ks
     k = int(np.searchsorted(slip, at))
     step = float((slip[k] - slip[k - 1]) / (rows["step"][moved][k] - rows["step"][moved][k - 1]))
-    found.checks += [
-        Check("peak force", "N", AREA * result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
-              "the step that misses the peak, at most du k_s q/(k_s + q)"),
-        Check("force at every slip, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0, kind, 1e-12,
-              1e-13, "what the settled confinement still swings by, and rounding", peak),
-        Check("force of the supports at every slip, largest deviation from that of the drive", "N",
-              float(AREA * np.abs(rows["support_stress"] - rows["stress"])[moved].max()), 0.0, kind, 1e-12, 1e-13,
-              "nothing that could hold back a force moves along x: rounding", peak),
-        Check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, kind, step / at,
-              0.5 * step / at, "the step in which the force comes within 0.1 % of the peak"),
-        Check("displacement at the end", "m", float(slip[-1]), LAST, kind, 1e-12, 1e-13,
-              "what the scene asks for; a sum of 20,000 steps: rounding"),
-        Check("dissipated by both joints", "J", spent, gone, kind, 3 * rough, rough,
-              "the trapezoid: of the envelope, and of the corner at the peak that no step hits"),
-    ]  # fmt: skip
+    found.check("peak force", "N", AREA * result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
+                "the step that misses the peak, at most du k_s q/(k_s + q)")  # fmt: skip
+    found.check("force at every slip, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0, kind, 1e-12,
+                1e-13, "what the settled confinement still swings by, and rounding", peak)  # fmt: skip
+    found.check("force of the supports at every slip, largest deviation from that of the drive", "N",
+                float(AREA * np.abs(rows["support_stress"] - rows["stress"])[moved].max()), 0.0, kind, 1e-12, 1e-13,
+                "nothing that could hold back a force moves along x: rounding", peak)  # fmt: skip
+    found.check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, kind, step / at,
+                0.5 * step / at, "the step in which the force comes within 0.1 % of the peak")  # fmt: skip
+    found.check("displacement at the end", "m", float(slip[-1]), LAST, kind, 1e-12, 1e-13,
+                "what the scene asks for; a sum of 20,000 steps: rounding")  # fmt: skip
+    found.check("dissipated by both joints", "J", spent, gone, kind, 3 * rough, rough,
+                "the trapezoid: of the envelope, and of the corner at the peak that no step hits")  # fmt: skip
     at_every_step(found)
     some = slice(None, None, 20)
     lines = (
         Line("triplet", 1e3 * slip, 1e-3 * force),
         Line("2 A tau", 1e3 * slip[some], 1e-3 * wanted[some], "points"),
     )
-    found.plots.append(Plot("Triplet under 0.5 MPa", "slip (mm)", "force (kN)", lines))
+    found.plot("Triplet under 0.5 MPa", "slip (mm)", "force (kN)", *lines)
     return found
 
 

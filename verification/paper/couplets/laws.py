@@ -136,9 +136,9 @@ def whole_beta(confinement: str) -> float:
     return 1.0 + 2.0 * (1.0 - float(Joint().residual(s) / Joint().peak(s)))
 
 
-def nearest_beta(confinement: str, reach: float = 0.8e-3) -> float:
-    """The beta whose polynomial curve is nearest to the exponential one, least squares over slips up to `reach` (m)."""
-    s, u = CONFINEMENTS[confinement], np.linspace(0.0, reach, 2001)
+def nearest_beta(confinement: str) -> float:
+    """The beta whose polynomial curve is nearest to the exponential one, least squares over slips up to 0.8 mm."""
+    s, u = CONFINEMENTS[confinement], np.linspace(0.0, 0.8e-3, 2001)
     wanted = shear("exponential", Joint(), u, s)
     betas = np.arange(1.1, 8.0, 0.01)
 

@@ -7,9 +7,9 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
+from masonry.pictures.style import MEGA, MILLI
 from verification.html.figures import COLOURS, sheet
 from verification.paper.ensembles.realisations import Ensemble
-from verification.paper.pictures import MEGA, MILLI
 
 
 def bands(modes: Mapping[str, tuple[Ensemble, Mapping[str, Ensemble]]]) -> Figure:

@@ -8,7 +8,7 @@ import numpy as np
 from masonry.laboratory.result import Result
 from masonry.laboratory.summary import BROKEN
 from masonry.pictures.camera import front_view
-from masonry.pictures.cracks import CrackLines, crack_lines
+from masonry.pictures.crack_lines import CrackLines, crack_lines
 from verification.paper.experiment import Done
 
 POINTS = 300
@@ -76,10 +76,10 @@ class Ensemble:
         """How many walls crack in each of the WAYS."""
         return {way: sum(wall.way == way for wall in self.walls) for way in WAYS}
 
-    def band(self, low: float = 0.05, high: float = 0.95) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(POINTS,) Pa each: the two quantiles of the stress at each place of the drive, and the median."""
+    def band(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """(POINTS,) Pa each: the quantiles 5 % and 95 % of the stress at each place of the drive, and the median."""
         stress = np.array([wall.stress for wall in self.walls])
-        below, above, middle = np.quantile(stress, [low, high, 0.5], axis=0)
+        below, above, middle = np.quantile(stress, [0.05, 0.95, 0.5], axis=0)
         return below, above, middle
 
 

@@ -4,13 +4,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from masonry.laboratory.result import Result
+from masonry.pictures.style import MEGA, MILLI
 from verification.html.figures import COLOURS
 from verification.html.page import paragraph, picture
 from verification.paper import pictures
 from verification.paper.couplets import contact_points, energies, laws, printed, setups
 from verification.paper.couplets.laws import CONFINEMENTS, LAWS, joint, name
 from verification.paper.experiment import Done, Experiment, Run, Section
-from verification.paper.pictures import MEGA, MILLI, Line
+from verification.paper.pictures import Line
 from verification.references.closed_forms import Joint, shear, tension
 
 PULLED = {

@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from masonry.pictures.style import MEGA, MILLI
 from verification.html.figures import COLOURS
 from verification.html.page import paragraph, picture
 from verification.paper import pictures
@@ -11,7 +12,7 @@ from verification.paper.couplets.laws import CONFINEMENTS
 from verification.paper.couplets.measures import strength_line
 from verification.paper.couplets.mortar import SEMI_RIGID, SIZES, known, name
 from verification.paper.experiment import Done, Experiment, Run, Section
-from verification.paper.pictures import MEGA, MILLI, Line
+from verification.paper.pictures import Line
 from verification.references.closed_forms import Joint, shear
 
 

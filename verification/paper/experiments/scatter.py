@@ -4,13 +4,13 @@ from typing import Any
 
 import numpy as np
 
+from masonry.pictures.style import MEGA
 from verification.html import page
 from verification.html.page import percent
 from verification.paper.ensembles.bands import bands, frequencies
 from verification.paper.ensembles.claims import claims, ways_text
 from verification.paper.ensembles.realisations import Ensemble, ensemble
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
-from verification.paper.pictures import MEGA
 
 SCENES = {"failure mode 1": "wallette-mode-1", "failure mode 2": "wallette-mode-2"}
 VARIATION = {"unit_unit": 0.3, "within_units": 0.2}

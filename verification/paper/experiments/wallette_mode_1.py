@@ -5,6 +5,7 @@ import numpy as np
 from masonry import scene
 from masonry.assembly.assemble import joined
 from masonry.drawings.geometry_picture import geometry_figure
+from masonry.pictures.style import MEGA
 from verification.html import page
 from verification.html.page import percent
 from verification.paper import pictures
@@ -13,7 +14,6 @@ from verification.paper.walls.common import (
     AFFINE,
     HINGE,
     HINGED,
-    MEGA,
     MODE_1,
     PAPERS_RATE,
     RATE,

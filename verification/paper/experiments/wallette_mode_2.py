@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from masonry.laboratory.result import Result
+from masonry.pictures.style import MILLI
 from verification.html import page
 from verification.html.page import percent
 from verification.paper import pictures
@@ -11,7 +12,6 @@ from verification.paper.walls.common import (
     AFFINE,
     CLAMPED,
     HELD,
-    MILLI,
     MODE_1,
     MODE_2,
     PAPERS_RATE,

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from masonry.pictures.style import MILLI
 from verification.html.page import percent
 from verification.paper.experiment import Claim, claim
 from verification.paper.sizes.families import (
@@ -19,7 +20,7 @@ from verification.paper.sizes.families import (
     straight,
 )
 from verification.paper.sizes.spread import spread_of
-from verification.paper.walls.common import MILLI, mpa
+from verification.paper.walls.common import mpa
 from verification.paper.walls.curve_shape import energy_per_section
 from verification.paper.walls.straight_crack import STRAIGHT
 

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from masonry.laboratory.result import Result
+from masonry.pictures.style import MEGA
 from verification.paper.experiment import Done
-from verification.paper.walls.common import MEGA, crack_spread, mpa
+from verification.paper.walls.common import crack_spread, mpa
 from verification.paper.walls.crack_path import crack_path
 from verification.paper.walls.curve_shape import stress_at
 from verification.paper.walls.straight_crack import STRAIGHT

@@ -7,12 +7,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from masonry.laboratory.result import Result
+from masonry.pictures.style import MEGA, MILLI
 from verification.html import page
 from verification.html.figures import COLOURS, sheet
 from verification.paper.pictures import Line
 from verification.paper.sizes.families import SECTIONS, Found, displacements, mean_curve, peaks
 from verification.paper.sizes.spread import spread_of
-from verification.paper.walls.common import MEGA, MILLI
 from verification.paper.walls.crack_path import crack_path
 
 

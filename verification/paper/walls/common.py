@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from masonry.laboratory.result import Result
+from masonry.pictures.style import MEGA, MILLI
 from masonry.results.trust import KINETIC
 from verification.html import page
 from verification.html.page import percent
@@ -21,7 +22,6 @@ AFFINE: dict[str, Any] = {"kinematics": {"units": "affine"}}
 PAPERS_RATE: dict[str, Any] = {"drive.rate": "1 mm/s"}
 SHIPPED, HELD, HINGE, RATE = "as shipped", "plates do not turn", "right plate on a hinge", "1 mm/s"
 """Labels of runs."""
-MILLI, MEGA = 1e3, 1e-6
 HEADER = (
     *("run", "peak [MPa]", "at [mm]", "left at twice that", "at the end [MPa]"),
     *("mode I [N/m]", "mode II [N/m]", "friction [N/m]", "broken: head joints", "units", "bed joints", "where [mm]"),

@@ -68,10 +68,6 @@ class CrackPath:
         chosen = self.broken & self.head
         return float(self.frame.slip[chosen].max() / self.frame.opening[chosen].max()) if chosen.any() else np.nan
 
-    def sheared(self, kind: np.ndarray) -> float:
-        """Share of the area of a kind of contacts that lost 5 % or more of its strength by shear."""
-        return float(self.area[kind & (self.frame.damage_shear > 0.05)].sum() / self.area[kind].sum())
-
     def stress_carried(self, kind: np.ndarray) -> float:
         """Stress (Pa) on the section of the wall that the shear of broken contacts of a kind adds up to at most."""
         chosen = self.broken & kind

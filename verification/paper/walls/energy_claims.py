@@ -5,9 +5,10 @@ from collections.abc import Mapping
 import numpy as np
 
 from masonry.laboratory.result import Result
+from masonry.pictures.style import MEGA, MILLI
 from verification.html.page import percent
 from verification.paper.experiment import Claim, claim
-from verification.paper.walls.common import MEGA, MILLI, mpa, where
+from verification.paper.walls.common import mpa, where
 from verification.paper.walls.crack_path import crack_path
 from verification.paper.walls.curve_shape import apart, energy_per_section, fall_to, steepest_fall, tail
 from verification.paper.walls.straight_crack import STRAIGHT

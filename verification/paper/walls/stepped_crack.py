@@ -5,9 +5,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from masonry.laboratory.result import Result
+from masonry.pictures.style import MEGA, MILLI
 from verification.html.page import percent
 from verification.paper.experiment import Claim, claim
-from verification.paper.walls.common import MEGA, MILLI
 from verification.paper.walls.crack_path import crack_path
 from verification.paper.walls.curve_shape import energy_per_section
 

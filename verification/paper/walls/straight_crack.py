@@ -5,8 +5,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from masonry.laboratory.result import Result
+from masonry.pictures.style import MILLI
 from verification.paper.experiment import Claim, claim
-from verification.paper.walls.common import MILLI, crack_spread, where
+from verification.paper.walls.common import crack_spread, where
 from verification.paper.walls.crack_path import crack_path
 
 ALL_AT_PEAK = 0.225
