@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.kernels.patches import no_points
+from masonry.detection.broad import cells_for
+from masonry.kernels.patches import no_pairs, no_points
 from masonry.laboratory import laboratory
-from masonry.timeloop import large_motion
+from masonry.timeloop import large_motion, model_state
 from tests.large.made import dry, leaning
 from tests.scenes import box
 
@@ -87,4 +88,19 @@ def test_a_model_whose_points_outgrow_their_room_gets_more_and_goes_on(monkeypat
     outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
     assert 1 <= len(more) <= 3, "from 1 to 2 to 4 slots"
     assert len(built.model.large.near.points.held) in (2, 4)
+    assert apart(outcome.history.rows, 0.3) < 1e-12
+    kept, other = model_state.state(built.model), assemble(scene()).model
+    object.__setattr__(other.large, "near", other.large.near._replace(points=room, pairs=no_pairs(1)))
+    model_state.restore(other, kept)
+    assert all(array.tobytes() == kept[name].tobytes() for name, array in model_state.state(other).items())
+
+
+def test_pairs_that_outgrow_their_room_get_more_too():
+    built = assemble(scene())
+    near = built.model.large.near
+    few = {"pairs": no_pairs(1), "before": no_pairs(1), "cells": cells_for(near.pieces, 1)}
+    search = near.search._replace(found=np.zeros((1, 2), dtype=np.int64))
+    object.__setattr__(built.model.large, "near", near._replace(search=search, **few))
+    outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
+    assert len(built.model.large.near.pairs.slot) > 2
     assert apart(outcome.history.rows, 0.3) < 1e-12
