@@ -15,6 +15,9 @@ from geometry.polyhedra.polygons import areas_normals_centroids, pad
 from masonry.detection.convex_parts import NEAR, Convex, convex_block, convex_parts, covered, welded
 from masonry.detection.features import MOST_CORNERS, MOST_FACES
 
+EQUAL_PLACES = 6
+"""Digits of a place, in sizes of a block, by which blocks are put in order: rounding is no difference."""
+
 
 class Pieces(NamedTuple):
     """P convex pieces of N bodies, with V corners, F faces and E edges in all.
@@ -98,7 +101,7 @@ def _flat(found: list[tuple[int, Convex, list[bool]]], origin: np.ndarray) -> Pi
     np.maximum.at(reach, body, far)
     place = centre + origin[body]
     rank = np.empty(len(found), dtype=np.int64)
-    rank[np.lexsort(place.T[::-1])] = np.arange(len(found))
+    rank[np.lexsort(np.round(place / radius.mean(), EQUAL_PLACES).T[::-1])] = np.arange(len(found))
     return Pieces(
         body, np.searchsorted(body, np.arange(len(origin) + 1)), rank, vertex_start, vertex, face_start,
         loop_start, loop, normal, inner, _starts(map(len, edges)),

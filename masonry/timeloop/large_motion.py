@@ -39,14 +39,29 @@ def make_room(model: Model) -> None:
             f"blocks {a} and {b} overlap by more than a hundredth of a block as they first meet: they overlapped from "
             "the start, or are too fast for the time step"
         )
-    model.large = replace(model.large, near=_more_pairs(near) if why == NEED_PAIRS else _more_points(near))
+    if why == NEED_PAIRS:
+        near = _with_pairs(near, 2 * int(max(near.search.flag[1], len(near.pairs.slot))))
+        near.search.built[:] = -np.inf  # the search that found no room begins again
+    else:
+        near = _with_points(near, 2 * len(near.points.held))
+    model.large = replace(model.large, near=near)
 
 
-def _more_pairs(near: Near) -> Near:
-    room = 2 * int(max(near.search.flag[1], len(near.pairs.slot)))
+def make_room_for(model: Model, saved: dict[str, np.ndarray]) -> None:
+    """As much room for pairs and points as a run had that was kept (model_state.state)."""
+    if model.large is None or not {"pairs.1", "points.0"} <= saved.keys():
+        return
+    near, pairs, points = model.large.near, len(saved["pairs.1"]), len(saved["points.0"])
+    if pairs > len(near.pairs.slot):
+        near = _with_pairs(near, pairs)
+    if points > len(near.points.held):
+        near = _with_points(near, points)
+    model.large = replace(model.large, near=near)
+
+
+def _with_pairs(near: Near, room: int) -> Near:
     pairs, found = no_pairs(room), np.zeros((room, 2), dtype=np.int64)
     copy_pairs(near.pairs, pairs)
-    near.search.built[:] = -np.inf  # the search that found no room begins again
     return near._replace(
         pairs=pairs,
         before=no_pairs(room),
@@ -55,11 +70,12 @@ def _more_pairs(near: Near) -> Near:
     )
 
 
-def _more_points(near: Near) -> Near:
+def _with_points(near: Near, room: int) -> Near:
+    """All slots that there were are taken, or are filled later."""
     had, most = near.points.area.shape
-    points = no_points(2 * had, most)
+    points = no_points(room, most)
     for old, new in zip(near.points[:-1], points[:-1], strict=True):
         new[:had] = old
-    points.free[:had] = np.arange(had, 2 * had)[::-1]
-    points.free[-1] = had
+    points.free[: room - had] = np.arange(had, room)[::-1]
+    points.free[-1] = room - had
     return near._replace(points=points)

@@ -10,6 +10,7 @@ from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.monitors.energy import present
 from masonry.runtime.state import Damaged, add_array
+from masonry.timeloop.large_motion import make_room_for
 
 CHANGED = ("q", "v", "contact", "hold", "inner", "work", "guess", "load", "change")
 """Arrays of the bodies that a step writes; the expected motion, which the guide does; and loads, which may vary."""
@@ -46,6 +47,7 @@ def state(model: Model) -> dict[str, np.ndarray]:
 
 def restore(model: Model, saved: dict[str, np.ndarray]) -> None:
     """Put it back where it was, so that nothing moves in memory. Raises Damaged where it is of another model."""
+    make_room_for(model, saved)
     arrays = changing(model)
     if arrays.keys() != saved.keys() or any(arrays[name].shape != np.shape(saved[name]) for name in arrays):
         raise Damaged("its arrays are not those of this model")

@@ -14,6 +14,7 @@ from masonry.scene import load as load_scene
 from masonry.timeloop import model_state
 from masonry.timeloop.checkpoint import Checkpoints
 from masonry.timeloop.checkpointer import Checkpointer
+from tests.large.test_invariance import scene as toppling
 from tests.model.test_motion import GRAVITY, flight, standing
 from tests.scenes import load
 from tests.timeloop.test_loop import couplet
@@ -35,6 +36,7 @@ SCENES = {
     ),
     "a blow after the settling": lambda: standing('["1 m/s", 0, 0]', 300).with_({"solver.rows": 30}),
     "a flight": lambda: flight(gravity=GRAVITY),
+    "blocks that topple and are found anew": lambda: toppling(duration=0.4).with_({"solver.rows": 30}),
     "a wall that cracks": lambda: load_scene(
         "wallette-mode-1", ["specimen.divisions=[4, 2]", "drive.rate=50 mm/s", "solver.rows=60"]
     ),

@@ -1,0 +1,48 @@
+"""A dry arch that is tilted until it falls: at which tilt, which voussoir, and what is said of it."""
+
+from functools import cache
+from math import tan
+
+import pytest
+
+from masonry import scene
+from masonry.laboratory import laboratory
+from masonry.laboratory.text import summary_text
+from masonry.results.trust import trust
+
+SETTINGS = {"settle.steps": 8000, "gravity.tilt.duration": "4 s", "solver.duration": "4.5 s", "solver.rows": 600}
+
+
+@cache
+def tilted():
+    return laboratory.run(scene.load("arch-tilted", SETTINGS))
+
+
+def test_it_falls_at_the_tilt_of_its_mechanism():
+    fallen = tilted().summary["collapse"]
+    assert fallen is not None
+    assert tan(fallen["began"]["tilt_rad"]) == pytest.approx(0.37361, rel=0.05), "faster than the packaged scene tilts"
+    assert fallen["began"]["tilt_rad"] < fallen["tilt_rad"]
+    assert fallen["began"]["time_s"] < fallen["time_s"]
+    assert fallen["energy_j"]["kinetic"] > 0.0
+
+
+def test_what_is_said_of_it_names_the_fall_and_does_not_call_a_fall_a_defect():
+    summary = tilted().summary
+    assert summary["in_real_time"]
+    text = " ".join(summary_text(summary).split())
+    assert f"collapse block {summary['collapse']['block']} (" in text
+    assert "is the first to fall, after" in text and "the fall began after" in text and "with gravity turned by" in text
+    sentence = trust(summary)
+    assert "quasi-static" not in sentence and "come to rest" not in sentence and "still moves" not in sentence
+
+
+def test_a_run_in_real_time_with_a_clean_ledger_is_trusted_and_an_open_one_is_not():
+    good = {**tilted().summary, "energy_imbalance": 1e-14, "dissipation_mismatch": 1e-5, "overlap_max": 1e-4}
+    assert trust(good).startswith("a run in real time and the energy balance closes")
+    for key, bad, words in (
+        ("energy_imbalance", 1e-6, "balance is open"),
+        ("dissipation_mismatch", 0.1, "laws and contacts disagree"),
+        ("overlap_max", 0.1, "normal stiffness is too low"),
+    ):
+        assert words in trust({**good, key: bad})

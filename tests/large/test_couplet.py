@@ -1,0 +1,52 @@
+"""A joint with strength in large displacement: the curve of small displacement, as long as blocks hardly turn."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from masonry import scene
+from masonry.errors import SceneError
+from masonry.laboratory import laboratory
+
+BASE = {"drive.displacement": "0.4 mm", "settle.steps": 3000}
+PACES = {
+    "steps": {"drive.accuracy": None, "drive.steps": 12000},
+    "accuracy": {"drive.accuracy": "5 %"},
+}
+SHARED = ("displacement", "stress", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "friction")
+
+
+@cache
+def couplet(pace: str, **settings):
+    return laboratory.run(scene.load("couplet", BASE | PACES[pace] | settings))
+
+
+@pytest.mark.parametrize("pace", PACES)
+def test_the_curve_is_that_of_small_displacement(pace):
+    small, large = couplet(pace), couplet(pace, displacements="large")
+    assert small.summary["peak_stress_pa"] == pytest.approx(1.375e6, rel=2e-3)
+    for key in SHARED:
+        one, other = (run.history.rows[key][run.history.rows["step"] > BASE["settle.steps"]] for run in (small, large))
+        assert other == pytest.approx(one, rel=0, abs=1e-6 * np.abs(one).max()), key
+    for key in ("peak_stress_pa", "displacement_at_peak_m", "final_stress_pa"):
+        assert large.summary[key] == pytest.approx(small.summary[key], rel=1e-9)
+    assert large.summary["energy_imbalance"] < 1e-12
+    assert large.summary["dissipation_mismatch"] < 1e-6
+    for line in ("rotor", "dashpot", "redetection", "area"):
+        assert abs(large.history.rows[line]).max() < 1e-9 * large.history.rows["fracture_mode_2"].max()
+        assert line not in small.history.rows
+
+
+def test_the_word_small_changes_no_bit():
+    plain, said = couplet("steps").history.rows, couplet("steps", displacements="small").history.rows
+    assert plain.keys() == said.keys()
+    assert all(plain[key].tobytes() == said[key].tobytes() for key in plain)
+
+
+@pytest.mark.parametrize("kind", ["affine", "tets"])
+def test_blocks_that_deform_are_refused_in_one_sentence(kind):
+    with pytest.raises(
+        SceneError, match=f"^kinematics '{kind}' of group 'units' with displacements = \"large\" is not"
+    ):
+        laboratory.run(scene.load("couplet", {"displacements": "large", "kinematics": kind}))

@@ -1,0 +1,62 @@
+"""A block on a plane that leans: it stays, slides, topples, or both, by friction and slenderness."""
+
+from math import atan, cos, degrees, hypot, pi, radians, sin
+
+import numpy as np
+import pytest
+from scipy.integrate import trapezoid
+
+from masonry.laboratory import laboratory
+from tests.large.made import G, dry, leaning, slab
+from tests.scenes import box
+
+SLOPE = 25.0
+"""deg; tangent 0.466."""
+GAUGES = "\n".join(f'[[gauge]]\nname = "{axis}"\nat = "block"\ndirection = "{axis}"\n' for axis in "xz")
+
+
+def on_a_slope(half: float, high: float, friction: float):
+    """A block of half sizes (m) that is let go on the plane."""
+    block = box("block", (-half, -0.1, 0.0), (2.0 * half, 0.2, 2.0 * high), "units", 1)
+    return laboratory.run(dry([slab(), block], friction, leaning(SLOPE), more=GAUGES))
+
+
+@pytest.mark.parametrize(("half", "high", "friction"), [(0.1, 0.05, 0.3), (0.1, 0.05, 0.44), (0.05, 0.15, 0.25)])
+def test_it_slides_with_the_share_of_gravity_that_friction_leaves(half, high, friction):
+    result = on_a_slope(half, high, friction)
+    rows, lean = result.history.rows, radians(SLOPE)
+    pace = G * (sin(lean) - friction * cos(lean))
+    after = rows["time"] > 0.1  # it is let go upon unstressed springs, and the first bounce presses more and less
+    for column, wanted in (("x", 0.5 * pace * rows["time"] ** 2), ("z", 0.0 * rows["time"])):
+        assert rows[column][after] == pytest.approx(wanted[after], abs=0.02 * 0.5 * pace * rows["time"][-1] ** 2)
+    slid = rows["x"][-1]
+    assert rows["friction"][-1] == pytest.approx(friction * 2000.0 * 0.8 * half * high * G * cos(lean) * slid, rel=0.01)
+    assert result.summary["rotation_max_rad"] < 1e-4
+    assert result.summary["collapse"] is None
+    assert result.summary["energy_imbalance"] < 1e-12
+
+
+@pytest.mark.parametrize(("half", "high", "friction"), [(0.1, 0.05, 0.5), (0.05, 0.1, 0.8), (0.05, 0.105, 0.48)])
+def test_it_stays_where_friction_and_width_are_enough(half, high, friction):
+    assert degrees(atan(friction)) > SLOPE and degrees(atan(half / high)) > SLOPE
+    result = on_a_slope(half, high, friction)
+    rows = result.history.rows
+    assert abs(rows["x"][-1]) < 1e-5
+    assert result.summary["rotation_max_rad"] < 1e-3
+    assert rows["kinetic"][-1] < 1e-6 * rows["kinetic"].max()
+
+
+def test_it_topples_about_its_lower_edge_where_it_is_slender():
+    half, high = 0.05, 0.15
+    result = on_a_slope(half, high, 0.8)
+    rows, slender = result.history.rows, atan(half / high)
+    time = rows["time"]
+    turn = 0.5 * pi + slender - np.arctan2(rows["z"] + high, rows["x"] - half)
+    pace = 0.75 * G / hypot(half, high) * np.sin(turn - slender + radians(SLOPE))
+    spin = np.gradient(turn, time)
+    late = np.flatnonzero(time > 0.1)  # after the blow of the weight that comes at once
+    gained = np.array([trapezoid(pace[late[0] : k + 1], time[late[0] : k + 1]) for k in late])
+    assert spin[late] - spin[late[0]] == pytest.approx(gained, abs=0.01 * gained[-1])
+    assert spin[late[-1]] > 2.0
+    assert result.summary["rotation_max_rad"] > 0.3
+    assert rows["friction"][-1] < 1e-3 * rows["kinetic"][-1], "its edge does not slide"

@@ -1,0 +1,106 @@
+"""One motion, told in other words: from far away, turned, with other numbers, on more threads, with more room."""
+
+from functools import cache
+from math import cos, radians, sin
+
+import numpy as np
+import pytest
+
+from masonry.assembly.assemble import assemble
+from masonry.detection.broad import cells_for
+from masonry.kernels.patches import no_pairs, no_points
+from masonry.laboratory import laboratory
+from masonry.timeloop import large_motion, model_state
+from tests.large.made import dry, leaning
+from tests.scenes import box
+
+LEAN = leaning(25.0)
+BOXES = (
+    ("slab", (-2.0, -0.5, -0.125), (4.0, 1.0, 0.125)),
+    ("tall", (-0.0625, -0.125, 0.0), (0.125, 0.25, 0.375)),
+    ("low", (0.125, -0.125, 0.0), (0.125, 0.25, 0.125)),
+    ("top", (0.125, -0.0625, 0.125), (0.125, 0.125, 0.0625)),
+)
+"""The tall one topples upon the low one, which bears another; sizes that a computer holds exactly."""
+GAUGES = "".join(f'[[gauge]]\nname = "{name}"\nat = "{name}"\ndirection = "z"\n' for name, *_ in BOXES[1:])
+MOTION = ("kinetic", "external_work")
+
+
+def scene(shift=(0.0, 0.0, 0.0), order=1, gravity=LEAN, turned="", duration=0.4):
+    boxes = [
+        box(name, np.add(low, shift), size, "units", number) for number, (name, low, size) in enumerate(BOXES[::order])
+    ]
+    more = f'time_step = "1e-5 s"\n{GAUGES}'
+    return dry(boxes, 0.8, gravity, turned=turned, more=more, duration=duration)
+
+
+@cache
+def as_it_is():
+    return laboratory.run(scene()).history.rows
+
+
+def apart(rows, until: float, keys=("kinetic", "external_work", "elastic_contacts")) -> float:
+    """By how much energies differ at most up to a time (s), over the largest ones."""
+    early = as_it_is()["time"] < until
+    return max(np.abs(rows[k] - as_it_is()[k])[early].max() / np.abs(as_it_is()[k]).max() for k in keys)
+
+
+def test_the_tall_block_hits_the_low_one():
+    rows = as_it_is()
+    late = rows["time"] > 0.3
+    assert rows["dashpot"][late].max() > 10.0 * rows["dashpot"][~late].max()
+
+
+def test_blocks_may_be_numbered_backwards():
+    rows = laboratory.run(scene(order=-1)).history.rows
+    assert apart(rows, 0.3) < 1e-12
+    assert apart(rows, 1.0, MOTION) < 1e-8, "an impact enlarges what rounding leaves"
+
+
+def test_the_scene_may_be_a_kilometre_away():
+    rows = laboratory.run(scene(shift=(1024.0, -1024.0, 512.0))).history.rows
+    assert apart(rows, 0.3) < 1e-12
+    assert apart(rows, 1.0, MOTION) < 1e-8
+
+
+@pytest.mark.parametrize("about", ["y", "z"])
+def test_the_scene_may_be_turned(about):
+    a, (x, _, z) = radians(30.0), LEAN
+    gravity = (cos(a) * x + sin(a) * z, 0.0, cos(a) * z - sin(a) * x) if about == "y" else (cos(a) * x, sin(a) * x, z)
+    turned = f'turned = {{about = "{about}", angle = "30 deg"}}'
+    rows = laboratory.run(scene(gravity=gravity, turned=turned)).history.rows
+    assert apart(rows, 0.3) < 1e-9
+
+
+def test_two_threads_give_the_bits_of_one():
+    rows = laboratory.run(scene(duration=0.1), threads=2).history.rows
+    one = laboratory.run(scene(duration=0.1), threads=1).history.rows
+    assert all(rows[key].tobytes() == one[key].tobytes() for key in one)
+
+
+def test_a_model_whose_points_outgrow_their_room_gets_more_and_goes_on(monkeypatch):
+    built, more = assemble(scene()), []
+    near = built.model.large.near
+    room = no_points(1, near.points.area.shape[1])
+    object.__setattr__(built.model.large, "near", near._replace(points=room))
+    usual = large_motion.make_room
+    monkeypatch.setattr(large_motion, "make_room", lambda model: more.append(usual(model)))
+    outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
+    assert 1 <= len(more) <= 3, "from 1 to 2 to 4 slots"
+    assert len(built.model.large.near.points.held) in (2, 4)
+    assert apart(outcome.history.rows, 0.3) < 1e-12
+    kept, other = model_state.state(built.model), assemble(scene()).model
+    object.__setattr__(other.large, "near", other.large.near._replace(points=room, pairs=no_pairs(1)))
+    model_state.restore(other, kept)
+    assert all(array.tobytes() == kept[name].tobytes() for name, array in model_state.state(other).items())
+
+
+def test_pairs_that_outgrow_their_room_get_more_too():
+    built = assemble(scene())
+    near = built.model.large.near
+    few = {"pairs": no_pairs(1), "before": no_pairs(1), "cells": cells_for(near.pieces, 1)}
+    search = near.search._replace(found=np.zeros((1, 2), dtype=np.int64))
+    object.__setattr__(built.model.large, "near", near._replace(search=search, **few))
+    outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
+    assert len(built.model.large.near.pairs.slot) > 2
+    assert apart(outcome.history.rows, 0.3) < 1e-12

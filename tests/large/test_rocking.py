@@ -1,0 +1,80 @@
+"""Free rocking: when a slender block hits the floor, what it keeps of its spin, and a ledger that closes."""
+
+from functools import cache
+from math import atan, cos, hypot, sqrt
+
+import numpy as np
+import pytest
+
+from masonry import scene
+from masonry.laboratory import laboratory
+from masonry.monitors.energy import open_in_contacts
+
+HALF, HIGH, G = 0.125, 0.5, 9.81
+MASS = 2000.0 * 0.25 * 0.5 * 1.0
+IMPACTS = (0.34917, 0.91745, 1.39964)
+BETWEEN = (0.2, 0.6, 1.15, 1.55)
+"""s: once before each impact and after the last, when the block is in the middle of a swing."""
+
+
+@cache
+def rocking(fraction: float = 0.8):
+    """Rows of the packaged scene, and its summary."""
+    settings = {"solver.rows": 3000, "solver.duration": "1.6 s", "solver.step_fraction": fraction}
+    result = laboratory.run(scene.load("block-rocking", settings))
+    return result.history.rows, result.summary
+
+
+def energies(rows):
+    """Of all rows (J), from the place at which the block stands upright."""
+    alpha = atan(HALF / HIGH)
+    leant = MASS * G * hypot(HALF, HIGH) * (cos(0.5 * alpha) - cos(alpha))
+    return rows["kinetic"] - rows["external_work"] + leant
+
+
+def test_it_hits_the_floor_at_the_times_of_housner():
+    rows, _ = rocking()
+    energy, time = energies(rows), rows["time"]
+    swings = np.interp(BETWEEN, time, energy)
+    halfway = 0.5 * (swings[1:] + swings[:-1])
+    assert [time[energy > limit][-1] for limit in halfway] == pytest.approx(IMPACTS, rel=0.01)
+
+
+def test_each_impact_keeps_the_share_of_the_spin_that_two_corner_points_give():
+    rows, _ = rocking()
+    swings = np.interp(BETWEEN, rows["time"], energies(rows))
+    assert np.sqrt(swings[1:] / swings[:-1]) == pytest.approx([0.9117] * 3, rel=0.01)
+    per_swing = [np.ptp(energies(rows)[np.abs(rows["time"] - t) < 0.1]) for t in BETWEEN[:3]]
+    assert max(per_swing) < 1e-3 * swings[0], "what is lost is lost at impacts"
+
+
+def test_the_balance_closes_at_every_row_and_a_plane_rotor_loses_nothing():
+    rows, summary = rocking()
+    work = np.abs(rows["external_work"]).max()
+    assert work > 0.1 * MASS * G * HALF * HALF
+    assert np.abs(rows["imbalance"]).max() < 1e-12 * work
+    assert np.abs(rows["rotor"]).max() < 1e-20 * work
+    assert summary["energy_imbalance"] < 1e-12
+
+
+def test_what_contacts_take_up_is_known_and_what_is_not_falls_with_the_step():
+    left = []
+    for fraction in (0.8, 0.4):
+        rows, _ = rocking(fraction)
+        terms = [{key: values[row] for key, values in rows.items()} for row in range(len(rows["time"]))]
+        left.append(max(abs(open_in_contacts(term)) for term in terms) / np.abs(rows["external_work"]).max())
+    assert left[0] < 1e-4
+    assert left[1] < 0.5 * left[0]
+
+
+def test_two_steps_agree_on_what_dashpots_dissipate():
+    one, two = (rocking(fraction)[0]["dashpot"][-1] for fraction in (0.8, 0.4))
+    assert one == pytest.approx(two, rel=1e-3)
+    assert one > 0.2 * sqrt(2.0)
+
+
+def test_a_run_in_real_time_is_judged_by_its_energies():
+    _, summary = rocking()
+    assert summary["in_real_time"]
+    assert summary["collapse"] is None
+    assert summary["dissipation_mismatch"] < 1e-4

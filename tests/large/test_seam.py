@@ -1,0 +1,35 @@
+"""A block that is pushed over the seam of two slabs feels nothing of it, and loses what friction takes."""
+
+import numpy as np
+import pytest
+
+from masonry.laboratory import laboratory
+from tests.large.made import DENSITY, G, dry
+from tests.scenes import box
+
+SUPPORTS = (
+    'on = "slab"\nfix = "all"',
+    'on = "slab beyond"\nfix = "all"',
+    'on = "block"\nfix = ["y", "rotation"]',
+)
+PUSH = '[drive]\non = "block"\ndirection = "x"\ndisplacement = "200 mm"\nrate = "1 m/s"\nramp = 0.1\n'
+
+
+def test_the_force_is_friction_times_weight_on_either_side_and_over_the_seam():
+    boxes = [
+        box("slab", (-0.5, -0.2, -0.1), (0.5, 0.4, 0.1), "units", 0),
+        box("slab beyond", (0.0, -0.2, -0.1), (0.5, 0.4, 0.1), "units", 1),
+        box("block", (-0.15, -0.05, 0.0), (0.1, 0.1, 0.05), "units", 2),
+    ]
+    result = laboratory.run(dry(boxes, 0.5, duration=0.4, settle=20000, supports=SUPPORTS, more=PUSH))
+    rows, limit = result.history.rows, 0.5 * DENSITY * 0.1 * 0.1 * 0.05 * G
+    moving = (rows["displacement"] > 0.03) & (rows["displacement"] < 0.19)
+    force = rows["force"][moving]
+    across = (rows["displacement"][moving] > 0.05) & (rows["displacement"][moving] < 0.15)
+    assert across.sum() > 20, "rows at which the block stands on both slabs"
+    assert force == pytest.approx(np.full(len(force), limit), rel=1e-8)
+    assert rows["displacement"][-1] == pytest.approx(0.2, rel=1e-4)
+    assert rows["friction"][-1] == pytest.approx(limit * rows["displacement"][-1], rel=1e-4)
+    assert 0.0 <= rows["redetection"][-1] < 1e-6 * rows["friction"][-1]
+    assert abs(rows["area"][-1]) < 1e-8 * rows["friction"][-1]
+    assert result.summary["energy_imbalance"] < 1e-12
