@@ -10,6 +10,7 @@ LEDGER = {
     "fracture_mode_1": ("fracture, mode I", "#d7301f"),
     "fracture_mode_2": ("fracture, mode II", "#fc8d59"),
     "friction": ("friction", "#fdcc8a"),
+    "dashpot": ("dashpots", "#8c6bb1"),
     "damping": ("damping", "#bdbdbd"),
     "kinetic": ("kinetic", "#78c679"),
 }

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.curves.ledger import draw_ledger
-from masonry.history import TILT, UNITS
+from masonry.history import LARGE_UNITS, TILT, UNITS
 from masonry.pictures.style import MILLI, heading, plain, tidy
 from masonry.results.reactions import reaction_lines
 
@@ -59,7 +59,7 @@ def _across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], s
 def movements(result: "ResultData") -> dict[str, tuple[np.ndarray, np.ndarray]]:
     """By name, steps and displacements (m): of each gauge at every row, or of the top at every frame, by axis."""
     rows = result.history.rows
-    gauges = {name: (rows["step"], values) for name, values in rows.items() if name not in (*UNITS, TILT)}
+    gauges = {name: (rows["step"], values) for name, values in rows.items() if name not in (*UNITS, *LARGE_UNITS, TILT)}
     frames = result.history.frames
     if gauges or not frames:
         return gauges

@@ -42,9 +42,9 @@ def frames_to_draw(result: "ResultData") -> list[tuple[str, Frame]]:
 
 def magnification(frame: Frame, size: float) -> float:
     """How many times displacements are drawn, to two digits, so that the largest shows and joints that are whole look
-    closed; 1 where nothing moves."""
+    closed; never less than once, so that blocks that fell lie where they fell, and 1 where nothing moves."""
     largest = max(largest_move(frame), VISIBLE / CLOSED * elastic_move(frame))
-    return float(f"{VISIBLE * size / largest:.2g}") if largest > 1e-12 * size else 1.0
+    return max(float(f"{VISIBLE * size / largest:.2g}"), 1.0) if largest > 1e-12 * size else 1.0
 
 
 def elastic_move(frame: Frame) -> float:

@@ -15,6 +15,8 @@ LEAST_DAMAGE = 0.05
 """Contacts with less damage are not shown as damaged."""
 SHARE = 0.01
 """Of the largest opening or slip in the frame: what moved by less is not told."""
+PARTED = 0.5
+"""Of the root of a joint's area: an opening or slip beyond which its two sides have nothing to do with each other."""
 LEAST = 1e-12
 """Movements (m) up to this one are but rounding."""
 
@@ -30,6 +32,7 @@ def as_it_stands(result: "ResultData", frame: Frame) -> Frame:
 
     The law keeps that a contact opened or slid at any time, be it by rounding while the loads were small.
     """
+    frame = without_parted(result, frame)
     laws = result.summary.get("law_by_group") or {}
     dry = np.array([laws.get(name) == "friction" for name in result.joint_groups], dtype=bool)[result.joint_group]
     if not dry.any():
@@ -40,6 +43,18 @@ def as_it_stands(result: "ResultData", frame: Frame) -> Frame:
         damage_tension=np.where(dry, opened, frame.damage_tension),
         damage_shear=np.where(dry, slid, frame.damage_shear),
     )
+
+
+def without_parted(result: "ResultData", frame: Frame) -> Frame:
+    """The same frame without damage in joints whose two sides have parted altogether: they are no crack any more."""
+    joints = result.joints
+    whole = np.bincount(joints.patch, joints.area, len(joints.patch_start) - 1)
+    parted = np.hypot(frame.opening, frame.slip) > PARTED * np.sqrt(whole)[joints.patch]
+    if not parted.any():
+        return frame
+    tension, shear = (np.where(parted, 0.0, damage) for damage in (frame.damage_tension, frame.damage_shear))
+    opening, slip = (np.where(parted, 0.0, moved) for moved in (frame.opening, frame.slip))
+    return replace(frame, damage_tension=tension, damage_shear=shear, opening=opening, slip=slip)
 
 
 def _moved(result: "ResultData", frame: Frame) -> tuple[np.ndarray, np.ndarray]:

@@ -15,6 +15,7 @@ from masonry.pictures.crack_style import THICK, THIN, crack_keys, kinds_of, scal
 from masonry.pictures.front import FlatDrawing
 from masonry.pictures.oblique import SolidDrawing
 from masonry.results.deformation import Corners, Deformation
+from masonry.results.dry_joints import as_it_stands
 from tests.results.sample import HEIGHT, LENGTH, joints_of, opened, sample, wall, with_tets
 
 
@@ -263,3 +264,16 @@ def test_joints_that_are_whole_look_closed_however_far_displacements_are_drawn()
     cracked = dataclasses.replace(strained, damage_tension=np.full(len(frame.opening), 0.5))
     parted = dataclasses.replace(strained, normal_stress=0.0 * strained.normal_stress)
     assert magnification(cracked, 1.0) == magnification(parted, 1.0) == wide
+
+
+def test_blocks_that_fell_are_drawn_where_they_lie_and_joints_that_parted_are_no_cracks():
+    result = sample()
+    frame = result.history.frames[-1]
+    fallen = dataclasses.replace(frame, corners=frame.corners + [0.0, 0.0, -3.0])
+    assert magnification(fallen, 0.5) == 1.0
+    apart = np.zeros(len(frame.opening))
+    apart[result.joints.patch == 0] = 2.0
+    broken = dataclasses.replace(frame, opening=apart, damage_tension=np.ones_like(apart))
+    shown = as_it_stands(result, broken)
+    assert not shown.damage_tension[result.joints.patch == 0].any() and shown.opening.max() == 0.0
+    assert np.all(shown.damage_tension[result.joints.patch != 0] == 1.0)
