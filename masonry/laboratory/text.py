@@ -71,7 +71,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
     return [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
-        *([("tilt of gravity", [tilt_text(tilt, " at the end")])] if (tilt := summary.get("tilt_rad")) is not None else []),
+        *([("tilt of gravity", [tilt_text(summary["tilt_rad"], " at the end")])] if "tilt_rad" in summary else []),
         *([("collapse", [collapse_text(fallen)])] if (fallen := summary.get("collapse")) else []),
         *((name, [gauge_text(readings, driven)]) for name, readings in (summary.get("gauges") or {}).items()),
         *([("work of dead loads", [words])] if driven and (words := loads_text(summary)) else []),
