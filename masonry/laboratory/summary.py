@@ -11,7 +11,7 @@ from geometry.specimens.placed import FLOOR
 from masonry import __version__
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import tilt_at
-from masonry.history import TILT, UNITS
+from masonry.history import LARGE_UNITS, TILT, UNITS
 from masonry.jit.sources import source_hash
 from masonry.laboratory.provenance import own_sources
 from masonry.loading.cycles import SPENT, at_peak, goes_one_way, table
@@ -113,7 +113,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),
         "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and dynamic.any() else 0.0,
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
-        "energy_j": {key: float(rows[key][-1]) for key in ENERGY_TERMS},
+        "energy_j": {key: float(rows[key][-1]) for key in (*ENERGY_TERMS, *LARGE_UNITS) if key in rows},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / moved) if moved > 0 else 0.0,
         "dissipation_mismatch": torn / scale if (spent or model.large is not None) and scale > 0.0 else 0.0,
         "unbalanced_after_settling": float(observed["unbalanced"][-1]),

@@ -71,11 +71,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
     return [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
-        *(
-            [("tilt of gravity", [f"{tilt_text(tilt)}, at the end"])]
-            if isinstance(tilt := summary.get("tilt_rad"), float)
-            else []
-        ),
+        *([("tilt of gravity", [tilt_text(summary["tilt_rad"], " at the end")])] if "tilt_rad" in summary else []),
         *([("collapse", [collapse_text(fallen)])] if (fallen := summary.get("collapse")) else []),
         *((name, [gauge_text(readings, driven)]) for name, readings in (summary.get("gauges") or {}).items()),
         *([("work of dead loads", [words])] if driven and (words := loads_text(summary)) else []),
@@ -143,14 +139,9 @@ def cycles_text(cycles: list[dict[str, Any]]) -> str:
     return f"{len(cycles)}, dissipating {spent}{more} J{left}"
 
 
-def has_tilt(summary: dict[str, Any]) -> bool:
-    """Whether gravity was turned."""
-    return isinstance(summary.get("tilt_rad"), float)
-
-
-def tilt_text(tilt: float) -> str:
+def tilt_text(tilt: float, when: str = "") -> str:
     """By how much (rad) gravity was turned."""
-    return f"{degrees(tilt):.4g} deg, tangent {tan(tilt):.4g}"
+    return f"{degrees(tilt):.4g} deg{when}, tangent {tan(tilt):.4g}"
 
 
 def collapse_text(fallen: dict[str, Any]) -> str:

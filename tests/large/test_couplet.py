@@ -7,7 +7,10 @@ import pytest
 
 from masonry import scene
 from masonry.errors import SceneError
+from masonry.kernels import patches
 from masonry.laboratory import laboratory
+from masonry.monitors import collapse
+from masonry.timeloop import large_motion
 
 BASE = {"drive.displacement": "0.4 mm", "settle.steps": 3000}
 PACES = {
@@ -42,6 +45,18 @@ def test_the_word_small_changes_no_bit():
     plain, said = couplet("steps").history.rows, couplet("steps", displacements="small").history.rows
     assert plain.keys() == said.keys()
     assert all(plain[key].tobytes() == said[key].tobytes() for key in plain)
+
+
+def test_small_displacement_calls_nothing_of_large_displacement(monkeypatch):
+    def refuse(*_):
+        raise AssertionError("compiled for large displacement only")
+
+    for module, name in ((large_motion, "advance"), (patches, "stored_energy"), (collapse, "deepest")):
+        monkeypatch.setattr(module, name, refuse)
+    again = laboratory.run(scene.load("couplet", BASE | PACES["steps"])).history.rows
+    assert again["stress"].tobytes() == couplet("steps").history.rows["stress"].tobytes()
+    with pytest.raises(AssertionError, match="large displacement only"):
+        laboratory.run(scene.load("couplet", BASE | PACES["steps"] | {"displacements": "large"}))
 
 
 @pytest.mark.parametrize("kind", ["affine", "tets"])

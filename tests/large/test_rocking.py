@@ -76,5 +76,6 @@ def test_two_steps_agree_on_what_dashpots_dissipate():
 def test_a_run_in_real_time_is_judged_by_its_energies():
     _, summary = rocking()
     assert summary["in_real_time"]
+    assert summary["energy_j"]["dashpot"] > 0.0 and {"rotor", "redetection", "area"} < summary["energy_j"].keys()
     assert summary["collapse"] is None
     assert summary["dissipation_mismatch"] < 1e-4

@@ -56,7 +56,7 @@ def test_a_block_slips_where_the_tangent_of_the_tilt_is_the_coefficient_of_frict
 def test_the_summary_says_how_far_gravity_was_turned_and_its_balances_close(tilted):
     summary, rows = tilted.summary, tilted.history.rows
     assert summary["tilt_rad"] == rows["tilt_of_gravity"][-1] == pytest.approx(np.radians(23.0), rel=1e-12)
-    assert "tilt of gravity    at the end 23 deg, tangent 0.4245" in summary_text(summary)
+    assert "tilt of gravity    23 deg at the end, tangent 0.4245" in summary_text(summary)
     assert summary["energy_imbalance"] < 1e-12
     assert summary["force_balance"] < 1e-12
     end = summary["reactions"]["end"]
