@@ -26,8 +26,6 @@ BORN_DEEP = 0.1
 FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
 """Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
 points that press changed, and by points that were born pressing."""
-DEEP = 0.5
-"""Of the skin: with a deeper overlap no contact is born, as the two blocks passed each other unseen."""
 NEED_POINTS, NEED_PAIRS, TOO_DEEP = 1, 2, 3
 """Why a step was not taken: no free slot, no room for pairs, or a contact that was born with a deep overlap."""
 
@@ -176,9 +174,6 @@ def renew(near, p, count, own):
     for k in range(count):
         deepest = min(deepest, search.gap[k])
         along, gap = 0.0, search.gap[k]
-        if had == 0 and gap < -DEEP * search.skin[0]:
-            search.flag[0], search.flag[1] = TOO_DEEP, p
-            return False
         for i in range(3):
             search.point[k, i] += 0.5 * side * gap * axis[i]  # from the middle to the face that the points belong to
             along += axis[i] * (search.point[k, i] - position[ref, i])
