@@ -7,9 +7,7 @@ import numpy as np
 from geometry.blocks import Blocks, GeometryError
 from geometry.polyhedra.intersect import is_inside, solid
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids
-from geometry.polyhedra.merged_faces import merged_faces
 from geometry.polyhedra.polygons import areas_normals_centroids
-from geometry.polyhedra.weld import weld
 
 NEAR = 1e-9
 """Of the longest side of a block: corners that are nearer to a plane lie in it."""
@@ -37,6 +35,8 @@ class Welded(NamedTuple):
 
 def welded(blocks: Blocks) -> Welded:
     """The corners of each block put together where they are nearer than NEAR; those of two blocks never are."""
+    from geometry.polyhedra.weld import weld
+
     every, size = blocks.points[blocks.face_points], extent(blocks)
     block = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
     kept, number = weld(np.c_[every, 10.0 * size * block], NEAR * size)
@@ -57,6 +57,9 @@ def convex_block(blocks: Blocks, block: int, weld: Welded) -> Convex:
 
 def merged_block(blocks: Blocks, block: int) -> Convex:
     """A convex block with each plane as one face: faces that were cut in two, or into triangles, are one again."""
+    from geometry.polyhedra.merged_faces import merged_faces
+    from geometry.polyhedra.weld import weld
+
     faces = [blocks.face(f) for f in blocks.faces_of(block)]
     every = np.concatenate(faces)
     kept, number = weld(every, NEAR * float(np.ptp(every, axis=0).max()))

@@ -9,7 +9,7 @@ from masonry.kinematics.turning import Turning
 from masonry.model.arrays import Bodies, in_rows
 from masonry.model.large.bodies import large
 from masonry.model.model import Model
-from verification.fixtures import rig
+from masonry.monitors.energy import present
 
 MASS = 2000 * 0.24 * 0.115 * 0.06
 INERTIA = np.array([0.0046437, 0.0168912, 0.0195477])
@@ -71,7 +71,7 @@ class Springs:
         inertia = model.masses["rigid"][:, 3:] if model.bodies.rigid is not None else np.zeros((0, 3))
         self.bodies: Bodies = large(model.bodies, inertia, self.apart if apart else None)
         model.bodies = self.bodies
-        self.present = rig.present(model)
+        self.present = present(model)
 
     def set_velocities(self, seed: int, size: float) -> None:
         """Random ones, m/s; turns and strains by as much at a tenth of a metre."""

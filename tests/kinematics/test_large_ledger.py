@@ -13,7 +13,7 @@ from masonry.model.arrays import in_rows
 from masonry.model.layout import KINDS, Material
 from masonry.model.model import Stepping, sort_by_group
 from tests.kinematics import bricks
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 RUBBER = Material(density=1900.0, young_modulus=4e6, poisson_ratio=0.2)
 SLANT = np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0.0, 0.0, 0.9]])
@@ -26,7 +26,7 @@ def tumbling(
 ) -> bricks.Springs:
     """Three slanted blocks, a kind each, on springs of so many N/m along the normals at the start and across."""
     s = s or shapes.setup(BLOCKS, MIXTURE)
-    model = rig.make(s, stepping=Stepping("real", dt, damping=0.0), material=RUBBER)
+    model = models.make(s, stepping=Stepping("real", dt, damping=0.0), material=RUBBER)
     n = model.contacts.normal[:, :3]
     k = shear * np.eye(3) + (normal - shear) * np.einsum("ci,cj->cij", n, n)
     springs = bricks.Springs(model, k, apart)
@@ -106,7 +106,7 @@ def test_patches_act_as_contacts_at_the_same_points_do(kind):
 def pair(kind: str) -> bricks.Springs:
     """A block of a kind above a held one, pulled along y at one edge by springs that are not alike."""
     s = shapes.setup(shapes.skewed(shapes.stack([0.05, 0.07]), SLANT), ["affine" if kind == "rigid" else "rigid", kind])
-    model = rig.make(s, stepping=Stepping("real", 2e-5, damping=0.0), material=RUBBER)
+    model = models.make(s, stepping=Stepping("real", 2e-5, damping=0.0), material=RUBBER)
     stiffness = np.arange(len(model.group))[:, None, None] * 1e3 * np.eye(3)
     springs = bricks.Springs(model, stiffness)
     springs.set_velocities(5, 0.5)

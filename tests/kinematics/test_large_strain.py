@@ -8,10 +8,10 @@ from masonry.kinematics.dispatch import move, place
 from masonry.kinematics.matrices import rotations
 from masonry.model.large.bodies import large
 from tests.kinematics import bricks
-from verification.fixtures import rig, shapes
+from verification.fixtures import models, shapes
 
 KINDS = ("affine", "tets")
-LAME, MU = rig.STONE.lame()
+LAME, MU = models.STONE.lame()
 VOIGT = (0, 1, 2, 1, 0, 0), (0, 1, 2, 2, 2, 1)
 GRADIENT = np.array([[0.05, 0.02, -0.01], [-0.03, -0.04, 0.02], [0.01, 0.03, 0.06]])
 QUARTER = bricks.turn(2, np.pi / 2) @ bricks.turn(0, np.pi / 2)
@@ -22,14 +22,14 @@ def block(kind: str, which=large):
     s = shapes.setup(
         shapes.skewed(shapes.stack([0.12]), np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0, 0, 0.9]])), [kind]
     )
-    model = rig.make(s)
+    model = models.make(s)
     model.bodies = which(model.bodies, np.zeros((0, 3)))
     return model
 
 
 def deform(model, kind: str, f: np.ndarray) -> None:
     """Every point goes to f times where it was."""
-    rig.put(model, {kind: rig.positions(model)[kind]}, rig.linear_field(model, np.zeros(3), f - np.eye(3)))
+    models.put(model, {kind: models.positions(model)[kind]}, models.linear_field(model, np.zeros(3), f - np.eye(3)))
 
 
 def observed(model, kind: str) -> tuple[np.ndarray, float, float, float]:
@@ -101,8 +101,8 @@ def test_an_unstressed_block_that_is_turned_stays_without_stress(kind):
     model = block(kind)
     deform(model, kind, QUARTER)
     stress, energy, least, largest = observed(model, kind)
-    assert np.abs(stress).max() < 1e-14 * rig.STONE.young_modulus
-    assert energy < 1e-28 * rig.STONE.young_modulus * model.layout.volume[0]
+    assert np.abs(stress).max() < 1e-14 * models.STONE.young_modulus
+    assert energy < 1e-28 * models.STONE.young_modulus * model.layout.volume[0]
     assert (least, largest) == pytest.approx((1.0, 1.0), rel=1e-13)
 
 
@@ -120,13 +120,13 @@ def test_the_frame_of_a_block_is_its_deformation_gradient(kind):
 @pytest.mark.parametrize("kind", KINDS)
 def test_small_strains_give_the_forces_of_the_small_bodies_but_for_their_square(kind):
     small, big = block(kind, which=lambda bodies, _: bodies), block(kind)
-    noise = np.random.default_rng(2).normal(size=rig.positions(small)[kind].shape)
+    noise = np.random.default_rng(2).normal(size=models.positions(small)[kind].shape)
     excess = []
     for size in (1e-5, 5e-6):
         for model in (small, big):
-            place_at = rig.positions(model)[kind]
+            place_at = models.positions(model)[kind]
             place_at[...] = size * noise * (1.0 if kind == "affine" else 0.05)
-        linear = rig.forces(small, rig.positions(small)[kind].ravel().copy())
+        linear = models.forces(small, models.positions(small)[kind].ravel().copy())
         square = inner_forces(big, kind).ravel()
         excess.append(np.abs(square - linear).max() / np.abs(linear).max())
     assert excess[0] < 30 * 1e-5
@@ -136,7 +136,7 @@ def test_small_strains_give_the_forces_of_the_small_bodies_but_for_their_square(
 def test_axes_that_are_x_y_z_may_be_left_out():
     forces = []
     for axes in (None, np.eye(3)[None].copy()):
-        model = rig.make(shapes.setup(shapes.stack([0.12]), ["affine"]))
+        model = models.make(shapes.setup(shapes.stack([0.12]), ["affine"]))
         model.bodies = large(model.bodies._replace(affine=model.bodies.affine._replace(axes=axes)), np.zeros((0, 3)))
         model.bodies.affine.q[0, 3:] = GRADIENT.ravel()
         forces.append((inner_forces(model, "affine"), *observed(model, "affine")))

@@ -84,7 +84,7 @@ def test_a_load_that_varies_fast_is_the_same_however_many_rows_there_are():
 def test_between_its_knots_no_history_leaves_its_line(period):
     step = np.arange(5001)
     shares = np.array([np.sin(2 * np.pi * np.maximum(step - 300, 0) / period), np.ones(len(step))])
-    at = knots(shares, 300)
+    at = knots(shares, 300, 1e-3)
     assert 300 in at and at[0] == 0 and at[-1] == 5000 and np.diff(at[1:]).max() <= 200
     assert np.interp(step, at, shares[0][at]) == pytest.approx(shares[0], abs=1e-3)
     assert len(at) > 20 * 5000 / period

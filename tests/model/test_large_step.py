@@ -6,17 +6,18 @@ import pytest
 from masonry.kinematics import deforming, deforming_tets
 from masonry.kinematics.dispatch import move, place
 from masonry.laws.elastic import Elastic
-from masonry.laws.state import Interface
+from masonry.laws.state import JointProperties
 from masonry.model import model, stable_step
 from masonry.model.large import row_sums as large_sums
 from masonry.model.large.bodies import large
 from masonry.model.layout import Material
 from masonry.model.model import Stepping
-from verification.fixtures import rig, shapes
+from tests.model.eigen import true_limit
+from verification.fixtures import models, shapes
 
 KINDS = ("rigid", "affine", "tets")
 SHEAR = np.array([[1.0, 0.0, 0.4], [0.0, 1.0, 0.2], [0.0, 0.0, 1.0]])
-LAME, MU = rig.STONE.lame()
+LAME, MU = models.STONE.lame()
 
 
 @pytest.fixture
@@ -48,7 +49,7 @@ def stack(kinds, heights, kn, ks, young, masses, damping, turn=None, **points):
     s = shapes.setup(shapes.skewed(shapes.stack(heights, (0.2, 0.12)), SHEAR), kinds, mesh_size=0.2, **points)
     s = s if turn is None else shapes.mapped(s, turn)
     stepping = Stepping(masses, damping=damping)
-    return rig.make(s, (Elastic(), Interface(kn, ks)), stepping, material=Material(1900.0, young, 0.2))
+    return models.make(s, (Elastic(), JointProperties(kn, ks)), stepping, material=Material(1900.0, young, 0.2))
 
 
 @pytest.mark.parametrize("masses", ["real", "scaled"])
@@ -63,7 +64,7 @@ def test_the_bound_is_below_the_true_limit_and_not_far_from_that_of_small_displa
             with monkeypatch.context():
                 request.getfixturevalue("with_large_sums")
                 big = stack(*case)
-            limit = rig.true_limit(big)
+            limit = true_limit(big)
             assert big.bound <= limit * (1 + 1e-9)
             assert big.bound >= 0.3 * small.bound
 
@@ -95,11 +96,11 @@ def test_all_sums_in_one_call_are_those_of_the_parts(with_large_sums):
 def tangent(kind: str, f: np.ndarray) -> tuple[np.ndarray, np.ndarray, float, object]:
     """Stiffness of one block where every point went to f x and a little elsewhere, its masses, the largest stretch."""
     s = shapes.setup(shapes.skewed(shapes.stack([0.12]), SHEAR), [kind])
-    found = rig.make(s)
+    found = models.make(s)
     found.bodies = large(found.bodies, np.zeros((0, 3)))
     body, u, force = getattr(found.bodies, kind), found.contacts.u, found.contacts.force
-    where = rig.positions(found)[kind]
-    base = rig.linear_field(found, np.zeros(3), f - np.eye(3))
+    where = models.positions(found)[kind]
+    base = models.linear_field(found, np.zeros(3), f - np.eye(3))
     base += 0.002 * np.random.default_rng(6).normal(size=base.shape) * (kind == "tets")
 
     def forces(at: np.ndarray) -> np.ndarray:
