@@ -7,8 +7,9 @@ from masonry.detection.bare import bare
 from masonry.detection.broad import near_pairs, write_boxes
 
 FAR = 1e30
-"""m: farther than anything moves."""
-NEED_PAIRS = 2
+"""m: farther than anything is, or moves."""
+NEED_POINTS, NEED_PAIRS, TOO_DEEP = 1, 2, 3
+"""Why a step was not taken: no free slot, no room for pairs, or a contact that was born with a deep overlap."""
 
 
 @bare
@@ -58,14 +59,11 @@ def copy_pair(source, p, target, q):
 @bare
 def merge(pairs, before, points, body, search, count):
     """Write the sorted pairs that were found, with what is known of them; slots of those that are gone become free."""
-    number, p, had, room = 0, 0, before.number[0], len(points.held)
+    number, p, had = 0, 0, before.number[0]
     for k in range(count):
         i, j = search.found[k, 0], search.found[k, 1]
         while p < had and (before.piece[p, 0] < i or (before.piece[p, 0] == i and before.piece[p, 1] < j)):
-            if before.slot[p] >= 0:
-                points.free[points.free[room]] = before.slot[p]
-                points.free[room] += 1
-                points.held[before.slot[p]] = 0
+            release(points, before.slot[p])
             p += 1
         a, b = body[i], body[j]
         known = p < had and before.piece[p, 0] == i and before.piece[p, 1] == j
@@ -82,10 +80,7 @@ def merge(pairs, before, points, body, search, count):
                 pairs.axis[number, m], pairs.witness[number, m] = 0.0, -1
             number += 1
     while p < had:
-        if before.slot[p] >= 0:
-            points.free[points.free[room]] = before.slot[p]
-            points.free[room] += 1
-            points.held[before.slot[p]] = 0
+        release(points, before.slot[p])
         p += 1
     pairs.number[0] = number
 
@@ -96,3 +91,13 @@ def is_bonded(bonded, held, a, b, count):
     key = min(a, b) * count + max(a, b)
     k = np.searchsorted(bonded, key)
     return k < len(bonded) and bonded[k] == key and held[k]
+
+
+@bare
+def release(points, s):
+    """A slot is free again; nothing where a pair had none (-1)."""
+    if s >= 0:
+        room = len(points.held)
+        points.free[points.free[room]] = s
+        points.free[room] += 1
+        points.held[s] = 0

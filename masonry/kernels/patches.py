@@ -13,6 +13,10 @@ import numpy as np
 
 from masonry.detection.bare import bare
 
+FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
+"""Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
+points that press changed, and by points that were born pressing."""
+
 
 class Pairs(NamedTuple):
     """Pairs of convex pieces that are near to each other, sorted; there is room for more than there are.
@@ -161,8 +165,8 @@ def press(near, dt):
             qx, qy, qz = qx + ay * gz - az * gy, qy + az * gx - ax * gz, qz + ax * gy - ay * gx
         add(push, ref, side, fx, fy, fz, rx, ry, rz)
         add(push, other, -side, fx, fy, fz, qx, qy, qz)
-    account[0] += friction
-    account[1] += damped
+    account[FRICTION] += friction
+    account[DASHPOT] += damped
 
 
 @bare

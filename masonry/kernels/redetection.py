@@ -13,21 +13,25 @@ from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
 from masonry.detection.transfer import transfer, turn_tractions
-from masonry.kernels.patches import Motion, Pairs, Points, Rules, stored, turned
+from masonry.kernels.pair_search import FAR, NEED_POINTS, TOO_DEEP, release
+from masonry.kernels.patches import (
+    BORN,
+    NORMAL_GAINED,
+    SHEAR_LOST,
+    Motion,
+    Pairs,
+    Points,
+    Rules,
+    stored,
+    turned,
+)
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
-FAR = 1e30
-"""m: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks."""
 ALIKE = 1e-6
 """Of their size: difference of two blocks that are as large as each other."""
 BORN_DEEP = 0.1
 """Of the side of a contact of edges, itself a tenth of a block's: the overlap at which a contact may not begin."""
-FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
-"""Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
-points that press changed, and by points that were born pressing."""
-NEED_POINTS, NEED_PAIRS, TOO_DEEP = 1, 2, 3
-"""Why a step was not taken: no free slot, no room for pairs, or a contact that was born with a deep overlap."""
 
 
 class Search(NamedTuple):
@@ -103,6 +107,7 @@ def look(near, p):
         search.position[b, i] = (motion.centre[b, i] - motion.centre[a, i]) + (motion.moved[b, i] - motion.moved[a, i])
     skin, least, axis = search.skin[0], min(search.least[a], search.least[b]), pairs.axis[p]
     search.flag[3] += 1
+    # FAR: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks.
     kind, count, separation, blend, size = touch(
         *(pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], skin, FAR, least),
         *(axis, pairs.witness[p], near.scratch, search.point, search.gap, search.area, search.feature),
@@ -144,10 +149,7 @@ def let_go(near, p):
     pressed, sheared = stored(pairs, points, near.rules, near.motion, p)
     near.account[SHEAR_LOST] += sheared
     near.account[NORMAL_GAINED] -= pressed
-    room = len(points.held)
-    points.free[points.free[room]] = s
-    points.free[room] += 1
-    points.held[s] = 0
+    release(points, s)
     pairs.slot[p] = -1
 
 

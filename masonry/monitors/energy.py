@@ -11,7 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from masonry.kernels import contact, patches
-from masonry.kernels.redetection import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST, Near
+from masonry.kernels.patches import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
+from masonry.kernels.redetection import Near
 from masonry.kinematics import affine, tets, turning
 from masonry.model.layout import KINDS
 from masonry.model.model import Model

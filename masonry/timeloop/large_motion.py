@@ -7,9 +7,9 @@ import numpy as np
 from masonry.detection.broad import cells_for
 from masonry.errors import Stopped
 from masonry.kernels.large_step import advance
-from masonry.kernels.pair_search import NEED_PAIRS, copy_pairs
+from masonry.kernels.pair_search import NEED_PAIRS, TOO_DEEP, copy_pairs
 from masonry.kernels.patches import no_pairs, no_points
-from masonry.kernels.redetection import TOO_DEEP, Near
+from masonry.kernels.redetection import Near
 from masonry.loading.scheduled import Chunk
 from masonry.model.model import Model
 

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from masonry.kernels.patches import gap_of, turned
-from masonry.kernels.redetection import SHEAR_LOST
+from masonry.kernels.patches import SHEAR_LOST, gap_of, turned
 from masonry.kernels.refreshing import refresh
 from masonry.model.large.meeting import Large, keys
 from masonry.model.model import Model
