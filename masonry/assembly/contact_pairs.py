@@ -59,7 +59,7 @@ def meetings_of(pairs: Pairs) -> Meetings:
         friction = joint.tan_friction if joint.tan_residual_friction is None else joint.tan_residual_friction
         dashpot = pairs.properties[name].get("normal_dashpot") or 0.0
         numbers.append((joint.normal_stiffness, joint.shear_stiffness, friction or 0.0, dashpot))
-    return Meetings(Rules(*(np.array(column) for column in zip(*numbers, strict=True))), pairs.number)
+    return Meetings(Rules(*np.array(numbers, dtype=float).reshape(-1, len(Rules._fields)).T.copy()), pairs.number)
 
 
 def _names(blocks: Blocks) -> dict[tuple[int, int, int], str]:

@@ -22,6 +22,7 @@ class Bonds(NamedTuple):
     u       (S, 3) m, displacement of the material points from the start
     force   (C, 3) N on side a
     apart   (C, 3) m, u_b - u_a
+    alive   (C,) whether the bond holds; the law of one that does not sees no more motion, and books nothing more
     """
 
     rows: np.ndarray
@@ -30,13 +31,16 @@ class Bonds(NamedTuple):
     u: np.ndarray
     force: np.ndarray
     apart: np.ndarray
+    alive: np.ndarray
 
 
 @bare
 def to_frames(bonds, local):
     """Write the displacement of side b against side a, in the frame of a, to row 1 + c of `local` (1 + C, 3)."""
-    rows, frames, owner, u, apart = bonds.rows, bonds.frames, bonds.owner, bonds.u, bonds.apart
+    rows, frames, owner, u, apart, alive = bonds.rows, bonds.frames, bonds.owner, bonds.u, bonds.apart, bonds.alive
     for c in range(len(rows)):
+        if not alive[c]:
+            continue
         a, b, f = rows[c, 0], rows[c, 1], owner[c]
         x, y, z = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
         apart[c, 0], apart[c, 1], apart[c, 2] = x, y, z
@@ -47,8 +51,10 @@ def to_frames(bonds, local):
 @bare
 def from_frames(bonds, local):
     """Turn the forces (C, 3) of the law, in the frames of side a, to x, y, z."""
-    frames, owner, force = bonds.frames, bonds.owner, bonds.force
+    frames, owner, force, alive = bonds.frames, bonds.owner, bonds.force, bonds.alive
     for c in range(len(owner)):
+        if not alive[c]:
+            continue
         f = owner[c]
         x, y, z = local[c, 0], local[c, 1], local[c, 2]
         for i in range(3):

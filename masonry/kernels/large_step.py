@@ -3,7 +3,7 @@
 A scene of small displacement compiles nothing of this file.
 """
 
-from masonry.jit.compiler import jit
+from masonry.detection.bare import bare
 from masonry.kernels.bonds import from_frames, to_frames
 from masonry.kernels.patches import press
 from masonry.kernels.refreshing import refresh
@@ -11,7 +11,7 @@ from masonry.kernels.step import pull, reaction, sweep_groups
 from masonry.kinematics.dispatch import move, place
 
 
-@jit
+@bare
 def advance(first, steps, dt, damping, dead_load, speed, groups, contacts, bonds, bodies, drives, near, drive_force):
     """Run up to `steps` steps from step number `first`; returns how many were run: fewer where room ran out.
 

@@ -9,10 +9,13 @@ from masonry.loading.varying_loads import VaryingLoads
 from masonry.model.loads import Program
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
-from masonry.runtime.state import State
+from masonry.runtime.state import State, attributes, load_attributes
 
 LONGEST_CHUNK = 100
 """Steps between two looks at the motion: an instability cannot grow into infinities unseen, nor a sudden crack far."""
+STILL, STILL_ROWS = 1e-8, 20
+"""All is at rest when the kinetic energy was below this share of its largest in so many rows: what turns round in the
+air is still for less than a row."""
 
 
 @dataclass(frozen=True)
@@ -42,11 +45,11 @@ class ScheduledLoading:
         self.loads = None if varying is None else VaryingLoads(model, varying, program.settle, program.straight)
         self.events = None if rest is None else rest.events
         self.every = max(1, program.steps // rows)
+        self.last, self.still, self.most = program.steps, 0, 0.0
 
     def next(self) -> Chunk | None:
         """The next chunk; None at the end."""
-        steps = self.program.steps
-        if self.done >= steps:
+        if self.done >= self.last:
             return None
         if self.rest is not None and self.rest.held:
             return self.hold(self.rest.steps)
@@ -74,7 +77,7 @@ class ScheduledLoading:
         """The next step after which a row is due."""
         marks = self.program.marks
         k = int(np.searchsorted(marks, self.done, side="right"))
-        regular = min((self.done // self.every + 1) * self.every, self.program.steps)
+        regular = min((self.done // self.every + 1) * self.every, self.last)
         return min(regular, int(marks[k])) if k < len(marks) else regular
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:
@@ -83,13 +86,18 @@ class ScheduledLoading:
             self.rest.look(step, self.speed, before)
 
     def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
-        """The drive is held by what the specimen stores."""
+        """The drive is held by what the specimen stores. At rest, the next row may be the last."""
         if self.rest is not None:
             self.rest.see(terms["elastic_blocks"] + terms["elastic_contacts"])
+        if self.program.rest_from is not None:
+            self.most = max(self.most, terms["kinetic"])
+            self.still = self.still + 1 if terms["kinetic"] <= STILL * self.most else 0
+            if self.done >= self.program.rest_from and self.still >= STILL_ROWS and self.most > 0.0:
+                self.last = self.row_due()
 
     def progress(self) -> tuple[int, int]:
         """Steps done, and all of them."""
-        return self.done, self.program.steps
+        return self.done, self.last
 
     def report(self) -> dict[str, float]:
         """Nothing was asked, and nothing achieved."""
@@ -97,10 +105,11 @@ class ScheduledLoading:
 
     def state(self) -> State:
         """How far it is."""
-        return {"done": self.done, "speed": self.speed, "rest": None if self.rest is None else self.rest.state()}
+        own = attributes(self, ("done", "speed", "last", "still", "most"))
+        return {**own, "rest": None if self.rest is None else self.rest.state()}
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        self.done, self.speed = state["done"], state["speed"]
+        load_attributes(self, ("done", "speed", "last", "still", "most"), state)
         if self.rest is not None:
             self.rest.restore(state["rest"])

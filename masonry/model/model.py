@@ -12,7 +12,7 @@ from masonry.laws.state import ContactState, JointProperties
 from masonry.model import stable_step as stiffness
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
 from masonry.model.contact_groups import contact_groups
-from masonry.model.large.meeting import Large, Meetings, add_row_sums, bonds_of, near_of, turning_of
+from masonry.model.large.meeting import Large, Meetings, add_row_sums, bonds_of, near_of, turning_of, without_sides
 from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.step_cost import StepCost, step_cost
@@ -168,7 +168,7 @@ def build(
 def enlarged(model: Model, meetings: Meetings, masses: np.ndarray) -> Model:
     """The same model in large displacement; masses (B, 6) of motion, of held blocks too.
 
-    Contacts without strength become patches, and only show from then on how material points part.
+    Contacts without strength become patches.
     """
     joints, layout, count = model.joints, model.layout, len(model.group)
     assert model.bodies.rigid is not None
@@ -176,7 +176,8 @@ def enlarged(model: Model, meetings: Meetings, masses: np.ndarray) -> Model:
     body = turning_of(model.bodies.rigid, masses[:, 3:], apart, push)
     dry = np.array([isinstance(shape, Friction) for shape in model.groups.parameters], dtype=bool)[model.group]
     rows = np.column_stack([np.zeros(count), np.arange(1, count + 1)]).astype(np.uint32)
-    bonds = bonds_of(model.contacts.sides, joints, layout, body, model.contacts.u)
+    body, sides = without_sides(body, model.contacts.sides, dry)
+    bonds = bonds_of(sides, joints, layout, body, model.contacts.u, ~dry)
     contacts = model.contacts._replace(
         sides=aligned(rows), u=in_rows(np.zeros((count + 1, 3))), area=aligned(np.where(dry, 0.0, joints.area))
     )
@@ -187,7 +188,7 @@ def enlarged(model: Model, meetings: Meetings, masses: np.ndarray) -> Model:
         contacts=contacts,
         groups=idle_where_dry(model.groups),
         bodies=Bodies(body, None, None),
-        large=Large(bonds, near, ~dry),
+        large=Large(bonds, near),
     )
 
 

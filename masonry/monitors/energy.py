@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from masonry.kernels import contact, patches
+from masonry.kernels.bonds import Bonds
 from masonry.kernels.patches import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
 from masonry.kernels.redetection import Near
 from masonry.kinematics import affine, tets, turning
@@ -39,15 +40,10 @@ class Observation:
 
 def observe(model: Model) -> Observation:
     """Look at every contact and block without changing them."""
-    law_parameters, joint_properties, states, bounds = model.groups
     seen = np.zeros((4, len(model.group)))
-    stored = 0.0
-    for g in range(len(law_parameters)):
-        stored += contact.observe(
-            law_parameters[g], joint_properties[g], states[g], bounds[g], bounds[g + 1], *model.contacts, seen
-        )
+    stored = _look_at_contacts(model, seen)
     if model.large is not None:
-        seen[2:, ~model.large.alive] = 0.0
+        _look_at_parted_points(model, model.large.bonds, seen)
         stored += patches.stored_energy(model.large.near)
     stress = np.zeros((model.blocks.count, 6))
     _, affine_blocks, tet_blocks = model.bodies
@@ -60,6 +56,40 @@ def observe(model: Model) -> Observation:
         elastic += file.observe(body, part) if kind == "affine" else file.observe(body, model.contacts.u, part)
         stress[which] = part / model.layout.volume[which, None]
     return Observation(Seen(*seen), stress, stored, elastic)
+
+
+def stored_in_contacts(model: Model) -> float:
+    """Elastic energy (J) of the contacts of the undeformed shape."""
+    return _look_at_contacts(model, np.zeros((4, len(model.group))))
+
+
+def _look_at_contacts(model: Model, seen: np.ndarray) -> float:
+    """Fill seen (4, C), and return the stored energy (J)."""
+    law_parameters, joint_properties, states, bounds = model.groups
+    return sum(
+        contact.observe(
+            law_parameters[g], joint_properties[g], states[g], bounds[g], bounds[g + 1], *model.contacts, seen
+        )
+        for g in range(len(law_parameters))
+    )
+
+
+def _look_at_parted_points(model: Model, bonds: Bonds, seen: np.ndarray) -> None:
+    """How far the material points of joints without bonds have parted, in the frame of side a; they carry nothing."""
+    gone, joints = ~bonds.alive, model.joints
+    a, b = (_moved(model, bonds, joints.point[gone], block[gone]) for block in (joints.block_a, joints.block_b))
+    parted = np.einsum("cji,cj->ci", bonds.frames[bonds.owner[gone]], b - a)
+    normal = model.contacts.normal[gone]
+    opening = np.einsum("ci,ci->c", parted, normal)
+    seen[0, gone] = opening
+    seen[1, gone] = np.linalg.norm(parted - opening[:, None] * normal, axis=1)
+    seen[2:, gone] = 0.0
+
+
+def _moved(model: Model, bonds: Bonds, point: np.ndarray, block: np.ndarray) -> np.ndarray:
+    """(K, 3) m, how far points (K, 3) of some blocks are from where they were in the undeformed shape."""
+    local, arm = model.layout.local[block], point - model.layout.centroid[block]
+    return np.asarray(model.bodies.rigid.q[local, :3] + np.einsum("kij,kj->ki", bonds.frames[local], arm) - arm)
 
 
 def kinetic(model: Model, before: list[np.ndarray]) -> float:

@@ -36,7 +36,12 @@ def large_arrays(large: Large, body: Any, area: np.ndarray) -> dict[str, np.ndar
     found = {"frame": body.frame, "momentum": body.momentum, "patches": body.patches, "account": near.account}
     found |= {"apart": large.bonds.apart, "bond_u": large.bonds.u, "bond_force": large.bonds.force}
     found |= {"held": near.search.held, "area": area}
-    found |= {"travel": near.motion.travel, "built": near.search.built, "flag": near.search.flag, "alive": large.alive}
+    found |= {
+        "travel": near.motion.travel,
+        "built": near.search.built,
+        "flag": near.search.flag,
+        "alive": large.bonds.alive,
+    }
     return found | {f"{name}.{k}": array for name in ("pairs", "points") for k, array in enumerate(parts[name])}
 
 

@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from masonry.kernels.patches import SHEAR_LOST, gap_of, turned
+from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of, turned
 from masonry.kernels.refreshing import refresh
-from masonry.model.large.meeting import Large, keys
+from masonry.model.large.meeting import keys
 from masonry.model.model import Model
+from masonry.monitors.energy import stored_in_contacts
 from masonry.timeloop.large_motion import make_room
 
 SPENT = 1e-3
@@ -15,34 +16,34 @@ SPENT = 1e-3
 def retire(model: Model) -> None:
     """Let the bonds between two blocks go once all of them are broken; patches take their shear traction over.
 
-    A joint with residual cohesion keeps its bonds, since patches have none. What the bonds dissipated is final.
+    A joint with residual cohesion keeps its bonds, since patches have none. What the bonds dissipated is final. What
+    their springs hold is booked as lost, and what the new points hold as gained.
     """
-    large = model.large
-    assert large is not None
-    broken = _broken(model, large)
+    assert model.large is not None
+    bonds, search, account = model.large.bonds, model.large.near.search, model.large.near.account
+    broken = _broken(model, bonds.alive)
     if not broken.any():
         return
-    joints, count = model.joints, len(large.near.pieces.body)
-    key = np.minimum(joints.block_a, joints.block_b) * count + np.maximum(joints.block_a, joints.block_b)
-    left = np.unique(key[large.alive & ~broken])
-    going = np.flatnonzero(broken & ~np.isin(key, left))
+    joints, count = model.joints, len(model.large.near.pieces.body)
+    key = joints.block_a * count + joints.block_b
+    going = np.flatnonzero(broken & ~np.isin(key, key[bonds.alive & ~broken]))
     if len(going) == 0:
         return
-    tractions = {int(k): _traction(model, large, going[key[going] == k]) for k in np.unique(key[going])}
-    large.near.account[SHEAR_LOST] += _shear_energy(model, large, going)
-    large.alive[going] = False
+    sheared, before = _shear_energy(model, going), stored_in_contacts(model)
+    tractions = _tractions(key[going], bonds.force[going], model.contacts.area[going])
+    bonds.alive[going] = False
     model.contacts.area[going] = 0.0
-    model.contacts.force[going] = large.bonds.force[going] = 0.0
-    large.near.search.held[:] = np.isin(large.near.search.bonded, key[large.alive])
-    large.near.search.built[:] = -np.inf
-    while not refresh(large.near, 0.0):
+    model.contacts.force[going] = bonds.force[going] = 0.0
+    account[SHEAR_LOST] += sheared
+    account[NORMAL_GAINED] -= before - stored_in_contacts(model) - sheared
+    search.held[:] = np.isin(search.bonded, key[bonds.alive])
+    search.built[:] = -np.inf
+    while not refresh(model.large.near, 0.0):
         make_room(model)
-        large = model.large
-        assert large is not None
     _hand_over(model, tractions, count)
 
 
-def _broken(model: Model, large: Large) -> np.ndarray:
+def _broken(model: Model, alive: np.ndarray) -> np.ndarray:
     """(C,) which of the bonds that hold have no strength left."""
     found = np.zeros(len(model.group), dtype=bool)
     for g, joint in enumerate(model.groups.properties):
@@ -51,16 +52,17 @@ def _broken(model: Model, large: Large) -> np.ndarray:
         own = slice(model.groups.bounds[g], model.groups.bounds[g + 1])
         tension, shear = model.state.intact_n[own], model.state.intact_s[own]
         found[own] = tension * shear < SPENT if joint.combined is not None else np.maximum(tension, shear) < SPENT
-    return found & large.alive
+    return found & alive
 
 
-def _traction(model: Model, large: Large, which: np.ndarray) -> np.ndarray:
-    """(3,) Pa: the mean traction on side a of some bonds that press."""
-    area = model.contacts.area[which]
-    return np.asarray(large.bonds.force[which].sum(axis=0) / area.sum())
+def _tractions(key: np.ndarray, force: np.ndarray, area: np.ndarray) -> dict[int, np.ndarray]:
+    """Mean traction (3,) Pa on side a of each pair of blocks; key (R,) of the pairs of bonds, force (R, 3) N."""
+    pairs, which = np.unique(key, return_inverse=True)
+    total = np.stack([np.bincount(which, weights=force[:, i]) for i in range(3)], axis=1)
+    return dict(zip(pairs.tolist(), total / np.bincount(which, weights=area)[:, None], strict=True))
 
 
-def _shear_energy(model: Model, large: Large, which: np.ndarray) -> float:
+def _shear_energy(model: Model, which: np.ndarray) -> float:
     """J that the shear springs of some bonds hold."""
     normal, force, area = (array[which] for array in (model.contacts.normal, model.contacts.force, model.contacts.area))
     stiffness = np.array([joint.shear_stiffness for joint in model.groups.properties])[model.group[which]]
@@ -78,12 +80,13 @@ def _hand_over(model: Model, tractions: dict[int, np.ndarray], count: int) -> No
         traction = tractions.get(int(keys(np.array([[a, b]]), count)[0]))
         if s < 0 or traction is None:
             continue
-        n = np.array(turned(near.motion.frame, pairs.body[p, 1 - pairs.points_of[p]], *pairs.normal[p]))
-        along = traction - (traction @ n) * n
+        ref = pairs.body[p, 1 - pairs.points_of[p]]
+        n = np.array(turned(near.motion.frame, ref, *pairs.normal[p]))
+        along = (traction - (traction @ n) * n) * (1.0 if a < b else -1.0)  # on side 0
+        size = float(np.linalg.norm(along))
+        kn, ks, tan = (rule[pairs.law[p]] for rule in rules[:3])
         for k in range(points.held[s]):
-            gap = gap_of(pairs, points, near.motion, p, k)
-            most = -rules.tan_friction[pairs.law[p]] * rules.normal_stiffness[pairs.law[p]] * min(gap, 0.0)
-            size = float(np.linalg.norm(along))
+            most = -tan * kn * min(gap_of(pairs, points, near.motion, p, k), 0.0)
             points.shear[s, k] = along * min(1.0, most / size) if size > 0.0 else 0.0
             held = float(points.shear[s, k] @ points.shear[s, k])
-            near.account[SHEAR_LOST] -= 0.5 * points.area[s, k] * held / rules.shear_stiffness[pairs.law[p]]
+            near.account[SHEAR_LOST] -= 0.5 * points.area[s, k] * held / ks

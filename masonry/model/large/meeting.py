@@ -40,22 +40,21 @@ class Meetings:
     @property
     def stiffest(self) -> float:
         """Pa/m: the largest stiffness, normal or in shear."""
-        return float(max(self.rules.normal_stiffness.max(), self.rules.shear_stiffness.max()))
+        return float(max(rule.max(initial=0.0) for rule in self.rules[:2]))
 
     @property
     def step_share(self) -> float:
         """Of the stable step that dashpots leave, which act on velocities half a step old."""
-        share = float(self.rules.dashpot.max())
+        share = float(self.rules.dashpot.max(initial=0.0))
         return float(np.sqrt(1.0 + share**2) - share)
 
 
 @dataclass(frozen=True)
 class Large:
-    """What a model of large displacement has besides: bonds, and what may meet; which contacts still hold (C,)."""
+    """What a model of large displacement has besides: bonds, and what may meet."""
 
     bonds: Bonds
     near: Near
-    alive: np.ndarray
 
 
 def add_row_sums(
@@ -111,6 +110,15 @@ def _held_globally(dt_over_mass: np.ndarray, axes: np.ndarray) -> np.ndarray:
     found = np.array(dt_over_mass)
     np.put_along_axis(found[:, 3:], along, dt_over_mass[:, 3:], axis=1)
     return found
+
+
+def without_sides(body: Turning, sides: np.ndarray, dry: np.ndarray) -> tuple[Turning, np.ndarray]:
+    """Bodies without the sides of dry contacts (C,), which patches replace; and the rows of u (C, 2) of the others."""
+    kept, first = ~dry[body.code // 2], int(body.first_point)
+    number = np.concatenate([[0], np.cumsum(kept)])
+    rows = np.where(dry[:, None], 0, first + number[np.asarray(sides, dtype=np.int64) - first])
+    start, code = number[body.start].astype(np.uint32), body.code[kept]
+    return body._replace(start=start, code=code, arm=np.ascontiguousarray(body.arm[kept])), rows.astype(np.uint32)
 
 
 def near_of(
@@ -172,8 +180,10 @@ def keys(pairs: np.ndarray, count: int) -> np.ndarray:
     return np.unique(pairs.min(axis=1) * count + pairs.max(axis=1)).astype(np.int64)
 
 
-def bonds_of(sides: np.ndarray, joints: Joints, layout: Layout, body: Turning, u: np.ndarray) -> Bonds:
-    """Frames and displacements of the contacts; sides (C, 2) rows of u."""
+def bonds_of(
+    sides: np.ndarray, joints: Joints, layout: Layout, body: Turning, u: np.ndarray, alive: np.ndarray
+) -> Bonds:
+    """Frames and displacements of the contacts; sides (C, 2) rows of u; alive (C,) whether they have strength."""
     count, apart = len(sides), body.apart
     assert apart is not None
     return Bonds(
@@ -183,4 +193,5 @@ def bonds_of(sides: np.ndarray, joints: Joints, layout: Layout, body: Turning, u
         u=u,
         force=in_rows(np.zeros((count, 3))),
         apart=apart,
+        alive=alive,
     )

@@ -1,0 +1,47 @@
+"""Bonds that are broken retire: friction takes over where they were, and every joule of theirs is booked."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from masonry import scene
+from masonry.laboratory import laboratory
+from masonry.monitors.energy import open_in_contacts
+
+WEIGHT = 1900.0 * 0.2 * 0.05 * 0.05 * 9.81
+SLID = {"drive.displacement": "30 mm", "solver.duration": "0.4 s", "solver.until": None, "drive.rate": "200 mm/s"}
+
+
+@cache
+def slid():
+    """The couplet's upper unit pushed on after its joint has cracked."""
+    return laboratory.run(scene.load("couplet-slid-off", SLID))
+
+
+def test_what_was_cracked_slides_under_its_weight_by_friction_alone():
+    rows = slid().history.rows
+    late = (rows["displacement"] > 0.01) & (rows["displacement"] < 0.028)
+    assert rows["force"][late] == pytest.approx(np.full(late.sum(), 0.73 * WEIGHT), rel=0.05)
+    assert np.mean(rows["force"][late]) == pytest.approx(0.73 * WEIGHT, rel=2e-3)
+    assert slid().summary["collapse"] is None
+
+
+def test_what_bonds_have_dissipated_is_final_once_they_retired():
+    rows = slid().history.rows
+    for key in ("fracture_mode_1", "fracture_mode_2"):
+        late = rows[key][rows["displacement"] > 0.01]
+        assert late[-1] == late[0] > 0.0, key
+    assert rows["fracture_mode_2"][-1] == pytest.approx(58.0 * 0.2 * 0.05, rel=0.1)
+
+
+def test_every_joule_is_booked_as_bonds_retire():
+    rows = slid().history.rows
+    left = np.array(
+        [open_in_contacts({key: values[k] for key, values in rows.items()}) for k in range(len(rows["step"]))]
+    )
+    begun = int(np.argmax(rows["area"] != 0.0))
+    assert begun > 0
+    work = np.abs(rows["external_work"]).max()
+    assert abs(left[begun] - left[begun - 1]) < 1e-6 * work, "at the row at which they retire"
+    assert np.abs(rows["imbalance"]).max() < 1e-12 * work

@@ -1,0 +1,1 @@
+"""Cases of blocks that turn, slide and fall as far as they like."""
