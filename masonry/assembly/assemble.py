@@ -98,7 +98,7 @@ def joined(scene: Scene) -> tuple[Specimen, Joints]:
     if spec.kind == "file" or is_outside(spec.kind):  # the others were looked at as they were built
         overlaps.check_overlaps(specimen.blocks)
     joints = joint_search.find_joints(
-        specimen.blocks, spec.contact_points, spec.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
+        specimen.blocks, scene.contact_points, scene.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
     )
     return specimen, joints
 

@@ -12,7 +12,7 @@ from masonry.drawings.condition_marks import Mark, marks
 from masonry.drawings.mark_drawing import COLOURS, draw_mark, place_of_value, stands_left
 from masonry.drawings.picture_frame import draw_axes, draw_sets
 from masonry.errors import SceneError
-from masonry.pictures.camera import Camera, camera_of, front_view
+from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import UNIT_EDGE, FaceDrawing
 from masonry.pictures.front import group_colours
 from masonry.pictures.hidden_surfaces import visible_pieces
@@ -41,11 +41,10 @@ def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
 
 def camera_for(scene: Scene, specimen: Specimen, view: str | None) -> Camera:
     """The camera of a view by its name, or the one that shows the drive."""
-    points, shape = specimen.blocks.points, specimen.shape
     if view is None:
-        toward = front_view(points, shape).toward
+        toward = camera_of("front", specimen).toward
         view = "iso" if scene.drive is not None and abs(toward[scene.drive.axis]) > 0.5 else "front"
-    return camera_of(view, points, shape)
+    return camera_of(view, specimen)
 
 
 def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str | None = None) -> Any:

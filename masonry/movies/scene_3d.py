@@ -108,7 +108,7 @@ class Viewer:
 
     def look(self, view: str) -> None:
         """From the front, from behind, or from the front, the right and above."""
-        camera = camera_of(view, self.result.specimen.blocks.points, self.result.specimen.shape)
+        camera = camera_of(view, self.result.specimen, [frame.corners for frame in self.result.history.frames])
         self.plotter.enable_parallel_projection()
         self.plotter.view_vector(camera.toward, viewup=camera.up)
 

@@ -1,8 +1,12 @@
 """Cameras: parallel projections of a specimen from the front, from behind, or from the front, the right and above."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+
+from geometry.blocks import Blocks, Specimen
+from geometry.specimens.placed import FLOOR
 
 VIEWS = ("front", "back", "iso")
 UPRIGHT = ("arch",)
@@ -30,29 +34,47 @@ class Camera:
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
 
-def camera_of(view: str, points: np.ndarray, shape: str = "") -> Camera:
-    """The camera of one of VIEWS for a specimen with these corners (P, 3)."""
-    return {"front": front_view, "back": back_view, "iso": iso_view}[view](points, shape)
+def camera_of(view: str, specimen: Specimen, moved: Sequence[np.ndarray] = ()) -> Camera:
+    """The camera of one of VIEWS for a specimen, whose corners move by (P, 3) m each."""
+    points, shape = specimen.blocks.points, specimen.shape
+    right = along_floor(specimen.blocks, moved)
+    return {"front": front_view, "back": back_view, "iso": iso_view}[view](points, shape, right)
 
 
-def front_view(points: np.ndarray, shape: str = "") -> Camera:
-    """Onto the two largest extents of points (P, 3); onto x and z where extents tie, and for UPRIGHT shapes."""
+def along_floor(blocks: Blocks, moved: Sequence[np.ndarray] = ()) -> int | None:
+    """Of what stands on a floor: x (0) or y (1), whichever its corners move along most, by (P, 3) m each, or else the
+    longer one; None without a floor."""
+    if FLOOR not in blocks.groups:
+        return None
+    group = np.repeat(blocks.group[blocks.face_block()], np.diff(blocks.face_start))
+    own = np.unique(blocks.face_points[group != blocks.groups.index(FLOOR)])
+    size = np.ptp(blocks.points[own], axis=0)[:2]
+    way = np.max([np.abs(corners[own, :2]).max(axis=0) for corners in moved], axis=0, initial=0.0)
+    x, y = way if way.max() > 0.1 * size.min() else size
+    return 0 if x >= y else 1
+
+
+def front_view(points: np.ndarray, shape: str = "", right: int | None = None) -> Camera:
+    """Onto the two largest extents of points (P, 3); onto x and z where extents tie, and for UPRIGHT shapes.
+
+    right  the axis that is seen to the right, with z upwards; None for that of the extents
+    """
     extent = np.ptp(points, axis=0)
     preference = np.array([2e-9, 0.0, 1e-9]) * extent.max()
-    right, up = (0, 2) if shape in UPRIGHT else sorted(np.argsort(-(extent + preference))[:2].tolist())
-    axes = np.eye(3)
-    return Camera(axes[right], axes[up], np.cross(axes[right], axes[up]), float(extent.max()))
+    largest = sorted(np.argsort(-(extent + preference))[:2].tolist())
+    across, up = np.eye(3)[[0, 2] if shape in UPRIGHT else largest if right is None else [right, 2]]
+    return Camera(across, up, np.cross(across, up), float(extent.max()))
 
 
-def back_view(points: np.ndarray, shape: str = "") -> Camera:
+def back_view(points: np.ndarray, shape: str = "", right: int | None = None) -> Camera:
     """The same plane from behind: coordinates grow to the left."""
-    front = front_view(points, shape)
+    front = front_view(points, shape, right)
     return replace(front, right=-front.right, toward=-front.toward)
 
 
-def iso_view(points: np.ndarray, shape: str = "") -> Camera:
+def iso_view(points: np.ndarray, shape: str = "", right: int | None = None) -> Camera:
     """From the front, the right-hand side and above, whatever the shape."""
-    across, rise = np.cos(ELEVATION), np.sin(ELEVATION)
-    toward = np.array([across * np.cos(AZIMUTH), across * np.sin(AZIMUTH), rise])
-    right = np.array([-np.sin(AZIMUTH), np.cos(AZIMUTH), 0.0])
-    return Camera(right, np.cross(toward, right), toward, float(np.ptp(points, axis=0).max()))
+    level, rise = np.cos(ELEVATION), np.sin(ELEVATION)
+    toward = np.array([level * np.cos(AZIMUTH), level * np.sin(AZIMUTH), rise])
+    across = np.array([-np.sin(AZIMUTH), np.cos(AZIMUTH), 0.0])
+    return Camera(across, np.cross(toward, across), toward, float(np.ptp(points, axis=0).max()))

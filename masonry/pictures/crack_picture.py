@@ -127,7 +127,7 @@ def panel_title(result: "ResultData", name: str, frame: Frame, times: float, nar
     between = "\n" if narrow or len(name) > 30 else " "
     rows = result.history.rows
     if not result.has_drive:
-        return f"{name}:{between}step {frame.step}\ndisplacements drawn {times:g} times"
+        return f"{name}:{between}step {frame.step}\n{_drawn(times)}"
     ways = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))
     words = f"{name}:{between}displacement {without_noise(frame.displacement, ways) * MILLI:.4g} mm"
     if len(rows.get("stress", ())):
@@ -136,7 +136,12 @@ def panel_title(result: "ResultData", name: str, frame: Frame, times: float, nar
         words += "\n" if narrow else f"\n{100 * share_of_way(rows, frame):.3g} % of the way, "
     else:
         words += "\n"
-    return f"{words}displacements drawn {times:g} times"
+    return f"{words}{_drawn(times)}"
+
+
+def _drawn(times: float) -> str:
+    """By how much displacements are drawn larger, in words."""
+    return "drawn at true scale" if times == 1.0 else f"displacements drawn {times:g} times"
 
 
 def share_of_way(rows: dict[str, np.ndarray], frame: Frame) -> float:

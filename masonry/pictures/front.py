@@ -27,7 +27,7 @@ class FlatDrawing:
 
     def __init__(self, result: "ResultData", view: str = "front") -> None:
         self.result = result
-        self.camera = camera_of(view, result.specimen.blocks.points, result.specimen.shape)
+        self.camera = camera_of(view, result.specimen, [frame.corners for frame in result.history.frames])
         self.outlines = outlines(result.specimen.blocks, self.camera)
         self.thrust: ThrustLine | None = thrust_line(result, self.camera)
 

@@ -37,7 +37,8 @@ def make_room(model: Model) -> None:
         a, b = near.pairs.body[pair]
         raise Stopped(
             f"blocks {a} and {b} overlap at once by more than a hundredth of a block: they overlapped from the start, "
-            "or are too fast for the time step"
+            'turned about contact points inside of their joint (contact_points = "gauss"), or are too fast for the '
+            "time step"
         )
     if why == NEED_PAIRS:
         near = _with_pairs(near, 2 * int(max(near.search.flag[1], len(near.pairs.slot))))

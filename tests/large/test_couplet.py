@@ -12,7 +12,8 @@ from masonry.laboratory import laboratory
 from masonry.monitors import collapse
 from masonry.timeloop import large_motion
 
-BASE = {"drive.displacement": "0.4 mm", "settle.steps": 3000}
+BASE = {"drive.displacement": "0.4 mm", "settle.steps": 3000, "specimen.contact_points": "vertex"}
+BASE |= {"specimen.points_per_edge": 2}
 PACES = {
     "steps": {"drive.accuracy": None, "drive.steps": 12000},
     "accuracy": {"drive.accuracy": "5 %"},

@@ -37,7 +37,7 @@ class SpecimenTable(Table):
 
     kind: str
     section: Area | None = None
-    contact_points: Literal["gauss", "vertex"] = "gauss"
+    contact_points: Literal["gauss", "vertex"] | None = None
     points_per_edge: PointsPerEdge = PerAxis()
     points_per_face: PointsPerFace | None = None
     contact_spacing: Length | None = None

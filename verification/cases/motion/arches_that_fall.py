@@ -16,7 +16,7 @@ from math import atan, degrees
 import numpy as np
 
 from verification.case import Case, Findings
-from verification.scene_runs import result_of
+from verification.scene_runs import Settings, result_of
 
 THINNEST, TILT, SPREAD = 0.10708, 0.37361, 0.0337
 THRUST = 0.07179, 0.07809
@@ -50,7 +50,7 @@ def by_tilt() -> Findings:
     return findings
 
 
-def fell(findings: Findings, name: str, scene: str, knobs: dict[str, object], wanted: bool) -> None:
+def fell(findings: Findings, name: str, scene: str, knobs: Settings, wanted: bool) -> None:
     """Run an arch, and hold whether it has fallen."""
     result = findings.note(name, result_of(scene, knobs))
     has = result.summary["collapse"] is not None
