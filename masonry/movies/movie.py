@@ -6,6 +6,7 @@ import numpy as np
 
 from masonry.curves.curve_axes import curve_axes
 from masonry.errors import SceneError
+from masonry.pictures.camera import box_of
 from masonry.pictures.crack_picture import draw_keys, drawing_of, frame_axes, largest_move, magnification, panel_title
 from masonry.pictures.crack_style import kinds_of, scale_of
 from masonry.pictures.style import plain
@@ -35,7 +36,8 @@ class Movie:
         self.times = magnification(max(frames, key=largest_move), self.drawing.camera.size) if times is None else times
         self.cracks: list[Any] = [self.drawing.cracks(frame) for frame in frames]
         self.scale = scale_of(np.concatenate([lines.opening for lines in self.cracks]))
-        self.limits = self._limits()
+        moved = [frame.corners for frame in frames]
+        self.limits = box_of(self.drawing.camera, result.specimen.blocks, moved, self.times)
         self.figure = self._figure()
 
     def draw(self, number: int) -> None:
@@ -43,9 +45,7 @@ class Movie:
         frame = self.frames[number]
         self.panel.clear()
         self.drawing.draw(self.panel, frame, self.cracks[number], self.times, self.scale)
-        frame_axes(self.panel)
-        (left, bottom), (right, top) = self.limits
-        self.panel.set(xlim=(left, right), ylim=(bottom, top))
+        frame_axes(self.panel, self.limits)
         name = f"frame {number + 1} of {len(self.frames)}"
         self.panel.set_title(panel_title(self.result, name, frame, self.times), fontsize=11)
         rows = self.result.history.rows
@@ -53,14 +53,6 @@ class Movie:
             gone = int(np.searchsorted(rows["step"], frame.step, side="right"))
             self.gone.set_data(self.across[:gone], self.up[:gone])
             self.dot.set_data([self.across[gone - 1]], [self.up[gone - 1]])
-
-    def _limits(self) -> np.ndarray:
-        """Lowest and highest place (2, 2) that a corner comes to in any frame, with some room round them."""
-        points = self.result.specimen.blocks.points
-        flat = [self.drawing.camera.project(points + self.times * frame.corners) for frame in self.frames]
-        low, high = np.min(flat, axis=(0, 1)), np.max(flat, axis=(0, 1))
-        room = 0.03 * float(np.max(high - low))
-        return np.array([low - room, high + room])
 
     def _figure(self) -> Any:
         """The figure as it stays: title, keys, curve and layout; the panel of cracks is drawn frame by frame."""

@@ -46,12 +46,29 @@ def along_floor(blocks: Blocks, moved: Sequence[np.ndarray] = ()) -> int | None:
     longer one; None without a floor."""
     if FLOOR not in blocks.groups:
         return None
-    group = np.repeat(blocks.group[blocks.face_block()], np.diff(blocks.face_start))
-    own = np.unique(blocks.face_points[group != blocks.groups.index(FLOOR)])
+    own = above_floor(blocks)
     size = np.ptp(blocks.points[own], axis=0)[:2]
     way = np.max([np.abs(corners[own, :2]).max(axis=0) for corners in moved], axis=0, initial=0.0)
     x, y = way if way.max() > 0.1 * size.min() else size
     return 0 if x >= y else 1
+
+
+def above_floor(blocks: Blocks) -> np.ndarray:
+    """Numbers of the corners of all blocks but a floor."""
+    if FLOOR not in blocks.groups:
+        return np.arange(len(blocks.points))
+    group = np.repeat(blocks.group[blocks.face_block()], np.diff(blocks.face_start))
+    return np.unique(blocks.face_points[group != blocks.groups.index(FLOOR)])
+
+
+def box_of(camera: Camera, blocks: Blocks, moved: Sequence[np.ndarray], times: float = 1.0) -> np.ndarray:
+    """Lowest and highest place (2, 2) that a corner above the floor comes to, with some room round them; corners move
+    by (P, 3) m each, drawn `times` larger."""
+    own = above_floor(blocks)
+    flat = [camera.project(blocks.points[own] + times * corners[own]) for corners in moved]
+    low, high = np.min(flat, axis=(0, 1)), np.max(flat, axis=(0, 1))
+    room = 0.03 * float(np.max(high - low))
+    return np.array([low - room, high + room])
 
 
 def front_view(points: np.ndarray, shape: str = "", right: int | None = None) -> Camera:

@@ -5,7 +5,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from geometry.specimens.placed import FLOOR
 from masonry.history import Frame
+from masonry.pictures.camera import box_of
 from masonry.pictures.crack_style import crack_keys, draw_scales, kinds_of, scale_of
 from masonry.pictures.front import FlatDrawing, group_colours
 from masonry.pictures.oblique import SolidDrawing
@@ -98,24 +100,39 @@ def gallery(
     for one, (name, result, frame), drawing, lines in zip(axes, panels, shown, cracks, strict=False):
         larger = magnification(frame, drawing.camera.size) if times is None else times
         drawing.draw(one, frame, lines, larger, scale)
-        frame_axes(one)
+        frame_axes(one, _box(drawing))
         title = panel_title(result, name, frame, larger, narrow=columns > 2)
         one.set_title(title, fontsize=10 if columns > 2 else 11)
     draw_keys(figure, axes, shown, scale, kinds_of(cracks))
     return figure
 
 
-def frame_axes(axes: Any) -> None:
-    """Equal scales, a little room round what is drawn, and no lines round it."""
+def frame_axes(axes: Any, box: np.ndarray | None = None) -> None:
+    """Equal scales, and no lines round what is drawn; it fills the axes, or they show a box (low, high)."""
     axes.set_aspect("equal")
     axes.autoscale_view()
     axes.margins(0.03)
+    if box is not None:
+        (left, bottom), (right, top) = box
+        axes.set(xlim=(left, right), ylim=(bottom, top))
     axes.set_axis_off()
+
+
+def _box(drawing: Drawing) -> np.ndarray | None:
+    """Of what stands on a floor: the place that it ever takes; a floor goes on beyond it. None without a floor."""
+    blocks = drawing.result.specimen.blocks
+    if FLOOR not in blocks.groups:
+        return None
+    moved = [np.zeros_like(blocks.points), *(frame.corners for frame in drawing.result.history.frames)]
+    box = box_of(drawing.camera, blocks, moved)
+    box[0, 1] -= 0.05 * float(np.ptp(box, axis=0).max())
+    return box
 
 
 def _ratio(drawing: Drawing) -> float:
     """Height over width of a specimen in a view."""
-    extent = np.ptp(drawing.camera.project(drawing.result.specimen.blocks.points), axis=0)
+    box = _box(drawing)
+    extent = np.ptp(drawing.camera.project(drawing.result.specimen.blocks.points) if box is None else box, axis=0)
     return float(extent[1] / extent[0]) if extent[0] > 0 else 1.0
 
 
