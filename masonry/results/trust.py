@@ -16,6 +16,8 @@ RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
 """Limits: what sudden cracks release over all energy lost; over the external work, what damping gives, and takes."""
 TAKEN = 0.02
 """Share by which a contact may take more energy of mode II than the area under its law's curve."""
+ANEW = 0.01
+"""Share of the external work that contacts may gain or lose as they are found anew, in large displacement."""
 SLID = 0.2
 """Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
 ROUNDING, BELOW_0 = 1e-11, 1e-5
@@ -45,6 +47,11 @@ def trust(summary: dict[str, Any]) -> str:
     if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
         doubts.append(
             f"contacts close by up to {overlap:.2g} of a block's size: the normal stiffness is too low for this load"
+        )
+    if (anew := found_anew(summary)) > ANEW:
+        doubts.append(
+            f"contacts that were found anew while they pressed changed the energy by {percent(anew)} of the work: what "
+            "fell came down harder or softer than it should; a larger normal stiffness lessens it"
         )
     if (taken := summary.get("mode_2_over_law") or 0.0) > 1.0 + TAKEN:
         doubts.append(
@@ -79,6 +86,13 @@ def trust(summary: dict[str, Any]) -> str:
             "depends on the scene's assumptions."
         )
     return "with care: " + "; ".join(doubts) + "."
+
+
+def found_anew(summary: dict[str, Any]) -> float:
+    """What re-detection lost and changes of area gained or took, over the external work."""
+    energies = summary.get("energy_j") or {}
+    work = abs(energies.get("external_work") or 0.0)
+    return (abs(energies.get("area") or 0.0) + abs(energies.get("redetection") or 0.0)) / work if work > 0.0 else 0.0
 
 
 def not_at_rest(summary: dict[str, Any]) -> list[str]:
