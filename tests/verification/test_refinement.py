@@ -90,6 +90,18 @@ def test_the_oscillator_is_of_second_order_and_its_chapter_can_be_drawn():
     assert {r["case"] for r in made.records} == {"oscillator"}
 
 
+def test_a_quantity_without_a_closed_form_is_left_out_of_the_pictures():
+    problem = oscillator.PROBLEMS[0]
+    energy = next(iter(problem.units))
+    least = replace(
+        problem,
+        knobs={name: dict(list(settings.items())[:2]) for name, settings in problem.knobs.items()},
+        exact=lambda one: {energy: problem.exact(one)[energy]},
+    )
+    page = chapter.chapter(quiet, [least])
+    assert list(page.records) and {record["quantity"] for record in page.records} == {energy}
+
+
 def test_each_case_names_problems_that_exist_or_says_why_there_is_nothing_to_choose():
     assert gaps(catalogue()) == []
     shown = table()

@@ -89,7 +89,7 @@ def _care(good: bool) -> str:
 def section(study: Study) -> list[str]:
     """What to choose, the pictures, the reference, the table of times."""
     problem = study.problem
-    panels = {q: study.lines(q) for q in problem.units}
+    panels = {q: study.lines(q) for q in study.references}
     fronts = {q: front([Point(k, t, s, 0, abs(e)) for k, points in lines.items() if is_setting(k)
                         for s, e, t in points]) for q, lines in panels.items()}  # fmt: skip
     caption = (
@@ -119,7 +119,7 @@ def reference_line(problem: Problem, references: dict[str, Reference]) -> str:
 
 def times(study: Study) -> str:
     """The table of times to 1 % and to 0.1 %, by knob and quantity."""
-    by_quantity = {q: study.lines(q) for q in study.problem.units}
+    by_quantity = {q: study.lines(q) for q in study.references}
     rows = []
     for knob in study.problem.knobs:
         cells: list[str | page.Cell] = [knob]
