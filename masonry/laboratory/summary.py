@@ -118,7 +118,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "dissipation_mismatch": torn / scale if (spent or model.large is not None) and scale > 0.0 else 0.0,
         "unbalanced_after_settling": float(observed["unbalanced"][-1]),
         "kinetic_after_settling": float(observed["still_moving"][-1]),
-        "damping_over_external": (taken - released) / driven if driven > ROUNDING * moved else 0.0,
+        "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
         "released_over_dissipated": released / lost if sudden else 0.0,
         "joints_opened_or_slid": _opened_or_slid(assembly),
