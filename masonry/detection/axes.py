@@ -34,15 +34,30 @@ def height(normal, offset, f, x, y, z):
 
 
 @inlined
-def most_facing(normal, inner, first, last, nx, ny, nz, present, hold):
-    """The free face whose normal is most against n; `present` (-1 for none) where no other is by `hold` more so."""
-    best, found = 2.0, -1
+def most_facing(normal, offset, inner, first, last, vertex, corner, corner_end, nx, ny, nz, tie, present, hold):
+    """Of the free faces at the corner that is lowest along n, or of all where there are none, the one whose normal is
+    most against n.
+
+    `present` (-1 for none) stays where it is at that corner and no other is by `hold` more so. A face that does not
+    meet the lowest corner may look more against n: an overlap with it would leave out what is deepest.
+    """
+    deep = corner
+    least = nx * vertex[corner, 0] + ny * vertex[corner, 1] + nz * vertex[corner, 2]
+    for v in range(corner + 1, corner_end):
+        along = nx * vertex[v, 0] + ny * vertex[v, 1] + nz * vertex[v, 2]
+        if along < least:
+            least, deep = along, v
+    x, y, z = vertex[deep, 0], vertex[deep, 1], vertex[deep, 2]
+    best, found, stays, meets = 2.0, -1, False, False
     for f in range(first, last):
-        if not inner[f]:
-            along = normal[f, 0] * nx + normal[f, 1] * ny + normal[f, 2] * nz
-            if along < best:
-                best, found = along, f
-    if present >= 0:
+        if inner[f]:
+            continue
+        here = height(normal, offset, f, x, y, z) >= -tie
+        along = normal[f, 0] * nx + normal[f, 1] * ny + normal[f, 2] * nz
+        stays = stays or (here and f == present)
+        if (here and not meets) or (here == meets and along < best):
+            best, found, meets = along, f, here
+    if stays:
         along = normal[present, 0] * nx + normal[present, 1] * ny + normal[present, 2] * nz
         if along <= best + hold:
             return present

@@ -1,11 +1,11 @@
 """Contact points of a pair: the corners of the overlap of two faces, or the place where two edges cross."""
 
-from math import sqrt
+from math import inf, sqrt
 
 from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import area_and_centroid, cut_by
 from masonry.detection.corners import MERGED, merge, weigh
-from masonry.detection.features import CUT, corner_feature, crossing_feature
+from masonry.detection.features import CUT, corner_feature, crossing_feature, lone_feature
 from masonry.detection.overlap import heights, point_of
 
 
@@ -62,3 +62,21 @@ def crossing_point(
     point[0, 2] = vertex[p, 2] + on_a * az + 0.5 * apart * nz
     gap[0], area[0], feature[0] = apart, least, crossing_feature(ea - first_a, eb - first_b)
     return 1
+
+
+@bare
+def corner_point(
+    vertex, first, last, dx, dy, dz, nx, ny, nz, side, apart, least, face, point, gap, area, feature
+):  # fmt: skip
+    """The corner first..last of a piece that is deepest in the other one, of area `least`, where their two faces do not
+    overlap: a corner of another face. side: 1 for the second piece, -1 for the first; face: of the other piece."""
+    found, lowest = first, inf
+    for k in range(first, last):
+        height = side * (nx * vertex[k, 0] + ny * vertex[k, 1] + nz * vertex[k, 2])
+        if height < lowest:
+            found, lowest = k, height
+    way = -0.5 * side * apart
+    point[0, 0] = vertex[found, 0] + dx + way * nx
+    point[0, 1] = vertex[found, 1] + dy + way * ny
+    point[0, 2] = vertex[found, 2] + dz + way * nz
+    gap[0], area[0], feature[0] = apart, least, lone_feature(face, found - first, side)

@@ -6,8 +6,8 @@ MOST_FACES, MOST_CORNERS = 4096, 2047
 """Of one piece, and of one face."""
 OTHER, CUT = 2048, 4095
 """Where the edges of the second face begin, and the edge along which a polygon was cut at the reach."""
-CROSSED = 1 << 60
-"""Added where two edges cross."""
+CROSSED, LONE = 1 << 60, 1 << 59
+"""Added where two edges cross, and where a corner is in the other piece that no corner of an overlap of faces is."""
 
 
 @bare
@@ -21,3 +21,9 @@ def corner_feature(face_a, face_b, one, two):
 def crossing_feature(edge_a, edge_b):
     """Where two edges (numbers within their pieces) cross."""
     return CROSSED + edge_a * 1048576 + edge_b
+
+
+@bare
+def lone_feature(face, corner, side):
+    """A corner of one piece in a face of the other (numbers within their pieces); side: whose corner, 1 or -1."""
+    return LONE + (face * 1048576 + corner) * 2 + (1 if side > 0.0 else 0)

@@ -15,7 +15,7 @@ from math import inf, sqrt
 from masonry.detection.axes import edge_axis, face_gap, most_facing, open_edges, widest_face
 from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import area_and_centroid
-from masonry.detection.contact_points import crossing_point, polygon_points
+from masonry.detection.contact_points import corner_point, crossing_point, polygon_points
 from masonry.detection.overlap import common_plane, heights, overlap, point_of
 
 NONE, FACE, EDGE = 0, 1, 2
@@ -105,11 +105,17 @@ def _ordered(
         )
         if fa < 0 or fb < 0:  # a piece in the middle of its body
             return NONE, 0, inf, 0.5, 0.0, -1, -1, 0.0, 0.0, 0.0
-        fa, fb = _pair_of(normal, inner, fa, fb, la, la_end, lb, lb_end, gap_a >= gap_b, False)
+        fa, fb = _pair_of(
+            normal, offset, inner, fa, fb, la, la_end, lb, lb_end, vertex, va, va_end, vb, vb_end, tie,
+            gap_a >= gap_b, False,
+        )  # fmt: skip
     for _ in range(ROUNDS):
         gap_a = face_gap(normal, offset, fa, vertex, vb, vb_end, dx, dy, dz)
         gap_b = face_gap(normal, offset, fb, vertex, va, va_end, -dx, -dy, -dz)
-        face, other = _pair_of(normal, inner, fa, fb, la, la_end, lb, lb_end, gap_a >= gap_b, True)
+        face, other = _pair_of(
+            normal, offset, inner, fa, fb, la, la_end, lb, lb_end, vertex, va, va_end, vb, vb_end, tie,
+            gap_a >= gap_b, True,
+        )  # fmt: skip
         if face != fa or other != fb:
             fa, fb = face, other
             gap_a = face_gap(normal, offset, fa, vertex, vb, vb_end, dx, dy, dz)
@@ -136,10 +142,13 @@ def _ordered(
             return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
         if another < 0 and other < 0:
             break
-        fa, fb = _pair_of(normal, inner, other, another, la, la_end, lb, lb_end, another < 0, False)
-    flat = FLAT
-    if known == EDGE:
-        beyond, flat = wide - HOLD * abs(wide) - tie, FLAT_HELD
+        fa, fb = _pair_of(
+            normal, offset, inner, other, another, la, la_end, lb, lb_end, vertex, va, va_end, vb, vb_end, tie,
+            another < 0, False,
+        )  # fmt: skip
+    flat = FLAT_HELD if known == EDGE else FLAT
+    if known == EDGE or full <= 0.0:  # edges that touch already, or that must, as the two faces do not
+        beyond = wide - HOLD * abs(wide) - tie
     ea, eb, apart, ex, ey, ez = _crossed(
         a, b, dx, dy, dz, ax, ay, az, bx, by, bz, beyond, flat, full > 0.0, u, v, row, count, plane, wide,
         edge_start, edge, vertex, normal, offset, edges,
@@ -154,7 +163,17 @@ def _ordered(
         if found:
             return EDGE, found, apart, 0.5, sqrt(least), ea, eb, ex, ey, ez
     if full <= 0.0:
-        return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
+        if wide >= 0.0:
+            return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
+        if blend >= 0.5:
+            corner_point(
+                vertex, vb, vb_end, dx, dy, dz, nx, ny, nz, 1.0, wide, least, fa - la, point, gap, area, feature
+            )  # fmt: skip
+        else:
+            corner_point(
+                vertex, va, va_end, 0.0, 0.0, 0.0, nx, ny, nz, -1.0, wide, least, fb - lb, point, gap, area, feature
+            )  # fmt: skip
+        return FACE, 1, wide, blend, sqrt(least), fa, fb, nx, ny, nz
     count = polygon_points(
         u, v, label, row, count, full, plane, snap, reach, least, fa - la, fb - lb, weight, name,
         point, gap, area, feature,
@@ -164,16 +183,23 @@ def _ordered(
 
 
 @inlined
-def _pair_of(normal, inner, fa, fb, la, la_end, lb, lb_end, first, held):
-    """One of two faces, the first or the second, with the face of the other piece that looks most against it.
+def _pair_of(
+    normal, offset, inner, fa, fb, la, la_end, lb, lb_end, vertex, va, va_end, vb, vb_end, tie, first, held
+):  # fmt: skip
+    """One of two faces, the first or the second, with the face of the other piece's deepest corner that looks most
+    against it.
 
     held: the other one of the two stays where no face looks more against it by HOLD_FACING.
     """
     if first:
-        x, y, z = normal[fa, 0], normal[fa, 1], normal[fa, 2]
-        return fa, most_facing(normal, inner, lb, lb_end, x, y, z, fb if held else -1, HOLD_FACING)
-    x, y, z = normal[fb, 0], normal[fb, 1], normal[fb, 2]
-    return most_facing(normal, inner, la, la_end, x, y, z, fa if held else -1, HOLD_FACING), fb
+        x, y, z, present = normal[fa, 0], normal[fa, 1], normal[fa, 2], fb if held else -1
+        return fa, most_facing(
+            normal, offset, inner, lb, lb_end, vertex, vb, vb_end, x, y, z, tie, present, HOLD_FACING
+        )  # fmt: skip
+    x, y, z, present = normal[fb, 0], normal[fb, 1], normal[fb, 2], fa if held else -1
+    return most_facing(
+        normal, offset, inner, la, la_end, vertex, va, va_end, x, y, z, tie, present, HOLD_FACING
+    ), fb  # fmt: skip
 
 
 @inlined
