@@ -163,17 +163,18 @@ def _ordered(
         if found:
             return EDGE, found, apart, 0.5, sqrt(least), ea, eb, ex, ey, ez
     if full <= 0.0:
-        if wide >= 0.0:
-            return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
+        depth = max(wide, apart) if ea >= 0 else wide
+        if depth >= 0.0:
+            return NONE, 0, depth, blend, 0.0, fa, fb, nx, ny, nz
         if blend >= 0.5:
             corner_point(
-                vertex, vb, vb_end, dx, dy, dz, nx, ny, nz, 1.0, wide, least, fa - la, point, gap, area, feature
+                vertex, vb, vb_end, dx, dy, dz, nx, ny, nz, 1.0, depth, least, fa - la, point, gap, area, feature
             )  # fmt: skip
         else:
             corner_point(
-                vertex, va, va_end, 0.0, 0.0, 0.0, nx, ny, nz, -1.0, wide, least, fb - lb, point, gap, area, feature
+                vertex, va, va_end, 0.0, 0.0, 0.0, nx, ny, nz, -1.0, depth, least, fb - lb, point, gap, area, feature
             )  # fmt: skip
-        return FACE, 1, wide, blend, sqrt(least), fa, fb, nx, ny, nz
+        return FACE, 1, depth, blend, sqrt(least), fa, fb, nx, ny, nz
     count = polygon_points(
         u, v, label, row, count, full, plane, snap, reach, least, fa - la, fb - lb, weight, name,
         point, gap, area, feature,

@@ -47,4 +47,12 @@ def test_what_overlaps_presses_and_by_about_as_much(seed):
         assert touching.kind != NONE
         assert ball > 0.0 and touching.gap.min() < -2.0 * ball * (1.0 - 1e-6), "a ball fits between the two sides"
         assert touching.gap.min() >= touching.separation * (1.0 + 1e-9)
-    assert bodies.put(q, way * (apart + 1e-4)).touch(p, q, skin=0.01).gap.min(initial=0.0) >= 0.0
+
+
+@pytest.mark.parametrize("seed", range(PAIRS))
+def test_what_is_apart_does_not_press(seed):
+    bodies, p, q, way, apart = meeting(seed)
+    rng = np.random.default_rng(seed)
+    for scale in np.repeat((0.03, 0.1, 0.2), 40):
+        touching = bodies.put(q, way * apart + scale * rng.uniform(-1.0, 1.0, 3)).touch(p, q, skin=0.02)
+        assert touching.gap.min(initial=0.0) >= 0.0 or largest_ball(bodies, p, q) > 0.0
