@@ -1,0 +1,81 @@
+"""One limit analysis of bodies and contacts: in a plane where there is one, by planes or by cones."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from masonry.statics.cones import solve_cones
+from masonry.statics.equilibrium import Equilibrium, equilibrium
+from masonry.statics.linear import solve_linear
+from masonry.statics.plane import flattened, plane_of
+from masonry.statics.problem import Bodies, Contacts, Found
+
+STANDS = 1.0 - 1e-7
+"""Share of the dead loads that must be balanced for a specimen to stand."""
+
+
+@dataclass(frozen=True)
+class Method:
+    """plane: whether a plane problem is solved in its plane; sides: of pyramids in space, 0 for cones."""
+
+    plane: bool = True
+    sides: int = 0
+
+
+EXACTLY = Method()
+"""True cones in space, a linear programme in a plane."""
+
+
+def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, most: float = np.inf) -> Found:
+    """The largest factor, 0 or more and `most` at most, at which forces that the contacts bear balance all bodies."""
+    axis = plane_of(bodies, contacts) if method.plane else None
+    flat, owner = (contacts, np.arange(contacts.count)) if axis is None else flattened(contacts, axis)
+    forces = equilibrium(bodies, flat, axis)
+    bound = most * forces.live_force / forces.force
+    if axis is not None or method.sides:
+        status, unknown, velocity, gap = solve_linear(forces, flat, 2 if axis is not None else method.sides, bound)
+    else:
+        status, unknown, velocity, gap = solve_cones(forces, flat, bound)
+    return _found(forces, contacts, flat, owner, status, unknown, velocity, gap)
+
+
+def standing(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Found:
+    """The share of the dead loads that can be balanced, 1 at most, and the mechanism where it is less."""
+    return largest_factor(
+        replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead), contacts, method, most=1.0
+    )
+
+
+def method_word(bodies: Bodies, contacts: Contacts, method: Method) -> str:
+    """How a problem is solved, in words."""
+    axis = plane_of(bodies, contacts) if method.plane else None
+    if axis is not None:
+        return f"linear programme in the plane across {'xyz'[axis]}"
+    return f"linear programme, friction pyramids of {method.sides} sides" if method.sides else "second-order cones"
+
+
+def _found(
+    forces: Equilibrium, contacts: Contacts, flat: Contacts, owner: np.ndarray, status: str,
+    unknown: np.ndarray, velocity: np.ndarray, gap: float,
+) -> Found:  # fmt: skip
+    """Back to units, blocks and all contact points."""
+    groups, k = forces.tangent.shape[:2]
+    pressing, sliding = unknown[: flat.count], unknown[flat.count : -1]
+    left = forces.normal @ pressing + forces.shear @ sliding + forces.dead + unknown[-1] * forces.live
+    share = contacts.area / flat.area[owner]
+    shear = np.einsum("gk,gki->gi", sliding.reshape(groups, k), forces.tangent)
+    part = _part_of_group(forces, flat, pressing)
+    moving = (forces.rows.T @ velocity).reshape(-1, 6) / forces.live_force
+    return Found(
+        status, float(unknown[-1] * forces.force / forces.live_force),
+        forces.force * share * pressing[owner],
+        forces.force * (share * part[owner])[:, None] * shear[forces.group[owner]],
+        moving, gap, float(np.abs(left).max(initial=0.0)) if status == "solved" else 0.0,
+    )  # fmt: skip
+
+
+def _part_of_group(forces: Equilibrium, flat: Contacts, pressing: np.ndarray) -> np.ndarray:
+    """(C,) share of the shear force of its group that a point takes: by what it can bear."""
+    least = 1e-12 * flat.area / flat.area.max(initial=1e-300)
+    bears = np.maximum(flat.friction * pressing + flat.cohesion / forces.force, 0.0) + least
+    return bears / np.bincount(forces.group, bears)[forces.group]
