@@ -1,28 +1,35 @@
 """The largest load factor with true friction cones, by a second-order cone programme (Clarabel)."""
 
+from dataclasses import replace
+
 import numpy as np
 from scipy import sparse
 
 from masonry.errors import SceneError
+from masonry.statics.crushing import crushing_cones
 from masonry.statics.equilibrium import Equilibrium
 from masonry.statics.problem import Contacts
 
-ACCURACY = 1e-9
+ACCURACY = 1e-10
 SOLVED, ALMOST = ("Solved",), ("AlmostSolved",)
 INFEASIBLE = ("PrimalInfeasible", "AlmostPrimalInfeasible")
 UNBOUNDED = ("DualInfeasible", "AlmostDualInfeasible")
 
 
-def solve_cones(forces: Equilibrium, contacts: Contacts, most: float) -> tuple[str, np.ndarray, np.ndarray, float]:
+def solve_cones(
+    forces: Equilibrium, contacts: Contacts, between: tuple[float, float]
+) -> tuple[str, np.ndarray, np.ndarray, float]:
     """As solve_linear, but with cones; Raises SceneError where Clarabel is not installed or comes to no end."""
     clarabel = _clarabel()
+    scale = 1.0 + len(forces.dead) / 6.0
+    forces = _of_the_whole(forces, scale)
     groups, k = forces.tangent.shape[:2]
     count, equations = contacts.count, len(forces.dead)
     unknowns = count + groups * k + 1
     parts = [sparse.hstack([forces.normal, forces.shear, sparse.csr_array(forces.live[:, None])], format="csc")]
     sides = [-forces.dead]
     kinds = [clarabel.ZeroConeT(equations)]
-    bounds, limit = _bounds(forces, contacts, most, unknowns)
+    bounds, limit = _bounds(forces, contacts, between, unknowns)
     if len(limit):
         parts.append(bounds)
         sides.append(limit)
@@ -31,6 +38,11 @@ def solve_cones(forces: Equilibrium, contacts: Contacts, most: float) -> tuple[s
     parts.append(cone)
     sides.append(offset)
     kinds += [clarabel.SecondOrderConeT(k + 1)] * number
+    if contacts.crush is not None:
+        for rows, side, kind in crushing_cones(contacts.crush, forces.force, unknowns):
+            parts.append(rows)
+            sides.append(side)
+            kinds += kind
     settings = clarabel.DefaultSettings()
     settings.verbose = False
     settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = ACCURACY
@@ -42,25 +54,35 @@ def solve_cones(forces: Equilibrium, contacts: Contacts, most: float) -> tuple[s
     status = str(found.status)
     if status in (*SOLVED, *ALMOST):
         gap = abs(found.obj_val - found.obj_val_dual) / max(1.0, abs(found.obj_val))
-        return "solved", np.array(found.x), np.array(found.z[:equations]), float(gap)
+        unknown = np.array(found.x)
+        unknown[:-1] *= scale
+        return "solved", unknown, np.array(found.z[:equations]) / scale, float(gap)
     if status in INFEASIBLE or status in UNBOUNDED:
         word = "infeasible" if status in INFEASIBLE else "unbounded"
         return word, np.zeros(unknowns), np.zeros(equations), 0.0
     raise SceneError(f"the cone programme came to no end ({status}); try --linear 16, which needs no cones")
 
 
-def _bounds(forces: Equilibrium, contacts: Contacts, most: float, unknowns: int) -> tuple[sparse.csc_array, np.ndarray]:
-    """Rows and sides of: normal forces above -tension where the cone does not say so, and 0 <= factor <= most."""
+def _of_the_whole(forces: Equilibrium, scale: float) -> Equilibrium:
+    """The same with forces over about that of all blocks: what is left of the dual's equations then counts little."""
+    return replace(
+        forces, dead=forces.dead / scale, live=forces.live / scale, force=forces.force * scale,
+        live_force=forces.live_force * scale,
+    )  # fmt: skip
+
+
+def _bounds(
+    forces: Equilibrium, contacts: Contacts, between: tuple[float, float], unknowns: int
+) -> tuple[sparse.csc_array, np.ndarray]:
+    """Rows and sides of: normal forces above -tension where the cone does not say so, and the bounds of the factor."""
     apex = np.where(contacts.friction > 0, contacts.cohesion, np.inf) / np.maximum(contacts.friction, 1e-300)
     alone = forces.tangent.shape[1] == 2
-    needed = ~contacts.solid & ((apex > contacts.tension) | (not alone))
-    which = np.flatnonzero(needed)
-    column = np.concatenate([which, [unknowns - 1]])
-    side = np.concatenate([contacts.tension[which] / forces.force, [0.0]])
-    sign = np.full(len(column), -1.0)
-    if np.isfinite(most):
-        column, sign = np.append(column, unknowns - 1), np.append(sign, 1.0)
-        side = np.append(side, most)
+    which = np.flatnonzero(~contacts.solid & ((apex > contacts.tension) | (not alone)))
+    least, most = between
+    ends = [(sign, bound) for sign, bound in ((-1.0, -least), (1.0, most)) if np.isfinite(bound)]
+    column = np.concatenate([which, np.full(len(ends), unknowns - 1)])
+    sign = np.concatenate([np.full(len(which), -1.0), [end[0] for end in ends]])
+    side = np.concatenate([contacts.tension[which] / forces.force, [end[1] for end in ends]])
     return sparse.csc_array((sign, (np.arange(len(column)), column)), shape=(len(column), unknowns)), side
 
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from masonry.statics.problem import Bodies, Contacts, Found
-from masonry.statics.solve import EXACTLY, Method, largest_factor
+from masonry.statics.solve import EXACTLY, UPWARD, Method, Range, largest_factor
 
 LEAST_SLOPE, FLATTER = 1e-2, 0.3
 """Slope over friction at the end, and over the slope before on the way there. Flatter ones tell what slides from what
@@ -42,15 +42,17 @@ class Flat:
     excess: float
 
 
-def without_dilation(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Flat:
+def without_dilation(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, between: Range = UPWARD) -> Flat:
     """The factor at which the iteration comes to rest."""
-    found = largest_factor(bodies, contacts, method)
+    method = replace(method, centred=not method.sides)
+    found = largest_factor(bodies, contacts, method, between)
     factors, share, normal, converged = [found.factor], 1.0, found.normal, False
     while found.status == "solved" and len(factors) < MOST and not converged:
         share = max(FLATTER * share, LEAST_SLOPE)
         slope = share * contacts.friction
         through = (contacts.friction - slope) * np.maximum(normal, 0.0)
-        found = largest_factor(bodies, replace(contacts, friction=slope, cohesion=contacts.cohesion + through), method)
+        flatter = replace(contacts, friction=slope, cohesion=contacts.cohesion + through)
+        found = largest_factor(bodies, flatter, method, between)
         normal = NEW * found.normal + (1.0 - NEW) * normal
         factors.append(found.factor)
         at_rest = abs(factors[-1] - factors[-2]) <= SAME * max(abs(factors[-2]), SAME)

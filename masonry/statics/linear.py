@@ -11,15 +11,17 @@ from masonry.statics.equilibrium import Equilibrium
 from masonry.statics.problem import Contacts
 
 EXACT = {"primal_feasibility_tolerance": 1e-9, "dual_feasibility_tolerance": 1e-9}
+MUCH = 300
+"""Shear forces beyond which the interior point method is taken."""
 STATUS = {0: "solved", 2: "infeasible", 3: "unbounded"}
 
 
 def solve_linear(
-    forces: Equilibrium, contacts: Contacts, sides: int, most: float
+    forces: Equilibrium, contacts: Contacts, sides: int, between: tuple[float, float]
 ) -> tuple[str, np.ndarray, np.ndarray, float]:
     """Status, unknowns (normal forces, shear forces, factor), velocities (R,) and gap; all without units.
 
-    sides  of the pyramid in each friction cone; 2 in a plane     most  bound of the factor, infinite without one
+    sides  of the pyramid in each friction cone; 2 in a plane     between  bounds of the factor
     """
     groups, k = forces.tangent.shape[:2]
     count = contacts.count
@@ -28,11 +30,11 @@ def solve_linear(
     low = np.full(count + groups * k + 1, -np.inf)
     high = np.full(len(low), np.inf)
     low[:count] = np.where(contacts.solid, -np.inf, -contacts.tension / forces.force)
-    low[-1], high[-1] = 0.0, most
+    low[-1], high[-1] = between
     cost = np.zeros(len(low))
     cost[-1] = -1.0
     bounds = np.column_stack([low, high])
-    found = linprog(cost, upper, bound, matrix, -forces.dead, bounds, method="highs", options=EXACT)
+    found = linprog(cost, upper, bound, matrix, -forces.dead, bounds, method=_method(forces), options=EXACT)
     status = _status(found, cost, upper, bound, matrix, -forces.dead, bounds)
     if status != "solved":
         return status, np.zeros(len(low)), np.zeros(len(forces.dead)), 0.0
@@ -44,11 +46,16 @@ def solve_linear(
     return status, found.x, -found.eqlin.marginals, float(gap)
 
 
+def _method(forces: Equilibrium) -> str:
+    """The simplex method is the quickest for little, and by far the slowest for much."""
+    return "highs-ds" if len(forces.leader) * forces.tangent.shape[1] <= MUCH else "highs-ipm"
+
+
 def _status(found, cost, upper, bound, matrix, dead, bounds):
     """The word for an ending; one that presolving could not tell (infeasible or unbounded) is told without a load."""
     if found.status in STATUS:
         return STATUS[found.status]
-    still = linprog(0.0 * cost, upper, bound, matrix, dead, bounds, method="highs", options=EXACT)
+    still = linprog(0.0 * cost, upper, bound, matrix, dead, bounds, method="highs-ipm", options=EXACT)
     return "unbounded" if still.status == 0 else "infeasible"
 
 

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
+from scipy import sparse
 
 from masonry.statics.problem import Bodies, Contacts
 
@@ -55,4 +56,7 @@ def flattened(contacts: Contacts, axis: int) -> tuple[Contacts, np.ndarray]:
     )
     owner = owner.ravel()
     total = {name: np.bincount(owner, getattr(contacts, name)) for name in ("area", "cohesion", "tension")}
-    return replace(contacts.select(first), **total), owner
+    if (crush := contacts.crush) is not None:
+        share = contacts.area / total["area"][owner]
+        crush = crush.merged(sparse.csr_array((share, (np.arange(contacts.count), owner))))
+    return replace(contacts.select(first), **total, crush=crush), owner

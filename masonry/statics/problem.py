@@ -4,6 +4,8 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
+from masonry.statics.crushing import Crushing
+
 
 @dataclass(frozen=True)
 class Bodies:
@@ -36,6 +38,7 @@ class Contacts:
     cohesion          (C,) N, the shear force borne without pressure
     tension           (C,) N, the greatest pull
     solid             (C,) whether the point bears any force
+    crush             what compression the polygons bear; None without a limit
     """
 
     block_a: np.ndarray
@@ -48,6 +51,7 @@ class Contacts:
     cohesion: np.ndarray
     tension: np.ndarray
     solid: np.ndarray
+    crush: Crushing | None = None
 
     @property
     def count(self) -> int:
@@ -62,7 +66,9 @@ class Contacts:
         return replace(self, cohesion=self.cohesion * times, tension=self.tension * times)
 
     def select(self, which: np.ndarray) -> "Contacts":
-        return Contacts(**{entry.name: getattr(self, entry.name)[which] for entry in fields(self)})
+        """Some of them; compression is without a limit."""
+        names = [entry.name for entry in fields(self) if entry.name != "crush"]
+        return Contacts(**{name: getattr(self, name)[which] for name in names})
 
 
 @dataclass(frozen=True)

@@ -10,48 +10,69 @@ from masonry.statics.linear import solve_linear
 from masonry.statics.plane import flattened, plane_of
 from masonry.statics.problem import Bodies, Contacts, Found
 
+MUCH = 2000
+"""Contact points beyond which plane problems are solved as cones as well."""
 STANDS = 1.0 - 1e-7
 """Share of the dead loads that must be balanced for a specimen to stand."""
 
 
 @dataclass(frozen=True)
 class Method:
-    """plane: whether a plane problem is solved in its plane; sides: of pyramids in space, 0 for cones."""
+    """How a problem is solved.
+
+    plane    whether a plane problem is solved in its plane
+    sides    of the pyramids that stand for friction cones in space, 0 for cones
+    centred  whether of many solutions the one in the middle is wanted, which only the cone programme gives
+    """
 
     plane: bool = True
     sides: int = 0
+    centred: bool = False
 
 
+Range = tuple[float, float]
+UPWARD, ANY = (0.0, np.inf), (-np.inf, np.inf)
+"""Ranges of a factor."""
 EXACTLY = Method()
 """True cones in space, a linear programme in a plane."""
 
 
-def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, most: float = np.inf) -> Found:
-    """The largest factor, 0 or more and `most` at most, at which forces that the contacts bear balance all bodies."""
+def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, between: Range = UPWARD) -> Found:
+    """The largest factor within a range at which forces that the contacts bear balance all bodies."""
     axis = plane_of(bodies, contacts) if method.plane else None
+    sides = _sides(axis, contacts, method)
     flat, owner = (contacts, np.arange(contacts.count)) if axis is None else flattened(contacts, axis)
     forces = equilibrium(bodies, flat, axis)
-    bound = most * forces.live_force / forces.force
-    if axis is not None or method.sides:
-        status, unknown, velocity, gap = solve_linear(forces, flat, 2 if axis is not None else method.sides, bound)
+    bounds = (between[0] * forces.live_force / forces.force, between[1] * forces.live_force / forces.force)
+    if sides:
+        status, unknown, velocity, gap = solve_linear(forces, flat, sides, bounds)
     else:
-        status, unknown, velocity, gap = solve_cones(forces, flat, bound)
+        status, unknown, velocity, gap = solve_cones(forces, flat, bounds)
     return _found(forces, contacts, flat, owner, status, unknown, velocity, gap)
+
+
+def _sides(axis: int | None, contacts: Contacts, method: Method) -> int:
+    """Of the pyramids of a linear programme, 0 for cones, which are as good in a plane, and quicker for much."""
+    if axis is None:
+        return method.sides
+    return 0 if method.centred or contacts.crush is not None or contacts.count > MUCH else 2
 
 
 def standing(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Found:
     """The share of the dead loads that can be balanced, 1 at most, and the mechanism where it is less."""
     return largest_factor(
-        replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead), contacts, method, most=1.0
+        replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead), contacts, method, (0.0, 1.0)
     )
 
 
 def method_word(bodies: Bodies, contacts: Contacts, method: Method) -> str:
     """How a problem is solved, in words."""
     axis = plane_of(bodies, contacts) if method.plane else None
+    sides = _sides(axis, contacts, method)
+    how = "linear programme (HiGHS)" if sides else "cone programme (Clarabel)"
     if axis is not None:
-        return f"linear programme in the plane across {'xyz'[axis]}"
-    return f"linear programme, friction pyramids of {method.sides} sides" if method.sides else "second-order cones"
+        return f"{how} in the plane across {'xyz'[axis]}"
+    return f"{how}, friction pyramids of {sides} sides" if sides else how
 
 
 def _found(
