@@ -29,6 +29,7 @@ def parser() -> Parser:
     words.add_argument("--view", choices=VIEWS, help="of the pictures; default: the one that shows what moves")
     words.add_argument("--no-dilation", action="store_true", help="friction without dilation, which gives no bound")
     words.add_argument("--no-strength", action="store_true", help="leave out cohesion and tension")
+    words.add_argument("--crushing", metavar="STRESS", help="compressive strength of the joints, such as '5 MPa'")
     words.add_argument("--safety", action="store_true", help="the factor of safety on friction and cohesion instead")
     words.add_argument("--at", type=float, default=0.0, metavar="FACTOR", help="load factor for --safety (default 0)")
     words.add_argument("--linear", type=int, metavar="N", help="in space: friction pyramids of N sides, not cones")
@@ -40,6 +41,7 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
     from masonry import scene
     from masonry.limit_analysis.analysis import Wishes, analyse
+    from masonry.quantity import parse
     from masonry.runtime.folder import claimed, scene_name, writing
 
     words = parser().parse_args(arguments)
@@ -47,9 +49,10 @@ def main(arguments: list[str] | None = None) -> int:
         raise SceneError(f"--at {words.at}: a number from -1e9 to 1e9")
     if words.linear is not None and not 3 <= words.linear <= 1000:
         raise SceneError(f"--linear {words.linear}: a number of sides from 3 to 1000")
+    crushing = None if words.crushing is None else parse(words.crushing, "stress", "--crushing", "(0, 1e15]")
     wishes = Wishes(
         dilation=not words.no_dilation, strength=not words.no_strength, safety=words.safety, at=words.at,
-        points=words.points, sides=words.linear or 0,
+        crushing=crushing, points=words.points, sides=words.linear or 0,
     )  # fmt: skip
     result = analyse(scene.load(words.scene, words.overrides), wishes)
     print(json.dumps(result.as_data(), indent=1) if words.json else result)

@@ -8,18 +8,21 @@ import numpy as np
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
 from masonry.limit_analysis.contacts import POINTS, contacts_of, strong_groups, touching
+from masonry.limit_analysis.data import set_of
 from masonry.limit_analysis.loads import Loads, loads_of
 from masonry.limit_analysis.result import LimitResult
 from masonry.scene import Scene
 from masonry.statics.gilbert import without_dilation
 from masonry.statics.problem import Bodies, Contacts, Found
 from masonry.statics.safety import factor_of_safety
-from masonry.statics.solve import STANDS, Method, largest_factor, method_word, standing
+from masonry.statics.solve import ANY, STANDS, UPWARD, Method, Range, largest_factor, method_word, standing
 from masonry.statics.tilted import tilt_factor
 
 BOUND = "lower bound, exact where what slides dilates by its friction angle"
 NO_BOUND = "no bound: friction without dilation, by the iteration of Gilbert et al. (2006)"
 LEAST_SIDES = 3
+CLOSED = 1e-6
+"""Duality gap beyond which a word is said."""
 
 
 @dataclass(frozen=True)
@@ -30,6 +33,7 @@ class Wishes:
     strength  False: no cohesion, no tension
     safety    the factor of safety on friction and cohesion in place of the load factor
     at        the load factor at which safety is asked for
+    crushing  Pa, the compressive strength of the joints; None where they bear any pressure
     points    "corners" of the joints, or those of the "scene"
     sides     of the pyramids that take the place of friction cones in space; 0 for cones
     plane     whether a plane problem is solved in its plane
@@ -39,6 +43,7 @@ class Wishes:
     strength: bool = True
     safety: bool = False
     at: float = 0.0
+    crushing: float | None = None
     points: str = "corners"
     sides: int = 0
     plane: bool = True
@@ -51,16 +56,18 @@ class Wishes:
             raise SceneError(f"a friction pyramid of {self.sides} sides; it needs {LEAST_SIDES} or more")
         if self.safety and not self.dilation:
             raise SceneError("a factor of safety is found with dilation; leave out one of --safety and --no-dilation")
+        if self.crushing is not None and (self.sides or self.points != "corners"):
+            raise SceneError("--crushing needs cones, and points at the corners; leave out --linear and --points")
         if self.at and not self.safety:
             raise SceneError("--at is the load factor of --safety; add --safety")
 
 
 def analyse(scene: Scene, wishes: Wishes = Wishes()) -> LimitResult:
     """Raises SceneError, in one sentence, for what cannot stand, what nothing loads, and what has no limit."""
-    begun = perf_counter()
     wishes.require_sense()
     specimen, joints = touching(scene, wishes.points)
-    contacts = contacts_of(scene, specimen, joints, wishes.strength)
+    begun = perf_counter()
+    contacts = contacts_of(scene, specimen, joints, wishes.strength, wishes.crushing)
     alone = wishes.safety and not wishes.at
     loads = (_safety_loads if alone else loads_of)(scene, specimen, joints)
     method = Method(wishes.plane, wishes.sides)
@@ -71,7 +78,8 @@ def analyse(scene: Scene, wishes: Wishes = Wishes()) -> LimitResult:
     if wishes.safety:
         _set_safety(result, loads.bodies, contacts, method, wishes)
     else:
-        _require_standing(specimen, loads.bodies, contacts, method)
+        if loads.bodies.together is None:
+            _require_standing(specimen, loads.bodies, contacts, method)
         _set_factor(result, loads, contacts, method, wishes)
     result.seconds = perf_counter() - begun
     return result
@@ -93,7 +101,7 @@ def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: M
     if wishes.dilation:
         found = _with_dilation(loads, contacts, method)
     else:
-        flat = without_dilation(loads.bodies, contacts, method)
+        flat = without_dilation(loads.bodies, contacts, method, _range(loads))
         found, result.bound = flat.found, NO_BOUND
         result.with_dilation, result.iterations, result.excess = flat.factors[0], len(flat.factors), flat.excess
         if not flat.converged and found.status == "solved":
@@ -104,16 +112,28 @@ def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: M
     if found.status == "unbounded":
         raise SceneError(f"there is no limit: forces in the joints can balance every factor of {loads.words}")
     if found.status != "solved":
-        raise SceneError(f"no factor of {loads.words} is balanced, though the dead loads alone are: rounding; rescale")
+        raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
     result.take(found)
-    if found.factor <= 1e-9:
+    if loads.bodies.together is not None and wishes.dilation:
+        back = replace(loads.bodies, live=-loads.bodies.live)
+        least = largest_factor(back, contacts, method, ANY)
+        if least.status == "solved":
+            result.least = 0.0 if abs(least.factor) <= CLOSED * abs(found.factor) else -least.factor
+    if found.gap > CLOSED:
+        result.remarks.append(f"the duality gap is more than {CLOSED:g}: take no more digits of the factor than it has")
+    if loads.bodies.together is None and found.factor <= 1e-9:
         result.remarks.append(f"nothing resists {loads.words}: it moves at the least of it")
 
 
 def _with_dilation(loads: Loads, contacts: Contacts, method: Method) -> Found:
     if loads.steady is None:
-        return largest_factor(loads.bodies, contacts, method)
+        return largest_factor(loads.bodies, contacts, method, _range(loads))
     return tilt_factor(loads.bodies, contacts, loads.steady, method)
+
+
+def _range(loads: Loads) -> Range:
+    """What a drive pushes with may have any sign; other loads grow from nothing."""
+    return UPWARD if loads.bodies.together is None else ANY
 
 
 def _set_safety(result: LimitResult, bodies: Bodies, contacts: Contacts, method: Method, wishes: Wishes) -> None:
@@ -138,8 +158,8 @@ def _require_standing(specimen: Specimen, bodies: Bodies, contacts: Contacts, me
     reach = np.linalg.norm(found.velocity[:, :3], axis=1)
     first = int(np.argmax(reach))
     where = ", ".join(f"{x:.4g}" for x in bodies.centre[first])
-    named = [name for name, members in specimen.sets.items() if first in members]
-    what = f"block {first}" + (f" ('{named[0]}')" if named else "") + f" at ({where}) m"
+    name = set_of(specimen, first)
+    what = f"block {first}" + (f" ('{name}')" if name else "") + f" at ({where}) m"
     share = f"{found.factor:.3g} of them is balanced" if found.factor > 1e-6 else "nothing of them is balanced"
     raise SceneError(f"it cannot stand under its dead loads: {share}, and {what} is the first to move")
 
@@ -162,6 +182,8 @@ def _remarks(scene: Scene, specimen: Specimen, joints: Joints, wishes: Wishes) -
         found.append("without cohesion and tension, with the friction that is left once they are gone")
     if any(scene.kinematics_of(g) != "rigid" for g in specimen.blocks.groups):
         found.append("every block is taken as rigid")
+    if wishes.crushing is not None:
+        found.append(f"joints bear a compression of {wishes.crushing * 1e-6:g} MPa, as a plastic strength")
     if scene.scatter is not None:
         found.append("the scatter of strengths is left out: means count")
     return found

@@ -4,10 +4,12 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.assembly.assemble import joined, require_contact_groups
+from masonry.errors import SceneError
 from masonry.laws.factory import made
 from masonry.model.contact_groups import contact_groups
 from masonry.scene import Scene
 from masonry.scene.tables.points import PerAxis
+from masonry.statics.crushing import crushing_of
 from masonry.statics.problem import Contacts
 
 POINTS = ("corners", "scene")
@@ -27,17 +29,26 @@ def touching(scene: Scene, points: str = "corners") -> tuple[Specimen, Joints]:
     return joined(scene)
 
 
-def contacts_of(scene: Scene, specimen: Specimen, joints: Joints, strength: bool = True) -> Contacts:
+def contacts_of(
+    scene: Scene, specimen: Specimen, joints: Joints, strength: bool = True, crushing: float | None = None
+) -> Contacts:
     """What each contact point bears: Coulomb friction; cohesion and tension on its area, as plastic strengths.
 
     strength  False leaves out cohesion and tension, and takes the friction that is left once they are gone
+    crushing  Pa, compressive strength of all joints that are not elastic; needs points at the corners, no tension
     """
     require_contact_groups(scene, specimen, joints)
     names, group = contact_groups(specimen.blocks, joints)
     rows = np.array([_strengths(scene, name, strength) for name in names]).reshape(-1, 4)[group]
+    solid = rows[:, 3] > 0.5
+    crush = None
+    if crushing is not None:
+        if (rows[~solid, 2] > 0.0).any():
+            raise SceneError("--crushing is for joints without tensile strength; add --no-strength")
+        crush = crushing_of(joints, crushing, ~solid)
     return Contacts(
         *(joints.block_a, joints.block_b, joints.point, joints.normal, joints.patch, joints.area),
-        *(rows[:, 0], rows[:, 1] * joints.area, rows[:, 2] * joints.area, rows[:, 3] > 0.5),
+        *(rows[:, 0], rows[:, 1] * joints.area, rows[:, 2] * joints.area, solid, crush),
     )
 
 

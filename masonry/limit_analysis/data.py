@@ -21,6 +21,7 @@ class LimitData:
     """The answer of a limit analysis.
 
     factor        the largest load factor, or the factor of safety
+    least         of a drive: its least force, N; a negative one pulls
     unit          of the factor, "" for a plain number
     bound         what kind of number the factor is
     gap           between the factor and that of the dual problem, over the factor or 1
@@ -46,6 +47,7 @@ class LimitData:
     remarks: list[str] = field(default_factory=list)
     is_safety: bool = False
     at: float = 0.0
+    least: float | None = None
     with_dilation: float | None = None
     iterations: int | None = None
     excess: float | None = None
@@ -121,9 +123,17 @@ class LimitData:
         }
         if self.with_dilation is not None:
             found |= {"with_dilation": self.with_dilation, "iterations": self.iterations, "excess": self.excess}
+        if self.least is not None:
+            found |= {"least": self.least}
         if self.is_safety:
             found |= {"at": self.at}
         return found
+
+
+def set_of(specimen: Specimen, block: int) -> str:
+    """The smallest named set that a block is in, "" where it is in none."""
+    sizes = {name: len(members) for name, members in specimen.sets.items() if block in members}
+    return min(sizes, key=lambda name: sizes[name], default="")
 
 
 def _plain(value: Any) -> Any:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.limit_analysis.data import LimitData
+from masonry.limit_analysis.data import LimitData, set_of
 from masonry.runtime.tables import Rows, aligned
 
 
@@ -15,6 +15,8 @@ def result_text(result: LimitData) -> str:
         ("of", [result.words]),
         ("which is", [result.bound]),
     ]
+    if result.least is not None:
+        rows.insert(2, ("least", [f"{result.least:.6g} {result.unit}; between the two there is an equilibrium"]))
     if result.with_dilation is not None:
         rows.append(("with dilation", [f"{result.with_dilation:.6g}, a lower bound"]))
         rows.append(
@@ -48,6 +50,5 @@ def _fastest(result: LimitData) -> str:
     if not result.moving.any():
         return ""
     block = int(np.argmax(result.speeds()))
-    names = [name for name, members in result.specimen.sets.items() if block in members and len(members) > 0]
-    best = min(names, key=lambda name: len(result.specimen.sets[name]), default="")
-    return f"; fastest is block {block}" + (f" of '{best}'" if best else "")
+    name = set_of(result.specimen, block)
+    return f"; fastest is block {block}" + (f" of '{name}'" if name else "")

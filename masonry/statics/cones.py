@@ -11,7 +11,9 @@ from masonry.statics.equilibrium import Equilibrium
 from masonry.statics.problem import Contacts
 
 ACCURACY = 1e-10
-SOLVED, ALMOST = ("Solved",), ("AlmostSolved",)
+SOLVED, SLOW = ("Solved", "AlmostSolved"), ("InsufficientProgress", "NumericalError", "MaxIterations")
+GOOD_ENOUGH = 1e-6
+"""Gap and residuals with which the end of a row of steps that came to a halt still counts."""
 INFEASIBLE = ("PrimalInfeasible", "AlmostPrimalInfeasible")
 UNBOUNDED = ("DualInfeasible", "AlmostDualInfeasible")
 
@@ -52,8 +54,8 @@ def solve_cones(
     nothing = sparse.csc_matrix((unknowns, unknowns))
     found = clarabel.DefaultSolver(nothing, cost, matrix, np.concatenate(sides), kinds, settings).solve()
     status = str(found.status)
-    if status in (*SOLVED, *ALMOST):
-        gap = abs(found.obj_val - found.obj_val_dual) / max(1.0, abs(found.obj_val))
+    gap = abs(found.obj_val - found.obj_val_dual) / max(1.0, abs(found.obj_val))
+    if status in SOLVED or (status in SLOW and max(gap, found.r_prim, found.r_dual) < GOOD_ENOUGH):
         unknown = np.array(found.x)
         unknown[:-1] *= scale
         return "solved", unknown, np.array(found.z[:equations]) / scale, float(gap)

@@ -1,11 +1,11 @@
 """Joints of limited compressive strength: what normal forces at the corners of a polygon can a plastic stress carry?
 
-A uniform stress fc on a part of the polygon, of which the resultant N is the centre. With D_e = sum N_k d_e(x_k) / d_e(c),
-where d_e is the distance from edge e, x_k a corner and c the centroid, N stands off each edge by D_e / N of what the
-centroid does. In a parallelogram a smaller one of the same directions, with the resultant as its centre, reaches as far
-as the nearer edge of each pair: N <= fc A (D_i / N) (D_j / N) for neighbouring edges i and j. In other polygons the
-polygon itself made smaller about the resultant fits: N <= fc A (D_e / N)^2 for each edge. Both are states that the joint
-can bear, so the factor stays a lower bound. For bending about one axis of a rectangle the first one is exact:
+A uniform stress fc on a part of the polygon, of which the resultant N is the centre. With D_e = sum N_k d_e(x_k) /
+d_e(c), where d_e is the distance from edge e, x_k a corner and c the centroid, N is off each edge by D_e / N of what
+the centroid does. In a parallelogram a smaller one of the same directions, with the resultant as its centre, reaches as
+far as the nearer edge of each pair: N <= fc A (D_i / N) (D_j / N) for neighbouring edges i and j. In other polygons the
+polygon itself made smaller about the resultant fits: N <= fc A (D_e / N)^2 for each edge. Both are states that the
+joint can bear, so the factor stays a lower bound. For bending about one axis of a rectangle the first one is exact:
 M = N t/2 (1 - N / (fc A)).
 """
 
@@ -16,14 +16,14 @@ import numpy as np
 from scipy import sparse
 
 from geometry.blocks import Joints
-from geometry.polyhedra.polygons import areas_normals_centroids, pad
+from geometry.polyhedra.polygons import areas_normals_centroids, pad, widen
 
 SAME = 1e-9
 
 
 @dataclass(frozen=True)
 class Crushing:
-    """N^3 <= P D_i D_j for M pairs of edges: rows (M, C) that take normal forces to N, D_i and D_j, and P = fc A (M,) N."""
+    """N^3 <= P D_i D_j for M pairs of edges: rows (M, C) from normal forces to N, D_i and D_j, and P = fc A (M,) N."""
 
     total: sparse.csr_array
     first: sparse.csr_array
@@ -32,27 +32,27 @@ class Crushing:
 
     def merged(self, shares: sparse.csr_array) -> "Crushing":
         """For other points, whose normal forces shares (C, n) hand out to those here."""
-        return Crushing(
-            *((rows @ shares).tocsr() for rows in (self.total, self.first, self.second)), strength=self.strength
-        )
+        total, first, second = ((rows @ shares).tocsr() for rows in (self.total, self.first, self.second))
+        return Crushing(total, first, second, self.strength)
 
 
 def crushing_of(joints: Joints, strength: float, limited: np.ndarray) -> Crushing:
     """Of joints with a compressive strength (Pa), as far as their points (C,) are limited, which lie at the corners."""
     corners, count = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
     area, normal, centroid = areas_normals_centroids(corners)
-    gap = corners[:, 0] - corners[:, 1] + corners[:, 2] - corners[:, -1 if corners.shape[1] < 4 else 3]
+    corners = widen(corners, 4)
+    gap = corners[:, 0] - corners[:, 1] + corners[:, 2] - corners[:, 3]
     even = (count == 4) & (np.linalg.norm(gap, axis=1) <= SAME * np.sqrt(area))
     part = np.flatnonzero(np.bincount(joints.patch, limited, len(area)) > 0)
     patch = np.repeat(part, count[part])
     edge = np.concatenate([np.arange(n) for n in count[part]]) if len(part) else np.zeros(0, dtype=np.int64)
     after = (edge + 1) % count[patch]
     other = np.where(even[patch], after, edge)
-    rows = (_distances(joints, corners, count, normal, centroid, patch, e) for e in (edge, other))
+    first, second = (_distances(joints, corners, count, normal, centroid, patch, e) for e in (edge, other))
     member = sparse.csr_array(
         (np.ones(len(joints.patch)), (joints.patch, np.arange(len(joints.patch)))), shape=(len(area), len(joints.patch))
     )
-    return Crushing(member[patch], *rows, strength=strength * area[patch])
+    return Crushing(member[patch], first, second, strength * area[patch])
 
 
 def _distances(
@@ -94,11 +94,15 @@ def crushing_cones(
         which = np.flatnonzero(whole)
         rows, side = _interleaved([crush.total[which]], [strength[which]], unknowns)
         found.append((rows, side, [clarabel.NonnegativeConeT(len(which))]))
-    cubic = np.flatnonzero(~(alike[0] | alike[1]))
-    if len(cubic):
-        parts = [0.0 * crush.total[cubic], -crush.first[cubic], -crush.second[cubic], -crush.total[cubic]]
-        rows, side = _interleaved(parts, [strength[cubic], *3 * [0.0 * cubic]], unknowns)
-        found.append((rows, side, [clarabel.GenPowerConeT([1 / 3, 1 / 3, 1 / 3], 1)] * len(cubic)))
+    twice = ~(alike[0] | alike[1]) & _same_rows(crush.first, crush.second)
+    if len(which := np.flatnonzero(twice)):
+        parts = [-crush.first[which], 0.0 * crush.total[which], -crush.total[which]]
+        rows, side = _interleaved(parts, [0.0 * which, strength[which], 0.0 * which], unknowns)
+        found.append((rows, side, [clarabel.PowerConeT(2 / 3)] * len(which)))
+    if len(which := np.flatnonzero(~(alike[0] | alike[1] | twice))):
+        parts = [0.0 * crush.total[which], -crush.first[which], -crush.second[which], -crush.total[which]]
+        rows, side = _interleaved(parts, [strength[which], *3 * [0.0 * which]], unknowns)
+        found.append((rows, side, [clarabel.GenPowerConeT([1 / 3, 1 / 3, 1 / 3], 1)] * len(which)))
     return found
 
 

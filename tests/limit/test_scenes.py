@@ -1,0 +1,282 @@
+"""Limit analysis of scenes: what grows, what is held, what is said where there is no answer."""
+
+import json
+
+import numpy as np
+import pytest
+
+import masonry
+from masonry.cli.main import main
+from masonry.errors import SceneError
+from masonry.limit_analysis.analysis import Wishes, analyse
+from tests.scenes import load
+from verification.fixtures.arches import Arch, greatest_thrust, least_thrust
+
+WEIGHT = 2000 * 9.81 * 0.3
+"""N/m2: density, g and depth of the packaged arch, whose radius is 1 m."""
+SIDEWAYS = {"limit": {"pattern": "weight", "direction": "x"}}
+
+
+def block(more: str, law: str = 'law = "friction"', size: str = '["0.5 m", "0.3 m", "1 m"]') -> str:
+    """A block of 300 kg (unless its size is another) on one that is held."""
+    return f"""
+[specimen]
+kind = "boxes"
+section = "1 m^2"
+contact_points = "vertex"
+box = [
+  {{name = "ground", origin = ["-1 m", "0 m", "-1 m"], size = ["3 m", "0.3 m", "1 m"], unit = 0}},
+  {{name = "block", origin = ["0 m", "0 m", "0 m"], size = {size}, unit = 1}},
+]
+[material.units]
+density = "2000 kg/m^3"
+[contact.unit_unit]
+{law}
+normal_stiffness = "30 GPa/m"
+shear_stiffness = "12 GPa/m"
+tan_friction_angle = 0.7
+[[support]]
+on = "ground"
+fix = "all"
+[gravity]
+z = "-10 m/s^2"
+{more}
+"""
+
+
+STRONG = """law = "linear"
+tensile_strength = "4 kPa"
+cohesion = "100 kPa"
+fracture_energy_mode_1 = "10 N/m"
+fracture_energy_mode_2 = "100 N/m"
+"""
+
+
+def test_the_tilted_arch_of_the_gallery_falls_where_it_should():
+    result = masonry.limit("arch-tilted")
+    assert result.factor == pytest.approx(0.37361, abs=3e-6)
+    assert "20.486" in str(result) and "tangent of the angle" in str(result)
+
+
+def test_what_the_drive_pushes_with_lies_between_the_least_and_the_greatest_thrust():
+    result = masonry.limit("arch-spread")
+    assert result.factor == pytest.approx(WEIGHT * greatest_thrust(Arch(15, 0.15)), rel=1e-8)
+    assert result.least == pytest.approx(WEIGHT * least_thrust(Arch(15, 0.15)), rel=1e-8)
+    assert result.unit == "N"
+
+
+PATTERNS = {
+    "weight": ('pattern = "weight"\ndirection = "-x"', 0.5),
+    "tilt": ('pattern = "tilt"\nabout = "y"', 0.5),
+    "tilt back": ('pattern = "tilt"\nabout = "-y"', 0.5),
+    "force": ('pattern = "force"\non = "block"\nforce = {x = "1 kN"}', 1.5),
+    "force at the top": ('pattern = "force"\non = "block"\nforce = {x = "1 kN"}\nat = [0, 0, "1 m"]', 0.75),
+    "traction": ('pattern = "traction"\non = "block.x-"\nstress = {x = "1 kPa"}', 5.0),
+}
+
+
+@pytest.mark.parametrize("name", PATTERNS)
+def test_each_pattern_of_load_topples_a_block_where_it_should(name):
+    """Weight 3 kN, 0.5 m wide, 1 m high: it topples at 0.75 kN m, before it slides."""
+    text, expected = PATTERNS[name]
+    assert masonry.limit(load(block(f"[limit]\n{text}"))).factor == pytest.approx(expected, rel=1e-8)
+
+
+def test_a_point_off_the_middle_is_a_problem_in_space():
+    """Pulled up at a corner of the top, 0.25 and 0.15 m off the middle, it lifts when half of W b reaches there."""
+    more = '[limit]\npattern = "force"\non = "block"\nforce = {z = "1 kN"}\nat = ["0.5 m", "0.3 m", "1 m"]'
+    result = masonry.limit(load(block(more)))
+    assert "Clarabel" in result.method
+    assert result.factor == pytest.approx(1.5, rel=1e-7)
+
+
+def test_a_tilt_of_a_joint_with_strength_falls_at_the_angle_itself_not_at_its_tangent():
+    """tan(t) W h/2 = W b/2 + f A b/2 / cos(t): the strength does not turn with gravity."""
+    result = masonry.limit(load(block('[limit]\npattern = "tilt"\nabout = "y"', STRONG)))
+    angle = np.arctan(result.factor)
+    weight, strength = 3000.0, 4000.0 * 0.15
+    assert np.sin(angle) * weight * 0.5 == pytest.approx((np.cos(angle) * weight + strength) * 0.25, rel=1e-8)
+    assert any("plastic" in remark for remark in result.remarks)
+
+
+def test_strength_can_be_left_out():
+    scene = load(block('[limit]\npattern = "weight"\ndirection = "x"', STRONG))
+    assert masonry.limit(scene).factor == pytest.approx(0.5 * (1 + 600 / 3000), rel=1e-8)
+    assert masonry.limit(scene, strength=False).factor == pytest.approx(0.5, rel=1e-8)
+
+
+def test_a_stone_that_crushes_is_weaker():
+    scene = load(block('[limit]\npattern = "weight"\ndirection = "x"'))
+    assert masonry.limit(scene, crushing="40 kPa").factor == pytest.approx(0.5 * (1 - 3000 / (40e3 * 0.15)), rel=1e-7)
+
+
+def test_a_traction_with_a_history_is_what_grows():
+    more = """[[traction]]
+on = "block.x-"
+stress = {x = "1 kPa"}
+history = [["0 s", 0], ["1 s", 1]]
+"""
+    result = masonry.limit(load(block(more)))
+    assert result.factor == pytest.approx(5.0, rel=1e-8)
+    assert result.words == "traction.0 at a share of 1"
+
+
+def test_a_block_that_may_turn_about_one_axis_only_is_held_about_the_others():
+    more = """[[support]]
+on = "block"
+fix = ["rotation y"]
+[limit]
+pattern = "weight"
+direction = "x"
+"""
+    assert masonry.limit(load(block(more))).factor == pytest.approx(0.7, rel=1e-8), "it slides"
+
+
+def test_blocks_that_deform_are_taken_as_rigid_and_held_as_they_were():
+    deformable = {"kinematics": "affine", "material.units.young_modulus": "5 GPa", "material.units.poisson_ratio": 0.2}
+    result = masonry.limit(masonry.load("arch", {**deformable, **SIDEWAYS}))
+    assert result.factor == pytest.approx(masonry.limit(masonry.load("arch", SIDEWAYS)).factor, rel=1e-9)
+    assert "every block is taken as rigid" in result.remarks
+
+
+def test_inset_points_of_the_scene_let_an_arch_fall_earlier():
+    scene = masonry.load("arch", {**SIDEWAYS, "specimen.contact_points": "gauss", "specimen.thickness": "250 mm"})
+    corners, inset = masonry.limit(scene), masonry.limit(scene, points="scene")
+    assert inset.factor < 0.9 * corners.factor
+    assert "corners" in corners.points and "gauss" in inset.points
+
+
+REFUSED = {
+    "cannot stand": (
+        block('[limit]\npattern = "weight"\ndirection = "x"').replace('"0 m", "0 m", "0 m"', '"1.9 m", "0 m", "0 m"'),
+        "cannot stand under its dead loads: nothing of them is balanced, and block 1 ('block')",
+    ),
+    "nothing grows": (block(""), "nothing in this scene grows"),
+    "no weight": (
+        block('[limit]\npattern = "tilt"\nabout = "y"').replace(
+            '[gravity]\nz = "-10 m/s^2"',
+            DRIVE := """[drive]
+on = "block"
+direction = "x"
+displacement = "1 mm"
+""",
+        ),
+        "limit.pattern: 'tilt' needs weight",
+    ),
+    "two grow": (
+        block(
+            DRIVE + '[[traction]]\non = "block.z+"\nstress = {z = "-1 kPa"}\nhistory = [["0 s", 0], ["1 s", 1]]\n'
+        ).replace('displacement = "1 mm"', 'displacement = "1 mm"\nsteps = 10'),
+        "drive and traction.0 vary",
+    ),
+    "on what is held": (
+        block('[limit]\npattern = "force"\non = "ground"\nforce = {x = "1 kN"}'),
+        "nothing loads this: the force on 'ground' acts on no block that can move",
+    ),
+    "no limit": (
+        block('[limit]\npattern = "force"\non = "block"\nforce = {z = "-1 kN"}'),
+        "there is no limit: forces in the joints can balance every factor of the force on 'block'",
+    ),
+    "no direction": (block('[limit]\npattern = "weight"'), "limit.direction: missing; pattern = 'weight' needs it"),
+    "a stray key": (
+        block('[limit]\npattern = "weight"\ndirection = "x"\nabout = "y"'),
+        "limit.about: belongs to pattern = 'tilt'; leave it out",
+    ),
+    "an unknown pattern": (block('[limit]\npattern = "wind"'), "'wind' is not allowed; allowed: weight, tilt"),
+    "no force": (
+        block('[limit]\npattern = "force"\non = "block"\nforce = {x = "0 N"}'),
+        "limit.force: is 0 in all directions",
+    ),
+    "a force on a face": (
+        block('[limit]\npattern = "force"\non = "block.z+"\nforce = {x = "1 N"}'),
+        "a force acts on whole blocks",
+    ),
+    "a traction on a block": (
+        block('[limit]\npattern = "traction"\non = "block"\nstress = {x = "1 Pa"}'),
+        "a traction acts on a face",
+    ),
+    "a tilt about the plumb line": (
+        block('[limit]\npattern = "tilt"\nabout = "z"'),
+        "limit.about: gravity acts along z alone",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_has_no_answer_is_said_in_one_sentence(name):
+    text, expected = REFUSED[name]
+    with pytest.raises(SceneError) as error:
+        masonry.limit(load(text))
+    assert expected in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("wishes", "expected"),
+    [
+        (Wishes(safety=True, dilation=False), "leave out one of"),
+        (Wishes(at=0.2), "add --safety"),
+        (Wishes(points="corner"), "did you mean 'corners'"),
+        (Wishes(sides=2), "it needs 3 or more"),
+        (Wishes(crushing=1e6, sides=8), "--crushing needs cones"),
+    ],
+)
+def test_words_that_contradict_each_other_are_refused(wishes, expected):
+    with pytest.raises(SceneError, match=expected):
+        analyse(masonry.load("arch", SIDEWAYS), wishes)
+
+
+def test_crushing_needs_joints_without_tension():
+    scene = load(block('[limit]\npattern = "weight"\ndirection = "x"', STRONG))
+    with pytest.raises(SceneError, match="add --no-strength"):
+        masonry.limit(scene, crushing="1 MPa")
+    assert masonry.limit(scene, crushing="1 MPa", strength=False).factor < 0.5
+
+
+def test_nothing_that_resists_is_a_factor_of_0_with_a_word():
+    result = masonry.limit(load(block('[limit]\npattern = "weight"\ndirection = "x"').replace("= 0.7", "= 0.0")))
+    assert result.factor == pytest.approx(0.0, abs=1e-9)
+    assert any(remark.startswith("nothing resists") for remark in result.remarks)
+
+
+def test_the_factor_of_safety_of_a_scene_needs_no_load_to_be_named():
+    arch = masonry.limit("arch", safety=True)
+    assert arch.is_safety and arch.factor == pytest.approx(2.00932, rel=1e-4)
+    at = masonry.limit(masonry.load("arch", SIDEWAYS), safety=True, at=0.1)
+    assert 1.0 < at.factor < arch.factor
+
+
+def test_the_command_prints_and_writes_what_was_found(tmp_path, capsys):
+    out = tmp_path / "found"
+    assert main(["limit", "arch-tilted", "--out", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert "0.373612" in said and "duality gap" in said and "limit.json" in said
+    found = json.loads((out / "limit.json").read_text())
+    assert found["factor"] == pytest.approx(0.37361, abs=3e-6)
+    assert found["duality_gap"] < 1e-6
+    assert len(found["mechanism"]["velocity"]) == found["blocks"] == 10
+    assert found["mechanism"]["moving_blocks"] == list(range(7))
+    assert all((out / name).read_bytes()[:4] == b"\x89PNG" for name in ("mechanism.png", "thrust.png"))
+    assert main(["limit", "arch-tilted", "--out", str(out)]) == 2, "results are there already"
+    assert main(["limit", "arch-tilted", "--out", str(out), "--overwrite", "--view", "iso"]) == 0
+
+
+def test_the_command_hands_out_json_alone_and_no_bound_is_marked(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["limit", "arch-tilted", "--no-dilation", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["bound"].startswith("no bound") and found["with_dilation"] == pytest.approx(0.37361, abs=3e-6)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_command_ends_with_2_and_one_line_for_what_has_no_answer(capsys):
+    assert main(["limit", "arch"]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_each_joint_of_a_thrust_carries_what_stands_above_it():
+    result = masonry.limit(load(block('[limit]\npattern = "weight"\ndirection = "x"')))
+    thrust = result.thrust()
+    assert thrust["normal_force"] == pytest.approx([-3000.0], rel=1e-9), "it presses"
+    assert thrust["force_x"] == pytest.approx([1500.0], rel=1e-9), "the block pushes the ground along x"
+    assert thrust["eccentricity"] == pytest.approx([1.0], rel=1e-9), "at the edge it topples about"
