@@ -52,15 +52,16 @@ def test_the_factor_of_an_arch_rises_with_strength_to_that_of_strong_stone():
 
 
 def test_a_triangle_pressed_in_its_middle_bears_its_whole_area_and_less_off_it():
-    """Two prisms behind each other along y; the force at a share s of the way to a corner bears fc A (1 - s)^2."""
+    """Two prisms behind each other along y; the force at a share s of the way to a corner, or to the middle of an edge,
+    bears fc A (1 - s)^2."""
     loop = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
     blocks = extrude([loop, loop], np.array([-1.0, 0.0]), np.array([0.0, 1.0]), np.arange(2), ("units",))
     bodies, contacts = dry(blocks, [0], 0.5, dead=(0.0, 0.0, 0.0), live=(0.0, -1.0, 0.0))
     strength, area = 3.0, 0.5
     limited = crushed(blocks, contacts, strength)
     assert largest_factor(bodies, limited).factor * 0.5 == pytest.approx(strength * area, rel=1e-6)
-    for share in (0.2, 0.6):
-        arm = share * (np.array([1.0, 0.0, 0.0]) - bodies.centre[1] * (1.0, 0.0, 1.0))
+    for share, end in ((0.2, (1.0, 0.0)), (0.6, (1.0, 0.0)), (0.5, (0.5, 0.0)), (0.3, (0.5, 0.5))):
+        arm = share * (np.array([end[0], 0.0, end[1]]) - bodies.centre[1] * (1.0, 0.0, 1.0))
         live = bodies.live.copy()
         live[1, 3:] = np.cross(arm, live[1, :3])
         found = largest_factor(replace(bodies, live=live), limited)
