@@ -5,13 +5,14 @@ from typing import Any
 
 import numpy as np
 
+from geometry.blocks import Joints
 from masonry.limit_analysis.data import LimitData
 from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces
 from masonry.pictures.style import plain
 from masonry.pictures.thrust_line import COLOUR, ROW, row_of
-from masonry.results.joint_resultants import unit_joints
+from masonry.results.joint_resultants import UnitJoints, unit_joints
 
 WIDTH = 9.0
 """Of a picture, inches."""
@@ -19,6 +20,8 @@ SHOWN = 0.06
 """Displacement of the fastest corner in the picture, over the size of the specimen."""
 TINT = (0.85, 0.25, 0.15, 0.32)
 """Laid over what moves."""
+INSIDE = 1e-6
+"""How far beyond an edge, over its distance from the middle, a force counts as at the edge."""
 LONGEST, LEAST = 0.12, 0.01
 """Length of the largest thrust in the picture over the size; share of it below which a thrust is not drawn."""
 
@@ -53,27 +56,38 @@ def thrust_figure(result: LimitData, view: str | None = None) -> Any:
     """A matplotlib figure of the force in each joint between units, where its normal force acts.
 
     Along it a line: its length is in proportion to the force. Units in one row have a thrust line from joint to joint.
+    Where a joint pulls at one edge and presses at another, the force passes outside: it is drawn in the middle, hollow.
     """
     camera, blocks = _camera(result, view), result.specimen.blocks
-    table = result.thrust()
+    found, table = unit_joints(blocks, result.joints), result.thrust()
     force, place = (np.column_stack([table[f"{name}_{axis}"] for axis in "xyz"]) for name in ("force", "place"))
     size = np.linalg.norm(force, axis=1)
     largest = float(size.max(initial=0.0))
+    outside = ~(table["eccentricity"] <= 1.0 + INSIDE)
+    place[outside] = _middles(result.joints, found)[outside]
     faces = FaceDrawing(blocks, camera)
     for piece in _pieces(result, camera):
         faces.add_piece(piece)
     figure, axes = _figure(result, f"thrust at {_factor(result)}: the largest is {largest * 1e-3:.4g} kN")
     faces.draw(axes)
-    shown = np.flatnonzero(np.isfinite(place[:, 0]) & (size > LEAST * largest))
+    shown = size > LEAST * largest
     half = 0.5 * LONGEST * camera.size / max(largest, 1e-300)
     ends = np.stack([camera.project(place + sign * half * force) for sign in (-1.0, 1.0)], axis=1)
-    for k in shown:
+    for k in np.flatnonzero(shown):
         axes.plot(*ends[k].T, color=COLOUR, lw=1.2, zorder=4.0)
-    axes.plot(*camera.project(place[shown]).T, "o", color=COLOUR, ms=2.5, zorder=4.0)
-    row = row_of(unit_joints(blocks, result.joints).units)
-    if row is not None and len(row) >= ROW:
+    for which, fill in ((shown & ~outside, COLOUR), (shown & outside, "white")):
+        axes.plot(*camera.project(place[which]).T, "o", color=COLOUR, mfc=fill, ms=3.0, mew=0.8, zorder=4.1)
+    row = row_of(found.units)
+    if row is not None and len(row) >= ROW and not outside.any():
         axes.plot(*camera.project(place[row]).T, "--", color=COLOUR, lw=0.9, zorder=4.0)
     return _fitted(figure, axes)
+
+
+def _middles(joints: Joints, found: UnitJoints) -> np.ndarray:
+    """(J, 3) m the centroid of each joint between units."""
+    area = joints.area[found.contact]
+    moment = np.add.reduceat(area[:, None] * joints.point[found.contact], found.start[:-1], axis=0)
+    return np.asarray(moment / np.add.reduceat(area, found.start[:-1])[:, None])
 
 
 def _factor(result: LimitData) -> str:
