@@ -20,8 +20,9 @@ from masonry.statics.solve import EXACTLY, UPWARD, Method, Range, largest_factor
 LEAST_SLOPE, FLATTER = 1e-2, 0.3
 """Slope over friction at the end, and over the slope before on the way there. Flatter ones tell what slides from what
 rises so weakly that the normal forces of some walls go to and fro between several answers."""
-NEW = 0.6
-"""Share of the last solution in the normal forces that surfaces go through; the rest is of those before."""
+NEW, PATIENCE = 0.6, 40
+"""Share of the last solution in the normal forces that surfaces go through, the rest is of those before; and analyses
+after which it falls, by half after 20 more, since what has not come to rest by then goes to and fro."""
 MOST, SAME, BEYOND = 100, 1e-6, 1e-6
 """Analyses at most; change of the factor, over the factor, and excess of shear at which they end."""
 
@@ -53,7 +54,8 @@ def without_dilation(bodies: Bodies, contacts: Contacts, method: Method = EXACTL
         through = (contacts.friction - slope) * np.maximum(normal, 0.0)
         flatter = replace(contacts, friction=slope, cohesion=contacts.cohesion + through)
         found = largest_factor(bodies, flatter, method, between)
-        normal = NEW * found.normal + (1.0 - NEW) * normal
+        new = NEW / (1.0 + max(len(factors) - PATIENCE, 0) / 20)
+        normal = new * found.normal + (1.0 - new) * normal
         factors.append(found.factor)
         at_rest = abs(factors[-1] - factors[-2]) <= SAME * max(abs(factors[-2]), SAME)
         converged = at_rest and share == LEAST_SLOPE and _excess(contacts, found) <= BEYOND

@@ -1,60 +1,16 @@
 """Limit analysis of scenes: what grows, what is held, what is said where there is no answer."""
 
-import json
-
 import numpy as np
 import pytest
 
 import masonry
-from masonry.cli.main import main
 from masonry.errors import SceneError
-from masonry.limit_analysis.analysis import Wishes, analyse
+from tests.limit.one_block import DRIVE, SIDEWAYS, STRONG, block
 from tests.scenes import load
 from verification.fixtures.arches import Arch, greatest_thrust, least_thrust
 
 WEIGHT = 2000 * 9.81 * 0.3
 """N/m2: density, g and depth of the packaged arch, whose radius is 1 m."""
-SIDEWAYS = {"limit": {"pattern": "weight", "direction": "x"}}
-
-
-def block(more: str, law: str = 'law = "friction"', size: str = '["0.5 m", "0.3 m", "1 m"]') -> str:
-    """A block of 300 kg (unless its size is another) on one that is held."""
-    return f"""
-[specimen]
-kind = "boxes"
-section = "1 m^2"
-contact_points = "vertex"
-box = [
-  {{name = "ground", origin = ["-1 m", "0 m", "-1 m"], size = ["3 m", "0.3 m", "1 m"], unit = 0}},
-  {{name = "block", origin = ["0 m", "0 m", "0 m"], size = {size}, unit = 1}},
-]
-[material.units]
-density = "2000 kg/m^3"
-[contact.unit_unit]
-{law}
-normal_stiffness = "30 GPa/m"
-shear_stiffness = "12 GPa/m"
-tan_friction_angle = 0.7
-[[support]]
-on = "ground"
-fix = "all"
-[gravity]
-z = "-10 m/s^2"
-{more}
-"""
-
-
-DRIVE = """[drive]
-on = "block"
-direction = "x"
-displacement = "1 mm"
-"""
-STRONG = """law = "linear"
-tensile_strength = "4 kPa"
-cohesion = "100 kPa"
-fracture_energy_mode_1 = "10 N/m"
-fracture_energy_mode_2 = "100 N/m"
-"""
 
 
 def test_the_tilted_arch_of_the_gallery_falls_where_it_should():
@@ -187,94 +143,22 @@ def test_a_block_that_may_deform_and_whose_middle_is_held_does_not_turn():
     assert masonry.limit(load(text).with_(elastic)).factor == pytest.approx(0.5, rel=1e-8)
 
 
+def test_a_scene_that_is_turned_or_larger_has_the_same_factor():
+    pushed = {"limit": {"pattern": "force", "on": "keystone", "force": {"z": "-1 kN"}}}
+    straight = masonry.limit(masonry.load("arch", pushed))
+    askew = {"about": "z", "angle": "30 deg", "through": ["1 m", "0 m", "0 m"]}
+    turned = masonry.limit(masonry.load("arch", {**pushed, "specimen.turned": askew}))
+    assert "plane" in straight.method and "plane" not in turned.method
+    assert turned.factor == pytest.approx(straight.factor, rel=1e-6)
+    sizes = {"specimen.radius": "10 m", "specimen.thickness": "1.5 m", "specimen.depth": "3 m"}
+    assert masonry.limit(masonry.load("arch", {**pushed, **sizes})).factor == pytest.approx(1e3 * straight.factor)
+
+
 def test_inset_points_of_the_scene_let_an_arch_fall_earlier():
     scene = masonry.load("arch", {**SIDEWAYS, "specimen.contact_points": "gauss", "specimen.thickness": "250 mm"})
     corners, inset = masonry.limit(scene), masonry.limit(scene, points="scene")
     assert inset.factor < 0.9 * corners.factor
     assert "corners" in corners.points and "gauss" in inset.points
-
-
-REFUSED = {
-    "cannot stand": (
-        block('[limit]\npattern = "weight"\ndirection = "x"').replace('"0 m", "0 m", "0 m"', '"1.9 m", "0 m", "0 m"'),
-        "cannot stand under its dead loads: nothing of them is balanced, and block 1 ('block')",
-    ),
-    "nothing grows": (block(""), "nothing in this scene grows"),
-    "no weight": (
-        block('[limit]\npattern = "tilt"\nabout = "y"').replace(
-            '[gravity]\nz = "-10 m/s^2"',
-            DRIVE,
-        ),
-        "limit.pattern: 'tilt' needs weight",
-    ),
-    "two grow": (
-        block(
-            DRIVE + '[[traction]]\non = "block.z+"\nstress = {z = "-1 kPa"}\nhistory = [["0 s", 0], ["1 s", 1]]\n'
-        ).replace('displacement = "1 mm"', 'displacement = "1 mm"\nsteps = 10'),
-        "drive and traction.0 vary",
-    ),
-    "on what is held": (
-        block('[limit]\npattern = "force"\non = "ground"\nforce = {x = "1 kN"}'),
-        "nothing loads this: the force on 'ground' acts on no block that can move",
-    ),
-    "no limit": (
-        block('[limit]\npattern = "force"\non = "block"\nforce = {z = "-1 kN"}'),
-        "there is no limit: forces in the joints can balance every factor of the force on 'block'",
-    ),
-    "no direction": (block('[limit]\npattern = "weight"'), "limit.direction: missing; pattern = 'weight' needs it"),
-    "a stray key": (
-        block('[limit]\npattern = "weight"\ndirection = "x"\nabout = "y"'),
-        "limit.about: belongs to pattern = 'tilt'; leave it out",
-    ),
-    "an unknown pattern": (block('[limit]\npattern = "wind"'), "'wind' is not allowed; allowed: weight, tilt"),
-    "no force": (
-        block('[limit]\npattern = "force"\non = "block"\nforce = {x = "0 N"}'),
-        "limit.force: is 0 in all directions",
-    ),
-    "a force on a face": (
-        block('[limit]\npattern = "force"\non = "block.z+"\nforce = {x = "1 N"}'),
-        "a force acts on whole blocks",
-    ),
-    "a traction on a block": (
-        block('[limit]\npattern = "traction"\non = "block"\nstress = {x = "1 Pa"}'),
-        "a traction acts on a face",
-    ),
-    "a tilt about the plumb line": (
-        block('[limit]\npattern = "tilt"\nabout = "z"'),
-        "limit.about: gravity acts along z alone",
-    ),
-}
-
-
-@pytest.mark.parametrize("name", REFUSED)
-def test_what_has_no_answer_is_said_in_one_sentence(name):
-    text, expected = REFUSED[name]
-    with pytest.raises(SceneError) as error:
-        masonry.limit(load(text))
-    assert expected in str(error.value)
-    assert "\n" not in str(error.value)
-
-
-@pytest.mark.parametrize(
-    ("wishes", "expected"),
-    [
-        (Wishes(safety=True, dilation=False), "leave out one of"),
-        (Wishes(at=0.2), "add --safety"),
-        (Wishes(points="corner"), "did you mean 'corners'"),
-        (Wishes(sides=2), "it needs 3 or more"),
-        (Wishes(crushing=1e6, sides=8), "--crushing needs cones"),
-    ],
-)
-def test_words_that_contradict_each_other_are_refused(wishes, expected):
-    with pytest.raises(SceneError, match=expected):
-        analyse(masonry.load("arch", SIDEWAYS), wishes)
-
-
-def test_crushing_needs_joints_without_tension():
-    scene = load(block('[limit]\npattern = "weight"\ndirection = "x"', STRONG))
-    with pytest.raises(SceneError, match="add --no-strength"):
-        masonry.limit(scene, crushing="1 MPa")
-    assert masonry.limit(scene, crushing="1 MPa", strength=False).factor < 0.5
 
 
 def test_nothing_that_resists_is_a_factor_of_0_with_a_word():
@@ -288,34 +172,6 @@ def test_the_factor_of_safety_of_a_scene_needs_no_load_to_be_named():
     assert arch.is_safety and arch.factor == pytest.approx(2.00932, rel=1e-4)
     at = masonry.limit(masonry.load("arch", SIDEWAYS), safety=True, at=0.1)
     assert 1.0 < at.factor < arch.factor
-
-
-def test_the_command_prints_and_writes_what_was_found(tmp_path, capsys):
-    out = tmp_path / "found"
-    assert main(["limit", "arch-tilted", "--out", str(out)]) == 0
-    said = capsys.readouterr().out
-    assert "0.373612" in said and "duality gap" in said and "limit.json" in said
-    found = json.loads((out / "limit.json").read_text())
-    assert found["factor"] == pytest.approx(0.37361, abs=3e-6)
-    assert found["duality_gap"] < 1e-6
-    assert len(found["mechanism"]["velocity"]) == found["blocks"] == 10
-    assert found["mechanism"]["moving_blocks"] == list(range(7))
-    assert all((out / name).read_bytes()[:4] == b"\x89PNG" for name in ("mechanism.png", "thrust.png"))
-    assert main(["limit", "arch-tilted", "--out", str(out)]) == 2, "results are there already"
-    assert main(["limit", "arch-tilted", "--out", str(out), "--overwrite", "--view", "iso"]) == 0
-
-
-def test_the_command_hands_out_json_alone_and_no_bound_is_marked(tmp_path, capsys, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    assert main(["limit", "arch-tilted", "--no-dilation", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    assert found["bound"].startswith("no bound") and found["with_dilation"] == pytest.approx(0.37361, abs=3e-6)
-    assert not list(tmp_path.iterdir())
-
-
-def test_the_command_ends_with_2_and_one_line_for_what_has_no_answer(capsys):
-    assert main(["limit", "arch"]) == 2
-    assert capsys.readouterr().err.count("\n") == 1
 
 
 def test_each_joint_of_a_thrust_carries_what_stands_above_it():
