@@ -69,8 +69,8 @@ def analyse(scene: Scene, wishes: Wishes = Wishes()) -> LimitResult:
     begun = perf_counter()
     contacts = contacts_of(scene, specimen, joints, wishes.strength, wishes.crushing)
     alone = wishes.safety and not wishes.at
-    loads = (_safety_loads if alone else loads_of)(scene, specimen, joints)
-    method = Method(wishes.plane, wishes.sides)
+    loads = loads_of(scene, specimen, joints, alone)
+    method = Method(wishes.plane, wishes.sides, centred=not wishes.dilation)
     result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit, bound=BOUND)
     result.method = method_word(loads.bodies, contacts, method)
     result.points = _points_word(scene, wishes)
@@ -85,22 +85,15 @@ def analyse(scene: Scene, wishes: Wishes = Wishes()) -> LimitResult:
     return result
 
 
-def _safety_loads(scene: Scene, specimen: Specimen, joints: Joints) -> Loads:
-    """Dead loads alone where nothing grows: safety then needs no load to be named."""
-    try:
-        loads = loads_of(scene, specimen, joints)
-    except SceneError:
-        if scene.limit is not None or scene.gravity is None:
-            raise
-        upright = scene.with_({"limit": {"pattern": "weight", "direction": "z"}})
-        loads = loads_of(upright, specimen, joints)
-    return replace(loads, words="the dead loads")
-
-
 def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: Method, wishes: Wishes) -> None:
     if wishes.dilation:
         found = _with_dilation(loads, contacts, method)
     else:
+        if loads.steady is not None and (loads.steady.any() or contacts.has_strength):
+            raise SceneError(
+                "a tilt without dilation is for dry joints under weight alone; leave out --no-dilation, "
+                "or add --no-strength"
+            )
         flat = without_dilation(loads.bodies, contacts, method, _range(loads))
         found, result.bound = flat.found, NO_BOUND
         result.with_dilation, result.iterations, result.excess = flat.factors[0], len(flat.factors), flat.excess

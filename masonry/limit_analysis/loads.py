@@ -30,8 +30,11 @@ class Loads:
     steady: np.ndarray | None = None
 
 
-def loads_of(scene: Scene, specimen: Specimen, joints: Joints) -> Loads:
-    """Raises SceneError where nothing grows, where it is not clear what does, or where it moves nothing."""
+def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool = False) -> Loads:
+    """Raises SceneError where nothing grows, where it is not clear what does, or where it moves nothing.
+
+    dead_alone  no load grows, and none needs to be named
+    """
     require_groups(scene, specimen.blocks.groups)
     groups = specimen.blocks.groups
     layout = lay_out(specimen.blocks, dict.fromkeys(groups, "rigid"), None)
@@ -44,7 +47,7 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints) -> Loads:
     varying = [f"traction.{k}" for k, traction in enumerate(scene.traction) if traction.paths]
     if scene.gravity is not None and scene.gravity.tilt is None and scene.gravity.paths:
         varying.append("gravity")
-    asked = scene.limit or _asked(scene, varying)
+    asked = None if dead_alone else scene.limit or _asked(scene, varying)
     if asked is not None and varying:
         raise SceneError(
             f"{varying[0]} varies in time, so it is neither dead nor what [limit] names; leave out its history"
@@ -60,14 +63,16 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints) -> Loads:
         together = np.zeros((len(mass), 6), dtype=bool)
         together[:, scene.drive.axis] = conditions.held_by["drive"]["rigid"][:, scene.drive.axis]
         free |= together
-    if asked is None:
+    if dead_alone:
+        live, words = np.zeros_like(dead), "the dead loads"
+    elif asked is None:
         live = sum((_loads(conditions, layout, name) for name in varying), np.zeros_like(dead))
         words = " and ".join(varying) + " at a share of 1"
     else:
         live, words = _live(scene, specimen, joints, layout, asked, weight, together)
     tilts = asked is not None and asked.pattern == "tilt"
     bodies = Bodies(layout.centroid, free, dead + weight, live, together)
-    if not (live[free] != 0.0).any():
+    if not dead_alone and not (live[free] != 0.0).any():
         raise SceneError(f"nothing loads this: {words} acts on no block that can move; {PATTERNS}")
     steady = dead + _along(weight, asked) if tilts and asked is not None else None
     return Loads(bodies, words, "N" if together is not None else "", steady)

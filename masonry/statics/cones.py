@@ -1,6 +1,7 @@
 """The largest load factor with true friction cones, by a second-order cone programme (Clarabel)."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from scipy import sparse
@@ -108,7 +109,7 @@ def _cones(forces: Equilibrium, contacts: Contacts, unknowns: int) -> tuple[spar
     return sparse.csc_array((value, (row, column)), shape=((k + 1) * number, unknowns)), offset, number
 
 
-def _clarabel():
+def _clarabel() -> Any:
     try:
         import clarabel
     except ModuleNotFoundError:

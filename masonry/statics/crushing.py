@@ -9,7 +9,7 @@ joint can bear, so the factor stays a lower bound. For bending about one axis of
 M = N t/2 (1 - N / (fc A)).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,10 @@ class Crushing:
     first: sparse.csr_array
     second: sparse.csr_array
     strength: np.ndarray
+
+    def times(self, by: float) -> "Crushing":
+        """Of a strength multiplied by a number."""
+        return replace(self, strength=by * self.strength)
 
     def merged(self, shares: sparse.csr_array) -> "Crushing":
         """For other points, whose normal forces shares (C, n) hand out to those here."""

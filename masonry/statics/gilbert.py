@@ -45,7 +45,7 @@ class Flat:
 
 def without_dilation(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, between: Range = UPWARD) -> Flat:
     """The factor at which the iteration comes to rest."""
-    method = replace(method, centred=not method.sides)
+    method = replace(method, centred=True)
     found = largest_factor(bodies, contacts, method, between)
     factors, share, normal, converged = [found.factor], 1.0, found.normal, False
     while found.status == "solved" and len(factors) < MOST and not converged:

@@ -3,6 +3,8 @@
 Livesley, R. K.: Limit analysis of structures formed from rigid blocks. Int. J. Numer. Methods Eng. 12 (1978).
 """
 
+from typing import Any
+
 import numpy as np
 from scipy import sparse
 from scipy.optimize import linprog
@@ -51,7 +53,9 @@ def _method(forces: Equilibrium) -> str:
     return "highs-ds" if len(forces.leader) * forces.tangent.shape[1] <= MUCH else "highs-ipm"
 
 
-def _status(found, cost, upper, bound, matrix, dead, bounds):
+def _status(
+    found: Any, cost: np.ndarray, upper: Any, bound: np.ndarray, matrix: Any, dead: np.ndarray, bounds: np.ndarray
+) -> str:
     """The word for an ending; one that presolving could not tell (infeasible or unbounded) is told without a load."""
     if found.status in STATUS:
         return STATUS[found.status]

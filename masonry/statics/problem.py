@@ -62,8 +62,14 @@ class Contacts:
         return replace(self, friction=self.friction / by, cohesion=self.cohesion / by, tension=self.tension / by)
 
     def with_strength(self, times: float) -> "Contacts":
-        """The same with cohesion and tension multiplied by a number."""
-        return replace(self, cohesion=self.cohesion * times, tension=self.tension * times)
+        """The same with cohesion, tension and compressive strength multiplied by a number."""
+        crush = None if self.crush is None else self.crush.times(times)
+        return replace(self, cohesion=self.cohesion * times, tension=self.tension * times, crush=crush)
+
+    @property
+    def has_strength(self) -> bool:
+        """Whether anything but friction limits what a point bears."""
+        return self.crush is not None or bool(self.cohesion.any() or self.tension.any())
 
     def select(self, which: np.ndarray) -> "Contacts":
         """Some of them; compression is without a limit."""

@@ -12,7 +12,7 @@ from masonry.statics.problem import Bodies, Contacts, Found
 
 MUCH = 2000
 """Contact points beyond which plane problems are solved as cones as well."""
-STANDS = 1.0 - 1e-7
+STANDS = 1.0 - 1e-6
 """Share of the dead loads that must be balanced for a specimen to stand."""
 
 
@@ -53,9 +53,11 @@ def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY,
 
 def _sides(axis: int | None, contacts: Contacts, method: Method) -> int:
     """Of the pyramids of a linear programme, 0 for cones, which are as good in a plane, and quicker for much."""
+    if contacts.crush is not None:
+        return 0
     if axis is None:
         return method.sides
-    return 0 if method.centred or contacts.crush is not None or contacts.count > MUCH else 2
+    return 0 if method.centred or contacts.count > MUCH else 2
 
 
 def standing(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Found:

@@ -19,7 +19,7 @@ def tilt_factor(bodies: Bodies, contacts: Contacts, steady: np.ndarray, method: 
     fits its own cosine. In dry joints under weight alone nothing grows, and the first is the answer.
     """
     found = largest_factor(bodies, contacts, method)
-    if not (steady.any() or contacts.cohesion.any() or contacts.tension.any()):
+    if not (steady.any() or contacts.has_strength):
         return found
     for _ in range(MOST):
         if found.status != "solved" or found.factor > UPRIGHT:

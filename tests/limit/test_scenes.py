@@ -108,6 +108,13 @@ def test_a_stone_that_crushes_is_weaker():
     assert masonry.limit(scene, crushing="40 kPa").factor == pytest.approx(0.5 * (1 - 3000 / (40e3 * 0.15)), rel=1e-7)
 
 
+def test_a_stone_that_crushes_does_not_turn_with_the_tilt():
+    """sin(t) W h/2 = cos(t) W b/2 (1 - cos(t) W / (fc A))."""
+    result = masonry.limit(load(block('[limit]\npattern = "tilt"\nabout = "y"')), crushing="40 kPa")
+    angle, share = np.arctan(result.factor), 3000 / (40e3 * 0.15)
+    assert np.tan(angle) == pytest.approx(0.5 * (1 - share * np.cos(angle)), rel=1e-7)
+
+
 def test_a_traction_with_a_history_is_what_grows():
     more = """[[traction]]
 on = "block.x-"
@@ -170,6 +177,8 @@ def test_nothing_that_resists_is_a_factor_of_0_with_a_word():
 def test_the_factor_of_safety_of_a_scene_needs_no_load_to_be_named():
     arch = masonry.limit("arch", safety=True)
     assert arch.is_safety and arch.factor == pytest.approx(2.00932, rel=1e-4)
+    pressed = '[[traction]]\non = "block.x-"\nstress = {x = "3 kPa"}\n'
+    assert masonry.limit(load(block(pressed)), safety=True).factor == pytest.approx(0.7 * 3000 / 900, rel=1e-5)
     at = masonry.limit(masonry.load("arch", SIDEWAYS), safety=True, at=0.1)
     assert 1.0 < at.factor < arch.factor
 
