@@ -54,8 +54,6 @@ class Wishes:
             raise SceneError(f"points '{self.points}'; {nearest(self.points, POINTS)}")
         if self.sides and self.sides < LEAST_SIDES:
             raise SceneError(f"a friction pyramid of {self.sides} sides; it needs {LEAST_SIDES} or more")
-        if self.safety and not self.dilation:
-            raise SceneError("a factor of safety is found with dilation; leave out one of --safety and --no-dilation")
         if self.crushing is not None and (self.sides or self.points != "corners"):
             raise SceneError("--crushing needs cones, and points at the corners; leave out --linear and --points")
         if self.at and not self.safety:
@@ -76,7 +74,7 @@ def analyse(scene: Scene, wishes: Wishes = Wishes()) -> LimitResult:
     result.points = _points_word(scene, wishes)
     result.remarks += _remarks(scene, specimen, joints, wishes)
     if wishes.safety:
-        _set_safety(result, loads.bodies, contacts, method, wishes)
+        _set_safety(result, loads, contacts, method, wishes)
     else:
         if loads.bodies.together is None:
             _require_standing(specimen, loads.bodies, contacts, method)
@@ -129,11 +127,13 @@ def _range(loads: Loads) -> Range:
     return UPWARD if loads.bodies.together is None else ANY
 
 
-def _set_safety(result: LimitResult, bodies: Bodies, contacts: Contacts, method: Method, wishes: Wishes) -> None:
-    loaded = replace(bodies, dead=bodies.dead + wishes.at * bodies.live)
+def _set_safety(result: LimitResult, loads: Loads, contacts: Contacts, method: Method, wishes: Wishes) -> None:
+    loaded = loads.at(wishes.at)
     if not (loaded.dead[loaded.free] != 0.0).any():
         raise SceneError("nothing loads this, so there is no factor of safety; add [gravity], a traction, or --at")
-    factor, _, found = factor_of_safety(loaded, contacts, method)
+    factor, _, found = factor_of_safety(loaded, contacts, method, wishes.dilation)
+    if not wishes.dilation:
+        result.bound, result.with_dilation = NO_BOUND, factor_of_safety(loaded, contacts, method)[0]
     result.take(replace(found, factor=factor))
     result.is_safety, result.at = True, wishes.at
     result.words = f"friction and cohesion over it balance {result.words}" + (

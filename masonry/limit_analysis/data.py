@@ -122,7 +122,9 @@ class LimitData:
             "thrust": {"units": COLUMNS, **thrust},
         }
         if self.with_dilation is not None:
-            found |= {"with_dilation": self.with_dilation, "iterations": self.iterations, "excess": self.excess}
+            found |= {"with_dilation": self.with_dilation}
+        if self.iterations is not None:
+            found |= {"iterations": self.iterations, "excess": self.excess}
         if self.least is not None:
             found |= {"least": self.least}
         if self.is_safety:

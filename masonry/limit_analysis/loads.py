@@ -1,6 +1,6 @@
 """Bodies and loads of a limit analysis from a scene: what is held, what is dead, and what the factor multiplies."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -28,6 +28,14 @@ class Loads:
     words: str
     unit: str = ""
     steady: np.ndarray | None = None
+
+    def at(self, factor: float) -> Bodies:
+        """The bodies with all that acts on them at a factor as dead load; a tilt leaves gravity its size."""
+        bodies = self.bodies
+        if self.steady is None:
+            return replace(bodies, dead=bodies.dead + factor * bodies.live)
+        turned = bodies.dead - self.steady + factor * bodies.live
+        return replace(bodies, dead=self.steady + turned / np.hypot(1.0, factor))
 
 
 def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool = False) -> Loads:

@@ -19,6 +19,7 @@ def result_text(result: LimitData) -> str:
         rows.insert(2, ("least", [f"{result.least:.6g} {result.unit}; between the two there is an equilibrium"]))
     if result.with_dilation is not None:
         rows.append(("with dilation", [f"{result.with_dilation:.6g}, a lower bound"]))
+    if result.iterations is not None:
         rows.append(
             ("iteration", [f"{result.iterations} analyses; shear beyond friction at the end {result.excess:.1e}"])
         )

@@ -62,6 +62,12 @@ def without_dilation(bodies: Bodies, contacts: Contacts, method: Method = EXACTL
     return Flat(found, factors, converged, _excess(contacts, found))
 
 
+def standing_without_dilation(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Flat:
+    """As `standing`, but without dilation: what cannot stand loses ever more of its loads from analysis to analysis."""
+    own = replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead)
+    return without_dilation(own, contacts, method, (0.0, 1.0))
+
+
 def _excess(contacts: Contacts, found: Found) -> float:
     """Shear of the polygons beyond what their normal forces allow."""
     loose = ~contacts.solid

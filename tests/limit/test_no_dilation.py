@@ -86,6 +86,12 @@ def test_a_wedge_slides_at_its_critical_friction_angle_of_33_36_degrees():
         )
 
 
+def test_the_factor_of_safety_of_a_wedge_without_dilation_is_that_of_the_textbook():
+    bodies, contacts, _ = wedge(1.0)
+    factor, _, _ = factor_of_safety(bodies, contacts, dilation=False)
+    assert np.degrees(np.arctan(1.0 / factor)) == pytest.approx(33.3572, abs=0.2), "a hundredth of the dilation is left"
+
+
 def test_with_dilation_a_wedge_is_held_down_to_a_lesser_angle_known_by_hand():
     """It leaves both planes at the friction angle, level: sin(phi) = sin(40) sin(60) / sqrt(sin^2(40) + sin^2(60)),
     since the planes dip at right angles to each other in plan."""

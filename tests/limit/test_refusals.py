@@ -72,7 +72,6 @@ def test_what_has_no_answer_is_said_in_one_sentence(name):
 @pytest.mark.parametrize(
     ("wishes", "expected"),
     [
-        (Wishes(safety=True, dilation=False), "leave out one of"),
         (Wishes(at=0.2), "add --safety"),
         (Wishes(points="corner"), "did you mean 'corners'"),
         (Wishes(sides=2), "it needs 3 or more"),

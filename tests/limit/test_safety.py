@@ -29,6 +29,12 @@ def test_a_block_on_an_incline_has_the_factor_of_safety_of_the_formula(method, c
     assert at_it.factor >= 1.0 - 1e-7, "the forces that are handed back balance all of the loads"
 
 
+def test_a_block_on_an_incline_is_as_safe_without_dilation():
+    factor, _, _ = factor_of_safety(*on_an_incline(np.radians(25.0), 0.6, 0.02), dilation=False)
+    with_it, _, _ = factor_of_safety(*on_an_incline(np.radians(25.0), 0.6, 0.02))
+    assert factor == pytest.approx(with_it, rel=2e-4)
+
+
 def test_what_needs_no_friction_and_what_no_friction_holds_is_said():
     with pytest.raises(SceneError, match="stands without any friction"):
         factor_of_safety(*dry(stack([(1.0, 0.2)]), [0], 0.5))

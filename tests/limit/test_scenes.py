@@ -177,6 +177,10 @@ def test_nothing_that_resists_is_a_factor_of_0_with_a_word():
 def test_the_factor_of_safety_of_a_scene_needs_no_load_to_be_named():
     arch = masonry.limit("arch", safety=True)
     assert arch.is_safety and arch.factor == pytest.approx(2.00932, rel=1e-4)
+    tilted = load(block('[limit]\npattern = "tilt"\nabout = "y"', STRONG, '["2 m", "0.3 m", "0.2 m"]'))
+    steep, weight = np.arctan(0.5), 2400.0
+    by_hand = 0.7 / 0.5 + 100e3 * 0.6 / (weight * np.sin(steep))
+    assert masonry.limit(tilted, safety=True, at=0.5).factor == pytest.approx(by_hand, rel=1e-4), "on an incline"
     pressed = '[[traction]]\non = "block.x-"\nstress = {x = "3 kPa"}\n'
     assert masonry.limit(load(block(pressed)), safety=True).factor == pytest.approx(0.7 * 3000 / 900, rel=1e-5)
     at = masonry.limit(masonry.load("arch", SIDEWAYS), safety=True, at=0.1)
