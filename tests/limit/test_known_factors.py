@@ -121,11 +121,11 @@ def test_cohesion_adds_to_friction_in_sliding():
 
 @EVERY_WAY
 def test_blocks_that_are_glued_move_as_one_and_glue_that_slides_bears_any_pull(method):
-    """Three blocks leaning out, the upper joints solid: they topple together about the edge of the lowest one."""
-    bodies, contacts = dry(stack([(0.5, 0.4)] * 3, [0.0, 0.1, 0.2]), [0], 5.0)
-    glued = replace(contacts, solid=contacts.block_a > 0)
-    assert largest_factor(bodies, glued, method).factor == pytest.approx((0.5 - 0.35) / 0.6, rel=1e-6)
-    none = np.zeros(contacts.count)
+    """Three blocks, the upper joints solid, two beyond the edge of the lowest one: they topple together about it."""
+    bodies, contacts = dry(stack([(0.5, 0.4)] * 3, [0.0, 0.3, 0.3]), [0], 5.0)
+    none, solid = np.zeros(contacts.count), contacts.block_a > 0
+    glued = replace(contacts, solid=solid, friction=np.where(solid, 0.0, 5.0))
+    assert largest_factor(bodies, glued, method).factor == pytest.approx((0.5 - 0.45) / 0.6, rel=1e-6)
     sliding = replace(contacts, friction=none, tension=none + np.inf)
     up = replace(bodies, live=-bodies.dead)
     assert largest_factor(up, sliding, method).status == "unbounded"

@@ -27,6 +27,13 @@ REFUSED = {
         ).replace('displacement = "1 mm"', 'displacement = "1 mm"\nsteps = 10'),
         "drive and traction.0 vary",
     ),
+    "what grows has a history": (
+        block(
+            '[limit]\npattern = "weight"\ndirection = "x"\n'
+            '[[traction]]\non = "block.z+"\nstress = {z = "-1 kPa"}\nhistory = [["0 s", 0], ["1 s", 1]]\n'
+        ),
+        "traction.0 varies in time, so it is neither dead nor what [limit] names",
+    ),
     "on what is held": (
         block('[limit]\npattern = "force"\non = "ground"\nforce = {x = "1 kN"}'),
         "nothing loads this: the force on 'ground' acts on no block that can move",

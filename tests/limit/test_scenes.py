@@ -86,6 +86,14 @@ def test_what_is_held_by_a_drive_alone_needs_a_force_between_two_of_one_sign():
     assert (result.factor, result.least) == (pytest.approx(-900.0, rel=1e-7), pytest.approx(-3900.0, rel=1e-7))
 
 
+def test_blocks_of_one_drive_move_as_one_whatever_each_of_them_resists():
+    """Of 0.5 m and of 1 m, 3 kN and 6 kN; both slide at a friction of 0.2."""
+    other = '  {name = "other", origin = ["0.7 m", "0 m", "0 m"], size = ["1 m", "0.3 m", "1 m"], unit = 2},\n]\n'
+    text = block(DRIVE).replace("]\n[material", other + "[material").replace('"block"\ndir', '"blocks at z = 1 m"\ndir')
+    result = masonry.limit(load(text.replace("= 0.7", "= 0.2")))
+    assert (result.factor, result.least) == (pytest.approx(1800.0, rel=1e-7), pytest.approx(-1800.0, rel=1e-7))
+
+
 def test_a_joint_off_the_plane_is_no_plane_problem():
     """The ground reaches below less than half of the depth: seen from the front it stands, and yet it falls over."""
     text = block('[limit]\npattern = "weight"\ndirection = "x"')
