@@ -52,9 +52,7 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     density = np.array([materials[g].density for g in groups])[specimen.blocks.group]
     mass = density * layout.volume
     gravity = np.zeros(3) if scene.gravity is None else np.array(scene.gravity.vector)
-    varying = [f"traction.{k}" for k, traction in enumerate(scene.traction) if traction.paths]
-    if scene.gravity is not None and scene.gravity.tilt is None and scene.gravity.paths:
-        varying.append("gravity")
+    varying = _varying(scene)
     asked = None if dead_alone else scene.limit or _asked(scene, varying)
     if asked is not None and varying:
         raise SceneError(
@@ -65,11 +63,8 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     if "gravity" not in varying:
         weight[:, :3] = mass[:, None] * gravity
     free = ~_held(scene, specimen, layout, conditions)
-    together = None
-    if asked is not None and asked.pattern == "drive":
-        assert scene.drive is not None
-        together = np.zeros((len(mass), 6), dtype=bool)
-        together[:, scene.drive.axis] = conditions.held_by["drive"]["rigid"][:, scene.drive.axis]
+    together = _driven(scene, conditions) if asked is not None and asked.pattern == "drive" else None
+    if together is not None:
         free |= together
     if dead_alone:
         live, words = np.zeros_like(dead), "the dead loads"
@@ -84,6 +79,20 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
         raise SceneError(f"nothing loads this: {words} acts on no block that can move; {PATTERNS}")
     steady = dead + _along(weight, asked) if tilts and asked is not None else None
     return Loads(bodies, words, "N" if together is not None else "", steady)
+
+
+def _varying(scene: Scene) -> list[str]:
+    """Loads with a history, by name."""
+    found = [f"traction.{k}" for k, traction in enumerate(scene.traction) if traction.paths]
+    history = scene.gravity is not None and scene.gravity.tilt is None and scene.gravity.paths
+    return [*found, "gravity"] if history else found
+
+
+def _driven(scene: Scene, conditions: Conditions) -> np.ndarray:
+    """(B, 6) what the drive moves."""
+    assert scene.drive is not None
+    held = conditions.held_by["drive"]["rigid"]
+    return held & (np.arange(6) == scene.drive.axis)
 
 
 def _asked(scene: Scene, varying: list[str]) -> LimitLoad | None:
