@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from masonry.comparison.sensitivity import Sensitivity
     from masonry.laboratory.result import Result
     from masonry.laboratory.text import Report
+    from masonry.limit_analysis.result import LimitResult
     from masonry.scene import Scene
 
 __version__ = "0.1.0"
@@ -63,6 +64,36 @@ def run(
     scene = _scene(scene)
     with telling(progress, scene.name) as tell:
         return run_scene(scene, threads, tell)
+
+
+def limit(
+    scene: "Scene | str | Path",
+    *,
+    dilation: bool = True,
+    strength: bool = True,
+    safety: bool = False,
+    at: float = 0.0,
+    crushing: str | float | None = None,
+    sides: int = 0,
+    points: str = "corners",
+) -> "LimitResult":
+    """The largest factor of a load that forces in the joints of a scene can balance: its limit analysis.
+
+    scene     a scene, a file of one, or the name of a packaged one; its table [limit] says what grows
+    dilation  False: friction without dilation, by the iteration of Gilbert et al. (2006), which gives no bound
+    strength  False: cohesion and tension are left out
+    safety    the factor of safety on friction and cohesion in place of the load factor, at the load factor `at`
+    crushing  compressive strength of the joints, "5 MPa" or Pa
+    sides     of the pyramids that take the place of friction cones in space; 0 for cones
+    points    "corners" of the joints, or the contact points of the "scene"
+    What comes back prints as `masonry limit` does; `.factor`, `.velocity`, `.thrust()`, `.save(folder)`. Raises
+    SceneError, in one sentence, for what cannot stand, what nothing loads, and what has no limit.
+    """
+    from masonry.limit_analysis.analysis import Wishes, analyse
+    from masonry.quantity import parse
+
+    stress = parse(crushing, "stress", "crushing", "(0, 1e15]") if isinstance(crushing, str) else crushing
+    return analyse(_scene(scene), Wishes(dilation, strength, safety, at, stress, points, sides))
 
 
 def sensitivity(

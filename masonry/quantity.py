@@ -34,6 +34,7 @@ KINDS = {
     "angular velocity": Kind("an angular velocity", "rad/s", "2 rad/s"),
     "acceleration": Kind("an acceleration", "m/s^2", "-9.81 m/s^2"),
     "density": Kind("a density", "kg/m^3", "1900 kg/m^3"),
+    "force": Kind("a force", "N", "10 kN"),
     "stress": Kind("a stress", "Pa", "0.5 MPa"),
     "stiffness": Kind("a stress per length", "Pa/m", "150 GPa/m"),
     "energy": Kind("an energy per area", "N/m", "58 N/m"),

@@ -49,8 +49,8 @@ def assemble(scene: Scene) -> Assembly:
     """Build the model of a scene; raises SceneError or GeometryError with one clear message."""
     specimen, joints = joined(scene)
     blocks = specimen.blocks
-    _require_groups(scene, blocks.groups)
-    _require_contact_groups(scene, specimen, joints)
+    require_groups(scene, blocks.groups)
+    require_contact_groups(scene, specimen, joints)
     if scene.is_large:
         _require_rigid(scene, blocks.groups)
     compressions = sorted({0.0, scene.confinement or 0.0})
@@ -58,7 +58,7 @@ def assemble(scene: Scene) -> Assembly:
     mesh, joints = meshed(scene, blocks, joints)
     kinds = {g: scene.kinematics_of(g) for g in blocks.groups}
     names, group, joints = model.sort_by_group(blocks, joints)
-    materials = {g: _material(scene, g) for g in blocks.groups}
+    materials = {g: material_of(scene, g) for g in blocks.groups}
     layout = lay_out(blocks, kinds, mesh)
     conditions = conditions_of(scene, specimen, layout, joints, materials)
     if scene.must_stand:
@@ -142,7 +142,7 @@ def _draws(scene: Scene, blocks: Blocks, joints: Joints, names: tuple[str, ...],
     ]
 
 
-def _material(scene: Scene, group: str) -> Material:
+def material_of(scene: Scene, group: str) -> Material:
     """Of a group of blocks; a floor that has no table weighs what the densest group does: it does not move."""
     if group not in scene.material:
         return Material(max(material.density for material in scene.material.values()))
@@ -150,7 +150,8 @@ def _material(scene: Scene, group: str) -> Material:
     return Material(of.density, of.young_modulus, of.poisson_ratio)
 
 
-def _require_groups(scene: Scene, groups: tuple[str, ...]) -> None:
+def require_groups(scene: Scene, groups: tuple[str, ...]) -> None:
+    """Every group of blocks has a material; every table names a group that there is. Raises SceneError."""
     for group in groups:
         if group not in scene.material and not scene.is_floor(group):
             raise SceneError(f"[material.{group}] is missing: the specimen has blocks of group '{group}'")
@@ -170,7 +171,7 @@ def _require_rigid(scene: Scene, groups: tuple[str, ...]) -> None:
             )
 
 
-def _require_contact_groups(scene: Scene, specimen: Specimen, joints: Joints) -> None:
+def require_contact_groups(scene: Scene, specimen: Specimen, joints: Joints) -> None:
     """Every group that occurs has a table; every table names a group that this specimen can have."""
     occurring = model.contact_groups(specimen.blocks, joints)[0]
     for name in occurring:

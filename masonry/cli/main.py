@@ -38,6 +38,7 @@ from masonry.runtime.shell import (
 APART = {
     "picture": ("masonry.cli.picture_command", "draw the cracks of results at a moment, or the specimen of a scene"),
     "movie": ("masonry.cli.movie_command", "make a movie of a folder of results: cracks beside the curve"),
+    "limit": ("masonry.cli.limit_command", "the largest factor of a load that a scene bears, by limit analysis"),
     "law": ("masonry.cli.law_command", "which laws there are, and what one of them does"),
     "sweep": ("masonry.sweep.command", "run a scene many times over: grid, list or Latin hypercube"),
     "sensitivity": ("masonry.comparison.command", "run a scene in several ways: what does the answer depend on?"),

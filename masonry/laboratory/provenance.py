@@ -22,6 +22,7 @@ from masonry.scene.tables.specimen_plugins import plugin_specimen
 SHOWING = (
     *("masonry/__main__.py", "masonry/cli/*", "masonry/sweep/*", "masonry/comparison/*", "masonry/importing/*"),
     *("masonry/pictures/*", "masonry/curves/*", "masonry/drawings/*", "masonry/movies/*"),
+    *("masonry/statics/*", "masonry/limit_analysis/*"),
 )
 """Sources that a result does not depend on: an edit of these runs nothing again."""
 PROCESSOR = "the processor"

@@ -1,4 +1,4 @@
-"""Do the keys of motion, weight that varies and large displacement fit to the rest of a scene?"""
+"""Do the keys of motion, weight that varies, limit analysis and large displacement fit to the rest of a scene?"""
 
 from typing import Any
 
@@ -20,6 +20,21 @@ def require_fit(scene: Any) -> None:
     _real_time(scene)
     if scene.gravity is not None:
         _gravity(scene)
+    if scene.limit is not None:
+        _limit(scene)
+
+
+def _limit(scene: Any) -> None:
+    """The load of a limit analysis is made of what the scene has."""
+    pattern, gravity = scene.limit.pattern, scene.gravity
+    if pattern in ("weight", "tilt") and gravity is None:
+        raise KeyedError("limit.pattern", f"'{pattern}' needs weight: a table [gravity]")
+    if pattern == "drive" and scene.drive is None:
+        raise KeyedError("limit.pattern", "'drive' needs a table [drive]")
+    if pattern == "tilt":
+        about = scene.limit.about[-1]
+        if not any(g for axis, g in zip("xyz", gravity.vector, strict=True) if axis != about):
+            raise KeyedError("limit.about", f"gravity acts along {about} alone: turning it changes nothing")
 
 
 def _large_only(scene: Any) -> None:

@@ -11,6 +11,7 @@ from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact import Contact, Material
 from masonry.scene.tables.gauge import Curve, Gauge
 from masonry.scene.tables.law_keys import AnyContact
+from masonry.scene.tables.limit import LimitLoad
 from masonry.scene.tables.loading import Drive, Settle, Solver, Support, Traction
 from masonry.scene.tables.motion import Floor, Gravity, InitialMotion
 from masonry.scene.tables.points import DENSITIES, PerAxis
@@ -50,6 +51,7 @@ class SceneData(Table):
     solver: Solver = Solver()
     gauge: tuple[Gauge, ...] = ()
     curve: Curve | None = None
+    limit: LimitLoad | None = None
     assumptions: dict[str, str] = {}
 
     def kinematics_of(self, group: str) -> str:

@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 import masonry
 from masonry.laboratory.result import Result
+from masonry.limit_analysis.result import LimitResult
 from masonry.results.data import Peak
 from masonry.scene import Scene
 
@@ -24,5 +25,6 @@ def use(folder: Path) -> float:
     assert_type(result.energies, dict[str, float])
     assert_type(result.plot(folder / "curve.png"), Figure)
     assert_type(result.save(folder), dict[str, Path])
+    assert_type(masonry.limit("arch-tilted", dilation=False), LimitResult)
     again = masonry.load_result(folder)
     return blocks * float(again.curve["stress"][0]) + again.peak.stress

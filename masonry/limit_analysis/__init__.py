@@ -1,0 +1,1 @@
+"""Limit analysis of a scene: its contacts and loads, the factor, how it fails, in words and pictures."""

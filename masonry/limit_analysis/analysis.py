@@ -1,0 +1,182 @@
+"""The limit analysis of a scene: it stands first, then the largest factor, in the way that was asked for."""
+
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+import numpy as np
+
+from geometry.blocks import Joints, Specimen
+from masonry.errors import SceneError, nearest
+from masonry.limit_analysis.contacts import POINTS, contacts_of, strong_groups, touching
+from masonry.limit_analysis.data import set_of
+from masonry.limit_analysis.loads import Loads, loads_of
+from masonry.limit_analysis.result import LimitResult
+from masonry.scene import Scene
+from masonry.statics.gilbert import without_dilation
+from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.safety import factor_of_safety
+from masonry.statics.solve import ANY, STANDS, UPWARD, Method, Range, largest_factor, method_word, standing
+from masonry.statics.tilted import tilt_factor
+
+BOUND = "lower bound, exact where what slides dilates by its friction angle"
+NO_BOUND = "no bound: friction without dilation, by the iteration of Gilbert et al. (2006)"
+LEAST_SIDES = 3
+CLOSED = 1e-6
+"""Duality gap beyond which a word is said."""
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """How a scene is analysed.
+
+    dilation  False: friction without dilation, which gives no bound
+    strength  False: no cohesion, no tension
+    safety    the factor of safety on friction and cohesion in place of the load factor
+    at        the load factor at which safety is asked for
+    crushing  Pa, the compressive strength of the joints; None where they bear any pressure
+    points    "corners" of the joints, or those of the "scene"
+    sides     of the pyramids that take the place of friction cones in space; 0 for cones
+    plane     whether a plane problem is solved in its plane
+    """
+
+    dilation: bool = True
+    strength: bool = True
+    safety: bool = False
+    at: float = 0.0
+    crushing: float | None = None
+    points: str = "corners"
+    sides: int = 0
+    plane: bool = True
+
+    def require_sense(self) -> None:
+        """Raises SceneError for words that contradict each other."""
+        if self.points not in POINTS:
+            raise SceneError(f"points '{self.points}'; {nearest(self.points, POINTS)}")
+        if self.sides and self.sides < LEAST_SIDES:
+            raise SceneError(f"a friction pyramid of {self.sides} sides; it needs {LEAST_SIDES} or more")
+        if self.crushing is not None and (self.sides or self.points != "corners"):
+            raise SceneError("--crushing needs cones, and points at the corners; leave out --linear and --points")
+        if self.at and not self.safety:
+            raise SceneError("--at is the load factor of --safety; add --safety")
+
+
+def analyse(scene: Scene, wishes: Wishes = Wishes()) -> LimitResult:
+    """Raises SceneError, in one sentence, for what cannot stand, what nothing loads, and what has no limit."""
+    wishes.require_sense()
+    specimen, joints = touching(scene, wishes.points)
+    begun = perf_counter()
+    contacts = contacts_of(scene, specimen, joints, wishes.strength, wishes.crushing)
+    alone = wishes.safety and not wishes.at
+    loads = loads_of(scene, specimen, joints, alone)
+    method = Method(wishes.plane, wishes.sides, centred=not wishes.dilation)
+    result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit, bound=BOUND)
+    result.method = method_word(loads.bodies, contacts, method)
+    result.points = _points_word(scene, wishes)
+    result.remarks += _remarks(scene, specimen, joints, wishes)
+    if wishes.safety:
+        _set_safety(result, loads, contacts, method, wishes)
+    else:
+        if loads.bodies.together is None:
+            _require_standing(specimen, loads.bodies, contacts, method)
+        _set_factor(result, loads, contacts, method, wishes)
+    result.seconds = perf_counter() - begun
+    return result
+
+
+def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: Method, wishes: Wishes) -> None:
+    if wishes.dilation:
+        found = _with_dilation(loads, contacts, method)
+    else:
+        if loads.steady is not None and (loads.steady.any() or contacts.has_strength):
+            raise SceneError(
+                "a tilt without dilation is for dry joints under weight alone; leave out --no-dilation, "
+                "or add --no-strength"
+            )
+        flat = without_dilation(loads.bodies, contacts, method, _range(loads))
+        found, result.bound = flat.found, NO_BOUND
+        result.with_dilation, result.iterations, result.excess = flat.factors[0], len(flat.factors), flat.excess
+        if not flat.converged and found.status == "solved":
+            result.remarks.append(
+                f"the iteration came to no rest in {len(flat.factors)} analyses: the last factors lie from "
+                f"{min(flat.factors[-10:]):.5g} to {max(flat.factors[-10:]):.5g}"
+            )
+    if found.status == "unbounded":
+        raise SceneError(f"there is no limit: forces in the joints can balance every factor of {loads.words}")
+    if found.status != "solved":
+        raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
+    result.take(found)
+    if loads.bodies.together is not None and wishes.dilation:
+        back = replace(loads.bodies, live=-loads.bodies.live)
+        least = largest_factor(back, contacts, method, ANY)
+        if least.status == "solved":
+            result.least = 0.0 if abs(least.factor) <= CLOSED * abs(found.factor) else -least.factor
+    if found.gap > CLOSED:
+        result.remarks.append(f"the duality gap is more than {CLOSED:g}: take no more digits of the factor than it has")
+    if loads.bodies.together is None and found.factor <= 1e-9:
+        result.remarks.append(f"nothing resists {loads.words}: it moves at the least of it")
+
+
+def _with_dilation(loads: Loads, contacts: Contacts, method: Method) -> Found:
+    if loads.steady is None:
+        return largest_factor(loads.bodies, contacts, method, _range(loads))
+    return tilt_factor(loads.bodies, contacts, loads.steady, method)
+
+
+def _range(loads: Loads) -> Range:
+    """What a drive pushes with may have any sign; other loads grow from nothing."""
+    return UPWARD if loads.bodies.together is None else ANY
+
+
+def _set_safety(result: LimitResult, loads: Loads, contacts: Contacts, method: Method, wishes: Wishes) -> None:
+    loaded = loads.at(wishes.at)
+    if not (loaded.dead[loaded.free] != 0.0).any():
+        raise SceneError("nothing loads this, so there is no factor of safety; add [gravity], a traction, or --at")
+    factor, _, found = factor_of_safety(loaded, contacts, method, wishes.dilation)
+    if not wishes.dilation:
+        result.bound, result.with_dilation = NO_BOUND, factor_of_safety(loaded, contacts, method)[0]
+    result.take(replace(found, factor=factor))
+    result.is_safety, result.at = True, wishes.at
+    result.words = f"friction and cohesion over it balance {result.words}" + (
+        f" at a factor of {wishes.at:g}" if wishes.at else ""
+    )
+
+
+def _require_standing(specimen: Specimen, bodies: Bodies, contacts: Contacts, method: Method) -> None:
+    """The dead loads alone must be balanced."""
+    if not (bodies.dead[bodies.free] != 0.0).any():
+        return
+    found = standing(bodies, contacts, method)
+    if found.status == "solved" and found.factor >= STANDS:
+        return
+    reach = np.linalg.norm(found.velocity[:, :3], axis=1)
+    first = int(np.argmax(reach))
+    where = ", ".join(f"{x:.4g}" for x in bodies.centre[first])
+    name = set_of(specimen, first)
+    what = f"block {first}" + (f" ('{name}')" if name else "") + f" at ({where}) m"
+    share = f"{found.factor:.3g} of them is balanced" if found.factor > 1e-6 else "nothing of them is balanced"
+    raise SceneError(f"it cannot stand under its dead loads: {share}, and {what} is the first to move")
+
+
+def _points_word(scene: Scene, wishes: Wishes) -> str:
+    if wishes.points == "corners":
+        return "the corners of the joints, which bear what any pressure without tension bears"
+    return f"those of the scene ({scene.specimen.contact_points})"
+
+
+def _remarks(scene: Scene, specimen: Specimen, joints: Joints, wishes: Wishes) -> list[str]:
+    found = []
+    strong = strong_groups(scene, specimen, joints)
+    if strong and wishes.strength:
+        found.append(
+            f"cohesion and tension of {', '.join(strong)} are taken as plastic strengths on the areas of the contact "
+            "points: they last however far a crack opens, which mortar does not; --no-strength leaves them out"
+        )
+    if not wishes.strength:
+        found.append("without cohesion and tension, with the friction that is left once they are gone")
+    if any(scene.kinematics_of(g) != "rigid" for g in specimen.blocks.groups):
+        found.append("every block is taken as rigid")
+    if wishes.crushing is not None:
+        found.append(f"joints bear a compression of {wishes.crushing * 1e-6:g} MPa, as a plastic strength")
+    if scene.scatter is not None:
+        found.append("the scatter of strengths is left out: means count")
+    return found

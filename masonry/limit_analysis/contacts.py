@@ -1,0 +1,68 @@
+"""The contact points of a limit analysis, and what each of them can bear, from the contact tables of a scene."""
+
+import numpy as np
+
+from geometry.blocks import Joints, Specimen
+from masonry.assembly.assemble import joined, require_contact_groups
+from masonry.errors import SceneError
+from masonry.laws.factory import made
+from masonry.model.contact_groups import contact_groups
+from masonry.scene import Scene
+from masonry.scene.tables.points import PerAxis
+from masonry.statics.crushing import crushing_of
+from masonry.statics.problem import Contacts
+
+POINTS = ("corners", "scene")
+CORNERS = {
+    "contact_points": "vertex",
+    "points_per_edge": PerAxis(),
+    "points_per_face": None,
+    "contact_spacing": None,
+}
+"""What a specimen says of its contact points where they are the corners of its joints."""
+
+
+def touching(scene: Scene, points: str = "corners") -> tuple[Specimen, Joints]:
+    """The blocks of a scene and its joints, with points at the corners of the joints or where the scene has them."""
+    if points == "corners":
+        scene = scene.model_copy(update={"specimen": scene.specimen.model_copy(update=CORNERS)})
+    return joined(scene)
+
+
+def contacts_of(
+    scene: Scene, specimen: Specimen, joints: Joints, strength: bool = True, crushing: float | None = None
+) -> Contacts:
+    """What each contact point bears: Coulomb friction; cohesion and tension on its area, as plastic strengths.
+
+    strength  False leaves out cohesion and tension, and takes the friction that is left once they are gone
+    crushing  Pa, compressive strength of all joints that are not elastic; needs points at the corners, no tension
+    """
+    require_contact_groups(scene, specimen, joints)
+    names, group = contact_groups(specimen.blocks, joints)
+    rows = np.array([_strengths(scene, name, strength) for name in names]).reshape(-1, 4)[group]
+    solid = rows[:, 3] > 0.5
+    crush = None
+    if crushing is not None:
+        if (rows[~solid, 2] > 0.0).any():
+            raise SceneError("--crushing is for joints without tensile strength; add --no-strength")
+        crush = crushing_of(joints, crushing, ~solid)
+    return Contacts(
+        *(joints.block_a, joints.block_b, joints.point, joints.normal, joints.patch, joints.area),
+        *(rows[:, 0], rows[:, 1] * joints.area, rows[:, 2] * joints.area, solid, crush),
+    )
+
+
+def strong_groups(scene: Scene, specimen: Specimen, joints: Joints) -> list[str]:
+    """Groups of contacts that have cohesion or tensile strength, or are elastic and bear anything."""
+    names, _ = contact_groups(specimen.blocks, joints)
+    return [name for name in names if any(_strengths(scene, name, True)[1:])]
+
+
+def _strengths(scene: Scene, group: str, strength: bool) -> tuple[float, float, float, float]:
+    """Tangent of the friction angle, cohesion and tensile strength (Pa), and 1 where the contact bears any force."""
+    _, joint = made(group, scene.contact_of(group).properties(scene.turns_back))
+    if joint.tan_friction is None:  # elastic: it bears any force, or without shear stiffness any force across it
+        return (0.0, 0.0, np.inf, 0.0) if joint.shear_stiffness == 0.0 else (0.0, 0.0, 0.0, 1.0)
+    if not strength:
+        return float(joint.tan_residual_friction or 0.0), 0.0, 0.0, 0.0
+    return float(joint.tan_friction), float(joint.cohesion or 0.0), float(joint.tensile_strength or 0.0), 0.0

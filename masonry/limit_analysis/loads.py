@@ -1,0 +1,210 @@
+"""Bodies and loads of a limit analysis from a scene: what is held, what is dead, and what the factor multiplies."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from geometry.blocks import Joints, Specimen
+from masonry.assembly.assemble import material_of, require_groups
+from masonry.assembly.conditions import conditions_of, select
+from masonry.errors import SceneError
+from masonry.model.layout import Layout, lay_out
+from masonry.model.loads import Conditions, Push, add_traction
+from masonry.scene import Scene
+from masonry.scene.tables.limit import LimitLoad
+from masonry.statics.problem import Bodies
+
+PATTERNS = "a table [limit] says what grows, for example pattern = 'weight', direction = 'x'"
+
+
+@dataclass(frozen=True)
+class Loads:
+    """bodies, with dead and live loads; words: what the factor multiplies; unit: of the factor, "" for a plain number.
+
+    steady  (B, 6) the dead loads that do not turn where gravity is tilted; None where nothing is
+    """
+
+    bodies: Bodies
+    words: str
+    unit: str = ""
+    steady: np.ndarray | None = None
+
+    def at(self, factor: float) -> Bodies:
+        """The bodies with all that acts on them at a factor as dead load; a tilt leaves gravity its size."""
+        bodies = self.bodies
+        if self.steady is None:
+            return replace(bodies, dead=bodies.dead + factor * bodies.live)
+        turned = bodies.dead - self.steady + factor * bodies.live
+        return replace(bodies, dead=self.steady + turned / np.hypot(1.0, factor))
+
+
+def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool = False) -> Loads:
+    """Raises SceneError where nothing grows, where it is not clear what does, or where it moves nothing.
+
+    dead_alone  no load grows, and none needs to be named
+    """
+    require_groups(scene, specimen.blocks.groups)
+    groups = specimen.blocks.groups
+    layout = lay_out(specimen.blocks, dict.fromkeys(groups, "rigid"), None)
+    materials = {g: material_of(scene, g) for g in groups}
+    rigid = scene.model_copy(update={"motion": (), "kinematics": {"default": "rigid"}})
+    conditions = conditions_of(rigid, specimen, layout, joints, materials)
+    density = np.array([materials[g].density for g in groups])[specimen.blocks.group]
+    mass = density * layout.volume
+    gravity = np.zeros(3) if scene.gravity is None else np.array(scene.gravity.vector)
+    varying = _varying(scene)
+    asked = None if dead_alone else scene.limit or _asked(scene, varying)
+    if asked is not None and varying:
+        raise SceneError(
+            f"{varying[0]} varies in time, so it is neither dead nor what [limit] names; leave out its history"
+        )
+    dead = sum((_loads(conditions, layout, name) for name in _steady(scene, varying)), np.zeros((len(mass), 6)))
+    weight = np.zeros_like(dead)
+    if "gravity" not in varying:
+        weight[:, :3] = mass[:, None] * gravity
+    free = ~_held(scene, specimen, layout, conditions)
+    together = _driven(scene, conditions) if asked is not None and asked.pattern == "drive" else None
+    if together is not None:
+        free |= together
+    if dead_alone:
+        live, words = np.zeros_like(dead), "the dead loads"
+    elif asked is None:
+        live = sum((_loads(conditions, layout, name) for name in varying), np.zeros_like(dead))
+        words = " and ".join(varying) + " at a share of 1"
+    else:
+        live, words = _live(scene, specimen, joints, layout, asked, weight, together)
+    tilts = asked is not None and asked.pattern == "tilt"
+    bodies = Bodies(layout.centroid, free, dead + weight, live, together)
+    if not dead_alone and not (live[free] != 0.0).any():
+        raise SceneError(f"nothing loads this: {words} acts on no block that can move; {PATTERNS}")
+    steady = dead + _along(weight, asked) if tilts and asked is not None else None
+    return Loads(bodies, words, "N" if together is not None else "", steady)
+
+
+def _varying(scene: Scene) -> list[str]:
+    """Loads with a history, by name."""
+    found = [f"traction.{k}" for k, traction in enumerate(scene.traction) if traction.paths]
+    history = scene.gravity is not None and scene.gravity.tilt is None and scene.gravity.paths
+    return [*found, "gravity"] if history else found
+
+
+def _driven(scene: Scene, conditions: Conditions) -> np.ndarray:
+    """(B, 6) what the drive moves."""
+    assert scene.drive is not None
+    held = conditions.held_by["drive"]["rigid"]
+    return held & (np.arange(6) == scene.drive.axis)
+
+
+def _asked(scene: Scene, varying: list[str]) -> LimitLoad | None:
+    """What the scene itself varies: None for loads with a history. Raises SceneError for nothing, and for several."""
+    tilt = scene.gravity.tilt if scene.gravity is not None else None
+    found = [*(["gravity.tilt"] if tilt else []), *(["drive"] if scene.drive else []), *varying[:1]]
+    if len(found) != 1:
+        which = f"{' and '.join(found)} vary" if found else "nothing in this scene grows"
+        raise SceneError(f"{which}, so there is no one load for a factor: {PATTERNS}")
+    if tilt is not None:
+        about = tilt.about if tilt.angle > 0 else f"-{tilt.about}"
+        return LimitLoad.model_validate({"pattern": "tilt", "about": about})
+    return LimitLoad(pattern="drive") if scene.drive is not None else None
+
+
+def _steady(scene: Scene, varying: list[str]) -> list[str]:
+    return [name for k in range(len(scene.traction)) if (name := f"traction.{k}") not in varying]
+
+
+def _loads(conditions: Conditions, layout: Layout, name: str) -> np.ndarray:
+    """(B, 6) one load at a share of 1, moments about x, y and z."""
+    load = conditions.each_load[name]["rigid"]
+    return np.zeros((len(layout.kind), 6)) if load is None else _about_axes(load, layout)
+
+
+def _about_axes(load: np.ndarray, layout: Layout) -> np.ndarray:
+    """Moments about principal axes as moments about x, y and z."""
+    return np.concatenate([load[:, :3], np.einsum("bij,bj->bi", layout.axes, load[:, 3:])], axis=1)
+
+
+def _along(weight: np.ndarray, asked: LimitLoad) -> np.ndarray:
+    """The part of the weight along the axis of a tilt, which does not turn."""
+    part = np.zeros_like(weight)
+    if asked.about is not None:
+        k = "xyz".index(asked.about[-1])
+        part[:, k] = weight[:, k]
+    return part
+
+
+def _live(
+    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, asked: LimitLoad, weight: np.ndarray,
+    together: np.ndarray | None,
+) -> tuple[np.ndarray, str]:  # fmt: skip
+    """(B, 6) the load at a factor of 1, and what it is in words."""
+    live = np.zeros_like(weight)
+    if asked.pattern == "weight":
+        assert asked.direction is not None
+        live[:, "xyz".index(asked.direction[-1])] = _sign(asked.direction) * np.linalg.norm(weight[:, :3], axis=1)
+        return live, f"the weight along {asked.direction}"
+    if asked.pattern == "tilt":
+        assert asked.about is not None
+        axis = _sign(asked.about) * np.eye(3)["xyz".index(asked.about[-1])]
+        live[:, :3] = np.cross(axis, weight[:, :3])
+        return live, f"gravity turned about {asked.about}: the factor is the tangent of the angle"
+    if asked.pattern == "drive":
+        assert scene.drive is not None and together is not None
+        blocks = together[:, scene.drive.axis]
+        live[blocks, scene.drive.axis] = scene.drive.sign / max(int(blocks.sum()), 1)
+        return live, f"the force of the drive on '{scene.drive.on}' along {scene.drive.direction}"
+    assert asked.on is not None
+    chosen, faces = select(specimen, joints, asked.on, "limit.on")
+    if asked.pattern == "traction":
+        assert asked.stress is not None
+        if faces is None:
+            raise SceneError(
+                f"limit.on = '{asked.on}': a traction acts on a face, for example '{asked.on}.z+'; "
+                "a force acts on whole blocks"
+            )
+        pushed: dict[str, np.ndarray | None] = dict.fromkeys(("rigid", "affine", "tets"))
+        add_traction(specimen.blocks, layout, pushed, Push(faces, np.array(asked.stress)))
+        assert pushed["rigid"] is not None
+        return _about_axes(pushed["rigid"], layout), f"the traction on '{asked.on}'"
+    if faces is not None:
+        raise SceneError(f"limit.on = '{asked.on}': a force acts on whole blocks; a traction acts on a face")
+    assert asked.force is not None
+    share = layout.volume[chosen] / layout.volume[chosen].sum()
+    live[chosen, :3] = share[:, None] * np.array(asked.force)
+    if asked.at is not None:
+        live[chosen, 3:] = np.cross(np.array(asked.at) - layout.centroid[chosen], live[chosen, :3])
+    return live, f"the force on '{asked.on}'"
+
+
+def _sign(direction: str) -> float:
+    return -1.0 if direction[0] == "-" else 1.0
+
+
+def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditions) -> np.ndarray:
+    """(B, 6) what supports and drive hold, turns about x, y and z.
+
+    Blocks that may deform have no turns of their own to hold: there all that moves along an axis is held, and with it
+    the turns about the two others.
+    """
+    deforms = np.array([scene.kinematics_of(g) != "rigid" for g in specimen.blocks.groups])[specimen.blocks.group]
+    held = conditions.prescribed["rigid"].copy()
+    held[:, 3:] = _turns_about_axes(held[:, 3:], layout)
+    for by in conditions.held_by.values():
+        for k in range(3):
+            which = deforms & by["rigid"][:, k]
+            held[np.ix_(which, [3 + other for other in range(3) if other != k])] = True
+    return held
+
+
+def _turns_about_axes(held: np.ndarray, layout: Layout) -> np.ndarray:
+    """Turns about principal axes that are held, as turns about x, y and z.
+
+    A scene that holds one or two turns of a block has an axis of it along x, y or z (see masonry/model/supports.py).
+    """
+    found = np.repeat(np.all(held, axis=1)[:, None], 3, axis=1)
+    number = held.sum(axis=1).tolist()
+    for block in (b for b, turns in enumerate(number) if turns in (1, 2)):
+        one = number[block] == 1
+        odd = int(np.argmax(held[block] if one else ~held[block]))
+        along = int(np.argmax(np.abs(layout.axes[block, :, odd])))
+        found[block] = np.eye(3)[along] == (1.0 if one else 0.0)
+    return found

@@ -1,0 +1,28 @@
+"""What a limit analysis hands back to a user: printed, drawn, saved."""
+
+import json
+from pathlib import Path
+
+from geometry.files.atomic import WholeFiles
+from masonry.limit_analysis.data import LimitData
+from masonry.limit_analysis.pictures import mechanism_figure, thrust_figure
+from masonry.limit_analysis.text import result_text
+from masonry.pictures.style import write_png
+
+
+class LimitResult(LimitData):
+    """The answer of a limit analysis: its numbers are those of LimitData; it prints as `masonry limit` does."""
+
+    def save(self, folder: Path | str, view: str | None = None) -> list[Path]:
+        """Write limit.json, mechanism.png and thrust.png, all or none; returns their paths."""
+        folder = Path(folder)
+        with WholeFiles(folder) as files:
+            files.text("limit.json", json.dumps(self.as_data(), indent=1, allow_nan=False) + "\n")
+            write_png(mechanism_figure(self, view), files.new("mechanism.png"))
+            write_png(thrust_figure(self, view), files.new("thrust.png"))
+        return [folder / name for name in ("limit.json", "mechanism.png", "thrust.png")]
+
+    def __str__(self) -> str:
+        return result_text(self)
+
+    __repr__ = __str__

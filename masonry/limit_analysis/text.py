@@ -1,0 +1,55 @@
+"""A limit analysis in words, for a terminal."""
+
+import numpy as np
+
+from masonry.limit_analysis.data import LimitData, set_of
+from masonry.runtime.tables import Rows, aligned
+
+
+def result_text(result: LimitData) -> str:
+    """The rows that `masonry limit` prints."""
+    moving = int(result.moving.sum())
+    rows: Rows = [
+        ("scene", [result.title]),
+        (_head(result), [f"{result.factor:.6g} {result.unit}".rstrip() + _angle(result)]),
+        ("of", [result.words]),
+        ("which is", [result.bound]),
+    ]
+    if result.least is not None:
+        rows.insert(2, ("least", [f"{result.least:.6g} {result.unit}; between the two there is an equilibrium"]))
+    if result.with_dilation is not None:
+        rows.append(("with dilation", [f"{result.with_dilation:.6g}, a lower bound"]))
+    if result.iterations is not None:
+        rows.append(
+            ("iteration", [f"{result.iterations} analyses; shear beyond friction at the end {result.excess:.1e}"])
+        )
+    rows += [
+        ("duality gap", [f"{result.gap:.1e}; force left on a block {result.unbalance:.1e} of its loads"]),
+        ("solved as", [f"{result.method}, in {result.seconds:.2f} s"]),
+        (
+            "contacts",
+            [f"{len(result.joints.area)} points in {len(result.joints.patch_start) - 1} joints: {result.points}"],
+        ),
+        ("mechanism", [f"{moving} of {result.specimen.blocks.count} blocks move" + _fastest(result)]),
+    ]
+    if result.remarks:
+        rows.append(("mind", result.remarks))
+    return aligned(rows)
+
+
+def _head(result: LimitData) -> str:
+    return "factor of safety" if result.is_safety else "load factor"
+
+
+def _angle(result: LimitData) -> str:
+    """The angle of a tilt."""
+    return f", at {np.degrees(np.arctan(result.factor)):.4f} deg" if "tangent of the angle" in result.words else ""
+
+
+def _fastest(result: LimitData) -> str:
+    """Which block moves fastest, and a set that it is in."""
+    if not result.moving.any():
+        return ""
+    block = int(np.argmax(result.speeds()))
+    name = set_of(result.specimen, block)
+    return f"; fastest is block {block}" + (f" of '{name}'" if name else "")

@@ -1,0 +1,78 @@
+"""What a scene says of the load that `masonry limit` multiplies by a factor."""
+
+from typing import Annotated, Any, Literal, NamedTuple
+
+from pydantic import BeforeValidator, PlainSerializer, model_validator
+
+from masonry.scene.tables.loading import Selector
+from masonry.scene.tables.motion import Coordinate
+from masonry.scene.tables.types import Direction, Given, KeyedError, StressVector, Table
+
+Force = Annotated[float, Given("force", "[-1e15, 1e15]")]
+KEYS = {
+    "weight": ("direction",),
+    "tilt": ("about",),
+    "force": ("on", "force", "at"),
+    "traction": ("on", "stress"),
+    "drive": (),
+}
+"""Keys of each pattern."""
+OPTIONAL = ("at",)
+EXAMPLES = {
+    "direction": 'direction = "x"',
+    "about": 'about = "y"',
+    "on": 'on = "top"',
+    "force": 'force = {z = "-1 kN"}',
+    "stress": 'stress = {x = "1 kPa"}',
+}
+
+
+class Forces(NamedTuple):
+    """N, by direction; what a file leaves out is 0."""
+
+    x: Force = 0.0
+    y: Force = 0.0
+    z: Force = 0.0
+
+
+def _directions(value: Any) -> Any:
+    if isinstance(value, Forces):
+        return value
+    if not isinstance(value, dict) or not value:
+        raise ValueError("must be a table by direction, with one or more of x, y, z")
+    return value
+
+
+def _written(value: Forces) -> dict[str, str]:
+    return {axis: f"{x!r} N" for axis, x in value._asdict().items() if x != 0.0}
+
+
+ForceVector = Annotated[Forces, BeforeValidator(_directions), PlainSerializer(_written)]
+
+
+class LimitLoad(Table):
+    """The load that the factor multiplies, by its pattern: the weight in another direction, gravity turned about an
+    axis, a force on blocks, a traction on a face, or what the drive pushes with."""
+
+    pattern: Literal["weight", "tilt", "force", "traction", "drive"]
+    direction: Direction | None = None
+    about: Direction | None = None
+    on: Selector | None = None
+    force: ForceVector | None = None
+    at: tuple[Coordinate, Coordinate, Coordinate] | None = None
+    stress: StressVector | None = None
+
+    @model_validator(mode="after")
+    def _has_its_keys(self) -> "LimitLoad":
+        mine = KEYS[self.pattern]
+        for key in type(self).model_fields:
+            given = getattr(self, key) is not None
+            if key != "pattern" and given and key not in mine:
+                others = [name for name, keys in KEYS.items() if key in keys]
+                raise KeyedError(key, f"belongs to pattern = {' or '.join(map(repr, others))}; leave it out")
+            if key in mine and not given and key not in OPTIONAL:
+                raise KeyedError(key, f"missing; pattern = '{self.pattern}' needs it, for example {EXAMPLES[key]}")
+        for key in ("force", "stress"):
+            if getattr(self, key) is not None and not any(getattr(self, key)):
+                raise KeyedError(key, "is 0 in all directions; give one that is not")
+        return self

@@ -1,0 +1,1 @@
+"""Rigid blocks in equilibrium, as optimisation on plain arrays: the largest load factor; knows no scenes."""

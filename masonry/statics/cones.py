@@ -1,0 +1,119 @@
+"""The largest load factor with true friction cones, by a second-order cone programme (Clarabel)."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from scipy import sparse
+
+from masonry.errors import SceneError
+from masonry.statics.crushing import crushing_cones
+from masonry.statics.equilibrium import Equilibrium
+from masonry.statics.problem import Contacts
+
+ACCURACY = 1e-10
+SOLVED, SLOW = ("Solved", "AlmostSolved"), ("InsufficientProgress", "NumericalError", "MaxIterations")
+GOOD_ENOUGH = 1e-6
+"""Gap and residuals with which the end of a row of steps that came to a halt still counts."""
+INFEASIBLE = ("PrimalInfeasible", "AlmostPrimalInfeasible")
+UNBOUNDED = ("DualInfeasible", "AlmostDualInfeasible")
+
+
+def solve_cones(
+    forces: Equilibrium, contacts: Contacts, between: tuple[float, float]
+) -> tuple[str, np.ndarray, np.ndarray, float]:
+    """As solve_linear, but with cones; Raises SceneError where Clarabel is not installed or comes to no end."""
+    clarabel = _clarabel()
+    scale = 1.0 + len(forces.dead) / 6.0
+    forces = _of_the_whole(forces, scale)
+    groups, k = forces.tangent.shape[:2]
+    count, equations = contacts.count, len(forces.dead)
+    unknowns = count + groups * k + 1
+    parts = [sparse.hstack([forces.normal, forces.shear, sparse.csr_array(forces.live[:, None])], format="csc")]
+    sides = [-forces.dead]
+    kinds = [clarabel.ZeroConeT(equations)]
+    bounds, limit = _bounds(forces, contacts, between, unknowns)
+    if len(limit):
+        parts.append(bounds)
+        sides.append(limit)
+        kinds.append(clarabel.NonnegativeConeT(len(limit)))
+    cone, offset, number = _cones(forces, contacts, unknowns)
+    parts.append(cone)
+    sides.append(offset)
+    kinds += [clarabel.SecondOrderConeT(k + 1)] * number
+    if contacts.crush is not None:
+        for rows, side, kind in crushing_cones(contacts.crush, forces.force, unknowns):
+            parts.append(rows)
+            sides.append(side)
+            kinds += kind
+    settings = clarabel.DefaultSettings()
+    settings.verbose = False
+    settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = ACCURACY
+    cost = np.zeros(unknowns)
+    cost[-1] = -1.0
+    matrix = sparse.csc_matrix(sparse.vstack(parts, format="csc"))
+    nothing = sparse.csc_matrix((unknowns, unknowns))
+    found = clarabel.DefaultSolver(nothing, cost, matrix, np.concatenate(sides), kinds, settings).solve()
+    status = str(found.status)
+    gap = abs(found.obj_val - found.obj_val_dual) / max(1.0, abs(found.obj_val))
+    if status in SOLVED or (status in SLOW and max(gap, found.r_prim, found.r_dual) < GOOD_ENOUGH):
+        unknown = np.array(found.x)
+        unknown[:-1] *= scale
+        return "solved", unknown, np.array(found.z[:equations]) / scale, float(gap)
+    if status in INFEASIBLE or status in UNBOUNDED:
+        word = "infeasible" if status in INFEASIBLE else "unbounded"
+        return word, np.zeros(unknowns), np.zeros(equations), 0.0
+    raise SceneError(f"the cone programme came to no end ({status}); try --linear 16, which needs no cones")
+
+
+def _of_the_whole(forces: Equilibrium, scale: float) -> Equilibrium:
+    """The same with forces over about that of all blocks: what is left of the dual's equations then counts little."""
+    return replace(
+        forces, dead=forces.dead / scale, live=forces.live / scale, force=forces.force * scale,
+        live_force=forces.live_force * scale,
+    )  # fmt: skip
+
+
+def _bounds(
+    forces: Equilibrium, contacts: Contacts, between: tuple[float, float], unknowns: int
+) -> tuple[sparse.csc_array, np.ndarray]:
+    """Rows and sides of: normal forces above -tension where the cone does not say so, and the bounds of the factor."""
+    apex = np.where(contacts.friction > 0, contacts.cohesion, np.inf) / np.maximum(contacts.friction, 1e-300)
+    alone = forces.tangent.shape[1] == 2
+    which = np.flatnonzero(~contacts.solid & ((apex > contacts.tension) | (not alone)))
+    least, most = between
+    ends = [(sign, bound) for sign, bound in ((-1.0, -least), (1.0, most)) if np.isfinite(bound)]
+    column = np.concatenate([which, np.full(len(ends), unknowns - 1)])
+    sign = np.concatenate([np.full(len(which), -1.0), [end[0] for end in ends]])
+    side = np.concatenate([contacts.tension[which] / forces.force, [end[1] for end in ends]])
+    return sparse.csc_array((sign, (np.arange(len(column)), column)), shape=(len(column), unknowns)), side
+
+
+def _cones(forces: Equilibrium, contacts: Contacts, unknowns: int) -> tuple[sparse.csc_array, np.ndarray, int]:
+    """Rows, sides and number of: (friction N + cohesion, shear) in a second-order cone, for each group."""
+    groups, k = forces.tangent.shape[:2]
+    count = contacts.count
+    hard = np.ones(groups, dtype=bool)
+    hard[forces.group[contacts.solid]] = False
+    place = np.cumsum(hard) - 1
+    mine = np.flatnonzero(hard[forces.group])
+    chosen = np.flatnonzero(hard)
+    head = (k + 1) * place[forces.group[mine]]
+    tail = ((k + 1) * place[chosen][:, None] + 1 + np.arange(k)).ravel()
+    shear = (count + k * chosen[:, None] + np.arange(k)).ravel()
+    value = np.concatenate([-contacts.friction[mine], np.full(len(tail), -1.0)])
+    row, column = np.concatenate([head, tail]), np.concatenate([mine, shear])
+    number = len(chosen)
+    offset = np.zeros((k + 1) * number)
+    offset[:: k + 1] = np.bincount(forces.group, contacts.cohesion, groups)[chosen] / forces.force
+    return sparse.csc_array((value, (row, column)), shape=((k + 1) * number, unknowns)), offset, number
+
+
+def _clarabel() -> Any:
+    try:
+        import clarabel
+    except ModuleNotFoundError:
+        raise SceneError(
+            "friction cones need the package clarabel: pip install clarabel; or take pyramids: --linear 16"
+        ) from None
+    return clarabel

@@ -1,0 +1,85 @@
+"""The largest load factor by linear programming (HiGHS): plane problems, and friction cones made of planes.
+
+Livesley, R. K.: Limit analysis of structures formed from rigid blocks. Int. J. Numer. Methods Eng. 12 (1978).
+"""
+
+from typing import Any
+
+import numpy as np
+from scipy import sparse
+from scipy.optimize import linprog
+
+from masonry.statics.equilibrium import Equilibrium
+from masonry.statics.problem import Contacts
+
+EXACT = {"primal_feasibility_tolerance": 1e-9, "dual_feasibility_tolerance": 1e-9}
+MUCH = 300
+"""Shear forces beyond which the interior point method is taken."""
+STATUS = {0: "solved", 2: "infeasible", 3: "unbounded"}
+
+
+def solve_linear(
+    forces: Equilibrium, contacts: Contacts, sides: int, between: tuple[float, float]
+) -> tuple[str, np.ndarray, np.ndarray, float]:
+    """Status, unknowns (normal forces, shear forces, factor), velocities (R,) and gap; all without units.
+
+    sides  of the pyramid in each friction cone; 2 in a plane     between  bounds of the factor
+    """
+    groups, k = forces.tangent.shape[:2]
+    count = contacts.count
+    matrix = sparse.hstack([forces.normal, forces.shear, sparse.csr_array(forces.live[:, None])], format="csr")
+    upper, bound = _pyramids(forces, contacts, sides)
+    low = np.full(count + groups * k + 1, -np.inf)
+    high = np.full(len(low), np.inf)
+    low[:count] = np.where(contacts.solid, -np.inf, -contacts.tension / forces.force)
+    low[-1], high[-1] = between
+    cost = np.zeros(len(low))
+    cost[-1] = -1.0
+    bounds = np.column_stack([low, high])
+    found = linprog(cost, upper, bound, matrix, -forces.dead, bounds, method=_method(forces), options=EXACT)
+    status = _status(found, cost, upper, bound, matrix, -forces.dead, bounds)
+    if status != "solved":
+        return status, np.zeros(len(low)), np.zeros(len(forces.dead)), 0.0
+    dual = bound @ found.ineqlin.marginals - forces.dead @ found.eqlin.marginals
+    for side, values in ((found.lower, low), (found.upper, high)):
+        finite = np.isfinite(values)
+        dual += values[finite] @ side.marginals[finite]
+    gap = abs(found.fun - dual) / max(1.0, abs(found.fun))
+    return status, found.x, -found.eqlin.marginals, float(gap)
+
+
+def _method(forces: Equilibrium) -> str:
+    """The simplex method is the quickest for little, and by far the slowest for much."""
+    return "highs-ds" if len(forces.leader) * forces.tangent.shape[1] <= MUCH else "highs-ipm"
+
+
+def _status(
+    found: Any, cost: np.ndarray, upper: Any, bound: np.ndarray, matrix: Any, dead: np.ndarray, bounds: np.ndarray
+) -> str:
+    """The word for an ending; one that presolving could not tell (infeasible or unbounded) is told without a load."""
+    if found.status in STATUS:
+        return STATUS[found.status]
+    still = linprog(0.0 * cost, upper, bound, matrix, dead, bounds, method="highs-ipm", options=EXACT)
+    return "unbounded" if still.status == 0 else "infeasible"
+
+
+def _pyramids(forces: Equilibrium, contacts: Contacts, sides: int) -> tuple[sparse.csr_array, np.ndarray]:
+    """Rows and right-hand sides of: shear along each side <= (friction N + cohesion) times how far the side is off.
+
+    A pyramid stands within its cone, its edges on it: the factor stays a lower bound.
+    """
+    groups, k = forces.tangent.shape[:2]
+    hard = np.ones(groups, dtype=bool)
+    hard[forces.group[contacts.solid]] = False
+    angle = 2 * np.pi * np.arange(sides) / sides
+    way = np.column_stack([np.cos(angle), np.sin(angle)])[:, :k]
+    inside = np.cos(np.pi / sides) if k == 2 else 1.0
+    share = sparse.csr_array(
+        (-inside * contacts.friction, (forces.group, np.arange(contacts.count))), shape=(groups, contacts.count)
+    )
+    cohesion = inside * np.bincount(forces.group, contacts.cohesion, groups) / forces.force
+    kept = np.flatnonzero(np.repeat(hard, sides))
+    shear = sparse.kron(sparse.eye_array(groups), way, format="csr")
+    normal = sparse.kron(share, np.ones((sides, 1)), format="csr")
+    rows = sparse.hstack([normal, shear, sparse.csr_array((groups * sides, 1))], format="csr")
+    return rows[kept], np.repeat(cohesion, sides)[kept]

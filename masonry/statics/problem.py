@@ -1,0 +1,99 @@
+"""What limit analysis is given, and what it finds, as plain arrays: bodies, contact points, solutions."""
+
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+
+from masonry.statics.crushing import Crushing
+
+
+@dataclass(frozen=True)
+class Bodies:
+    """Rigid blocks with loads. Forces in N along x, y, z, then moments in N m about axes through the centre.
+
+    centre    (B, 3) m, the centre of mass
+    free      (B, 6) whether a block may move along, and turn about, x, y and z
+    dead      (B, 6) loads that stay as they are
+    live      (B, 6) loads that are multiplied by the factor
+    together  (B, 6) freedoms that move as one, by the same amount; None without any
+    """
+
+    centre: np.ndarray
+    free: np.ndarray
+    dead: np.ndarray
+    live: np.ndarray
+    together: np.ndarray | None = None
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Points at which two blocks touch, and what each can bear. A normal force above 0 presses.
+
+    block_a, block_b  (C,)
+    point             (C, 3) m
+    normal            (C, 3) unit vector from a to b
+    patch             (C,) the plane polygon that the point is a corner of
+    area              (C,) m2 that the point stands for
+    friction          (C,) tangent of the friction angle
+    cohesion          (C,) N, the shear force borne without pressure
+    tension           (C,) N, the greatest pull
+    solid             (C,) whether the point bears any force
+    crush             what compression the polygons bear; None without a limit
+    """
+
+    block_a: np.ndarray
+    block_b: np.ndarray
+    point: np.ndarray
+    normal: np.ndarray
+    patch: np.ndarray
+    area: np.ndarray
+    friction: np.ndarray
+    cohesion: np.ndarray
+    tension: np.ndarray
+    solid: np.ndarray
+    crush: Crushing | None = None
+
+    @property
+    def count(self) -> int:
+        return len(self.block_a)
+
+    def weakened(self, by: float) -> "Contacts":
+        """The same with friction, cohesion and tension divided by a number."""
+        return replace(self, friction=self.friction / by, cohesion=self.cohesion / by, tension=self.tension / by)
+
+    def with_strength(self, times: float) -> "Contacts":
+        """The same with cohesion, tension and compressive strength multiplied by a number."""
+        crush = None if self.crush is None else self.crush.times(times)
+        return replace(self, cohesion=self.cohesion * times, tension=self.tension * times, crush=crush)
+
+    @property
+    def has_strength(self) -> bool:
+        """Whether anything but friction limits what a point bears."""
+        return self.crush is not None or bool(self.cohesion.any() or self.tension.any())
+
+    def select(self, which: np.ndarray) -> "Contacts":
+        """Some of them; compression is without a limit."""
+        names = [entry.name for entry in fields(self) if entry.name != "crush"]
+        return Contacts(**{name: getattr(self, name)[which] for name in names})
+
+
+@dataclass(frozen=True)
+class Found:
+    """What an optimisation found.
+
+    status    "solved", "infeasible" (no factor is balanced), "unbounded" (every factor is)
+    factor    the largest factor
+    normal    (C,) N at each contact point
+    shear     (C, 3) N at each contact point, in its plane, from a on b
+    velocity  (B, 6) of the mechanism, m/s and rad/s at the centres; the live load does 1 W on it
+    gap       difference between the factor and that of the dual problem, over the factor or 1
+    unbalance largest force (or moment over the size of a block) that is left on a block, over the loads of a block
+    """
+
+    status: str
+    factor: float
+    normal: np.ndarray
+    shear: np.ndarray
+    velocity: np.ndarray
+    gap: float = 0.0
+    unbalance: float = 0.0

@@ -1,0 +1,104 @@
+"""One limit analysis of bodies and contacts: in a plane where there is one, by planes or by cones."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from masonry.statics.cones import solve_cones
+from masonry.statics.equilibrium import Equilibrium, equilibrium
+from masonry.statics.linear import solve_linear
+from masonry.statics.plane import flattened, plane_of
+from masonry.statics.problem import Bodies, Contacts, Found
+
+MUCH = 2000
+"""Contact points beyond which plane problems are solved as cones as well."""
+STANDS = 1.0 - 1e-6
+"""Share of the dead loads that must be balanced for a specimen to stand."""
+
+
+@dataclass(frozen=True)
+class Method:
+    """How a problem is solved.
+
+    plane    whether a plane problem is solved in its plane
+    sides    of the pyramids that stand for friction cones in space, 0 for cones
+    centred  whether of many solutions the one in the middle is wanted, which only the cone programme gives
+    """
+
+    plane: bool = True
+    sides: int = 0
+    centred: bool = False
+
+
+Range = tuple[float, float]
+UPWARD, ANY = (0.0, np.inf), (-np.inf, np.inf)
+"""Ranges of a factor."""
+EXACTLY = Method()
+"""True cones in space, a linear programme in a plane."""
+
+
+def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, between: Range = UPWARD) -> Found:
+    """The largest factor within a range at which forces that the contacts bear balance all bodies."""
+    axis = plane_of(bodies, contacts) if method.plane else None
+    sides = _sides(axis, contacts, method)
+    flat, owner = (contacts, np.arange(contacts.count)) if axis is None else flattened(contacts, axis)
+    forces = equilibrium(bodies, flat, axis)
+    bounds = (between[0] * forces.live_force / forces.force, between[1] * forces.live_force / forces.force)
+    if sides:
+        status, unknown, velocity, gap = solve_linear(forces, flat, sides, bounds)
+    else:
+        status, unknown, velocity, gap = solve_cones(forces, flat, bounds)
+    return _found(forces, contacts, flat, owner, status, unknown, velocity, gap)
+
+
+def _sides(axis: int | None, contacts: Contacts, method: Method) -> int:
+    """Of the pyramids of a linear programme, 0 for cones, which are as good in a plane, and quicker for much."""
+    if contacts.crush is not None:
+        return 0
+    if axis is None:
+        return method.sides
+    return 0 if method.centred or contacts.count > MUCH else 2
+
+
+def standing(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Found:
+    """The share of the dead loads that can be balanced, 1 at most, and the mechanism where it is less."""
+    return largest_factor(
+        replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead), contacts, method, (0.0, 1.0)
+    )
+
+
+def method_word(bodies: Bodies, contacts: Contacts, method: Method) -> str:
+    """How a problem is solved, in words."""
+    axis = plane_of(bodies, contacts) if method.plane else None
+    sides = _sides(axis, contacts, method)
+    how = "linear programme (HiGHS)" if sides else "cone programme (Clarabel)"
+    if axis is not None:
+        return f"{how} in the plane across {'xyz'[axis]}"
+    return f"{how}, friction pyramids of {sides} sides" if sides else how
+
+
+def _found(
+    forces: Equilibrium, contacts: Contacts, flat: Contacts, owner: np.ndarray, status: str,
+    unknown: np.ndarray, velocity: np.ndarray, gap: float,
+) -> Found:  # fmt: skip
+    """Back to units, blocks and all contact points."""
+    groups, k = forces.tangent.shape[:2]
+    pressing, sliding = unknown[: flat.count], unknown[flat.count : -1]
+    left = forces.normal @ pressing + forces.shear @ sliding + forces.dead + unknown[-1] * forces.live
+    share = contacts.area / flat.area[owner]
+    shear = np.einsum("gk,gki->gi", sliding.reshape(groups, k), forces.tangent)
+    part = _part_of_group(forces, flat, pressing)
+    moving = (forces.rows.T @ velocity).reshape(-1, 6) / forces.live_force
+    return Found(
+        status, float(unknown[-1] * forces.force / forces.live_force),
+        forces.force * share * pressing[owner],
+        forces.force * (share * part[owner])[:, None] * shear[forces.group[owner]],
+        moving, gap, float(np.abs(left).max(initial=0.0)) if status == "solved" else 0.0,
+    )  # fmt: skip
+
+
+def _part_of_group(forces: Equilibrium, flat: Contacts, pressing: np.ndarray) -> np.ndarray:
+    """(C,) share of the shear force of its group that a point takes: by what it can bear."""
+    least = 1e-12 * flat.area / flat.area.max(initial=1e-300)
+    bears = np.maximum(flat.friction * pressing + flat.cohesion / forces.force, 0.0) + least
+    return bears / np.bincount(forces.group, bears)[forces.group]

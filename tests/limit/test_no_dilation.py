@@ -1,0 +1,104 @@
+"""Friction without dilation, by the iteration of Gilbert et al. (2006): published factors, and a wedge by hand."""
+
+import numpy as np
+import pytest
+
+from masonry.statics.gilbert import without_dilation
+from masonry.statics.problem import Bodies, Contacts
+from masonry.statics.safety import factor_of_safety
+from masonry.statics.solve import largest_factor
+from tests.limit.blocks import CONES, PLANE, dry, stack, wall
+
+LEFT, RIGHT = ((40.0, 130.0), (60.0, 220.0))
+"""Dip and dip direction of the two planes of a wedge, degrees."""
+
+
+@pytest.mark.parametrize("method", [PLANE, CONES], ids=["plane", "cones"])
+def test_wall_1_of_ferris_and_tin_loi_is_within_1_percent_of_what_gilbert_et_al_found(method):
+    found = without_dilation(*dry(wall(6, halves_below=True), [0], 0.65), method)
+    assert found.converged and found.excess < 1e-6
+    assert found.factors[-1] == pytest.approx(0.6403, rel=0.01)
+
+
+def test_a_higher_wall_falls_earlier_than_with_dilation_though_no_joint_bears_more_than_friction():
+    found = without_dilation(*dry(wall(10, halves_below=True), [0], 0.65))
+    assert found.converged and found.excess < 1e-6
+    assert found.factors[-1] < found.factors[0] - 3e-4
+    assert found.factors[-1] > 0.97 * found.factors[0]
+
+
+def test_a_block_that_slides_alone_needs_no_dilation_to_be_right():
+    for friction, slender in ((0.3, 2.0), (0.7, 0.5)):
+        found = without_dilation(*dry(stack([(slender, 1.0)]), [0], friction))
+        assert found.factors[-1] == pytest.approx(min(friction, slender), rel=1e-6)
+
+
+def normal_of(dip: float, direction: float) -> np.ndarray:
+    """Upward normal of a plane; y is north, x is east."""
+    slope, way = np.radians(dip), np.radians(direction)
+    return np.array([np.sin(slope) * np.sin(way), np.sin(slope) * np.cos(way), np.cos(slope)])
+
+
+def wedge(friction: float) -> tuple[Bodies, Contacts, np.ndarray]:
+    """A tetrahedron of weight 1 in the notch of two planes, pushed along the notch in plan; and the way down."""
+    left, right = normal_of(*LEFT), normal_of(*RIGHT)
+    down = np.cross(left, right)
+    down /= -np.sign(down[2]) * np.linalg.norm(down)
+    top = -2.0 * down
+    sides = [np.cross(n, (0.0, 0.0, 1.0)) for n in (left, right)]
+    first, second = (top + 1.5 * side * np.sign(side @ down) for side in sides)
+    corners = np.array([np.zeros(3), top, first, second])
+    push = np.array([down[0], down[1], 0.0]) / np.hypot(down[0], down[1])
+    live, dead = np.zeros((2, 6)), np.zeros((2, 6))
+    dead[1, 2], live[1, :3] = -1.0, push
+    free = np.array([[False] * 6, [True] * 6])
+    bodies = Bodies(np.array([[0.0, 0.0, -5.0], corners.mean(axis=0)]), free, dead, live)
+    none = np.zeros(6)
+    contacts = Contacts(
+        *(np.zeros(6, dtype=np.int64), np.ones(6, dtype=np.int64), corners[[0, 1, 2, 0, 1, 3]]),
+        *(np.array([left] * 3 + [right] * 3), np.repeat([0, 1], 3), np.ones(6), np.full(6, friction)),
+        *(none, none, np.zeros(6, dtype=bool)),
+    )
+    return bodies, contacts, down
+
+
+def push_by_hand(friction: float) -> float:
+    """Without dilation it slides along the notch, so that both shear forces act up it: three equations for the normal
+    forces and the shear at a push of 0 and of 1, and friction for the push."""
+    left, right = normal_of(*LEFT), normal_of(*RIGHT)
+    bodies, _, down = wedge(friction)
+    matrix = np.column_stack([left, right, -down])
+    at_0, at_1 = (np.linalg.solve(matrix, -load) for load in (bodies.dead[1, :3], bodies.live[1, :3]))
+    return float((friction * at_0[:2].sum() - at_0[2]) / (at_1[2] - friction * at_1[:2].sum()))
+
+
+def test_a_wedge_slides_at_its_critical_friction_angle_of_33_36_degrees():
+    assert push_by_hand(np.tan(np.radians(33.3572))) == pytest.approx(0.0, abs=2e-6)
+    for angle in (34.0, 36.0, 40.0):
+        friction = np.tan(np.radians(angle))
+        found = without_dilation(*wedge(friction)[:2])
+        assert found.converged
+        without, by_hand = found.factors[-1], push_by_hand(friction)
+        dilation = found.factors[0] - by_hand
+        assert dilation > 0.05, "with dilation it has to climb out of the notch"
+        assert by_hand < without < by_hand + 0.03 * dilation, (
+            "a hundredth of the slope, and so of the dilation, is left"
+        )
+
+
+def test_the_factor_of_safety_of_a_wedge_without_dilation_is_that_of_the_textbook():
+    bodies, contacts, _ = wedge(1.0)
+    factor, _, _ = factor_of_safety(bodies, contacts, dilation=False)
+    assert np.degrees(np.arctan(1.0 / factor)) == pytest.approx(33.3572, abs=0.2), "a hundredth of the dilation is left"
+
+
+def test_with_dilation_a_wedge_is_held_down_to_a_lesser_angle_known_by_hand():
+    """It leaves both planes at the friction angle, level: sin(phi) = sin(40) sin(60) / sqrt(sin^2(40) + sin^2(60)),
+    since the planes dip at right angles to each other in plan."""
+    first, second = (np.sin(np.radians(dip)) for dip, _ in (LEFT, RIGHT))
+    by_hand = np.degrees(np.arcsin(first * second / np.hypot(first, second)))
+    bodies, contacts, _ = wedge(1.0)
+    factor, _, _ = factor_of_safety(bodies, contacts)
+    assert np.degrees(np.arctan(1.0 / factor)) == pytest.approx(by_hand, abs=1e-3)
+    assert by_hand == pytest.approx(31.0743, abs=1e-4)
+    assert largest_factor(*wedge(np.tan(np.radians(by_hand + 0.01)))[:2]).factor < 0.01
