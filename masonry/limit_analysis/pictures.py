@@ -28,7 +28,7 @@ LONGEST, LEAST = 0.12, 0.01
 
 def view_of(result: LimitData) -> str:
     """Front where nothing moves through the thickness, else iso."""
-    camera = camera_of("front", result.specimen.blocks.points, result.specimen.shape)
+    camera = camera_of("front", result.specimen)
     velocity = result.corner_velocities()[1]
     across = np.abs(velocity @ camera.toward).max(initial=0.0)
     return "front" if across <= 1e-3 * np.abs(velocity).max(initial=0.0) else "iso"
@@ -36,7 +36,7 @@ def view_of(result: LimitData) -> str:
 
 def mechanism_figure(result: LimitData, view: str | None = None) -> Any:
     """A matplotlib figure of the blocks a little after they began to move; what moves is tinted."""
-    camera, blocks = _camera(result, view), result.specimen.blocks
+    camera, blocks = camera_of(view or view_of(result), result.specimen), result.specimen.blocks
     top = max(float(result.speeds().max(initial=0.0)), 1e-300)
     times = SHOWN * camera.size / top if result.moving.any() else 0.0
     faces = FaceDrawing(blocks, camera)
@@ -58,7 +58,7 @@ def thrust_figure(result: LimitData, view: str | None = None) -> Any:
     Along it a line: its length is in proportion to the force. Units in one row have a thrust line from joint to joint.
     Where a joint pulls at one edge and presses at another, the force passes outside: it is drawn in the middle, hollow.
     """
-    camera, blocks = _camera(result, view), result.specimen.blocks
+    camera, blocks = camera_of(view or view_of(result), result.specimen), result.specimen.blocks
     found, table = unit_joints(blocks, result.joints), result.thrust()
     force, place = (np.column_stack([table[f"{name}_{axis}"] for axis in "xyz"]) for name in ("force", "place"))
     size = np.linalg.norm(force, axis=1)
@@ -94,14 +94,6 @@ def _factor(result: LimitData) -> str:
     word = "factor of safety" if result.is_safety else "load factor"
     ending = " (no bound)" if result.with_dilation is not None else ""
     return f"{word} {result.factor:.5g} {result.unit}".rstrip() + ending
-
-
-def _camera(result: LimitData, view: str | None) -> Camera:
-    """Its size is that of the specimen, without a floor below it."""
-    blocks = result.specimen.blocks
-    corner_block = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
-    shown = blocks.points[blocks.face_points[~_is_floor(result)[corner_block]]]
-    return camera_of(view or view_of(result), shown, result.specimen.shape)
 
 
 def _is_floor(result: LimitData) -> np.ndarray:

@@ -35,8 +35,8 @@ class Camera:
 
 
 def camera_of(view: str, specimen: Specimen, moved: Sequence[np.ndarray] = ()) -> Camera:
-    """The camera of one of VIEWS for a specimen, whose corners move by (P, 3) m each."""
-    points, shape = specimen.blocks.points, specimen.shape
+    """The camera of one of VIEWS for a specimen (a floor aside), whose corners move by (P, 3) m each."""
+    points, shape = specimen.blocks.points[above_floor(specimen.blocks)], specimen.shape
     right = along_floor(specimen.blocks, moved)
     return {"front": front_view, "back": back_view, "iso": iso_view}[view](points, shape, right)
 
