@@ -30,6 +30,8 @@ HOLD = 0.1
 """Of the gap or depth: by how much another axis must be better before it takes the place of the present one."""
 HOLD_FACING = 0.02
 """Cosine by which another face must look more against n."""
+FACING = 1e-3
+"""Cosine by which two faces must look against each other to touch."""
 ROUNDS = 4
 """Pairs of faces that are tried one after the other, each better than the last."""
 FLAT, FLAT_HELD = 0.995, 0.998
@@ -115,6 +117,8 @@ def _ordered(
             gap_a = face_gap(normal, offset, fa, vertex, vb, vb_end, dx, dy, dz)
             gap_b = face_gap(normal, offset, fb, vertex, va, va_end, -dx, -dy, -dz)
         wide = max(gap_a, gap_b)
+        if not _face_each_other(normal, fa, fb):  # of tets, whose other faces are inner ones
+            return NONE, 0, wide, 0.5, 0.0, fa, fb, 0.0, 0.0, 0.0
         blend, nx, ny, nz = _between(normal, fa, fb, (gap_a - gap_b) / (BLEND * small))
         if wide > skin:
             return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
@@ -174,6 +178,13 @@ def _pair_of(normal, inner, fa, fb, la, la_end, lb, lb_end, first, held):
         return fa, most_facing(normal, inner, lb, lb_end, x, y, z, fb if held else -1, HOLD_FACING)
     x, y, z = normal[fb, 0], normal[fb, 1], normal[fb, 2]
     return most_facing(normal, inner, la, la_end, x, y, z, fa if held else -1, HOLD_FACING), fb
+
+
+@inlined
+def _face_each_other(normal, fa, fb):
+    """Whether two faces look against each other, by a hair at least."""
+    along = normal[fa, 0] * normal[fb, 0] + normal[fa, 1] * normal[fb, 1] + normal[fa, 2] * normal[fb, 2]
+    return along < -FACING
 
 
 @inlined

@@ -23,8 +23,8 @@ from masonry.kernels.patches import (
     Points,
     Rules,
     stored,
-    turned,
 )
+from masonry.kernels.planes import into, plane_of, turned
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
@@ -170,7 +170,7 @@ def renew(near, p, count, own):
     side = 1.0 if own == 1 else -1.0
     axis, frame, position = pairs.axis[p], motion.frame, search.position
     pairs.points_of[p] = own
-    for i in range(3):
+    for i in range(3):  # F^T n, whatever the frame
         pairs.normal[p, i] = frame[ref, 0, i] * axis[0] + frame[ref, 1, i] * axis[1] + frame[ref, 2, i] * axis[2]
     total = deepest = 0.0
     for k in range(count):
@@ -181,8 +181,9 @@ def renew(near, p, count, own):
             along += axis[i] * (search.point[k, i] - position[ref, i])
         x, y = search.point[k, 0] - position[other, 0], search.point[k, 1] - position[other, 1]
         z = search.point[k, 2] - position[other, 2]
-        for i in range(3):
-            points.material[s, k, i] = frame[other, 0, i] * x + frame[other, 1, i] * y + frame[other, 2, i] * z
+        points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2] = into(
+            frame, motion.dual, other, x, y, z
+        )
         points.level[s, k] = along - side * gap
         points.area[s, k] = search.area[k]
         points.feature[s, k] = search.feature[k]
@@ -214,8 +215,9 @@ def remember(pairs, points, motion, search, p):
     """Keep the places, names, areas, shear tractions and the normal of a patch; returns how many points it has."""
     s, own = pairs.slot[p], pairs.points_of[p]
     ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
-    n = turned(motion.frame, ref, pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2])
-    search.was_normal[0], search.was_normal[1], search.was_normal[2] = n
+    x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
+    n = plane_of(motion.frame, motion.dual, ref, x, y, z)
+    search.was_normal[0], search.was_normal[1], search.was_normal[2] = n[0], n[1], n[2]
     for k in range(points.held[s]):
         arm = turned(motion.frame, other, points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2])
         for i in range(3):

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from masonry.kernels.patches import SHEAR_LOST, gap_of, turned
+from masonry.kernels.patches import SHEAR_LOST, gap_of
+from masonry.kernels.planes import plane_of
 from masonry.kernels.refreshing import refresh
 from masonry.model.large.meeting import Large, keys
 from masonry.model.model import Model
@@ -74,11 +75,12 @@ def _hand_over(model: Model, tractions: dict[int, np.ndarray], count: int) -> No
     near = model.large.near
     pairs, points, rules = near.pairs, near.points, near.rules
     for p in range(int(pairs.number[0])):
-        s, (a, b) = pairs.slot[p], pairs.body[p]
+        s, (a, b) = pairs.slot[p], near.pieces.block[pairs.body[p]]
         traction = tractions.get(int(keys(np.array([[a, b]]), count)[0]))
         if s < 0 or traction is None:
             continue
-        n = np.array(turned(near.motion.frame, pairs.body[p, 1 - pairs.points_of[p]], *pairs.normal[p]))
+        motion, ref = near.motion, pairs.body[p, 1 - pairs.points_of[p]]
+        n = np.array(plane_of(motion.frame, motion.dual, ref, *pairs.normal[p])[:3])
         along = traction - (traction @ n) * n
         for k in range(points.held[s]):
             gap = gap_of(pairs, points, near.motion, p, k)
