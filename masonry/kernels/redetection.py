@@ -28,6 +28,8 @@ from masonry.kernels.planes import into, plane_of, turned
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
+SIDEWAYS = 0.01
+"""Of the skin: travel of two triangles that lie beside each other after which they are looked at again, at least."""
 ALIKE = 1e-6
 """Of their size: difference of two blocks that are as large as each other."""
 BORN_DEEP = 0.1
@@ -41,7 +43,7 @@ class Search(NamedTuple):
     bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;
              N pieces in all; held (K,) whether they still do
     moves    (B,) whether it can move
-    mass     (B,) kg, real     least (B,) m2, area of a contact of edges
+    mass     (B,) kg, real     least (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
     position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
     built    (B,) m, travel at the last search      skin (1,) m
     point, gap, area, feature  room for what one look finds
@@ -60,6 +62,7 @@ class Search(NamedTuple):
     moves: np.ndarray
     mass: np.ndarray
     least: np.ndarray
+    deep: np.ndarray
     position: np.ndarray
     built: np.ndarray
     skin: np.ndarray
@@ -115,6 +118,8 @@ def look(near, p):
     pairs.mark[p] = motion.travel[a] + motion.travel[b]
     if kind == NONE:
         pairs.limit[p] = max(separation - 0.5 * skin, 0.25 * skin)
+        if pieces.block[a] != a or pieces.block[b] != b:  # of tets inner faces part nothing: they may meet at once
+            pairs.limit[p] = max(separation - 0.5 * skin, size, SIDEWAYS * skin)
         let_go(near, p)
         return True
     pairs.limit[p] = MOVED * size
@@ -201,7 +206,7 @@ def renew(near, p, count, own):
         for k in range(count):
             points.shear[s, k, 0] = points.shear[s, k, 1] = points.shear[s, k, 2] = 0.0
     set_dashpot(pairs, near.rules, search, p, total)
-    if had == 0 and -deepest > BORN_DEEP * sqrt(min(search.least[ref], search.least[other])):
+    if had == 0 and -deepest > BORN_DEEP * min(search.deep[ref], search.deep[other]):
         search.flag[0], search.flag[1] = TOO_DEEP, p
         return False
     now_pressed, now_sheared = stored(pairs, points, near.rules, motion, p)

@@ -175,6 +175,7 @@ def near_of(
         moves=free_bodies(layout, bodies, tets),
         mass=masses_of(layout, masses, pieces.block),
         least=LEAST * size**2,
+        deep=np.sqrt(LEAST * size[pieces.block] ** 2),
         position=np.zeros((count, 3)),
         built=np.full(count, -1e30),
         skin=np.array([SKIN * size[: blocks.count].mean()]),
