@@ -28,8 +28,9 @@ drive, `support_stress` at the support, `force` is that of the drive;
 
 
 LARGE_UNITS = {"rotor": "J", "dashpot": "J", "redetection": "J", "area": "J"}
-"""Columns of large displacement besides: what free rotations lost by the step's length; what dashpots dissipated; what
-shear lost as contacts were detected anew; what pressed areas that went or shrank held, less those that came or grew."""
+"""Columns of large displacement besides: what free rotations, and blocks that deform, lost by the step's length; what
+dashpots dissipated; what shear lost as contacts were detected anew; what pressed areas that went or shrank held, less
+those that came or grew."""
 
 
 TILT = "tilt_of_gravity"

@@ -51,8 +51,6 @@ def assemble(scene: Scene) -> Assembly:
     blocks = specimen.blocks
     require_groups(scene, blocks.groups)
     require_contact_groups(scene, specimen, joints)
-    if scene.is_large:
-        _require_rigid(scene, blocks.groups)
     compressions = sorted({0.0, scene.confinement or 0.0})
     pairs = pairs_of(scene, blocks, compressions) if scene.is_large else None
     mesh, joints = meshed(scene, blocks, joints)
@@ -78,6 +76,11 @@ def assemble(scene: Scene) -> Assembly:
             'solver.time_step = "equation-11" needs solver.masses = "real": scaled masses have one bound of their own'
         )
     meetings = None if pairs is None else meetings_of(pairs)
+    if meetings is not None and mesh is not None and meetings.rules.dashpot.any():
+        raise SceneError(
+            "normal_dashpot does not go with kinematics 'tets': the time step is not proven for it; leave it out, or "
+            "take affine blocks"
+        )
     built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings)
     plan = plan_of(scene, built.dt)
     if isinstance(plan, loads.Program) and plan.steps > plan.settle == 0:
@@ -161,14 +164,6 @@ def require_groups(scene: Scene, groups: tuple[str, ...]) -> None:
     for group in scene.kinematics:
         if group != "default" and group not in groups:
             raise SceneError(f"kinematics.{group}: the specimen has no blocks of this group; {nearest(group, groups)}")
-
-
-def _require_rigid(scene: Scene, groups: tuple[str, ...]) -> None:
-    for group in groups:
-        if (kind := scene.kinematics_of(group)) != "rigid":
-            raise SceneError(
-                f"kinematics '{kind}' of group '{group}' with displacements = \"large\" is not there yet; take rigid"
-            )
 
 
 def require_contact_groups(scene: Scene, specimen: Specimen, joints: Joints) -> None:

@@ -44,8 +44,8 @@ def cells_of(owner: np.ndarray, most_pairs: int) -> Cells:
 
 
 def cells_for(pieces: Pieces, most_pairs: int) -> Cells:
-    """Room for the boxes of some pieces; pieces of one body are no pair."""
-    return cells_of(pieces.body, most_pairs)
+    """Room for the boxes of some pieces; pieces of one block are no pair."""
+    return cells_of(pieces.block[pieces.body], most_pairs)
 
 
 @bare

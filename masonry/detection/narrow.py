@@ -16,7 +16,8 @@ from masonry.detection.axes import edge_axis, face_gap, most_facing, open_edges,
 from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import area_and_centroid
 from masonry.detection.contact_points import corner_point, crossing_point, polygon_points
-from masonry.detection.overlap import common_plane, heights, overlap, point_of
+from masonry.detection.overlap import beside, common_plane, heights, overlap, point_of
+from masonry.detection.pieces import SNAP
 
 NONE, FACE, EDGE = 0, 1, 2
 """Kinds: no contact; two faces, or a face and an edge or corner; two crossed edges."""
@@ -30,12 +31,14 @@ HOLD = 0.1
 """Of the gap or depth: by how much another axis must be better before it takes the place of the present one."""
 HOLD_FACING = 0.02
 """Cosine by which another face must look more against n."""
+FACING = 0.3
+"""Cosine by which two faces must look against each other where tets touch, which have no other faces to do so."""
 ROUNDS = 4
 """Pairs of faces that are tried one after the other, each better than the last."""
 FLAT, FLAT_HELD = 0.995, 0.998
 """Cosine between n and the axis of two edges: nearer ones are part of the overlap of two faces; while they touch."""
-SNAP, ROUND_OFF = 1e-12, 1e-9
-"""Of the smaller radius: corners on a line of the clip; axes that are as good as each other."""
+ROUND_OFF = 1e-9
+"""Of the smaller radius: axes that are as good as each other."""
 
 
 @bare
@@ -55,7 +58,8 @@ def touch(
     blend            weight of p's normal in n
     size             m, root of the area of the overlap: what motions are compared with; a tenth of that where n lies
                      between two normals, since a tilt may soon turn it to one of them; and so small that what was
-                     cut away cannot close before the pair is clipped anew
+                     cut away cannot close before the pair is clipped anew. Without contact, of tets: how far the
+                     two faces are apart sideways, 0 where that is not known
     """
     rank = pieces.rank
     body = pieces.body
@@ -68,7 +72,8 @@ def touch(
     kind, count, separation, blend, size, fa, fb, nx, ny, nz = _ordered(
         a, b, dx, dy, dz, skin, reach, least, witness[0], wa, wb,
         pieces.vertex_start, pieces.face_start, pieces.loop_start, pieces.loop, pieces.inner,
-        pieces.edge_start, pieces.edge, pieces.radius, turned.vertex, turned.centre, turned.normal, turned.offset,
+        pieces.edge_start, pieces.edge, pieces.radius, pieces.snap,
+        turned.vertex, turned.centre, turned.normal, turned.offset,
         scratch.u, scratch.v, scratch.label, scratch.wu, scratch.wv, scratch.weight, scratch.name, scratch.edges,
         point, gap, area, feature,
     )  # fmt: skip
@@ -88,14 +93,15 @@ def touch(
 @inlined
 def _ordered(
     a, b, dx, dy, dz, skin, reach, least, known, fa, fb,
-    vertex_start, face_start, loop_start, loop, inner, edge_start, edge, radius, vertex, centre, normal, offset,
+    vertex_start, face_start, loop_start, loop, inner, edge_start, edge, radius, snaps, vertex, centre, normal, offset,
     u, v, label, wu, wv, weight, name, edges, point, gap, area, feature,
 ):  # fmt: skip
     """`touch` for pieces in the order of their ranks, points from the first body's position."""
     va, va_end, vb, vb_end = vertex_start[a], vertex_start[a + 1], vertex_start[b], vertex_start[b + 1]
     la, la_end, lb, lb_end = face_start[a], face_start[a + 1], face_start[b], face_start[b + 1]
     small = min(radius[a], radius[b])
-    snap, tie = SNAP * small, ROUND_OFF * small
+    snap, tie = max(snaps[a], snaps[b]) * small, ROUND_OFF * small
+    of_tets = snap > SNAP * small
     ax, ay, az = centre[a, 0], centre[a, 1], centre[a, 2]
     bx, by, bz = centre[b, 0] + dx, centre[b, 1] + dy, centre[b, 2] + dz
     if known == EDGE or fa < 0 or fb < 0:
@@ -121,6 +127,8 @@ def _ordered(
             gap_a = face_gap(normal, offset, fa, vertex, vb, vb_end, dx, dy, dz)
             gap_b = face_gap(normal, offset, fb, vertex, va, va_end, -dx, -dy, -dz)
         wide = max(gap_a, gap_b)
+        if of_tets and not _face_each_other(normal, fa, fb):
+            return NONE, 0, wide, 0.5, 0.0, fa, fb, 0.0, 0.0, 0.0
         blend, nx, ny, nz = _between(normal, fa, fb, (gap_a - gap_b) / (BLEND * small))
         if wide > skin:
             return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
@@ -164,8 +172,9 @@ def _ordered(
             return EDGE, found, apart, 0.5, sqrt(least), ea, eb, ex, ey, ez
     if full <= 0.0:
         depth = max(wide, apart) if ea >= 0 else wide
-        if depth >= 0.0:
-            return NONE, 0, depth, blend, 0.0, fa, fb, nx, ny, nz
+        if depth >= 0.0 or of_tets:  # a corner of a mesh belongs to several tets
+            lateral = beside(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane) if of_tets else 0.0
+            return NONE, 0, depth, blend, lateral, fa, fb, nx, ny, nz
         if blend >= 0.5:
             corner_point(
                 vertex, vb, vb_end, dx, dy, dz, nx, ny, nz, 1.0, depth, least, fa - la, point, gap, area, feature
@@ -201,6 +210,13 @@ def _pair_of(
     return most_facing(
         normal, offset, inner, la, la_end, vertex, va, va_end, x, y, z, tie, present, HOLD_FACING
     ), fb  # fmt: skip
+
+
+@inlined
+def _face_each_other(normal, fa, fb):
+    """Whether two faces look against each other."""
+    along = normal[fa, 0] * normal[fb, 0] + normal[fa, 1] * normal[fb, 1] + normal[fa, 2] * normal[fb, 2]
+    return along < -FACING
 
 
 @inlined

@@ -1,11 +1,11 @@
 """The overlap of two faces seen along the common normal, and the planes of both faces above it."""
 
-from math import sqrt
+from math import inf, sqrt
 from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.bare import inlined
+from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import clip
 from masonry.detection.features import OTHER
 from masonry.detection.pieces import Pieces
@@ -112,6 +112,31 @@ def overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, lab
         x, y, z = vertex[i, 0] - ox, vertex[i, 1] - oy, vertex[i, 2] - oz
         wu[k], wv[k] = sx * x + sy * y + sz * z, tx * x + ty * y + tz * z
     return clip(u, v, label, height, count, wu, wv, window, OTHER, snap)
+
+
+@bare
+def beside(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane):
+    """How far (m) faces fa and fb are apart along a line of the plane, at least: 0 where no edge of them parts them."""
+    sx, sy, sz, tx, ty, tz = plane.sx, plane.sy, plane.sz, plane.tx, plane.ty, plane.tz
+    widest = 0.0
+    for turn in range(2):
+        own, other, sign = (fa, fb, 1.0) if turn == 0 else (fb, fa, -1.0)
+        first, last = loop_start[own], loop_start[own + 1]
+        for k in range(first, last):
+            i, j = loop[k], loop[k + 1 if k + 1 < last else first]
+            x, y, z = vertex[j, 0] - vertex[i, 0], vertex[j, 1] - vertex[i, 1], vertex[j, 2] - vertex[i, 2]
+            eu, ev = sx * x + sy * y + sz * z, tx * x + ty * y + tz * z
+            size = sqrt(eu * eu + ev * ev)
+            nearest = inf
+            for m in range(loop_start[other], loop_start[other + 1]):
+                o = loop[m]
+                x = vertex[o, 0] + sign * dx - vertex[i, 0]
+                y = vertex[o, 1] + sign * dy - vertex[i, 1]
+                z = vertex[o, 2] + sign * dz - vertex[i, 2]
+                u, v = sx * x + sy * y + sz * z, tx * x + ty * y + tz * z
+                nearest = min(nearest, sign * (ev * u - eu * v))  # the second face is seen from behind
+            widest = max(widest, nearest / size)
+    return widest
 
 
 @inlined

@@ -14,7 +14,11 @@ from geometry.polyhedra.measures import centroids, extent
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 from masonry.detection.convex_parts import NEAR, Convex, convex_block, convex_parts, covered, welded
 from masonry.detection.features import MOST_CORNERS, MOST_FACES
+from masonry.detection.tet_pieces import SurfaceTets, as_pieces
 
+SNAP, SNAP_OF_TETS = 1e-12, 5e-4
+"""Of the radius of a piece. Triangles of two meshes that match lie on each other but for elastic slips: where their
+edges crossed, the areas of corners would change with each of them, and with those the energy of an uneven pressure."""
 EQUAL_PLACES = 6
 """Digits of a place, in sizes of a block, by which blocks are put in order: rounding is no difference."""
 
@@ -24,7 +28,8 @@ class Pieces(NamedTuple):
 
     body          (P,) number of the body; its pieces are piece_start[body]..piece_start[body + 1]
     piece_start   (N + 1,)
-    rank          (P,) order of the pieces by their place in the specimen, whatever their numbers
+    rank          (P,) order of the pieces by their place in the specimen, whatever their numbers; where some are tets,
+                  by number: which of two triangles is snapped to the other one is then the same however all is turned
     vertex_start  (P + 1,) corners of piece p in vertex
     vertex        (V, 3) m, from the body's centroid
     face_start    (P + 1,) faces of piece p
@@ -37,6 +42,8 @@ class Pieces(NamedTuple):
     centre        (P, 3) m, mean of the corners, from the body's centroid
     radius        (P,) m, from the centre to the farthest corner
     reach         (N,) m, from a body's centroid to its farthest corner
+    block         (N,) the block that a body is: itself, or of a tet the one that it belongs to
+    snap          (P,) of the radius: corners that are nearer to a line of the clip lie on it
     """
 
     body: np.ndarray
@@ -54,18 +61,25 @@ class Pieces(NamedTuple):
     centre: np.ndarray
     radius: np.ndarray
     reach: np.ndarray
+    block: np.ndarray
+    snap: np.ndarray
 
 
-def pieces_of(blocks: Blocks) -> Pieces:
-    """The convex pieces of some blocks: one for a convex block, several for another.
+def pieces_of(blocks: Blocks, tets: SurfaceTets | None = None, nodes: np.ndarray | None = None) -> Pieces:
+    """The convex pieces of some blocks: one for a convex block, several for another; of a meshed one its outer tets.
 
+    tets, nodes  the bodies behind those of the blocks, and (., 3) m the nodes of their mesh. A block with such tets has
+                 no pieces of its own
     Raises GeometryError where a piece has too many faces or corners of a face.
     """
     origin = centroids(blocks)
     convex = are_convex(blocks, NEAR * extent(blocks))
     found: list[tuple[int, Convex, list[bool]]] = []
     together = welded(blocks)
+    meshed = set() if tets is None else set(tets.block.tolist())
     for b in range(blocks.count):
+        if b in meshed:
+            continue
         if convex[b]:
             part = convex_block(blocks, b, together)
             found.append((b, part, [False] * len(part.loops)))
@@ -80,11 +94,15 @@ def pieces_of(blocks: Blocks) -> Pieces:
                 f"block {b} (unit {blocks.unit[b]}) has {len(part.loops)} faces, of up to {max(map(len, part.loops))} "
                 f"corners; at most {MOST_FACES} faces of {MOST_CORNERS} corners can be detected"
             )
-    return _flat(found, origin)
+    own = np.arange(blocks.count)
+    if tets is None or nodes is None:
+        return _flat(found, origin, own)
+    found += as_pieces(tets, nodes, blocks.count)
+    return _flat(found, np.concatenate([origin, tets.centre]), np.concatenate([own, tets.block]))
 
 
-def _flat(found: list[tuple[int, Convex, list[bool]]], origin: np.ndarray) -> Pieces:
-    """All pieces in one set of arrays."""
+def _flat(found: list[tuple[int, Convex, list[bool]]], origin: np.ndarray, block: np.ndarray) -> Pieces:
+    """All pieces in one set of arrays; block (N,) of the bodies."""
     body = np.array([b for b, _, _ in found], dtype=np.int64)
     vertices = [part.corners - origin[b] for b, part, _ in found]
     vertex_start = _starts(len(v) for v in vertices)
@@ -99,13 +117,15 @@ def _flat(found: list[tuple[int, Convex, list[bool]]], origin: np.ndarray) -> Pi
     far = np.maximum.reduceat(np.linalg.norm(vertex, axis=1), vertex_start[:-1])
     reach = np.zeros(len(origin))
     np.maximum.at(reach, body, far)
-    place = centre + origin[body]
+    place, meshed = centre + origin[body], not np.array_equal(block, np.arange(len(block)))
     rank = np.empty(len(found), dtype=np.int64)
-    rank[np.lexsort(np.round(place / radius.mean(), EQUAL_PLACES).T[::-1])] = np.arange(len(found))
+    by_place = np.lexsort(np.round(place / radius.mean(), EQUAL_PLACES).T[::-1])
+    rank[np.arange(len(found)) if meshed else by_place] = np.arange(len(found))
     return Pieces(
         body, np.searchsorted(body, np.arange(len(origin) + 1)), rank, vertex_start, vertex, face_start,
         loop_start, loop, normal, inner, _starts(map(len, edges)),
         np.array([edge for some in edges for edge in some], dtype=np.int64).reshape(-1, 4), centre, radius, reach,
+        block, np.where(block[body] == body, SNAP, SNAP_OF_TETS),
     )  # fmt: skip
 
 

@@ -17,7 +17,7 @@ class Bonds(NamedTuple):
     """What C bonds need besides the arrays of contacts, which hold displacements and forces in the frame of side a.
 
     rows    (C, 2) rows of u of both sides
-    frames  (B, 3, 3) rotation of each rigid block
+    frames  (B, 3, 3) rotation of each block; of one that deforms, that of its polar decomposition
     owner   (C,) block of side a: row of `frames`
     u       (S, 3) m, displacement of the material points from the start
     force   (C, 3) N on side a

@@ -5,6 +5,8 @@ A scene of small displacement compiles nothing of this file.
 
 from masonry.detection.bare import bare
 from masonry.kernels.bonds import from_frames, to_frames
+from masonry.kernels.deforming_patches import press_deforming
+from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
 from masonry.kernels.patches import press
 from masonry.kernels.refreshing import refresh
 from masonry.kernels.step import pull, reaction, sweep_groups
@@ -12,27 +14,47 @@ from masonry.kinematics.dispatch import move, place
 
 
 @bare
-def advance(first, steps, dt, damping, dead_load, speed, groups, contacts, bonds, bodies, drives, near, drive_force):
+def advance(
+    first, steps, dt, damping, dead_load, speed, groups, contacts, bonds, bodies, drives, near, members, drive_force
+):
     """Run up to `steps` steps from step number `first`; returns how many were run: fewer where room ran out.
 
     Arguments as of kernels.step.advance; contacts hold displacements and forces in the frames of the bonds.
     bonds  Bonds
     near   Near, what blocks meet
+    members  gathering.Members, where some blocks deform, else None
     """
     parameters, properties, states, bounds = groups
     sides, normal, area, local, force = contacts
-    blocks, drive = bodies[0], drives[0]
+    rigid, affine, tets = bodies
+    rigid_drive, affine_drive, tet_drive = drives
+    if members is not None:
+        gather_places(near.motion, members, rigid, affine, tets, bonds)
     for k in range(steps):
         n = first + k
+        if members is not None:
+            gather_velocities(near.motion, members, rigid, affine, tets)
         if not refresh(near, dt):
             return k
-        place(None, blocks, dt, bonds.u)
+        place(None, rigid, dt, bonds.u)
+        place(None, affine, dt, bonds.u)
+        place(None, tets, dt, bonds.u)
+        if members is not None:
+            gather_places(near.motion, members, rigid, affine, tets, bonds)
         to_frames(bonds, local)
         sweep_groups(None, parameters, properties, states, 0, bounds, sides, normal, area, local, force)
         from_frames(bonds, force)
-        press(near, dt)
+        if members is None:
+            press(near, dt)
+        else:
+            press_deforming(near, dt)
+            hand_over(near.motion, members, rigid, affine, tets)
         clock = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
-        move(None, blocks, dt, damping, clock, bonds.force, bonds.u)
-        drive_force[k] = reaction(blocks, drive)
-        pull(blocks, drive, speed[n + 1])
+        move(None, rigid, dt, damping, clock, bonds.force, bonds.u)
+        move(None, affine, dt, damping, clock, bonds.force, bonds.u)
+        move(None, tets, dt, damping, clock, bonds.force, bonds.u)
+        drive_force[k] = reaction(rigid, rigid_drive) + reaction(affine, affine_drive) + reaction(tets, tet_drive)
+        pull(rigid, rigid_drive, speed[n + 1])
+        pull(affine, affine_drive, speed[n + 1])
+        pull(tets, tet_drive, speed[n + 1])
     return steps

@@ -31,7 +31,7 @@ def find_pairs(near):
         search.flag[0], search.flag[1] = NEED_PAIRS, count
         return False
     copy_pairs(near.pairs, near.before)
-    merge(near.pairs, near.before, near.points, pieces.body, search, count)
+    merge(near.pairs, near.before, near.points, pieces.body, pieces.block, search, count)
     return True
 
 
@@ -57,7 +57,7 @@ def copy_pair(source, p, target, q):
 
 
 @bare
-def merge(pairs, before, points, body, search, count):
+def merge(pairs, before, points, body, block, search, count):
     """Write the sorted pairs that were found, with what is known of them; slots of those that are gone become free."""
     number, p, had = 0, 0, before.number[0]
     for k in range(count):
@@ -70,7 +70,9 @@ def merge(pairs, before, points, body, search, count):
         if known:
             copy_pair(before, p, pairs, number)
             p, number = p + 1, number + 1
-        elif (search.moves[a] or search.moves[b]) and not is_bonded(search.bonded, search.held, a, b, len(body)):
+        elif (search.moves[a] or search.moves[b]) and not is_bonded(
+            search.bonded, search.held, block[a], block[b], len(body)
+        ):
             one = 1 if search.unit[a] == search.unit[b] else 0
             pairs.piece[number, 0], pairs.piece[number, 1] = i, j
             pairs.body[number, 0], pairs.body[number, 1] = a, b

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from masonry.detection.bare import bare
+from masonry.kernels.planes import plane_of, turned
 
 FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
 """Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
@@ -77,14 +78,17 @@ class Rules(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """How B rigid blocks stand and move.
+    """How B blocks stand and move: rigid ones, or with `dual` and what follows blocks of which some deform.
 
     centre  (B, 3) m, centroids of the undeformed shape     moved (B, 6) m, the first three: how far they are from there
-    frame   (B, 3, 3) rotation from the start
+    frame   (B, 3, 3) rotation from the start, or deformation gradient F
     v       (B, 6) velocity and spin about x, y, z
-    push    (B, 6) out: force and moment about the centroid
+    push    (B, 6) out: force and moment about the centroid; (B, 12) force and first moments where blocks deform
     radius  (B,) m, of the sphere about the centroid that holds the block
     travel  (B,) m, bound of how far any point has moved so far
+    dual    (B, 3, 3) F^-T, which carries normals; None where all blocks are rigid, and so are the next two
+    rate    (B, 3, 3) 1/s, F'
+    strain  (B,) 1/s, norm of the rate of stretching: the symmetric part of F' F^-1
     """
 
     centre: np.ndarray
@@ -94,6 +98,9 @@ class Motion(NamedTuple):
     push: np.ndarray
     radius: np.ndarray
     travel: np.ndarray
+    dual: np.ndarray | None = None
+    rate: np.ndarray | None = None
+    strain: np.ndarray | None = None
 
 
 @bare
@@ -170,16 +177,6 @@ def press(near, dt):
 
 
 @bare
-def turned(frame, b, x, y, z):
-    """A vector in the frame of a block, in space."""
-    return (
-        frame[b, 0, 0] * x + frame[b, 0, 1] * y + frame[b, 0, 2] * z,
-        frame[b, 1, 0] * x + frame[b, 1, 1] * y + frame[b, 1, 2] * z,
-        frame[b, 2, 0] * x + frame[b, 2, 1] * y + frame[b, 2, 2] * z,
-    )
-
-
-@bare
 def turned_with(shear, s, k, wx, wy, wz, nx, ny, nz):
     """The shear traction of a point after a turn (rad) of the two blocks: in the plane, and of the same size."""
     x, y, z = shear[s, k, 0], shear[s, k, 1], shear[s, k, 2]
@@ -226,13 +223,15 @@ def gap_of(pairs, points, motion, p, k):
     """Gap (m) of a point now, below 0 where the blocks press."""
     own, s = pairs.points_of[p], pairs.slot[p]
     ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
-    n = turned(motion.frame, ref, pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2])
+    x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
+    nx, ny, nz, share = plane_of(motion.frame, motion.dual, ref, x, y, z)
+    n = nx, ny, nz
     a = turned(motion.frame, other, points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2])
     along = 0.0
     for i in range(3):
         between = (motion.centre[other, i] - motion.centre[ref, i]) + (motion.moved[other, i] - motion.moved[ref, i])
         along += n[i] * (a[i] + between)
-    return (along - points.level[s, k]) * (1.0 if own == 1 else -1.0)
+    return (along - share * points.level[s, k]) * (1.0 if own == 1 else -1.0)
 
 
 @bare

@@ -23,11 +23,13 @@ from masonry.kernels.patches import (
     Points,
     Rules,
     stored,
-    turned,
 )
+from masonry.kernels.planes import into, plane_of, turned
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
+SIDEWAYS = 0.01
+"""Of the skin: travel of two triangles that lie beside each other after which they are looked at again, at least."""
 ALIKE = 1e-6
 """Of their size: difference of two blocks that are as large as each other."""
 BORN_DEEP = 0.1
@@ -41,7 +43,7 @@ class Search(NamedTuple):
     bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;
              N pieces in all; held (K,) whether they still do
     moves    (B,) whether it can move
-    mass     (B,) kg, real     least (B,) m2, area of a contact of edges
+    mass     (B,) kg, real     least (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
     position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
     built    (B,) m, travel at the last search      skin (1,) m
     point, gap, area, feature  room for what one look finds
@@ -60,6 +62,7 @@ class Search(NamedTuple):
     moves: np.ndarray
     mass: np.ndarray
     least: np.ndarray
+    deep: np.ndarray
     position: np.ndarray
     built: np.ndarray
     skin: np.ndarray
@@ -115,6 +118,8 @@ def look(near, p):
     pairs.mark[p] = motion.travel[a] + motion.travel[b]
     if kind == NONE:
         pairs.limit[p] = max(separation - 0.5 * skin, 0.25 * skin)
+        if pieces.block[a] != a or pieces.block[b] != b:  # of tets inner faces part nothing: they may meet at once
+            pairs.limit[p] = max(separation - 0.5 * skin, size, SIDEWAYS * skin)
         let_go(near, p)
         return True
     pairs.limit[p] = MOVED * size
@@ -170,7 +175,7 @@ def renew(near, p, count, own):
     side = 1.0 if own == 1 else -1.0
     axis, frame, position = pairs.axis[p], motion.frame, search.position
     pairs.points_of[p] = own
-    for i in range(3):
+    for i in range(3):  # F^T n, whatever the frame
         pairs.normal[p, i] = frame[ref, 0, i] * axis[0] + frame[ref, 1, i] * axis[1] + frame[ref, 2, i] * axis[2]
     total = deepest = 0.0
     for k in range(count):
@@ -181,8 +186,9 @@ def renew(near, p, count, own):
             along += axis[i] * (search.point[k, i] - position[ref, i])
         x, y = search.point[k, 0] - position[other, 0], search.point[k, 1] - position[other, 1]
         z = search.point[k, 2] - position[other, 2]
-        for i in range(3):
-            points.material[s, k, i] = frame[other, 0, i] * x + frame[other, 1, i] * y + frame[other, 2, i] * z
+        points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2] = into(
+            frame, motion.dual, other, x, y, z
+        )
         points.level[s, k] = along - side * gap
         points.area[s, k] = search.area[k]
         points.feature[s, k] = search.feature[k]
@@ -200,7 +206,7 @@ def renew(near, p, count, own):
         for k in range(count):
             points.shear[s, k, 0] = points.shear[s, k, 1] = points.shear[s, k, 2] = 0.0
     set_dashpot(pairs, near.rules, search, p, total)
-    if had == 0 and -deepest > BORN_DEEP * sqrt(min(search.least[ref], search.least[other])):
+    if had == 0 and -deepest > BORN_DEEP * min(search.deep[ref], search.deep[other]):
         search.flag[0], search.flag[1] = TOO_DEEP, p
         return False
     now_pressed, now_sheared = stored(pairs, points, near.rules, motion, p)
@@ -214,8 +220,9 @@ def remember(pairs, points, motion, search, p):
     """Keep the places, names, areas, shear tractions and the normal of a patch; returns how many points it has."""
     s, own = pairs.slot[p], pairs.points_of[p]
     ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
-    n = turned(motion.frame, ref, pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2])
-    search.was_normal[0], search.was_normal[1], search.was_normal[2] = n
+    x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
+    n = plane_of(motion.frame, motion.dual, ref, x, y, z)
+    search.was_normal[0], search.was_normal[1], search.was_normal[2] = n[0], n[1], n[2]
     for k in range(points.held[s]):
         arm = turned(motion.frame, other, points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2])
         for i in range(3):

@@ -17,7 +17,7 @@ from masonry.kernels.redetection import look
 def refresh(near, dt):
     """Count the travel of the coming step, and look at all pairs that it may change; False where it cannot be taken."""
     motion, search, pairs = near.motion, near.search, near.pairs
-    count_travel(motion, dt)
+    count_travel(motion, dt, motion.strain)
     travel = motion.travel
     if needs_search(travel, search.built, search.skin[0]) and not find_pairs(near):
         return False
@@ -39,7 +39,7 @@ def call_others(near, p):
     for side in range(2):
         block = pairs.body[p, side]
         if search.moves[block]:
-            search.stale_block[block] = True
+            search.stale_block[near.pieces.block[block]] = True
             if pairs.slot[p] >= 0 and pairs.witness[p, 0] == FACE:
                 search.stale[pairs.witness[p, 1 + side]] = True
 
@@ -60,7 +60,7 @@ def look_together(near):
             if pairs.mark[p] == motion.travel[pairs.body[p, 0]] + motion.travel[pairs.body[p, 1]]:
                 continue
             apart = pairs.slot[p] < 0
-            if not (nearly_touches(pairs, search, p) if apart else on_stale_face(pairs, search, p)):
+            if not (nearly_touches(pairs, near.pieces.block, search, p) if apart else on_stale_face(pairs, search, p)):
                 continue
             if not look(near, p):
                 return False
@@ -73,9 +73,9 @@ def look_together(near):
 
 
 @bare
-def nearly_touches(pairs, search, p):
+def nearly_touches(pairs, block, search, p):
     """Whether the pair, which was apart, may touch after a small part of the skin, and one of its blocks is stale."""
-    stale = search.stale_block[pairs.body[p, 0]] or search.stale_block[pairs.body[p, 1]]
+    stale = search.stale_block[block[pairs.body[p, 0]]] or search.stale_block[block[pairs.body[p, 1]]]
     return stale and pairs.limit[p] <= 0.25 * search.skin[0]
 
 
@@ -88,12 +88,14 @@ def on_stale_face(pairs, search, p):
 
 
 @bare
-def count_travel(motion, dt):
-    """Add to each block's travel what this step can add to it at most."""
+def count_travel(motion, dt, strain=None):
+    """Add to each block's travel what this step can add to it at most; strain as in Motion."""
     v, travel, radius = motion.v, motion.travel, motion.radius
     for b in range(len(travel)):
         speed = sqrt(v[b, 0] ** 2 + v[b, 1] ** 2 + v[b, 2] ** 2)
         spin = sqrt(v[b, 3] ** 2 + v[b, 4] ** 2 + v[b, 5] ** 2)
+        if strain is not None:
+            spin += strain[b]
         travel[b] += (speed + spin * radius[b]) * dt
 
 

@@ -32,7 +32,7 @@ class Predictor:
     def __init__(self, model: Model) -> None:
         self.model = model
         self.parts = [
-            (body, model.masses[kind], model.contacts.u[: len(body.v)] if kind == "tets" else body.q)
+            (body, model.masses[kind], model.u[: len(body.v)] if kind == "tets" else body.q)
             for kind, body in zip(model.masses, model.bodies, strict=True)
             if body is not None
         ]

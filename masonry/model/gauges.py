@@ -34,7 +34,7 @@ class Gauge:
         """m, now."""
         reading = 0.0
         for kind, (row, column, weight) in self.terms.items():
-            moved = model.contacts.u if kind == "tets" else model.bodies[KINDS.index(kind)].q
+            moved = model.u if kind == "tets" else model.bodies[KINDS.index(kind)].q
             reading += float(weight @ moved[row, column])
         return reading
 

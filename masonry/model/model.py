@@ -12,7 +12,7 @@ from masonry.laws.state import ContactState, JointProperties
 from masonry.model import stable_step as stiffness
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
 from masonry.model.contact_groups import contact_groups
-from masonry.model.large.meeting import Large, Meetings, add_row_sums, bonds_of, near_of, turning_of, without_sides
+from masonry.model.large.meeting import Large, Meetings, add_row_sums, bonds_of, near_of, pushed, without_sides
 from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.step_cost import StepCost, step_cost
@@ -67,6 +67,11 @@ class Model:
     def freedoms(self) -> int:
         return sum(body.v.size for body in self.bodies if body is not None)
 
+    @property
+    def u(self) -> np.ndarray:
+        """Displacements (m) of tet nodes, then of contact points; in large displacement contacts.u is along bonds."""
+        return self.contacts.u if self.large is None else self.large.bonds.u
+
     def contact(self, c: int) -> str:
         """A contact in words, to blame it in a message."""
         a, b = self.joints.block_a[c], self.joints.block_b[c]
@@ -118,7 +123,7 @@ def build(
         stiffness.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
         stiffness.tet_row_sums(sums["tets"], layout, lame)
     else:
-        add_row_sums(sums, blocks, layout, sides, length, np.maximum(dilated, shear), meetings.stiffest)
+        add_row_sums(sums, blocks, layout, sides, length, np.maximum(dilated, shear), meetings.stiffest, lame)
     stiffness.unscale(sums, layout, length)
 
     density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
@@ -162,33 +167,35 @@ def build(
         scaled=stepping.masses == "scaled",
         motion=conditions.motion,
     )
-    return model if meetings is None else enlarged(model, meetings, masses["rigid"])
+    return model if meetings is None else enlarged(model, meetings, masses)
 
 
-def enlarged(model: Model, meetings: Meetings, masses: np.ndarray) -> Model:
-    """The same model in large displacement; masses (B, 6) of motion, of held blocks too.
+def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) -> Model:
+    """The same model in large displacement; masses of motion by kind, of held blocks too.
 
     Contacts without strength become patches.
     """
     joints, layout, count = model.joints, model.layout, len(model.group)
-    assert model.bodies.rigid is not None
-    apart, push = (in_rows(np.zeros(shape)) for shape in ((count, 3), (layout.rows("rigid"), 6)))
-    body = turning_of(model.bodies.rigid, masses[:, 3:], apart, push)
+    apart = in_rows(np.zeros((count, 3)))
+    bodies = pushed(model.bodies, masses, apart)
     dry = np.array([isinstance(shape, Friction) for shape in model.groups.parameters], dtype=bool)[model.group]
     rows = np.column_stack([np.zeros(count), np.arange(1, count + 1)]).astype(np.uint32)
-    body, sides = without_sides(body, model.contacts.sides, dry)
-    bonds = bonds_of(sides, joints, layout, body, model.contacts.u, ~dry)
     contacts = model.contacts._replace(
         sides=aligned(rows), u=in_rows(np.zeros((count + 1, 3))), area=aligned(np.where(dry, 0.0, joints.area))
     )
     bonded = np.column_stack([joints.block_a, joints.block_b])[~dry]
-    near = near_of(model.blocks, layout, body, masses[:, 0], meetings, bonded)
+    near, members = near_of(model.blocks, layout, bodies, masses, meetings, bonded)
+    frames = near.motion.frame if members is None else near.motion.frame.copy()
+    sides = model.contacts.sides
+    if members is None:
+        bodies, sides = without_sides(bodies, sides, dry)
+    bonds = bonds_of(sides, joints, frames, model.contacts.u, apart, ~dry)
     return replace(
         model,
         contacts=contacts,
         groups=idle_where_dry(model.groups),
-        bodies=Bodies(body, None, None),
-        large=Large(bonds, near),
+        bodies=bodies,
+        large=Large(bonds, near, members),
     )
 
 

@@ -1,4 +1,4 @@
-"""What is looked at where blocks may fall: which is the first, when, and what was dissipated by then; overlaps."""
+"""What is looked at where blocks may fall and deform as they like: which falls first, overlaps, large strains."""
 
 from typing import Any
 
@@ -7,10 +7,14 @@ import numpy as np
 from geometry.polyhedra.measures import bounds
 from masonry.kernels.patches import deepest
 from masonry.model.model import Model
+from masonry.monitors.energy import present
 from masonry.monitors.observer import Observer, View
 
 DROPPED = 0.5
 """Of its least width: how far a block has gone down, along its weight, when it counts as fallen."""
+
+SQUEEZED = 0.8
+"""Least det F: below about that St Venant-Kirchhoff softens under pressure, and a block may turn inside out."""
 
 
 class Collapse(Observer):
@@ -23,20 +27,66 @@ class Collapse(Observer):
         self.energies: dict[str, float] = {}
         low, high = bounds(model.blocks)
         self.width = (high - low).min(axis=1)
-        self.free = model.bodies.rigid.dt_over_mass[:, :3].any(axis=1)
+        self.free = np.zeros(model.blocks.count, dtype=bool)
+        for kind, body in present(model):
+            free = body.dt_over_mass[:, :3].any(axis=1)
+            self.free[model.layout.members[kind]] = free if kind != "tets" else self._of_nodes(model, free) > 0.0
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
-        body = model.bodies.rigid
-        if self.block < 0 and body.load is not None:
-            weight = body.load[:, :3]
-            down = weight / np.maximum(np.linalg.norm(weight, axis=1), 1e-300)[:, None]
-            drop = np.where(self.free, np.einsum("bi,bi->b", down, body.q[:, :3]) / self.width, 0.0)
+        if self.block < 0:
+            drop = np.zeros(len(self.width))
+            for kind, body in present(model):
+                if body.load is not None:
+                    weight, moved = body.load[:, :3], model.u[: len(body.v)] if kind == "tets" else body.q[:, :3]
+                    if kind == "tets":
+                        weight, moved = self._of_nodes(model, weight), self._of_nodes(model, moved, mean=True)
+                    down = weight / np.maximum(np.linalg.norm(weight, axis=1), 1e-300)[:, None]
+                    drop[model.layout.members[kind]] = np.einsum("bi,bi->b", down, moved)
+            drop = np.where(self.free, drop / self.width, 0.0)
             if drop.max(initial=0.0) > DROPPED:
                 self.block, self.step = int(drop.argmax()), step
                 self.energies = {key: value for key, value in view.terms.items() if key != "imbalance"}
         assert model.large is not None
-        overlap = deepest(model.large.near, self.width)
+        overlap = deepest(model.large.near, self.width[model.large.near.pieces.block])
         return {"widest": float(view.seen.opening.max(initial=0.0)), "overlap": float(overlap), "slip": 0.0}
+
+    def _of_nodes(self, model: Model, values: np.ndarray, mean: bool = False) -> np.ndarray:
+        """Sums, or means, over the nodes of each meshed block."""
+        assert model.layout.mesh is not None
+        start = model.layout.mesh.node_start
+        own = np.repeat(np.arange(model.blocks.count), np.diff(start))
+        found = np.zeros((model.blocks.count, *values.shape[1:]))
+        np.add.at(found, own, values)
+        which = model.layout.members["tets"]
+        count = np.diff(start)[which].reshape(-1, *[1] * (values.ndim - 1))
+        return np.asarray(found[which] / count if mean else found[which])
 
     def found(self) -> dict[str, Any]:
         return {"collapse": None if self.block < 0 else (self.block, self.step, self.energies)}
+
+
+class Deformation(Observer):
+    """Keeps the least det F, and the longest stretch of any line, of all rows."""
+
+    REMEMBERED = ("least", "longest")
+
+    def __init__(self, stretch: float) -> None:
+        self.stretch, self.least, self.longest = stretch, 1.0, 1.0
+
+    def look(self, model: Model, view: View, step: int) -> dict[str, float]:
+        self.least, self.longest = min(self.least, view.least), max(self.longest, view.longest)
+        return {}
+
+    def found(self) -> dict[str, Any]:
+        words = []
+        if self.least < SQUEEZED:
+            words.append(
+                f"blocks are squeezed to {self.least:.2g} of their volume: below {SQUEEZED:g} their elastic law "
+                "(St Venant-Kirchhoff) is not to be trusted"
+            )
+        if self.longest > self.stretch:
+            words.append(
+                f"blocks are stretched by {self.longest:.3g}, more than the {self.stretch:g} that the stable time step "
+                "is proven for"
+            )
+        return {"deformation": words}

@@ -14,7 +14,7 @@ from masonry.kernels import contact, patches
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.patches import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
 from masonry.kernels.redetection import Near
-from masonry.kinematics import affine, tets, turning
+from masonry.kinematics import affine, deforming, deforming_tets, tets, turning
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
 
@@ -30,12 +30,15 @@ class Seen(NamedTuple):
 
 @dataclass(frozen=True)
 class Observation:
-    """What contacts and blocks show at one moment; stress (B, 6) Pa, energies in J."""
+    """What contacts and blocks show at one moment; stress (B, 6) Pa, energies in J; in large displacement the least
+    det F, and a bound on the longest stretch of any line."""
 
     seen: Seen
     stress: np.ndarray
     elastic_contacts: float
     elastic_blocks: float
+    least: float = 1.0
+    longest: float = 1.0
 
 
 def observe(model: Model) -> Observation:
@@ -47,15 +50,23 @@ def observe(model: Model) -> Observation:
         stored += patches.stored_energy(model.large.near)
     stress = np.zeros((model.blocks.count, 6))
     _, affine_blocks, tet_blocks = model.bodies
-    elastic = 0.0
-    for kind, file, body in (("affine", affine, affine_blocks), ("tets", tets, tet_blocks)):
+    elastic, least, longest = 0.0, 1.0, 1.0
+    large = model.large is not None
+    for kind, file, body in (
+        ("affine", deforming if large else affine, affine_blocks),
+        ("tets", deforming_tets if large else tets, tet_blocks),
+    ):
         if body is None:
             continue
         which = model.layout.members[kind]
         part = np.zeros((len(which), 6))
-        elastic += file.observe(body, part) if kind == "affine" else file.observe(body, model.contacts.u, part)
+        found = file.observe(body, part) if kind == "affine" else file.observe(body, model.u, part)
+        if large:
+            found, smallest, largest = found
+            least, longest = min(least, smallest), max(longest, largest)
+        elastic += found
         stress[which] = part / model.layout.volume[which, None]
-    return Observation(Seen(*seen), stress, stored, elastic)
+    return Observation(Seen(*seen), stress, stored, elastic, least, longest)
 
 
 def stored_in_contacts(model: Model) -> float:
@@ -77,7 +88,7 @@ def _look_at_contacts(model: Model, seen: np.ndarray) -> float:
 def _look_at_parted_points(model: Model, bonds: Bonds, seen: np.ndarray) -> None:
     """How far the material points of joints without bonds have parted, in the frame of side a; they carry nothing."""
     gone, joints = ~bonds.alive, model.joints
-    a, b = (_moved(model, bonds, joints.point[gone], block[gone]) for block in (joints.block_a, joints.block_b))
+    a, b = (_moved(model, joints.point[gone], block[gone]) for block in (joints.block_a, joints.block_b))
     parted = np.einsum("cji,cj->ci", bonds.frames[bonds.owner[gone]], b - a)
     normal = model.contacts.normal[gone]
     opening = np.einsum("ci,ci->c", parted, normal)
@@ -86,25 +97,26 @@ def _look_at_parted_points(model: Model, bonds: Bonds, seen: np.ndarray) -> None
     seen[2:, gone] = 0.0
 
 
-def _moved(model: Model, bonds: Bonds, point: np.ndarray, block: np.ndarray) -> np.ndarray:
-    """(K, 3) m, how far points (K, 3) of some blocks are from where they were in the undeformed shape."""
-    local, arm = model.layout.local[block], point - model.layout.centroid[block]
-    return np.asarray(model.bodies.rigid.q[local, :3] + np.einsum("kij,kj->ki", bonds.frames[local], arm) - arm)
+def _moved(model: Model, point: np.ndarray, block: np.ndarray) -> np.ndarray:
+    """(K, 3) m, how far points (K, 3) of some blocks have moved; with the mean deformation of blocks of tets."""
+    assert model.large is not None
+    motion, arm = model.large.near.motion, point - model.layout.centroid[block]
+    return np.asarray(motion.moved[block, :3] + np.einsum("kij,kj->ki", motion.frame[block], arm) - arm)
 
 
 def kinetic(model: Model, before: list[np.ndarray]) -> float:
     """v(n-1/2) M v(n+1/2) / 2 (J), with which the balance closes to round-off; `before`: velocities a step earlier."""
-    if model.large is not None:
-        return turning.kinetic(model.bodies.rigid, model.masses["rigid"], before[0])
-    pairs = zip(present(model), before, strict=True)
-    return 0.5 * sum(float(np.sum(model.masses[kind] * old * body.v)) for (kind, body), old in pairs)
+    pairs = list(zip(present(model), before, strict=True))
+    turned = 0.0
+    if model.large is not None and model.bodies.rigid is not None:
+        turned, pairs = turning.kinetic(model.bodies.rigid, model.masses["rigid"], before[0]), pairs[1:]
+    return turned + 0.5 * sum(float(np.sum(model.masses[kind] * old * body.v)) for (kind, body), old in pairs)
 
 
 def velocities(model: Model) -> list[np.ndarray]:
     """Copies of the velocities of the bodies that are there; angular momenta in place of turns where blocks turn."""
-    if model.large is not None:
-        return [turning.momenta(model.bodies.rigid)]
-    return [body.v.copy() for _, body in present(model)]
+    turns = model.large is not None
+    return [turning.momenta(body) if turns and kind == "rigid" else body.v.copy() for kind, body in present(model)]
 
 
 def present(model: Model) -> list[tuple[str, Any]]:
@@ -118,7 +130,9 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
     contact_work, damping, external = -float(works[0]), -float(works[1]), float(works[2])
     spent = model.joints.area @ model.state.dissipated
     moving = kinetic(model, before)
-    lines = {} if model.large is None else large_lines(model.large.near, float(works[3]))
+    lines = {}
+    if model.large is not None:  # work[:, 3]: lost by free rotors, and put into blocks that deform
+        lines = large_lines(model.large.near, float(works[3]) - view.elastic_blocks)
     return {
         "external_work": external,
         "elastic_blocks": view.elastic_blocks,
@@ -135,7 +149,10 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
 
 
 def large_lines(near: Near, rotor: float) -> dict[str, float]:
-    """What large displacement books besides (J): history.LARGE_UNITS says what."""
+    """What large displacement books besides (J): history.LARGE_UNITS says what.
+
+    rotor  what turning lost; and what went into blocks that deform, less what they store
+    """
     account = near.account
     return {
         "rotor": rotor,

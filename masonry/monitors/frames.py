@@ -42,7 +42,7 @@ class Frames:
             time=step * model.dt,
             displacement=displacement,
             corners=self.corners(),
-            nodes=model.contacts.u[: len(tets.v)].copy() if tets is not None else np.zeros((0, 3)),
+            nodes=model.u[: len(tets.v)].copy() if tets is not None else np.zeros((0, 3)),
             opening=seen.opening.copy(),
             slip=seen.slip.copy(),
             normal_stress=seen.sigma.copy(),
@@ -73,7 +73,7 @@ class Frames:
             moved[p] = affine.q[self.row[p], :3] + np.einsum("cij,ckj,ck->ci", h, self.axes, self.arm[p])
         if self.nearest is not None:
             p = self.points[2]
-            moved[p] = self.model.contacts.u[self.nearest[p]]
+            moved[p] = self.model.u[self.nearest[p]]
         return moved
 
     def contact_stress(self) -> np.ndarray:

@@ -20,6 +20,7 @@ class View:
     shares    of each dead load
     settling  whether the dead loads still settle
     rotation  the largest of any block so far, rad
+    least, longest  det F and stretch of blocks that deform (energy.Observation)
     """
 
     seen: Seen
@@ -28,6 +29,8 @@ class View:
     shares: list[float] = field(default_factory=list)
     settling: bool = False
     rotation: float = 0.0
+    least: float = 1.0
+    longest: float = 1.0
 
 
 class Observer:

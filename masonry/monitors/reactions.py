@@ -67,20 +67,21 @@ class Surroundings:
     ) -> Standing:
         """The forces now; `before`: velocities one step earlier; `shares` of the loads that act."""
         layout = model.layout
-        bodies = dict(present(model))
+        bodies, large = dict(present(model)), large_bodies(model)
         held = np.zeros((len(self.holds), 6))
         for k, one in enumerate(self.holds):
             for kind, (rows, mask) in one.parts.items():
-                held[k] += resultant(layout, kind, rows, mask * bodies[kind].hold[rows], turning_of(model))
-        loads = self.resultants(layout, shares, turning_of(model))
+                held[k] += resultant(layout, kind, rows, mask * bodies[kind].hold[rows], large.get(kind))
+        loads = self.resultants(layout, shares, large)
         return Standing(step, displacement, held, loads, *of_motion(model, before), acting(model))
 
-    def resultants(self, layout: Layout, shares: list[float], body: Any = None) -> np.ndarray:
-        """(L, 6) of the loads at their shares, where the blocks of a Turning are."""
+    def resultants(self, layout: Layout, shares: list[float], large: dict[str, Any] | None = None) -> np.ndarray:
+        """(L, 6) of the loads at their shares; where blocks are now that turn as far as they like (large_bodies)."""
         found = np.zeros((len(self.loads), 6))
         for k, (one, share) in enumerate(zip(self.loads, shares, strict=True)):
             for kind, (rows, load) in one.parts.items():
-                acts = load if body is None else globally(layout, rows, load)
+                body = (large or {}).get(kind)
+                acts = load if body is None or kind != "rigid" else globally(layout, rows, load)
                 found[k] += share * resultant(layout, kind, rows, acts, body)
         return found
 
@@ -95,7 +96,7 @@ class Surroundings:
         found = np.zeros(len(self.loads))
         for k, one in enumerate(self.loads):
             for kind, (rows, load) in one.parts.items():
-                way = model.contacts.u[: len(bodies[kind].v)] if kind == "tets" else bodies[kind].q
+                way = model.u[: len(bodies[kind].v)] if kind == "tets" else bodies[kind].q
                 found[k] += float(np.sum(load * way[rows]))
         return found
 
@@ -117,12 +118,12 @@ def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.nd
     """
     damping, inertia = np.zeros(6), np.zeros(6)
     for (kind, body), old in zip(present(model), before, strict=True):
-        masses, rows, turning = model.masses[kind], np.arange(len(body.v)), turning_of(model)
+        masses, rows, large = model.masses[kind], np.arange(len(body.v)), large_bodies(model).get(kind)
         gained = masses * (body.v - old)
-        if turning is not None:
-            gained[:, 3:] = turning.momentum - old[:, 3:]
-        damping += resultant(model.layout, kind, rows, np.where(body.dt_over_mass > 0.0, body.hold, 0.0), turning)
-        inertia -= resultant(model.layout, kind, rows, gained / model.dt, turning)
+        if large is not None and kind == "rigid":
+            gained[:, 3:] = body.momentum - old[:, 3:]
+        damping += resultant(model.layout, kind, rows, np.where(body.dt_over_mass > 0.0, body.hold, 0.0), large)
+        inertia -= resultant(model.layout, kind, rows, gained / model.dt, large)
     return damping, inertia
 
 
@@ -131,9 +132,10 @@ def acting(model: Model) -> np.ndarray:
     return (model.contacts.force if model.large is None else model.large.bonds.force).copy()
 
 
-def turning_of(model: Model) -> Any:
-    """The rigid blocks where they turn as far as they like, else None."""
-    return None if model.large is None else model.bodies.rigid
+def large_bodies(model: Model) -> dict[str, Any]:
+    """The bodies by kind where they turn and deform as far as they like, of tets the displacements of their nodes;
+    nothing where displacements are small."""
+    return {} if model.large is None else dict(present(model)) | {"tets": model.u}
 
 
 def globally(layout: Layout, rows: np.ndarray, load: np.ndarray) -> np.ndarray:
@@ -142,28 +144,32 @@ def globally(layout: Layout, rows: np.ndarray, load: np.ndarray) -> np.ndarray:
     return np.column_stack([load[:, :3], np.einsum("bij,bj->bi", axes, load[:, 3:])])
 
 
-def resultant(layout: Layout, kind: str, rows: np.ndarray, forces: np.ndarray, turning: Any = None) -> np.ndarray:
+def resultant(layout: Layout, kind: str, rows: np.ndarray, forces: np.ndarray, large: Any = None) -> np.ndarray:
     """(6,) force (N) and moment (N m) about the origin of generalised forces (n, freedoms) on rows of a kind.
 
-    The arms are those before loading, as everywhere in a model of small rotations; those now for blocks of a Turning.
+    The arms are those before loading, as everywhere in a model of small rotations; those now where there is a `large`
+    body.
     """
-    if turning is not None:
-        place = layout.centroid[layout.members["rigid"][rows]] + turning.q[rows, :3]
+    if large is not None and kind == "rigid":
+        place = layout.centroid[layout.members["rigid"][rows]] + large.q[rows, :3]
         moment = forces[:, 3:] + np.cross(place, forces[:, :3])
         return np.concatenate([forces[:, :3].sum(axis=0), moment.sum(axis=0)])
     assert forces.shape[1] == FREEDOMS[kind]
     force = forces[:, :3]
     if kind == "tets":
         assert layout.mesh is not None
-        return np.concatenate([force.sum(axis=0), np.cross(layout.mesh.nodes[rows], force).sum(axis=0)])
+        node = layout.mesh.nodes[rows] if large is None else layout.mesh.nodes[rows] + large[rows]
+        return np.concatenate([force.sum(axis=0), np.cross(node, force).sum(axis=0)])
     block = layout.members[kind][rows]
-    axes = layout.axes[block]
+    axes, place = layout.axes[block], layout.centroid[block]
+    if large is not None:
+        axes, place = large.frame[rows] @ axes, place + large.q[rows, :3]
     if kind == "rigid":
         own = np.einsum("bij,bj->bi", axes, forces[:, 3:])
-    else:  # first moments, force times arm along the axes of the block
+    else:  # first moments, force times arm along the axes of the block, or what they have become
         t = np.einsum("bik,bjk->bij", forces[:, 3:].reshape(-1, 3, 3), axes)
         own = np.column_stack([t[:, 2, 1] - t[:, 1, 2], t[:, 0, 2] - t[:, 2, 0], t[:, 1, 0] - t[:, 0, 1]])
-    moment = own + np.cross(layout.centroid[block], force)
+    moment = own + np.cross(place, force)
     return np.concatenate([force.sum(axis=0), moment.sum(axis=0)])
 
 

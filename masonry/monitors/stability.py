@@ -3,7 +3,7 @@
 import numpy as np
 
 from masonry.errors import Stopped
-from masonry.kinematics.matrices import rotation_angles
+from masonry.kinematics.matrices import rotation_angles, rotations
 from masonry.kinematics.tets import mean_turn
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
@@ -95,8 +95,11 @@ class Watch(Observer):
         rigid, affine, tets = self.model.bodies
         turns = []
         if self.model.large is not None:
-            self.rotation = max(self.rotation, float(rotation_angles(rigid.frame).max()))
-        elif rigid is not None:
+            frames = [] if rigid is None else [rigid.frame]
+            frames += [rotations(body.frame) for body in (affine, tets) if body is not None]
+            self.rotation = max(self.rotation, *(float(rotation_angles(frame).max()) for frame in frames))
+            return
+        if rigid is not None:
             turns.append((np.abs(rigid.q[:, 3:]), "rigid"))
         if affine is not None:
             h = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), self.model.layout.axes[self.affine])

@@ -22,7 +22,7 @@ def advance_large(model: Model, chunk: Chunk, first: int, steps: int, drive_forc
         done += advance(
             *(first + done, steps - done, model.dt, model.damping, chunk.dead_load, chunk.speed),
             *(tuple(model.groups), tuple(model.contacts), model.large.bonds, tuple(model.bodies), model.drives),
-            *(model.large.near, drive_force[done:]),
+            *(model.large.near, model.large.members, drive_force[done:]),
         )
         if done == steps:
             return
@@ -34,7 +34,7 @@ def make_room(model: Model) -> None:
     assert model.large is not None
     near, why, pair = model.large.near, *model.large.near.search.flag[:2]
     if why == TOO_DEEP:
-        a, b = near.pairs.body[pair]
+        a, b = near.pieces.block[near.pairs.body[pair]]
         raise Stopped(
             f"blocks {a} and {b} overlap at once by more than a hundredth of a block: they overlapped from the start, "
             'turned about contact points inside of their joint (contact_points = "gauss"), or are too fast for the '

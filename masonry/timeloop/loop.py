@@ -11,10 +11,11 @@ from masonry.kernels.step import reaction
 from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.cycles import reached
 from masonry.loading.scheduled import Chunk, ScheduledLoading
+from masonry.model.large.row_sums import STRETCH
 from masonry.model.model import Model
 from masonry.model.motion import set_off
 from masonry.monitors import energy
-from masonry.monitors.collapse import Collapse
+from masonry.monitors.collapse import Collapse, Deformation
 from masonry.monitors.collision import Collision
 from masonry.monitors.frames import Frames
 from masonry.monitors.mode_2_area import LawArea
@@ -60,7 +61,7 @@ class Loop:
         self.watch = Watch(model, recording.rotation_limit)
         self.observers: dict[str, Observer] = {  # those that may end the run first: others see only rows that are kept
             "watch": self.watch,
-            **(small_limits(model, recording) if model.large is None else {"collapse": Collapse(model)}),
+            **(small_limits(model, recording) if model.large is None else large_looks(model)),
             "settling": Settling(),
             "law_area": LawArea(model),
             "work_of_loads": WorkOfLoads(recording.surroundings),
@@ -172,7 +173,8 @@ class Loop:
         """What the specimen shows now, in a row; and a frame where one is due, or the force is the highest so far."""
         model, shares, now = self.model, self.shares(), energy.observe(self.model)
         terms = energy.ledger(model, now, before)
-        view = View(now.seen, terms, before, shares, step <= self.settle, self.watch.rotation)
+        settling, rotation = step <= self.settle, self.watch.rotation
+        view = View(now.seen, terms, before, shares, settling, rotation, now.least, now.longest)
         observed: dict[str, float] = {}
         for observer in self.observers.values():
             observed |= observer.look(model, view, step)
@@ -265,6 +267,13 @@ def append(columns: Columns, row: dict[str, float]) -> None:
 
 def _kept(kept: Frame | Standing) -> State:
     return {entry.name: getattr(kept, entry.name) for entry in fields(kept)}
+
+
+def large_looks(model: Model) -> dict[str, Observer]:
+    """What is looked at where blocks turn, fall and deform as far as they like."""
+    assert model.large is not None
+    deforms = {} if model.large.members is None else {"deformation": Deformation(STRETCH)}
+    return {"collapse": Collapse(model), **deforms}
 
 
 def small_limits(model: Model, recording: Recording) -> dict[str, Observer]:

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.monitors.energy import present
 from masonry.runtime.state import Damaged, add_array
@@ -14,6 +13,10 @@ from masonry.timeloop.large_motion import make_room_for
 
 CHANGED = ("q", "v", "contact", "hold", "inner", "work", "guess", "load", "change")
 """Arrays of the bodies that a step writes; the expected motion, which the guide does; and loads, which may vary."""
+
+
+GATHERED = ("moved", "frame", "v", "push", "radius", "dual", "rate", "strain")
+"""Arrays of Motion that are written at each step where some blocks deform."""
 
 
 def changing(model: Model) -> dict[str, np.ndarray]:
@@ -25,23 +28,25 @@ def changing(model: Model) -> dict[str, np.ndarray]:
         seen = {id(array) for array in found.values()}
         found |= {f"contacts.{g}.{k}": array for k, array in enumerate(contacts) if id(array) not in seen}
     if model.large is not None:
-        found |= large_arrays(model.large, model.bodies.rigid, model.contacts.area)
+        found |= large_arrays(model)
     return {name: array for name, array in found.items() if array is not None}
 
 
-def large_arrays(large: Large, body: Any, area: np.ndarray) -> dict[str, np.ndarray]:
-    """What large displacement changes besides."""
+def large_arrays(model: Model) -> dict[str, np.ndarray | None]:
+    """What large displacement changes besides. What is gathered of all kinds at each step is kept too, as rows and
+    frames look at it before the next one."""
+    large = model.large
+    assert large is not None
     near = large.near
     parts = {"pairs": near.pairs, "points": near.points}
-    found = {"frame": body.frame, "momentum": body.momentum, "patches": body.patches, "account": near.account}
+    found: dict[str, np.ndarray | None] = {"account": near.account, "held": near.search.held}
+    for kind, body in present(model):
+        found |= {f"{kind}.{name}": getattr(body, name, None) for name in ("frame", "momentum", "patches")}
+    if large.members is not None:
+        found |= {f"motion.{name}": getattr(near.motion, name) for name in GATHERED} | {"turns": large.bonds.frames}
     found |= {"apart": large.bonds.apart, "bond_u": large.bonds.u, "bond_force": large.bonds.force}
-    found |= {"held": near.search.held, "area": area}
-    found |= {
-        "travel": near.motion.travel,
-        "built": near.search.built,
-        "flag": near.search.flag,
-        "alive": large.bonds.alive,
-    }
+    found |= {"area": model.contacts.area, "alive": large.bonds.alive}
+    found |= {"travel": near.motion.travel, "built": near.search.built, "flag": near.search.flag}
     return found | {f"{name}.{k}": array for name in ("pairs", "points") for k, array in enumerate(parts[name])}
 
 

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of, turned
+from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of
+from masonry.kernels.planes import plane_of
 from masonry.kernels.refreshing import refresh
 from masonry.model.large.meeting import keys
 from masonry.model.model import Model
@@ -76,12 +77,12 @@ def _hand_over(model: Model, tractions: dict[int, np.ndarray], count: int) -> No
     near = model.large.near
     pairs, points, rules = near.pairs, near.points, near.rules
     for p in range(int(pairs.number[0])):
-        s, (a, b) = pairs.slot[p], pairs.body[p]
+        s, (a, b) = pairs.slot[p], near.pieces.block[pairs.body[p]]
         traction = tractions.get(int(keys(np.array([[a, b]]), count)[0]))
         if s < 0 or traction is None:
             continue
-        ref = pairs.body[p, 1 - pairs.points_of[p]]
-        n = np.array(turned(near.motion.frame, ref, *pairs.normal[p]))
+        motion, ref = near.motion, pairs.body[p, 1 - pairs.points_of[p]]
+        n = np.array(plane_of(motion.frame, motion.dual, ref, *pairs.normal[p])[:3])
         along = (traction - (traction @ n) * n) * (1.0 if a < b else -1.0)  # on side 0
         size = float(np.linalg.norm(along))
         kn, ks, tan = (rule[pairs.law[p]] for rule in rules[:3])

@@ -1,4 +1,4 @@
-"""A model of large displacement: rigid blocks that turn, bonds in frames that turn with them, and what may meet.
+"""A model of large displacement: blocks that turn, bonds in frames that turn with them, and what may meet.
 
 It is made from the model of small displacement of the same scene: its freedoms, masses, loads and contacts.
 """
@@ -13,15 +13,18 @@ from masonry.detection.broad import cells_for
 from masonry.detection.overlap import most_points, scratch_of
 from masonry.detection.pieces import pieces_of
 from masonry.detection.placing import turned_of
+from masonry.detection.tet_pieces import FACES
 from masonry.kernels.bonds import Bonds
-from masonry.kernels.patches import Motion, Rules, no_pairs, no_points
+from masonry.kernels.gathering import Members
+from masonry.kernels.patches import Rules, no_pairs, no_points
 from masonry.kernels.redetection import Near, Search
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.turning import Turning
-from masonry.model.arrays import in_rows
-from masonry.model.large.bodies import turning
-from masonry.model.large.row_sums import contact_row_sums
-from masonry.model.layout import Layout
+from masonry.model.arrays import Bodies, in_rows
+from masonry.model.large.bodies import deforming, deforming_tets, turning
+from masonry.model.large.motion import free_bodies, masses_of, motion_of, outer_tets, sizes_of
+from masonry.model.large.row_sums import affine_row_sums, contact_row_sums, levers, tet_row_sums
+from masonry.model.layout import KINDS, Layout
 from masonry.model.stable_step import Side
 
 SKIN = 0.02
@@ -51,10 +54,11 @@ class Meetings:
 
 @dataclass(frozen=True)
 class Large:
-    """What a model of large displacement has besides: bonds, and what may meet."""
+    """What a model of large displacement has besides: bonds, what may meet, and the kinds of blocks if some deform."""
 
     bonds: Bonds
     near: Near
+    members: Members | None = None
 
 
 def add_row_sums(
@@ -65,42 +69,72 @@ def add_row_sums(
     length: np.ndarray,
     stiffness: np.ndarray,
     stiffest: float,
+    lame: np.ndarray,
 ) -> None:
-    """Row sums of the contacts of the undeformed shape, or of blocks whose faces all press, whichever are larger.
+    """Row sums of the contacts of the undeformed shape, or of blocks whose faces all press, whichever are larger; and
+    of the blocks' own stiffness.
 
     stiffness (C,) N/m; stiffest, Pa/m, of all ways in which blocks meet. Every face counts with it over its whole area,
-    on blocks with levers like their own; its corners have the area of their share of the triangles between corners and
-    centroid. A patch lies within the faces, and lumping a part of a face at its corners gives no larger sum of a convex
-    function of the place than lumping the whole face does.
+    on blocks with levers like their own, or of another kind with the longest that there are; its corners have the area
+    of their share of the triangles between corners and centroid. A patch lies within the faces, and lumping a part of a
+    face at its corners gives no larger sum of a convex function of the place than lumping the whole face does.
     """
     contact_row_sums(sums, sides, stiffness)
-    corner, area, block = _face_corners(blocks)
+    corner, area, block, row = _face_corners(blocks, layout)
     arm = np.einsum("cji,cj->ci", layout.axes[block], corner - layout.centroid[block])
-    one = Side(layout.kind[block], layout.local[block], arm, layout.axes[block], length[block])
+    one = Side(layout.kind[block], row, arm, layout.axes[block], length[block])
     faces = {kind: np.zeros_like(values) for kind, values in sums.items()}
-    contact_row_sums(faces, (one, one), 0.5 * stiffest * area)  # both sides add to the same block
+    own = levers(one).sum(axis=1)
+    others = np.array([own[one.kind != k].max(initial=0.0) for k in range(len(KINDS))])[one.kind]
+    longer = 1.0 + 0.5 * np.maximum(others - own, 0.0) / (1.0 + own)
+    contact_row_sums(faces, (one, one), 0.5 * stiffest * area * longer)  # both sides add to the same block
     for kind, values in faces.items():
         np.maximum(sums[kind], values, out=sums[kind])
+    affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
+    tet_row_sums(sums["tets"], layout, lame)
 
 
-def _face_corners(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Corners of all faces (c, 3) m, the area (m2) of each, and its block (c,)."""
+def _face_corners(blocks: Blocks, layout: Layout) -> tuple[np.ndarray, ...]:
+    """Corners of all faces (c, 3) m, the area (m2) of each, its block, and row of its freedoms (c,).
+
+    Of meshed blocks the corners of the triangles at their surface: a patch lies in one triangle of each, so it gives no
+    node more than its third of a triangle.
+    """
     parts = []
     owner = blocks.face_block()
-    for f in range(len(owner)):
-        face = blocks.face(f)
+    for f in np.flatnonzero(layout.kind[owner] != KINDS.index("tets")):
+        face = blocks.face(int(f))
         centre = areas_normals_centroids(face[None])[2][0]
         triangle = 0.5 * np.linalg.norm(np.cross(face - centre, np.roll(face, -1, axis=0) - centre), axis=1)
-        parts.append((face, 0.5 * (triangle + np.roll(triangle, 1)), np.full(len(face), owner[f])))
-    corner, area, block = (np.concatenate(column) for column in zip(*parts, strict=True))
-    return corner, area, block
+        own = np.full(len(face), owner[f])
+        parts.append((face, 0.5 * (triangle + np.roll(triangle, 1)), own, layout.local[own]))
+    tets = outer_tets(layout)
+    if tets is not None:
+        assert layout.mesh is not None
+        which, face = np.nonzero(tets.outer)
+        node = tets.node[which[:, None], np.array(FACES)[face]]
+        place = layout.mesh.nodes[node]
+        area = 0.5 * np.linalg.norm(np.cross(place[:, 1] - place[:, 0], place[:, 2] - place[:, 0]), axis=1)
+        own = np.repeat(tets.block[which], 3)
+        parts.append((place.reshape(-1, 3), np.repeat(area / 3.0, 3), own, node.ravel()))
+    return tuple(np.concatenate(column) for column in zip(*parts, strict=True))
 
 
-def turning_of(rigid: Rigid, inertia: np.ndarray, apart: np.ndarray, push: np.ndarray) -> Turning:
-    """Rigid blocks that turn, and are pushed by patches: push (B, 6), as `apart` written at every step."""
+def pushed(bodies: Bodies, masses: dict[str, np.ndarray], apart: np.ndarray) -> Bodies:
+    """Blocks that turn and deform, and are pushed by patches; `apart` (C, 3) is written at every step."""
+    rigid, affine, tets = bodies
+    return Bodies(
+        None if rigid is None else turning_of(rigid, masses["rigid"][:, 3:], apart),
+        None if affine is None else deforming(affine, apart)._replace(patches=in_rows(np.zeros(affine.q.shape))),
+        None if tets is None else deforming_tets(tets, apart)._replace(patches=in_rows(np.zeros(tets.v.shape))),
+    )
+
+
+def turning_of(rigid: Rigid, inertia: np.ndarray, apart: np.ndarray) -> Turning:
+    """Rigid blocks that turn, and are pushed by patches."""
     axes = np.broadcast_to(np.eye(3), (len(rigid.q), 3, 3)) if rigid.axes is None else rigid.axes
     return turning(rigid, inertia, apart)._replace(
-        dt_over_mass=in_rows(_held_globally(rigid.dt_over_mass, axes)), patches=push
+        dt_over_mass=in_rows(_held_globally(rigid.dt_over_mass, axes)), patches=in_rows(np.zeros(rigid.q.shape))
     )
 
 
@@ -112,45 +146,48 @@ def _held_globally(dt_over_mass: np.ndarray, axes: np.ndarray) -> np.ndarray:
     return found
 
 
-def without_sides(body: Turning, sides: np.ndarray, dry: np.ndarray) -> tuple[Turning, np.ndarray]:
-    """Bodies without the sides of dry contacts (C,), which patches replace; and the rows of u (C, 2) of the others."""
+def without_sides(bodies: Bodies, sides: np.ndarray, dry: np.ndarray) -> tuple[Bodies, np.ndarray]:
+    """Rigid bodies without the sides of dry contacts (C,), which patches replace; rows of u (C, 2) of the others."""
+    body = bodies.rigid
     kept, first = ~dry[body.code // 2], int(body.first_point)
     number = np.concatenate([[0], np.cumsum(kept)])
     rows = np.where(dry[:, None], 0, first + number[np.asarray(sides, dtype=np.int64) - first])
     start, code = number[body.start].astype(np.uint32), body.code[kept]
-    return body._replace(start=start, code=code, arm=np.ascontiguousarray(body.arm[kept])), rows.astype(np.uint32)
+    body = body._replace(start=start, code=code, arm=np.ascontiguousarray(body.arm[kept]))
+    return bodies._replace(rigid=body), rows.astype(np.uint32)
 
 
 def near_of(
     blocks: Blocks,
     layout: Layout,
-    body: Turning,
-    mass: np.ndarray,
+    bodies: Bodies,
+    masses: dict[str, np.ndarray],
     meetings: Meetings,
     bonded: np.ndarray,
-) -> Near:
-    """What may meet, with room for the contacts of the undeformed shape twice over.
+) -> tuple[Near, Members | None]:
+    """What may meet, with room for the contacts of the undeformed shape twice over; and kinds.
 
-    mass      (B,) kg, that of motion, of held blocks too
+    masses    (rows, freedoms) of each kind, those of motion, of held blocks too
     bonded    (K, 2) blocks that bonds hold together
     """
-    pieces = pieces_of(blocks)
-    count = blocks.count
-    size = np.cbrt(layout.volume)
+    tets = outer_tets(layout)
+    pieces = pieces_of(blocks, tets, None if layout.mesh is None else layout.mesh.nodes)
+    count, size = len(pieces.block), sizes_of(layout, tets)
     most, room = most_points(pieces), 8 * len(pieces.body) + 64
     k = (np.zeros((most, 3)), np.zeros(most), np.zeros(most), np.zeros(most, dtype=np.int64))
     search = Search(
-        group=blocks.group.astype(np.int64),
-        unit=blocks.unit.astype(np.int64),
+        group=blocks.group.astype(np.int64)[pieces.block],
+        unit=blocks.unit.astype(np.int64)[pieces.block],
         law_of=meetings.law_of,
         bonded=keys(bonded, len(pieces.body)),
         held=np.ones(len(keys(bonded, len(pieces.body))), dtype=bool),
-        moves=np.asarray(body.dt_over_mass.any(axis=1)),
-        mass=mass,
+        moves=free_bodies(layout, bodies, tets),
+        mass=masses_of(layout, masses, pieces.block),
         least=LEAST * size**2,
+        deep=np.sqrt(LEAST * size[pieces.block] ** 2),
         position=np.zeros((count, 3)),
         built=np.full(count, -1e30),
-        skin=np.array([SKIN * size.mean()]),
+        skin=np.array([SKIN * size[: blocks.count].mean()]),
         point=k[0],
         gap=k[1],
         area=k[2],
@@ -165,14 +202,12 @@ def near_of(
         stale_block=np.zeros(count, dtype=bool),
         flag=np.zeros(4, dtype=np.int64),
     )
-    assert body.patches is not None
-    motion = Motion(
-        layout.centroid.copy(), body.q, body.frame, body.v, body.patches, pieces.reach.copy(), np.zeros(count)
-    )
-    return Near(
+    motion, members = motion_of(layout, bodies, pieces.reach, tets)
+    near = Near(
         pieces, turned_of(pieces), cells_for(pieces, room), no_pairs(room), no_pairs(room), no_points(room, most),
         meetings.rules, motion, search, scratch_of(pieces), np.zeros(5),
     )  # fmt: skip
+    return near, members
 
 
 def keys(pairs: np.ndarray, count: int) -> np.ndarray:
@@ -181,17 +216,16 @@ def keys(pairs: np.ndarray, count: int) -> np.ndarray:
 
 
 def bonds_of(
-    sides: np.ndarray, joints: Joints, layout: Layout, body: Turning, u: np.ndarray, alive: np.ndarray
+    sides: np.ndarray, joints: Joints, frames: np.ndarray, u: np.ndarray, apart: np.ndarray, alive: np.ndarray
 ) -> Bonds:
-    """Frames and displacements of the contacts; sides (C, 2) rows of u; alive (C,) whether they have strength."""
-    count, apart = len(sides), body.apart
-    assert apart is not None
+    """Frames and displacements of the contacts; sides (C, 2) rows of u; frames (B, 3, 3) of all blocks; alive (C,)
+    whether they have strength."""
     return Bonds(
         rows=np.array(sides),
-        frames=body.frame,
-        owner=layout.local[joints.block_a].astype(np.int64),
+        frames=frames,
+        owner=joints.block_a.astype(np.int64),
         u=u,
-        force=in_rows(np.zeros((count, 3))),
+        force=in_rows(np.zeros(apart.shape)),
         apart=apart,
         alive=alive,
     )

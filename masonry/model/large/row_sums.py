@@ -53,9 +53,9 @@ def contact_row_sums(
 
     A side moves by no more than the sum of its freedoms' lengths, each times its lever over that freedom's length.
     """
-    levers = [_levers(side, slack) for side in sides]
-    both = stiffness * sum(1.0 + lever.sum(axis=1) for lever in levers)
-    for side, lever in zip(sides, levers, strict=True):
+    both_levers = [levers(side, slack) for side in sides]
+    both = stiffness * sum(1.0 + lever.sum(axis=1) for lever in both_levers)
+    for side, lever in zip(sides, both_levers, strict=True):
         form = side.form
         for code, kind in enumerate(KINDS):
             which = np.flatnonzero(form == code)
@@ -70,7 +70,7 @@ def contact_row_sums(
             np.add.at(sums["tets"], side.corner[which], np.repeat(shares[:, :, None], 3, axis=2))
 
 
-def _levers(side: Side, slack: float) -> np.ndarray:
+def levers(side: Side, slack: float = 0.0) -> np.ndarray:
     """(C, 3) levers over the lengths of turns about a rigid block's axes, of columns of H; 0 for points of tets."""
     square = side.arm**2
     about = (np.sqrt(square.sum(axis=1, keepdims=True) - square) + slack) / across(side.length)

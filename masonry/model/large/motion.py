@@ -1,0 +1,72 @@
+"""How blocks stand and move, for what they meet: the arrays of rigid bodies themselves, or gathered from all kinds."""
+
+import numpy as np
+
+from masonry.detection.tet_pieces import SurfaceTets, surface_tets
+from masonry.kernels.gathering import Members
+from masonry.kernels.patches import Motion
+from masonry.model.arrays import Bodies
+from masonry.model.layout import KINDS, Layout, tet_gradients
+
+
+def outer_tets(layout: Layout) -> SurfaceTets | None:
+    """The tets at the surface of meshed blocks, each a body of its own behind those of the blocks; None without any."""
+    return None if layout.mesh is None else surface_tets(layout.mesh, tet_gradients(layout.mesh))
+
+
+def motion_of(
+    layout: Layout, bodies: Bodies, reach: np.ndarray, tets: SurfaceTets | None
+) -> tuple[Motion, Members | None]:
+    """Motion of all bodies, and which block is of which kind where some deform; reach (N,) m, see Members."""
+    rigid, centre = bodies.rigid, layout.centroid.copy()
+    if len(layout.members["rigid"]) == len(layout.kind):
+        return Motion(centre, rigid.q, rigid.frame, rigid.v, rigid.patches, reach.copy(), np.zeros(len(reach))), None
+    none = np.zeros((0, 4), dtype=np.int64), np.zeros((0, 4, 3)), np.zeros((0, 3))
+    node, slope, own = none if tets is None else (tets.node.astype(np.int64), tets.slope, tets.centre)
+    count = len(reach)
+    straight = [np.tile(np.eye(3), (count, 1, 1)) for _ in range(2)]
+    motion = Motion(
+        centre=np.concatenate([centre, own]),
+        moved=np.zeros((count, 3)),
+        frame=straight[0],
+        v=np.zeros((count, 6)),
+        push=np.zeros((count, 12)),
+        radius=reach.copy(),
+        travel=np.zeros(count),
+        dual=straight[1],
+        rate=np.zeros((count, 3, 3)),
+        strain=np.zeros(count),
+    )
+    which = layout.members
+    return motion, Members(which["rigid"], which["affine"], which["tets"], reach.copy(), node, slope)
+
+
+def masses_of(layout: Layout, masses: dict[str, np.ndarray], block: np.ndarray) -> np.ndarray:
+    """(N,) kg of motion of the blocks that bodies are or belong to, from those of the freedoms of each kind."""
+    found = np.zeros(len(layout.kind))
+    for kind in ("rigid", "affine"):
+        found[layout.members[kind]] = masses[kind][:, 0]
+    if layout.mesh is not None:
+        own = np.repeat(np.arange(len(layout.kind)), np.diff(layout.mesh.node_start))
+        found += np.bincount(own, masses["tets"][:, 0], minlength=len(found))
+    return np.asarray(found[block])
+
+
+def free_bodies(layout: Layout, bodies: Bodies, tets: SurfaceTets | None) -> np.ndarray:
+    """(N,) whether a body can move."""
+    found = np.zeros(len(layout.kind), dtype=bool)
+    for kind, body in zip(KINDS, bodies, strict=True):
+        if body is not None and kind != "tets":
+            found[layout.members[kind]] = body.dt_over_mass.any(axis=1)
+    if tets is None:
+        return found
+    return np.concatenate([found, bodies.tets.dt_over_mass.any(axis=1)[tets.node].any(axis=1)])
+
+
+def sizes_of(layout: Layout, tets: SurfaceTets | None) -> np.ndarray:
+    """(N,) m, edge of a cube of each body's volume."""
+    own = np.cbrt(layout.volume)
+    if tets is None:
+        return own
+    volume = 1.0 / (6.0 * np.abs(np.linalg.det(tets.slope[:, 1:])))
+    return np.concatenate([own, np.cbrt(volume)])
