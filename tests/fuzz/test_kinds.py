@@ -81,8 +81,8 @@ def test_bad_input_ends_in_one_message(name, room, campaign):
     )(given(kind.inputs)(ends_well))()
 
 
-def test_sixteen_kinds_are_known():
-    assert len(KINDS) == 16
+def test_seventeen_kinds_are_known():
+    assert len(KINDS) == 17
 
 
 @pytest.mark.parametrize(
