@@ -6,10 +6,8 @@ of the reference at the foot of the point on the plane). So the normal force act
 its own line from the point, and the shear force at the point: no couple is left, and the springs are conservative.
 """
 
-from math import sqrt
-
 from masonry.detection.bare import bare
-from masonry.kernels.patches import DASHPOT, FRICTION, turned_with
+from masonry.kernels.patches import DASHPOT, FRICTION, slide, turned_with
 from masonry.kernels.planes import into, plane_of, turned
 
 
@@ -68,14 +66,8 @@ def press_deforming(near, dt):
                 sigma += now
             hx, hy, hz = turned_with(shear, s, k, wx * dt, wy * dt, wz * dt, nx, ny, nz)
             sx, sy, sz = dt * (dx - along * nx), dt * (dy - along * ny), dt * (dz - along * nz)
-            tx, ty, tz = hx + ks * sx, hy + ks * sy, hz + ks * sz
-            trial, most = sqrt(tx * tx + ty * ty + tz * tz), -tan * sigma
-            if trial > most:  # what the trapezoid puts in, less what the springs then hold more
-                fraction = most / trial
-                tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
-                put_in = (hx + tx) * sx + (hy + ty) * sy + (hz + tz) * sz
-                held = (most * most - hx * hx - hy * hy - hz * hz) / ks
-                friction += 0.5 * (put_in - held) * area[s, k]
+            tx, ty, tz, taken = slide(hx, hy, hz, sx, sy, sz, ks, -tan * sigma)
+            friction += taken * area[s, k]
             if gap >= 0.0:
                 shear[s, k, 0] = shear[s, k, 1] = shear[s, k, 2] = 0.0
                 continue

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.bare import bare
+from masonry.detection.bare import bare, inlined
 from masonry.kernels.planes import plane_of, turned
 
 FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
@@ -152,14 +152,8 @@ def press(near, dt):
                 sigma += now
             hx, hy, hz = turned_with(shear, s, k, wx * dt, wy * dt, wz * dt, nx, ny, nz)
             sx, sy, sz = dt * (dx - rate * nx), dt * (dy - rate * ny), dt * (dz - rate * nz)
-            tx, ty, tz = hx + ks * sx, hy + ks * sy, hz + ks * sz
-            trial, most = sqrt(tx * tx + ty * ty + tz * tz), -tan * sigma
-            if trial > most:  # what the trapezoid puts in, less what the springs then hold more
-                fraction = most / trial
-                tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
-                put_in = (hx + tx) * sx + (hy + ty) * sy + (hz + tz) * sz
-                held = (most * most - hx * hx - hy * hy - hz * hz) / ks
-                friction += 0.5 * (put_in - held) * area[s, k]
+            tx, ty, tz, taken = slide(hx, hy, hz, sx, sy, sz, ks, -tan * sigma)
+            friction += taken * area[s, k]
             if gap >= 0.0:
                 shear[s, k, 0] = shear[s, k, 1] = shear[s, k, 2] = 0.0
                 continue
@@ -174,6 +168,21 @@ def press(near, dt):
         add(push, other, -side, fx, fy, fz, qx, qy, qz)
     account[FRICTION] += friction
     account[DASHPOT] += damped
+
+
+@inlined
+def slide(hx, hy, hz, sx, sy, sz, ks, most):
+    """The shear traction (Pa), no more than `most`, after a slip s (m) from h; and what friction took (J/m2): what the
+    trapezoid puts in, less what the springs then hold more."""
+    tx, ty, tz = hx + ks * sx, hy + ks * sy, hz + ks * sz
+    trial = sqrt(tx * tx + ty * ty + tz * tz)
+    if trial <= most:
+        return tx, ty, tz, 0.0
+    fraction = most / trial
+    tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
+    put_in = (hx + tx) * sx + (hy + ty) * sy + (hz + tz) * sz
+    held = (most * most - hx * hx - hy * hy - hz * hz) / ks
+    return tx, ty, tz, 0.5 * (put_in - held)
 
 
 @bare
