@@ -8,7 +8,7 @@ from masonry.kinematics.dispatch import move, place
 from masonry.kinematics.turning import spin
 from masonry.model.arrays import Bodies
 from masonry.model.large.bodies import deforming_tets, large
-from verification.reference_step import specimens, trial
+from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import in_turn, require
 
 STEPS, DAMPING, CLOCK = 20, 0.8, (1.0, 1.0, 0.0, 0.0)
@@ -37,7 +37,7 @@ def halves(model, kind: str):
 
 def wall(kind: str, turns: bool, joined: bool):
     """1000 blocks that tumble, with contact sides or without."""
-    model = trial.model_of(*specimens.wall(25, 40), kind=kind)
+    model = models.model_of(*specimens.wall(25, 40), kind=kind)
     if turns:
         model.bodies = large(model.bodies, model.masses["rigid"][:, 3:])
     body = getattr(model.bodies, kind)
@@ -45,7 +45,7 @@ def wall(kind: str, turns: bool, joined: bool):
     if turns and kind == "rigid":
         spin(body)
     if not joined:
-        trial.replace_bodies(model, start=np.zeros_like(body.start))
+        models.replace_bodies(model, start=np.zeros_like(body.start))
     return model
 
 
@@ -68,19 +68,19 @@ def test_a_block_that_turns(figure, kind):
 def test_a_tet_of_st_venant_and_kirchhoff(figure):
     steps = 5
     specimen = specimens.bricks((6, 6, 6), (2, 2, 2))
-    models = [trial.model_of(*specimen, kind="tets") for _ in range(3)]
-    velocity = np.random.default_rng(1).normal(scale=1e-6, size=models[0].bodies.tets.v.shape)
-    for model, framed in zip(models[1:], (False, True), strict=True):
+    trio = [models.model_of(*specimen, kind="tets") for _ in range(3)]
+    velocity = np.random.default_rng(1).normal(scale=1e-6, size=trio[0].bodies.tets.v.shape)
+    for model, framed in zip(trio[1:], (False, True), strict=True):
         model.bodies = Bodies(None, None, deforming_tets(model.bodies.tets, None, framed))
-    for model in models:
-        trial.set_velocity(model, velocity)
-    takes = [trial.stepping(model, steps) for model in models]
+    for model in trio:
+        models.set_velocity(model, velocity)
+    takes = [models.stepping(model, steps) for model in trio]
     for take in takes:
         take()
-    assert np.allclose(trial.moved(models[1]), trial.moved(models[0]), rtol=1e-4, atol=1e-16)
-    assert np.array_equal(trial.moved(models[1]), trial.moved(models[2]))
+    assert np.allclose(models.moved(trio[1]), models.moved(trio[0]), rtol=1e-4, atol=1e-16)
+    assert np.array_equal(models.moved(trio[1]), models.moved(trio[2]))
     times = in_turn(*takes, rounds=200)
-    count = len(models[0].layout.mesh.tets)
+    count = len(trio[0].layout.mesh.tets)
     linear, square, framed = (1e9 * t.least / steps / count for t in times)
     figure("step per tet, 10k tets, St Venant-Kirchhoff", square, "ns", 1.6 * linear, 1.4 * linear, times[1].spread)
     figure("  with frames", framed, "ns")
