@@ -56,8 +56,9 @@ class SnapBack:
 
     def _compression(self, span: slice) -> np.ndarray:
         """(c,) Pa of a group's contacts, from the force that acts; 0 in tension."""
-        _, normal, area, _, force = self.model.contacts
-        return np.maximum(-np.einsum("ci,ci->c", force[span], normal[span]) / area[span], 0.0)
+        _, normal, _, _, force = self.model.contacts
+        area = self.model.joints.area[span]  # not that of the contacts, which is 0 where a bond has retired
+        return np.maximum(-np.einsum("ci,ci->c", force[span], normal[span]) / area, 0.0)
 
     def _intact(self, span: slice) -> np.ndarray:
         """(c,) share of the shear strength above the residual that is left."""

@@ -6,6 +6,7 @@ import pytest
 from geometry.polyhedra.measures import bounds, volumes
 from masonry.assembly.assemble import assemble
 from masonry.assembly.schedule import tilt_at
+from masonry.laboratory import laboratory
 from masonry.scene import load, packaged
 
 LARGE = [name for name in packaged() if load(name).is_large]
@@ -35,6 +36,18 @@ def test_each_runs_for_its_duration_after_the_settling(built):
         after = (made.plan.steps - made.plan.settle) * made.model.dt
         assert after == pytest.approx(made.scene.solver.duration, rel=1e-4), name
         assert made.plan.rest_from is not None and made.plan.rest_from < made.plan.steps, name
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [name for name in LARGE if name != "rubble-pile"])
+def test_it_runs_to_rest_and_falls_where_it_should(name):
+    result = laboratory.run(load(name))
+    summary, kinetic = result.summary, result.history.rows["kinetic"]
+    assert (summary["stopped"], summary["interrupted"]) == ("", False)
+    assert summary["energy_imbalance"] < 1e-10 and summary["overlap_max"] < 0.01
+    assert (summary["collapse"] is None) == (name == "block-rocking")
+    if name != "block-rocking":
+        assert kinetic[-1] <= 1e-8 * kinetic.max(), "it ends at rest"
 
 
 def test_the_rocking_block_leans_on_one_edge_by_half_its_slenderness():
