@@ -37,7 +37,7 @@ def laws(tmp_path_factory):
     files["pyproject.toml"] = files["pyproject.toml"].replace("\nbilinear", more, 1)
     with on_the_path(install(tmp_path_factory.mktemp("page"), files)):
         found = {"own, in lanes": "in-lanes", "own": "bilinear", "own, with if": "with-if"}
-        yield OURS | {name: plugin_law(law).shape(*OWN) for name, law in found.items()}
+        yield OURS | {name: plugin_law(law).parameters_class(*OWN) for name, law in found.items()}
 
 
 def wall(parameters: tuple, soft: bool) -> models.Model:
