@@ -120,7 +120,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "kinetic_after_settling": float(observed["still_moving"][-1]),
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
-        "released_over_dissipated": released / lost if sudden else 0.0,
+        "released_over_dissipated": released / lost if sudden and lost > 0.0 else 0.0,
         "joints_opened_or_slid": _opened_or_slid(assembly),
         "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
