@@ -31,13 +31,13 @@ KNOBS = {
 
 
 def run() -> Findings:
-    """The force at every row beyond a twentieth of the way, and where it would balance."""
+    """The force at every row beyond 15 % of the way, and where it would balance."""
     findings = Findings()
     result = findings.note("pushed over", result_of(SCENE, KNOBS))
     rows = result.history.rows
     weight = DENSITY * G * 4.0 * HALF * HIGH * DEPTH
     way = rows["displacement"]
-    late = way > 0.15 * way[-1]  # it starts within a tenth
+    late = way > 0.15 * way[-1]  # it gathers way within a tenth
     alpha, radius = np.arctan2(HALF, HIGH), np.hypot(HALF, HIGH)
     left = np.arcsin(np.sin(alpha) - way / radius)  # alpha - theta
     off = rows["force"][late] / weight - np.tan(left[late])
