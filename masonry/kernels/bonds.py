@@ -35,27 +35,32 @@ class Bonds(NamedTuple):
 
 
 @bare
-def to_frames(bonds, local):
-    """Write the displacement of side b against side a, in the frame of a, to row 1 + c of `local` (1 + C, 3)."""
+def to_frames(bonds, ranges, local):
+    """Write the displacement of side b against side a, in the frame of a, to row 1 + c of `local` (1 + C, 3).
+
+    ranges  (2 G,) first contact of each group with strength, and the one behind its last
+    """
     rows, frames, owner, u, apart, alive = bonds.rows, bonds.frames, bonds.owner, bonds.u, bonds.apart, bonds.alive
-    for c in range(len(rows)):
-        if not alive[c]:
-            continue
-        a, b, f = rows[c, 0], rows[c, 1], owner[c]
-        x, y, z = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
-        apart[c, 0], apart[c, 1], apart[c, 2] = x, y, z
-        for i in range(3):
-            local[1 + c, i] = frames[f, 0, i] * x + frames[f, 1, i] * y + frames[f, 2, i] * z
+    for g in range(len(ranges) // 2):
+        for c in range(ranges[2 * g], ranges[2 * g + 1]):
+            if not alive[c]:
+                continue
+            a, b, f = rows[c, 0], rows[c, 1], owner[c]
+            x, y, z = u[b, 0] - u[a, 0], u[b, 1] - u[a, 1], u[b, 2] - u[a, 2]
+            apart[c, 0], apart[c, 1], apart[c, 2] = x, y, z
+            for i in range(3):
+                local[1 + c, i] = frames[f, 0, i] * x + frames[f, 1, i] * y + frames[f, 2, i] * z
 
 
 @bare
-def from_frames(bonds, local):
+def from_frames(bonds, ranges, local):
     """Turn the forces (C, 3) of the law, in the frames of side a, to x, y, z."""
     frames, owner, force, alive = bonds.frames, bonds.owner, bonds.force, bonds.alive
-    for c in range(len(owner)):
-        if not alive[c]:
-            continue
-        f = owner[c]
-        x, y, z = local[c, 0], local[c, 1], local[c, 2]
-        for i in range(3):
-            force[c, i] = frames[f, i, 0] * x + frames[f, i, 1] * y + frames[f, i, 2] * z
+    for g in range(len(ranges) // 2):
+        for c in range(ranges[2 * g], ranges[2 * g + 1]):
+            if not alive[c]:
+                continue
+            f = owner[c]
+            x, y, z = local[c, 0], local[c, 1], local[c, 2]
+            for i in range(3):
+                force[c, i] = frames[f, i, 0] * x + frames[f, i, 1] * y + frames[f, i, 2] * z

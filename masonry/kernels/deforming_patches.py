@@ -7,8 +7,9 @@ its own line from the point, and the shear force at the point: no couple is left
 """
 
 from masonry.detection.bare import bare
-from masonry.kernels.patches import DASHPOT, FRICTION, slide, turned_with
+from masonry.kernels.patches import DASHPOT, FRICTION, places, respond
 from masonry.kernels.planes import into, plane_of, turned
+from masonry.simd import FOUR, filled, four, take, total
 
 
 @bare
@@ -20,10 +21,8 @@ def press_deforming(near, dt):
     pairs, points, rules, motion, account = near.pairs, near.points, near.rules, near.motion, near.account
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
     dual, rate = motion.dual, motion.rate
-    body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
-    law, dashpot, count = pairs.law, pairs.dashpot, points.held
-    material, level, area, shear, damper = points.material, points.level, points.area, points.shear, points.damper
-    friction = damped = 0.0
+    body, slot, points_of, normal, count = pairs.body, pairs.slot, pairs.points_of, pairs.normal, points.held
+    friction = damped = filled(0.0, four())
     for b in range(len(push)):
         for i in range(12):
             push[b, i] = 0.0
@@ -33,7 +32,6 @@ def press_deforming(near, dt):
             continue
         own = points_of[p]
         ref, other = body[p, 1 - own], body[p, own]
-        kn, ks, tan = rules.normal_stiffness[law[p]], rules.shear_stiffness[law[p]], rules.tan_friction[law[p]]
         side = 1.0 if own == 1 else -1.0  # the normal points from side 0 to side 1
         nx, ny, nz, share = plane_of(frame, dual, ref, normal[p, 0], normal[p, 1], normal[p, 2])
         ox, oy, oz = (  # the sums of the places would lose digits far from the origin
@@ -41,67 +39,60 @@ def press_deforming(near, dt):
             (centre[other, 1] - centre[ref, 1]) + (moved[other, 1] - moved[ref, 1]),
             (centre[other, 2] - centre[ref, 2]) + (moved[other, 2] - moved[ref, 2]),
         )
-        wx, wy, wz = 0.5 * (v[ref, 3] + v[other, 3]), 0.5 * (v[ref, 4] + v[other, 4]), 0.5 * (v[ref, 5] + v[other, 5])
-        ex, ey, ez = into(frame, dual, ref, nx, ny, nz)
-        lx, ly, lz = turned(rate, ref, ex, ey, ez)
-        stretching = nx * lx + ny * ly + nz * lz
-        for k in range(count[s]):
-            ax, ay, az = turned(frame, other, material[s, k, 0], material[s, k, 1], material[s, k, 2])
-            bx, by, bz = ax + ox, ay + oy, az + oz
-            gap = side * (nx * bx + ny * by + nz * bz - share * level[s, k])
-            # velocity of side 1 against side 0 at the point
-            ex, ey, ez = into(frame, dual, ref, bx, by, bz)
-            lx, ly, lz = turned(rate, ref, ex, ey, ez)
-            dx, dy, dz = turned(rate, other, material[s, k, 0], material[s, k, 1], material[s, k, 2])
-            dx = side * (dx + v[other, 0] - v[ref, 0] - lx)
-            dy = side * (dy + v[other, 1] - v[ref, 1] - ly)
-            dz = side * (dz + v[other, 2] - v[ref, 2] - lz)
-            along = dx * nx + dy * ny + dz * nz
-            closing = along + gap * stretching
-            sigma = kn * min(gap, 0.0)
-            if dashpot[p] > 0.0:
-                now = min(dashpot[p] * closing, -sigma) if gap < 0.0 else 0.0
-                damped += 0.5 * (now + damper[s, k]) * closing * dt * area[s, k]
-                damper[s, k] = now
-                sigma += now
-            hx, hy, hz = turned_with(shear, s, k, wx * dt, wy * dt, wz * dt, nx, ny, nz)
-            sx, sy, sz = dt * (dx - along * nx), dt * (dy - along * ny), dt * (dz - along * nz)
-            tx, ty, tz, taken = slide(hx, hy, hz, sx, sy, sz, ks, -tan * sigma)
-            friction += taken * area[s, k]
-            if gap >= 0.0:
-                shear[s, k, 0] = shear[s, k, 1] = shear[s, k, 2] = 0.0
-                continue
-            shear[s, k, 0], shear[s, k, 1], shear[s, k, 2] = tx, ty, tz
-            pressed = side * area[s, k] * sigma
-            fx = side * area[s, k] * tx + pressed * nx
-            fy = side * area[s, k] * ty + pressed * ny
-            fz = side * area[s, k] * tz + pressed * nz
-            add(push, ref, fx, fy, fz, bx, by, bz)
-            add(push, other, -fx, -fy, -fz, ax, ay, az)
-            foot = -pressed * side * gap
-            add_moments(push, ref, foot * nx, foot * ny, foot * nz, nx, ny, nz)
-    account[FRICTION] += friction
-    account[DASHPOT] += damped
+        half = 0.5 * dt
+        turn = half * (v[ref, 3] + v[other, 3]), half * (v[ref, 4] + v[other, 4]), half * (v[ref, 5] + v[other, 5])
+        lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, nx, ny, nz))
+        stretching, along = nx * lx + ny * ly + nz * lz, nx * ox + ny * oy + nz * oz
+        fx = fy = fz = pressed = filled(0.0, four())
+        xx = xy = xz = yx = yy = yz = zx = zy = zz = filled(0.0, four())
+        for k in range(0, count[s], FOUR):
+            ax, ay, az = places(frame, other, points.material, s, k)
+            gap = side * (nx * ax + ny * ay + nz * az + along - share * take(points.level, (s, k), four()))
+            # velocity of side 1 against side 0 at the points
+            lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, ax + ox, ay + oy, az + oz))
+            dx, dy, dz = places(rate, other, points.material, s, k)
+            dx = side * (dx + (v[other, 0] - v[ref, 0]) - lx)
+            dy = side * (dy + (v[other, 1] - v[ref, 1]) - ly)
+            dz = side * (dz + (v[other, 2] - v[ref, 2]) - lz)
+            speed = dx * nx + dy * ny + dz * nz
+            (gx, gy, gz), sigma, slid, lost = respond(
+                *(pairs, points, rules, p, s, k, gap),
+                *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), turn, dt),
+            )
+            friction, damped, pressed = friction + slid, damped + lost, pressed + sigma * gap
+            gx, gy, gz = gx + sigma * nx, gy + sigma * ny, gz + sigma * nz
+            fx, fy, fz = fx + gx, fy + gy, fz + gz
+            xx, xy, xz = xx + gx * ax, xy + gx * ay, xz + gx * az
+            yx, yy, yz = yx + gy * ax, yy + gy * ay, yz + gy * az
+            zx, zy, zz = zx + gz * ax, zy + gz * ay, zz + gz * az
+        force = side * total(fx), side * total(fy), side * total(fz)
+        moments = (
+            *(side * total(xx), side * total(xy), side * total(xz)),
+            *(side * total(yx), side * total(yy), side * total(yz)),
+            *(side * total(zx), side * total(zy), side * total(zz)),
+        )
+        add(push, ref, 1.0, force, moments)
+        add_moments(push, ref, force, ox, oy, oz)
+        foot = -total(pressed)
+        add_moments(push, ref, (foot * nx, foot * ny, foot * nz), nx, ny, nz)
+        add(push, other, -1.0, force, moments)
+    account[FRICTION] += total(friction)
+    account[DASHPOT] += total(damped)
 
 
 @bare
-def add(push, b, fx, fy, fz, x, y, z):
-    """Add a force that acts at (x, y, z) from the centroid of block b, and its first moments."""
-    push[b, 0] += fx
-    push[b, 1] += fy
-    push[b, 2] += fz
-    add_moments(push, b, fx, fy, fz, x, y, z)
+def add(push, b, sign, force, moments):
+    """Add a force and its first moments, times a sign, to what block b is pushed by."""
+    for i in range(3):
+        push[b, i] += sign * force[i]
+    for i in range(9):
+        push[b, 3 + i] += sign * moments[i]
 
 
 @bare
-def add_moments(push, b, fx, fy, fz, x, y, z):
+def add_moments(push, b, force, x, y, z):
     """Add first moments: a force times a lever."""
-    push[b, 3] += fx * x
-    push[b, 4] += fx * y
-    push[b, 5] += fx * z
-    push[b, 6] += fy * x
-    push[b, 7] += fy * y
-    push[b, 8] += fy * z
-    push[b, 9] += fz * x
-    push[b, 10] += fz * y
-    push[b, 11] += fz * z
+    for i in range(3):
+        push[b, 3 + 3 * i] += force[i] * x
+        push[b, 4 + 3 * i] += force[i] * y
+        push[b, 5 + 3 * i] += force[i] * z

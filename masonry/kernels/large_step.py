@@ -24,7 +24,7 @@ def advance(
     near   Near, what blocks meet
     members  gathering.Members, where some blocks deform, else None
     """
-    parameters, properties, states, bounds = groups
+    parameters, properties, states, ranges = groups
     sides, normal, area, local, force = contacts
     rigid, affine, tets = bodies
     rigid_drive, affine_drive, tet_drive = drives
@@ -41,9 +41,9 @@ def advance(
         place(None, tets, dt, bonds.u)
         if members is not None:
             gather_places(near.motion, members, rigid, affine, tets, bonds)
-        to_frames(bonds, local)
-        sweep_groups(None, parameters, properties, states, 0, bounds, sides, normal, area, local, force)
-        from_frames(bonds, force)
+        to_frames(bonds, ranges, local)
+        sweep_groups(None, parameters, properties, states, 0, ranges, sides, normal, area, local, force)
+        from_frames(bonds, ranges, force)
         if members is None:
             press(near, dt)
         else:

@@ -13,6 +13,7 @@ import numpy as np
 
 from masonry.detection.bare import bare, inlined
 from masonry.kernels.planes import plane_of, turned
+from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take, total, where
 
 FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
 """Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
@@ -47,13 +48,13 @@ class Pairs(NamedTuple):
 
 
 class Points(NamedTuple):
-    """Points of the pairs that touch, or nearly: S slots of up to K points, and which slots are free.
+    """Points of the pairs that touch, or nearly: S slots of up to K points, a multiple of four; which slots are free.
 
     held     (S,) points of a slot
-    material (S, K, 3) m, from the centroid of the block that they belong to, in its frame
+    material (S, 3, K) m, from the centroid of the block that they belong to, in its frame
     level    (S, K) m, of the plane that the point meets, along the normal from the centroid of the reference
     area     (S, K) m2       feature (S, K) names
-    shear    (S, K, 3) Pa, elastic shear traction on side 0, in space
+    shear    (S, 3, K) Pa, elastic shear traction on side 0, in space
     damper   (S, K) Pa, stress of the dashpot at the last step
     free     (S + 1,) the last number is how many slots are free, the first ones which
     """
@@ -107,14 +108,15 @@ class Motion(NamedTuple):
 def press(near, dt):
     """Forces and moments of all points of all patches into motion.push, from their gaps and the slip of this step.
 
-    near is what redetection.Near says; its account gets what friction and the dashpots dissipate.
+    near is what redetection.Near says; its account gets what friction and the dashpots dissipate. Four points of a
+    patch are computed at a time: with a their places from the centroid of the block that they belong to, o from the
+    centroid of the reference to that one, and v, w velocities and spins, side 1 moves against side 0 at a by
+    +-(v - v_ref - w_ref x o + (w - w_ref) x a), and the moment on the reference is that on the other and o x force.
     """
     pairs, points, rules, motion, account = near.pairs, near.points, near.rules, near.motion, near.account
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
-    body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
-    law, dashpot, count = pairs.law, pairs.dashpot, points.held
-    material, level, area, shear, damper = points.material, points.level, points.area, points.shear, points.damper
-    friction = damped = 0.0
+    body, slot, points_of, normal, count = pairs.body, pairs.slot, pairs.points_of, pairs.normal, points.held
+    friction = damped = filled(0.0, four())
     for b in range(len(push)):
         for i in range(6):
             push[b, i] = 0.0
@@ -124,81 +126,103 @@ def press(near, dt):
             continue
         own = points_of[p]
         ref, other = body[p, 1 - own], body[p, own]
-        kn, ks, tan = rules.normal_stiffness[law[p]], rules.shear_stiffness[law[p]], rules.tan_friction[law[p]]
         side = 1.0 if own == 1 else -1.0  # the normal points from side 0 to side 1
-        nx, ny, nz = turned(frame, ref, normal[p, 0], normal[p, 1], normal[p, 2])
+        n = turned(frame, ref, normal[p, 0], normal[p, 1], normal[p, 2])
         ox, oy, oz = (  # the sums of the places would lose digits far from the origin
             (centre[other, 0] - centre[ref, 0]) + (moved[other, 0] - moved[ref, 0]),
             (centre[other, 1] - centre[ref, 1]) + (moved[other, 1] - moved[ref, 1]),
             (centre[other, 2] - centre[ref, 2]) + (moved[other, 2] - moved[ref, 2]),
         )
-        wx, wy, wz = 0.5 * (v[ref, 3] + v[other, 3]), 0.5 * (v[ref, 4] + v[other, 4]), 0.5 * (v[ref, 5] + v[other, 5])
-        fx = fy = fz = rx = ry = rz = qx = qy = qz = 0.0
-        for k in range(count[s]):
-            ax, ay, az = turned(frame, other, material[s, k, 0], material[s, k, 1], material[s, k, 2])
-            bx, by, bz = ax + ox, ay + oy, az + oz
-            gap = side * (nx * bx + ny * by + nz * bz - level[s, k])
-            # velocity of side 1 against side 0 at the point
-            dx = v[other, 0] - v[ref, 0] + v[other, 4] * az - v[other, 5] * ay - v[ref, 4] * bz + v[ref, 5] * by
-            dy = v[other, 1] - v[ref, 1] + v[other, 5] * ax - v[other, 3] * az - v[ref, 5] * bx + v[ref, 3] * bz
-            dz = v[other, 2] - v[ref, 2] + v[other, 3] * ay - v[other, 4] * ax - v[ref, 3] * by + v[ref, 4] * bx
-            dx, dy, dz = side * dx, side * dy, side * dz
-            rate = dx * nx + dy * ny + dz * nz
-            sigma = kn * min(gap, 0.0)
-            if dashpot[p] > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
-                now = min(dashpot[p] * rate, -sigma) if gap < 0.0 else 0.0
-                damped += 0.5 * (now + damper[s, k]) * rate * dt * area[s, k]
-                damper[s, k] = now
-                sigma += now
-            hx, hy, hz = turned_with(shear, s, k, wx * dt, wy * dt, wz * dt, nx, ny, nz)
-            sx, sy, sz = dt * (dx - rate * nx), dt * (dy - rate * ny), dt * (dz - rate * nz)
-            tx, ty, tz, taken = slide(hx, hy, hz, sx, sy, sz, ks, -tan * sigma)
-            friction += taken * area[s, k]
-            if gap >= 0.0:
-                shear[s, k, 0] = shear[s, k, 1] = shear[s, k, 2] = 0.0
-                continue
-            shear[s, k, 0], shear[s, k, 1], shear[s, k, 2] = tx, ty, tz
-            gx = area[s, k] * (sigma * nx + tx)
-            gy = area[s, k] * (sigma * ny + ty)
-            gz = area[s, k] * (sigma * nz + tz)
+        rx, ry, rz, wx, wy, wz = v[ref, 3], v[ref, 4], v[ref, 5], v[other, 3], v[other, 4], v[other, 5]
+        ux = v[other, 0] - v[ref, 0] - ry * oz + rz * oy
+        uy = v[other, 1] - v[ref, 1] - rz * ox + rx * oz
+        uz = v[other, 2] - v[ref, 2] - rx * oy + ry * ox
+        turn = 0.5 * dt * (rx + wx), 0.5 * dt * (ry + wy), 0.5 * dt * (rz + wz)
+        wx, wy, wz, along = wx - rx, wy - ry, wz - rz, n[0] * ox + n[1] * oy + n[2] * oz
+        fx = fy = fz = qx = qy = qz = filled(0.0, four())
+        for k in range(0, count[s], FOUR):
+            ax, ay, az = places(frame, other, points.material, s, k)
+            gap = side * (n[0] * ax + n[1] * ay + n[2] * az + along - take(points.level, (s, k), four()))
+            d = side * (ux + wy * az - wz * ay), side * (uy + wz * ax - wx * az), side * (uz + wx * ay - wy * ax)
+            rate = d[0] * n[0] + d[1] * n[1] + d[2] * n[2]
+            (gx, gy, gz), sigma, slid, lost = respond(pairs, points, rules, p, s, k, gap, d, rate, rate, n, turn, dt)
+            friction, damped = friction + slid, damped + lost
+            gx, gy, gz = gx + sigma * n[0], gy + sigma * n[1], gz + sigma * n[2]
             fx, fy, fz = fx + gx, fy + gy, fz + gz
-            rx, ry, rz = rx + by * gz - bz * gy, ry + bz * gx - bx * gz, rz + bx * gy - by * gx
-            qx, qy, qz = qx + ay * gz - az * gy, qy + az * gx - ax * gz, qz + ax * gy - ay * gx
-        add(push, ref, side, fx, fy, fz, rx, ry, rz)
+            qx, qy, qz = qx + (ay * gz - az * gy), qy + (az * gx - ax * gz), qz + (ax * gy - ay * gx)
+        fx, fy, fz, qx, qy, qz = total(fx), total(fy), total(fz), total(qx), total(qy), total(qz)
+        add(push, ref, side, fx, fy, fz, qx + (oy * fz - oz * fy), qy + (oz * fx - ox * fz), qz + (ox * fy - oy * fx))
         add(push, other, -side, fx, fy, fz, qx, qy, qz)
-    account[FRICTION] += friction
-    account[DASHPOT] += damped
+    account[FRICTION] += total(friction)
+    account[DASHPOT] += total(damped)
 
 
 @inlined
-def slide(hx, hy, hz, sx, sy, sz, ks, most):
+def places(frame, b, material, s, k):
+    """x, y, z in space of four points of a slot, from the centroid of the block that they belong to."""
+    x, y, z = take(material, (s, 0, k), four()), take(material, (s, 1, k), four()), take(material, (s, 2, k), four())
+    return turned(frame, b, x, y, z)
+
+
+@inlined
+def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, turn, dt):
+    """What four points of a patch bear: shear (3) and normal force (N), and what friction and dashpot took (J).
+
+    d, along  m/s, of side 1 against side 0, and its part along the normal n     closing  m/s, rate of the gap (m)
+    turn      rad, of the two blocks in this step
+    """
+    law, size = pairs.law[p], take(points.area, (s, k), four())
+    kn, ks, tan = rules.normal_stiffness[law], rules.shear_stiffness[law], rules.tan_friction[law]
+    touches = (gap < 0.0) & below(points.held[s] - k, four())
+    sigma = where(touches, kn * gap, 0.0)
+    lost = filled(0.0, gap)
+    if pairs.dashpot[p] > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
+        now = where(touches, minimum(pairs.dashpot[p] * closing, -sigma), 0.0)
+        lost = 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four()))
+        put(points.damper, (s, k), now)
+        sigma = sigma + now
+    x, y, z = (
+        take(points.shear, (s, 0, k), size),
+        take(points.shear, (s, 1, k), size),
+        take(points.shear, (s, 2, k), size),
+    )
+    before = x * x + y * y + z * z
+    if not any_lane(touches | (before > 0.0)):
+        return (sigma, sigma, sigma), sigma, sigma, lost
+    held = turned_with(x, y, z, before, turn, n)
+    slip = dt * (d[0] - along * n[0]), dt * (d[1] - along * n[1]), dt * (d[2] - along * n[2])
+    t, taken = slide(held, slip, ks, -tan * sigma)
+    x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
+    put(points.shear, (s, 0, k), x)
+    put(points.shear, (s, 1, k), y)
+    put(points.shear, (s, 2, k), z)
+    return (size * x, size * y, size * z), size * sigma, size * taken, lost
+
+
+@inlined
+def slide(h, s, ks, most):
     """The shear traction (Pa), no more than `most`, after a slip s (m) from h; and what friction took (J/m2): what the
     trapezoid puts in, less what the springs then hold more."""
-    tx, ty, tz = hx + ks * sx, hy + ks * sy, hz + ks * sz
-    trial = sqrt(tx * tx + ty * ty + tz * tz)
-    if trial <= most:
-        return tx, ty, tz, 0.0
-    fraction = most / trial
+    tx, ty, tz = h[0] + ks * s[0], h[1] + ks * s[1], h[2] + ks * s[2]
+    trial = tx * tx + ty * ty + tz * tz
+    slides = trial > most * most
+    if not any_lane(slides):
+        return (tx, ty, tz), filled(0.0, trial)
+    fraction = where(slides, most / sqrt(trial), 1.0)
     tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
-    put_in = (hx + tx) * sx + (hy + ty) * sy + (hz + tz) * sz
-    held = (most * most - hx * hx - hy * hy - hz * hz) / ks
-    return tx, ty, tz, 0.5 * (put_in - held)
+    put_in = (h[0] + tx) * s[0] + (h[1] + ty) * s[1] + (h[2] + tz) * s[2]
+    held = (most * most - h[0] * h[0] - h[1] * h[1] - h[2] * h[2]) / ks
+    return (tx, ty, tz), where(slides, 0.5 * (put_in - held), 0.0)
 
 
-@bare
-def turned_with(shear, s, k, wx, wy, wz, nx, ny, nz):
-    """The shear traction of a point after a turn (rad) of the two blocks: in the plane, and of the same size."""
-    x, y, z = shear[s, k, 0], shear[s, k, 1], shear[s, k, 2]
-    before = x * x + y * y + z * z
-    if before == 0.0:
-        return 0.0, 0.0, 0.0
-    x, y, z = x + wy * z - wz * y, y + wz * x - wx * z, z + wx * y - wy * x
-    along = x * nx + y * ny + z * nz
-    x, y, z = x - along * nx, y - along * ny, z - along * nz
+@inlined
+def turned_with(x, y, z, before, turn, n):
+    """The shear traction of points, of norm^2 `before`, after a turn (rad): in the plane, and of the same size."""
+    x, y, z = x + turn[1] * z - turn[2] * y, y + turn[2] * x - turn[0] * z, z + turn[0] * y - turn[1] * x
+    along = x * n[0] + y * n[1] + z * n[2]
+    x, y, z = x - along * n[0], y - along * n[1], z - along * n[2]
     after = x * x + y * y + z * z
-    if after == 0.0:
-        return 0.0, 0.0, 0.0
-    share = sqrt(before / after)
+    share = where(after > 0.0, sqrt(before / after), 0.0)
     return share * x, share * y, share * z
 
 
@@ -221,7 +245,7 @@ def stored(pairs, points, rules, motion, p):
     for k in range(points.held[s] if s >= 0 else 0):
         gap = gap_of(pairs, points, motion, p, k)
         if gap < 0.0:
-            x, y, z = points.shear[s, k, 0], points.shear[s, k, 1], points.shear[s, k, 2]
+            x, y, z = points.shear[s, 0, k], points.shear[s, 1, k], points.shear[s, 2, k]
             pressed += 0.5 * points.area[s, k] * kn * gap * gap
             sheared += 0.5 * points.area[s, k] * (x * x + y * y + z * z) / ks
     return pressed, sheared
@@ -235,7 +259,7 @@ def gap_of(pairs, points, motion, p, k):
     x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
     nx, ny, nz, share = plane_of(motion.frame, motion.dual, ref, x, y, z)
     n = nx, ny, nz
-    a = turned(motion.frame, other, points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2])
+    a = turned(motion.frame, other, points.material[s, 0, k], points.material[s, 1, k], points.material[s, 2, k])
     along = 0.0
     for i in range(3):
         between = (motion.centre[other, i] - motion.centre[ref, i]) + (motion.moved[other, i] - motion.moved[ref, i])
@@ -286,8 +310,9 @@ def no_pairs(room: int) -> Pairs:
 
 
 def no_points(room: int, most: int) -> Points:
-    """Room for the points of so many pairs, `most` (K) each, and none in it."""
-    one, three = (room, most), (room, most, 3)
+    """Room for the points of so many pairs, `most` each, and none in it."""
+    most = -(-most // 4) * 4
+    one, three = (room, most), (room, 3, most)
     return Points(
         held=np.zeros(room, dtype=np.int64),
         material=np.zeros(three),

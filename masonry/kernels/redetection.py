@@ -186,7 +186,7 @@ def renew(near, p, count, own):
             along += axis[i] * (search.point[k, i] - position[ref, i])
         x, y = search.point[k, 0] - position[other, 0], search.point[k, 1] - position[other, 1]
         z = search.point[k, 2] - position[other, 2]
-        points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2] = into(
+        points.material[s, 0, k], points.material[s, 1, k], points.material[s, 2, k] = into(
             frame, motion.dual, other, x, y, z
         )
         points.level[s, k] = along - side * gap
@@ -200,11 +200,11 @@ def renew(near, p, count, own):
         turn_tractions(search.shear, had, search.was_normal, axis, 0.0)
         transfer(
             *(search.was_point, search.was_area, search.was_feature, search.shear, had),
-            *(search.point, search.area, search.feature, points.shear[s], count, axis, near.scratch),
+            *(search.point, search.area, search.feature, points.shear[s].T, count, axis, near.scratch),
         )
     else:
         for k in range(count):
-            points.shear[s, k, 0] = points.shear[s, k, 1] = points.shear[s, k, 2] = 0.0
+            points.shear[s, 0, k] = points.shear[s, 1, k] = points.shear[s, 2, k] = 0.0
     set_dashpot(pairs, near.rules, search, p, total)
     if had == 0 and -deepest > BORN_DEEP * min(search.deep[ref], search.deep[other]):
         search.flag[0], search.flag[1] = TOO_DEEP, p
@@ -224,10 +224,10 @@ def remember(pairs, points, motion, search, p):
     n = plane_of(motion.frame, motion.dual, ref, x, y, z)
     search.was_normal[0], search.was_normal[1], search.was_normal[2] = n[0], n[1], n[2]
     for k in range(points.held[s]):
-        arm = turned(motion.frame, other, points.material[s, k, 0], points.material[s, k, 1], points.material[s, k, 2])
+        arm = turned(motion.frame, other, points.material[s, 0, k], points.material[s, 1, k], points.material[s, 2, k])
         for i in range(3):
             search.was_point[k, i] = search.position[other, i] + arm[i]
-            search.shear[k, i] = points.shear[s, k, i]
+            search.shear[k, i] = points.shear[s, i, k]
         search.was_area[k], search.was_feature[k] = points.area[s, k], points.feature[s, k]
     return points.held[s]
 

@@ -17,13 +17,14 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
     damping    None, a number (xi of eq. 3) or Guided
     dead_load  (n + 1,) share of the dead load at step 0..n; above 1: 1 + share of what its bodies hold as its change
     speed      (n + 1,) velocity of the drive after step i, m/s
-    groups     (parameters, joints, states, bounds), one entry per contact group; bounds (G + 1,)
+    groups     (parameters, joints, states, ranges), one entry per contact group; ranges (2 G,) its first contact and
+               the one behind its last
     contacts   (sides, normal, area, u, force)
     bodies     (rigid, affine, tets), None where absent
     drives     (K, 2) row and number of the freedoms that the drive moves, one array per kinematics or None
     drive_force  (steps,) out: force (N) that the drive exerts, after each step
     """
-    parameters, joints, states, bounds = groups
+    parameters, joints, states, ranges = groups
     sides, normal, area, u, force = contacts
     rigid_blocks, affine_blocks, tet_blocks = bodies
     rigid_drive, affine_drive, tet_drive = drives
@@ -33,7 +34,7 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
         place(parallel, affine_blocks, dt, u)
         place(parallel, tet_blocks, dt, u)
 
-        sweep_groups(parallel, parameters, joints, states, 0, bounds, sides, normal, area, u, force)
+        sweep_groups(parallel, parameters, joints, states, 0, ranges, sides, normal, area, u, force)
 
         clock = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
         move(parallel, rigid_blocks, dt, damping, clock, force, u)
@@ -70,21 +71,22 @@ def reaction(body, freedoms):
     return total
 
 
-def sweep_groups(parallel, parameters, joints, states, g, bounds, sides, normal, area, u, force):
+def sweep_groups(parallel, parameters, joints, states, g, ranges, sides, normal, area, u, force):
     """Every contact group with its own compiled law."""
     for i, (numbers, joint, state) in enumerate(zip(parameters, joints, states, strict=True)):
-        contact.sweep(parallel, numbers, joint, state, bounds[i], bounds[i + 1], sides, normal, area, u, force)
+        contact.sweep(parallel, numbers, joint, state, ranges[2 * i], ranges[2 * i + 1], sides, normal, area, u, force)
 
 
 @overload(sweep_groups)
-def _sweep_groups(parallel, parameters, joints, states, g, bounds, sides, normal, area, u, force):
+def _sweep_groups(parallel, parameters, joints, states, g, ranges, sides, normal, area, u, force):
     if len(parameters) == 0:
-        return lambda parallel, parameters, joints, states, g, bounds, sides, normal, area, u, force: None
+        return lambda parallel, parameters, joints, states, g, ranges, sides, normal, area, u, force: None
 
-    def first_then_rest(parallel, parameters, joints, states, g, bounds, sides, normal, area, u, force):
+    def first_then_rest(parallel, parameters, joints, states, g, ranges, sides, normal, area, u, force):
         contact.sweep(
-            parallel, parameters[0], joints[0], states[0], bounds[g], bounds[g + 1], sides, normal, area, u, force
+            *(parallel, parameters[0], joints[0], states[0], ranges[2 * g], ranges[2 * g + 1]),
+            *(sides, normal, area, u, force),
         )
-        sweep_groups(parallel, parameters[1:], joints[1:], states[1:], g + 1, bounds, sides, normal, area, u, force)
+        sweep_groups(parallel, parameters[1:], joints[1:], states[1:], g + 1, ranges, sides, normal, area, u, force)
 
     return first_then_rest

@@ -1,5 +1,6 @@
 """Flat arrays of a model: the sides of the contacts in the order of their bodies, the bodies, the contacts' state."""
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,6 +23,11 @@ class Groups(NamedTuple):
     properties: tuple
     states: tuple
     bounds: np.ndarray
+
+    def swept(self, which: Sequence[int]) -> tuple[tuple, tuple, tuple, np.ndarray]:
+        """Parameters, properties and states of some groups, and (2 K,) the first contact of each and the one behind."""
+        own = [tuple(part[g] for g in which) for part in self[:3]]
+        return own[0], own[1], own[2], np.array([self.bounds[g + i] for g in which for i in (0, 1)], dtype=np.int64)
 
 
 class Contacts(NamedTuple):

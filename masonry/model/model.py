@@ -60,8 +60,9 @@ class Model:
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
         """Groups, contacts, bodies and drives as kernels.step.advance takes them: plain tuples, as named ones within
-        named ones break its threads."""
-        return tuple(self.groups), tuple(self.contacts), tuple(self.bodies), self.drives
+        named ones break its threads. In large displacement patches replace the groups without strength."""
+        which = range(len(self.groups.parameters)) if self.large is None else self.large.bonded
+        return self.groups.swept(which), tuple(self.contacts), tuple(self.bodies), self.drives
 
     @property
     def freedoms(self) -> int:
@@ -178,7 +179,8 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
     joints, layout, count = model.joints, model.layout, len(model.group)
     apart = in_rows(np.zeros((count, 3)))
     bodies = pushed(model.bodies, masses, apart)
-    dry = np.array([isinstance(shape, Friction) for shape in model.groups.parameters], dtype=bool)[model.group]
+    without = np.array([isinstance(shape, Friction) for shape in model.groups.parameters], dtype=bool)
+    dry = without[model.group]
     rows = np.column_stack([np.zeros(count), np.arange(1, count + 1)]).astype(np.uint32)
     contacts = model.contacts._replace(
         sides=aligned(rows), u=in_rows(np.zeros((count + 1, 3))), area=aligned(np.where(dry, 0.0, joints.area))
@@ -195,7 +197,7 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
         contacts=contacts,
         groups=idle_where_dry(model.groups),
         bodies=bodies,
-        large=Large(bonds, near, members),
+        large=Large(bonds, tuple(np.flatnonzero(~without).tolist()), near, members),
     )
 
 

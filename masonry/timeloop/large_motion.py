@@ -17,11 +17,12 @@ from masonry.model.model import Model
 def advance_large(model: Model, chunk: Chunk, first: int, steps: int, drive_force: np.ndarray) -> None:
     """Take some compiled steps of a chunk, as advance_model. Raises Stopped where blocks overlap deeply at once."""
     done = 0
+    groups, contacts, bodies, drives = model.step_arguments()
     while done < steps or steps == 0:
         assert model.large is not None
         done += advance(
             *(first + done, steps - done, model.dt, model.damping, chunk.dead_load, chunk.speed),
-            *(tuple(model.groups), tuple(model.contacts), model.large.bonds, tuple(model.bodies), model.drives),
+            *(groups, contacts, model.large.bonds, bodies, drives),
             *(model.large.near, model.large.members, drive_force[done:]),
         )
         if done == steps:

@@ -88,6 +88,6 @@ def _hand_over(model: Model, tractions: dict[int, np.ndarray], count: int) -> No
         kn, ks, tan = (rule[pairs.law[p]] for rule in rules[:3])
         for k in range(points.held[s]):
             most = -tan * kn * min(gap_of(pairs, points, near.motion, p, k), 0.0)
-            points.shear[s, k] = along * min(1.0, most / size) if size > 0.0 else 0.0
-            held = float(points.shear[s, k] @ points.shear[s, k])
+            points.shear[s, :, k] = along * min(1.0, most / size) if size > 0.0 else 0.0
+            held = float(points.shear[s, :, k] @ points.shear[s, :, k])
             near.account[SHEAR_LOST] -= 0.5 * points.area[s, k] * held / ks

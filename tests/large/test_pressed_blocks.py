@@ -96,7 +96,7 @@ def test_forces_and_first_moments_are_the_derivatives_of_the_energy_that_is_stor
 def test_the_forces_leave_no_couple_and_both_bodies_are_given_theirs():
     model = pressed(turn(1, 0.3))
     near, (rigid, affine, _) = model.large.near, model.bodies
-    near.points.shear[0, :4] = 1e5 * np.array([[1.0, 0.5, 0.2]])
+    near.points.shear[0, :, :4] = 1e5 * np.array([[1.0], [0.5], [0.2]])
     push = pushes(model)
     hand_over(near.motion, model.large.members, rigid, affine, None)
     place = near.motion.centre + near.motion.moved

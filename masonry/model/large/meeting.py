@@ -54,9 +54,11 @@ class Meetings:
 
 @dataclass(frozen=True)
 class Large:
-    """What a model of large displacement has besides: bonds, what may meet, and the kinds of blocks if some deform."""
+    """What a model of large displacement has besides: bonds and the groups of contacts that have some, what may meet,
+    and the kinds of blocks if some deform."""
 
     bonds: Bonds
+    bonded: tuple[int, ...]
     near: Near
     members: Members | None = None
 
