@@ -35,11 +35,13 @@ those that came or grew."""
 
 TILT = "tilt_of_gravity"
 """The column (rad) of a run whose gravity is turned."""
+FACTOR = "load_factor"
+"""The column (1) of a run whose load grows until it falls."""
 
 
 def unit_of(column: str) -> str:
-    """Of a column of a history; all that are not in UNITS are gauges, but for the tilt."""
-    return "rad" if column == TILT else UNITS.get(column) or LARGE_UNITS.get(column, "m")
+    """Of a column of a history; all that are not in UNITS are gauges, but for the tilt and the load factor."""
+    return {TILT: "rad", FACTOR: "1"}.get(column) or UNITS.get(column) or LARGE_UNITS.get(column, "m")
 
 
 @dataclass(frozen=True)

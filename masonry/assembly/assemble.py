@@ -12,6 +12,7 @@ from geometry.specimens.placed import with_empty_blocks
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.contact_pairs import Pairs, meetings_of, pairs_of
 from masonry.assembly.gauge_places import gauges_of
+from masonry.assembly.growing_loads import let_grow
 from masonry.assembly.loose_parts import require_held
 from masonry.assembly.scatter import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of
@@ -39,7 +40,7 @@ class Assembly:
     joints: Joints
     mesh: TetMesh | None
     model: model.Model
-    plan: loads.Program | loads.Controlled
+    plan: loads.Plan
     recording: Recording
     drawn: list[Drawn]
     pairs: Pairs | None = None
@@ -59,6 +60,8 @@ def assemble(scene: Scene) -> Assembly:
     materials = {g: material_of(scene, g) for g in blocks.groups}
     layout = lay_out(blocks, kinds, mesh)
     conditions = conditions_of(scene, specimen, layout, joints, materials)
+    if scene.grows:
+        let_grow(scene, specimen, joints, layout, materials, conditions)
     if scene.must_stand:
         require_held(specimen, joints, layout, conditions, loaded=bool(scene.traction) or scene.gravity is not None)
         for varying in conditions.varying:

@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry.errors import SceneError
 from masonry.loading.schedule import followed, passage, steps_at
-from masonry.model.loads import Controlled, Program, controlled, program, require_few
+from masonry.model.loads import Controlled, Growing, Plan, Program, controlled, program, require_few, rise
 from masonry.scene import Scene
 from masonry.scene.tables.history import Timed
 from masonry.scene.tables.loading import Drive
@@ -21,8 +21,16 @@ TILTED = 1e-7
 """Of gravity: how far it may be from where it is turned to. A row reads its direction ten times as well as 1e-6 rad."""
 
 
-def plan_of(scene: Scene, dt: float) -> Program | Controlled:
-    """The plan for steps of dt (s): a fixed program, or a drive that is paced by its error."""
+UP_TO = 100.0
+"""The factor at which a run ends whose load grows, where the scene does not say."""
+
+
+def plan_of(scene: Scene, dt: float) -> Plan:
+    """The plan for steps of dt (s): a fixed program, a drive that is paced by its error, or a load that grows."""
+    if scene.limit is not None and scene.limit.accuracy is not None:
+        settle = _settle(scene)
+        dead_load = rise(settle, settle) if settle else np.ones(1)
+        return Growing(dead_load, scene.limit.accuracy, scene.limit.up_to or UP_TO, scene.limit.pattern == "tilt")
     plan = _loading(scene, dt)
     if isinstance(plan, Controlled):
         return plan
@@ -56,9 +64,9 @@ def _going_on(plan: Program, steps: int, dt: float) -> Program:
     )
 
 
-def tilt_at(scene: Scene, plan: Program | Controlled, steps: np.ndarray) -> np.ndarray | None:
+def tilt_at(scene: Scene, plan: Plan, steps: np.ndarray) -> np.ndarray | None:
     """(n,) rad, by how much gravity is turned at some steps; None where it never is."""
-    if scene.gravity is None or scene.gravity.tilt is None or isinstance(plan, Controlled) or plan.varying is None:
+    if scene.gravity is None or scene.gravity.tilt is None or not isinstance(plan, Program) or plan.varying is None:
         return None
     k = [name for name, (_, path) in scene.gravity.parts.items() if path is not None].index("gravity cos")
     cos, sin = plan.varying[len(plan.varying) - len(scene.gravity.paths) + k :][:2, steps.astype(np.int64)]
@@ -67,7 +75,7 @@ def tilt_at(scene: Scene, plan: Program | Controlled, steps: np.ndarray) -> np.n
 
 def _loading(scene: Scene, dt: float) -> Program | Controlled:
     """What drive, dead loads and histories ask for."""
-    settle = scene.settle.steps if scene.settle else FEWEST * scene.has_dead_loads
+    settle = _settle(scene)
     drive, loads = scene.drive, [path for traction in scene.traction for path in traction.paths]
     if scene.gravity is not None:
         loads += scene.gravity.paths
@@ -83,6 +91,11 @@ def _loading(scene: Scene, dt: float) -> Program | Controlled:
     if drive.accuracy is not None:
         return controlled(settle, way, drive.accuracy)
     return program(dt, settle, way, drive.steps, drive.rate, drive.ramp)
+
+
+def _settle(scene: Scene) -> int:
+    """Steps in which the dead loads settle."""
+    return scene.settle.steps if scene.settle else FEWEST * scene.has_dead_loads
 
 
 def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: float) -> Program | Controlled:

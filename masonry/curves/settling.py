@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.curves.ledger import draw_ledger
-from masonry.history import LARGE_UNITS, TILT, UNITS
+from masonry.history import FACTOR, LARGE_UNITS, TILT, UNITS
 from masonry.pictures.style import MILLI, heading, plain, tidy
 from masonry.results.reactions import reaction_lines
 
@@ -49,8 +49,11 @@ def settling_figure(result: "ResultData") -> Any:
 
 
 def _across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], str]:
-    """What is drawn over what: from steps (n,) to values, and their label: the tilt of gravity where the scene asks."""
+    """What is drawn over what: from steps (n,) to values, and their label: the factor of a load that grows, or the tilt
+    of gravity where the scene asks."""
     rows, asked = result.history.rows, result.scene_table.get("curve", {})
+    if FACTOR in rows:
+        return lambda steps: np.interp(steps, rows["step"], rows[FACTOR]), "load factor [1]"
     if TILT in rows and isinstance(asked, dict) and asked.get("x") == TILT:
         return lambda steps: np.degrees(np.interp(steps, rows["step"], rows[TILT])), "tilt of gravity [deg]"
     return lambda steps: steps, "step"
@@ -59,7 +62,11 @@ def _across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], s
 def movements(result: "ResultData") -> dict[str, tuple[np.ndarray, np.ndarray]]:
     """By name, steps and displacements (m): of each gauge at every row, or of the top at every frame, by axis."""
     rows = result.history.rows
-    gauges = {name: (rows["step"], values) for name, values in rows.items() if name not in (*UNITS, *LARGE_UNITS, TILT)}
+    gauges = {
+        name: (rows["step"], values)
+        for name, values in rows.items()
+        if name not in (*UNITS, *LARGE_UNITS, TILT, FACTOR)
+    }
     frames = result.history.frames
     if gauges or not frames:
         return gauges

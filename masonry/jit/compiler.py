@@ -77,7 +77,7 @@ def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any
     return compiled
 
 
-jit = _kept(STEP)
+jit = _kept(STEP, _nrt=False)
 jit_parallel = _kept(f"{STEP}/threads", parallel=True) if STEP else _kept("", keep=False, parallel=True)
 """Numba's cache does not tell the two ways to compile one function apart: in one folder, whichever came first is served
 for both.

@@ -7,9 +7,6 @@ reference at the same place, so the springs are conservative and no couple is le
 """
 
 from math import sqrt
-from typing import NamedTuple
-
-import numpy as np
 
 from masonry.detection.bare import bare, inlined
 from masonry.kernels.planes import plane_of, turned
@@ -18,90 +15,6 @@ from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take
 FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
 """Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
 points that press changed, and by points that were born pressing."""
-
-
-class Pairs(NamedTuple):
-    """Pairs of convex pieces that are near to each other, sorted; there is room for more than there are.
-
-    number    (1,) how many there are; the arrays below have a row for each
-    piece     (P, 2) numbers of the pieces, the lower first     body  (P, 2) their blocks
-    slot      (P,) where its points are kept; -1 where the two are apart
-    points_of (P,) which side the points belong to (0, 1); the plane is fixed in the other one, the reference
-    normal    (P, 3) of the plane, from side 0 to side 1, in the frame of the reference
-    axis      (P, 3) the same at the last look, in space     witness (P, 3) of that look (detection/narrow.py)
-    mark      (P,) m, travel of both blocks at the last look     limit  (P,) m, travel until the next one
-    law       (P,) row of Rules    dashpot (P,) Pa s/m
-    """
-
-    number: np.ndarray
-    piece: np.ndarray
-    body: np.ndarray
-    slot: np.ndarray
-    points_of: np.ndarray
-    normal: np.ndarray
-    axis: np.ndarray
-    witness: np.ndarray
-    mark: np.ndarray
-    limit: np.ndarray
-    law: np.ndarray
-    dashpot: np.ndarray
-
-
-class Points(NamedTuple):
-    """Points of the pairs that touch, or nearly: S slots of up to K points, a multiple of four; which slots are free.
-
-    held     (S,) points of a slot
-    material (S, 3, K) m, from the centroid of the block that they belong to, in its frame
-    level    (S, K) m, of the plane that the point meets, along the normal from the centroid of the reference
-    area     (S, K) m2       feature (S, K) names
-    shear    (S, 3, K) Pa, elastic shear traction on side 0, in space
-    damper   (S, K) Pa, stress of the dashpot at the last step
-    free     (S + 1,) the last number is how many slots are free, the first ones which
-    """
-
-    held: np.ndarray
-    material: np.ndarray
-    level: np.ndarray
-    area: np.ndarray
-    feature: np.ndarray
-    shear: np.ndarray
-    damper: np.ndarray
-    free: np.ndarray
-
-
-class Rules(NamedTuple):
-    """What two groups of blocks do where they meet, (R,) each: Pa/m, Pa/m, tangent, share of critical damping."""
-
-    normal_stiffness: np.ndarray
-    shear_stiffness: np.ndarray
-    tan_friction: np.ndarray
-    dashpot: np.ndarray
-
-
-class Motion(NamedTuple):
-    """How B blocks stand and move: rigid ones, or with `dual` and what follows blocks of which some deform.
-
-    centre  (B, 3) m, centroids of the undeformed shape     moved (B, 6) m, the first three: how far they are from there
-    frame   (B, 3, 3) rotation from the start, or deformation gradient F
-    v       (B, 6) velocity and spin about x, y, z
-    push    (B, 6) out: force and moment about the centroid; (B, 12) force and first moments where blocks deform
-    radius  (B,) m, of the sphere about the centroid that holds the block
-    travel  (B,) m, bound of how far any point has moved so far
-    dual    (B, 3, 3) F^-T, which carries normals; None where all blocks are rigid, and so are the next two
-    rate    (B, 3, 3) 1/s, F'
-    strain  (B,) 1/s, norm of the rate of stretching: the symmetric part of F' F^-1
-    """
-
-    centre: np.ndarray
-    moved: np.ndarray
-    frame: np.ndarray
-    v: np.ndarray
-    push: np.ndarray
-    radius: np.ndarray
-    travel: np.ndarray
-    dual: np.ndarray | None = None
-    rate: np.ndarray | None = None
-    strain: np.ndarray | None = None
 
 
 @bare
@@ -287,39 +200,3 @@ def deepest(near, width):
             gap = gap_of(pairs, points, near.motion, p, k)
             most = max(most, -gap / min(width[pairs.body[p, 0]], width[pairs.body[p, 1]]))
     return most
-
-
-def no_pairs(room: int) -> Pairs:
-    """Room for so many pairs, and none in it."""
-    numbers, twice, vectors = (room,), (room, 2), (room, 3)
-    whole = {
-        name: np.zeros(shape, dtype=np.int64) for name, shape in (("piece", twice), ("body", twice), ("law", numbers))
-    }
-    return Pairs(
-        number=np.zeros(1, dtype=np.int64),
-        slot=np.full(room, -1, dtype=np.int64),
-        points_of=np.zeros(room, dtype=np.int64),
-        normal=np.zeros(vectors),
-        axis=np.zeros(vectors),
-        witness=np.full(vectors, -1, dtype=np.int64),
-        mark=np.zeros(room),
-        limit=np.zeros(room),
-        dashpot=np.zeros(room),
-        **whole,
-    )
-
-
-def no_points(room: int, most: int) -> Points:
-    """Room for the points of so many pairs, `most` each, and none in it."""
-    most = -(-most // 4) * 4
-    one, three = (room, most), (room, 3, most)
-    return Points(
-        held=np.zeros(room, dtype=np.int64),
-        material=np.zeros(three),
-        level=np.zeros(one),
-        area=np.zeros(one),
-        feature=np.zeros(one, dtype=np.int64),
-        shear=np.zeros(three),
-        damper=np.zeros(one),
-        free=np.append(np.arange(room)[::-1], room).astype(np.int64),
-    )

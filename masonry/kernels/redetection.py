@@ -14,16 +14,8 @@ from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
 from masonry.detection.transfer import transfer, turn_tractions
 from masonry.kernels.pair_search import FAR, NEED_POINTS, TOO_DEEP, release
-from masonry.kernels.patches import (
-    BORN,
-    NORMAL_GAINED,
-    SHEAR_LOST,
-    Motion,
-    Pairs,
-    Points,
-    Rules,
-    stored,
-)
+from masonry.kernels.patch_arrays import Motion, Pairs, Points, Rules
+from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, stored
 from masonry.kernels.planes import into, plane_of, turned
 
 MOVED = 0.01

@@ -4,7 +4,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.loading.settings import SETTINGS
-from masonry.model.loads import Controlled
+from masonry.model.loads import Controlled, Growing
 
 PRESCRIBED = 110
 """Increments of a way or a leg where the drive prescribes all that moves: few steps each, whatever the accuracy."""
@@ -14,6 +14,8 @@ the paper, with rigid blocks and others, at 0.1 to 5 %: from 0.4 times as many t
 LEG, WIDER = 3000, 200.0
 """Steps of each leg of a drive that turns back; and over the accuracy, for coming to places where it has not been, as
 far on one side as the farthest place of all."""
+TRIALS, FEWEST_OF_TRIAL, ROWS_OF_GROWTH = 30, 2000, 150
+"""Of a load that grows until it falls: trials, the steps of one at least, and rows."""
 NANOSECONDS = {"contact": 13.0, "side": 4.0, "block": 60.0, "tet": 20.0, "node": 30.0, "step": 2000.0}
 """Rough cost of each part of a step on one 2.5 GHz core; `masonry check` says "about"."""
 ROW, ROW_OF_CONTACT = 2.5e5, 400.0
@@ -23,6 +25,8 @@ ROW, ROW_OF_CONTACT = 2.5e5, 400.0
 def expected_steps(assembly: Assembly) -> int:
     """All steps of a fixed program; about how many there will be of a drive that is paced by its error."""
     plan = assembly.plan
+    if isinstance(plan, Growing):
+        return plan.settle + TRIALS * max(plan.settle // 2, FEWEST_OF_TRIAL)
     return plan.settle + round(_paced(assembly, plan)) if isinstance(plan, Controlled) else plan.steps
 
 
@@ -40,6 +44,8 @@ def expected_seconds(assembly: Assembly) -> float:
 def expected_rows(assembly: Assembly) -> int:
     """Rows of the curve: to an accuracy, each increment writes one."""
     plan, rows = assembly.plan, assembly.recording.rows
+    if isinstance(plan, Growing):
+        return ROWS_OF_GROWTH
     if not isinstance(plan, Controlled):
         return min(rows, plan.steps) + len(plan.marks)
     settling = min(max(1, rows // SETTINGS.settling_rows), plan.settle)

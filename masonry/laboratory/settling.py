@@ -11,7 +11,7 @@ from masonry.errors import Stopped
 from masonry.history import History
 from masonry.loading.predictor import AT_FIRST
 from masonry.loading.scheduled import ScheduledLoading
-from masonry.model.loads import Controlled, Program
+from masonry.model.loads import Controlled, Growing, Program
 from masonry.scene import Scene
 from masonry.scene.tables.loading import Settle
 from masonry.timeloop import model_state
@@ -76,7 +76,9 @@ def _trial(
     and the most of the last looks at the unbalanced force, over the dead loads, and at the kinetic energy, over the
     stored one."""
     model, plan = assembly.model, plan_of(with_settle(assembly.scene, steps), assembly.model.dt)
-    varying = None if isinstance(plan, Controlled) or plan.varying is None else plan.varying[:, : steps + 1]
+    varying = np.zeros((len(model.varying), steps + 1)) if isinstance(plan, Growing) else None
+    if isinstance(plan, Program) and plan.varying is not None:
+        varying = plan.varying[:, : steps + 1]
     alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0, varying)
     loading, recording = ScheduledLoading(model, alone, ROWS), replace(assembly.recording, frames=1)
     loop = Loop(model, loading, steps, recording, threads, Outcome(History()))

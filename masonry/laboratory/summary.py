@@ -15,7 +15,7 @@ from masonry.history import LARGE_UNITS, TILT, UNITS
 from masonry.jit.sources import source_hash
 from masonry.laboratory.provenance import own_sources
 from masonry.loading.cycles import SPENT, at_peak, goes_one_way, table
-from masonry.model.loads import Controlled
+from masonry.model.loads import Controlled, Growing
 from masonry.monitors import events
 from masonry.monitors.energy import open_in_contacts
 from masonry.monitors.reactions import balance, moved_by, open_by
@@ -30,6 +30,8 @@ SUDDEN = 1e-3
 
 STILL_SHARE = 1e-4
 """Of the kinetic energy when the first block has fallen: with less, the fall has not begun."""
+MOVING = 0.05
+"""Of the block that moves most: from which on a block belongs to the mechanism."""
 MOVED = 1e-12
 """Openings and slips (m) up to this one, far less than an atom, are but rounding."""
 ROUNDING = 1e-9
@@ -130,6 +132,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "slip_max": float(observed["slip"].max()),
         "met": outcome.found.get("met", ""),
         **({} if model.large is None else _of_large(assembly, outcome)),
+        **(_collapse_load(assembly, outcome) if isinstance(plan, Growing) else {}),
         "slip_limit": scene.solver.slip_limit,
         "section_m2": assembly.specimen.section,
         "interrupted": outcome.interrupted,
@@ -170,6 +173,28 @@ def _collapse(assembly: Assembly, outcome: Outcome) -> dict[str, Any] | None:
         **_moment(rows, row),
         "began": _moment(rows, int(still[-1])) if len(still) else None,
         "energy_j": energies,
+    }
+
+
+def _collapse_load(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
+    """The factor of the load that grew: the greatest that was borne, and the least that was not; and who moves then."""
+    control, moved = outcome.control, outcome.found["mechanism"]
+    first, sets = int(moved.argmax()), assembly.specimen.sets
+    limit = assembly.scene.limit
+    assert limit is not None
+    return {
+        "collapse_load": {
+            "pattern": limit.pattern,
+            "borne": control["factor"],
+            "falls": control.get("factor_falls"),
+            "accuracy": control["accuracy"],
+            "trials": control["trials"],
+            "undecided": control["undecided"],
+            "moving": int((moved > MOVING).sum()),
+            "first": first,
+            "sets": sorted(name for name, members in sets.items() if first in members),
+            "moved": moved.tolist(),
+        }
     }
 
 

@@ -1,6 +1,6 @@
 """What the command line says about a scene and about a result, aligned for a person."""
 
-from math import degrees, tan
+from math import atan, degrees, tan
 from pathlib import Path
 from typing import Any
 
@@ -70,6 +70,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
     driven = has_drive(summary)
     return [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
+        *([("load factor", factor_text(found))] if (found := summary.get("collapse_load")) else []),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *([("tilt of gravity", [tilt_text(summary["tilt_rad"], " at the end")])] if "tilt_rad" in summary else []),
         *([("collapse", [collapse_text(fallen)])] if (fallen := summary.get("collapse")) else []),
@@ -78,7 +79,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         ("energy balance", [f"open by {_number(summary, 'energy_imbalance', 1.0, 'of the external work')}"]),
         *([("force balance", [balance_text(summary)])] if summary.get("force_balance") is not None else []),
         *(_slow_rows(summary) if driven and not summary.get("in_real_time") else []),
-        *([("accuracy", [accuracy_text(summary)])] if summary.get("control") else []),
+        *([("accuracy", [accuracy_text(summary)])] if summary.get("control") and driven else []),
         *([("sudden cracks", [sudden_text(summary)])] if summary.get("sudden_cracks") else []),
         ("steps", [str(summary.get("steps", "not known"))]),
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
@@ -153,6 +154,21 @@ def collapse_text(fallen: dict[str, Any]) -> str:
     tilt = f", with gravity turned by {tilt_text(began['tilt_rad'])}" if "tilt_rad" in began else ""
     drive = f", with the drive at {1e3 * began['displacement_m']:.4g} mm" if began["displacement_m"] else ""
     return f"{what}; the fall began after {began['time_s']:.4g} s{drive}{tilt}"
+
+
+def factor_text(found: dict[str, Any]) -> list[str]:
+    """The factor at which the load that grows is borne no more, and who moves then."""
+    borne, falls, tilts = found["borne"], found["falls"], found["pattern"] == "tilt"
+    angle = f", at {degrees(atan(borne)):.4g} deg" if tilts else ""
+    if falls is None:
+        return [f"{borne:.6g} is borne{angle}: the load ends here (limit.up_to), and nothing has fallen"]
+    sets, moving = ", ".join(found["sets"]), found["moving"]
+    return [
+        f"{borne:.6g} is borne{angle}, {falls:.6g} is not; found in {found['trials']} trials, to "
+        f"{percent(found['accuracy'])}",
+        f"{moving} of {len(found['moved'])} blocks move; block {found['first']}"
+        + (f" of '{sets}' moves most" if sets else " moves most"),
+    ]
 
 
 def gauge_text(readings: dict[str, float], driven: bool = True) -> str:

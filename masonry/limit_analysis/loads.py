@@ -6,10 +6,11 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.assembly.assemble import material_of, require_groups
-from masonry.assembly.conditions import conditions_of, select
+from masonry.assembly.conditions import conditions_of
+from masonry.assembly.growing_loads import density_of, gravity_of, growing_load
 from masonry.errors import SceneError
 from masonry.model.layout import Layout, lay_out
-from masonry.model.loads import Conditions, Push, add_traction
+from masonry.model.loads import Conditions
 from masonry.scene import Scene
 from masonry.scene.tables.limit import LimitLoad
 from masonry.statics.problem import Bodies
@@ -49,9 +50,8 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     materials = {g: material_of(scene, g) for g in groups}
     rigid = scene.model_copy(update={"motion": (), "kinematics": {"default": "rigid"}})
     conditions = conditions_of(rigid, specimen, layout, joints, materials)
-    density = np.array([materials[g].density for g in groups])[specimen.blocks.group]
+    density, gravity = density_of(specimen, materials), gravity_of(scene)
     mass = density * layout.volume
-    gravity = np.zeros(3) if scene.gravity is None else np.array(scene.gravity.vector)
     varying = _varying(scene)
     asked = None if dead_alone else scene.limit or _asked(scene, varying)
     if asked is not None and varying:
@@ -72,7 +72,7 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
         live = sum((_loads(conditions, layout, name) for name in varying), np.zeros_like(dead))
         words = " and ".join(varying) + " at a share of 1"
     else:
-        live, words = _live(scene, specimen, joints, layout, asked, weight, together)
+        live, words = _live(scene, specimen, joints, layout, asked, density, together)
     tilts = asked is not None and asked.pattern == "tilt"
     bodies = Bodies(layout.centroid, free, dead + weight, live, together)
     if not dead_alone and not (live[free] != 0.0).any():
@@ -133,50 +133,19 @@ def _along(weight: np.ndarray, asked: LimitLoad) -> np.ndarray:
 
 
 def _live(
-    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, asked: LimitLoad, weight: np.ndarray,
+    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, asked: LimitLoad, density: np.ndarray,
     together: np.ndarray | None,
 ) -> tuple[np.ndarray, str]:  # fmt: skip
     """(B, 6) the load at a factor of 1, and what it is in words."""
-    live = np.zeros_like(weight)
-    if asked.pattern == "weight":
-        assert asked.direction is not None
-        live[:, "xyz".index(asked.direction[-1])] = _sign(asked.direction) * np.linalg.norm(weight[:, :3], axis=1)
-        return live, f"the weight along {asked.direction}"
-    if asked.pattern == "tilt":
-        assert asked.about is not None
-        axis = _sign(asked.about) * np.eye(3)["xyz".index(asked.about[-1])]
-        live[:, :3] = np.cross(axis, weight[:, :3])
-        return live, f"gravity turned about {asked.about}: the factor is the tangent of the angle"
-    if asked.pattern == "drive":
-        assert scene.drive is not None and together is not None
-        blocks = together[:, scene.drive.axis]
-        live[blocks, scene.drive.axis] = scene.drive.sign / max(int(blocks.sum()), 1)
-        return live, f"the force of the drive on '{scene.drive.on}' along {scene.drive.direction}"
-    assert asked.on is not None
-    chosen, faces = select(specimen, joints, asked.on, "limit.on")
-    if asked.pattern == "traction":
-        assert asked.stress is not None
-        if faces is None:
-            raise SceneError(
-                f"limit.on = '{asked.on}': a traction acts on a face, for example '{asked.on}.z+'; "
-                "a force acts on whole blocks"
-            )
-        pushed: dict[str, np.ndarray | None] = dict.fromkeys(("rigid", "affine", "tets"))
-        add_traction(specimen.blocks, layout, pushed, Push(faces, np.array(asked.stress)))
-        assert pushed["rigid"] is not None
-        return _about_axes(pushed["rigid"], layout), f"the traction on '{asked.on}'"
-    if faces is not None:
-        raise SceneError(f"limit.on = '{asked.on}': a force acts on whole blocks; a traction acts on a face")
-    assert asked.force is not None
-    share = layout.volume[chosen] / layout.volume[chosen].sum()
-    live[chosen, :3] = share[:, None] * np.array(asked.force)
-    if asked.at is not None:
-        live[chosen, 3:] = np.cross(np.array(asked.at) - layout.centroid[chosen], live[chosen, :3])
-    return live, f"the force on '{asked.on}'"
-
-
-def _sign(direction: str) -> float:
-    return -1.0 if direction[0] == "-" else 1.0
+    if asked.pattern != "drive":
+        load, words = growing_load(specimen, joints, layout, asked, density, gravity_of(scene))
+        assert load["rigid"] is not None
+        return _about_axes(load["rigid"], layout), words
+    assert scene.drive is not None and together is not None
+    live = np.zeros((len(density), 6))
+    blocks = together[:, scene.drive.axis]
+    live[blocks, scene.drive.axis] = scene.drive.sign / max(int(blocks.sum()), 1)
+    return live, f"the force of the drive on '{scene.drive.on}' along {scene.drive.direction}"
 
 
 def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditions) -> np.ndarray:

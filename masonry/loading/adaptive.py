@@ -37,8 +37,6 @@ class AdaptiveLoading:
     far then, as the force may pass through zero, and the drive through its start.
     """
 
-    loads = None
-
     def __init__(self, model: Model, plan: Controlled, rows: int, settings: AdaptiveSettings = SETTINGS) -> None:
         self.settings = settings
         self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Predictor(model)
@@ -234,6 +232,14 @@ class AdaptiveLoading:
         )
         excess = max(np.sqrt(brought), *(share / self.unit for share in shares))
         return float(np.clip(1.0 / excess, self.settings.slower, self.settings.faster))
+
+    def shares(self) -> np.ndarray:
+        """No load varies."""
+        return np.zeros(0)
+
+    def columns(self) -> dict[str, float]:
+        """Nothing more for a row to say."""
+        return {}
 
     def progress(self) -> tuple[int, int]:
         """How far the way is made, in millionths."""

@@ -95,6 +95,14 @@ class ScheduledLoading:
             if self.done >= self.program.rest_from and self.still >= STILL_ROWS and self.most > 0.0:
                 self.last = self.row_due()
 
+    def shares(self) -> np.ndarray:
+        """(H,) of the loads that vary, now."""
+        return np.zeros(0) if self.loads is None else self.loads.shares[:, self.done]
+
+    def columns(self) -> dict[str, float]:
+        """Nothing more for a row to say."""
+        return {}
+
     def progress(self) -> tuple[int, int]:
         """Steps done, and all of them."""
         return self.done, self.last

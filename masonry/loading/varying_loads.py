@@ -28,7 +28,31 @@ def knots(shares: np.ndarray, settle: int, straight: float) -> np.ndarray:
         at = np.union1d(at, (at[:-1] + at[1:])[bent] // 2)
 
 
-class VaryingLoads:
+class SharedLoads:
+    """Loads that pass from some shares to others within a chunk, in proportion to its steps."""
+
+    def __init__(self, model: Model) -> None:
+        self.parts = []
+        for kind, body in zip(("rigid", "affine", "tets"), model.bodies, strict=True):
+            if body is not None and body.change is not None:
+                each = [np.zeros(body.load.shape) if one[kind] is None else one[kind] for one in model.varying]
+                self.parts.append((body, body.load.copy(), np.array(each)))
+
+    def rest_over_each(self) -> float:
+        """Sum of the forces of the loads that stay over that of the greatest that varies."""
+        rest = sum(float(np.abs(rest[:, :3]).sum()) for _, rest, _ in self.parts)
+        return rest / max(sum(np.abs(each[:, :, :3]).sum(axis=(1, 2)) for _, _, each in self.parts).max(), 1e-300)
+
+    def pass_over(self, begin: np.ndarray, end: np.ndarray, steps: int) -> np.ndarray:
+        """Set the loads of the bodies for so many steps from shares (H,) to others; returns (steps + 1,) what they add
+        to the shares of the dead load."""
+        for body, rest, each in self.parts:
+            body.load[...] = rest + np.tensordot(begin, each, 1)
+            body.change[...] = np.tensordot(end - begin, each, 1)
+        return np.linspace(0.0, 1.0, steps + 1)
+
+
+class VaryingLoads(SharedLoads):
     """Loads that pass from their shares at the start of a chunk to those at its end.
 
     Within a chunk each load changes in proportion to the steps, so the step itself needs no more than the loads at the
@@ -37,14 +61,10 @@ class VaryingLoads:
     """
 
     def __init__(self, model: Model, shares: np.ndarray, settle: int, straight: float) -> None:
+        super().__init__(model)
         self.settle, self.knots = settle, knots(shares, settle, straight)
         steps = np.arange(shares.shape[1])
         self.shares = np.array([np.interp(steps, self.knots, share[self.knots]) for share in shares])
-        self.parts = []
-        for kind, body in zip(("rigid", "affine", "tets"), model.bodies, strict=True):
-            if body is not None and body.change is not None:
-                each = [np.zeros(body.load.shape) if one[kind] is None else one[kind] for one in model.varying]
-                self.parts.append((body, body.load.copy(), np.array(each)))
 
     def latest(self, first: int) -> int:
         """The step at which a chunk from a step on ends at the latest."""
@@ -54,8 +74,5 @@ class VaryingLoads:
     def apply(self, first: int, last: int, dead_load: np.ndarray) -> np.ndarray:
         """Set the loads of the bodies for a chunk of steps; returns its shares of the dead load, those of the change
         included."""
-        begin, end = self.shares[:, first], self.shares[:, last]
-        for body, rest, each in self.parts:
-            body.load[...] = rest + np.tensordot(begin, each, 1)
-            body.change[...] = np.tensordot(end - begin, each, 1)
-        return dead_load if first < self.settle else dead_load + np.linspace(0.0, 1.0, last - first + 1)
+        passed = self.pass_over(self.shares[:, first], self.shares[:, last], last - first)
+        return dead_load if first < self.settle else dead_load + passed

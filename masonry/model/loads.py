@@ -157,6 +157,37 @@ class Controlled:
         return len(self.dead_load) - 1
 
 
+@dataclass(frozen=True)
+class Growing:
+    """A load whose factor grows until nothing balances it (loading/growing.py), to an accuracy, up to `most`.
+
+    dead_load  (settle + 1,) share of the dead load at each step before it grows; its last value stays
+    tilts      whether the factor is the tangent of the angle by which gravity turns: two loads, see `shares`
+    """
+
+    dead_load: np.ndarray
+    accuracy: float
+    most: float
+    tilts: bool = False
+
+    ramp = 0
+
+    @property
+    def settle(self) -> int:
+        return len(self.dead_load) - 1
+
+    def shares(self, factor: float) -> np.ndarray:
+        """(H,) shares of the loads that vary: the factor; of a tilt that of the weight that turns, less 1, and that of
+        the weight turned by a right angle, so that gravity keeps its size."""
+        if not self.tilts:
+            return np.array([factor])
+        whole = float(np.hypot(1.0, factor))
+        return np.array([1.0 / whole - 1.0, factor / whole])
+
+
+Plan = Program | Controlled | Growing
+
+
 def controlled(settle: int, displacement: float, accuracy: float, turns: tuple[float, ...] = ()) -> Controlled:
     """Dead loads rise over the first half of `settle`; then the drive makes its way to an accuracy."""
     return Controlled(rise(settle, settle), displacement, accuracy, turns)

@@ -40,8 +40,9 @@ def trust(summary: dict[str, Any]) -> str:
     mismatch = summary.get("dissipation_mismatch") or 0.0
     if mismatch > DISSIPATION:
         doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
-    dynamic = bool(summary.get("in_real_time"))
+    dynamic, grown = bool(summary.get("in_real_time")), summary.get("collapse_load")
     doubts += [] if dynamic else not_at_rest(summary)
+    doubts += not_enclosed(grown) if grown else []
     if (summary.get("force_balance") or 0.0) > IMBALANCE:
         doubts.append(f"forces and moments add up to {summary['force_balance']:.2g} of the largest, not to 0")
     if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
@@ -78,9 +79,10 @@ def trust(summary: dict[str, Any]) -> str:
             f"damping took {percent(control['drag_at_peak'])} of the force at the peak, which may be too high by as"
             " much: ask for a smaller accuracy"
         )
-    doubts += [] if dynamic else not_slow(summary, damping)
+    doubts += [] if dynamic or grown else not_slow(summary, damping)
     if not doubts:
         kind = "a run in real time" if dynamic else "quasi-static" if has_drive(summary) else "at rest"
+        kind = "at rest under each factor that is borne" if grown else kind
         return (
             f"{kind} and the energy balance closes: the numbers solve this model; whether the model describes the wall "
             "depends on the scene's assumptions."
@@ -103,8 +105,25 @@ def not_at_rest(summary: dict[str, Any]) -> list[str]:
             f"the dead loads had not come to rest ({share:.2g} of them unbalanced, kinetic energy {moving:.2g} of the "
             "stored): raise settle.steps, or leave it out; if that does not help, the specimen cannot stand under them"
         ]
-    if not has_drive(summary) and (moving := moving_at_end(summary)) > STILL:
+    falls = (summary.get("collapse_load") or {}).get("falls") is not None
+    if not has_drive(summary) and not falls and (moving := moving_at_end(summary)) > STILL:
         return [f"the specimen still moves at the end: its kinetic energy is {moving:.2g} of the stored"]
+    return []
+
+
+def not_enclosed(grown: dict[str, Any]) -> list[str]:
+    """What speaks against the factor of a load that grew."""
+    if grown["falls"] is None:
+        return ["nothing fell up to the factor at which the load ends, so this is no collapse load: raise limit.up_to"]
+    if grown["borne"] <= 0.0:
+        return [
+            "not the least part of the load was borne: nothing resists it, or the specimen hardly stands without it"
+        ]
+    if grown["undecided"]:
+        return [
+            f"in {grown['undecided']} trials the specimen neither came to rest nor gathered way in time, and was taken "
+            "for one that falls: the factor may be larger"
+        ]
     return []
 
 

@@ -35,6 +35,32 @@ def _limit(scene: Any) -> None:
         about = scene.limit.about[-1]
         if not any(g for axis, g in zip("xyz", gravity.vector, strict=True) if axis != about):
             raise KeyedError("limit.about", f"gravity acts along {about} alone: turning it changes nothing")
+    if scene.limit.accuracy is not None:
+        _grows(scene)
+
+
+def _grows(scene: Any) -> None:
+    """In a run whose load grows until nothing balances it, all other loads stay, and time means nothing."""
+    alone = "the load of [limit] grows alone, paced by what the specimen does; leave this out, or limit.accuracy"
+    if scene.drive is not None:
+        raise KeyedError("drive", alone)
+    for k, traction in enumerate(scene.traction):
+        if traction.paths:
+            raise KeyedError(f"traction.{k}.history", alone)
+    if scene.gravity is not None and scene.gravity.paths:
+        raise KeyedError("gravity.tilt" if scene.gravity.tilt is not None else "gravity.history", alone)
+    if scene.motion:
+        raise KeyedError("motion.0", alone)
+    for key, given in {
+        "masses": scene.solver.masses == "real",
+        "duration": scene.solver.duration is not None,
+        "until": scene.solver.until is not None,
+        "damping": scene.solver.damping == 0.0,
+    }.items():
+        if given:
+            raise KeyedError(
+                f"solver.{key}", "a load that grows is balanced by damped motion with scaled masses; leave it out"
+            )
 
 
 def _large_only(scene: Any) -> None:

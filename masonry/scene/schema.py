@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
-from masonry.history import TILT, UNITS
+from masonry.history import FACTOR, TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact import Contact, Material
 from masonry.scene.tables.gauge import Curve, Gauge
@@ -101,6 +101,11 @@ class SceneData(Table):
         return self.drive is not None and self.drive.accuracy is not None
 
     @property
+    def grows(self) -> bool:
+        """Whether a run lets the load of [limit] grow until nothing balances it."""
+        return self.limit is not None and self.limit.accuracy is not None
+
+    @property
     def turns_back(self) -> bool:
         """Whether the drive turns, or a traction that varies: contacts then soften over the plastic slip by default."""
         loads = [path for traction in self.traction for path in traction.paths]
@@ -150,13 +155,13 @@ class SceneData(Table):
         return self
 
     def _gauges_have_names_of_their_own(self) -> None:
-        names = [*UNITS, TILT]
+        names = [*UNITS, TILT, FACTOR]
         for k, gauge in enumerate(self.gauge):
             if gauge.name in names:
                 raise KeyedError(f"gauge.{k}.name", f"'{gauge.name}' is a column of the results already; take another")
             names.append(gauge.name)
         tilts = self.gravity is not None and self.gravity.tilt is not None
-        across = ["displacement", *([TILT] if tilts else []), *names[len(UNITS) + 1 :]]
+        across = ["displacement", *([TILT] if tilts else []), *names[len(UNITS) + 2 :]]
         if self.curve is not None and self.curve.x not in across:
             raise KeyedError("curve.x", f"'{self.curve.x[:60]}' is no gauge; allowed: {', '.join(across)}")
 

@@ -10,6 +10,7 @@ from masonry.history import LARGE_UNITS, UNITS, Frame
 from masonry.kernels.step import reaction
 from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.cycles import reached
+from masonry.loading.growing import GrowingLoading
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.model.large.row_sums import STRETCH
 from masonry.model.model import Model
@@ -37,6 +38,7 @@ REMEMBERED = ("place", "done", "frames_done", "highest_row", "share", "heights")
 ALIKE = 1e-4
 """Share by which one row must be higher than another for both to be kept as the peak, that is, ten at most."""
 Columns = dict[str, list[float]]
+Loading = AdaptiveLoading | ScheduledLoading | GrowingLoading
 
 
 class Loop:
@@ -45,7 +47,7 @@ class Loop:
     def __init__(
         self,
         model: Model,
-        loading: AdaptiveLoading | ScheduledLoading,
+        loading: Loading,
         settle: int,
         recording: Recording,
         threads: int,
@@ -56,7 +58,8 @@ class Loop:
         self.place = self.share = 0.0
         self.done = self.frames_done = 0
         large = () if model.large is None else LARGE_UNITS
-        self.rows: Columns = {key: [] for key in (*UNITS, *large, *(gauge.name for gauge in recording.gauges))}
+        gauges = (gauge.name for gauge in recording.gauges)
+        self.rows: Columns = {key: [] for key in (*UNITS, *large, *loading.columns(), *gauges)}
         self.observed: Columns = {}
         self.watch = Watch(model, recording.rotation_limit)
         self.observers: dict[str, Observer] = {  # those that may end the run first: others see only rows that are kept
@@ -165,7 +168,7 @@ class Loop:
 
     def shares(self) -> list[float]:
         """The share of each dead load now."""
-        varying = () if self.loading.loads is None else self.loading.loads.shares[:, self.done]
+        varying = self.loading.shares()
         loads = self.recording.surroundings.loads
         return [self.share * (1.0 if load.varies is None else float(varying[load.varies])) for load in loads]
 
@@ -181,6 +184,7 @@ class Loop:
         row = {
             **self.drive(step, shares),
             **terms,
+            **self.loading.columns(),
             **{gauge.name: gauge.read(model) for gauge in self.recording.gauges},
         }
         append(self.rows, row)
@@ -225,6 +229,8 @@ class Loop:
         frames = {frame.step: frame for frame in [*self.frames, *(frame for _, frame, _ in self.near_peak[:1])]}
         self.outcome.standing = {k: v for k in ("peak", "end") if (v := self.outcome.standing.get(k)) is not None}
         self.outcome.control = self.loading.report()
+        if isinstance(self.loading, GrowingLoading):
+            self.outcome.found["mechanism"] = self.loading.mechanism()
         self.outcome.events = [] if self.loading.events is None else self.loading.events.found
         self.outcome.history.frames = [frames[step] for step in sorted(frames)]
 

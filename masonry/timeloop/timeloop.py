@@ -11,20 +11,22 @@ from masonry.errors import SceneError, Stopped
 from masonry.history import History
 from masonry.laws.dispatch import word_of
 from masonry.loading.adaptive import AdaptiveLoading
+from masonry.loading.growing import GrowingLoading
 from masonry.loading.rest import Rest
 from masonry.loading.scheduled import ScheduledLoading
-from masonry.model.loads import Controlled, Program
+from masonry.model.loads import Controlled, Growing, Plan
 from masonry.model.model import Model
 from masonry.runtime.progress import Progress
+from masonry.timeloop import model_state
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import compile_for, is_compiled
-from masonry.timeloop.loop import Loop
+from masonry.timeloop.loop import Loading, Loop
 from masonry.timeloop.recording import Outcome, Recording
 
 
 def run(
     model: Model,
-    plan: Program | Controlled,
+    plan: Plan,
     recording: Recording,
     threads: int = 1,
     progress: Callable[[int, int, str], None] | None = None,
@@ -55,10 +57,12 @@ def run(
     return outcome
 
 
-def loading_of(model: Model, plan: Program | Controlled, rows: int) -> AdaptiveLoading | ScheduledLoading:
+def loading_of(model: Model, plan: Plan, rows: int) -> Loading:
     """How the load of a plan advances; sudden cracks are waited for where masses are scaled and no load varies."""
     if isinstance(plan, Controlled):
         return AdaptiveLoading(model, plan, rows)
+    if isinstance(plan, Growing):
+        return GrowingLoading(model, plan, rows, model_state.state, model_state.restore)
     waits = plan.varying is None and model.scaled and model.damping is not None
     return ScheduledLoading(model, plan, rows, Rest(model) if waits else None)
 

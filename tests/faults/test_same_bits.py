@@ -34,6 +34,9 @@ SCENES = {
     "gravity that turns": lambda: load_scene(
         "arch", {"gravity.tilt": {"about": "y", "angle": "2 deg", "steps": 900}, "settle.steps": 300, "solver.rows": 30}
     ),
+    "a load that grows until it falls": lambda: load_scene(
+        "wall-tilted", {"settle.steps": 500, "limit.accuracy": 0.05, "limit.up_to": 0.03, "solver.rows": 30}
+    ),
     "a blow after the settling": lambda: standing('["1 m/s", 0, 0]', 300).with_({"solver.rows": 30}),
     "a flight": lambda: flight(gravity=GRAVITY),
     "blocks that topple and are found anew": lambda: toppling(duration=0.4).with_({"solver.rows": 30}),

@@ -8,7 +8,7 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.detection.broad import cells_for
-from masonry.kernels.patches import no_pairs, no_points
+from masonry.kernels.patch_arrays import no_pairs, no_points
 from masonry.laboratory import laboratory
 from masonry.timeloop import large_motion, model_state
 from tests.large.made import dry, leaning

@@ -4,7 +4,7 @@ import numpy as np
 
 from masonry.detection.tet_pieces import SurfaceTets, surface_tets
 from masonry.kernels.gathering import Members
-from masonry.kernels.patches import Motion
+from masonry.kernels.patch_arrays import Motion
 from masonry.model.arrays import Bodies
 from masonry.model.layout import KINDS, Layout, tet_gradients
 

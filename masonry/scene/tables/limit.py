@@ -4,7 +4,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import BeforeValidator, PlainSerializer, model_validator
 
-from masonry.scene.tables.loading import Selector
+from masonry.scene.tables.loading import Accuracy, Selector
 from masonry.scene.tables.motion import Coordinate
 from masonry.scene.tables.types import Direction, Given, KeyedError, StressVector, Table
 
@@ -18,6 +18,8 @@ KEYS = {
 }
 """Keys of each pattern."""
 OPTIONAL = ("at",)
+OF_RUNS = ("accuracy", "up_to")
+"""Keys of runs that drive the load to collapse, with any pattern but "drive"."""
 EXAMPLES = {
     "direction": 'direction = "x"',
     "about": 'about = "y"',
@@ -52,7 +54,8 @@ ForceVector = Annotated[Forces, BeforeValidator(_directions), PlainSerializer(_w
 
 class LimitLoad(Table):
     """The load that the factor multiplies, by its pattern: the weight in another direction, gravity turned about an
-    axis, a force on blocks, a traction on a face, or what the drive pushes with."""
+    axis, a force on blocks, a traction on a face, or what the drive pushes with. With an accuracy a run lets it grow
+    until nothing balances it, up to a factor at most."""
 
     pattern: Literal["weight", "tilt", "force", "traction", "drive"]
     direction: Direction | None = None
@@ -61,17 +64,25 @@ class LimitLoad(Table):
     force: ForceVector | None = None
     at: tuple[Coordinate, Coordinate, Coordinate] | None = None
     stress: StressVector | None = None
+    accuracy: Accuracy | None = None
+    up_to: Annotated[float, Given("number", "[1e-6, 1e6]")] | None = None
 
     @model_validator(mode="after")
     def _has_its_keys(self) -> "LimitLoad":
         mine = KEYS[self.pattern]
         for key in type(self).model_fields:
             given = getattr(self, key) is not None
+            if key in OF_RUNS:
+                continue
             if key != "pattern" and given and key not in mine:
                 others = [name for name, keys in KEYS.items() if key in keys]
                 raise KeyedError(key, f"belongs to pattern = {' or '.join(map(repr, others))}; leave it out")
             if key in mine and not given and key not in OPTIONAL:
                 raise KeyedError(key, f"missing; pattern = '{self.pattern}' needs it, for example {EXAMPLES[key]}")
+        if self.accuracy is not None and self.pattern == "drive":
+            raise KeyedError("accuracy", "a run moves the drive by [drive] itself, which has an accuracy; leave it out")
+        if self.accuracy is None and self.up_to is not None:
+            raise KeyedError("up_to", "says where a run ends whose load grows: it needs accuracy = '1 %'")
         for key in ("force", "stress"):
             if getattr(self, key) is not None and not any(getattr(self, key)):
                 raise KeyedError(key, "is 0 in all directions; give one that is not")

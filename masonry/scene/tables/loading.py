@@ -54,6 +54,10 @@ def _accuracy(value: Any) -> Any:
         raise ValueError(f"{value[:40]!r} does not fit; accuracy must be in [0.01, 20] %") from None
 
 
+Accuracy = Annotated[float, BeforeValidator(_accuracy)]
+"""A share that a file gives as such or in per cent."""
+
+
 def _rotation(value: Any, info: ValidationInfo) -> float:
     kind, allowed = ("angle", "(0, 90) deg") if isinstance(value, str) else ("number", "(0, 1.6)")
     return convert(value, kind, info.field_name or "", allowed)
@@ -94,7 +98,7 @@ class Drive(Table):
     displacement: Length | None = None
     history: DriveHistory = None
     duration: Duration | None = None
-    accuracy: Annotated[float | None, BeforeValidator(_accuracy)] = None
+    accuracy: Accuracy | None = None
     rate: Velocity | None = None
     steps: Steps | None = None
     ramp: Share = 0.3

@@ -1,0 +1,103 @@
+"""The load of [limit] on the freedoms of the bodies at a factor of 1: for limit analysis, and for runs in which it
+grows."""
+
+import numpy as np
+
+from geometry.blocks import Joints, Specimen
+from masonry.assembly.conditions import select
+from masonry.errors import SceneError
+from masonry.model.layout import KINDS, Layout, Material
+from masonry.model.loads import Conditions, Push, add_gravity, add_traction
+from masonry.scene import Scene
+from masonry.scene.tables.limit import LimitLoad
+
+Load = dict[str, np.ndarray | None]
+
+
+def let_grow(
+    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, materials: dict[str, Material], into: Conditions
+) -> None:
+    """Add the load of [limit] to those that vary: one, or for a tilt two, as model.loads.Growing.shares has them."""
+    asked, density = scene.limit, density_of(specimen, materials)
+    assert asked is not None
+    gravity = gravity_of(scene)
+    loads = {"limit": growing_load(specimen, joints, layout, asked, density, gravity)[0]}
+    if asked.pattern == "tilt":
+        turning: Load = dict.fromkeys(KINDS)
+        add_gravity(layout, turning, density, np.where(np.arange(3) == _axis(asked.about), 0.0, gravity))
+        loads = {"limit cos": turning, "limit sin": loads["limit"]}
+    acting = [load[~into.prescribed[k]] for one in loads.values() for k, load in one.items() if load is not None]
+    if not any(load.any() for load in acting):
+        raise SceneError(f"nothing loads this: {asked.pattern} of [limit] acts on no block that can move")
+    into.each_load |= loads
+    into.varying += loads.values()
+
+
+def density_of(specimen: Specimen, materials: dict[str, Material]) -> np.ndarray:
+    """(B,) kg/m3."""
+    groups = specimen.blocks.groups
+    return np.array([materials[group].density for group in groups])[specimen.blocks.group]
+
+
+def gravity_of(scene: Scene) -> np.ndarray:
+    """(3,) m/s2, 0 without."""
+    return np.zeros(3) if scene.gravity is None else np.array(scene.gravity.vector)
+
+
+def growing_load(
+    specimen: Specimen, joints: Joints, layout: Layout, asked: LimitLoad, density: np.ndarray, gravity: np.ndarray
+) -> tuple[Load, str]:
+    """The load by kind, and what it is in words; the force of a drive is no load. Raises SceneError."""
+    load: Load = dict.fromkeys(KINDS)
+    if asked.pattern == "weight":
+        towards = _sign(asked.direction) * np.linalg.norm(gravity) * np.eye(3)[_axis(asked.direction)]
+        add_gravity(layout, load, density, towards)
+        return load, f"the weight along {asked.direction}"
+    if asked.pattern == "tilt":
+        add_gravity(layout, load, density, np.cross(_sign(asked.about) * np.eye(3)[_axis(asked.about)], gravity))
+        return load, f"gravity turned about {asked.about}: the factor is the tangent of the angle"
+    assert asked.on is not None
+    chosen, faces = select(specimen, joints, asked.on, "limit.on")
+    if asked.pattern == "traction":
+        if faces is None:
+            raise SceneError(
+                f"limit.on = '{asked.on}': a traction acts on a face, for example '{asked.on}.z+'; "
+                "a force acts on whole blocks"
+            )
+        add_traction(specimen.blocks, layout, load, Push(faces, np.array(asked.stress)))
+        return load, f"the traction on '{asked.on}'"
+    if faces is not None:
+        raise SceneError(f"limit.on = '{asked.on}': a force acts on whole blocks; a traction acts on a face")
+    _add_force(layout, load, chosen, np.array(asked.force), asked.at)
+    return load, f"the force on '{asked.on}'"
+
+
+def _add_force(
+    layout: Layout, load: Load, chosen: np.ndarray, force: np.ndarray, at: tuple[float, float, float] | None
+) -> None:
+    """A force (N) shared out by volume, at a place or at the centroids of the blocks."""
+    density = np.where(np.isin(np.arange(len(layout.volume)), chosen), 1.0 / layout.volume[chosen].sum(), 0.0)
+    add_gravity(layout, load, density, force)
+    if at is None:
+        return
+    if (layout.kind[chosen] == KINDS.index("tets")).any():
+        raise SceneError("limit.at: a force on blocks of tets acts throughout them; leave the place out")
+    for b in chosen.tolist():
+        kind, row, own = KINDS[layout.kind[b]], layout.local[b], density[b] * layout.volume[b] * force
+        arm = np.array(at) - layout.centroid[b]
+        array = load[kind]
+        assert array is not None
+        if kind == "rigid":
+            array[row, 3:] += layout.axes[b].T @ np.cross(arm, own)
+        else:
+            array[row, 3:] += np.outer(own, layout.axes[b].T @ arm).ravel()
+
+
+def _axis(direction: str | None) -> int:
+    assert direction is not None
+    return "xyz".index(direction[-1])
+
+
+def _sign(direction: str | None) -> float:
+    assert direction is not None
+    return -1.0 if direction[0] == "-" else 1.0

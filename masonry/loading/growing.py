@@ -1,0 +1,296 @@
+"""How a run advances, chunk by chunk: a load that grows until nothing balances it.
+
+Each trial raises the factor from one at which the specimen rests, and waits. Where it comes to rest again, the factor
+is borne. Where it gathers way, the model goes back to where it rested, and the next trial raises the factor by half as
+much. So the collapse factor is enclosed in one run, between the greatest that was borne and the least that was not.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import inf, log
+
+import numpy as np
+
+from masonry.loading.scheduled import Chunk, ScheduledLoading
+from masonry.loading.varying_loads import SharedLoads
+from masonry.model.loads import Growing, Program
+from masonry.model.model import Model
+from masonry.monitors import energy
+from masonry.monitors.energy import Seen
+from masonry.monitors.settling import unbalanced
+from masonry.monitors.stability import smallest_block
+from masonry.runtime.state import State, attributes, load_attributes
+
+Arrays = dict[str, np.ndarray]
+
+
+@dataclass(frozen=True)
+class GrowingSettings:
+    """What a load that grows goes by.
+
+    first      the first increment of the factor: no round one, as what can only just bear a load hardly comes to rest
+    coarsest   greatest increment, over the factor that is borne
+    look       steps between two looks
+    window     looks of which the motion is averaged, at least
+    at_rest    force that accelerates over all loads, over the accuracy, and `still`, kinetic over stored energy, below
+               which the specimen rests, in `looks` looks on end
+    gathers    averages, at least and by threes, after which the specimen gathers way where the last third of them has
+               taken it as far as the second, and by more than a share `still_going` of all its way since the last rest
+    patience   averages after which a trial that neither rests nor gathers way counts as one that does not rest
+    away       of the smallest block: motion since the last rest that is a fall in itself; `usual`, times the most that
+               brought it to rest so far, where that is more
+    fall       of the smallest block: motion to which the fall is followed, `far` where blocks may turn as far as they
+               like; and `fall_looks`, looks that it may take
+    """
+
+    first: float = 0.0103
+    coarsest: float = 0.125
+    look: int = 50
+    window: int = 10
+    at_rest: float = 1e-2
+    still: float = 1e-8
+    looks: int = 4
+    gathers: int = 12
+    still_going: float = 0.02
+    patience: int = 99
+    away: float = 0.005
+    usual: float = 10.0
+    fall: float = 0.01
+    far: float = 0.3
+    fall_looks: int = 2000
+
+
+SETTINGS = GrowingSettings()
+REMEMBERED = (
+    *("phase", "factor", "target", "stands", "falls", "increment", "ways", "means", "calm", "slowest", "trials"),
+    *("undecided", "looked", "travelled", "usual", "steps_of_trial"),
+)
+LEAST = 1e-9
+"""A factor that is nothing, where there is no other load to compare with."""
+SETTLES, RISES, WAITS, SHOWS, DROPS, OVER = "settles", "rises", "waits", "shows", "drops", "over"
+"""Phases: dead loads settle; the factor rises; a trial is watched; its rest is shown; the fall is followed; the end."""
+
+
+class GrowingLoading:
+    """The chunks of a run whose load grows.
+
+    stands  the greatest factor at which the specimen came to rest     falls  the least at which it did not; inf if none
+    """
+
+    events = None
+
+    def __init__(
+        self,
+        model: Model,
+        plan: Growing,
+        rows: int,
+        keep: Callable[[Model], Arrays],
+        restore: Callable[[Model, Arrays], None],
+        settings: GrowingSettings = SETTINGS,
+    ) -> None:
+        """keep, restore  make copies of what changes in a model, and put them back (timeloop/model_state.py)"""
+        self.model, self.plan, self.settings = model, plan, settings
+        self.state_of, self.restore_model = keep, restore
+        still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0)
+        self.settling = ScheduledLoading(model, still, max(1, rows // 10))
+        self.loads = SharedLoads(model)
+        self.size = smallest_block(model)
+        self.least = max(settings.at_rest * plan.accuracy * self.loads.rest_over_each(), LEAST)
+        self.fall = self.size * (settings.fall if model.large is None else settings.far)
+        self.phase, self.factor, self.target, self.stands = SETTLES, 0.0, 0.0, 0.0
+        self.falls, self.increment = inf, min(settings.first, plan.most)
+        self.rested: Arrays = {}
+        self.places = [np.zeros(place.shape) for place in places(model)]
+        self.ways: list[float] = []
+        self.means: list[float] = []
+        self.calm = self.trials = self.undecided = self.looked = 0
+        self.steps_of_trial = self.slowest = 0
+        self.travelled = self.usual = 0.0
+
+    def shares(self) -> np.ndarray:
+        """(H,) of the loads that grow, now."""
+        return self.plan.shares(self.factor)
+
+    def columns(self) -> dict[str, float]:
+        """What a row says besides."""
+        return {"load_factor": self.factor}
+
+    def next(self) -> Chunk | None:
+        """The next chunk; None when the fall was followed, or the load has come to its end."""
+        if self.phase == SETTLES:
+            waiting = self.settling.next()
+            if waiting is not None:
+                return waiting
+            self.usual = self.farthest()
+            self.keep()
+            self.begin()
+        if self.phase == OVER:
+            return None
+        if self.phase == RISES:
+            return self.passing(self.target, self.window * self.settings.look)
+        return self.passing(self.factor, self.settings.look, self.phase in (SHOWS, DROPS))
+
+    @property
+    def window(self) -> int:
+        """Looks over which energies are averaged: a quarter of the time that the slowest rest took, or the settling."""
+        slowest = self.slowest or self.plan.settle
+        return max(self.settings.window, slowest // (4 * self.settings.look))
+
+    def passing(self, factor: float, steps: int, row: bool = False) -> Chunk:
+        """Some steps in which the factor goes to another one."""
+        dead = np.full(steps + 1, float(self.plan.dead_load[-1]))
+        share = self.loads.pass_over(self.shares(), self.plan.shares(factor), steps)
+        self.factor = factor
+        return Chunk(dead + share, np.zeros(steps + 1), row)
+
+    def keep(self) -> None:
+        """The specimen rests here: trials begin from here."""
+        self.rested = self.state_of(self.model)
+        self.places = [place.copy() for place in places(self.model)]
+
+    def begin(self) -> None:
+        """Set out for a higher factor."""
+        self.target = min(self.stands + self.increment, self.plan.most)
+        self.phase, self.ways, self.means, self.calm, self.steps_of_trial = RISES, [], [], 0, 0
+        self.trials += 1
+
+    def farthest(self) -> float:
+        """m, how far anything has moved since the last rest."""
+        return max(
+            float(np.linalg.norm(place - then, axis=1).max(initial=0.0))
+            for place, then in zip(places(self.model), self.places, strict=True)
+        )
+
+    def feel(self, step: int, before: list[np.ndarray]) -> None:
+        """Look at the specimen after each chunk; `before`: velocities one step before this one."""
+        if self.phase in (SETTLES, OVER):
+            return
+        self.steps_of_trial += self.settings.look * (self.window if self.phase == RISES else 1)
+        self.travelled = self.farthest()
+        if self.phase == RISES:
+            self.phase = WAITS
+        elif self.phase == WAITS:
+            self.judge(before)
+        elif self.phase == SHOWS:
+            self.go_on()
+        else:
+            self.looked += 1
+            if self.travelled > self.fall or self.looked >= self.settings.fall_looks:
+                self.phase = OVER
+
+    @property
+    def away(self) -> float:
+        """m: motion since the last rest that is a fall in itself."""
+        return max(self.settings.away * self.size, self.settings.usual * self.usual)
+
+    def judge(self, before: list[np.ndarray]) -> None:
+        """Whether the specimen rests, gathers way, or has still to be waited for."""
+        now = energy.observe(self.model)
+        kinetic, stored = abs(energy.kinetic(self.model, before)), now.elastic_blocks + now.elastic_contacts
+        loose = unbalanced(self.model, before) > self.settings.at_rest * self.plan.accuracy
+        rests = not loose and kinetic <= self.settings.still * stored
+        self.calm = self.calm + 1 if rests else 0
+        self.ways.append(self.travelled)
+        if self.calm >= self.settings.looks:
+            self.bear()
+        elif self.travelled > self.away or self.gathers_way():
+            self.give_way()
+        elif len(self.means) >= self.settings.patience:
+            self.undecided += 1
+            self.give_way()
+
+    def gathers_way(self) -> bool:
+        """Whether the specimen moves on as fast as before. Motion towards a rest decays, and swings average out."""
+        if len(self.ways) < self.window:
+            return False
+        self.means, self.ways = [*self.means, float(np.mean(self.ways))], []
+        third, odd = divmod(len(self.means), 3)
+        if odd or len(self.means) < self.settings.gathers:
+            return False
+        first, second, last = (self.means[k * third - 1] for k in (1, 2, 3))
+        return last - second >= max(second - first, self.settings.still_going * last)
+
+    def bear(self) -> None:
+        """The factor is borne: a row shows it, and the next trial goes on from here."""
+        self.stands, self.slowest = self.factor, max(self.slowest, self.steps_of_trial)
+        self.usual = max(self.usual, self.travelled)
+        if self.stands >= self.falls:  # what was taken for a fall is borne after all, coming from nearer
+            self.falls, self.increment = inf, 0.5 * self.plan.accuracy * self.stands
+        if self.falls == inf:
+            self.increment = min(2.0 * self.increment, max(self.settings.first, self.settings.coarsest * self.stands))
+        self.keep()
+        self.phase = SHOWS
+
+    def go_on(self) -> None:
+        """The next trial, after a rest; where the factor is known, the one that follows the fall."""
+        if self.stands >= self.plan.most:
+            self.phase = OVER
+            return
+        if self.falls < inf:
+            self.increment = (self.falls - self.stands) * (1.0 if self.found else 0.5)
+        self.begin()
+
+    @property
+    def found(self) -> bool:
+        """Whether the factor is enclosed as narrowly as was asked for."""
+        return self.falls - self.stands <= max(self.plan.accuracy * self.falls, self.least)
+
+    def give_way(self) -> None:
+        """The factor is not borne: go back to where the specimen rested, or follow the fall from here."""
+        self.falls = min(self.falls, self.factor)
+        if self.found:
+            self.phase, self.looked = DROPS, 0
+            return
+        self.restore_model(self.model, self.rested)
+        self.factor = self.stands
+        self.go_on()
+
+    def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
+        """Rows change nothing."""
+
+    def progress(self) -> tuple[int, int]:
+        """How far the factor is known, in thousandths."""
+        if self.phase == OVER:
+            return 1000, 1000
+        if self.falls == inf:
+            return 500 * self.trials // (self.trials + 20), 1000
+        width = max((self.falls - self.stands) / max(self.plan.accuracy * self.falls, self.least), 1.0)
+        return 500 + int(450 / (1.0 + log(width))), 1000
+
+    def report(self) -> dict[str, float]:
+        """The interval, and how it was found; `factor_falls` is missing where nothing fell. A load that is less than
+        what may be unbalanced at a rest is none."""
+        borne = self.stands if self.stands > self.least else 0.0
+        found = {"accuracy": self.plan.accuracy, "factor": borne, "trials": self.trials}
+        return found | ({"factor_falls": self.falls} if self.falls < inf else {}) | {"undecided": self.undecided}
+
+    def mechanism(self) -> np.ndarray:
+        """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""
+        layout, moved = self.model.layout, np.zeros(self.model.blocks.count)
+        for (kind, _), place, then in zip(energy.present(self.model), places(self.model), self.places, strict=True):
+            far = np.linalg.norm(place - then, axis=1)
+            if kind == "tets":
+                assert layout.mesh is not None
+                far = np.maximum.reduceat(far, layout.mesh.node_start[layout.members[kind]])
+            moved[layout.members[kind]] = far
+        return moved / max(float(moved.max(initial=0.0)), 1e-300)
+
+    def state(self) -> State:
+        """All that the next chunk depends on."""
+        return {
+            **attributes(self, REMEMBERED),
+            "rested": self.rested,
+            "places": [place.copy() for place in self.places],
+            "settling": self.settling.state(),
+        }
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        load_attributes(self, REMEMBERED, state)
+        self.rested, self.places = state["rested"], state["places"]
+        self.settling.restore(state["settling"])
+
+
+def places(model: Model) -> list[np.ndarray]:
+    """(rows, 3) m, how far blocks, or the nodes of tets, are from where they were made."""
+    return [model.u[: len(body.v)] if kind == "tets" else body.q[:, :3] for kind, body in energy.present(model)]

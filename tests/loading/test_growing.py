@@ -1,0 +1,141 @@
+"""A load that grows until nothing balances it: its factor against closed forms and limit analysis, and what it says."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import masonry
+import verification
+from masonry.errors import SceneError
+from masonry.laboratory.text import summary_text
+from masonry.scene import load as load_scene
+from tests.scenes import MATERIAL, box, listed, load, specimen, tables
+
+ACCURACY = 0.005
+SCENES = Path(verification.__file__).parent / "scenes"
+
+
+def block(half: float, high: float, friction: float, limit: str, contact: str = "", more: str = ""):
+    """A block of half sizes on a held one; limit: lines of [limit]."""
+    dry = f'normal_stiffness = "30 GPa/m"\nshear_stiffness = "12 GPa/m"\ntan_friction_angle = {friction}\n{contact}'
+    boxes = [
+        box("base", (-0.5, 0, -0.1), (1.0, 0.2, 0.1), "units", 0),
+        box("block", (-half, 0, 0), (2.0 * half, 0.2, 2.0 * high), "units", 1),
+    ]
+    return load(
+        'law = "friction"\n'
+        + specimen(boxes, 0.2 * half, more='contact_points = "vertex"')
+        + tables("material", {"units": MATERIAL})
+        + tables("contact", {"unit_unit": dry})
+        + listed("support", ['on = "base"\nfix = "all"'])
+        + '[gravity]\nz = "-9.81 m/s^2"\n'
+        + f'[limit]\n{limit}\naccuracy = "0.5 %"\n{more}'
+    )
+
+
+def collapse_load(scene) -> dict:
+    return masonry.run(scene).summary["collapse_load"]
+
+
+@pytest.mark.parametrize(("half", "high", "friction"), [(0.1, 0.05, 0.4), (0.05, 0.1, 0.9), (0.05, 0.1, 0.02)])
+@pytest.mark.parametrize("limit", ['pattern = "tilt"\nabout = "y"', 'pattern = "weight"\ndirection = "-x"'])
+def test_a_block_slides_or_topples_at_the_least_of_friction_and_slenderness(half, high, friction, limit):
+    found, known = collapse_load(block(half, high, friction, limit)), min(friction, half / high)
+    assert found["borne"] <= known * (1 + 1e-3) and found["falls"] >= known * (1 - 1e-3)
+    assert found["falls"] - found["borne"] <= ACCURACY * found["falls"]
+    assert (found["moving"], found["first"], found["undecided"]) == (1, 1, 0)
+
+
+def test_a_force_at_a_height_pushes_a_block_over_at_its_lever():
+    at = 'on = "block"\nforce = {x = "1 N"}\nat = ["0 m", "100 mm", "150 mm"]'
+    scene = block(0.05, 0.1, 0.9, f'pattern = "force"\n{at}\nup_to = 1000')
+    found, weight = collapse_load(scene), 1900.0 * 9.81 * 0.1 * 0.2 * 0.2
+    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(weight * 0.05 / 0.15, rel=ACCURACY)
+
+
+def test_a_face_that_is_pulled_up_leaves_at_the_weight():
+    pull = 'pattern = "traction"\non = "block.z+"\nstress = {z = "1 kPa"}'
+    found = collapse_load(block(0.05, 0.1, 0.9, pull))
+    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(1900.0 * 9.81 * 0.2 / 1e3, rel=ACCURACY)
+
+
+@pytest.fixture(scope="module")
+def wall():
+    """Wall 1 of Ferris and Tin-Loi."""
+    return masonry.run(load_scene("wall-tilted"))
+
+
+def test_wall_1_of_ferris_and_tin_loi_falls_in_one_run_by_the_mechanism_of_limit_analysis(wall):
+    found, limit = wall.summary["collapse_load"], masonry.limit("wall-tilted")
+    assert 0.630 < found["borne"] < found["falls"] < 0.6435, "without dilation; 0.64286 with it"
+    assert found["moving"] == limit.moving.sum()
+    moves = np.array(found["moved"]) > 0.05
+    assert np.array_equal(moves, limit.moving)
+
+
+def test_what_was_tried_and_taken_back_leaves_no_trace_in_the_ledger(wall):
+    rows, summary = wall.history.rows, wall.summary
+    assert summary["energy_imbalance"] < 1e-12
+    borne = (rows["load_factor"] > 0.0) & (rows["load_factor"] <= summary["collapse_load"]["borne"])
+    assert np.all(np.diff(rows["load_factor"]) >= 0.0), "rows show rests and the fall, no trials"
+    assert np.all(np.abs(rows["kinetic"][borne]) < 1e-7 * rows["elastic_contacts"][borne])
+    text = summary_text(summary)
+    assert "is borne, at 32." in text and "12 of 38 blocks move" in text and "with care" not in text
+
+
+def test_twice_the_accuracy_moves_the_factor_by_less_than_it(wall):
+    finer = masonry.run(load_scene("wall-tilted", {"limit.accuracy": 0.0025})).summary["collapse_load"]
+    assert finer["borne"] == pytest.approx(wall.summary["collapse_load"]["borne"], rel=ACCURACY)
+
+
+def test_dilation_as_large_as_friction_reaches_the_bound_of_limit_analysis():
+    dilates = {
+        "law": "brittle",
+        "contact.unit_unit.tensile_strength": "0 Pa",
+        "contact.unit_unit.cohesion": "0 Pa",
+        "contact.unit_unit.tan_residual_friction_angle": 0.65,
+        "contact.unit_unit.dilation_angle": f"{float(np.degrees(np.arctan(0.65))) - 1e-9!r} deg",
+        "contact.unit_unit.dilation_cutoff": "0.1 m",
+    }
+    found = collapse_load(load_scene("wall-tilted", dilates))
+    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(0.64286, rel=ACCURACY)
+
+
+@pytest.mark.slow
+def test_large_displacement_finds_the_factor_of_a_tilted_arch_as_well():
+    for displacements in ("small", "large"):
+        scene = load_scene(SCENES / "arch-of-oppenheim.toml", {"displacements": displacements})
+        found = collapse_load(scene)
+        assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(0.37361, rel=ACCURACY)
+
+
+def test_a_load_that_ends_before_anything_falls_is_no_collapse_load():
+    result = masonry.run(block(0.1, 0.05, 0.4, 'pattern = "tilt"\nabout = "y"\nup_to = 0.2'))
+    assert (result.summary["collapse_load"]["borne"], result.summary["collapse_load"]["falls"]) == (0.2, None)
+    assert "with care: nothing fell up to the factor" in summary_text(result.summary)
+
+
+def test_a_load_that_nothing_resists_says_so():
+    result = masonry.run(block(0.1, 0.05, 0.0, 'pattern = "weight"\ndirection = "x"'))
+    assert result.summary["collapse_load"]["borne"] == 0.0
+    assert "nothing resists it" in summary_text(result.summary)
+
+
+@pytest.mark.parametrize(
+    ("limit", "more", "words"),
+    [
+        ('pattern = "drive"', "", "moves the drive by .drive. itself"),
+        ('pattern = "tilt"\nabout = "y"', '[solver]\nmasses = "real"\n', "solver.masses"),
+        ('pattern = "tilt"\nabout = "y"', "[solver]\ndamping = 0\n", "solver.damping"),
+        ('pattern = "force"\non = "base"\nforce = {x = "1 N"}', "", "no block that can move"),
+    ],
+)
+def test_what_does_not_go_with_a_load_that_grows_is_refused(limit, more, words):
+    with pytest.raises(SceneError, match=words):
+        masonry.check(block(0.1, 0.05, 0.4, limit, more=more))
+
+
+def test_an_end_of_the_load_needs_an_accuracy():
+    with pytest.raises(SceneError, match="up_to.*accuracy"):
+        load_scene("arch", {"limit": {"pattern": "weight", "direction": "x", "up_to": 3}})

@@ -1,0 +1,95 @@
+"""The load at which dry structures fall, by simulation in one run beside limit analysis: two answers, each alone.
+
+    a run       encloses the factor between the greatest under which the specimen came to rest and the least under
+                which it did not, 0.5 % apart
+    the bound   the largest factor that forces in the joints can balance; exact where what slides dilates by its
+                friction angle, and where nothing slides
+    no dilation the value of Gilbert et al. (2006), which is no bound
+
+A run without dilation must come between the value of Gilbert, less 2 %, and the bound; one that does not slide, or that
+dilates by its friction angle, to the bound.
+"""
+
+import time
+from math import atan, degrees
+from typing import Any
+
+import masonry
+from verification.case import Case, Findings
+from verification.scene_runs import load
+from verification.scene_runs import run as run_scene
+
+ACCURACY = 0.005
+DILATES = {
+    "law": "brittle",
+    "contact.unit_unit.tensile_strength": "0 Pa",
+    "contact.unit_unit.cohesion": "0 Pa",
+    "contact.unit_unit.tan_residual_friction_angle": 0.65,
+    "contact.unit_unit.dilation_angle": f"{degrees(atan(0.65)) - 1e-9!r} deg",
+    "contact.unit_unit.dilation_cutoff": "0.1 m",
+}
+ARCH, WALL = "arch-of-oppenheim", "wall-tilted"
+
+
+def pattern(**limit: Any) -> dict[str, Any]:
+    """Another load that grows."""
+    return {"limit": {**limit, "accuracy": ACCURACY}}
+
+
+EXACT: dict[str, tuple[str, dict[str, Any]]] = {
+    "arch tilted": (ARCH, {}),
+    "arch tilted, large displacement": (ARCH, {"displacements": "large"}),
+    "arch of affine blocks": (
+        ARCH,
+        {"kinematics": "affine", "material.units.young_modulus": "20 GPa", "material.units.poisson_ratio": 0.2},
+    ),
+    "arch under a force at its crown": (ARCH, pattern(pattern="force", on="keystone", force={"z": "-1 kN"})),
+    "wall tilted about its length": (WALL, pattern(pattern="tilt", about="x")),
+    "wall tilted, dilating by its friction": (WALL, DILATES),
+}
+"""Nothing slides there, or it dilates: the bound is the answer."""
+BETWEEN: dict[str, tuple[str, dict[str, Any]]] = {
+    "wall tilted": (WALL, {}),
+    "wall pushed at its top": (WALL, pattern(pattern="traction", on="top course.z+", stress={"x": "1 kPa"})),
+    "arch with little friction": (ARCH, {"contact.unit_unit.tan_friction_angle": 0.25}),
+    "arch pulled up at its crown": (ARCH, pattern(pattern="force", on="keystone", force={"z": "1 kN"})),
+}
+"""What slides there does not dilate."""
+
+
+def run() -> Findings:
+    """Both answers of ten scenes, with the seconds of each."""
+    findings = Findings()
+    for name, (base, changes) in (EXACT | BETWEEN).items():
+        wanted = load(base, changes)
+        begun = time.perf_counter()
+        bound = masonry.limit(wanted).factor
+        by_limit, begun = time.perf_counter() - begun, time.perf_counter()
+        result = findings.note(name, run_scene(base, changes))
+        found, seconds = result.summary["collapse_load"], time.perf_counter() - begun
+        middle = 0.5 * (found["borne"] + found["falls"])
+        findings.remarks.append(
+            f"{name}: a run {found['borne']:.6g} to {found['falls']:.6g} in {result.summary['steps']} steps and "
+            f"{seconds:.1f} s, compile included; limit analysis {bound:.6g} in {by_limit:.2f} s"
+        )
+        findings.at_most(f"trials of {name} that did not end", "1", found["undecided"], 0.0, "all come to rest or fall")
+        if name in EXACT:
+            findings.check(f"load factor, {name}", "1", middle, bound, "limit analysis", 0.01, 0.5 * ACCURACY,
+                           "half the interval")  # fmt: skip
+            continue
+        least = masonry.limit(wanted, dilation=False).factor
+        findings.at_most(f"load factor borne, {name}", "1", found["borne"], bound, "the bound of limit analysis")
+        findings.at_most(f"0.98 times that of Gilbert, {name}", "1", 0.98 * least, found["falls"], "less 2 %")
+    return findings
+
+
+CASE = Case(
+    name="collapse-in-one-run",
+    row="A36",
+    title="Collapse loads by simulation, beside limit analysis",
+    area="Friction and stability",
+    run=run,
+    quick=False,
+    scene=ARCH,
+    no_problems="the interval of each run is its error",
+)
