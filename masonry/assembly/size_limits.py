@@ -11,6 +11,7 @@ from masonry.errors import SceneError
 from masonry.scene import Scene
 from masonry.scene.tables.points import DENSITIES
 from masonry.scene.tables.specimen import Specimen
+from masonry.scene.tables.specimens.structures import Structure
 
 BLOCKS, CONTACT_POINTS, TETS = 5e5, 5e6, 5e6
 """The most that a scene may ask for; about 10 GB of memory each."""
@@ -47,8 +48,9 @@ def blocks_and_volume(spec: Any) -> tuple[float, float]:
         return blocks.count, volume
     if spec.kind == "boxes":
         return sum(prod(box.divisions) for box in spec.box), sum(prod(box.size) for box in spec.box)
-    if spec.kind == "arch":
-        return spec.voussoirs + 2, spec.radius * spec.angle * spec.thickness * spec.depth
+    if isinstance(spec, Structure):
+        units, volume, depth = spec.amount
+        return _blocks(spec, units, volume, depth), volume
     if spec.kind in ("wallette", "bending"):
         units, depth = spec.courses * spec.units_per_course, spec.thickness
         volume = units * spec.unit_length * spec.thickness * spec.unit_height
@@ -61,7 +63,7 @@ def blocks_and_volume(spec: Any) -> tuple[float, float]:
     return _blocks(spec, units, volume, depth) + beds, volume
 
 
-def _blocks(table: Any, units: int, volume: float, depth: float) -> float:
+def _blocks(table: Any, units: float, volume: float, depth: float) -> float:
     """About how many blocks a grid or cells in so many units make, of this volume (m3) in all and depth (m)."""
     cells = table.cells
     if cells is None:

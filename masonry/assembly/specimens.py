@@ -1,8 +1,9 @@
 """From a scene's words to a specimen: blocks with named sets."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from inspect import signature
 from pathlib import Path
 from typing import Any
 
@@ -11,17 +12,20 @@ import numpy as np
 from geometry.blocks import Specimen, TetMesh
 from geometry.cells.request import CellRequest
 from geometry.files.blocks_h5 import load_blocks
-from geometry.specimens.arch import arch
 from geometry.specimens.bending import bending
 from geometry.specimens.boxes import boxes
 from geometry.specimens.placed import on_floor, turned
 from geometry.specimens.stacked import couplet, prism
 from geometry.specimens.wallette import wallette
+from geometry.structures.arch import arch
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
 from masonry.scene import Scene
 from masonry.scene.tables.specimen import kinds
 from masonry.scene.tables.specimen_plugins import built, parameters_of
+
+STRUCTURES: dict[str, Callable[..., Specimen]] = {"arch": arch}
+"""Structures that people build: their parameters are keys of the scene's table."""
 
 
 def specimen_of(scene: Scene) -> Specimen:
@@ -72,8 +76,8 @@ def _built(spec: Any) -> Specimen:
         if spec.kind == "couplet":
             return couplet(*size, _filling(spec), mortar, spec.plates)
         return prism(spec.units, *size, _filling(spec), mortar, spec.plates)
-    if spec.kind == "arch":
-        return arch(spec.radius, spec.angle, spec.voussoirs, spec.thickness, spec.depth)
+    if spec.kind in STRUCTURES:
+        return _structure(spec)
     if spec.kind == "file":
         return _of_file(spec)
     if spec.kind == "boxes":
@@ -89,8 +93,18 @@ def _built(spec: Any) -> Specimen:
     return bending(**wall, **{key: getattr(spec, key) for key in rollers})
 
 
+def _structure(spec: Any) -> Specimen:
+    """What the function of a structure builds of the keys that it asks for, its units divided."""
+    build = STRUCTURES[spec.kind]
+    return _divided(build(**{key: getattr(spec, key) for key in signature(build).parameters}), spec)
+
+
 def _of_file(spec: Any) -> Specimen:
-    found = blocks_from(spec.path)[0]
+    return _divided(blocks_from(spec.path)[0], spec)
+
+
+def _divided(found: Specimen, spec: Any) -> Specimen:
+    """The units of a specimen divided as its table asks."""
     if not spec.is_divided:
         return found
     from geometry.specimens.divided import divided

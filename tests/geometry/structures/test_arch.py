@@ -6,7 +6,7 @@ import pytest
 from geometry.blocks import GeometryError
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import bounds, centroids, volumes
-from geometry.specimens.arch import arch
+from geometry.structures.arch import arch
 
 SIZES = {"radius": 1.2, "angle": np.radians(140.0), "voussoirs": 9, "thickness": 0.2, "depth": 0.3}
 
