@@ -18,13 +18,15 @@ from geometry.specimens.placed import on_floor, turned
 from geometry.specimens.stacked import couplet, prism
 from geometry.specimens.wallette import wallette
 from geometry.structures.arch import arch
+from geometry.structures.openings import Opening
+from geometry.structures.wall import wall
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
 from masonry.scene import Scene
 from masonry.scene.tables.specimen import kinds
 from masonry.scene.tables.specimen_plugins import built, parameters_of
 
-STRUCTURES: dict[str, Callable[..., Specimen]] = {"arch": arch}
+STRUCTURES: dict[str, Callable[..., Specimen]] = {"arch": arch, "wall": wall}
 """Structures that people build: their parameters are keys of the scene's table."""
 
 
@@ -96,7 +98,10 @@ def _built(spec: Any) -> Specimen:
 def _structure(spec: Any) -> Specimen:
     """What the function of a structure builds of the keys that it asks for, its units divided."""
     build = STRUCTURES[spec.kind]
-    return _divided(build(**{key: getattr(spec, key) for key in signature(build).parameters}), spec)
+    values = {key: getattr(spec, key) for key in signature(build).parameters}
+    if "opening" in values:
+        values["opening"] = [Opening(**dict(table)) for table in spec.opening]
+    return _divided(build(**values), spec)
 
 
 def _of_file(spec: Any) -> Specimen:

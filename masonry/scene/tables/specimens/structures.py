@@ -1,11 +1,13 @@
 """What a scene says of a structure that people build. Lengths in m."""
 
-from typing import Literal
+from collections import Counter
+from typing import Annotated, Literal
 
-from pydantic import model_validator
+import numpy as np
+from pydantic import Field, model_validator
 
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
-from masonry.scene.tables.types import Embrace, KeyedError, Length, Voussoirs
+from masonry.scene.tables.types import Angle, Count, Embrace, Gap, KeyedError, Length, Table, Voussoirs
 
 
 class Structure(SpecimenTable, Divided):
@@ -39,3 +41,62 @@ class ArchSpec(Structure):
     def amount(self) -> tuple[float, float, float]:
         """About how many units, their volume (m3), and how deep they are along y (m)."""
         return self.voussoirs + 2, self.radius * self.angle * self.thickness * self.depth, self.depth
+
+
+class OpeningTable(Table):
+    """A rectangular opening in a wall, and what bears the wall above it; `geometry.structures.openings.Opening`."""
+
+    name: Annotated[str, Field(min_length=1, max_length=60)]
+    left: Gap
+    width: Length
+    height: Length
+    sill: Gap = 0.0
+    head: Literal["lintel", "flat arch", "none"] = "lintel"
+    bearing: Length | None = None
+    head_courses: Count = 1
+    voussoirs: Count = 7
+    skew: Angle = float(np.radians(20.0))
+
+    @model_validator(mode="after")
+    def _has_the_keys_of_its_head(self) -> "OpeningTable":
+        owners = {"bearing": ("lintel",), "head_courses": ("lintel", "flat arch")}
+        owners |= dict.fromkeys(("voussoirs", "skew"), ("flat arch",))
+        for key, heads in owners.items():
+            if key in self.model_fields_set and self.head not in heads and getattr(self, key) is not None:
+                raise KeyedError(key, f"belongs to head = {' or '.join(map(repr, heads))}; leave it out")
+        return self
+
+
+class WallSpec(Structure):
+    """A wall with openings, returns, a base and a beam."""
+
+    kind: Literal["wall"]
+    length: Length
+    height: Length
+    thickness: Length
+    unit_length: Length
+    unit_height: Length
+    unit_width: Length | None = None
+    joint_thickness: Gap = 0.0
+    bond: Literal["running", "stack", "english", "flemish"] = "running"
+    opening: tuple[OpeningTable, ...] = ()
+    returns: Literal["none", "left", "right", "both"] = "none"
+    return_length: Length | None = None
+    return_thickness: Length | None = None
+    base: Length | None = None
+    beam: Length | None = None
+
+    @model_validator(mode="after")
+    def _names_differ(self) -> "WallSpec":
+        name, times = Counter(o.name for o in self.opening).most_common(1)[0] if self.opening else ("", 0)
+        if times > 1:
+            raise KeyedError("opening", f"{times} openings are named '{name}'; each needs a name of its own")
+        return self
+
+    @property
+    def amount(self) -> tuple[float, float, float]:
+        """About how many units, their volume (m3), and how deep they are along y (m)."""
+        sides = {"none": 0, "both": 2}.get(self.returns, 1)
+        volume = (self.length + sides * (self.return_length or 0.0)) * self.thickness * self.height
+        unit = (self.unit_length + self.joint_thickness) * (self.unit_height + self.joint_thickness) * self.thickness
+        return volume / unit, volume, self.thickness
