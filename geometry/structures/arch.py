@@ -33,7 +33,8 @@ def arch(radius: float, angle: float, voussoirs: int, thickness: float, depth: f
         abutment_outlines(ends, angle), np.zeros(2), np.full(2, depth), voussoirs + np.arange(2), ("units",)
     )
     blocks = concatenate([stones, sides])
-    check_overlaps(blocks)
+    if facets == 1:  # more of them lie within the same wedges
+        check_overlaps(blocks)
     sets = {
         "voussoirs": np.arange(voussoirs),
         "keystone": crown(voussoirs),

@@ -18,7 +18,9 @@ from geometry.specimens.placed import on_floor, turned
 from geometry.specimens.stacked import couplet, prism
 from geometry.specimens.wallette import wallette
 from geometry.structures.arch import arch
+from geometry.structures.dome import dome
 from geometry.structures.openings import Opening
+from geometry.structures.vault import vault
 from geometry.structures.wall import wall
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
@@ -26,7 +28,7 @@ from masonry.scene import Scene
 from masonry.scene.tables.specimen import kinds
 from masonry.scene.tables.specimen_plugins import built, parameters_of
 
-STRUCTURES: dict[str, Callable[..., Specimen]] = {"arch": arch, "wall": wall}
+STRUCTURES: dict[str, Callable[..., Specimen]] = {"arch": arch, "vault": vault, "dome": dome, "wall": wall}
 """Structures that people build: their parameters are keys of the scene's table."""
 
 

@@ -21,13 +21,15 @@ from masonry.scene import Scene
 
 WIDTH = 11.0
 """Of the picture, inches."""
+IN_SPACE = ("vault", "dome")
+"""Shapes of specimens that the front does not show."""
 
 
 def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
     """Write the picture (.png) of a scene's specimen, whole or not at all; returns the path.
 
     view: "front", or "iso" from the front, the right and above; by default iso where the drive moves, or a tilt leans,
-    across the front.
+    across the front, and for vaults and domes.
     Raises SceneError for a path that is no .png or cannot be written, and for a scene that cannot be built.
     """
     path = Path(path)
@@ -44,7 +46,8 @@ def camera_for(scene: Scene, specimen: Specimen, view: str | None) -> Camera:
     """The camera of a view by its name, or the one that shows where the drive and a tilt lead."""
     if view is None:
         toward = camera_of("front", specimen).toward
-        view = "iso" if any(abs(toward @ way) > 0.5 for way in _ways(scene)) else "front"
+        across = any(abs(toward @ way) > 0.5 for way in _ways(scene))
+        view = "iso" if across or specimen.shape in IN_SPACE else "front"
     return camera_of(view, specimen)
 
 

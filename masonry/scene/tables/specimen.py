@@ -8,7 +8,7 @@ from pydantic import AfterValidator, Field, model_validator
 
 from masonry.scene.tables.cells import Cells, exclude
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
-from masonry.scene.tables.specimens.structures import ArchSpec, WallSpec
+from masonry.scene.tables.specimens.structures import ArchSpec, DomeSpec, VaultSpec, WallSpec
 from masonry.scene.tables.types import Area, Count, Gap, Halves, KeyedError, Length, Number, Position, Table
 
 
@@ -119,7 +119,16 @@ class FileSpec(SpecimenTable, Divided):
 
 
 Specimen = Annotated[
-    CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | ArchSpec | WallSpec | BoxesSpec | FileSpec,
+    CoupletSpec
+    | PrismSpec
+    | WalletteSpec
+    | BendingSpec
+    | ArchSpec
+    | VaultSpec
+    | DomeSpec
+    | WallSpec
+    | BoxesSpec
+    | FileSpec,
     Field(discriminator="kind"),
 ]
 

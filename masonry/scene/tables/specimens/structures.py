@@ -4,10 +4,10 @@ from collections import Counter
 from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field, StrictBool, model_validator
 
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
-from masonry.scene.tables.types import Angle, Count, Embrace, Gap, KeyedError, Length, Table, Voussoirs
+from masonry.scene.tables.types import Angle, Count, Embrace, Gap, Given, Halves, KeyedError, Length, Table, Voussoirs
 
 
 class Structure(SpecimenTable, Divided):
@@ -19,28 +19,76 @@ class Structure(SpecimenTable, Divided):
         raise NotImplementedError
 
 
-class ArchSpec(Structure):
-    """A ring of voussoirs between two abutments; radius of the centre line, angle of embrace."""
+class _Ring(Structure):
+    """A ring of pieces between two abutments; radius of the centre line, angle of embrace."""
 
-    kind: Literal["arch"]
     radius: Length
     angle: Embrace
-    voussoirs: Voussoirs
     thickness: Length
-    depth: Length
 
     @model_validator(mode="after")
-    def _is_a_ring(self) -> "ArchSpec":
+    def _is_a_ring(self) -> "_Ring":
         if self.thickness >= self.radius:
             raise KeyedError(
                 "thickness", f"must be less than radius, {self.radius:g} m, which is that of the centre line"
             )
         return self
 
+
+class ArchSpec(_Ring):
+    """A ring of voussoirs between two abutments."""
+
+    kind: Literal["arch"]
+    voussoirs: Voussoirs
+    depth: Length
+    facets: Count = 1
+
     @property
     def amount(self) -> tuple[float, float, float]:
         """About how many units, their volume (m3), and how deep they are along y (m)."""
         return self.voussoirs + 2, self.radius * self.angle * self.thickness * self.depth, self.depth
+
+
+class VaultSpec(_Ring):
+    """A barrel vault: courses in bond between two abutments."""
+
+    kind: Literal["vault"]
+    courses: Voussoirs
+    length: Length
+    units_per_course: Halves
+    bond: Literal["running", "stack"] = "running"
+    facets: Count = 1
+
+    @property
+    def amount(self) -> tuple[float, float, float]:
+        """About how many units, their volume (m3), and how deep they are along y (m)."""
+        volume = self.radius * self.angle * self.thickness * self.length
+        return self.courses * (self.units_per_course + 0.5), volume, self.length / self.units_per_course
+
+
+class DomeSpec(_Ring):
+    """Courses of voussoirs round an upright axis, on a ring of blocks."""
+
+    kind: Literal["dome"]
+    angle: Embrace = float(np.pi)
+    courses: Count
+    voussoirs: Annotated[int, Given("integer", "[3, 1000]")]
+    crown: Length
+    bond: Literal["running", "stack"] = "running"
+    closed: StrictBool = True
+
+    @model_validator(mode="after")
+    def _has_a_crown(self) -> "DomeSpec":
+        springing = self.radius * float(np.sin(0.5 * self.angle))
+        if self.crown >= springing:
+            raise KeyedError("crown", f"must be less than the radius at the springing, {springing:.4g} m")
+        return self
+
+    @property
+    def amount(self) -> tuple[float, float, float]:
+        """About how many units, their volume (m3), and how deep they are along y (m)."""
+        area = 2 * np.pi * self.radius**2 * (1 - float(np.cos(0.5 * self.angle)))
+        return (self.courses + 2) * self.voussoirs + 1, area * self.thickness, 2 * self.radius / self.voussoirs
 
 
 class OpeningTable(Table):
