@@ -18,6 +18,7 @@ from geometry.specimens.placed import on_floor, turned
 from geometry.specimens.stacked import couplet, prism
 from geometry.specimens.wallette import wallette
 from geometry.structures.arch import arch
+from geometry.structures.column import column
 from geometry.structures.dome import dome
 from geometry.structures.openings import Opening
 from geometry.structures.vault import vault
@@ -28,7 +29,13 @@ from masonry.scene import Scene
 from masonry.scene.tables.specimen import kinds
 from masonry.scene.tables.specimen_plugins import built, parameters_of
 
-STRUCTURES: dict[str, Callable[..., Specimen]] = {"arch": arch, "vault": vault, "dome": dome, "wall": wall}
+STRUCTURES: dict[str, Callable[..., Specimen]] = {
+    "arch": arch,
+    "vault": vault,
+    "dome": dome,
+    "column": column,
+    "wall": wall,
+}
 """Structures that people build: their parameters are keys of the scene's table."""
 
 

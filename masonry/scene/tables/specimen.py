@@ -8,7 +8,7 @@ from pydantic import AfterValidator, Field, model_validator
 
 from masonry.scene.tables.cells import Cells, exclude
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
-from masonry.scene.tables.specimens.structures import ArchSpec, DomeSpec, VaultSpec, WallSpec
+from masonry.scene.tables.specimens.structures import ArchSpec, ColumnSpec, DomeSpec, VaultSpec, WallSpec
 from masonry.scene.tables.types import Area, Count, Gap, Halves, KeyedError, Length, Number, Position, Table
 
 
@@ -126,6 +126,7 @@ Specimen = Annotated[
     | ArchSpec
     | VaultSpec
     | DomeSpec
+    | ColumnSpec
     | WallSpec
     | BoxesSpec
     | FileSpec,

@@ -9,6 +9,8 @@ from pydantic import Field, StrictBool, model_validator
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
 from masonry.scene.tables.types import Angle, Count, Embrace, Gap, Given, Halves, KeyedError, Length, Table, Voussoirs
 
+Sides = Annotated[int, Given("integer", "[3, 1000]")]
+
 
 class Structure(SpecimenTable, Divided):
     """A structure, whose units may be divided."""
@@ -72,7 +74,7 @@ class DomeSpec(_Ring):
     kind: Literal["dome"]
     angle: Embrace = float(np.pi)
     courses: Count
-    voussoirs: Annotated[int, Given("integer", "[3, 1000]")]
+    voussoirs: Sides
     crown: Length
     bond: Literal["running", "stack"] = "running"
     closed: StrictBool = True
@@ -89,6 +91,25 @@ class DomeSpec(_Ring):
         """About how many units, their volume (m3), and how deep they are along y (m)."""
         area = 2 * np.pi * self.radius**2 * (1 - float(np.cos(0.5 * self.angle)))
         return (self.courses + 2) * self.voussoirs + 1, area * self.thickness, 2 * self.radius / self.voussoirs
+
+
+class ColumnSpec(Structure):
+    """Drums one above the other, on a base and under a capital."""
+
+    kind: Literal["column"]
+    diameter: Length
+    height: Length
+    drums: Count
+    sides: Sides = 24
+    top_diameter: Length | None = None
+    base: Length | None = None
+    capital: Length | None = None
+    overhang: Gap = 0.0
+
+    @property
+    def amount(self) -> tuple[float, float, float]:
+        """About how many units, their volume (m3), and how deep they are along y (m)."""
+        return self.drums + 1, 0.8 * self.diameter**2 * self.height, self.diameter
 
 
 class OpeningTable(Table):
