@@ -2,14 +2,31 @@
 
 import numpy as np
 
-from geometry.blocks import Specimen
+from geometry.blocks import GeometryError, Specimen
 from geometry.checks import require_counts, require_lengths
 from geometry.polyhedra.construct import concatenate, extrude
 from geometry.polyhedra.overlaps import check_overlaps
-from geometry.structures.rings import abutment_outlines, crown, in_facets, joints_of_ring, require_ring
+from geometry.structures.rings import (
+    abutment_outlines,
+    crown,
+    in_facets,
+    joints_of_ring,
+    require_ring,
+    skewback_outlines,
+)
+
+ABUTMENTS = ("square", "skewbacks")
 
 
-def arch(radius: float, angle: float, voussoirs: int, thickness: float, depth: float, facets: int = 1) -> Specimen:
+def arch(
+    radius: float,
+    angle: float,
+    voussoirs: int,
+    thickness: float,
+    depth: float,
+    facets: int = 1,
+    abutments: str = "square",
+) -> Specimen:
     """Equal voussoirs in an upright plane, the crown at the top; intrados and extrados are polygons.
 
     radius     m, of the centre line, midway between intrados and extrados; the joints end on these two circles
@@ -18,20 +35,22 @@ def arch(radius: float, angle: float, voussoirs: int, thickness: float, depth: f
     thickness  m, along the joints, less than the radius
     depth      m, along y
     facets     straight pieces of intrados and extrados in each voussoir; with more than 1 voussoirs are not convex
+    abutments  "square": each a block that goes on beyond the springing, square to it, by half the thickness; or
+               "skewbacks": each stands upright below the springing, level below, which it meets in a slope
 
-    The centre of the circle is at x = z = 0. Voussoirs come from left to right, then the left and the right abutment:
-    a block as thick and as deep as the arch that goes on beyond the springing, square to it, by half the thickness.
+    The centre of the circle is at x = z = 0. Voussoirs come from left to right, then the left and the right abutment.
     Sets "voussoirs", "keystone" (the voussoir at the crown; both of them where their number is even), "left abutment",
     "right abutment". The section is that of a joint, thickness * depth. Raises GeometryError for what cannot be built.
     """
     require_lengths("arch", {"radius": radius, "thickness": thickness, "depth": depth})
     require_ring("arch", "voussoirs", radius, angle, voussoirs, thickness)
     require_counts("arch", "number of facets", (facets,), "x")
+    if abutments not in ABUTMENTS:
+        raise GeometryError(f"arch: abutments is '{abutments}', allowed: {', '.join(ABUTMENTS)}")
     ends = joints_of_ring(radius, angle, voussoirs * facets, thickness)
     stones = in_facets(ends, facets, np.zeros(voussoirs), np.full(voussoirs, depth))
-    sides = extrude(
-        abutment_outlines(ends, angle), np.zeros(2), np.full(2, depth), voussoirs + np.arange(2), ("units",)
-    )
+    outlines = abutment_outlines(ends, angle) if abutments == "square" else skewback_outlines(ends)
+    sides = extrude(outlines, np.zeros(2), np.full(2, depth), voussoirs + np.arange(2), ("units",))
     blocks = concatenate([stones, sides])
     if facets == 1:  # more of them lie within the same wedges
         check_overlaps(blocks)

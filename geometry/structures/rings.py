@@ -49,6 +49,16 @@ def abutment_outlines(ends: np.ndarray, angle: float) -> list[np.ndarray]:
     ]
 
 
+def skewback_outlines(ends: np.ndarray) -> list[np.ndarray]:
+    """(4, 2) m: the left and the right block below the springings, upright on both sides and level below."""
+    found = []
+    for inner, outer in (ends[0], ends[-1]):
+        low = min(inner[1], outer[1]) - 0.5 * float(np.linalg.norm(outer - inner))
+        found.append(np.array([inner, outer, [outer[0], low], [inner[0], low]]))
+    found[1] = found[1][::-1]
+    return found
+
+
 def in_facets(
     ends: np.ndarray, facets: int, low: Sequence[float] | np.ndarray, high: Sequence[float] | np.ndarray
 ) -> Blocks:

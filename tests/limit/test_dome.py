@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.optimize import linprog
 
 import masonry
 from geometry.blocks import Blocks, Specimen
@@ -10,6 +9,7 @@ from geometry.polyhedra.measures import centroids, volumes
 from geometry.structures.dome import dome
 from masonry.statics.solve import STANDS, largest_factor, standing
 from tests.limit.blocks import CONES, dry
+from tests.limit.lines_of_thrust import greatest_crown_load
 
 
 def thin(thickness: float, courses: int, sectors: int) -> tuple[Blocks, np.ndarray]:
@@ -34,23 +34,14 @@ def test_a_dome_falls_alike_whichever_way_it_is_pushed():
 
 
 def load_on_slices(built: Specimen, courses: int, sectors: int, radius: float, thickness: float, crown: float) -> float:
-    """Greatest load (N) on the crown that a dome bears as orange slices: a line of thrust within each, without hoops.
-
-    Found over the thrust and its height at the crown, by moments about the edges of the joints."""
+    """Greatest load (N) on the crown that a dome bears as orange slices, without hoops."""
     weight, middle = 2000 * 9.81 * volumes(built.blocks), centroids(built.blocks)
     first = sectors * np.arange(courses)
-    own, out = weight[first], np.hypot(*middle[first, :2].T)
     cap = weight[built.sets["keystone"][0]] / sectors
     steep = np.linspace(0.5 * np.pi, np.arcsin(crown / radius), courses + 1)
-    rows, most = [], []
-    for k, s in enumerate(steep):
-        for edge, sign in ((radius - 0.5 * thickness, 1.0), (radius + 0.5 * thickness, -1.0)):
-            x, z = edge * np.sin(s) * np.cos(np.pi / sectors), edge * np.cos(s)
-            turns_in = (own[k:] * (x - out[k:])).sum() + cap * x
-            rows.append(sign * np.array([z, -1.0, x / sectors]))  # of the thrust, its moment about the axis, the load
-            most.append(-sign * turns_in)
-    found = linprog([0.0, 0.0, -1.0], A_ub=rows, b_ub=most, bounds=[(0, None), (None, None), (0, None)])
-    return float(found.x[2])
+    way = np.stack([np.sin(steep) * np.cos(np.pi / sectors), np.cos(steep)], axis=1)
+    inner, outer = ((radius + side * thickness) * way for side in (-0.5, 0.5))
+    return sectors * greatest_crown_load(weight[first], np.hypot(*middle[first, :2].T), cap, inner, outer)
 
 
 @pytest.mark.parametrize("thickness", [0.15, 0.3])

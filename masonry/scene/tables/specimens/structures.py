@@ -44,6 +44,7 @@ class ArchSpec(_Ring):
     voussoirs: Voussoirs
     depth: Length
     facets: Count = 1
+    abutments: Literal["square", "skewbacks"] = "square"
 
     @property
     def amount(self) -> tuple[float, float, float]:
