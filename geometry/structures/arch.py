@@ -39,8 +39,9 @@ def arch(
                "skewbacks": each stands upright below the springing, level below, which it meets in a slope
 
     The centre of the circle is at x = z = 0. Voussoirs come from left to right, then the left and the right abutment.
-    Sets "voussoirs", "keystone" (the voussoir at the crown; both of them where their number is even), "left abutment",
-    "right abutment". The section is that of a joint, thickness * depth. Raises GeometryError for what cannot be built.
+    Sets "voussoir 1", "voussoir 2", ... from left to right, "voussoirs", "keystone" (the voussoir at the crown; both of
+    them where their number is even), "left abutment", "right abutment". The section is that of a joint, thickness *
+    depth. Raises GeometryError for what cannot be built.
     """
     require_lengths("arch", {"radius": radius, "thickness": thickness, "depth": depth})
     require_ring("arch", "voussoirs", radius, angle, voussoirs, thickness)
@@ -54,7 +55,8 @@ def arch(
     blocks = concatenate([stones, sides])
     if facets == 1:  # more of them lie within the same wedges
         check_overlaps(blocks)
-    sets = {
+    sets = {f"voussoir {k + 1}": np.array([k]) for k in range(voussoirs)}
+    sets |= {
         "voussoirs": np.arange(voussoirs),
         "keystone": crown(voussoirs),
         "left abutment": np.array([voussoirs]),

@@ -20,12 +20,14 @@ from geometry.specimens.wallette import wallette
 from geometry.structures.arch import arch
 from geometry.structures.column import column
 from geometry.structures.dome import dome
+from geometry.structures.multi_leaf import multi_leaf
 from geometry.structures.openings import Opening
 from geometry.structures.vault import vault
 from geometry.structures.wall import wall
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
 from masonry.scene import Scene
+from masonry.scene.tables.cells import Cells
 from masonry.scene.tables.specimen import kinds
 from masonry.scene.tables.specimen_plugins import built, parameters_of
 
@@ -35,6 +37,7 @@ STRUCTURES: dict[str, Callable[..., Specimen]] = {
     "dome": dome,
     "column": column,
     "wall": wall,
+    "multi-leaf": multi_leaf,
 }
 """Structures that people build: their parameters are keys of the scene's table."""
 
@@ -59,6 +62,7 @@ def _specimen_of(scene: Scene) -> Specimen:
     spec = scene.specimen
     parts = (spec, getattr(spec, "mortar", None))
     forms = {cells.form for part in parts if (cells := getattr(part, "cells", None))}
+    forms |= {spec.core.form} if spec.kind == "multi-leaf" else set()
     if not forms:
         return _built(spec)
     from masonry.jit.compiler import REST, once
@@ -110,6 +114,8 @@ def _structure(spec: Any) -> Specimen:
     values = {key: getattr(spec, key) for key in signature(build).parameters}
     if "opening" in values:
         values["opening"] = [Opening(**dict(table)) for table in spec.opening]
+    if "core" in values:
+        values["core"] = _cells(spec.core)
     return _divided(build(**values), spec)
 
 
@@ -129,8 +135,11 @@ def _divided(found: Specimen, spec: Any) -> Specimen:
 def _filling(table: Any) -> Sequence[int] | CellRequest:
     """Blocks along each axis, or the cells that a table asks for."""
     divisions: Sequence[int] = table.divisions
-    if (cells := table.cells) is None:
-        return divisions
+    return divisions if table.cells is None else _cells(table.cells)
+
+
+def _cells(cells: Cells) -> CellRequest:
+    """The cells that a table asks for."""
     plain = ("total", "per_unit", "size", "spread", "sizes", "sites", "seed", "regularise")
     given = {key: getattr(cells, key) for key in plain}
     return CellRequest(**given, space=cells.form == "space", laguerre=cells.kind == "laguerre")

@@ -21,7 +21,7 @@ from masonry.scene import Scene
 
 WIDTH = 11.0
 """Of the picture, inches."""
-IN_SPACE = ("vault", "dome")
+IN_SPACE = ("vault", "dome", "multi-leaf")
 """Shapes of specimens that the front does not show."""
 
 
@@ -29,7 +29,7 @@ def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
     """Write the picture (.png) of a scene's specimen, whole or not at all; returns the path.
 
     view: "front", or "iso" from the front, the right and above; by default iso where the drive moves, or a tilt leans,
-    across the front, and for vaults and domes.
+    across the front, and for vaults, domes and walls of several leaves.
     Raises SceneError for a path that is no .png or cannot be written, and for a scene that cannot be built.
     """
     path = Path(path)

@@ -8,7 +8,7 @@ from pydantic import AfterValidator, Field, model_validator
 
 from masonry.scene.tables.cells import Cells, exclude
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
-from masonry.scene.tables.specimens.structures import ArchSpec, ColumnSpec, DomeSpec, VaultSpec, WallSpec
+from masonry.scene.tables.specimens.structures import ArchSpec, ColumnSpec, DomeSpec, MultiLeafSpec, VaultSpec, WallSpec
 from masonry.scene.tables.types import Area, Count, Gap, Halves, KeyedError, Length, Number, Position, Table
 
 
@@ -128,6 +128,7 @@ Specimen = Annotated[
     | DomeSpec
     | ColumnSpec
     | WallSpec
+    | MultiLeafSpec
     | BoxesSpec
     | FileSpec,
     Field(discriminator="kind"),

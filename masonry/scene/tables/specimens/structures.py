@@ -6,8 +6,21 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field, StrictBool, model_validator
 
+from masonry.scene.tables.cells import Cells
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
-from masonry.scene.tables.types import Angle, Count, Embrace, Gap, Given, Halves, KeyedError, Length, Table, Voussoirs
+from masonry.scene.tables.types import (
+    Angle,
+    Count,
+    Embrace,
+    Gap,
+    Given,
+    Halves,
+    KeyedError,
+    Length,
+    Share,
+    Table,
+    Voussoirs,
+)
 
 Sides = Annotated[int, Given("integer", "[3, 1000]")]
 
@@ -111,6 +124,39 @@ class ColumnSpec(Structure):
     def amount(self) -> tuple[float, float, float]:
         """About how many units, their volume (m3), and how deep they are along y (m)."""
         return self.drums + 1, 0.8 * self.diameter**2 * self.height, self.diameter
+
+
+class CoreCells(Cells):
+    """Cells of the core of a wall, in space."""
+
+    form: Literal["space"] = "space"
+
+
+class MultiLeafSpec(Structure):
+    """Two leaves in bond, a core of cells, headers through all of it."""
+
+    kind: Literal["multi-leaf"]
+    length: Length
+    height: Length
+    leaf_thickness: Length
+    core_thickness: Length
+    unit_length: Length
+    unit_height: Length
+    joint_thickness: Gap = 0.0
+    bond: Literal["running", "stack"] = "running"
+    headers: Share = 0.0
+    core: CoreCells
+    base: Length | None = None
+    beam: Length | None = None
+
+    @property
+    def amount(self) -> tuple[float, float, float]:
+        """About how many units, their volume (m3), and how deep they are along y (m)."""
+        face = self.length * self.height
+        unit = (self.unit_length + self.joint_thickness) * (self.unit_height + self.joint_thickness)
+        room = face * self.core_thickness
+        core = self.core.total or (self.core.per_unit or 1.0 if self.core.size is None else room / self.core.size**3)
+        return 2 * face / unit + core, face * (2 * self.leaf_thickness + self.core_thickness), self.leaf_thickness
 
 
 class OpeningTable(Table):
