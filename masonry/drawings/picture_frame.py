@@ -92,7 +92,8 @@ def _clear(levels: list[float], taken: list[float], least: float) -> list[float]
         for k, own in enumerate(moved):
             if abs(own - level) < 1.5 * least:
                 moved[k] = level + 1.5 * least
-        moved = [max(own, moved[k - 1] + least) if k else own for k, own in enumerate(moved)]
+        for k in range(1, len(moved)):
+            moved[k] = max(moved[k], moved[k - 1] + least)
     return moved
 
 

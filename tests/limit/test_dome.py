@@ -9,7 +9,7 @@ from geometry.polyhedra.measures import centroids, volumes
 from geometry.structures.dome import dome
 from masonry.statics.solve import STANDS, largest_factor, standing
 from tests.limit.blocks import CONES, dry
-from tests.limit.lines_of_thrust import greatest_crown_load
+from tests.structures.lines_of_thrust import greatest_crown_load
 
 
 def thin(thickness: float, courses: int, sectors: int) -> tuple[Blocks, np.ndarray]:

@@ -6,7 +6,7 @@ import pytest
 import masonry
 from geometry.polyhedra.measures import centroids, volumes
 from masonry.errors import Stopped
-from tests.limit.lines_of_thrust import greatest_crown_load
+from tests.structures.lines_of_thrust import greatest_crown_load
 
 
 def by_hand(specimen) -> float:
