@@ -41,7 +41,7 @@ def course_count(what: str, height: float, rise: float) -> int:
     if abs(height - count * rise) > NEAR * rise or (count < 1 and what.startswith("height")):
         raise GeometryError(
             f"wall: {what} is {height:g} m, it must be a multiple of a course of {rise:g} m (a unit and a joint); "
-            f"nearest: {max(count, int(what == 'height')) * rise:g} m"
+            f"nearest: {max(count, int(what.startswith('height'))) * rise:g} m"
         )
     return count
 

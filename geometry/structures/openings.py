@@ -136,10 +136,12 @@ def _fault(opening: Opening, wall: Wall, bearing: float) -> str | None:
         return "too little wall beside it"
     if room.min() < -near:
         return "its head reaches beyond the wall" if opening.head == "lintel" else "its skewbacks reach beyond the wall"
-    for hole in cut_out:
+    for hole, (left, right) in zip(cut_out, sides, strict=True):
         for course in range(hole.first, hole.first + len(hole.left)):
+            cuts = wall.coursing.cuts[course]
+            beside = cuts[(cuts > left - 2 * wall.module) & (cuts < right + 2 * wall.module)]
             try:
-                pieces(wall.coursing.cuts[course], course, cut_out, least)
+                pieces(beside, course, cut_out, least)
             except GeometryError as error:
                 return str(error)
     return None
@@ -148,8 +150,10 @@ def _fault(opening: Opening, wall: Wall, bearing: float) -> str | None:
 def require_fit(opening: Opening, wall: Wall) -> None:
     """GeometryError for an opening that cannot stand in this wall, with the nearest that can."""
     where = f"wall: opening '{opening.name}'"
-    _, top = course_of(opening, wall)
+    first, top = course_of(opening, wall)
     courses = len(wall.coursing.cuts)
+    if first >= courses:
+        raise GeometryError(f"{where} begins at {opening.sill:g} m, not below the top of the wall, {wall.height:g} m")
     if top > courses:
         raise GeometryError(
             f"{where} reaches to {top * wall.rise:g} m, above the wall of {wall.height:g} m; nearest height: "

@@ -25,9 +25,7 @@ def require_sane_size(scene: Scene) -> None:
     """Refuse a scene whose estimated size is beyond what a machine can hold; says which key to change."""
     spec = scene.specimen
     blocks, volume = blocks_and_volume(spec)
-    _require(
-        blocks, BLOCKS, "blocks", "specimen.divisions" if getattr(spec, "cells", None) is None else "specimen.cells"
-    )
+    _require(blocks, BLOCKS, "blocks", _amount_key(spec))
     _require_few_points(spec, blocks, volume)
     meshed = "tets" in scene.kinematics.values()
     if meshed and spec.mesh == "fan":
@@ -86,6 +84,13 @@ def _require_few_points(spec: Specimen, blocks: float, volume: float) -> None:
         assert spec.contact_spacing is not None
         points = 3 * max(1.0, 1.6 * (volume / blocks) ** (1 / 3) / spec.contact_spacing) ** 2
     _require(blocks * points, CONTACT_POINTS, "contact points", f"specimen.{key}")
+
+
+def _amount_key(spec: Any) -> str:
+    """The key to blame for too many blocks."""
+    if getattr(spec, "cells", None) is not None:
+        return "specimen.cells"
+    return "specimen" if isinstance(spec, Structure) and not spec.is_divided else "specimen.divisions"
 
 
 def _require(count: float, most: float, what: str, key: str) -> None:

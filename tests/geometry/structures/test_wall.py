@@ -146,6 +146,8 @@ def test_an_opening_to_the_top_has_the_beam_as_its_head():
         ),
         ({"opening": [WINDOW._replace(sill=0.4)]}, "sill of opening 'window' is 0.4 m.*nearest: 0.36 m"),
         ({"opening": [WINDOW._replace(height=0.5)]}, "height of opening 'window' is 0.5 m.*nearest: 0.54 m"),
+        ({"opening": [WINDOW._replace(height=0.001)]}, "nearest: 0.09 m"),
+        ({"opening": [WINDOW._replace(sill=16 * RISE)]}, "begins at 1.44 m, not below the top of the wall, 1.44 m"),
         ({"opening": [WINDOW._replace(bearing=0.01)]}, "bears on 0.01 m, less than a quarter of a unit"),
         ({"opening": [WINDOW._replace(height=11 * RISE)]}, "reaches the top of the wall, where no lintel fits"),
         ({"opening": [WINDOW._replace(height=12 * RISE)]}, "above the wall of 1.44 m"),
