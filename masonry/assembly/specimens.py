@@ -30,6 +30,7 @@ from masonry.scene import Scene
 from masonry.scene.tables.cells import Cells
 from masonry.scene.tables.specimen import kinds
 from masonry.scene.tables.specimen_plugins import built, parameters_of
+from masonry.scene.tables.specimens.structures import OpeningTable
 
 STRUCTURES: dict[str, Callable[..., Specimen]] = {
     "arch": arch,
@@ -113,10 +114,15 @@ def _structure(spec: Any) -> Specimen:
     build = STRUCTURES[spec.kind]
     values = {key: getattr(spec, key) for key in signature(build).parameters}
     if "opening" in values:
-        values["opening"] = [Opening(**dict(table)) for table in spec.opening]
+        values["opening"] = [_opening(table) for table in spec.opening]
     if "core" in values:
         values["core"] = _cells(spec.core)
     return _divided(build(**values), spec)
+
+
+def _opening(table: OpeningTable) -> Opening:
+    """What a table says of an opening; the rest is as `Opening` has it."""
+    return Opening(**{key: value for key, value in table if value is not None})
 
 
 def _of_file(spec: Any) -> Specimen:

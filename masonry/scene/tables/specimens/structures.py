@@ -169,16 +169,16 @@ class OpeningTable(Table):
     sill: Gap = 0.0
     head: Literal["lintel", "flat arch", "none"] = "lintel"
     bearing: Length | None = None
-    head_courses: Count = 1
-    voussoirs: Count = 7
-    skew: Angle = float(np.radians(20.0))
+    head_courses: Count | None = None
+    voussoirs: Count | None = None
+    skew: Angle | None = None
 
     @model_validator(mode="after")
     def _has_the_keys_of_its_head(self) -> "OpeningTable":
         owners = {"bearing": ("lintel",), "head_courses": ("lintel", "flat arch")}
         owners |= dict.fromkeys(("voussoirs", "skew"), ("flat arch",))
         for key, heads in owners.items():
-            if key in self.model_fields_set and self.head not in heads and getattr(self, key) is not None:
+            if self.head not in heads and getattr(self, key) is not None:
                 raise KeyedError(key, f"belongs to head = {' or '.join(map(repr, heads))}; leave it out")
         return self
 
