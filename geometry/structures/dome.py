@@ -11,6 +11,7 @@ import numpy as np
 from geometry.blocks import GeometryError, Specimen
 from geometry.checks import require_counts, require_lengths
 from geometry.polyhedra.construct import from_faces
+from geometry.structures.rings import require_ring
 
 FACETS = {"running": 2, "stack": 1}
 """Facets that a voussoir spans in each bond."""
@@ -112,22 +113,13 @@ def _cap(ring: np.ndarray) -> list[np.ndarray]:
 def _require(
     radius: float, thickness: float, courses: int, voussoirs: int, crown: float, angle: float, bond: str
 ) -> None:
-    require_lengths("dome", {"radius": radius, "thickness": thickness, "crown": crown})
-    require_counts("dome", "number of courses", (courses,), "z")
+    require_lengths("dome", {"crown": crown})
+    require_ring("dome", "courses", radius, angle, courses, thickness, least=1)
     require_counts("dome", "number of voussoirs", (voussoirs,), "x")
     if voussoirs < 3:
         raise GeometryError(f"dome: number of voussoirs is {voussoirs}, it must be 3 or more; nearest: 3")
     if bond not in FACETS:
         raise GeometryError(f"dome: bond '{bond}' is unknown; allowed: {', '.join(FACETS)}")
-    if not 0.0 < angle <= np.pi:
-        raise GeometryError(
-            f"dome: angle is {np.degrees(angle):g} deg, it must be above 0 and up to 180 deg (a hemisphere); "
-            "nearest: 180 deg"
-        )
-    if thickness >= radius:
-        raise GeometryError(
-            f"dome: thickness is {thickness:g} m, it must be less than the radius of the sphere midway, {radius:g} m"
-        )
     springing = radius * np.sin(0.5 * angle)
     if crown >= springing:
         raise GeometryError(

@@ -9,16 +9,17 @@ from geometry.checks import require_counts, require_lengths
 from geometry.polyhedra.construct import extrude, from_faces
 
 
-def require_ring(kind: str, what: str, radius: float, angle: float, count: float, thickness: float) -> None:
+def require_ring(
+    kind: str, what: str, radius: float, angle: float, count: float, thickness: float, least: int = 2
+) -> None:
     """A ring that can be cut into `count` pieces, called `what`, or GeometryError."""
     require_lengths(kind, {"radius": radius, "thickness": thickness})
     require_counts(kind, f"number of {what}", (count,), "x")
-    if count < 2:
-        raise GeometryError(f"{kind}: number of {what} is 1, it must be 2 or more; nearest: 2")
+    if count < least:
+        raise GeometryError(f"{kind}: number of {what} is {count}, it must be {least} or more; nearest: {least}")
     if not 0.0 < angle <= np.pi:
         raise GeometryError(
-            f"{kind}: angle is {np.degrees(angle):g} deg, it must be above 0 and up to 180 deg (a semicircle); "
-            "nearest: 180 deg"
+            f"{kind}: angle is {np.degrees(angle):g} deg, it must be above 0 and up to 180 deg; nearest: 180 deg"
         )
     if thickness >= radius:
         raise GeometryError(

@@ -88,7 +88,7 @@ def test_a_hemisphere_stands_level_and_open_domes_have_no_keystone():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"courses": 0}, "number of courses along z is 0"),
+        ({"courses": 0}, "number of courses along x is 0"),
         ({"voussoirs": 2}, "number of voussoirs is 2, it must be 3 or more; nearest: 3"),
         ({"crown": 1.0}, "crown is 1 m, it must be less than the radius at the springing, 1 m"),
         ({"crown": 0.0}, "crown is 0 m"),
