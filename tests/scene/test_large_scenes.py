@@ -40,7 +40,7 @@ def test_each_runs_for_its_duration_after_the_settling(built):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [name for name in LARGE if name != "rubble-pile"])
+@pytest.mark.parametrize("name", [name for name in LARGE if name not in ("facade-tilted", "rubble-pile")])
 def test_it_runs_to_rest_and_falls_where_it_should(name):
     result = laboratory.run(load(name))
     summary, kinetic = result.summary, result.history.rows["kinetic"]
