@@ -1,4 +1,4 @@
-"""The tunnel of docs/own-laws.md, as an installed package: its shape, its table in a scene, what is said of mistakes."""
+"""The tunnel of docs/own-laws.md, as an installed package: its shape, its table in a scene, what mistakes are told."""
 
 import numpy as np
 import pytest
