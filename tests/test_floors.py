@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[1]
 OURS = ("geometry", "masonry", "verification", "tests", "benchmarks")
 FLOORS = (
     *("geometry.blocks", "geometry.checks", "geometry.jit_cache", "geometry.polyhedra", "geometry.cells"),
-    *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.files", "geometry"),
+    *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.structures", "geometry.files", "geometry"),
     *("masonry.errors", "masonry.quantity", "masonry.history", "masonry.plugins", "masonry.simd", "masonry.runtime"),
     *(
         "masonry.statics",

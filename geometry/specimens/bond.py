@@ -97,9 +97,9 @@ def lay(
     """
     if name not in COURSES:
         raise GeometryError(f"bond '{name}' is unknown; allowed: {', '.join(COURSES)}")
-    whole = (unit[0] if name != "header" else _header_width(name, unit[0], joint, unit_width)) + joint
+    whole = (unit[0] if name != "header" else require_width(name, unit[0], joint, unit_width)) + joint
     if name in ("english", "flemish"):
-        _header_width(name, unit[0], joint, unit_width)
+        require_width(name, unit[0], joint, unit_width)
         if units_per_course < 2:
             raise GeometryError(f"bond '{name}' needs at least 2 units in a course, not {units_per_course}")
     module = unit[1] + joint
@@ -118,7 +118,7 @@ def lay(
     )
 
 
-def _header_width(name: str, length: float, joint: float, width: float | None) -> float:
+def require_width(name: str, length: float, joint: float, width: float | None) -> float:
     """The width that a header shows, or GeometryError."""
     fitting = (length - joint) / 2
     if width is None:

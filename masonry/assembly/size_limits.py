@@ -11,6 +11,7 @@ from masonry.errors import SceneError
 from masonry.scene import Scene
 from masonry.scene.tables.points import DENSITIES
 from masonry.scene.tables.specimen import Specimen
+from masonry.scene.tables.specimens.structures import Structure
 
 BLOCKS, CONTACT_POINTS, TETS = 5e5, 5e6, 5e6
 """The most that a scene may ask for; about 10 GB of memory each."""
@@ -24,9 +25,7 @@ def require_sane_size(scene: Scene) -> None:
     """Refuse a scene whose estimated size is beyond what a machine can hold; says which key to change."""
     spec = scene.specimen
     blocks, volume = blocks_and_volume(spec)
-    _require(
-        blocks, BLOCKS, "blocks", "specimen.divisions" if getattr(spec, "cells", None) is None else "specimen.cells"
-    )
+    _require(blocks, BLOCKS, "blocks", _amount_key(spec))
     _require_few_points(spec, blocks, volume)
     meshed = "tets" in scene.kinematics.values()
     if meshed and spec.mesh == "fan":
@@ -47,8 +46,9 @@ def blocks_and_volume(spec: Any) -> tuple[float, float]:
         return blocks.count, volume
     if spec.kind == "boxes":
         return sum(prod(box.divisions) for box in spec.box), sum(prod(box.size) for box in spec.box)
-    if spec.kind == "arch":
-        return spec.voussoirs + 2, spec.radius * spec.angle * spec.thickness * spec.depth
+    if isinstance(spec, Structure):
+        units, volume, depth = spec.amount
+        return _blocks(spec, units, volume, depth), volume
     if spec.kind in ("wallette", "bending"):
         units, depth = spec.courses * spec.units_per_course, spec.thickness
         volume = units * spec.unit_length * spec.thickness * spec.unit_height
@@ -61,7 +61,7 @@ def blocks_and_volume(spec: Any) -> tuple[float, float]:
     return _blocks(spec, units, volume, depth) + beds, volume
 
 
-def _blocks(table: Any, units: int, volume: float, depth: float) -> float:
+def _blocks(table: Any, units: float, volume: float, depth: float) -> float:
     """About how many blocks a grid or cells in so many units make, of this volume (m3) in all and depth (m)."""
     cells = table.cells
     if cells is None:
@@ -84,6 +84,13 @@ def _require_few_points(spec: Specimen, blocks: float, volume: float) -> None:
         assert spec.contact_spacing is not None
         points = 3 * max(1.0, 1.6 * (volume / blocks) ** (1 / 3) / spec.contact_spacing) ** 2
     _require(blocks * points, CONTACT_POINTS, "contact points", f"specimen.{key}")
+
+
+def _amount_key(spec: Any) -> str:
+    """The key to blame for too many blocks."""
+    if getattr(spec, "cells", None) is not None:
+        return "specimen.cells"
+    return "specimen" if isinstance(spec, Structure) and not spec.is_divided else "specimen.divisions"
 
 
 def _require(count: float, most: float, what: str, key: str) -> None:

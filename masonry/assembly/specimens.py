@@ -1,8 +1,9 @@
 """From a scene's words to a specimen: blocks with named sets."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from inspect import signature
 from pathlib import Path
 from typing import Any
 
@@ -11,17 +12,35 @@ import numpy as np
 from geometry.blocks import Specimen, TetMesh
 from geometry.cells.request import CellRequest
 from geometry.files.blocks_h5 import load_blocks
-from geometry.specimens.arch import arch
 from geometry.specimens.bending import bending
 from geometry.specimens.boxes import boxes
 from geometry.specimens.placed import on_floor, turned
 from geometry.specimens.stacked import couplet, prism
 from geometry.specimens.wallette import wallette
+from geometry.structures.arch import arch
+from geometry.structures.column import column
+from geometry.structures.dome import dome
+from geometry.structures.multi_leaf import multi_leaf
+from geometry.structures.openings import Opening
+from geometry.structures.vault import vault
+from geometry.structures.wall import wall
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
 from masonry.scene import Scene
+from masonry.scene.tables.cells import Cells
 from masonry.scene.tables.specimen import kinds
 from masonry.scene.tables.specimen_plugins import built, parameters_of
+from masonry.scene.tables.specimens.structures import OpeningTable
+
+STRUCTURES: dict[str, Callable[..., Specimen]] = {
+    "arch": arch,
+    "vault": vault,
+    "dome": dome,
+    "column": column,
+    "wall": wall,
+    "multi-leaf": multi_leaf,
+}
+"""Structures that people build: their parameters are keys of the scene's table."""
 
 
 def specimen_of(scene: Scene) -> Specimen:
@@ -44,6 +63,7 @@ def _specimen_of(scene: Scene) -> Specimen:
     spec = scene.specimen
     parts = (spec, getattr(spec, "mortar", None))
     forms = {cells.form for part in parts if (cells := getattr(part, "cells", None))}
+    forms |= {spec.core.form} if spec.kind == "multi-leaf" else set()
     if not forms:
         return _built(spec)
     from masonry.jit.compiler import REST, once
@@ -72,8 +92,8 @@ def _built(spec: Any) -> Specimen:
         if spec.kind == "couplet":
             return couplet(*size, _filling(spec), mortar, spec.plates)
         return prism(spec.units, *size, _filling(spec), mortar, spec.plates)
-    if spec.kind == "arch":
-        return arch(spec.radius, spec.angle, spec.voussoirs, spec.thickness, spec.depth)
+    if spec.kind in STRUCTURES:
+        return _structure(spec)
     if spec.kind == "file":
         return _of_file(spec)
     if spec.kind == "boxes":
@@ -89,8 +109,28 @@ def _built(spec: Any) -> Specimen:
     return bending(**wall, **{key: getattr(spec, key) for key in rollers})
 
 
+def _structure(spec: Any) -> Specimen:
+    """What the function of a structure builds of the keys that it asks for, its units divided."""
+    build = STRUCTURES[spec.kind]
+    values = {key: getattr(spec, key) for key in signature(build).parameters}
+    if "opening" in values:
+        values["opening"] = [_opening(table) for table in spec.opening]
+    if "core" in values:
+        values["core"] = _cells(spec.core)
+    return _divided(build(**values), spec)
+
+
+def _opening(table: OpeningTable) -> Opening:
+    """What a table says of an opening; the rest is as `Opening` has it."""
+    return Opening(**{key: value for key, value in table if value is not None})
+
+
 def _of_file(spec: Any) -> Specimen:
-    found = blocks_from(spec.path)[0]
+    return _divided(blocks_from(spec.path)[0], spec)
+
+
+def _divided(found: Specimen, spec: Any) -> Specimen:
+    """The units of a specimen divided as its table asks."""
     if not spec.is_divided:
         return found
     from geometry.specimens.divided import divided
@@ -101,8 +141,11 @@ def _of_file(spec: Any) -> Specimen:
 def _filling(table: Any) -> Sequence[int] | CellRequest:
     """Blocks along each axis, or the cells that a table asks for."""
     divisions: Sequence[int] = table.divisions
-    if (cells := table.cells) is None:
-        return divisions
+    return divisions if table.cells is None else _cells(table.cells)
+
+
+def _cells(cells: Cells) -> CellRequest:
+    """The cells that a table asks for."""
     plain = ("total", "per_unit", "size", "spread", "sizes", "sites", "seed", "regularise")
     given = {key: getattr(cells, key) for key in plain}
     return CellRequest(**given, space=cells.form == "space", laguerre=cells.kind == "laguerre")

@@ -21,12 +21,15 @@ from masonry.scene import Scene
 
 WIDTH = 11.0
 """Of the picture, inches."""
+IN_SPACE = ("vault", "dome", "multi-leaf")
+"""Shapes of specimens that the front does not show."""
 
 
 def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
     """Write the picture (.png) of a scene's specimen, whole or not at all; returns the path.
 
-    view: "front", or "iso" from the front, the right and above; by default iso where the drive moves across the front.
+    view: "front", or "iso" from the front, the right and above; by default iso where the drive moves, or a tilt leans,
+    across the front, and for vaults, domes and walls of several leaves.
     Raises SceneError for a path that is no .png or cannot be written, and for a scene that cannot be built.
     """
     path = Path(path)
@@ -40,11 +43,21 @@ def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
 
 
 def camera_for(scene: Scene, specimen: Specimen, view: str | None) -> Camera:
-    """The camera of a view by its name, or the one that shows the drive."""
+    """The camera of a view by its name, or the one that shows where the drive and a tilt lead."""
     if view is None:
         toward = camera_of("front", specimen).toward
-        view = "iso" if scene.drive is not None and abs(toward[scene.drive.axis]) > 0.5 else "front"
+        across = any(abs(toward @ way) > 0.5 for way in _ways(scene))
+        view = "iso" if across or specimen.shape in IN_SPACE else "front"
     return camera_of(view, specimen)
+
+
+def _ways(scene: Scene) -> list[np.ndarray]:
+    """Unit vectors along which a scene's drive pushes and its tilt lets things lean."""
+    ways = [np.eye(3)[scene.drive.axis]] if scene.drive is not None else []
+    if scene.gravity is not None and scene.gravity.tilt is not None:
+        lean = np.cross(np.eye(3)["xyz".index(scene.gravity.tilt.about)], scene.gravity.vector)
+        ways.append(lean / np.linalg.norm(lean))
+    return ways
 
 
 def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str | None = None) -> Any:

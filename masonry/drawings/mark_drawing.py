@@ -105,7 +105,9 @@ def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece]
         own = np.isin([owner[p.face] for p in pieces], mark.blocks)
         if mark.faces is not None:
             own = np.isin([p.face for p in pieces], mark.faces)
-        shown = [camera.project(p.corners) for p, mine in zip(pieces, own, strict=True) if mine]
+        held = [piece for piece, mine in zip(pieces, own, strict=True) if mine]
+        near = 1e-4 * size
+        shown = [camera.project(p.corners) for p in held if not hidden(p.corners.mean(axis=0), pieces, camera, near)]
         axes.add_collection(
             PolyCollection(shown, facecolors="none", edgecolors=colour, hatch="////", linewidths=0.0, zorder=5)
         )

@@ -1,6 +1,6 @@
 """Round the picture of a specimen: axes in mm, and the names of its sets beside it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,8 @@ from masonry.pictures.style import plain
 
 MOST_SETS = 24
 """More names than this are not written into the picture."""
+MOST_IN_A_ROW = 6
+"""Of longer rows of numbered names the first and the last are written."""
 OUT = 0.055
 """How far the edges with coordinates stand from the specimen, over its size."""
 AWAY = 0.21
@@ -39,7 +41,7 @@ def draw_sets(
     low, high = flat.min(axis=0), flat.max(axis=0)
     centre = (low + high) / 2
     sides: dict[bool, list[tuple[float, str, np.ndarray]]] = {False: [], True: []}
-    for name, members in list(specimen.sets.items())[:MOST_SETS]:
+    for name, members in [(name, specimen.sets[name]) for name in _shown(specimen.sets)][:MOST_SETS]:
         own = middle[np.isin(block, members)]
         if len(own) == 0 or name in specimen.blocks.groups:  # groups are told by colour
             continue
@@ -70,6 +72,15 @@ def draw_sets(
             axes.update_datalim([(x + (0.2 if to_right else -0.2) * size, level)])
 
 
+def _shown(names: Iterable[str]) -> list[str]:
+    """Names of sets, of a long row of numbered ones ("course 1", "course 2", ...) the first and the last."""
+    rows: dict[str, list[str]] = {}
+    for name in names:
+        stem, _, number = name.rpartition(" ")
+        rows.setdefault(stem if number.isdigit() else name, []).append(name)
+    return [name for row in rows.values() for name in (row if len(row) <= MOST_IN_A_ROW else [row[0], row[-1]])]
+
+
 def _level(entry: tuple[float, str, np.ndarray]) -> tuple[float, str]:
     return entry[0], entry[1]
 
@@ -81,7 +92,8 @@ def _clear(levels: list[float], taken: list[float], least: float) -> list[float]
         for k, own in enumerate(moved):
             if abs(own - level) < 1.5 * least:
                 moved[k] = level + 1.5 * least
-        moved = [max(own, moved[k - 1] + least) if k else own for k, own in enumerate(moved)]
+        for k in range(1, len(moved)):
+            moved[k] = max(moved[k], moved[k - 1] + least)
     return moved
 
 

@@ -9,7 +9,7 @@ from geometry.blocks import Blocks, Specimen
 from geometry.specimens.placed import FLOOR
 
 VIEWS = ("front", "back", "iso")
-UPRIGHT = ("arch",)
+UPRIGHT = ("arch", "vault", "dome", "wall", "multi-leaf")
 """Shapes of specimens that are seen along y however deep they are."""
 AZIMUTH, ELEVATION = np.radians(-55.0), np.radians(25.0)
 """From where "iso" looks, as matplotlib counts these angles."""

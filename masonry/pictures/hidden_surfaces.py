@@ -12,6 +12,8 @@ from masonry.pictures.camera import Camera
 
 MOST_PLANES = 300
 """Faces in more planes than this are drawn by the depth of their middles alone."""
+SAME_PLANE, BENT = 1.0 - 1e-6, 0.93
+"""Cosines: two faces of a unit that share an edge lie in one plane; two of a block are facets of a curved surface."""
 PIECES = 12
 """Large faces are drawn in pieces, at most so many along an edge, so that their depth can be told."""
 
@@ -109,21 +111,27 @@ def _farthest_first(pieces: list[Piece], normal: np.ndarray, camera: Camera, wid
 
 
 def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np.ndarray]:
-    """For each face, per edge: true unless a face of the same unit goes on beyond it in the same plane."""
+    """For each face, per edge: true unless a face of the same unit goes on beyond it in the same plane, or one of the
+    same block in nearly the same, as on the facets of a curved surface."""
     size = float(np.ptp(blocks.points, axis=0).max())
-    unit, group = (values[blocks.face_block()] for values in (blocks.unit, blocks.group))
+    block = blocks.face_block()
+    unit, group = blocks.unit[block], blocks.group[block]
     found: list[list[tuple[object, ...]]] = []
-    times: dict[tuple[object, ...], int] = {}
+    beside: dict[tuple[object, ...], list[int]] = {}
     for f in faces.tolist():
         corner = [tuple(p) for p in np.round(blocks.face(f) / (1e-6 * size)).astype(np.int64).tolist()]
-        plane = (int(unit[f]), int(group[f]), *np.round(normal[f], 3).tolist())
         keys: list[tuple[object, ...]] = [
-            (plane, *sorted((p, q))) for p, q in zip(corner, corner[1:] + corner[:1], strict=True)
+            (int(unit[f]), int(group[f]), *sorted((p, q))) for p, q in zip(corner, corner[1:] + corner[:1], strict=True)
         ]
         for key in keys:
-            times[key] = times.get(key, 0) + 1
+            beside.setdefault(key, []).append(f)
         found.append(keys)
-    return [np.array([times[key] == 1 for key in keys]) for keys in found]
+
+    def goes_on(f: int, others: list[int]) -> bool:
+        near = (float(normal[f] @ normal[o]) > (BENT if block[o] == block[f] else SAME_PLANE) for o in others if o != f)
+        return any(near)
+
+    return [np.array([not goes_on(f, beside[k]) for k in keys]) for f, keys in zip(faces.tolist(), found, strict=True)]
 
 
 def _cut(face: int, corners: np.ndarray, outer: np.ndarray, most: float) -> list[Piece]:

@@ -1,4 +1,4 @@
-"""The package of docs/own-laws.md, as a reader makes it: the page is the single source of law, vault and scenes."""
+"""The package of docs/own-laws.md, as a reader makes it: the page is the single source of law, tunnel and scenes."""
 
 import re
 import sys

@@ -8,7 +8,7 @@ import pytest
 from geometry.blocks import Blocks
 from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import extrude
-from geometry.specimens.arch import arch
+from geometry.structures.arch import arch
 from masonry.statics.crushing import crushing_of
 from masonry.statics.problem import Contacts
 from masonry.statics.solve import largest_factor

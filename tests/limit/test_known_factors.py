@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from geometry.specimens.arch import arch
+from geometry.structures.arch import arch
 from masonry.statics.problem import Bodies, Contacts
 from masonry.statics.solve import STANDS, largest_factor, standing
 from tests.limit.blocks import CONES, PLANE, PYRAMIDS, dry, stack, wall

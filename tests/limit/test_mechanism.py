@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from geometry.specimens.arch import arch
+from geometry.structures.arch import arch
 from masonry.statics.problem import Bodies, Contacts, Found
 from masonry.statics.solve import largest_factor, standing
 from tests.limit.blocks import CONES, PLANE, PYRAMIDS, dry, turned, wall

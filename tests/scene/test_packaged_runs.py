@@ -30,8 +30,12 @@ def test_forces_and_moments_on_a_packaged_scene_add_up_to_nothing(name):
     require_balance(laboratory.run(load(name)).summary)
 
 
+RUBBLE = ("wall-three-leaf", "wall-three-leaf-out-of-plane")
+"""Driven in so many steps, for minutes: they have tests of their own in tests/structures."""
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [name for name in packaged() if not load(name).is_large])
+@pytest.mark.parametrize("name", [name for name in packaged() if not load(name).is_large and name not in RUBBLE])
 def test_a_packaged_scene_runs_to_its_end(name):
     scene = load(name)
     summary = laboratory.run(scene).summary

@@ -123,11 +123,24 @@ DRIVEN = [name for name in packaged() if load(name).drive is not None]
 
 
 def test_all_packaged_scenes_but_those_that_move_by_their_loads_have_a_drive():
-    by_weight = {"arch", "arch-tilted", "block-rocking", "rubble-pile", "wall-tilted"}
+    by_weight = {
+        "arch",
+        "arch-own-weight",
+        "arch-tilted",
+        "block-rocking",
+        "dome-own-weight",
+        "facade-tilted",
+        "rubble-pile",
+    }
+    by_weight |= {"wall-out-of-plane", "wall-tilted"}
     assert set(packaged()) - set(DRIVEN) == by_weight | {"wall-pushed-over"}
 
 
-@pytest.mark.parametrize("name", [name for name in DRIVEN if not load(name).is_large])
+RUBBLE = ("wall-three-leaf", "wall-three-leaf-out-of-plane")
+"""Driven in so many steps: where rubble slips here and there all the time, a drive paced by its error takes hours."""
+
+
+@pytest.mark.parametrize("name", [name for name in DRIVEN if not load(name).is_large and name not in RUBBLE])
 def test_a_packaged_scene_is_driven_to_one_percent_and_the_rate_of_the_paper_takes_its_place(name):
     shipped, paper = load(name).drive, load(name, ["drive.rate=1 mm/s"])
     assert (shipped.accuracy, shipped.rate, shipped.steps) == (0.01, None, None)

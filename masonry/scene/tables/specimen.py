@@ -2,83 +2,23 @@
 
 from collections import Counter
 from pathlib import Path
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Literal, get_args
 
 from pydantic import AfterValidator, Field, model_validator
 
 from masonry.scene.tables.cells import Cells, exclude
-from masonry.scene.tables.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
-from masonry.scene.tables.types import (
-    Area,
-    Count,
-    Embrace,
-    Gap,
-    Halves,
-    KeyedError,
-    Length,
-    Number,
-    Position,
-    Table,
-    Turn,
-    Voussoirs,
-)
+from masonry.scene.tables.specimens.common import Divided, SpecimenTable
+from masonry.scene.tables.specimens.structures import ArchSpec, ColumnSpec, DomeSpec, MultiLeafSpec, VaultSpec, WallSpec
+from masonry.scene.tables.types import Area, Count, Gap, Halves, KeyedError, Length, Number, Position, Table
 
 
-class Turned(Table):
-    """The whole specimen turned by an angle (rad, right-hand rule) about an axis through a point (m)."""
-
-    about: Literal["x", "y", "z"]
-    angle: Turn
-    through: tuple[Position, Position, Position] = (0.0, 0.0, 0.0)
-
-
-class SpecimenTable(Table):
-    """What all specimens have; `section`, if given, takes the place of the specimen's own."""
-
-    kind: str
-    section: Area | None = None
-    contact_points: Literal["gauss", "vertex"] | None = None
-    points_per_edge: PointsPerEdge = PerAxis()
-    points_per_face: PointsPerFace | None = None
-    contact_spacing: Length | None = None
-    mesh: Literal["gmsh", "fan"] = "gmsh"
-    mesh_size: Length | None = None
-    turned: Turned | None = None
-
-    @model_validator(mode="before")
-    @classmethod
-    def _one_density(cls, data: Any) -> Any:
-        return one_density(data)
-
-    @model_validator(mode="after")
-    def _has_corners(self) -> "SpecimenTable":
-        if self.contact_points == "vertex":
-            for key, number in (("points_per_edge", 2), ("points_per_face", 4)):
-                given = getattr(self, key)
-                if given is not None and fewest(given) < number:
-                    raise KeyedError(key, f"must be {number} or more with contact_points = 'vertex'")
-        return self
-
-
-class _Divided(Table):
-    """A grid of blocks (nx, ny, nz), or cells."""
-
-    divisions: tuple[Count, Count, Count] = (1, 1, 1)
-    cells: Cells | None = None
-
-    @model_validator(mode="after")
-    def _is_divided_once(self) -> "_Divided":
-        exclude(self)
-        return self
-
-
-class Mortar(_Divided):
+class Mortar(Divided):
     """Layers of mortar made of blocks."""
 
     thickness: Length
 
 
-class _Stack(SpecimenTable, _Divided):
+class _Stack(SpecimenTable, Divided):
     """Units one above the other; length, width and height are those of one unit."""
 
     length: Length
@@ -130,7 +70,7 @@ class WalletteSpec(_Wall):
         return self
 
 
-class BendingSpec(_Wall, _Divided):
+class BendingSpec(_Wall, Divided):
     """A wall between support rollers and load rollers."""
 
     kind: Literal["bending"]
@@ -138,25 +78,6 @@ class BendingSpec(_Wall, _Divided):
     load_distance: Length | None = None
     roller_width: Length = 0.01
     bottom_plate: Length | None = None
-
-
-class ArchSpec(SpecimenTable):
-    """A ring of voussoirs between two abutments; radius of the centre line, angle of embrace."""
-
-    kind: Literal["arch"]
-    radius: Length
-    angle: Embrace
-    voussoirs: Voussoirs
-    thickness: Length
-    depth: Length
-
-    @model_validator(mode="after")
-    def _is_a_ring(self) -> "ArchSpec":
-        if self.thickness >= self.radius:
-            raise KeyedError(
-                "thickness", f"must be less than radius, {self.radius:g} m, which is that of the centre line"
-            )
-        return self
 
 
 class Box(Table):
@@ -190,20 +111,27 @@ def _absolute(path: str) -> str:
     return str(Path(path).absolute())
 
 
-class FileSpec(SpecimenTable, _Divided):
+class FileSpec(SpecimenTable, Divided):
     """Blocks from a file that `masonry import` or `masonry.write_blocks` wrote; the units among them may be divided."""
 
     kind: Literal["file"]
     path: Annotated[str, Field(min_length=1), AfterValidator(_absolute)]
 
-    @property
-    def is_divided(self) -> bool:
-        """Whether blocks of the file are cut up, so that tets of the file fit them no longer."""
-        return self.cells is not None or any(n > 1 for n in self.divisions)
-
 
 Specimen = Annotated[
-    CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | ArchSpec | BoxesSpec | FileSpec, Field(discriminator="kind")
+    CoupletSpec
+    | PrismSpec
+    | WalletteSpec
+    | BendingSpec
+    | ArchSpec
+    | VaultSpec
+    | DomeSpec
+    | ColumnSpec
+    | WallSpec
+    | MultiLeafSpec
+    | BoxesSpec
+    | FileSpec,
+    Field(discriminator="kind"),
 ]
 
 

@@ -22,7 +22,8 @@ from geometry.blocks import GeometryError, Specimen
 from masonry.errors import SceneError
 from masonry.plugins import load, plugin, plugins
 from masonry.scene.tables.specimen import Specimen as OurTable
-from masonry.scene.tables.specimen import SpecimenTable, kinds
+from masonry.scene.tables.specimen import kinds
+from masonry.scene.tables.specimens.common import SpecimenTable
 from masonry.scene.tables.types import Area, Count, Given, Length, Position
 
 GROUP = "geometry.specimens"

@@ -1,4 +1,4 @@
-"""The vault of docs/own-laws.md, as an installed package: its shape, its table in a scene, what is said of mistakes."""
+"""The tunnel of docs/own-laws.md, as an installed package: its shape, its table in a scene, what mistakes are told."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ from masonry.scene import load, to_toml
 from masonry.sweep.job import Job
 from tests.laws.own_package import files_of_page, install, on_the_path
 
-VAULT = files_of_page()["vault.py"]
+TUNNEL = files_of_page()["tunnel.py"]
 
 
 @pytest.fixture
@@ -25,13 +25,13 @@ def package(tmp_path, monkeypatch):
 
 
 def changed(tmp_path, old: str, new: str):
-    """The package with its vault edited."""
-    assert old in VAULT
-    return on_the_path(install(tmp_path / "changed", files_of_page() | {"vault.py": VAULT.replace(old, new, 1)}))
+    """The package with its tunnel edited."""
+    assert old in TUNNEL
+    return on_the_path(install(tmp_path / "changed", files_of_page() | {"tunnel.py": TUNNEL.replace(old, new, 1)}))
 
 
 def test_the_vault_has_the_volume_the_joints_and_the_sets_of_the_drawing(package):
-    specimen, joints = joined(load("vault.toml", {"specimen.voussoirs": 9, "specimen.angle": "120 deg"}))
+    specimen, joints = joined(load("tunnel.toml", {"specimen.voussoirs": 9, "specimen.angle": "120 deg"}))
     one = 0.2 * 0.5 * np.sin(np.radians(120) / 9) * (1.075**2 - 0.925**2)
     np.testing.assert_allclose(volumes(specimen.blocks), one, rtol=1e-12)
     assert specimen.blocks.count == 11 and len(joints.patch_start) - 1 == 10
@@ -41,15 +41,15 @@ def test_the_vault_has_the_volume_the_joints_and_the_sets_of_the_drawing(package
 
 
 def test_the_vault_is_checked_drawn_and_exported_by_the_commands(package, tmp_path, capsys):
-    assert main(["check", "vault.toml"]) == 0
+    assert main(["check", "tunnel.toml"]) == 0
     assert "17 rigid blocks" in capsys.readouterr().out
-    assert main(["picture", "vault.toml", "--geometry", "--out", str(tmp_path / "vault.png")]) == 0
-    assert main(["export", "vault.toml", "--to", str(tmp_path / "vault.vtu")]) == 0
-    assert (tmp_path / "vault.png").stat().st_size > 1e4
+    assert main(["picture", "tunnel.toml", "--geometry", "--out", str(tmp_path / "tunnel.png")]) == 0
+    assert main(["export", "tunnel.toml", "--to", str(tmp_path / "tunnel.vtu")]) == 0
+    assert (tmp_path / "tunnel.png").stat().st_size > 1e4
 
 
 def test_the_vault_runs_and_its_springers_bear_what_the_haunch_is_pushed_with(package):
-    result = laboratory.run(load("vault.toml"))
+    result = laboratory.run(load("tunnel.toml"))
     assert abs(result.summary["energy_imbalance"]) < 1e-10
     assert result.summary["reaction_mismatch_max"] < 0.05
     assert result.summary["peak_stress_pa"] > 0 and result.summary["damaged_area_m2"]["unit_unit"] > 0
@@ -57,11 +57,11 @@ def test_the_vault_runs_and_its_springers_bear_what_the_haunch_is_pushed_with(pa
 
 
 def test_the_table_of_the_vault_has_units_and_defaults_and_survives_being_written(package, tmp_path):
-    scene = load("vault.toml")
+    scene = load("tunnel.toml")
     assert scene.specimen.angle == np.pi and scene.specimen.thickness == pytest.approx(0.15, rel=1e-15)
     file = tmp_path / "written.toml"
     file.write_text(to_toml(scene), encoding="utf-8")
-    assert load(file, {"name": "vault"}) == scene
+    assert load(file, {"name": "tunnel"}) == scene
 
 
 @pytest.mark.parametrize(
@@ -71,18 +71,18 @@ def test_the_table_of_the_vault_has_units_and_defaults_and_survives_being_writte
         ("radius", "-1 m", "radius must be in"),
         ("voussoirs", 1.5, "voussoirs is a whole number"),
         ("radios", "1 m", "unknown key; did you mean 'radius'?"),
-        ("kind", "valt", "'valt' is not allowed; did you mean 'vault'? allowed: couplet, prism"),
+        ("kind", "tunel", "'tunel' is not allowed; did you mean 'tunnel'? allowed: couplet, prism"),
     ],
 )
 def test_a_mistake_in_the_table_is_told_as_any_other(package, key, value, said):
     with pytest.raises(SceneError, match="specimen") as told:
-        load("vault.toml", {f"specimen.{key}": value})
+        load("tunnel.toml", {f"specimen.{key}": value})
     assert said in str(told.value) and len(str(told.value).splitlines()) == 1
 
 
 def test_a_parameter_that_is_missing_is_named_with_an_example(package):
     with pytest.raises(SceneError, match="specimen.radius: missing; radius is a length, for example '200 mm'"):
-        load("couplet", {"specimen": {"kind": "vault", "thickness": "1 m", "width": "1 m"}})
+        load("couplet", {"specimen": {"kind": "tunnel", "thickness": "1 m", "width": "1 m"}})
 
 
 @pytest.mark.parametrize(
@@ -91,15 +91,15 @@ def test_a_parameter_that_is_missing_is_named_with_an_example(package):
         ("radius: Length", "radius", "parameter 'radius' needs a kind of geometry"),
         ("radius: Length", "radius: complex", "parameter 'radius': .*complex.* is no kind of parameter"),
         ("width: Length", "mesh: Length", "parameter 'mesh' is a key of every specimen"),
-        ("def vault(", "vault = 3\ndef bow(", "must name a function"),
-        ("def vault(", "def bow(", "AttributeError"),
+        ("def tunnel(", "tunnel = 3\ndef bow(", "must name a function"),
+        ("def tunnel(", "def bow(", "AttributeError"),
         ("import numpy", "import numbat", "No module named 'numbat'"),
     ],
 )
 def test_a_mistake_in_the_package_is_told_in_one_line_that_names_it(tmp_path, monkeypatch, old, new, said):
     with changed(tmp_path, old, new):
         with pytest.raises(SceneError, match=said) as told:
-            load(tmp_path / "changed" / "vault.toml")
+            load(tmp_path / "changed" / "tunnel.toml")
         assert "my-masonry 0.1" in str(told.value) and len(str(told.value).splitlines()) == 1
         load("couplet")
 
@@ -116,17 +116,17 @@ def test_a_mistake_in_the_package_is_told_in_one_line_that_names_it(tmp_path, mo
 )
 def test_what_the_function_returns_is_looked_over(tmp_path, old, new, said):
     with changed(tmp_path, old, new), pytest.raises(GeometryError, match=said) as told:
-        joined(load(tmp_path / "changed" / "vault.toml"))
-    assert "specimen 'vault' of my-masonry 0.1" in str(told.value)
+        joined(load(tmp_path / "changed" / "tunnel.toml"))
+    assert "specimen 'tunnel' of my-masonry 0.1" in str(told.value)
 
 
 def test_blocks_that_overlap_are_refused(tmp_path):
     edit = "np.arange(-1, voussoirs + 2)", "1.2 * np.arange(-1, voussoirs + 2)"
     with changed(tmp_path, *edit), pytest.raises(GeometryError, match="overlap"):
-        joined(load(tmp_path / "changed" / "vault.toml", {"specimen.angle": "355 deg"}))
+        joined(load(tmp_path / "changed" / "tunnel.toml", {"specimen.angle": "355 deg"}))
 
 
 def test_the_key_of_a_result_changes_with_the_source_of_its_specimen(package, tmp_path):
-    before = Job("vault.toml").key()
-    with changed(tmp_path, '"""A barrel vault', '"""A round vault'):
-        assert Job("vault.toml").key() != before
+    before = Job("tunnel.toml").key()
+    with changed(tmp_path, '"""A tunnel', '"""A round tunnel'):
+        assert Job("tunnel.toml").key() != before

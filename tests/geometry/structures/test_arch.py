@@ -6,7 +6,7 @@ import pytest
 from geometry.blocks import GeometryError
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import bounds, centroids, volumes
-from geometry.specimens.arch import arch
+from geometry.structures.arch import arch
 
 SIZES = {"radius": 1.2, "angle": np.radians(140.0), "voussoirs": 9, "thickness": 0.2, "depth": 0.3}
 
@@ -59,9 +59,26 @@ def test_a_semicircle_stands_level_on_its_abutments():
         assert np.allclose([low[block], high[block]], [[x - 0.1, 0, -0.1], [x + 0.1, 0.3, 0]], atol=1e-15)
 
 
+@pytest.mark.parametrize("angle", [60.0, 140.0, 180.0])
+def test_skewbacks_stand_upright_below_the_springings_and_meet_them_whole(angle):
+    specimen = arch(**(SIZES | {"angle": np.radians(angle)}), abutments="skewbacks")
+    spring = np.array([np.sin(np.radians(angle / 2)), np.cos(np.radians(angle / 2))])
+    inner, outer = 1.1 * spring, 1.3 * spring
+    mean = 0.5 * (inner[1] + outer[1]) - inner[1] + 0.1
+    both = [int(specimen.sets[f"{side} abutment"][0]) for side in ("left", "right")]
+    assert volumes(specimen.blocks)[both] == pytest.approx(np.full(2, (outer - inner)[0] * mean * 0.3), rel=1e-9)
+    low, high = bounds(specimen.blocks)
+    assert high[both[1], 0] == pytest.approx(outer[0]) and low[both[1], 0] == pytest.approx(inner[0])
+    assert low[both, 2] == pytest.approx(np.full(2, inner[1] - 0.1), abs=1e-12)
+    joints = find_joints(specimen.blocks)
+    at = np.isin(joints.block_a, both) | np.isin(joints.block_b, both)
+    assert joints.area[at].sum() == pytest.approx(2 * 0.06, rel=1e-9)
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
+        ({"abutments": "soft"}, "abutments is 'soft', allowed: square, skewbacks"),
         ({"voussoirs": 1}, "voussoirs is 1, it must be 2 or more; nearest: 2"),
         ({"voussoirs": 2.5}, "whole number"),
         ({"angle": np.radians(190)}, "angle is 190 deg.*nearest: 180 deg"),

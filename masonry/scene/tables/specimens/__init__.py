@@ -1,0 +1,1 @@
+"""Tables of specimens: what all of them have, and the structures that people build."""

@@ -1,0 +1,62 @@
+"""What the tables of all specimens have, and how their units are divided."""
+
+from typing import Any, Literal
+
+from pydantic import model_validator
+
+from masonry.scene.tables.cells import Cells, exclude
+from masonry.scene.tables.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
+from masonry.scene.tables.types import Area, Count, KeyedError, Length, Position, Table, Turn
+
+
+class Turned(Table):
+    """The whole specimen turned by an angle (rad, right-hand rule) about an axis through a point (m)."""
+
+    about: Literal["x", "y", "z"]
+    angle: Turn
+    through: tuple[Position, Position, Position] = (0.0, 0.0, 0.0)
+
+
+class SpecimenTable(Table):
+    """What all specimens have; `section`, if given, takes the place of the specimen's own."""
+
+    kind: str
+    section: Area | None = None
+    contact_points: Literal["gauss", "vertex"] | None = None
+    points_per_edge: PointsPerEdge = PerAxis()
+    points_per_face: PointsPerFace | None = None
+    contact_spacing: Length | None = None
+    mesh: Literal["gmsh", "fan"] = "gmsh"
+    mesh_size: Length | None = None
+    turned: Turned | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_density(cls, data: Any) -> Any:
+        return one_density(data)
+
+    @model_validator(mode="after")
+    def _has_corners(self) -> "SpecimenTable":
+        if self.contact_points == "vertex":
+            for key, number in (("points_per_edge", 2), ("points_per_face", 4)):
+                given = getattr(self, key)
+                if given is not None and fewest(given) < number:
+                    raise KeyedError(key, f"must be {number} or more with contact_points = 'vertex'")
+        return self
+
+
+class Divided(Table):
+    """A grid of blocks (nx, ny, nz), or cells."""
+
+    divisions: tuple[Count, Count, Count] = (1, 1, 1)
+    cells: Cells | None = None
+
+    @property
+    def is_divided(self) -> bool:
+        """Whether units are cut up."""
+        return self.cells is not None or any(n > 1 for n in self.divisions)
+
+    @model_validator(mode="after")
+    def _is_divided_once(self) -> "Divided":
+        exclude(self)
+        return self
