@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
-from geometry.joints.find import patch_faces
+from geometry.joints.find import covered_shares
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 from masonry.pictures.camera import Camera
@@ -14,14 +14,6 @@ MOST_PLANES = 300
 """Faces in more planes than this are drawn by the depth of their middles alone."""
 PIECES = 12
 """Large faces are drawn in pieces, at most so many along an edge, so that their depth can be told."""
-
-
-def covered_shares(blocks: Blocks, joints: Joints) -> np.ndarray:
-    """(F,) share of each face that lies in joints."""
-    polygon, _ = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
-    covered = np.zeros(len(blocks.face_start) - 1)
-    np.add.at(covered, patch_faces(blocks, joints), areas_normals_centroids(polygon)[0][:, None])
-    return covered / face_areas_normals_centroids(blocks)[0]
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import time
 import numpy as np
 import pytest
 
-from geometry.joints.find import find_joints
+from geometry.joints.find import covered_shares, find_joints
 from geometry.polyhedra.construct import concatenate, divide, from_boxes
 from masonry.assembly.assemble import joined
 from masonry.cli.main import main
@@ -14,7 +14,7 @@ from masonry.drawings.condition_marks import marks, parts_of
 from masonry.drawings.geometry_picture import camera_for, draw_geometry, geometry_figure
 from masonry.drawings.picture_frame import _apart, _clear
 from masonry.pictures.camera import front_view, iso_view
-from masonry.pictures.hidden_surfaces import covered_shares, hidden, visible_pieces
+from masonry.pictures.hidden_surfaces import hidden, visible_pieces
 from masonry.scene import load
 
 PNG = b"\x89PNG\r\n\x1a\n"

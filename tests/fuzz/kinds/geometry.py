@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import cache
 
 from geometry.joints.find import find_joints
-from masonry.importing.scene_file import scene_text
+from masonry.importing.scene_file import Written, scene_text
 from tests.fuzz import sound
 from tests.fuzz.attempt import Attempt, kind
 from tests.fuzz.changes import changed_bytes, changed_text
@@ -172,4 +172,4 @@ def blocks(draw: Draw) -> Attempt:
 
 @cache
 def _scene() -> str:
-    return scene_text(sound.small(), find_joints(sound.small().blocks), "blocks", "a.blocks.h5", False)
+    return scene_text(sound.small(), find_joints(sound.small().blocks), Written("blocks", "a.blocks.h5", False))
