@@ -71,7 +71,7 @@ def parser() -> Parser:
     )
     check.set_defaults(action=commands.check_scene)
     export = added.add_parser("export", parents=[scene], help="write the blocks of a scene for other programs")
-    export.add_argument("--to", type=Path, required=True, metavar="FILE", help="a .step, .msh or .vtu file")
+    export.add_argument("--to", type=Path, required=True, metavar="FILE", help="a .step, .obj, .stl, .msh or .vtu file")
     export.set_defaults(action=commands.export_scene)
     _add_import(added)
     added.add_parser("list", help="list the packaged scenes").set_defaults(action=commands.list_scenes)
@@ -103,7 +103,8 @@ def _add_import(added: Any) -> None:
         "file",
         type=Path,
         metavar="FILE",
-        help=".step .stp .iges .igs .brep .obj .ply .stl .tess .msh .vtu, or a folder of .obj .ply .stl",
+        help=".step .stp .iges .igs .brep .obj .ply .stl .tess .msh .vtu, or a folder of .obj .ply .stl; "
+        "wall.obj, dome.obj, crossvault.obj and stones come with the program",
     )
     words.add_argument("--out", type=Path, required=True, metavar="SCENE.toml", help="the scene to write")
     words.add_argument("--unit", metavar="UNIT", help="length that 1 in the file means: mm; STEP files say it")

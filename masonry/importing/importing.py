@@ -22,6 +22,7 @@ from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centr
 from geometry.polyhedra.overlaps import check_overlaps
 from geometry.polyhedra.validate import require_near, require_sound
 from masonry.errors import SceneError, nearest
+from masonry.importing.data_sets import data_path
 from masonry.importing.scene_file import Written, scene_text
 
 SURFACES = ("geometry.files.surfaces.reader", "read_surfaces")
@@ -76,6 +77,7 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
 
     Raises SceneError or GeometryError with one message; then nothing is written.
     """
+    source = data_path(source)
     reader = SURFACES if source.is_dir() else READERS.get(source.suffix.lower())
     if reader is None:
         raise SceneError(f"'{source}': {source.suffix or 'a file without suffix'} is not read; {nearest('', READERS)}")

@@ -41,7 +41,9 @@ def _alone(report: Report) -> list[str]:
     if len(alone) == 0 or report.specimen.blocks.count == 1:
         return []
     named = ", ".join(f"'{report.names[b]}'" for b in alone[:LISTED])
-    return [f"{len(alone)} blocks have none: {named}{', ...' if len(alone) > LISTED else ''}"]
+    more = ", ..." if len(alone) > LISTED else ""
+    near = "" if report.specimen.joints else "; --gap LENGTH makes joints between those that only nearly meet"
+    return [f"{len(alone)} blocks have none: {named}{more}{near}"]
 
 
 def _bridged(joints: JointPolygons) -> list[str]:
