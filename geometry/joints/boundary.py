@@ -3,7 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Joints, TetMesh
-from geometry.joints.find import covered_shares
+from geometry.joints.covered import covered_shares
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 

@@ -159,17 +159,6 @@ def patch_faces(blocks: Blocks, joints: Joints) -> np.ndarray:
     return result
 
 
-def covered_shares(blocks: Blocks, joints: Joints) -> np.ndarray:
-    """(F,) share of each face's area that lies in joints. A joint that bridges a gap may lie on no face."""
-    area = face_areas_normals_centroids(blocks)[0]
-    polygon, _ = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
-    face, size = patch_faces(blocks, joints), areas_normals_centroids(polygon)[0]
-    covered = np.zeros(len(area))
-    for side in face.T:
-        np.add.at(covered, side[side >= 0], size[side >= 0])
-    return covered / area
-
-
 def connected(blocks: Blocks, joints: Joints) -> np.ndarray:
     """(B,) a number for each block, the same for all blocks that hang together by joints."""
     part = np.arange(blocks.count)

@@ -105,7 +105,8 @@ def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece]
         own = np.isin([owner[p.face] for p in pieces], mark.blocks)
         if mark.faces is not None:
             own = np.isin([p.face for p in pieces], mark.faces)
-        shown = [camera.project(p.corners) for p, mine in zip(pieces, own, strict=True) if mine]
+        seen = [p for p, mine in zip(pieces, own, strict=True) if mine and not _is_behind(p, pieces, camera, size)]
+        shown = [camera.project(p.corners) for p in seen]
         axes.add_collection(
             PolyCollection(shown, facecolors="none", edgecolors=colour, hatch="////", linewidths=0.0, zorder=5)
         )
@@ -125,6 +126,10 @@ def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece]
                 behind = hidden(place + 1e-3 * size * way, pieces, camera, 1e-4 * size)
                 depth = 0.5 if behind else 7.0
                 _draw_roller(axes, camera.project(place), direction, 0.028 * size, colour, mark.all_held, depth)
+
+
+def _is_behind(piece: Piece, pieces: list[Piece], camera: Camera, size: float) -> bool:
+    return hidden(piece.corners.mean(axis=0), pieces, camera, 1e-3 * size)
 
 
 def _draw_roller(

@@ -6,7 +6,8 @@ import time
 import numpy as np
 import pytest
 
-from geometry.joints.find import covered_shares, find_joints
+from geometry.joints.covered import covered_shares
+from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import concatenate, divide, from_boxes
 from masonry.assembly.assemble import joined
 from masonry.cli.main import main

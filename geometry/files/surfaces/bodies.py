@@ -119,6 +119,7 @@ def _lids(points: np.ndarray, loops: Loops, widest: float, changes: Changes) -> 
         if times == 1:
             beside.setdefault(a, []).append(b)
             beside.setdefault(b, []).append(a)
+    directed = {edge for loop in loops for edge in zip(loop.tolist(), np.roll(loop, -1).tolist(), strict=True)}
     lids = []
     while beside:
         first = next(iter(beside))
@@ -131,7 +132,7 @@ def _lids(points: np.ndarray, loops: Loops, widest: float, changes: Changes) -> 
             continue
         width = float(np.linalg.norm(points[ring] - points[ring].mean(axis=0), axis=1).max() * 2)
         if width <= widest:
-            lids.append(np.array(ring))
+            lids.append(np.array(ring[::-1] if (ring[0], ring[1]) in directed else ring))
             changes.holes += 1
             changes.widest = max(changes.widest, width)
     return lids

@@ -31,15 +31,17 @@ def files_of(path: Path) -> list[Path]:
     return sorted(found, key=lambda file: [int(w) if w.isdecimal() else w for w in re.split(r"(\d+)", file.name)])
 
 
-def read_surfaces(path: Path, unit: float = 1.0, holes: float = 0.0) -> Imported:
+def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0) -> Imported:
     """Every closed body as one block.
 
-    unit   m, what 1 in the file stands for
+    unit   m, what 1 in the file stands for; 1 m where it is None, which is said
     holes  m, how wide a hole of a surface may be that is closed
     Named as the groups of the file, of a folder as its files; several bodies of one name get numbers. Faces that are
     not flat become triangles. Raises GeometryError for what is open, crosses itself or encloses nothing.
     """
     path = Path(path)
+    notes = ["1 in the file is taken as 1 m; --unit says otherwise"] if unit is None else []
+    unit = 1.0 if unit is None else unit
     require_lengths("surfaces", {"unit": unit})
     changes, solids, names = Changes(), [], []
     in_folder = path.is_dir()
@@ -58,7 +60,7 @@ def read_surfaces(path: Path, unit: float = 1.0, holes: float = 0.0) -> Imported
                 raise GeometryError(f"'{path.name}' holds more than {MOST_BODIES} bodies")
     called = [f"'{name}'" if name else f"body {number}" for number, name in enumerate(names, start=1)]
     blocks = polyhedra(solids, called, range(len(solids)), ["units"] * len(solids))
-    return Imported(blocks, tuple(names), None, None, tuple(_notes(changes, unit)))
+    return Imported(blocks, tuple(names), None, None, (*_notes(changes, unit), *notes))
 
 
 def _called(file: Path, name: str, number: int, of: int, in_folder: bool) -> str:
@@ -93,17 +95,18 @@ def _notes(changes: Changes, unit: float) -> list[str]:
     """What was changed, in sentences."""
     found = []
     if changes.doubled:
-        found.append(f"{changes.doubled} faces were there twice; one of each was left out")
+        found.append(f"faces that were there twice, of which one was left out: {changes.doubled}")
     if changes.collapsed:
-        found.append(f"{changes.collapsed} faces had fewer than three corners that differ and were left out")
+        found.append(f"faces without three corners that differ, which were left out: {changes.collapsed}")
     if changes.holes:
-        found.append(f"{changes.holes} holes of up to {changes.widest * unit * 1e3:.3g} mm were closed")
+        found.append(f"holes that were closed, of up to {changes.widest * unit * 1e3:.3g} mm: {changes.holes}")
     if changes.turned:
-        found.append(f"{changes.turned} blocks had faces that looked inwards; these were turned")
+        found.append(f"blocks with faces that looked inwards, which were turned: {changes.turned}")
     if changes.bent:
         other = changes.other_volume / changes.volume - 1
         found.append(
-            f"{changes.bent} of {changes.faces} faces are not flat, by up to {changes.highest * unit * 1e3:.3g} mm: "
-            f"each became the triangles of least area; fans round their middles would change the volume by {other:+.2g}"
+            f"faces that are not flat, by up to {changes.highest * unit * 1e3:.3g} mm: {changes.bent} of "
+            f"{changes.faces}; each became the triangles of least area (fans round their middles would change the "
+            f"volume by {other:+.2g})"
         )
     return found
