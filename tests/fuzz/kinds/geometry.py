@@ -141,6 +141,21 @@ def _claims(draw: Draw, content: bytes) -> bytes:
     return content.replace(cells, cells + pick(draw, (b"", b"9", b"-1")))
 
 
+@kind("surfaces", 4, 12)
+def surfaces(draw: Draw) -> Attempt:
+    """OBJ, STL and PLY: torn, corners that are none, faces that are open or cross; joints over gaps of any width."""
+    words = pick(draw, ((), (), ("--gap", "1 cm"), ("--gap", "10 m"), ("--holes", "1 km"), ("--up", "x")))
+    return _imported(draw, sound.surfaces(), (".obj", ".stl", ".ply"), (_corner_lost,), words)
+
+
+def _corner_lost(draw: Draw, content: bytes) -> bytes:
+    """A line with a number fewer, twice, or elsewhere."""
+    lines = content.split(b"\n")
+    n = below(draw, len(lines))
+    lines[n] = pick(draw, (lines[n].rsplit(b" ", 1)[0], lines[n] + b"\n" + lines[n], lines[n - 1], b"v nan 1e999 -0"))
+    return b"\n".join(lines)
+
+
 @kind("tess", 4, 10)
 def tess(draw: Draw) -> Attempt:
     """Neper's tessellations: torn, counts that lie, corners that are none, numbers that are none."""
