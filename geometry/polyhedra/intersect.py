@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.blocks import Blocks
+from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
-from geometry.polyhedra.polygons import areas_normals_centroids
+from geometry.polyhedra.polygons import areas_normals_centroids, pad
 
 
 @dataclass(frozen=True)
@@ -20,10 +21,14 @@ class Solid:
 
 def solid(blocks: Blocks, block: int) -> Solid:
     """The block with this number."""
-    faces = [blocks.face(f) for f in blocks.faces_of(block)]
-    normals = np.array([areas_normals_centroids(face[None])[1][0] for face in faces])
-    triangles = [np.stack([face[0], face[k], face[k + 1]]) for face in faces for k in range(1, len(face) - 1)]
-    return Solid(faces, normals, np.array(triangles))
+    first, last = blocks.block_face_start[block : block + 2]
+    start = blocks.face_start[first : last + 1]
+    corners, count = pad(blocks.points, start, blocks.face_points)
+    _, second = ranges(np.zeros(len(count), dtype=np.int64), count - 2)
+    face = np.repeat(np.arange(len(count)), count - 2)
+    triangles = corners[face[:, None], np.stack([np.zeros_like(second), second + 1, second + 2], axis=1)]
+    faces = [polygon[:n] for polygon, n in zip(corners, count.tolist(), strict=True)]
+    return Solid(faces, areas_normals_centroids(corners)[1], triangles)
 
 
 def are_convex(blocks: Blocks, width: float) -> np.ndarray:
