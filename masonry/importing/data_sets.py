@@ -6,14 +6,15 @@ from typing import NamedTuple
 
 
 class DataSet(NamedTuple):
-    """One of them: its name for `masonry import`, a title, its source and licence, the options that suit it, and a word
-    on what they stand for."""
+    """One of them: its name for `masonry import`, a title, its source and licence, the options that suit it, a word on
+    what they stand for, and the view that shows it best."""
 
     name: str
     title: str
     source: str
     options: tuple[str, ...]
     why: str
+    view: str = "iso"
 
 
 COMPAS = "compas_dem, Block Research Group, ETH Zurich (MIT licence)"
@@ -31,7 +32,7 @@ DATA_SETS = (
         "A dome of 90 voussoirs, open at its crown",
         COMPAS,
         ("--gap", "5 mm"),
-        "Each face is there twice, and none is flat. Every joint is one plane, the mean of two triangles on each side.",
+        "Each face is there twice, and hardly any is flat. A joint is one plane, the mean of two triangles on each side.",
     ),
     DataSet(
         "crossvault.obj",
@@ -46,6 +47,7 @@ DATA_SETS = (
         STONES,
         ("--up", "x", "--holes", "20 mm", "--gap", "40 mm", "--angle", "30 deg"),
         "The stones touch nowhere: mortar of 7 to 40 mm was between them, where dry joints are now. x is up.",
+        "front",
     ),
 )
 
