@@ -32,7 +32,7 @@ DATA_SETS = (
         "A dome of 90 voussoirs, open at its crown",
         COMPAS,
         ("--gap", "5 mm"),
-        "Each face is there twice, and hardly any is flat. A joint is one plane, the mean of two triangles on each side.",
+        "Each face is there twice, and hardly any is flat. A joint is one plane, the mean of two triangles a side.",
     ),
     DataSet(
         "crossvault.obj",
