@@ -84,7 +84,6 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
     target = out.parent / (out.name.removesuffix(".toml") + SUFFIX)
     _require_free(source, out, target, overwrite)
     words: dict[str, Any] = {} if wishes.unit is None else {"unit": wishes.unit}
-    are_solids = reader == SURFACES or reader[0] == "geometry.files.cad"
     words |= _words_of_one_kind(source, reader, wishes)
     found = upright(guarded(*reader, source, **words), wishes.up)
     require_near(found.blocks)
@@ -93,7 +92,9 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
     mended, stated = None, None
     if wishes.gap is not None:
         stated = bridged(found, names, wishes)
-    elif are_solids:
+    elif reader == SURFACES:
+        mended = _mended_surfaces(found, names, wishes)
+    elif reader[0] == "geometry.files.cad":
         mended = mend(found.blocks, wishes.tolerance, names, wishes.open_gaps)
     else:
         check_overlaps(found.blocks, names)
@@ -139,6 +140,18 @@ def upright(found: Imported, up: str) -> Imported:
     order = list(UPWARD[up])
     mesh = found.mesh and replace(found.mesh, nodes=found.mesh.nodes[:, order])
     return replace(found, blocks=replace(found.blocks, points=found.blocks.points[:, order]), mesh=mesh)
+
+
+def _mended_surfaces(found: Imported, names: Sequence[str], wishes: Wishes) -> Mended:
+    """As solids are mended; where that fails the message names the way that needs no exact faces."""
+    try:
+        return mend(found.blocks, wishes.tolerance, names, wishes.open_gaps)
+    except GeometryError as error:
+        if "--gap" in str(error):
+            raise
+        raise GeometryError(
+            f"{error}; if that is rounding (STL files have seven digits), --gap '1 mm' takes the blocks as they are"
+        ) from None
 
 
 def bridged(found: Imported, names: Sequence[str], wishes: Wishes) -> JointPolygons:

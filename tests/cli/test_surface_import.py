@@ -6,6 +6,7 @@ import pytest
 import masonry
 from geometry.files.blocks_h5 import load_blocks
 from geometry.polyhedra.measures import volumes
+from geometry.specimens.placed import rotation
 from masonry.assembly.assemble import assemble, joined
 from masonry.cli.main import main
 from masonry.errors import SceneError
@@ -113,6 +114,30 @@ def test_a_specimen_that_is_turned_takes_its_joints_along(wall):
     assert moved.area.sum() == pytest.approx(joints.area.sum(), rel=1e-12)
     assert np.abs(moved.normal[:, 0]).max() == pytest.approx(0.0, abs=1e-12)  # head joints look along y now
     assert masonry.run(turned).summary["unbalanced_after_settling"] < 1e-9
+
+
+def test_an_arch_in_seven_digits_has_the_factor_to_seven_digits(tmp_path, capsys):
+    import trimesh
+
+    there = load("arch", PUSHED)
+    specimen, joints = joined(there)
+    blocks, turn = specimen.blocks, rotation((0.0, 0.0, 1.0), 0.3)
+    (tmp_path / "stl").mkdir()
+    for b in range(blocks.count):
+        faces = [blocks.face(f) @ turn.T for f in blocks.faces_of(b)]
+        corner = np.concatenate([face[[0, k, k + 1]] for face in faces for k in range(1, len(face) - 1)])
+        mesh = trimesh.Trimesh(corner, np.arange(len(corner)).reshape(-1, 3), process=False)
+        mesh.export(tmp_path / "stl" / f"stone_{b}.stl")
+    said = complaint(capsys, "import", tmp_path / "stl", "--out", tmp_path / "new.toml")
+    assert "overlap" in said and "--gap '1 mm' takes the blocks as they are" in said
+    over = {
+        "contact.unit_unit.tan_friction_angle": 0.7,
+        **PUSHED,
+        "specimen.turned": {"about": "z", "angle": "-0.3 rad"},
+    }
+    back = load(imported(tmp_path, str(tmp_path / "stl"), "--gap", "1 mm"), over)
+    assert joined(back)[1].area.sum() == pytest.approx(joints.area.sum(), rel=1e-6)
+    assert masonry.limit(back).factor == pytest.approx(masonry.limit(there).factor, rel=1e-5)
 
 
 @pytest.mark.parametrize(("axis", "order"), [("x", (1, 2, 0)), ("y", (2, 0, 1)), ("z", (0, 1, 2))])

@@ -159,9 +159,8 @@ def _require_closed(points: np.ndarray, loops: Loops, called: str) -> None:
 def _parts(loops: Loops, count: int) -> list[Loops]:
     """The faces of each body: those that hang together over corners."""
     ends = np.concatenate([np.stack([np.full(len(loop) - 1, loop[0]), loop[1:]]) for loop in loops], axis=1)
-    label = connected_components(coo_array((np.ones(ends.shape[1]), tuple(ends)), shape=(count,) * 2), directed=False)[
-        1
-    ]
+    link = coo_array((np.ones(ends.shape[1]), tuple(ends)), shape=(count, count))
+    label = connected_components(link, directed=False)[1]
     bodies: dict[int, Loops] = {}
     for loop in loops:
         bodies.setdefault(int(label[loop[0]]), []).append(loop)

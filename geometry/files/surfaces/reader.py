@@ -53,7 +53,7 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0) -> 
             raise GeometryError(f"'{file.name}' holds more than {MOST_FACES} faces; thin it out where it was made")
         for number, surface in enumerate(surfaces, start=1):
             name = surface.name or (file.stem if in_folder or len(surfaces) == 1 else "")
-            found = bodies_of(surface, _called(file, name, number, len(surfaces), in_folder), changes, holes / unit)
+            found = bodies_of(surface, _called(file, name, number, len(surfaces)), changes, holes / unit)
             solids += [(points * unit, shell) for points, shell in found]
             names += [name] if len(found) == 1 else [f"{name}-{n}" if name else "" for n in range(1, len(found) + 1)]
             if len(solids) > MOST_BODIES:
@@ -63,7 +63,7 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0) -> 
     return Imported(blocks, tuple(names), None, None, (*_notes(changes, unit), *notes))
 
 
-def _called(file: Path, name: str, number: int, of: int, in_folder: bool) -> str:
+def _called(file: Path, name: str, number: int, of: int) -> str:
     """What a message calls a surface."""
     if of == 1:
         return f"'{file.name}'"
