@@ -98,6 +98,10 @@ def scene_text(specimen: Specimen, joints: Joints, how: Written) -> str:
         lines += [f"[contact.{_key(name)}]", STIFF if stiff else DRY_JOINT if how.is_dry else JOINT]
     lines += [loading, "[assumptions]"]
     lines += [f"{_quoted(key)} = {_quoted(INVENTED)}" for key in invented]
+    if specimen.joints is not None:
+        widest = specimen.joints.gap.max(initial=0.0) * 1e3
+        words = f"joints bridge gaps of up to {widest:.3g} mm, half way between blocks that only nearly meet"
+        lines.append(f'"specimen.path" = {_quoted(words)}')
     if how.section_is_made_up:
         lines.append(f'"specimen.section" = {_quoted("the import took the area of the faces in the lowest plane")}')
     return "\n".join(lines) + "\n"

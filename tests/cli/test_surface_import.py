@@ -51,6 +51,7 @@ def test_a_wall_with_gaps_stands_and_slides_at_its_friction(wall):
     scene = load(wall)
     specimen, joints = joined(scene)
     stated = specimen.joints
+    assert "gaps of up to 25 mm" in scene.assumptions["specimen.path"]
     assert (specimen.blocks.count, len(stated.block_a)) == COUNTS["wall.obj"][::2]
     head = stated.gap[:, 1] > 1e-6
     assert head.sum() == 31 and stated.gap[head] == pytest.approx(0.025, rel=1e-9)
