@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from geometry.blocks import Blocks
+from geometry.joints.covered import covered_shares
 from geometry.joints.find import find_joints, stated_joints
 from geometry.joints.nearby import Rule, nearby_joints
 from geometry.joints.point_density import Density
@@ -12,6 +13,8 @@ from geometry.specimens.from_arrays import polyhedra
 from geometry.specimens.placed import rotation
 from geometry.specimens.wallette import wallette
 
+BENT = [(0, 3, 2, 1), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (4, 5, 6), (4, 6, 7)]
+"""Faces of a box whose upper one is two triangles."""
 RULE = Rule(gap=0.02, overlap=1e-3, angle=np.radians(20.0))
 
 
@@ -135,6 +138,21 @@ def test_the_joints_turn_with_the_blocks_and_do_not_know_their_order():
     apart = np.linalg.norm(there[:, None] - two.point, axis=-1).min(axis=1)
     assert apart.max() < 1e-9 and two.area.sum() == pytest.approx(one.area.sum(), rel=1e-9)
     assert two.normal[0] == pytest.approx(turn @ one.normal[0], abs=1e-9)
+
+
+@pytest.mark.parametrize(("gap", "share"), [(0.0, 1.0), (0.004, 1.0), (0.015, 1.0), (0.019, 1.0), (0.04, 0.0)])
+def test_faces_beside_a_narrow_gap_count_as_covered(gap, share):
+    """A gap of 4 % of a face can be looked into; both halves of a face that is cut in two lie beside the joint."""
+    blocks = stacked(gap)
+    joints = measured(blocks, Rule(0.05, 1e-3, 0.3))[1]
+    assert np.sort(covered_shares(blocks, joints))[-2:] == pytest.approx(share)
+    cut = polyhedra(
+        [([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1.002)], BENT)],
+        ["bent"], [0], ["units"],
+    )  # fmt: skip
+    joints = measured(concatenate([cut, boxes(((0, 0, 1.004), (1, 1, 2)))]), RULE)[1]
+    shares = covered_shares(concatenate([cut, boxes(((0, 0, 1.004), (1, 1, 2)))]), joints)
+    assert np.sum(shares > 0.99) == 3
 
 
 def test_two_planes_of_a_step_are_two_joints():
