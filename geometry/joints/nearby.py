@@ -17,7 +17,7 @@ from scipy.spatial import ConvexHull, QhullError
 from geometry.blocks import Blocks, JointPolygons
 from geometry.polyhedra.box_pairs import overlapping_boxes
 from geometry.polyhedra.intersect import is_inside, solid
-from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids
+from geometry.polyhedra.measures import bounds, extent
 from geometry.polyhedra.polygons import areas_normals_centroids, clip, cut, pad, tidy, unpad
 
 FULL, HALF = 0.98, 0.5
@@ -41,6 +41,16 @@ class Rule:
 
 
 @dataclass(frozen=True)
+class _Faces:
+    """All faces, measured once: padded corners (F, K, 3), how many (F,), outward normals and centroids (F, 3)."""
+
+    corners: np.ndarray
+    count: np.ndarray
+    normal: np.ndarray
+    centroid: np.ndarray
+
+
+@dataclass(frozen=True)
 class _Pairs:
     """Faces over each other: numbers, axis from a to b (unit), a place halfway between, and area of what they share."""
 
@@ -54,34 +64,36 @@ class _Pairs:
 def nearby_joints(blocks: Blocks, rule: Rule) -> JointPolygons:
     """All joints of the blocks by the rule above, sorted by their blocks."""
     width = 1e-9 * extent(blocks)
-    pairs = _pairs(blocks, rule, width)
+    corners, count = pad(blocks.points, blocks.face_start, blocks.face_points)
+    faces = _Faces(corners, count, *areas_normals_centroids(corners)[1:])
     owner = blocks.face_block()
+    pairs = _pairs(faces, owner, rule, width)
     of = np.stack([owner[pairs.face_a], owner[pairs.face_b]], axis=1)
     found: list[tuple[int, int, np.ndarray, float, float]] = []
-    for two in np.unique(of, axis=0):
-        mine = np.flatnonzero((of == two).all(axis=1))
+    order = np.lexsort((of[:, 1], of[:, 0]))
+    ends = np.flatnonzero((of[order][1:] != of[order][:-1]).any(axis=1)) + 1
+    for mine in np.split(order, ends):
         while len(mine):
+            two = of[mine[0]]
             chosen, axis = _alike(pairs, mine, rule)
             mine = np.setdiff1d(mine, chosen)
-            for polygon, least, most in _polygons(blocks, pairs, chosen, axis, rule, width):
+            for polygon, least, most in _polygons(faces, pairs, chosen, axis, rule, width):
                 found.append((int(two[0]), int(two[1]), polygon, least, most))
     return _without_blocks_between(blocks, _gathered(found), width)
 
 
-def _pairs(blocks: Blocks, rule: Rule, width: float) -> _Pairs:
-    """The pairs of faces of the rule, each with the mean of their two normals as axis."""
-    corners, _ = pad(blocks.points, blocks.face_start, blocks.face_points)
-    _, normal, _ = face_areas_normals_centroids(blocks)
+def _pairs(faces: _Faces, owner: np.ndarray, rule: Rule, width: float) -> _Pairs:
+    """The pairs of faces of the rule, of different owners (F,), each with the mean of their two normals as axis."""
+    corners, normal = faces.corners, faces.normal
     reach = max(rule.gap, rule.overlap) / 2 + width
     two = overlapping_boxes(corners.min(axis=1) - reach, corners.max(axis=1) + reach)
-    owner = blocks.face_block()
     two = two[owner[two[:, 0]] != owner[two[:, 1]]]
     two = np.where((owner[two[:, 0]] > owner[two[:, 1]])[:, None], two[:, ::-1], two)
     facing = -np.einsum("ni,ni->n", normal[two[:, 0]], normal[two[:, 1]])
     two = two[facing >= np.cos(rule.angle) - 1e-12]
     axis = normal[two[:, 0]] - normal[two[:, 1]]
     axis /= np.linalg.norm(axis, axis=1)[:, None]
-    over, count, gap = _shared(blocks, two[:, 0], two[:, 1], axis, rule, width)
+    over, count, gap = _shared(faces, two[:, 0], two[:, 1], axis, rule, width)
     area, _, middle = areas_normals_centroids(over)
     kept = (count >= 3) & (area > width**2)
     place = middle + 0.5 * gap.mean(axis=1)[:, None] * axis
@@ -89,11 +101,10 @@ def _pairs(blocks: Blocks, rule: Rule, width: float) -> _Pairs:
 
 
 def _shared(
-    blocks: Blocks, face_a: np.ndarray, face_b: np.ndarray, axis: np.ndarray, rule: Rule, width: float
+    faces: _Faces, face_a: np.ndarray, face_b: np.ndarray, axis: np.ndarray, rule: Rule, width: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """What faces (N,) share as seen along axes (N, 3), on the plane of face a: corners, count, the distances there."""
-    corners, count = pad(blocks.points, blocks.face_start, blocks.face_points)
-    _, normal, centroid = face_areas_normals_centroids(blocks)
+    corners, count, normal, centroid = faces.corners, faces.count, faces.normal, faces.centroid
 
     def flat(face: np.ndarray) -> np.ndarray:
         arm = corners[face] - centroid[face_a][:, None]
@@ -128,11 +139,11 @@ def _alike(pairs: _Pairs, mine: np.ndarray, rule: Rule) -> tuple[np.ndarray, np.
 
 
 def _polygons(
-    blocks: Blocks, pairs: _Pairs, chosen: np.ndarray, normal: np.ndarray, rule: Rule, width: float
+    faces: _Faces, pairs: _Pairs, chosen: np.ndarray, normal: np.ndarray, rule: Rule, width: float
 ) -> list[tuple[np.ndarray, float, float]]:
     """The polygons of one joint, counter-clockwise about its normal, each with its least and its greatest gap."""
     axes = np.broadcast_to(normal, (len(chosen), 3))
-    over, count, gap = _shared(blocks, pairs.face_a[chosen], pairs.face_b[chosen], axes, rule, width)
+    over, count, gap = _shared(faces, pairs.face_a[chosen], pairs.face_b[chosen], axes, rule, width)
     area, _, middle = areas_normals_centroids(over)
     kept = (count >= 3) & (area > SLIVER * area.sum())
     if not kept.any():
