@@ -105,6 +105,23 @@ class Joints:
 
 
 @dataclass(frozen=True)
+class JointPolygons:
+    """Joints that are stated, not found: polygons between blocks that only nearly meet.
+
+    block_a, block_b  (J,) with block_a < block_b
+    start             (J + 1,) where the corners of polygon j begin in points
+    points            (., 3) m, counter-clockwise about the normal from a to b
+    gap               (J, 2) m, least and greatest distance of the two blocks there; below 0 they overlap
+    """
+
+    block_a: np.ndarray
+    block_b: np.ndarray
+    start: np.ndarray
+    points: np.ndarray
+    gap: np.ndarray
+
+
+@dataclass(frozen=True)
 class CellReport:
     """What a division came to. Lengths are relative to h: the root of the mean area, or cube root of the mean volume.
 
@@ -136,6 +153,7 @@ class Specimen:
     section  m2, the area that turns a force into the reported stress
     shape    one word for the report ("couplet", "wallette", "boxes")
     cells    what came of each division into cells
+    joints   joints that are stated, in place of those that are found; None where all are found
     """
 
     blocks: Blocks
@@ -143,6 +161,7 @@ class Specimen:
     section: float = 1.0
     shape: str = "boxes"
     cells: tuple[CellReport, ...] = ()
+    joints: JointPolygons | None = None
 
 
 @dataclass(frozen=True)

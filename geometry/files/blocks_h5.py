@@ -1,8 +1,9 @@
 """The native file of a specimen, .blocks.h5: what was imported or built, bit for bit.
 
 HDF5 in h5py's default file version. `about` is a JSON text in bytes: format, version, names of groups and sets,
-section and shape. `blocks/` and (with tets) `mesh/` hold the arrays of the geometry floor, `sets/0`, `sets/1`, ...
-block numbers.
+section and shape. `blocks/`, with tets `mesh/`, and with stated joints `joints/` hold the arrays of the geometry
+floor, `sets/0`, `sets/1`, ... block numbers. Version 2 is written where joints are stated, so that programs that do not
+know them refuse it; all else is version 1.
 Arrays are int64 or float64.
 """
 
@@ -13,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from geometry.blocks import Blocks, GeometryError, Specimen, TetMesh
+from geometry.blocks import Blocks, GeometryError, JointPolygons, Specimen, TetMesh
 from geometry.files.atomic import require_file, whole_file
 from geometry.files.hdf5 import new_file, require_plain
-from geometry.polyhedra.validate import require_sound, require_sound_mesh
+from geometry.polyhedra.validate import require_sound, require_sound_joints, require_sound_mesh
 
-FORMAT, VERSION = "masonry blocks", 1
+FORMAT, VERSION, WITH_JOINTS = "masonry blocks", 1, 2
 LARGEST = 4 * 2**30
 """Bytes of a file that is read."""
 LONGEST_TEXT = 2**24
@@ -29,7 +30,7 @@ def save_blocks(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> 
     """Write a specimen, and the tets inside it; the file appears whole or not at all. GeometryError if it cannot."""
     about = {
         "format": FORMAT,
-        "version": VERSION,
+        "version": VERSION if specimen.joints is None else WITH_JOINTS,
         "groups": list(specimen.blocks.groups),
         "sets": list(specimen.sets),
         "section": float(specimen.section),
@@ -43,6 +44,8 @@ def save_blocks(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> 
             sets.create_dataset(str(number), data=np.asarray(members, dtype=np.int64))
         if mesh is not None:
             _write(file.create_group("mesh"), mesh)
+        if specimen.joints is not None:
+            _write(file.create_group("joints"), specimen.joints)
 
 
 def load_blocks(path: Path) -> tuple[Specimen, TetMesh | None]:
@@ -74,7 +77,11 @@ def _read(file: Any) -> tuple[Specimen, TetMesh | None]:
     if "mesh" in file:
         mesh = TetMesh(**_arrays(file["mesh"], TetMesh))
         require_sound_mesh(blocks, mesh)
-    return Specimen(blocks, sets, float(about["section"]), about["shape"]), mesh
+    joints = None
+    if about["version"] == WITH_JOINTS:
+        joints = JointPolygons(**_arrays(file["joints"], JointPolygons))
+        require_sound_joints(blocks, joints)
+    return Specimen(blocks, sets, float(about["section"]), about["shape"], joints=joints), mesh
 
 
 def _about(file: Any) -> dict[str, Any]:
@@ -84,8 +91,10 @@ def _about(file: Any) -> dict[str, Any]:
     about = json.loads(text.tobytes().decode())
     if not isinstance(about, dict) or about.get("format") != FORMAT:
         raise GeometryError("no file of blocks")
-    if about.get("version") != VERSION:
-        raise GeometryError(f"version {about.get('version')!r} of the file is unknown; this program reads {VERSION}")
+    if about.get("version") not in (VERSION, WITH_JOINTS):
+        raise GeometryError(
+            f"version {about.get('version')!r} of the file is unknown; this program reads {VERSION} and {WITH_JOINTS}"
+        )
     for name in ("groups", "sets"):
         if not isinstance(about.get(name), list) or not all(isinstance(word, str) for word in about[name]):
             raise GeometryError(f"the names of the {name} are no list of words")
@@ -99,7 +108,7 @@ def _about(file: Any) -> dict[str, Any]:
     return about
 
 
-def _write(group: Any, value: Blocks | TetMesh) -> None:
+def _write(group: Any, value: Blocks | TetMesh | JointPolygons) -> None:
     for entry in fields(value):
         content = getattr(value, entry.name)
         if isinstance(content, np.ndarray):

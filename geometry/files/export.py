@@ -1,4 +1,4 @@
-"""Specimens to files that other programs read: STEP solids, tets in Gmsh's .msh and VTK's .vtu."""
+"""Specimens to files that other programs read: STEP solids, surfaces, tets in Gmsh's .msh and VTK's .vtu."""
 
 import contextlib
 import io
@@ -9,25 +9,28 @@ import numpy as np
 from geometry.blocks import Blocks, GeometryError, Specimen, TetMesh
 from geometry.files.atomic import whole_file
 from geometry.files.step_writer import step_text
+from geometry.files.surfaces.writer import surface_text
 from geometry.meshes.fan_tets import fan_tets, gathered
 
-SUFFIXES = (".step", ".stp", ".msh", ".vtu")
+SUFFIXES = (".step", ".stp", ".obj", ".stl", ".msh", ".vtu")
 
 
 def export(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> None:
     """Write the blocks to a file, its kind by the suffix; it appears whole or not at all.
 
     .step, .stp  one solid for each block, named by block_names
+    .obj, .stl   the surface of each block as an object or a solid, in words, named by block_names
     .msh         Gmsh 2.2, binary: groups as physical groups, blocks as entities (their number plus one)
     .vtu         cell data group, block and unit
     Blocks without tets in mesh are written as fans of tets. Raises GeometryError for other suffixes.
     """
     path = Path(path)
     suffix = require_suffix(path)
-    if suffix in (".step", ".stp"):
+    if suffix not in (".msh", ".vtu"):
         names = block_names(specimen)
-        with whole_file(path) as place, open(place, "w", encoding="ascii") as file:
-            file.writelines(step_text(specimen.blocks, names))
+        text = step_text(specimen.blocks, names) if suffix in (".step", ".stp") else None
+        with whole_file(path) as place, open(place, "w", encoding="ascii" if text else "utf-8") as file:
+            file.writelines(text or surface_text(specimen.blocks, names, suffix))
         return
     whole = _filled(specimen.blocks, mesh)
     with whole_file(path) as place:

@@ -40,10 +40,11 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
     """What `module.reader(path, **words)` returns, called in a process of its own; words must be plain JSON values.
 
     Raises GeometryError with the reader's message, or one that says how the reader ended; also for a file that is
-    missing, empty or larger than 500 MB.
+    missing, empty or larger than 500 MB, or a folder whose files are larger together.
     """
     path = Path(path).absolute()
-    seconds = min(SECONDS, START + PER_MEGABYTE * require_file(path, LARGEST) // 1_000_000)
+    size = _size_of_folder(path) if path.is_dir() else require_file(path, LARGEST)
+    seconds = min(SECONDS, START + PER_MEGABYTE * size // 1_000_000)
     patience = min(SECONDS, PATIENCE * seconds)
     theirs, ours = os.pipe()
     with open(ours, "wb"), open(theirs, "rb"), tempfile.TemporaryDirectory(prefix="masonry-") as folder:
@@ -57,6 +58,17 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
                 child.kill()
                 child.wait()
         return _answer(Path(folder), code, path.name, seconds)
+
+
+def _size_of_folder(path: Path) -> int:
+    """Bytes of the files in a folder; of files that cannot be looked at the reader says what is wrong."""
+    try:
+        size = sum(entry.stat().st_size for entry in os.scandir(path) if entry.is_file())
+    except OSError as error:
+        raise GeometryError(f"'{path}' cannot be read: {error.strerror or error}") from None
+    if size > LARGEST:
+        raise GeometryError(f"'{path}' holds {size:.3g} bytes, at most {LARGEST:.3g} are allowed")
+    return size
 
 
 def begin(task: str, folder: Path, alive: int) -> Any:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Joints, TetMesh
-from geometry.joints.find import patch_faces
+from geometry.joints.covered import covered_shares
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 
@@ -21,7 +21,7 @@ def outer_faces(blocks: Blocks, joints: Joints, block_set: np.ndarray, direction
     """
     if direction not in DIRECTIONS:
         raise GeometryError(f"face {direction!r} is unknown; allowed: {', '.join(DIRECTIONS)}")
-    covered = _covered_shares(blocks, joints)
+    covered = covered_shares(blocks, joints)
     faces = _extreme_faces(blocks, block_set, direction)
     _require_wholly_free_or_covered(blocks, covered, faces, f"face {direction}")
     free = faces[covered[faces] <= 1e-6]
@@ -52,7 +52,7 @@ def faces_in_plane(blocks: Blocks, axis: int, level: float) -> np.ndarray:
 
 def free_faces_in_plane(blocks: Blocks, joints: Joints, axis: int, level: float) -> np.ndarray:
     """Faces of faces_in_plane that lie in no joint; GeometryError if there is none, or if one is covered in part."""
-    covered = _covered_shares(blocks, joints)
+    covered = covered_shares(blocks, joints)
     faces = faces_in_plane(blocks, axis, level)
     _require_wholly_free_or_covered(blocks, covered, faces, "a face there")
     free = faces[covered[faces] <= 1e-6]
@@ -81,15 +81,6 @@ def _extreme_faces(blocks: Blocks, block_set: np.ndarray, direction: str) -> np.
     level = (sign * corners[mine, :, axis]).max()
     looks = sign * normal[mine, axis] > 1 - 1e-9
     return mine[looks & (sign * centroid[mine, axis] >= level - SAME * extent(blocks))]
-
-
-def _covered_shares(blocks: Blocks, joints: Joints) -> np.ndarray:
-    """(F,) share of each face's area that lies in joints."""
-    area = face_areas_normals_centroids(blocks)[0]
-    polygon, _ = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
-    covered = np.zeros(len(area))
-    np.add.at(covered, patch_faces(blocks, joints), areas_normals_centroids(polygon)[0][:, None])
-    return covered / area
 
 
 def surface_nodes(mesh: TetMesh, blocks: Blocks, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

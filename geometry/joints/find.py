@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from geometry.blocks import Blocks, Joints
+from geometry.blocks import Blocks, JointPolygons, Joints
 from geometry.joints.contact_points import contact_points
 from geometry.joints.point_density import Density
 from geometry.polyhedra.box_pairs import overlapping_boxes
@@ -49,23 +49,45 @@ def face_joints(blocks: Blocks, density: Density, tolerance: float = 1e-9) -> tu
     once = once[~_repeated(overlap[once], np.stack([owner[face_a], owner[face_b]], axis=1)[once], width)]
     overlap, corner_count, face_a, face_b = overlap[once], corner_count[once], face_a[once], face_b[once]
 
-    patch, point, share = contact_points(overlap, corner_count, density)
-    patch_start, patch_points = unpad(overlap, corner_count)
-    joints = Joints(
-        block_a=owner[face_a][patch],
-        block_b=owner[face_b][patch],
+    lost = int(np.sum(touching & ~kept)), int(kept.sum()) - len(once)
+    joints = _on_polygons(overlap, corner_count, owner[face_a], owner[face_b], normal[face_a], density, *lost)
+    return joints, np.stack([face_a, face_b], axis=1)
+
+
+def stated_joints(stated: JointPolygons, density: Density) -> Joints:
+    """Contact points on joint polygons that are given."""
+    corners, count = pad(stated.points, stated.start, np.arange(len(stated.points)))
+    normal = areas_normals_centroids(corners)[1]
+    return _on_polygons(corners, count, stated.block_a, stated.block_b, normal, density)
+
+
+def _on_polygons(
+    corners: np.ndarray,
+    count: np.ndarray,
+    block_a: np.ndarray,
+    block_b: np.ndarray,
+    normal: np.ndarray,
+    density: Density,
+    dropped: int = 0,
+    repeated: int = 0,
+) -> Joints:
+    """Contact points on padded polygons (J, K, 3) between blocks (J,), with normals (J, 3) from a to b."""
+    patch, point, share = contact_points(corners, count, density)
+    patch_start, patch_points = unpad(corners, count)
+    return Joints(
+        block_a=block_a[patch],
+        block_b=block_b[patch],
         node_a=np.full(len(patch), -1, dtype=np.int64),
         node_b=np.full(len(patch), -1, dtype=np.int64),
         point=point,
-        normal=normal[face_a][patch],
+        normal=normal[patch],
         area=share,
         patch=patch,
         patch_start=patch_start,
         patch_points=patch_points,
-        dropped=int(np.sum(touching & ~kept)),
-        repeated=int(kept.sum()) - len(once),
+        dropped=dropped,
+        repeated=repeated,
     )
-    return joints, np.stack([face_a, face_b], axis=1)
 
 
 def _repeated(corners: np.ndarray, pair: np.ndarray, width: float) -> np.ndarray:

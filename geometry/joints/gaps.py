@@ -97,7 +97,7 @@ def described(blocks: Blocks, found: Facing, names: Sequence[str]) -> list[str]:
 
 def require_small(blocks: Blocks, found: Facing, names: Sequence[str], tolerance: float, open_gaps: bool) -> None:
     """Raise GeometryError for gaps and overlaps larger than tolerance (m); gaps may be left as they are."""
-    large = np.abs(found.size) > tolerance
+    large = np.abs(found.size) > tolerance + 1e-9 * extent(blocks)
     if open_gaps:
         large &= found.size < 0
     if not large.any():
@@ -108,7 +108,7 @@ def require_small(blocks: Blocks, found: Facing, names: Sequence[str], tolerance
     largest = float(np.abs(worst.size).max()) * 1e3
     step = 10.0 ** (math.floor(math.log10(largest)) - 1)
     needed = math.ceil(largest / step + 1e-6) * step
-    leave = ", or --open-gaps leaves gaps as they are" if gaps and not overlaps else ""
+    leave = ", or --open-gaps leaves gaps as they are, or --gap lays joints into them" if gaps and not overlaps else ""
     raise GeometryError(
         f"{' and '.join(said)} between facing faces, larger than the tolerance of {tolerance * 1e3:.4g} mm: "
         f"{'; '.join(described(blocks, worst, names))}; --tolerance {needed:.3g}mm would mend them{leave}"

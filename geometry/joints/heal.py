@@ -46,18 +46,18 @@ def mend(blocks: Blocks, tolerance: float, names: Sequence[str], open_gaps: bool
         facing = facing_faces(blocks, SUSPICIOUS * tolerance, tolerance)
         require_small(blocks, facing, names, tolerance, open_gaps)
         off = np.abs(facing.size)
-        small = (off > width) & (off <= tolerance)
+        small = (off > width) & (off <= tolerance + width)
         first = facing.chosen(small) if first is None else first
         if not small.any():
             break
-        blocks = _moved(blocks, facing.chosen(off <= tolerance), tolerance, names, width)
+        blocks = _moved(blocks, facing.chosen(off <= tolerance + width), tolerance, names, width)
     else:
         raise GeometryError("gaps and overlaps come back after they are mended; mend the solids in the CAD program")
     after = volumes(blocks)
     if np.any(after <= 0):
         raise GeometryError(f"'{names[int(np.argmin(after))]}' is thinner than its gaps; take a smaller tolerance")
     check_overlaps(blocks, names)
-    return Mended(blocks, first, facing.chosen(off > tolerance), after / before - 1)
+    return Mended(blocks, first, facing.chosen(off > tolerance + width), after / before - 1)
 
 
 def _moved(blocks: Blocks, facing: Facing, tolerance: float, names: Sequence[str], width: float) -> Blocks:

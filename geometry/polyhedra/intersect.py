@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.blocks import Blocks
+from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
-from geometry.polyhedra.polygons import areas_normals_centroids
+from geometry.polyhedra.polygons import areas_normals_centroids, pad
 
 
 @dataclass(frozen=True)
@@ -20,10 +21,14 @@ class Solid:
 
 def solid(blocks: Blocks, block: int) -> Solid:
     """The block with this number."""
-    faces = [blocks.face(f) for f in blocks.faces_of(block)]
-    normals = np.array([areas_normals_centroids(face[None])[1][0] for face in faces])
-    triangles = [np.stack([face[0], face[k], face[k + 1]]) for face in faces for k in range(1, len(face) - 1)]
-    return Solid(faces, normals, np.array(triangles))
+    first, last = blocks.block_face_start[block : block + 2]
+    start = blocks.face_start[first : last + 1]
+    corners, count = pad(blocks.points, start, blocks.face_points)
+    _, second = ranges(np.zeros(len(count), dtype=np.int64), count - 2)
+    face = np.repeat(np.arange(len(count)), count - 2)
+    triangles = corners[face[:, None], np.stack([np.zeros_like(second), second + 1, second + 2], axis=1)]
+    faces = [polygon[:n] for polygon, n in zip(corners, count.tolist(), strict=True)]
+    return Solid(faces, areas_normals_centroids(corners)[1], triangles)
 
 
 def are_convex(blocks: Blocks, width: float) -> np.ndarray:
@@ -50,19 +55,31 @@ def share_space(one: Solid, two: Solid, depth: float) -> bool:
 
 
 def _enters(one: Solid, two: Solid, depth: float) -> bool:
-    for face, normal in zip(one.faces, one.normals, strict=True):
+    boxes, others = _boxes(one.faces), _boxes(two.faces)
+    near = _meet(boxes, (others[0].min(axis=0), others[1].max(axis=0)))
+    for f in near:
+        face, normal = one.faces[f], one.normals[f]
         pieces = [face]
-        for other, across in zip(two.faces, two.normals, strict=True):
-            if np.all(face.min(axis=0) <= other.max(axis=0)) and np.all(other.min(axis=0) <= face.max(axis=0)):
-                pieces = [part for piece in pieces for part in _cut(piece, across, other[0], depth)]
+        for g in _meet(others, (boxes[0][f], boxes[1][f])):
+            pieces = [part for piece in pieces for part in _cut(piece, two.normals[g], two.faces[g][0], depth)]
         for piece in pieces:
             middle = areas_normals_centroids(piece[None])[2][0]
-            touching = _faces_at(two, middle, depth)
+            touching = _faces_at(two, _meet(others, (middle - depth, middle + depth)), middle, depth)
             if len(touching) == 0 and is_inside(two, middle):
                 return True
             if len(touching) and np.any(two.normals[touching] @ normal > 0.999):
                 return True
     return False
+
+
+def _boxes(faces: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Lowest and highest corner of each face, (F, 3) both."""
+    return np.array([face.min(axis=0) for face in faces]), np.array([face.max(axis=0) for face in faces])
+
+
+def _meet(boxes: tuple[np.ndarray, np.ndarray], box: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
+    """Numbers of the boxes that meet a box."""
+    return np.flatnonzero(np.all((boxes[0] <= box[1]) & (box[0] <= boxes[1]), axis=1))
 
 
 def _cut(polygon: np.ndarray, normal: np.ndarray, origin: np.ndarray, depth: float) -> list[np.ndarray]:
@@ -83,10 +100,11 @@ def _cut(polygon: np.ndarray, normal: np.ndarray, origin: np.ndarray, depth: flo
     return parts
 
 
-def _faces_at(block: Solid, point: np.ndarray, depth: float) -> np.ndarray:
-    """Numbers of the faces that pass the point within depth."""
+def _faces_at(block: Solid, among: np.ndarray, point: np.ndarray, depth: float) -> np.ndarray:
+    """Those of some faces that pass the point within depth, by their numbers."""
     found = []
-    for f, (face, normal) in enumerate(zip(block.faces, block.normals, strict=True)):
+    for f in among.tolist():
+        face, normal = block.faces[f], block.normals[f]
         arm = point - face
         if abs(float(arm[0] @ normal)) <= depth:
             edge = np.roll(face, -1, axis=0) - face

@@ -14,12 +14,12 @@ from geometry.polyhedra.polygons import areas_normals_centroids, pad
 CHUNK = 4096
 
 
-def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None) -> None:
+def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None, allowed: float = 0.0) -> None:
     """Raise GeometryError for the first two blocks that overlap by more than 1e-9 of the specimen's size.
 
-    names (B,) says what to call each block; without it, its number and unit.
+    names (B,) says what to call each block; without it, its number and unit. allowed: m that they may overlap by.
     """
-    depth = 1e-9 * extent(blocks)
+    depth = max(1e-9 * extent(blocks), allowed)
     low, high = bounds(blocks)
     _require_thick(blocks, names, high - low, depth)
     pairs = overlapping_boxes(low + depth / 2, high - depth / 2)
@@ -29,7 +29,8 @@ def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None) -> None:
     overlapping = [tuple(pair) for pair in pairs[sure][:1]]
     overlapping += islice(overlapping_pairs(blocks, pairs[~sure], depth, convex), 1)
     if overlapping:
-        raise GeometryError(_message(blocks, names, low, high, *min(overlapping)))
+        a, b = min(overlapping)
+        raise GeometryError(_message(blocks, names, low, high, a, b, allowed))
 
 
 def overlapping_pairs(
@@ -103,13 +104,16 @@ def _penetration(blocks: Blocks, a: int, b: int) -> float:
     return float(np.min(np.minimum(one.max(axis=0) - two.min(axis=0), two.max(axis=0) - one.min(axis=0))))
 
 
-def _message(blocks: Blocks, names: Sequence[str] | None, low: np.ndarray, high: np.ndarray, a: int, b: int) -> str:
+def _message(
+    blocks: Blocks, names: Sequence[str] | None, low: np.ndarray, high: np.ndarray, a: int, b: int, allowed: float
+) -> str:
     start, end = np.maximum(low[a], low[b]), np.minimum(high[a], high[b])
     size, place = end - start, (start + end) / 2
     axis = int(np.argmin(size))
     called = [f"{names[i]!r}" if names is not None else f"{i} (unit {blocks.unit[i]})" for i in (a, b)]
+    limit = f"overlap by no more than {allowed * 1e3:.4g} mm (--tolerance)" if allowed else "touch but not overlap"
     return (
         f"blocks {called[0]} and {called[1]} overlap by {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m around "
-        f"({place[0]:.4g}, {place[1]:.4g}, {place[2]:.4g}) m; blocks may touch but not overlap: "
+        f"({place[0]:.4g}, {place[1]:.4g}, {place[2]:.4g}) m; blocks may {limit}: "
         f"move one by {size[axis]:.4g} m along {'xyz'[axis]}, or make it that much smaller"
     )

@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from geometry.blocks import Blocks, GeometryError, TetMesh
+from geometry.blocks import Blocks, GeometryError, JointPolygons, TetMesh
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids, volumes
+from geometry.polyhedra.polygons import areas_normals_centroids, pad
 
 FLAT = 1e-9
 """How far a corner may stand off its face, over the specimen's longest side."""
@@ -77,6 +78,31 @@ def require_sound_mesh(blocks: Blocks, mesh: TetMesh) -> None:
     if wrong.any():
         b = int(np.argmax(wrong))
         raise GeometryError(f"the tets of block {b} fill {filled[b]:.6g} m3 of its {whole[b]:.6g} m3")
+
+
+def require_sound_joints(blocks: Blocks, joints: JointPolygons) -> None:
+    """Raise GeometryError unless stated joints are flat polygons between two different blocks that there are."""
+    _require_table("joints/points", joints.points, (None, 3), float)
+    _require_table("joints/gap", joints.gap, (len(joints.block_a), 2), float)
+    for name in ("block_a", "block_b", "start"):
+        _require_table(f"joints/{name}", getattr(joints, name), (None,), int)
+    _require_starts("joints/start", joints.start, len(joints.block_a), len(joints.points), least=3)
+    _require_table("joints/block_b", joints.block_b, (len(joints.block_a),), int)
+    for name in ("block_a", "block_b"):
+        _require_range(f"joints/{name}", getattr(joints, name), blocks.count)
+    if np.any(joints.block_a >= joints.block_b):
+        raise GeometryError(f"joints: entry {int(np.argmax(joints.block_a >= joints.block_b))} has block_a >= block_b")
+    most = int(np.diff(joints.start).max(initial=0))
+    if most * len(joints.block_a) > PADDED:
+        raise GeometryError(f"a joint has {most} corners: too many for {len(joints.block_a)} joints")
+    if not np.all(np.abs(joints.points) <= FARTHEST):
+        raise GeometryError(f"joints/points lie farther than {FARTHEST:.0e} m from the origin")
+    corners, _ = pad(joints.points, joints.start, np.arange(len(joints.points)))
+    area, normal, middle = areas_normals_centroids(corners)
+    off = np.abs(np.einsum("nki,ni->nk", corners - middle[:, None], normal)).max(axis=1, initial=0.0)
+    wrong = ~(area > 0) | (off > FLAT * extent(blocks))
+    if wrong.any():
+        raise GeometryError(f"joints: polygon {int(np.argmax(wrong))} has no area, or is not flat")
 
 
 def _require_table(name: str, values: np.ndarray, shape: tuple, kind: type) -> None:

@@ -6,6 +6,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
 from geometry.joints import find as joint_search
+from geometry.joints.point_density import Density
 from geometry.meshes.fan_tets import within
 from geometry.polyhedra import overlaps
 from geometry.specimens.placed import with_empty_blocks
@@ -101,12 +102,12 @@ def joined(scene: Scene) -> tuple[Specimen, Joints]:
     """The blocks of a scene and the joints between them."""
     require_sane_size(scene)
     specimen, spec = specimen_of(scene), scene.specimen
+    points = scene.contact_points, scene.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
+    if specimen.joints is not None:  # overlaps were looked at as these were laid
+        return specimen, joint_search.stated_joints(specimen.joints, Density(*points))
     if spec.kind == "file" or is_outside(spec.kind):  # the others were looked at as they were built
         overlaps.check_overlaps(specimen.blocks)
-    joints = joint_search.find_joints(
-        specimen.blocks, scene.contact_points, scene.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
-    )
-    return specimen, joints
+    return specimen, joint_search.find_joints(specimen.blocks, *points)
 
 
 def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None, Joints]:

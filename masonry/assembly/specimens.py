@@ -45,10 +45,15 @@ STRUCTURES: dict[str, Callable[..., Specimen]] = {
 
 def specimen_of(scene: Scene) -> Specimen:
     """The blocks of a scene, with named sets; raises GeometryError for what cannot be built."""
-    found, section = _specimen_of(scene), scene.specimen.section
+    section = scene.specimen.section
+    if scene.specimen.kind == "file" and blocks_from(scene.specimen.path)[0].joints is not None:
+        _require_what_goes_with_gaps(scene, scene.specimen.is_divided)
+    found = _specimen_of(scene)
     found = found if section is None else replace(found, section=section)
     if scene.specimen.turned is not None:
-        found = replace(found, blocks=replace(found.blocks, points=as_turned(scene, found.blocks.points)))
+        stated = found.joints and replace(found.joints, points=as_turned(scene, found.joints.points))
+        blocks = replace(found.blocks, points=as_turned(scene, found.blocks.points))
+        found = replace(found, blocks=blocks, joints=stated)
     return found if scene.floor is None else on_floor(found, scene.floor.level, scene.floor.size, scene.floor.thickness)
 
 
@@ -123,6 +128,22 @@ def _structure(spec: Any) -> Specimen:
 def _opening(table: OpeningTable) -> Opening:
     """What a table says of an opening; the rest is as `Opening` has it."""
     return Opening(**{key: value for key, value in table if value is not None})
+
+
+def _require_what_goes_with_gaps(scene: Scene, is_divided: bool) -> None:
+    """Raise SceneError for what needs blocks that meet, where the joints of a file bridge gaps."""
+    why = "the blocks of this file only nearly meet, and its joints bridge the gaps"
+    if scene.is_large:
+        raise SceneError(
+            f'displacements = "large": {why}; large displacement finds contacts where blocks touch: import it without '
+            "--gap, by a --tolerance that closes the gaps, or leave displacements small"
+        )
+    if any(kind == "tets" for kind in {scene.kinematics_of(g) for g in scene.material}):
+        raise SceneError(f"kinematics 'tets': {why}, where no mesh has nodes; take 'rigid' or 'affine'")
+    if is_divided:
+        raise SceneError(f"specimen.divisions and cells: {why}, which parts of blocks do not share; leave them out")
+    if scene.floor is not None:
+        raise SceneError(f"[floor]: {why}; hold the lowest blocks by a [[support]] instead")
 
 
 def _of_file(spec: Any) -> Specimen:

@@ -1,6 +1,7 @@
 """What each command of `masonry` does, from its words to calls of the laboratory; returns the exit code."""
 
 import argparse
+import math
 
 from masonry.errors import SceneError, visible
 from masonry.runtime.shell import OK
@@ -59,6 +60,10 @@ def import_blocks(words: argparse.Namespace) -> int:
         groups=[_group(text) for text in words.group],
         section=None if words.section is None else parse(words.section, "area", "--section", "[1e-12, 1e8]"),
         open_gaps=words.open_gaps,
+        up=_axis(words.up),
+        holes=None if words.holes is None else parse(words.holes, "length", "--holes", "[1e-9, 1e5]"),
+        gap=None if words.gap is None else parse(words.gap, "length", "--gap", "[1e-9, 10]"),
+        angle=parse(words.angle, "angle", "--angle", f"(0, {math.pi / 3}]"),
     )
     report = importing.import_file(words.file, words.out, wishes, words.overwrite)
     print(aligned(report_text(report)))
@@ -97,6 +102,12 @@ def doctor(words: argparse.Namespace) -> int:
 def _one(unit: str) -> str:
     """A unit by itself means one of it."""
     return unit if unit[:1].isdigit() else f"1 {unit}"
+
+
+def _axis(text: str) -> str:
+    if text not in ("x", "y", "z"):
+        raise SceneError(f"--up '{text}': allowed: x, y, z")
+    return text
 
 
 def _group(text: str) -> tuple[str, str]:

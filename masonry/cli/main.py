@@ -71,7 +71,7 @@ def parser() -> Parser:
     )
     check.set_defaults(action=commands.check_scene)
     export = added.add_parser("export", parents=[scene], help="write the blocks of a scene for other programs")
-    export.add_argument("--to", type=Path, required=True, metavar="FILE", help="a .step, .msh or .vtu file")
+    export.add_argument("--to", type=Path, required=True, metavar="FILE", help="a .step, .obj, .stl, .msh or .vtu file")
     export.set_defaults(action=commands.export_scene)
     _add_import(added)
     added.add_parser("list", help="list the packaged scenes").set_defaults(action=commands.list_scenes)
@@ -98,8 +98,14 @@ def _add_resume(added: Any) -> None:
 
 def _add_import(added: Any) -> None:
     """`masonry import` and its options."""
-    words = added.add_parser("import", help="make blocks and a scene from a CAD file, a Neper file or a mesh")
-    words.add_argument("file", type=Path, metavar="FILE", help=".step .stp .iges .igs .brep .tess .msh .vtu")
+    words = added.add_parser("import", help="make blocks and a scene from CAD, surfaces, a Neper file or a mesh")
+    words.add_argument(
+        "file",
+        type=Path,
+        metavar="FILE",
+        help=".step .stp .iges .igs .brep .obj .ply .stl .tess .msh .vtu, or a folder of .obj .ply .stl; "
+        "wall.obj, dome.obj, crossvault.obj and stones come with the program",
+    )
     words.add_argument("--out", type=Path, required=True, metavar="SCENE.toml", help="the scene to write")
     words.add_argument("--unit", metavar="UNIT", help="length that 1 in the file means: mm; STEP files say it")
     words.add_argument("--tolerance", default="0.1 mm", metavar="LENGTH", help="gaps and overlaps up to it are mended")
@@ -108,6 +114,12 @@ def _add_import(added: Any) -> None:
     words.add_argument("--group", action="append", default=[], metavar="PATTERN=GROUP", help="'brick*=units', by name")
     words.add_argument("--section", metavar="AREA", help="force over this area is the reported stress")
     words.add_argument("--open-gaps", action="store_true", help="leave gaps larger than the tolerance as they are")
+    words.add_argument("--up", default="z", metavar="AXIS", help="x, y or z: the axis of the file that points up")
+    words.add_argument("--holes", metavar="LENGTH", help="holes of surfaces up to so wide are closed")
+    words.add_argument("--gap", metavar="LENGTH", help="faces up to so far apart make joints; blocks stay as they are")
+    words.add_argument(
+        "--angle", default="20 deg", metavar="ANGLE", help="with --gap: faces look at each other within it"
+    )
     words.add_argument("--overwrite", action="store_true", help="replace SCENE.toml and its blocks")
     words.set_defaults(action=commands.import_blocks)
 

@@ -10,6 +10,8 @@ from masonry.pictures.camera import Camera
 from masonry.pictures.hidden_surfaces import Piece
 from masonry.pictures.style import plain
 
+MOST_LONE = 12
+"""Sets of one block; where there are more of them, as every stone has a name, none of them is written."""
 MOST_SETS = 24
 """More names than this are not written into the picture."""
 MOST_IN_A_ROW = 6
@@ -41,7 +43,9 @@ def draw_sets(
     low, high = flat.min(axis=0), flat.max(axis=0)
     centre = (low + high) / 2
     sides: dict[bool, list[tuple[float, str, np.ndarray]]] = {False: [], True: []}
-    for name, members in [(name, specimen.sets[name]) for name in _shown(specimen.sets)][:MOST_SETS]:
+    lone = sum(len(members) == 1 for members in specimen.sets.values())
+    shown = {name: m for name in _shown(specimen.sets) if len(m := specimen.sets[name]) > 1 or lone <= MOST_LONE}
+    for name, members in list(shown.items())[:MOST_SETS]:
         own = middle[np.isin(block, members)]
         if len(own) == 0 or name in specimen.blocks.groups:  # groups are told by colour
             continue

@@ -94,5 +94,6 @@ def _mended(blocks: Blocks, tolerance: float, names: Sequence[str], open_gaps: b
     try:
         return mend(blocks, tolerance, names, open_gaps).blocks
     except GeometryError as error:
-        said = str(error).replace("--tolerance ", "tolerance = ").replace("--open-gaps", "open_gaps = True")
+        said = str(error).replace(", or --gap lays joints into them", "").replace("--tolerance ", "tolerance = ")
+        said = said.replace("--open-gaps", "open_gaps = True")
         raise GeometryError(said) from None

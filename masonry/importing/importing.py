@@ -1,5 +1,6 @@
 """`masonry import`: a file of solids or of a mesh becomes a file of blocks and a scene that can be run at once."""
 
+import math
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -9,33 +10,42 @@ from typing import Any
 
 import numpy as np
 
-from geometry.blocks import Imported, Joints, Specimen
+from geometry.blocks import GeometryError, Imported, JointPolygons, Joints, Specimen
 from geometry.files.atomic import whole_file
 from geometry.files.blocks_h5 import save_blocks
 from geometry.files.sandbox import guarded
-from geometry.joints.find import find_joints
+from geometry.joints.find import find_joints, stated_joints
 from geometry.joints.heal import Mended, mend
+from geometry.joints.nearby import Rule, nearby_joints
+from geometry.joints.point_density import Density
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids
 from geometry.polyhedra.overlaps import check_overlaps
 from geometry.polyhedra.validate import require_near, require_sound
 from masonry.errors import SceneError, nearest
-from masonry.importing.scene_file import scene_text
+from masonry.importing.data_sets import data_path
+from masonry.importing.scene_file import Written, scene_text
 
+SURFACES = ("geometry.files.surfaces.reader", "read_surfaces")
 READERS = {
     **dict.fromkeys((".step", ".stp", ".iges", ".igs", ".brep"), ("geometry.files.cad", "read_cad")),
     ".tess": ("geometry.files.tess", "read_tess"),
     **dict.fromkeys((".msh", ".vtu"), ("geometry.files.mesh_files", "read_mesh")),
+    **dict.fromkeys((".obj", ".ply", ".stl"), SURFACES),
 }
 TOLERANCE = 1e-4  # m
+ANGLE = math.radians(20.0)
 SUFFIX = ".blocks.h5"
 LONGEST_NAME = 200  # letters, what a scene allows
 SECTIONS = 1e-12, 1e8  # m2, what a scene allows
+UPWARD = {"x": (1, 2, 0), "y": (2, 0, 1), "z": (0, 1, 2)}
+"""Axes of the file that become x, y and z: what points up becomes z, the others follow in their order round."""
 
 
 @dataclass(frozen=True)
 class Wishes:
     """What the user says of a file: unit, tolerance of gaps, thickness of plane cells, chord height of facets (all m),
-    groups, section (m2)."""
+    groups, section (m2); the axis that points up; the widest hole of a surface that is closed (m); the widest gap over
+    which faces make a joint (m), and the angle (rad) within which they look at each other."""
 
     unit: float | None = None
     tolerance: float = TOLERANCE
@@ -44,6 +54,10 @@ class Wishes:
     groups: Sequence[tuple[str, str]] = ()
     section: float | None = None
     open_gaps: bool = False
+    up: str = "z"
+    holes: float | None = None
+    gap: float | None = None
+    angle: float = ANGLE
 
 
 @dataclass(frozen=True)
@@ -63,27 +77,28 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
 
     Raises SceneError or GeometryError with one message; then nothing is written.
     """
-    reader = READERS.get(source.suffix.lower())
+    source = data_path(source)
+    reader = SURFACES if source.is_dir() else READERS.get(source.suffix.lower())
     if reader is None:
         raise SceneError(f"'{source}': {source.suffix or 'a file without suffix'} is not read; {nearest('', READERS)}")
     target = out.parent / (out.name.removesuffix(".toml") + SUFFIX)
     _require_free(source, out, target, overwrite)
     words: dict[str, Any] = {} if wishes.unit is None else {"unit": wishes.unit}
-    is_cad = reader[0] == "geometry.files.cad"
-    if is_cad and wishes.facet is not None:
-        words["facet"] = wishes.facet
-    if wishes.thickness is not None:
-        if source.suffix.lower() != ".tess":
-            raise SceneError(f"--thickness: only plane .tess files need it, not '{source}'")
-        words["thickness"] = wishes.thickness
-    found = guarded(*reader, source, **words)
+    words |= _words_of_one_kind(source, reader, wishes)
+    found = upright(guarded(*reader, source, **words), wishes.up)
     require_near(found.blocks)
     names = tuple(name or f"solid {number}" for number, name in enumerate(found.names, start=1))
     found = grouped(found, names, wishes.groups)
-    mended = mend(found.blocks, wishes.tolerance, names, wishes.open_gaps) if is_cad else None
+    mended, stated = None, None
+    if wishes.gap is not None:
+        stated = bridged(found, names, wishes)
+    elif reader == SURFACES:
+        mended = _mended_surfaces(found, names, wishes)
+    elif reader[0] == "geometry.files.cad":
+        mended = mend(found.blocks, wishes.tolerance, names, wishes.open_gaps)
+    else:
+        check_overlaps(found.blocks, names)
     blocks = mended.blocks if mended else found.blocks
-    if mended is None:
-        check_overlaps(blocks, names)
     require_sound(blocks)
     section = section_of(blocks, wishes.section)
     if not SECTIONS[0] <= section <= SECTIONS[1]:
@@ -91,13 +106,69 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
             f"'{source}': its faces in the lowest plane have {section:.3g} m^2, allowed: {SECTIONS[0]:g} to "
             f"{SECTIONS[1]:g} m^2; say by --unit which length 1 in the file means"
         )
-    specimen = Specimen(blocks, sets_of(blocks, found.names), section, "file")
-    joints = find_joints(blocks)
-    text = scene_text(specimen, joints, _readable(source.name), target.name, wishes.section is None)
+    sets = sets_of(blocks, found.names, wishes.gap or 0.0)
+    specimen = Specimen(blocks, sets, section, "file", joints=stated)
+    joints = find_joints(blocks) if stated is None else stated_joints(stated, Density())
+    how = Written(_readable(source.name), target.name, wishes.section is None, reader == SURFACES)
+    text = scene_text(specimen, joints, how)
     with whole_file(out) as place:
         place.write_text(text, encoding="utf-8")
         save_blocks(target, specimen, found.mesh)
     return Report(specimen, joints, mended, names, found.notes, (out, target))
+
+
+def _words_of_one_kind(source: Path, reader: tuple[str, str], wishes: Wishes) -> dict[str, Any]:
+    """What only readers of one kind of file understand. Raises SceneError where another kind is given it."""
+    words: dict[str, Any] = {}
+    if wishes.facet is not None and reader[0] == "geometry.files.cad":
+        words["facet"] = wishes.facet
+    if wishes.thickness is not None:
+        if source.suffix.lower() != ".tess":
+            raise SceneError(f"--thickness: only plane .tess files need it, not '{source}'")
+        words["thickness"] = wishes.thickness
+    if wishes.holes is not None:
+        if reader != SURFACES:
+            raise SceneError(f"--holes: only surfaces (.obj, .ply, .stl) may have holes, not '{source}'")
+        words["holes"] = wishes.holes
+    return words
+
+
+def upright(found: Imported, up: str) -> Imported:
+    """The solids turned so that an axis of the file points up: z, with the other two in their order round."""
+    if up == "z":
+        return found
+    order = list(UPWARD[up])
+    mesh = found.mesh and replace(found.mesh, nodes=found.mesh.nodes[:, order])
+    return replace(found, blocks=replace(found.blocks, points=found.blocks.points[:, order]), mesh=mesh)
+
+
+def _mended_surfaces(found: Imported, names: Sequence[str], wishes: Wishes) -> Mended:
+    """As solids are mended; where that fails the message names the way that needs no exact faces."""
+    try:
+        return mend(found.blocks, wishes.tolerance, names, wishes.open_gaps)
+    except GeometryError as error:
+        if "--gap" in str(error):
+            raise
+        raise GeometryError(
+            f"{error}; if that is rounding (STL files have seven digits), --gap '1 mm' takes the blocks as they are"
+        ) from None
+
+
+def bridged(found: Imported, names: Sequence[str], wishes: Wishes) -> JointPolygons:
+    """The joints over gaps of up to `wishes.gap`, between blocks that overlap by no more than the tolerance.
+
+    Raises GeometryError for deeper overlaps, and where nothing is near anything.
+    """
+    assert wishes.gap is not None
+    if found.mesh is not None:
+        raise SceneError("--gap: tets need blocks that meet; leave it out")
+    check_overlaps(found.blocks, names, wishes.tolerance)
+    stated = nearby_joints(found.blocks, Rule(wishes.gap, wishes.tolerance, wishes.angle))
+    if len(stated.block_a) == 0 and found.blocks.count > 1:
+        raise GeometryError(
+            f"--gap {wishes.gap * 1e3:.4g} mm: no two blocks are so near each other; is the unit right, and the gap?"
+        )
+    return stated
 
 
 def _require_free(source: Path, out: Path, target: Path, overwrite: bool) -> None:
@@ -146,10 +217,13 @@ def _hex(colour: np.ndarray) -> str:
     return "#" + "".join(f"{round(255 * float(part)):02x}" for part in np.clip(colour, 0, 1))
 
 
-def sets_of(blocks, names: Sequence[str]) -> dict[str, np.ndarray]:
-    """Blocks of each name and of each group, those that reach the bottom and the top, and all; groups come first."""
+def sets_of(blocks, names: Sequence[str], near: float = 0.0) -> dict[str, np.ndarray]:
+    """Blocks of each name and of each group, those that reach the bottom and the top, and all; groups come first.
+
+    near  m from the lowest and the highest plane that counts as there
+    """
     low, high = bounds(blocks)
-    near = 1e-6 * extent(blocks)
+    near = max(near, 1e-6 * extent(blocks))
     sets = {
         "all": np.arange(blocks.count),
         "bottom": np.flatnonzero(low[:, 2] <= low[:, 2].min() + near),

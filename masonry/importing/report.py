@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from geometry.joints.gaps import Facing, described
+from geometry.blocks import JointPolygons
+from geometry.joints.gaps import LISTED, Facing, described
 from geometry.polyhedra.measures import bounds, volumes
 from masonry.importing.importing import Report
 
@@ -22,13 +23,45 @@ def report_text(report: Report) -> list[tuple[str, list[str]]]:
     table = [
         ("groups", rows),
         ("size", [f"{span} mm ({where})"]),
-        ("joints", [f"{joints} polygons, {report.joints.area.sum():.9g} m^2"]),
+        ("joints", [f"{joints} polygons, {report.joints.area.sum():.9g} m^2", *_alone(report)]),
         ("section", [f"{report.specimen.section:.6g} m^2"]),
     ]
     if report.mended is not None:
         table += _mended_rows(report)
+    if report.specimen.joints is not None:
+        table.append(("bridged", _bridged(report.specimen.joints)))
     table += [("notes", list(report.notes) or ["none"]), ("written", [str(path) for path in report.paths])]
     return table
+
+
+def _alone(report: Report) -> list[str]:
+    """Blocks that touch nothing, where there are others."""
+    touching = np.union1d(report.joints.block_a, report.joints.block_b)
+    alone = np.setdiff1d(np.arange(report.specimen.blocks.count), touching)
+    if len(alone) == 0 or report.specimen.blocks.count == 1:
+        return []
+    named = ", ".join(f"'{report.names[b]}'" for b in alone[:LISTED])
+    more = ", ..." if len(alone) > LISTED else ""
+    near = "" if report.specimen.joints else "; --gap LENGTH makes joints between those that only nearly meet"
+    return [f"{len(alone)} blocks have none: {named}{more}{near}"]
+
+
+def _bridged(joints: JointPolygons) -> list[str]:
+    """How far the blocks are apart in joints that were laid over gaps."""
+    least, most = joints.gap.T
+    middle = joints.gap.mean(axis=1)
+    near = 1e-6
+    open_, deep = most > near, least < -near
+    meet = len(most) - int(np.sum(open_ | deep))
+    lines = [f"in {meet} joints blocks meet within {near * 1e3:g} mm"]
+    if open_.any():
+        lines.append(
+            f"in {open_.sum()} they are up to {most.max() * 1e3:.3g} mm apart, {middle[open_].mean() * 1e3:.3g} mm on "
+            "average"
+        )
+    if deep.any():
+        lines.append(f"in {deep.sum()} they overlap, by up to {-least.min() * 1e3:.3g} mm")
+    return [*lines, "the joints lie half way; the blocks stay as they are"]
 
 
 def _mended_rows(report: Report) -> list[tuple[str, list[str]]]:

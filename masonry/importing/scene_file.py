@@ -1,6 +1,7 @@
 """The scene that `masonry import` writes: it runs as it is, with placeholders for what a file does not hold."""
 
 import json
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -19,6 +20,10 @@ cohesion = "0.3 MPa"
 friction_angle = "40 deg"
 fracture_energy_mode_1 = "10 N/m"
 fracture_energy_mode_2 = "50 N/m"
+"""
+DRY_JOINT = """normal_stiffness = "30 GPa/m"
+shear_stiffness = "12 GPa/m"
+tan_friction_angle = 0.6
 """
 STIFF = """law = "elastic"
 normal_stiffness = "800 GPa/m"
@@ -45,24 +50,44 @@ fix = "all"
 [gravity]
 z = "-9.81 m/s^2"
 """
+DRY_WEIGHT = f"""{WEIGHT}
+[settle]
+steps = 20000
+"""
 
 
-def scene_text(specimen: Specimen, joints: Joints, source: str, blocks_file: str, section_is_made_up: bool) -> str:
-    """TOML of a scene on these blocks. Where blocks reach from bottom to top there is weight instead of a drive."""
+@dataclass(frozen=True)
+class Written:
+    """What a scene says of its making: names of the source and of the file of blocks, whether the section is made up,
+    and whether the joints are dry and weight is the only load."""
+
+    source: str
+    blocks_file: str
+    section_is_made_up: bool
+    is_dry: bool = False
+
+
+def scene_text(specimen: Specimen, joints: Joints, how: Written) -> str:
+    """TOML of a scene on these blocks: dry under their own weight, or with strength and pressed from above.
+
+    Where blocks reach from bottom to top there is weight in either case.
+    """
     contacts = contact_groups(specimen.blocks, joints)[0] or (_possible(specimen.blocks.groups[0]),)
     spans = np.intersect1d(specimen.sets["bottom"], specimen.sets["top"])
-    loading = WEIGHT if len(spans) else PRESS
+    has_weight = how.is_dry or len(spans) > 0
+    loading = DRY_WEIGHT if how.is_dry else WEIGHT if has_weight else PRESS
     invented = [f"material.{group}" for group in specimen.blocks.groups]
     invented += [f"contact.{name}" for name in contacts]
-    invented += ["law", "support", "gravity" if len(spans) else "drive"]
+    invented += ["law", "support", "gravity" if has_weight else "drive"]
     lines = [
-        f"title = {_quoted(source)}",
-        'law = "exponential"',
+        f"title = {_quoted(how.source)}",
+        'law = "friction"                  # dry joints' if how.is_dry else 'law = "exponential"',
         'kinematics = "rigid"',
         "",
         "[specimen]",
         'kind = "file"',
-        f"path = {_quoted(blocks_file)}",
+        f"path = {_quoted(how.blocks_file)}",
+        *(['contact_points = "vertex"         # at the edges of the joints, about which blocks turn'] * how.is_dry),
         f'section = "{specimen.section:.12g} m^2"   # the force at the drive over this area is the reported stress',
         "",
     ]
@@ -70,10 +95,14 @@ def scene_text(specimen: Specimen, joints: Joints, source: str, blocks_file: str
         lines += [f"[material.{_key(group)}]", MATERIAL]
     for name in contacts:
         stiff = name == "plate" or name.startswith("within_")
-        lines += [f"[contact.{_key(name)}]", STIFF if stiff else JOINT]
+        lines += [f"[contact.{_key(name)}]", STIFF if stiff else DRY_JOINT if how.is_dry else JOINT]
     lines += [loading, "[assumptions]"]
     lines += [f"{_quoted(key)} = {_quoted(INVENTED)}" for key in invented]
-    if section_is_made_up:
+    if specimen.joints is not None:
+        widest = specimen.joints.gap.max(initial=0.0) * 1e3
+        words = f"joints bridge gaps of up to {widest:.3g} mm, half way between blocks that only nearly meet"
+        lines.append(f'"specimen.path" = {_quoted(words)}')
+    if how.section_is_made_up:
         lines.append(f'"specimen.section" = {_quoted("the import took the area of the faces in the lowest plane")}')
     return "\n".join(lines) + "\n"
 

@@ -41,9 +41,12 @@ def mechanism_figure(result: LimitData, view: str | None = None) -> Any:
     times = SHOWN * camera.size / top if result.moving.any() else 0.0
     faces = FaceDrawing(blocks, camera)
     owner, moving = blocks.face_block(), result.moving
-    for piece in _pieces(result, camera):
-        block = np.full(len(piece.corners), owner[piece.face])
-        moved = replace(piece, corners=piece.corners + times * result.velocity_at(block, piece.corners))
+    pieces = _pieces(result, camera)
+    block = np.repeat([owner[piece.face] for piece in pieces], [len(piece.corners) for piece in pieces])
+    velocity = result.velocity_at(block, np.concatenate([piece.corners for piece in pieces]))
+    ends = np.cumsum([len(piece.corners) for piece in pieces])[:-1]
+    for piece, speed in zip(pieces, np.split(velocity, ends), strict=True):
+        moved = replace(piece, corners=piece.corners + times * speed)
         faces.add_piece(moved)
         if moving[owner[piece.face]]:
             faces.add_polygon(moved.corners, TINT)

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from geometry.joints.covered import covered_shares
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.history import Frame
@@ -12,7 +13,7 @@ from masonry.pictures.camera import camera_of
 from masonry.pictures.crack_picture import panel_title
 from masonry.pictures.crack_style import crack_map
 from masonry.pictures.front import group_colours
-from masonry.pictures.hidden_surfaces import covered_shares, unit_edges
+from masonry.pictures.hidden_surfaces import unit_edges
 from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.results.joint_fields import JointGrid
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
-from geometry.joints.find import patch_faces
+from geometry.joints.covered import covered_shares
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 from masonry.pictures.camera import Camera
@@ -14,21 +14,20 @@ MOST_PLANES = 300
 """Faces in more planes than this are drawn by the depth of their middles alone."""
 SAME_PLANE, BENT = 1.0 - 1e-6, 0.93
 """Cosines: two faces of a unit that share an edge lie in one plane; two of a block are facets of a curved surface."""
+COVERED = 1 - 1e-6
+"""Share of a face in joints from which on it is hidden."""
+SMOOTH = np.radians(3.0)
+"""Two faces of a block that meet at less than this are drawn as one."""
 PIECES = 12
 """Large faces are drawn in pieces, at most so many along an edge, so that their depth can be told."""
 
 
-def covered_shares(blocks: Blocks, joints: Joints) -> np.ndarray:
-    """(F,) share of each face that lies in joints."""
-    polygon, _ = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
-    covered = np.zeros(len(blocks.face_start) - 1)
-    np.add.at(covered, patch_faces(blocks, joints), areas_normals_centroids(polygon)[0][:, None])
-    return covered / face_areas_normals_centroids(blocks)[0]
-
-
 @dataclass(frozen=True)
 class Piece:
-    """A face or a part of one: its corners (n, 3), and which of the edges from them bound the unit and the block."""
+    """A face or a part of one: its corners (n, 3), and which of the edges from them bound the unit and the block.
+
+    Where a block goes on beyond an edge without a turn, as between the triangles of a face, the edge bounds neither.
+    """
 
     face: int
     corners: np.ndarray
@@ -39,16 +38,16 @@ class Piece:
 def visible_pieces(blocks: Blocks, joints: Joints, camera: Camera) -> list[Piece]:
     """The faces toward the viewer that no joint covers wholly, in pieces, farthest first."""
     _, normal, _ = face_areas_normals_centroids(blocks)
-    seen = np.flatnonzero((normal @ camera.toward > 1e-6) & (covered_shares(blocks, joints) < 1 - 1e-6))
+    seen = np.flatnonzero((normal @ camera.toward > 1e-6) & (covered_shares(blocks, joints) < COVERED))
     corners = [blocks.face(f) for f in seen.tolist()]
     if not corners:
         return []
     edge = np.median([np.linalg.norm(np.roll(c, -1, axis=0) - c, axis=1).max() for c in corners])
-    outer = unit_edges(blocks, seen, normal)
+    outer, own = unit_edges(blocks, seen, normal), turning_edges(blocks, seen, normal)
     pieces = [
         piece
-        for f, c, bounds in zip(seen.tolist(), corners, outer, strict=True)
-        for piece in _cut(f, c, bounds, 1.5 * float(edge))
+        for f, c, bounds, turns in zip(seen.tolist(), corners, outer, own, strict=True)
+        for piece in _cut(f, c, bounds & turns, turns, 1.5 * float(edge))
     ]
     size = float(np.ptp(blocks.points, axis=0).max())
     return _farthest_first(pieces, normal[[piece.face for piece in pieces]], camera, 1e-6 * size)
@@ -134,9 +133,28 @@ def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np
     return [np.array([not goes_on(f, beside[k]) for k in keys]) for f, keys in zip(faces.tolist(), found, strict=True)]
 
 
-def _cut(face: int, corners: np.ndarray, outer: np.ndarray, most: float) -> list[Piece]:
+def turning_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np.ndarray]:
+    """For each face, per edge: true unless a face of the same block goes on beyond it, turned by less than SMOOTH."""
+    size = float(np.ptp(blocks.points, axis=0).max())
+    owner = blocks.face_block()
+    found: list[list[tuple[object, ...]]] = []
+    beside: dict[tuple[object, ...], list[int]] = {}
+    for f in faces.tolist():
+        corner = [tuple(p) for p in np.round(blocks.face(f) / (1e-6 * size)).astype(np.int64).tolist()]
+        keys: list[tuple[object, ...]] = [
+            (int(owner[f]), *sorted((p, q))) for p, q in zip(corner, corner[1:] + corner[:1], strict=True)
+        ]
+        for key in keys:
+            beside.setdefault(key, []).append(f)
+        found.append(keys)
+    smooth = {
+        key for key, both in beside.items() if len(both) == 2 and normal[both[0]] @ normal[both[1]] > np.cos(SMOOTH)
+    }
+    return [np.array([key not in smooth for key in keys]) for keys in found]
+
+
+def _cut(face: int, corners: np.ndarray, outer: np.ndarray, every: np.ndarray, most: float) -> list[Piece]:
     """A four-sided face in parts with edges no longer than `most` (m); any other face as it is."""
-    every = np.ones(len(corners), dtype=bool)
     if len(corners) != 4:
         return [Piece(face, corners, outer, every)]
     length = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
@@ -148,5 +166,5 @@ def _cut(face: int, corners: np.ndarray, outer: np.ndarray, most: float) -> list
             t = np.array([j, j, j + 1, j + 1])[:, None] / n
             part = (1 - t) * ((1 - s) * corners[0] + s * corners[1]) + t * ((1 - s) * corners[3] + s * corners[2])
             at_end = np.array([j == 0, i == m - 1, j == n - 1, i == 0])
-            parts.append(Piece(face, part, outer & at_end, at_end))
+            parts.append(Piece(face, part, outer & at_end, every & at_end))
     return parts

@@ -6,15 +6,18 @@ import time
 import numpy as np
 import pytest
 
+from geometry.joints.covered import covered_shares
 from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import concatenate, divide, from_boxes
+from geometry.polyhedra.measures import face_areas_normals_centroids
+from geometry.specimens.from_arrays import polyhedra
 from masonry.assembly.assemble import joined
 from masonry.cli.main import main
 from masonry.drawings.condition_marks import marks, parts_of
 from masonry.drawings.geometry_picture import camera_for, draw_geometry, geometry_figure
 from masonry.drawings.picture_frame import _apart, _clear
 from masonry.pictures.camera import front_view, iso_view
-from masonry.pictures.hidden_surfaces import covered_shares, hidden, visible_pieces
+from masonry.pictures.hidden_surfaces import hidden, turning_edges, visible_pieces
 from masonry.scene import load
 
 PNG = b"\x89PNG\r\n\x1a\n"
@@ -212,3 +215,15 @@ def test_a_wall_of_5000_blocks_is_drawn_in_seconds(tmp_path):
     begin = time.process_time()
     geometry_figure(scene, specimen, joints, "iso").savefig(tmp_path / "large.png")
     assert time.process_time() - begin < 20
+
+
+def test_no_line_is_drawn_within_a_face_that_is_cut_in_two():
+    """The diagonal of a nearly flat upper face is no edge; that of a roof is one."""
+    faces = [(0, 3, 2, 1), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (4, 5, 6), (4, 6, 7)]
+    for rise, drawn in ((0.01, 0), (0.2, 2)):
+        points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1 + rise)]
+        blocks = polyhedra([(points, faces)], ["box"], [0], ["units"])
+        upper = np.flatnonzero(face_areas_normals_centroids(blocks)[1][:, 2] > 0.5)
+        normal = face_areas_normals_centroids(blocks)[1]
+        edges = np.concatenate(turning_edges(blocks, upper, normal))
+        assert len(edges) == 6 and edges.sum() == 4 + drawn

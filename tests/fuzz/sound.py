@@ -2,6 +2,7 @@
 
 import tempfile
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import numpy as np
 from geometry.blocks import Blocks, Specimen
 from geometry.files.blocks_h5 import save_blocks
 from geometry.files.export import export
+from geometry.joints.nearby import Rule, nearby_joints
 from geometry.meshes.fan_tets import fan_tets
 from geometry.meshes.gmsh_session import gmsh_model
 from geometry.specimens.stacked import couplet
@@ -119,9 +121,21 @@ def _appended() -> bytes:
 
 @cache
 def blocks() -> tuple[bytes, ...]:
-    """Files of blocks, without and with tets."""
+    """Files of blocks: without and with tets, and with joints that are stated."""
     mesh = fan_tets(small().blocks, np.ones(small().blocks.count, dtype=bool))
-    return tuple(_written(".blocks.h5", lambda path, m=m: save_blocks(path, small(), m)) for m in (None, mesh))
+    stated = replace(small(), joints=nearby_joints(small().blocks, Rule(0.01, 1e-3, 0.3)))
+    ways = [(small(), None), (small(), mesh), (stated, None)]
+    return tuple(_written(".blocks.h5", lambda path, way=way: save_blocks(path, *way)) for way in ways)
+
+
+@cache
+def surfaces() -> tuple[bytes, ...]:
+    """OBJ and STL as this program writes them, and binary STL and PLY."""
+    import trimesh
+
+    written = [_written(suffix, lambda path: export(path, small())) for suffix in (".obj", ".stl")]
+    box = trimesh.creation.box((1.0, 2.0, 3.0))
+    return (*written, *(_written(suffix, lambda path: box.export(path)) for suffix in (".stl", ".ply")))
 
 
 @cache

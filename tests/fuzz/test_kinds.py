@@ -81,8 +81,8 @@ def test_bad_input_ends_in_one_message(name, room, campaign):
     )(given(kind.inputs)(ends_well))()
 
 
-def test_seventeen_kinds_are_known():
-    assert len(KINDS) == 17
+def test_eighteen_kinds_are_known():
+    assert len(KINDS) == 18
 
 
 @pytest.mark.parametrize(

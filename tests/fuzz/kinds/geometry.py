@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import cache
 
 from geometry.joints.find import find_joints
-from masonry.importing.scene_file import scene_text
+from masonry.importing.scene_file import Written, scene_text
 from tests.fuzz import sound
 from tests.fuzz.attempt import Attempt, kind
 from tests.fuzz.changes import changed_bytes, changed_text
@@ -141,6 +141,21 @@ def _claims(draw: Draw, content: bytes) -> bytes:
     return content.replace(cells, cells + pick(draw, (b"", b"9", b"-1")))
 
 
+@kind("surfaces", 4, 12)
+def surfaces(draw: Draw) -> Attempt:
+    """OBJ, STL and PLY: torn, corners that are none, faces that are open or cross; joints over gaps of any width."""
+    words = pick(draw, ((), (), ("--gap", "1 cm"), ("--gap", "10 m"), ("--holes", "1 km"), ("--up", "x")))
+    return _imported(draw, sound.surfaces(), (".obj", ".stl", ".ply"), (_corner_lost,), words)
+
+
+def _corner_lost(draw: Draw, content: bytes) -> bytes:
+    """A line with a number fewer, twice, or elsewhere."""
+    lines = content.split(b"\n")
+    n = below(draw, len(lines))
+    lines[n] = pick(draw, (lines[n].rsplit(b" ", 1)[0], lines[n] + b"\n" + lines[n], lines[n - 1], b"v nan 1e999 -0"))
+    return b"\n".join(lines)
+
+
 @kind("tess", 4, 10)
 def tess(draw: Draw) -> Attempt:
     """Neper's tessellations: torn, counts that lie, corners that are none, numbers that are none."""
@@ -172,4 +187,4 @@ def blocks(draw: Draw) -> Attempt:
 
 @cache
 def _scene() -> str:
-    return scene_text(sound.small(), find_joints(sound.small().blocks), "blocks", "a.blocks.h5", False)
+    return scene_text(sound.small(), find_joints(sound.small().blocks), Written("blocks", "a.blocks.h5", False))

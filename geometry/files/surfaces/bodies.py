@@ -1,0 +1,232 @@
+"""One surface of a file taken apart into closed bodies: doubled faces left out, bent ones cut, all turned outwards."""
+
+from collections import Counter
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from geometry.blocks import GeometryError
+from geometry.files.surfaces.bent_faces import bent_triangles, height_of
+from geometry.files.surfaces.crossings import crossing
+from geometry.files.surfaces.surface import Surface
+from geometry.polyhedra.convexity import triangles
+from geometry.polyhedra.polygons import areas_normals_centroids
+from geometry.polyhedra.shells import outward
+from geometry.polyhedra.validate import FLAT
+from geometry.polyhedra.weld import weld
+
+SAME = 1e-6
+"""Of the longest side of a surface: corners that lie closer together are one."""
+DEEP = 1e-7
+"""Of the longest side: a surface that goes through itself by less does not."""
+Body = tuple[np.ndarray, np.ndarray]
+Loops = list[np.ndarray]
+
+
+@dataclass
+class Changes:
+    """What was changed on the way, added up over all surfaces; lengths in the unit of the file.
+
+    doubled       faces left out because they are there twice
+    collapsed     faces left out because their corners are fewer than three
+    bent          faces that are not flat, of `faces`; `highest`: how far a corner stands off the mean plane of its face
+    holes         holes that were closed, the widest `widest` wide
+    turned        bodies with faces that looked inwards, which were turned
+    volume        of all bodies, and `other_volume` if each bent face were a fan of triangles round its middle
+    """
+
+    doubled: int = 0
+    collapsed: int = 0
+    faces: int = 0
+    bent: int = 0
+    highest: float = 0.0
+    holes: int = 0
+    widest: float = 0.0
+    turned: int = 0
+    volume: float = 0.0
+    other_volume: float = 0.0
+
+
+def bodies_of(surface: Surface, called: str, changes: Changes, holes: float = 0.0) -> list[Body]:
+    """Points (P, 3) and triangles (T, 3), looking outwards, of each closed body of a surface.
+
+    holes  how wide a hole may be that is closed, in the unit of the file
+    Bodies are told apart by their corners. Where they are not closed so, corners that lie on each other are one first.
+    Raises GeometryError, which calls the surface `called`, where it is open, crosses itself or encloses nothing.
+    """
+    used, place = np.unique(np.concatenate(surface.faces), return_inverse=True)
+    points = surface.points[used]
+    loops = np.split(place.ravel(), np.cumsum([len(face) for face in surface.faces])[:-1])
+    if not np.isfinite(points).all():
+        raise GeometryError(f"{called}: a corner is no finite number")
+    size = float(np.ptp(points, axis=0).max())
+    if not size > 0:
+        raise GeometryError(f"{called}: all its corners lie in one point")
+    tried = Changes()
+    kept = _cleaned(loops, tried)
+    if not _is_closed(kept):
+        first, number = weld(points, SAME * size)
+        points, tried = points[first], Changes()
+        kept = _cleaned([number[loop] for loop in loops], tried)
+        kept += _lids(points, kept, holes, tried)
+        _require_closed(points, kept, called)
+    changes.doubled += tried.doubled
+    changes.collapsed += tried.collapsed
+    changes.holes += tried.holes
+    changes.widest = max(changes.widest, tried.widest)
+    parts = _parts(kept, len(points))
+    several = len(parts) > 1
+    return [
+        _body(points, part, f"{called}, body {n}" if several else called, changes) for n, part in enumerate(parts, 1)
+    ]
+
+
+def _cleaned(loops: Loops, changes: Changes) -> Loops:
+    """The faces without corners that follow themselves, each face once."""
+    seen, kept = set(), []
+    for loop in loops:
+        loop = loop[loop != np.roll(loop, 1)]
+        if len(loop) < 3:
+            changes.collapsed += 1
+            continue
+        key = tuple(sorted(loop.tolist()))
+        if key in seen:
+            changes.doubled += 1
+            continue
+        seen.add(key)
+        kept.append(loop)
+    return kept
+
+
+def _edges(loops: Loops) -> Counter:
+    return Counter(
+        (min(edge), max(edge))
+        for loop in (loop.tolist() for loop in loops)
+        for edge in zip(loop, [*loop[1:], loop[0]], strict=True)
+    )
+
+
+def _is_closed(loops: Loops) -> bool:
+    return bool(loops) and all(times == 2 for times in _edges(loops).values())
+
+
+def _lids(points: np.ndarray, loops: Loops, widest: float, changes: Changes) -> Loops:
+    """A polygon for each hole that is no wider than widest."""
+    beside: dict[int, list[int]] = {}
+    for (a, b), times in _edges(loops).items():
+        if times == 1:
+            beside.setdefault(a, []).append(b)
+            beside.setdefault(b, []).append(a)
+    directed = {edge for loop in loops for edge in zip(loop.tolist(), np.roll(loop, -1).tolist(), strict=True)}
+    lids = []
+    while beside:
+        first = next(iter(beside))
+        ring, at = [], first
+        while at in beside and len(beside[at]) == 2:
+            ring.append(at)
+            at = next((other for other in beside.pop(at) if other in beside), first)
+        if at != first or len(ring) < 3:
+            beside.pop(at, None)  # an edge that ends, or corners at which several holes meet: told as open
+            continue
+        width = float(np.linalg.norm(points[ring] - points[ring].mean(axis=0), axis=1).max() * 2)
+        if width <= widest:
+            lids.append(np.array(ring[::-1] if (ring[0], ring[1]) in directed else ring))
+            changes.holes += 1
+            changes.widest = max(changes.widest, width)
+    return lids
+
+
+def _require_closed(points: np.ndarray, loops: Loops, called: str) -> None:
+    if not loops:
+        raise GeometryError(f"{called}: it has no faces with three corners that differ")
+    edges = _edges(loops)
+    free = [edge for edge, times in edges.items() if times == 1]
+    many = [edge for edge, times in edges.items() if times > 2]
+    if free:
+        raise GeometryError(
+            f"{called} is not closed: {len(free)} of {len(edges)} edges belong to one face only, the first at "
+            f"{_at(points[list(free[0])].mean(axis=0))}; close it where it was made, or close small holes by --holes"
+        )
+    if many:
+        raise GeometryError(
+            f"{called}: {edges[many[0]]} faces meet at the edge at {_at(points[list(many[0])].mean(axis=0))}; bodies "
+            "that touch must be groups or files of their own"
+        )
+
+
+def _parts(loops: Loops, count: int) -> list[Loops]:
+    """The faces of each body: those that hang together over corners."""
+    ends = np.concatenate([np.stack([np.full(len(loop) - 1, loop[0]), loop[1:]]) for loop in loops], axis=1)
+    link = coo_array((np.ones(ends.shape[1]), tuple(ends)), shape=(count, count))
+    label = connected_components(link, directed=False)[1]
+    bodies: dict[int, Loops] = {}
+    for loop in loops:
+        bodies.setdefault(int(label[loop[0]]), []).append(loop)
+    return list(bodies.values())
+
+
+def _body(points: np.ndarray, loops: Loops, called: str, changes: Changes) -> Body:
+    used, place = np.unique(np.concatenate(loops), return_inverse=True)
+    points = points[used]
+    loops = np.split(place.ravel(), np.cumsum([len(loop) for loop in loops])[:-1])
+    size = float(np.ptp(points, axis=0).max())
+    found, fans = [], []
+    for f, loop in enumerate(loops):
+        corners = points[loop]
+        cut, bent = _cut(corners, size, f"{called}: face {f + 1}", changes)
+        found.append(loop[cut])
+        fans.append(_fan(corners) if bent else corners[cut])
+    shell = np.concatenate(found)
+    turned = outward(points, shell, called)
+    flipped = (turned != shell).any(axis=1)
+    sign = np.where(flipped, -1.0, 1.0)
+    of_face = np.cumsum([0, *(len(part) for part in found)])
+    fan_sign = np.repeat(sign[of_face[:-1]], [len(fan) for fan in fans])
+    middle = points.mean(axis=0)
+    volume = _volume(points[turned] - middle)
+    if not volume > FLAT * size**3:
+        raise GeometryError(f"{called} encloses no volume: {volume:.3g} of a body {size:.3g} long")
+    changes.faces += len(loops)
+    changes.turned += bool(flipped.any())
+    changes.volume += volume
+    changes.other_volume += float((_volumes(np.concatenate(fans) - middle) * fan_sign).sum())
+    if (where := crossing(points, turned, DEEP * size)) is not None:
+        raise GeometryError(f"{called} goes through itself at {_at(where)}; mend it where it was made")
+    return points, turned
+
+
+def _cut(corners: np.ndarray, size: float, face: str, changes: Changes) -> tuple[np.ndarray, bool]:
+    """Triangles of a polygon (n, 3), and whether it is bent."""
+    if len(corners) == 3:
+        if not areas_normals_centroids(corners[None])[0][0] > (FLAT * size) ** 2:
+            raise GeometryError(f"{face}, at {_at(corners.mean(axis=0))}, has no area; mend it where it was made")
+        return np.array([[0, 1, 2]]), False
+    height = height_of(corners)
+    if height <= FLAT * size:
+        try:
+            return triangles(corners), False
+        except GeometryError as error:
+            raise GeometryError(f"{face}: {error}") from None
+    cut = bent_triangles(corners, face)
+    changes.bent += 1
+    changes.highest = max(changes.highest, height)
+    return cut, True
+
+
+def _fan(corners: np.ndarray) -> np.ndarray:
+    middle = np.broadcast_to(corners.mean(axis=0), corners.shape)
+    return np.stack([middle, corners, np.roll(corners, -1, axis=0)], axis=1)
+
+
+def _volumes(corner: np.ndarray) -> np.ndarray:
+    return np.asarray(np.einsum("ti,ti->t", corner[:, 0], np.cross(corner[:, 1], corner[:, 2])) / 6)
+
+
+def _volume(corner: np.ndarray) -> float:
+    return float(_volumes(corner).sum())
+
+
+def _at(place: np.ndarray) -> str:
+    return "({:.4g}, {:.4g}, {:.4g})".format(*place)

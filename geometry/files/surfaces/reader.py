@@ -1,0 +1,112 @@
+"""Blocks from closed surfaces: an OBJ, PLY or STL file with one body or many, or a folder of such files.
+
+A reader of other people's files: call read_surfaces by `geometry.files.sandbox.guarded`.
+"""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import GeometryError, Imported
+from geometry.checks import require_lengths
+from geometry.files.surfaces.bodies import Changes, bodies_of
+from geometry.files.surfaces.obj import read_obj
+from geometry.files.surfaces.surface import Surface
+from geometry.specimens.from_arrays import polyhedra
+
+SUFFIXES = (".obj", ".ply", ".stl")
+MOST_BODIES = 20_000
+MOST_FACES = 2_000_000
+
+
+def files_of(path: Path) -> list[Path]:
+    """The file itself, or the surface files of a folder by name, numbers in their order: stone_2 before stone_10."""
+    if not path.is_dir():
+        return [path]
+    found = [file for file in path.iterdir() if file.suffix.lower() in SUFFIXES and file.is_file()]
+    if not found:
+        raise GeometryError(f"'{path}': the folder holds no {', '.join(SUFFIXES)} files")
+    return sorted(found, key=lambda file: [int(w) if w.isdecimal() else w for w in re.split(r"(\d+)", file.name)])
+
+
+def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0) -> Imported:
+    """Every closed body as one block.
+
+    unit   m, what 1 in the file stands for; 1 m where it is None, which is said
+    holes  m, how wide a hole of a surface may be that is closed
+    Named as the groups of the file, of a folder as its files; several bodies of one name get numbers. Faces that are
+    not flat become triangles. Raises GeometryError for what is open, crosses itself or encloses nothing.
+    """
+    path = Path(path)
+    notes = ["1 in the file is taken as 1 m; --unit says otherwise"] if unit is None else []
+    unit = 1.0 if unit is None else unit
+    require_lengths("surfaces", {"unit": unit})
+    changes, solids, names = Changes(), [], []
+    in_folder = path.is_dir()
+    for file in files_of(path):
+        surfaces = read_obj(file) if file.suffix.lower() == ".obj" else _by_trimesh(file)
+        if not surfaces:
+            raise GeometryError(f"'{file.name}' holds no faces")
+        if sum(len(surface.faces) for surface in surfaces) > MOST_FACES:
+            raise GeometryError(f"'{file.name}' holds more than {MOST_FACES} faces; thin it out where it was made")
+        for number, surface in enumerate(surfaces, start=1):
+            name = surface.name or (file.stem if in_folder or len(surfaces) == 1 else "")
+            found = bodies_of(surface, _called(file, name, number, len(surfaces)), changes, holes / unit)
+            solids += [(points * unit, shell) for points, shell in found]
+            names += [name] if len(found) == 1 else [f"{name}-{n}" if name else "" for n in range(1, len(found) + 1)]
+            if len(solids) > MOST_BODIES:
+                raise GeometryError(f"'{path.name}' holds more than {MOST_BODIES} bodies")
+    called = [f"'{name}'" if name else f"body {number}" for number, name in enumerate(names, start=1)]
+    blocks = polyhedra(solids, called, range(len(solids)), ["units"] * len(solids))
+    return Imported(blocks, tuple(names), None, None, (*_notes(changes, unit), *notes))
+
+
+def _called(file: Path, name: str, number: int, of: int) -> str:
+    """What a message calls a surface."""
+    if of == 1:
+        return f"'{file.name}'"
+    which = f"'{name}'" if name else f"group {number}"
+    return f"{which} of '{file.name}'"
+
+
+def _by_trimesh(file: Path) -> list[Surface]:
+    """PLY and STL, as trimesh understands them; an STL file in words has a surface for each solid."""
+    import trimesh
+
+    try:
+        scene: Any = trimesh.load_scene(str(file), process=False)
+        meshes = [(name, mesh) for name, mesh in scene.geometry.items() if hasattr(mesh, "faces")]
+    except Exception as error:  # its readers raise whatever their parts do: ValueError, IndexError, struct.error, ...
+        reason = str(error).strip().split("\n")[0][:200] or type(error).__name__
+        raise GeometryError(f"'{file.name}' is damaged, or no {file.suffix} file ({reason})") from None
+    found = []
+    for name, mesh in meshes:
+        points, faces = np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces, dtype=np.int64)
+        if len(faces) and (faces.min() < 0 or faces.max() >= len(points)):
+            raise GeometryError(f"'{file.name}': a face names corners that are not there, of {len(points)}")
+        if len(faces):
+            found.append(Surface(name if len(meshes) > 1 else "", points, list(faces)))
+    return found
+
+
+def _notes(changes: Changes, unit: float) -> list[str]:
+    """What was changed, in sentences."""
+    found = []
+    if changes.doubled:
+        found.append(f"faces that were there twice, of which one was left out: {changes.doubled}")
+    if changes.collapsed:
+        found.append(f"faces without three corners that differ, which were left out: {changes.collapsed}")
+    if changes.holes:
+        found.append(f"holes that were closed, of up to {changes.widest * unit * 1e3:.3g} mm: {changes.holes}")
+    if changes.turned:
+        found.append(f"blocks with faces that looked inwards, which were turned: {changes.turned}")
+    if changes.bent:
+        other = changes.other_volume / changes.volume - 1
+        found.append(
+            f"faces that are not flat, by up to {changes.highest * unit * 1e3:.3g} mm: {changes.bent} of "
+            f"{changes.faces}; each became the triangles of least area (fans round their middles would change the "
+            f"volume by {other:+.2g})"
+        )
+    return found
