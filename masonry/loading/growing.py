@@ -100,7 +100,7 @@ class GrowingLoading:
         self.phase, self.factor, self.target, self.stands = SETTLES, 0.0, 0.0, 0.0
         self.falls, self.increment = inf, min(settings.first, plan.most)
         self.rested: Arrays = {}
-        self.places = [np.zeros(place.shape) for place in places(model)]
+        self.places = [np.zeros(place.shape) for place in places(model, self.size)]
         self.ways: list[float] = []
         self.means: list[float] = []
         self.calm = self.trials = self.undecided = self.looked = 0
@@ -132,7 +132,7 @@ class GrowingLoading:
 
     @property
     def window(self) -> int:
-        """Looks over which energies are averaged: a quarter of the time that the slowest rest took, or the settling."""
+        """Looks over which motion is averaged: a quarter of the time that the slowest rest took, or the settling."""
         slowest = self.slowest or self.plan.settle
         return max(self.settings.window, slowest // (4 * self.settings.look))
 
@@ -146,7 +146,7 @@ class GrowingLoading:
     def keep(self) -> None:
         """The specimen rests here: trials begin from here."""
         self.rested = self.state_of(self.model)
-        self.places = [place.copy() for place in places(self.model)]
+        self.places = places(self.model, self.size)
 
     def begin(self) -> None:
         """Set out for a higher factor."""
@@ -158,7 +158,7 @@ class GrowingLoading:
         """m, how far anything has moved since the last rest."""
         return max(
             float(np.linalg.norm(place - then, axis=1).max(initial=0.0))
-            for place, then in zip(places(self.model), self.places, strict=True)
+            for place, then in zip(places(self.model, self.size), self.places, strict=True)
         )
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:
@@ -267,7 +267,8 @@ class GrowingLoading:
     def mechanism(self) -> np.ndarray:
         """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""
         layout, moved = self.model.layout, np.zeros(self.model.blocks.count)
-        for (kind, _), place, then in zip(energy.present(self.model), places(self.model), self.places, strict=True):
+        kinds, now = [kind for kind, _ in energy.present(self.model)], places(self.model, self.size)
+        for kind, place, then in zip(kinds, now, self.places, strict=True):
             far = np.linalg.norm(place - then, axis=1)
             if kind == "tets":
                 assert layout.mesh is not None
@@ -291,6 +292,11 @@ class GrowingLoading:
         self.settling.restore(state["settling"])
 
 
-def places(model: Model) -> list[np.ndarray]:
-    """(rows, 3) m, how far blocks, or the nodes of tets, are from where they were made."""
-    return [model.u[: len(body.v)] if kind == "tets" else body.q[:, :3] for kind, body in energy.present(model)]
+def places(model: Model, size: float) -> list[np.ndarray]:
+    """(rows, n) m, how far blocks, or the nodes of tets, are from where they were made; turns and strains of blocks
+    times a size (m)."""
+    found = []
+    for kind, body in energy.present(model):
+        moved = model.u[: len(body.v)] if kind == "tets" else body.q
+        found.append(moved * np.where(np.arange(moved.shape[1]) < 3, 1.0, size))
+    return found
