@@ -14,6 +14,6 @@ def test_export_writes_the_blocks_of_a_scene(tmp_path, capsys, suffix):
 
 
 def test_export_to_an_unknown_kind_of_file_ends_with_exit_code_2(tmp_path, capsys):
-    assert main(["export", "couplet", "--to", str(tmp_path / "wall.stl")]) == 2
+    assert main(["export", "couplet", "--to", str(tmp_path / "wall.dxf")]) == 2
     assert capsys.readouterr().err.count("\n") == 1
     assert list(tmp_path.iterdir()) == []

@@ -107,8 +107,8 @@ def test_the_same_specimen_gives_the_same_file(wall, tmp_path):
 
 
 def test_an_unknown_suffix_is_refused_and_nothing_is_written(wall, tmp_path):
-    with pytest.raises(GeometryError, match="not as '.stl'"):
-        export(tmp_path / "a.stl", wall)
+    with pytest.raises(GeometryError, match="not as '.dxf'"):
+        export(tmp_path / "a.dxf", wall)
     with pytest.raises(GeometryError, match="cannot write"):
         export(tmp_path / "none" / "a.step", wall)
     assert list(tmp_path.iterdir()) == []
