@@ -6,12 +6,12 @@ much. So the collapse factor is enclosed in one run, between the greatest that w
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import inf, log
 
 import numpy as np
 
 from masonry.loading.scheduled import Chunk, ScheduledLoading
+from masonry.loading.settings import GROWING, GrowingSettings
 from masonry.loading.varying_loads import SharedLoads
 from masonry.model.loads import Growing, Program
 from masonry.model.model import Model
@@ -24,43 +24,6 @@ from masonry.runtime.state import State, attributes, load_attributes
 Arrays = dict[str, np.ndarray]
 
 
-@dataclass(frozen=True)
-class GrowingSettings:
-    """What a load that grows goes by.
-
-    first      the first increment of the factor: no round one, as what can only just bear a load hardly comes to rest
-    coarsest   greatest increment, over the factor that is borne
-    look       steps between two looks
-    window     looks of which the motion is averaged, at least
-    at_rest    force that accelerates over all loads, over the accuracy, and `still`, kinetic over stored energy, below
-               which the specimen rests, in `looks` looks on end
-    gathers    averages, at least and by threes, after which the specimen gathers way where the last third of them has
-               taken it as far as the second, and by more than a share `still_going` of all its way since the last rest
-    patience   averages after which a trial that neither rests nor gathers way counts as one that does not rest
-    away       of the smallest block: motion since the last rest that is a fall in itself; `usual`, times the most that
-               brought it to rest so far, where that is more
-    fall       of the smallest block: motion to which the fall is followed, `far` where blocks may turn as far as they
-               like; and `fall_looks`, looks that it may take
-    """
-
-    first: float = 0.0103
-    coarsest: float = 0.125
-    look: int = 50
-    window: int = 10
-    at_rest: float = 1e-2
-    still: float = 1e-8
-    looks: int = 4
-    gathers: int = 12
-    still_going: float = 0.02
-    patience: int = 99
-    away: float = 0.005
-    usual: float = 10.0
-    fall: float = 0.01
-    far: float = 0.3
-    fall_looks: int = 2000
-
-
-SETTINGS = GrowingSettings()
 REMEMBERED = (
     *("phase", "factor", "target", "stands", "falls", "increment", "ways", "means", "calm", "slowest", "trials"),
     *("undecided", "looked", "travelled", "usual", "steps_of_trial"),
@@ -86,7 +49,7 @@ class GrowingLoading:
         rows: int,
         keep: Callable[[Model], Arrays],
         restore: Callable[[Model, Arrays], None],
-        settings: GrowingSettings = SETTINGS,
+        settings: GrowingSettings = GROWING,
     ) -> None:
         """keep, restore  make copies of what changes in a model, and put them back (timeloop/model_state.py)"""
         self.model, self.plan, self.settings = model, plan, settings

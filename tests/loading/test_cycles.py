@@ -102,7 +102,7 @@ def test_a_pace_in_steps_goes_on_to_the_same_rows():
 
 
 def test_increments_reach_every_turning_point_whatever_the_energies_say():
-    assembly = assemble(load("wallette-mode-1", {"drive.accuracy": 0.05}))
+    assembly = assemble(load("couplet", {"drive.accuracy": 0.05}))
     rng = np.random.default_rng(0)
     turns = (-3e-4, 1e-6, 2e-6, -1e-3, 1e-3)
     pace, place, visited = AdaptiveLoading(assembly.model, controlled(10, turns[0], 0.05, turns), 100), 0.0, []
