@@ -8,7 +8,7 @@ from masonry.detection.broad import cells_for
 from masonry.errors import Stopped
 from masonry.kernels.large_step import advance
 from masonry.kernels.pair_search import NEED_PAIRS, TOO_DEEP, copy_pairs
-from masonry.kernels.patch_arrays import no_pairs, no_points
+from masonry.kernels.patch_arrays import Pairs, no_pairs, no_points
 from masonry.kernels.redetection import Near
 from masonry.loading.scheduled import Chunk
 from masonry.model.model import Model
@@ -50,25 +50,32 @@ def make_room(model: Model) -> None:
 
 
 def make_room_for(model: Model, saved: dict[str, np.ndarray]) -> None:
-    """As much room for pairs and points as a run had that was kept (model_state.state)."""
+    """As much room for pairs and points as a run had that was kept (model_state.state): more than there is, or less
+    where a run goes back. What they hold is to be restored."""
     if model.large is None or not {"pairs.1", "points.0"} <= saved.keys():
         return
     near, pairs, points = model.large.near, len(saved["pairs.1"]), len(saved["points.0"])
-    if pairs > len(near.pairs.slot):
-        near = _with_pairs(near, pairs)
-    if points > len(near.points.held):
-        near = _with_points(near, points)
+    if pairs != len(near.pairs.slot):
+        near = _holding(near, no_pairs(pairs))
+    if points != len(near.points.held):
+        near = near._replace(points=no_points(points, near.points.area.shape[1]))
     model.large = replace(model.large, near=near)
 
 
 def _with_pairs(near: Near, room: int) -> Near:
-    pairs, found = no_pairs(room), np.zeros((room, 2), dtype=np.int64)
+    pairs = no_pairs(room)
     copy_pairs(near.pairs, pairs)
+    return _holding(near, pairs)
+
+
+def _holding(near: Near, pairs: Pairs) -> Near:
+    """With other arrays of pairs, and as much room for a search."""
+    room = len(pairs.slot)
     return near._replace(
         pairs=pairs,
         before=no_pairs(room),
         cells=cells_for(near.pieces, room),
-        search=near.search._replace(found=found),
+        search=near.search._replace(found=np.zeros((room, 2), dtype=np.int64)),
     )
 
 

@@ -93,6 +93,10 @@ def test_a_model_whose_points_outgrow_their_room_gets_more_and_goes_on(monkeypat
     object.__setattr__(other.large, "near", other.large.near._replace(points=room, pairs=no_pairs(1)))
     model_state.restore(other, kept)
     assert all(array.tobytes() == kept[name].tobytes() for name, array in model_state.state(other).items())
+    roomy = assemble(scene()).model  # as a run that goes back from where it had got more room
+    assert len(roomy.large.near.points.held) > len(kept["points.0"])
+    model_state.restore(roomy, kept)
+    assert all(array.tobytes() == kept[name].tobytes() for name, array in model_state.state(roomy).items())
 
 
 def test_pairs_that_outgrow_their_room_get_more_too():
