@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from geometry.blocks import GeometryError, Joints, Specimen
+from geometry.blocks import Blocks, GeometryError, Joints, Specimen
 from geometry.joints import boundary
 from geometry.specimens.placed import FLOOR
 from masonry.errors import SceneError, nearest
@@ -59,7 +59,7 @@ def conditions_of(
         else:
             conditions.varying.append(load)
     if scene.gravity is not None:
-        density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
+        density = density_of(blocks, materials)
         for name, (acceleration, path) in scene.gravity.parts.items():
             weight: dict[str, np.ndarray | None] = dict.fromkeys(KINDS)
             loads.add_gravity(layout, weight, density, acceleration)
@@ -70,6 +70,11 @@ def conditions_of(
                 conditions.varying.append(weight)
     _set_moving(scene, specimen, joints, layout, conditions)
     return conditions
+
+
+def density_of(blocks: Blocks, materials: dict[str, Material]) -> np.ndarray:
+    """(B,) kg/m3."""
+    return np.array([materials[group].density for group in blocks.groups])[blocks.group]
 
 
 def _set_moving(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:

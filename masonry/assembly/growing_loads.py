@@ -4,7 +4,7 @@ grows."""
 import numpy as np
 
 from geometry.blocks import Joints, Specimen
-from masonry.assembly.conditions import select
+from masonry.assembly.conditions import density_of, select
 from masonry.errors import SceneError
 from masonry.model.layout import KINDS, Layout, Material
 from masonry.model.loads import Conditions, Push, add_gravity, add_traction
@@ -18,7 +18,7 @@ def let_grow(
     scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, materials: dict[str, Material], into: Conditions
 ) -> None:
     """Add the load of [limit] to those that vary: one, or for a tilt two, as model.loads.Growing.shares has them."""
-    asked, density = scene.limit, density_of(specimen, materials)
+    asked, density = scene.limit, density_of(specimen.blocks, materials)
     assert asked is not None
     gravity = gravity_of(scene)
     loads = {"limit": growing_load(specimen, joints, layout, asked, density, gravity)[0]}
@@ -31,12 +31,6 @@ def let_grow(
         raise SceneError(f"nothing loads this: {asked.pattern} of [limit] acts on no block that can move")
     into.each_load |= loads
     into.varying += loads.values()
-
-
-def density_of(specimen: Specimen, materials: dict[str, Material]) -> np.ndarray:
-    """(B,) kg/m3."""
-    groups = specimen.blocks.groups
-    return np.array([materials[group].density for group in groups])[specimen.blocks.group]
 
 
 def gravity_of(scene: Scene) -> np.ndarray:
