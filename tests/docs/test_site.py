@@ -1,4 +1,4 @@
-"""The site builds without a warning, whole, and opens without a network."""
+"""The site builds without a warning, whole, and opens without a network. Slow: `make docs` builds it in each check."""
 
 import importlib.util
 import re
@@ -10,6 +10,7 @@ from docutils import nodes
 
 from tests.docs.pages import ROOT, pages
 
+of_the_site = pytest.mark.slow
 NOTEBOOKS = ("-D", "nb_execution_mode=off")  # the tutorial is run by a test of its own
 
 
@@ -23,24 +24,28 @@ def site(tmp_path_factory):
     return folder / "html"
 
 
+@of_the_site
 def test_every_page_of_the_documentation_is_in_the_site(site):
     names = [page.removeprefix("docs/").removesuffix(".md") for page in pages() if page.startswith("docs/")]
     assert len(names) > 10
     assert [name for name in names if not (site / f"{name}.html").is_file()] == []
 
 
+@of_the_site
 def test_no_page_asks_for_anything_from_the_network(site):
     asked = re.compile(r'<(?:script|img|iframe)[^>]+src="(?:https?:)?//|<link[^>]+href="(?:https?:)?//')
     found = {page.name for page in site.rglob("*.html") if asked.search(page.read_text(encoding="utf-8"))}
     assert found == set()
 
 
+@of_the_site
 def test_formulas_are_mathml_and_say_what_they_should(site):
     page = (site / "theory" / "contact-laws.html").read_text(encoding="utf-8")
     assert page.count("<math") > 10 and "<merror" not in page
     assert "$$" not in page and "\\frac" not in page
 
 
+@of_the_site
 def test_the_reference_shows_docstrings_and_every_command(site):
     python = (site / "reference" / "python.html").read_text(encoding="utf-8")
     assert "masonry.load" in python and "Raises SceneError" in python
@@ -52,6 +57,7 @@ def test_the_reference_shows_docstrings_and_every_command(site):
     assert "--scheduler ADDRESS" in commands
 
 
+@of_the_site
 def test_the_gallery_shows_every_packaged_scene_with_its_picture(site):
     from masonry.scene import packaged
 
@@ -62,6 +68,7 @@ def test_the_gallery_shows_every_packaged_scene_with_its_picture(site):
     assert all((site / "_images" / name).stat().st_size > 10_000 for name in pictures)
 
 
+@of_the_site
 def test_cells_of_wide_tables_carry_the_name_of_their_column_for_narrow_screens(site):
     page = (site / "scene.html").read_text(encoding="utf-8")
     assert page.count('<td data-name="meaning">') > 50
