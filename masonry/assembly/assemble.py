@@ -14,6 +14,7 @@ from masonry.assembly.conditions import conditions_of
 from masonry.assembly.contact_pairs import Pairs, meetings_of, pairs_of
 from masonry.assembly.gauge_places import gauges_of
 from masonry.assembly.growing_loads import let_grow
+from masonry.assembly.layers import lay_in_layers
 from masonry.assembly.loose_parts import require_held
 from masonry.assembly.scatter import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of
@@ -67,6 +68,8 @@ def assemble(scene: Scene) -> Assembly:
         require_held(specimen, joints, layout, conditions, loaded=bool(scene.traction) or scene.gravity is not None)
         for varying in conditions.varying:
             require_held(specimen, joints, layout, replace(conditions, load=varying), loaded=True)
+    if scene.comes_in_layers:
+        lay_in_layers(scene, blocks, layout, materials, conditions)
     given = {name: scene.contact_of(name).properties(scene.turns_back) for name in names}
     laws = {name: law_build.build(name, given[name], compressions) for name in names}
     drawn = _draws(scene, blocks, joints, names, group)

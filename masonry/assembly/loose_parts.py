@@ -44,13 +44,13 @@ def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions:
 def _supported(layout: Layout, conditions: Conditions, member: np.ndarray) -> bool:
     """Whether a support, and not only the drive, holds some freedom of a part."""
     return any(
-        bool((conditions.supported[kind] & member[_owner(layout, kind)][:, None]).any())
+        bool((conditions.supported[kind] & member[block_of_rows(layout, kind)][:, None]).any())
         for kind in KINDS
         if layout.rows(kind)
     )
 
 
-def _owner(layout: Layout, kind: str) -> np.ndarray:
+def block_of_rows(layout: Layout, kind: str) -> np.ndarray:
     """The block of each row of freedoms of a kind."""
     members = layout.members[kind]
     return np.repeat(members, np.diff(_row_start(layout))) if kind == "tets" else members
@@ -67,7 +67,7 @@ def _rigid_motions(
     for kind in KINDS:
         if layout.rows(kind) == 0:
             continue
-        owner = _owner(layout, kind)
+        owner = block_of_rows(layout, kind)
         motion = _motion_of_rows(layout, kind, owner, size)
         motion[~member[owner]] = 0.0
         alike = motion.copy()

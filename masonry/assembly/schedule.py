@@ -2,12 +2,13 @@
 
 from dataclasses import replace
 from math import ceil
+from typing import Any
 
 import numpy as np
 
 from masonry.errors import SceneError
 from masonry.loading.schedule import followed, passage, steps_at
-from masonry.model.loads import Controlled, Growing, Plan, Program, controlled, program, require_few, rise
+from masonry.model.loads import Controlled, Growing, Plan, Program, controlled, program, require_few, rise, smooth
 from masonry.scene import Scene
 from masonry.scene.tables.history import Timed
 from masonry.scene.tables.loading import Drive
@@ -21,6 +22,8 @@ TILTED = 1e-7
 """Of gravity: how far it may be from where it is turned to. A row reads its direction ten times as well as 1e-6 rad."""
 
 
+WAITING = 1e-3
+"""Of its weight: what a layer has before its turn."""
 UP_TO = 100.0
 """The factor at which a run ends whose load grows, where the scene does not say."""
 
@@ -30,8 +33,11 @@ def plan_of(scene: Scene, dt: float) -> Plan:
     if scene.limit is not None and scene.limit.accuracy is not None:
         settle = _settle(scene)
         dead_load = rise(settle, settle) if settle else np.ones(1)
-        return Growing(dead_load, scene.limit.accuracy, scene.limit.up_to or UP_TO, scene.limit.pattern == "tilt")
+        most, tilts = scene.limit.up_to or UP_TO, scene.limit.pattern == "tilt"
+        growing = Growing(dead_load, scene.limit.accuracy, most, tilts)
+        return replace(growing, **in_layers(scene, growing))
     plan = _loading(scene, dt)
+    plan = replace(plan, **in_layers(scene, plan))
     if isinstance(plan, Controlled):
         return plan
     if scene.gravity is not None and scene.gravity.tilt is not None:
@@ -47,6 +53,20 @@ def plan_of(scene: Scene, dt: float) -> Plan:
     if scene.has_dead_loads and plan.settle == 0:  # the first half step of them is in the velocities: motion.begin
         plan = replace(plan, dead_load=np.where(np.arange(plan.steps + 1) > 0, 1.0, 0.0))
     return plan
+
+
+def in_layers(scene: Scene, plan: Plan) -> dict[str, Any]:
+    """What changes in a plan as the weight comes on layer by layer, and after it the tractions: one after the other, in
+    the first half of the settling. Before its turn a layer has a little of its weight, so that it stays in place."""
+    if not scene.comes_in_layers:
+        return {}
+    assert scene.gravity is not None
+    tractions = sum(traction.path is None for traction in scene.traction)
+    turns = np.append(np.arange(scene.gravity.layers), np.full(tractions, scene.gravity.layers))
+    slot = 0.5 * plan.settle / (turns[-1] + 1)
+    k = np.arange(plan.settle + 1)
+    layers = WAITING * smooth(k / slot) + (1.0 - WAITING) * smooth(k / slot - turns[:, None])
+    return {"dead_load": np.ones_like(plan.dead_load), "layers": layers}
 
 
 def _going_on(plan: Program, steps: int, dt: float) -> Program:

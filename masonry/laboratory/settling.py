@@ -76,10 +76,11 @@ def _trial(
     and the most of the last looks at the unbalanced force, over the dead loads, and at the kinetic energy, over the
     stored one."""
     model, plan = assembly.model, plan_of(with_settle(assembly.scene, steps), assembly.model.dt)
-    varying = np.zeros((len(model.varying), steps + 1)) if isinstance(plan, Growing) else None
+    layers = 0 if plan.layers is None else len(plan.layers)
+    varying = np.zeros((len(model.varying) - layers, steps + 1)) if isinstance(plan, Growing) else None
     if isinstance(plan, Program) and plan.varying is not None:
         varying = plan.varying[:, : steps + 1]
-    alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0, varying)
+    alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0, varying, layers=plan.layers)
     loading, recording = ScheduledLoading(model, alone, ROWS), replace(assembly.recording, frames=1)
     loop = Loop(model, loading, steps, recording, threads, Outcome(History()))
 

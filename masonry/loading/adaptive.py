@@ -40,7 +40,7 @@ class AdaptiveLoading:
     def __init__(self, model: Model, plan: Controlled, rows: int, settings: AdaptiveSettings = SETTINGS) -> None:
         self.settings = settings
         self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Predictor(model)
-        still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0)
+        still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0, layers=plan.layers)
         self.settling = ScheduledLoading(model, still, max(1, rows // self.settings.settling_rows))
         self.path = Path(plan.turns or (plan.displacement,))
         self.unit = min(plan.accuracy, self.settings.fine * (plan.accuracy / self.settings.fine) ** self.settings.blunt)
@@ -234,8 +234,8 @@ class AdaptiveLoading:
         return float(np.clip(1.0 / excess, self.settings.slower, self.settings.faster))
 
     def shares(self) -> np.ndarray:
-        """No load varies."""
-        return np.zeros(0)
+        """(L,) of the loads that come on in layers, now; no other load varies."""
+        return self.settling.shares()
 
     def columns(self) -> dict[str, float]:
         """Nothing more for a row to say."""

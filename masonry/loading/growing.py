@@ -54,9 +54,12 @@ class GrowingLoading:
         """keep, restore  make copies of what changes in a model, and put them back (timeloop/model_state.py)"""
         self.model, self.plan, self.settings = model, plan, settings
         self.state_of, self.restore_model = keep, restore
-        still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0)
+        layers = 0 if plan.layers is None else len(plan.layers)
+        grows = np.zeros((len(model.varying) - layers, plan.settle + 1))
+        come = None if plan.layers is None else np.concatenate([plan.layers, grows])
+        still = Program(plan.dead_load, np.zeros(plan.settle + 1), plan.settle, 0, layers=come)
         self.settling = ScheduledLoading(model, still, max(1, rows // 10))
-        self.loads = SharedLoads(model)
+        self.loads = SharedLoads(model, layers)
         self.size = smallest_block(model)
         self.least = max(settings.at_rest * plan.accuracy * self.loads.rest_over_each(), LEAST)
         self.fall = self.size * (settings.fall if model.large is None else settings.far)
@@ -71,8 +74,9 @@ class GrowingLoading:
         self.travelled = self.usual = 0.0
 
     def shares(self) -> np.ndarray:
-        """(H,) of the loads that grow, now."""
-        return self.plan.shares(self.factor)
+        """(L + H,) of the loads that come on in layers, and of those that grow, now."""
+        growing = self.plan.shares(self.factor)
+        return np.concatenate([self.settling.shares()[: -len(growing)], growing])
 
     def columns(self) -> dict[str, float]:
         """What a row says besides."""
@@ -102,7 +106,7 @@ class GrowingLoading:
     def passing(self, factor: float, steps: int, row: bool = False) -> Chunk:
         """Some steps in which the factor goes to another one."""
         dead = np.full(steps + 1, float(self.plan.dead_load[-1]))
-        share = self.loads.pass_over(self.shares(), self.plan.shares(factor), steps)
+        share = self.loads.pass_over(self.plan.shares(self.factor), self.plan.shares(factor), steps)
         self.factor = factor
         return Chunk(dead + share, np.zeros(steps + 1), row)
 

@@ -41,8 +41,10 @@ class ScheduledLoading:
 
     def __init__(self, model: Model, program: Program, rows: int, rest: Rest | None = None) -> None:
         self.program, self.done, self.rest, self.speed = program, 0, rest, 0.0
-        varying = program.varying
-        self.loads = None if varying is None else VaryingLoads(model, varying, program.settle, program.straight)
+        shares, rises = program.shares, program.layers is None
+        self.loads = None
+        if shares is not None:
+            self.loads = VaryingLoads(model, shares, program.settle if rises else 0, program.straight)
         self.events = None if rest is None else rest.events
         self.every = max(1, program.steps // rows)
         self.last, self.still, self.most = program.steps, 0, 0.0

@@ -31,12 +31,14 @@ def knots(shares: np.ndarray, settle: int, straight: float) -> np.ndarray:
 class SharedLoads:
     """Loads that pass from some shares to others within a chunk, in proportion to its steps."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Model, stay: int = 0) -> None:
+        """So many of them, the first, may `stay`: they act in full and vary no more."""
         self.parts = []
         for kind, body in zip(("rigid", "affine", "tets"), model.bodies, strict=True):
             if body is not None and body.change is not None:
                 each = [np.zeros(body.load.shape) if one[kind] is None else one[kind] for one in model.varying]
-                self.parts.append((body, body.load.copy(), np.array(each)))
+                at_once, vary = np.array(each[:stay]), np.array(each[stay:])
+                self.parts.append((body, body.load + at_once.sum(axis=0), vary))
 
     def rest_over_each(self) -> float:
         """Sum of the forces of the loads that stay over that of the greatest that varies."""

@@ -119,6 +119,7 @@ class Program:
     settle  steps before the drive starts     ramp  steps over which the drive's velocity rises
     varying (H, n + 1) share of each load that varies, at each step; None without any
     marks   steps, rising, after which a row is due besides the regular ones
+    layers  (L, settle + 1) share of each load that comes on in layers, until the end of the settling; None without any
     straight   of its largest share: how far a history may leave the straight line that the loading takes for it
     rest_from  step from which on the run may end as soon as all is at rest; None where it goes on to the last step
     """
@@ -131,10 +132,19 @@ class Program:
     marks: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
     straight: float = 1e-3
     rest_from: int | None = None
+    layers: np.ndarray | None = None
 
     @property
     def steps(self) -> int:
         return len(self.speed) - 1
+
+    @property
+    def shares(self) -> np.ndarray | None:
+        """(L + H, n + 1) share of each load that does not simply rise with the others, at each step."""
+        if self.layers is None:
+            return self.varying
+        stay = np.pad(self.layers, ((0, 0), (0, self.steps - self.settle)), mode="edge")
+        return stay if self.varying is None else np.concatenate([stay, self.varying])
 
 
 @dataclass(frozen=True)
@@ -143,12 +153,14 @@ class Controlled:
 
     dead_load  (settle + 1,) share of the dead load at each step before the drive starts; its last value stays
     turns      places (m, signed) that the drive visits one after the other, in place of going to its displacement
+    layers     as of Program
     """
 
     dead_load: np.ndarray
     displacement: float
     accuracy: float
     turns: tuple[float, ...] = ()
+    layers: np.ndarray | None = None
 
     ramp = 0
 
@@ -163,12 +175,14 @@ class Growing:
 
     dead_load  (settle + 1,) share of the dead load at each step before it grows; its last value stays
     tilts      whether the factor is the tangent of the angle by which gravity turns: two loads, see `shares`
+    layers     as of Program
     """
 
     dead_load: np.ndarray
     accuracy: float
     most: float
     tilts: bool = False
+    layers: np.ndarray | None = None
 
     ramp = 0
 

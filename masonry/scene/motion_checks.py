@@ -6,6 +6,8 @@ from masonry.scene.tables.types import KeyedError
 
 LIMITS = ("rotation_limit", "slip_limit")
 """Keys of [solver] at which a run of small displacements stops."""
+STEPS_A_LAYER = 20
+"""Of the settling, at least, for each layer in which the weight comes on."""
 
 
 def require_fit(scene: Any) -> None:
@@ -95,6 +97,9 @@ def _real_time(scene: Any) -> None:
 
 
 def _gravity(scene: Any) -> None:
+    if scene.comes_in_layers and scene.settle is not None and scene.settle.steps < STEPS_A_LAYER * scene.gravity.layers:
+        least = STEPS_A_LAYER * scene.gravity.layers
+        raise KeyedError("settle.steps", f"too few for {scene.gravity.layers} layers of weight; give {least} or more")
     if scene.gravity.paths and scene.is_controlled:
         key = "gravity.tilt" if scene.gravity.tilt is not None else "gravity.history"
         raise KeyedError(key, "an accuracy controls the drive only; give drive.steps or drive.rate")

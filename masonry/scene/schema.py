@@ -96,6 +96,11 @@ class SceneData(Table):
         return bool(self.traction) or self.gravity is not None
 
     @property
+    def comes_in_layers(self) -> bool:
+        """Whether the weight comes on layer by layer, and not all at once."""
+        return self.gravity is not None and self.gravity.layers > 1
+
+    @property
     def is_controlled(self) -> bool:
         """Whether the drive is paced by its error, and motion is damped against what is expected."""
         return self.drive is not None and self.drive.accuracy is not None

@@ -45,7 +45,10 @@ class Tilt(Table):
 
 
 class Gravity(Table):
-    """An acceleration (m/s2, by direction): constant, times the shares of a `history`, or turned by a `tilt`."""
+    """An acceleration (m/s2, by direction): constant, times the shares of a `history`, or turned by a `tilt`.
+
+    layers  so many slices of the specimen, of equal height, get their weight one after the other, the lowest first
+    """
 
     x: Acceleration = 0.0
     y: Acceleration = 0.0
@@ -53,6 +56,7 @@ class Gravity(Table):
     history: LoadHistory = None
     duration: Duration | None = None
     tilt: Tilt | None = None
+    layers: Annotated[int, Given("integer", "[1, 1000]")] = 1
 
     @property
     def vector(self) -> tuple[float, float, float]:
@@ -92,6 +96,8 @@ class Gravity(Table):
     @model_validator(mode="after")
     def _varies_in_one_way(self) -> "Gravity":
         histories.checked(self.history, self.duration, "number")
+        if self.layers > 1 and (self.history is not None or self.tilt is not None):
+            raise KeyedError("layers", "a weight that comes on in layers stays as it is; leave out history and tilt")
         if self.tilt is None:
             return self
         if self.history is not None:
