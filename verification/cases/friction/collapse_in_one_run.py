@@ -14,8 +14,10 @@ import time
 from math import atan, degrees
 from typing import Any
 
+import numpy as np
+
 import masonry
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Line
 from verification.scene_runs import load
 from verification.scene_runs import run as run_scene
 
@@ -59,7 +61,7 @@ BETWEEN: dict[str, tuple[str, dict[str, Any]]] = {
 
 def run() -> Findings:
     """Both answers of ten scenes, with the seconds of each."""
-    findings = Findings()
+    findings, both = Findings(), []
     for name, (base, changes) in (EXACT | BETWEEN).items():
         wanted = load(base, changes)
         begun = time.perf_counter()
@@ -68,6 +70,7 @@ def run() -> Findings:
         result = findings.note(name, run_scene(base, changes))
         found, seconds = result.summary["collapse_load"], time.perf_counter() - begun
         middle = 0.5 * (found["borne"] + found["falls"])
+        both.append((bound, middle))
         findings.remarks.append(
             f"{name}: a run {found['borne']:.6g} to {found['falls']:.6g} in {result.summary['steps']} steps and "
             f"{seconds:.1f} s, compile included; limit analysis {bound:.6g} in {by_limit:.2f} s"
@@ -80,6 +83,17 @@ def run() -> Findings:
         least = masonry.limit(wanted, dilation=False).factor
         findings.at_most(f"load factor borne, {name}", "1", found["borne"], bound, "the bound of limit analysis")
         findings.at_most(f"0.98 times that of Gilbert, {name}", "1", 0.98 * least, found["falls"], "less 2 %")
+    by_bound, by_run = np.array(both).T
+    dilates, ends = np.array([name in EXACT for name in EXACT | BETWEEN]), np.array([by_bound.min(), by_bound.max()])
+    findings.plot(
+        "Factors by a run and by limit analysis",
+        "load factor by limit analysis (1)",
+        "load factor by a run (1)",
+        Line("both alike", ends, ends, "dashed"),
+        Line("nothing slides, or it dilates", by_bound[dilates], by_run[dilates], "points"),
+        Line("slides without dilation", by_bound[~dilates], by_run[~dilates], "points"),
+        log=True,
+    )
     return findings
 
 
