@@ -92,40 +92,32 @@ def _one(u, v, name, row, begin, end, weight, place):
 
 @bare
 def region(eu, ev, row, count, cu, cv, k):
-    """Area (m2) that corner k of a patch stands for: the two triangles beside it. Patches are rows of eu, ev."""
-    one = _triangle(eu, ev, row, count, cu, cv, k, 0)
-    two = _triangle(eu, ev, row, count, cu, cv, k, 1)
-    return _size(one) + _size(two)
-
-
-@bare
-def _triangle(eu, ev, row, count, cu, cv, k, side):
-    """Triangle of the centroid, corner k and the middle of the edge before (0) or after it (1), counter-clockwise."""
-    j = (k + 1 if k + 1 < count else 0) if side else (k - 1 if k > 0 else count - 1)
+    """What corner k of a patch stands for, counter-clockwise: corner, middle of the edge after it, centroid, middle
+    of the edge before it. It is convex, as patches are. They are rows of eu, ev."""
+    after, before = (k + 1 if k + 1 < count else 0), (k - 1 if k > 0 else count - 1)
     ku, kv = eu[row, k], ev[row, k]
-    mu, mv = 0.5 * (ku + eu[row, j]), 0.5 * (kv + ev[row, j])
-    if side:
-        return cu, cv, ku, kv, mu, mv
-    return cu, cv, mu, mv, ku, kv
+    au, av = 0.5 * (ku + eu[row, after]), 0.5 * (kv + ev[row, after])
+    bu, bv = 0.5 * (ku + eu[row, before]), 0.5 * (kv + ev[row, before])
+    return ku, kv, au, av, cu, cv, bu, bv
 
 
 @bare
-def _size(t):
-    return max(0.5 * ((t[2] - t[0]) * (t[5] - t[1]) - (t[3] - t[1]) * (t[4] - t[0])), 0.0)
+def region_area(q):
+    """m2; 0 where it is turned inside out."""
+    return max(0.5 * ((q[4] - q[0]) * (q[7] - q[3]) - (q[5] - q[1]) * (q[6] - q[2])), 0.0)
 
 
 @bare
-def shared_area(eu, ev, count, ou, ov, i, side, new_count, nu, nv, k, other, u, v, label, height, wu, wv):
-    """Area (m2) that a triangle of the old patch shares with one of the new patch."""
-    a = _triangle(eu, ev, 0, count, ou, ov, i, side)
-    b = _triangle(eu, ev, 1, new_count, nu, nv, k, other)
+def shared_area(a, b, u, v, label, height, wu, wv):
+    """Area (m2) that a region of the old patch shares with one of the new patch."""
     if (
-        _size(a) <= 0.0 or _size(b) <= 0.0
-        or max(a[0], a[2], a[4]) <= min(b[0], b[2], b[4]) or max(b[0], b[2], b[4]) <= min(a[0], a[2], a[4])
-        or max(a[1], a[3], a[5]) <= min(b[1], b[3], b[5]) or max(b[1], b[3], b[5]) <= min(a[1], a[3], a[5])
-    ):  # fmt: skip
+        max(a[0], a[2], a[4], a[6]) <= min(b[0], b[2], b[4], b[6])
+        or max(b[0], b[2], b[4], b[6]) <= min(a[0], a[2], a[4], a[6])
+        or max(a[1], a[3], a[5], a[7]) <= min(b[1], b[3], b[5], b[7])
+        or max(b[1], b[3], b[5], b[7]) <= min(a[1], a[3], a[5], a[7])
+    ):
         return 0.0
-    u[0, 0], v[0, 0], u[0, 1], v[0, 1], u[0, 2], v[0, 2] = a
-    wu[0], wv[0], wu[2], wv[2], wu[1], wv[1] = b
-    row, left = clip(u, v, label, height, 3, wu, wv, 3, 0, 0.0)
+    u[0, 0], v[0, 0], u[0, 1], v[0, 1], u[0, 2], v[0, 2], u[0, 3], v[0, 3] = a
+    wu[0], wv[0], wu[3], wv[3], wu[2], wv[2], wu[1], wv[1] = b
+    row, left = clip(u, v, label, height, 4, wu, wv, 4, 0, 0.0)
     return area_and_centroid(u, v, row, left)[0] if left >= 3 else 0.0

@@ -1,7 +1,7 @@
 """Shear tractions carried from the points of a patch to those of the patch that it has become.
 
-Each point stands for the two quarters of the patch beside it: the triangles between centroid, corner and the middles of
-its two edges, whose areas are those of corners.py. Tractions are constant there, and go over by the areas that old and
+Each point stands for the quarter of the patch beside it: between centroid, corner and the middles of its two edges,
+whose area is that of corners.py. Tractions are constant there, and go over by the areas that old and
 new regions share: the L2 projection. As a mean of what came, it cannot add to sum area |tau|^2 / (2 k_s); force is kept
 where the old patch is covered by the new one, and area that is new starts at 0.
 """
@@ -10,7 +10,7 @@ from math import cos, sin, sqrt
 
 from masonry.detection.bare import bare
 from masonry.detection.clip import area_and_centroid
-from masonry.detection.corners import region, shared_area
+from masonry.detection.corners import region, region_area, shared_area
 
 SAME = 1e-12
 """Of an area: points of one name and area are the same."""
@@ -112,19 +112,15 @@ def _by_regions(
         return False
     for i in range(count):
         own = region(eu, ev, 0, count, ou, ov, i)
-        if own <= 0.0:
+        if region_area(own) <= 0.0:
             continue
         for k in range(new_count):
             theirs = region(eu, ev, 1, new_count, nu, nv, k)
-            if theirs > 0.0:
-                shared = 0.0
-                for side in range(2):
-                    for other in range(2):
-                        shared += shared_area(
-                            eu, ev, count, ou, ov, i, side, new_count, nu, nv, k, other, u, v, label, height, wu, wv
-                        )
+            if region_area(theirs) > 0.0:
+                shared = shared_area(own, theirs, u, v, label, height, wu, wv)
                 if shared > 0.0:
-                    _give(tau, i, new_tau, k, shared * min(area[i] / own, new_area[k] / theirs))
+                    fraction = min(area[i] / region_area(own), new_area[k] / region_area(theirs))
+                    _give(tau, i, new_tau, k, shared * fraction)
     return True
 
 

@@ -52,7 +52,9 @@ def copy_pair(source, p, target, q):
         target.normal[q, i], target.axis[q, i] = source.normal[p, i], source.axis[p, i]
         target.witness[q, i] = source.witness[p, i]
     target.slot[q], target.points_of[q] = source.slot[p], source.points_of[p]
-    target.mark[q], target.limit[q] = source.mark[p], source.limit[p]
+    for i in range(12):
+        target.pose[q, i] = source.pose[p, i]
+    target.mark[q], target.limit[q], target.reach[q] = source.mark[p], source.limit[p], source.reach[p]
     target.law[q], target.dashpot[q] = source.law[p], source.dashpot[p]
 
 

@@ -14,7 +14,9 @@ class Pairs(NamedTuple):
     points_of (P,) which side the points belong to (0, 1); the plane is fixed in the other one, the reference
     normal    (P, 3) of the plane, from side 0 to side 1, in the frame of the reference
     axis      (P, 3) the same at the last look, in space     witness (P, 3) of that look (detection/narrow.py)
-    mark      (P,) m, travel of both blocks at the last look     limit  (P,) m, travel until the next one
+    mark      (P,) m, travel of both blocks at the last look     limit  (P,) m, that after which it is looked at again
+    reach     (P,) m, how far they may move against each other until the next look
+    pose      (P, 12) how they stood to each other at the last one (relative_motion.py)
     law       (P,) row of Rules    dashpot (P,) Pa s/m
     """
 
@@ -28,6 +30,8 @@ class Pairs(NamedTuple):
     witness: np.ndarray
     mark: np.ndarray
     limit: np.ndarray
+    reach: np.ndarray
+    pose: np.ndarray
     law: np.ndarray
     dashpot: np.ndarray
 
@@ -104,6 +108,8 @@ def no_pairs(room: int) -> Pairs:
         witness=np.full(vectors, -1, dtype=np.int64),
         mark=np.zeros(room),
         limit=np.zeros(room),
+        reach=np.zeros(room),
+        pose=np.zeros((room, 12)),
         dashpot=np.zeros(room),
         **whole,
     )

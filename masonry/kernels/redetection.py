@@ -17,6 +17,7 @@ from masonry.kernels.pair_search import FAR, NEED_POINTS, TOO_DEEP, release
 from masonry.kernels.patch_arrays import Motion, Pairs, Points, Rules
 from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, stored
 from masonry.kernels.planes import into, plane_of, turned
+from masonry.kernels.relative_motion import keep_pose
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
@@ -108,13 +109,15 @@ def look(near, p):
         *(axis, pairs.witness[p], near.scratch, search.point, search.gap, search.area, search.feature),
     )
     pairs.mark[p] = motion.travel[a] + motion.travel[b]
+    keep_pose(pairs, motion, p)
     if kind == NONE:
-        pairs.limit[p] = max(separation - 0.5 * skin, 0.25 * skin)
+        reach = max(separation - 0.5 * skin, 0.25 * skin)
         if pieces.block[a] != a or pieces.block[b] != b:  # of tets inner faces part nothing: they may meet at once
-            pairs.limit[p] = max(separation - 0.5 * skin, size, SIDEWAYS * skin)
+            reach = max(separation - 0.5 * skin, size, SIDEWAYS * skin)
+        pairs.limit[p] = pairs.reach[p] = reach
         let_go(near, p)
         return True
-    pairs.limit[p] = MOVED * size
+    pairs.limit[p] = pairs.reach[p] = MOVED * size
     if pairs.slot[p] < 0 and points.free[len(points.held)] == 0:
         search.flag[0], search.flag[1] = NEED_POINTS, p
         pairs.mark[p] = -FAR

@@ -1,8 +1,8 @@
 """When contacts are looked for again: which pairs are near, and which of them a step may change.
 
 A block's travel bounds how far any of its points has moved. A pair is looked at again when the travel of its two blocks
-exceeds a limit: 1 % of the patch, or what keeps them apart. All pairs are found anew when the two largest travels since
-the last search exceed the skin.
+exceeds a limit: 1 % of the patch, or what keeps them apart; unless they moved together. All pairs are found anew when
+the two largest travels since the last search exceed the skin.
 """
 
 from math import sqrt
@@ -11,6 +11,7 @@ from masonry.detection.bare import bare
 from masonry.detection.narrow import FACE
 from masonry.kernels.pair_search import find_pairs
 from masonry.kernels.redetection import look
+from masonry.kernels.relative_motion import stays
 
 
 @bare
@@ -24,7 +25,7 @@ def refresh(near, dt):
     body, mark, limit = pairs.body, pairs.mark, pairs.limit
     looked = False
     for p in range(pairs.number[0]):
-        if travel[body[p, 0]] + travel[body[p, 1]] - mark[p] > limit[p]:
+        if travel[body[p, 0]] + travel[body[p, 1]] - mark[p] > limit[p] and not stays(near, p):
             looked = True
             if not look(near, p):
                 return False
@@ -76,7 +77,7 @@ def look_together(near):
 def nearly_touches(pairs, block, search, p):
     """Whether the pair, which was apart, may touch after a small part of the skin, and one of its blocks is stale."""
     stale = search.stale_block[block[pairs.body[p, 0]]] or search.stale_block[block[pairs.body[p, 1]]]
-    return stale and pairs.limit[p] <= 0.25 * search.skin[0]
+    return stale and pairs.reach[p] <= 0.25 * search.skin[0]
 
 
 @bare
