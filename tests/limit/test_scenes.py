@@ -24,7 +24,7 @@ def test_the_packaged_wall_of_ferris_and_tin_loi_falls_where_it_should():
     assert result.factor == pytest.approx(0.64286, rel=1e-4)
     assert result.specimen.blocks.count - len(result.specimen.sets["bottom course"]) == 33
     without = masonry.limit("wall-tilted", dilation=False)
-    assert without.factor == pytest.approx(0.6403, rel=0.01) and without.bound.startswith("no bound")
+    assert without.factor == pytest.approx(0.6403, rel=2e-3) and without.bound.startswith("no bound")
 
 
 def test_what_the_drive_pushes_with_lies_between_the_least_and_the_greatest_thrust():
