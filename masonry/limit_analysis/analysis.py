@@ -7,7 +7,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
-from masonry.limit_analysis.contacts import POINTS, contacts_of, strong_groups, touching
+from masonry.limit_analysis.contacts import POINTS, contacts_of, rises, share_of_sliding, strong_groups, touching
 from masonry.limit_analysis.data import set_of
 from masonry.limit_analysis.loads import Loads, loads_of
 from masonry.limit_analysis.result import LimitResult
@@ -21,6 +21,10 @@ from masonry.statics.tilted import tilt_factor
 BOUND = "lower bound, exact where what slides dilates by its friction angle"
 NO_BOUND = "no bound: friction without dilation, as joints of one stiffness come to it from the dead loads"
 LEAST_SIDES = 3
+SLIDES = 0.01
+"""Share of the work of the loads that shear forces must do for a word on dilation."""
+LESS = 0.005
+"""Share by which a factor must fall beyond its peak for a word."""
 CLOSED = 1e-6
 """Duality gap beyond which a word is said."""
 
@@ -98,6 +102,10 @@ def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: M
         found, result.bound = flat.found, NO_BOUND
         result.with_dilation, result.steps = flat.with_dilation, flat.steps
         result.excess, result.open = flat.excess, flat.open
+        if flat.left < (1.0 - LESS) * found.factor:
+            result.remarks.append(
+                f"what slides loses the pressure that held it: of the greatest factor {flat.left:.5g} is left then"
+            )
         if not flat.converged and found.status == "solved":
             result.remarks.append(
                 f"the factor came to no rest in {flat.steps} steps: the normal forces at the end bear up to "
@@ -108,6 +116,12 @@ def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: M
     if found.status != "solved":
         raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
     result.take(found)
+    slides = wishes.dilation and share_of_sliding(loads.bodies, contacts, found) > SLIDES
+    if slides and not rises(result.scene, result.specimen, result.joints):
+        result.remarks.append(
+            "joints slide in this mechanism, and rise as they slide; in this scene they do not, or rise less, so that "
+            "it may fall earlier: --no-dilation tells"
+        )
     if loads.bodies.together is not None and wishes.dilation:
         back = replace(loads.bodies, live=-loads.bodies.live)
         least = largest_factor(back, contacts, method, ANY)

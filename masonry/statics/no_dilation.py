@@ -1,4 +1,4 @@
-"""Collapse without dilation: forces are followed from the dead loads until the factor of the load rises no further.
+"""Collapse without dilation: forces are followed from the dead loads until the factor of the load rises no more.
 
 With friction that does not dilate, the limit theorems fail, and a structure has many factors at which it can begin to
 fall: which one it finds depends on the normal forces that joints come to have before. So they are followed on the way
@@ -9,7 +9,8 @@ Each step lets the load move on and asks for the forces, of all that are borne, 
 a contact by a cylinder |T| <= c + mu N for the normal force N of the same step, which is found by a row of such
 problems: so nothing rises that slides (Krabbenhoft, Karim, Lyamin, Sloan: Associated computational plasticity schemes
 for nonassociated frictional materials. Int. J. Numer. Methods Eng. 90 (2012) 1089-1117). It ends where by the theorems,
-for these cylinders, no force in the joints balances more: a mechanism that slides without rising.
+for these cylinders, no force in the joints balances more: a mechanism that slides without rising; or beyond a peak,
+where what slides loses the pressure that held it.
 """
 
 from dataclasses import dataclass, replace
@@ -28,14 +29,14 @@ SOFTER = 2.5
 FIRST, FASTER, MOST = 0.125, 0.8, 80
 """Share of the way to the factor with dilation by which a step may raise the factor; pace of a step over that of the
 step before; steps at most."""
-RISE, OPEN = 1e-4, 1e-3
-"""Rise of the factor in a step, over the factor, below which its end is looked for; and how far it may be from the
-bound of the theorems, over the factor, at the end."""
-SAME, TRIES, TRIES_AT_REST = 1e-3, 5, 30
+RISE, OPEN, DROP = 1e-4, 1e-3, 5e-3
+"""Rise of the factor in a step, over the factor, below which its end is looked for; how far it may be from the bound of
+the theorems, over the factor, at the end; and the drop after which a factor was a peak, over that with dilation."""
+SAME, TRIES, TRIES_AT_REST = 5e-4, 6, 30
 """Change of normal forces, over the mean load of a block, at which the row of problems of a step ends; its length."""
 GREAT = 100.0
 """Times its friction, a joint does not slide."""
-BEYOND = 1e-2
+BEYOND = 5e-3
 """Shear beyond friction, over the mean load of a block, that an answer may have."""
 
 
@@ -43,13 +44,14 @@ BEYOND = 1e-2
 class Flat:
     """What the way came to.
 
-    found          forces and factor at its end, and the mechanism
+    found          forces and factor at the end of the way, or where the factor was greatest; and the mechanism
     with_dilation  the factor of friction that dilates by its friction angle, which none without exceeds; inf if any is
                    balanced
     steps          of the load
     converged      whether the factor came to rest, at the bound of the theorems for the cylinders there
     excess         largest shear force beyond friction and cohesion, over the mean load of a block
     open           how far the factor is below that bound, over it
+    left           the factor at the end of the way, less than that found where a peak was passed
     """
 
     found: Found
@@ -58,6 +60,7 @@ class Flat:
     converged: bool
     excess: float
     open: float
+    left: float
 
 
 def without_dilation(
@@ -66,9 +69,10 @@ def without_dilation(
     """The factor at the end of the way; no bound. softer: normal over shear stiffness of the joints."""
     bound = largest_factor(bodies, contacts, method, between)
     if bound.status == "infeasible":
-        return Flat(bound, 0.0, 0, False, 0.0, 0.0)
+        return Flat(bound, 0.0, 0, False, 0.0, 0.0, 0.0)
     way = _Way(bodies, contacts, method, between, softer)
-    now, pace, steps = way.at_rest(), 1.0, 0
+    best = now = way.at_rest()
+    pace, steps = 1.0, 0
     with_dilation = bound.factor if bound.status == "solved" else inf
     reach = with_dilation - way.factor(now) if with_dilation < inf else 1.0 / way.unit
     while steps < MOST:
@@ -78,11 +82,15 @@ def without_dilation(
             pace *= 2.0
             continue
         now, steps, pace = after, steps + 1, pace * FASTER
-        if rise <= RISE * abs(way.factor(now)):
-            end = way.end(now, with_dilation, steps)
-            if end.converged:
-                return end
-    return way.end(now, with_dilation, steps)
+        if way.factor(now) > way.factor(best) and way.excess(now) <= BEYOND:
+            best = now
+        if rise <= RISE * abs(way.factor(now)) and way.end(now, with_dilation, steps).converged:
+            break
+    last = way.end(now, with_dilation, steps)
+    if way.factor(best) <= way.factor(now) + DROP * reach:
+        return last
+    peak = way.end(best, with_dilation, steps)
+    return replace(peak, converged=last.converged, left=last.left) if peak.open >= -OPEN else last
 
 
 def standing_without_dilation(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Flat:
@@ -90,7 +98,7 @@ def standing_without_dilation(bodies: Bodies, contacts: Contacts, method: Method
     own = replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead)
     bound = largest_factor(own, contacts, method, (0.0, 1.0))
     if bound.status != "solved" or bound.factor < STANDS:
-        return Flat(bound, bound.factor, 0, False, 0.0, 0.0)
+        return Flat(bound, bound.factor, 0, False, 0.0, 0.0, 0.0)
     way = _Way(own, contacts, method, (0.0, 1.0), SOFTER)
     now, pace = way.without_sliding(), 1.0
     for steps in range(1, MOST):
@@ -174,7 +182,7 @@ class _Way:
         converged = bound.status == "solved" and abs(open_by) <= OPEN and excess <= BEYOND
         status = "solved" if converged or with_dilation < inf else "unbounded"
         found = replace(found, status=status, velocity=bound.velocity, gap=bound.gap)
-        return Flat(found, with_dilation, steps, converged, excess, open_by)
+        return Flat(found, with_dilation, steps, converged, excess, open_by, found.factor)
 
     def excess(self, forces: np.ndarray) -> float:
         """Shear beyond what friction and cohesion allow."""
