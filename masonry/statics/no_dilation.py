@@ -26,9 +26,9 @@ from masonry.statics.solve import ANY, EXACTLY, STANDS, UPWARD, Method, Range, i
 
 SOFTER = 2.5
 """Normal over shear stiffness of the joints."""
-FIRST, FASTER, MOST = 0.125, 0.8, 80
+FIRST, FASTER, SLOWEST, MOST = 0.125, 0.8, 1e12, 80
 """Share of the way to the factor with dilation by which a step may raise the factor; pace of a step over that of the
-step before; steps at most."""
+step before; the greatest pace; steps at most."""
 RISE, OPEN, DROP = 1e-4, 1e-3, 5e-3
 """Rise of the factor in a step, over the factor, below which its end is looked for; how far it may be from the bound of
 the theorems, over the factor, at the end; and the drop after which a factor was a peak, over that with dilation."""
@@ -78,7 +78,7 @@ def without_dilation(
     while steps < MOST:
         after = way.step(now, pace)
         rise = way.factor(after) - way.factor(now)
-        if rise > FIRST * reach > 0.0:
+        if rise > FIRST * reach > 0.0 and pace < SLOWEST:
             pace *= 2.0
             continue
         now, steps, pace = after, steps + 1, pace * FASTER
