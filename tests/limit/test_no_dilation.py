@@ -126,6 +126,15 @@ def test_the_facade_falls_without_dilation_where_a_run_falls_and_with_it_where_l
         assert grown("facade-tilted", **knobs)["falls"] == pytest.approx(without.factor, rel=0.02)
 
 
+@pytest.mark.slow
+def test_a_wall_of_ten_courses_falls_in_a_run_where_it_does_without_dilation():
+    """0.564 against 0.580 with dilation."""
+    scene = masonry.load("wall-tilted", {"specimen.courses": 11})
+    found, without = masonry.run(scene).summary["collapse_load"], masonry.limit(scene, dilation=False).factor
+    assert without == pytest.approx(0.5 * (found["borne"] + found["falls"]), rel=0.005)
+    assert found["falls"] < 0.98 * masonry.limit(scene).factor
+
+
 SHEAR = [f"{group}.shear_stiffness" for group in ("unit_unit", "lintels_units", "plate")]
 
 
