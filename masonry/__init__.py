@@ -80,7 +80,7 @@ def limit(
     """The largest factor of a load that forces in the joints of a scene can balance: its limit analysis.
 
     scene     a scene, a file of one, or the name of a packaged one; its table [limit] says what grows
-    dilation  False: friction without dilation, by the iteration of Gilbert et al. (2006), which gives no bound
+    dilation  False: friction without dilation, as joints of one stiffness come to it from the dead loads: no bound
     strength  False: cohesion and tension are left out
     safety    the factor of safety on friction and cohesion in place of the load factor, at the load factor `at`
     crushing  compressive strength of the joints, "5 MPa" or Pa

@@ -45,6 +45,10 @@ class Stopped(RuntimeError):
     result: Any = None
 
 
+class TurnedTooFar(Stopped):
+    """A run that was stopped because a block has turned further than small displacement allows."""
+
+
 def visible(text: str) -> str:
     """A text in one line of letters that can be seen: newlines and what could steer a terminal are written as codes."""
     if text.isprintable():

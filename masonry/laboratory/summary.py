@@ -190,6 +190,8 @@ def _collapse_load(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
             "accuracy": control["accuracy"],
             "trials": control["trials"],
             "undecided": control["undecided"],
+            "falls_by_turning": bool(control["falls_by_turning"]),
+            "swayed_over_block": control["swayed"] if assembly.scene.displacements == "small" else None,
             "moving": int((moved > MOVING).sum()),
             "first": first,
             "sets": sorted(name for name, members in sets.items() if first in members),

@@ -151,7 +151,8 @@ def collapse_text(fallen: dict[str, Any]) -> str:
     what = f"block {fallen['block']} ({sets}), first at ({at}) m, is the first to fall, after {fallen['time_s']:.4g} s"
     if (began := fallen["began"]) is None:
         return what
-    tilt = f", with gravity turned by {tilt_text(began['tilt_rad'])}" if "tilt_rad" in began else ""
+    late = "; it bears less: a fall takes a while to begin"
+    tilt = f", with gravity turned by {tilt_text(began['tilt_rad'])}{late}" if "tilt_rad" in began else ""
     drive = f", with the drive at {1e3 * began['displacement_m']:.4g} mm" if began["displacement_m"] else ""
     return f"{what}; the fall began after {began['time_s']:.4g} s{drive}{tilt}"
 

@@ -7,20 +7,24 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
-from masonry.limit_analysis.contacts import POINTS, contacts_of, strong_groups, touching
+from masonry.limit_analysis.contacts import POINTS, contacts_of, rises, share_of_sliding, strong_groups, touching
 from masonry.limit_analysis.data import set_of
 from masonry.limit_analysis.loads import Loads, loads_of
 from masonry.limit_analysis.result import LimitResult
 from masonry.scene import Scene
-from masonry.statics.gilbert import without_dilation
+from masonry.statics.no_dilation import without_dilation
 from masonry.statics.problem import Bodies, Contacts, Found
 from masonry.statics.safety import factor_of_safety
 from masonry.statics.solve import ANY, STANDS, UPWARD, Method, Range, largest_factor, method_word, standing
 from masonry.statics.tilted import tilt_factor
 
 BOUND = "lower bound, exact where what slides dilates by its friction angle"
-NO_BOUND = "no bound: friction without dilation, by the iteration of Gilbert et al. (2006)"
+NO_BOUND = "no bound: friction without dilation, as joints of one stiffness come to it from the dead loads"
 LEAST_SIDES = 3
+SLIDES = 0.01
+"""Share of the work of the loads that shear forces must do for a word on dilation."""
+LESS = 0.005
+"""Share by which a factor must fall beyond its peak for a word."""
 CLOSED = 1e-6
 """Duality gap beyond which a word is said."""
 
@@ -56,6 +60,8 @@ class Wishes:
             raise SceneError(f"a friction pyramid of {self.sides} sides; it needs {LEAST_SIDES} or more")
         if self.crushing is not None and (self.sides or self.points != "corners"):
             raise SceneError("--crushing needs cones, and points at the corners; leave out --linear and --points")
+        if self.sides and not self.dilation:
+            raise SceneError("--no-dilation needs cones; leave out --linear")
         if self.at and not self.safety:
             raise SceneError("--at is the load factor of --safety; add --safety")
 
@@ -68,9 +74,9 @@ def analyse(scene: Scene, wishes: Wishes = Wishes()) -> LimitResult:
     contacts = contacts_of(scene, specimen, joints, wishes.strength, wishes.crushing)
     alone = wishes.safety and not wishes.at
     loads = loads_of(scene, specimen, joints, alone)
-    method = Method(wishes.plane, wishes.sides, centred=not wishes.dilation)
+    method = Method(wishes.plane, wishes.sides)
     result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit, bound=BOUND)
-    result.method = method_word(loads.bodies, contacts, method)
+    result.method = method_word(loads.bodies, contacts, method, cones=not wishes.dilation)
     result.points = _points_word(scene, wishes)
     result.remarks += _remarks(scene, specimen, joints, wishes)
     if wishes.safety:
@@ -94,17 +100,28 @@ def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: M
             )
         flat = without_dilation(loads.bodies, contacts, method, _range(loads))
         found, result.bound = flat.found, NO_BOUND
-        result.with_dilation, result.iterations, result.excess = flat.factors[0], len(flat.factors), flat.excess
+        result.with_dilation, result.steps = flat.with_dilation, flat.steps
+        result.excess, result.open = flat.excess, flat.open
+        if flat.left < (1.0 - LESS) * found.factor:
+            result.remarks.append(
+                f"what slides loses the pressure that held it: of the greatest factor {flat.left:.5g} is left then"
+            )
         if not flat.converged and found.status == "solved":
             result.remarks.append(
-                f"the iteration came to no rest in {len(flat.factors)} analyses: the last factors lie from "
-                f"{min(flat.factors[-10:]):.5g} to {max(flat.factors[-10:]):.5g}"
+                f"the factor came to no rest in {flat.steps} steps: the normal forces at the end bear up to "
+                f"{(1.0 + flat.open) * found.factor:.5g}; take no more digits than these two share"
             )
     if found.status == "unbounded":
         raise SceneError(f"there is no limit: forces in the joints can balance every factor of {loads.words}")
     if found.status != "solved":
         raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
     result.take(found)
+    slides = wishes.dilation and share_of_sliding(loads.bodies, contacts, found) > SLIDES
+    if slides and not rises(result.scene, result.specimen, result.joints):
+        result.remarks.append(
+            "joints slide in this mechanism, and rise as they slide; in this scene they do not, or rise less, so that "
+            "it may fall earlier: --no-dilation tells"
+        )
     if loads.bodies.together is not None and wishes.dilation:
         back = replace(loads.bodies, live=-loads.bodies.live)
         least = largest_factor(back, contacts, method, ANY)

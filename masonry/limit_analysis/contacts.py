@@ -10,9 +10,11 @@ from masonry.model.contact_groups import contact_groups
 from masonry.scene import Scene
 from masonry.scene.tables.points import PerAxis
 from masonry.statics.crushing import crushing_of
-from masonry.statics.problem import Contacts
+from masonry.statics.problem import Bodies, Contacts, Found
 
 POINTS = ("corners", "scene")
+DILATES = 0.99
+"""Tangent of the dilation angle over that of the friction angle from which they are the same."""
 CORNERS = {
     "contact_points": "vertex",
     "points_per_edge": PerAxis(),
@@ -56,6 +58,24 @@ def strong_groups(scene: Scene, specimen: Specimen, joints: Joints) -> list[str]
     """Groups of contacts that have cohesion or tensile strength, or are elastic and bear anything."""
     names, _ = contact_groups(specimen.blocks, joints)
     return [name for name in names if any(_strengths(scene, name, True)[1:])]
+
+
+def rises(scene: Scene, specimen: Specimen, joints: Joints) -> bool:
+    """Whether all that slides in the scene rises by its friction angle, as it does in a limit analysis."""
+    names, _ = contact_groups(specimen.blocks, joints)
+    tables = [made(name, scene.contact_of(name).properties(scene.turns_back))[1] for name in names]
+    return all((joint.tan_dilation or 0.0) >= DILATES * (joint.tan_friction or 0.0) for joint in tables)
+
+
+def share_of_sliding(bodies: Bodies, contacts: Contacts, found: Found) -> float:
+    """Work of shear forces on the slip of a mechanism, over the work of all loads on it; whatever its sign."""
+    speeds = []
+    for block in (contacts.block_a, contacts.block_b):
+        arm = contacts.point - bodies.centre[block]
+        speeds.append(found.velocity[block, :3] + np.cross(found.velocity[block, 3:], arm))
+    work = np.abs((found.shear * (speeds[1] - speeds[0])).sum(axis=1)).sum()
+    loads = (np.abs(bodies.dead) + np.abs(found.factor * bodies.live)) * np.abs(found.velocity)
+    return float(work / max(loads.sum(), 1e-300))
 
 
 def _strengths(scene: Scene, group: str, strength: bool) -> tuple[float, float, float, float]:

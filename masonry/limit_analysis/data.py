@@ -49,8 +49,9 @@ class LimitData:
     at: float = 0.0
     least: float | None = None
     with_dilation: float | None = None
-    iterations: int | None = None
+    steps: int | None = None
     excess: float | None = None
+    open: float | None = None
     seconds: float = 0.0
 
     def take(self, found: Found) -> None:
@@ -122,9 +123,9 @@ class LimitData:
             "thrust": {"units": COLUMNS, **thrust},
         }
         if self.with_dilation is not None:
-            found |= {"with_dilation": self.with_dilation}
-        if self.iterations is not None:
-            found |= {"iterations": self.iterations, "excess": self.excess}
+            found |= {"with_dilation": _plain(self.with_dilation)}
+        if self.steps is not None:
+            found |= {"steps": self.steps, "excess": self.excess, "open": self.open}
         if self.least is not None:
             found |= {"least": self.least}
         if self.is_safety:

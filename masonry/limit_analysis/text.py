@@ -1,5 +1,7 @@
 """A limit analysis in words, for a terminal."""
 
+from math import inf
+
 import numpy as np
 
 from masonry.limit_analysis.data import LimitData, set_of
@@ -18,11 +20,13 @@ def result_text(result: LimitData) -> str:
     if result.least is not None:
         rows.insert(2, ("least", [f"{result.least:.6g} {result.unit}; between the two there is an equilibrium"]))
     if result.with_dilation is not None:
-        rows.append(("with dilation", [f"{result.with_dilation:.6g}, a lower bound"]))
-    if result.iterations is not None:
+        every = "none: joints that dilate balance every factor"
         rows.append(
-            ("iteration", [f"{result.iterations} analyses; shear beyond friction at the end {result.excess:.1e}"])
+            ("with dilation", [every if result.with_dilation == inf else f"{result.with_dilation:.6g}, a lower bound"])
         )
+    if result.steps is not None and result.open is not None:
+        rows.append(("reached in", [f"{result.steps} steps; the normal forces at the end bear {result.open:.1e} more"]))
+        rows.append(("friction", [f"is exceeded by at most {result.excess:.1e} of the mean load of a block"]))
     rows += [
         ("duality gap", [f"{result.gap:.1e}; force left on a block {result.unbalance:.1e} of its loads"]),
         ("solved as", [f"{result.method}, in {result.seconds:.2f} s"]),

@@ -26,7 +26,7 @@ Arrays = dict[str, np.ndarray]
 
 REMEMBERED = (
     *("phase", "factor", "target", "stands", "falls", "increment", "ways", "means", "calm", "slowest", "trials"),
-    *("undecided", "looked", "travelled", "usual", "steps_of_trial"),
+    *("undecided", "looked", "travelled", "usual", "steps_of_trial", "falls_by_turning", "swayed"),
 )
 LEAST = 1e-9
 """A factor that is nothing, where there is no other load to compare with."""
@@ -71,7 +71,8 @@ class GrowingLoading:
         self.means: list[float] = []
         self.calm = self.trials = self.undecided = self.looked = 0
         self.steps_of_trial = self.slowest = 0
-        self.travelled = self.usual = 0.0
+        self.travelled = self.usual = self.swayed = 0.0
+        self.turned = self.falls_by_turning = False
 
     def shares(self) -> np.ndarray:
         """(L + H,) of the loads that come on in layers, and of those that grow, now."""
@@ -123,14 +124,15 @@ class GrowingLoading:
 
     def farthest(self) -> float:
         """m, how far anything has moved since the last rest."""
-        return max(
-            float(np.linalg.norm(place - then, axis=1).max(initial=0.0))
-            for place, then in zip(places(self.model, self.size), self.places, strict=True)
-        )
+        now = places(self.model, self.size)
+        return max(reach(place - then) for place, then in zip(now, self.places, strict=True))
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:
         """Look at the specimen after each chunk; `before`: velocities one step before this one."""
         if self.phase in (SETTLES, OVER):
+            return
+        if self.turned:
+            self.end_by_turning()
             return
         self.steps_of_trial += self.settings.look * (self.window if self.phase == RISES else 1)
         self.travelled = self.farthest()
@@ -144,6 +146,20 @@ class GrowingLoading:
             self.looked += 1
             if self.travelled > self.fall or self.looked >= self.settings.fall_looks:
                 self.phase = OVER
+
+    def turned_too_far(self) -> bool:
+        """A block has turned further than small displacement allows: whether this is no more than the end of a trial,
+        or of the fall that is followed."""
+        self.turned = self.phase in (RISES, WAITS, DROPS)
+        return self.turned
+
+    def end_by_turning(self) -> None:
+        """A trial in which a block turns too far did not come to rest."""
+        self.turned = False
+        if self.phase == DROPS:
+            self.phase = OVER
+            return
+        self.give_way(turning=True)
 
     @property
     def away(self) -> float:
@@ -181,6 +197,7 @@ class GrowingLoading:
         """The factor is borne: a row shows it, and the next trial goes on from here."""
         self.stands, self.slowest = self.factor, max(self.slowest, self.steps_of_trial)
         self.usual = max(self.usual, self.travelled)
+        self.swayed = max(map(reach, places(self.model, self.size)))
         if self.stands >= self.falls:  # what was taken for a fall is borne after all, coming from nearer
             self.falls, self.increment = inf, 0.5 * self.plan.accuracy * self.stands
         if self.falls == inf:
@@ -202,9 +219,10 @@ class GrowingLoading:
         """Whether the factor is enclosed as narrowly as was asked for."""
         return self.falls - self.stands <= max(self.plan.accuracy * self.falls, self.least)
 
-    def give_way(self) -> None:
+    def give_way(self, turning: bool = False) -> None:
         """The factor is not borne: go back to where the specimen rested, or follow the fall from here."""
-        self.falls = min(self.falls, self.factor)
+        if self.factor <= self.falls:
+            self.falls, self.falls_by_turning = self.factor, turning
         if self.found:
             self.phase, self.looked = DROPS, 0
             return
@@ -229,7 +247,9 @@ class GrowingLoading:
         what may be unbalanced at a rest is none."""
         borne = self.stands if self.stands > self.least else 0.0
         found = {"accuracy": self.plan.accuracy, "factor": borne, "trials": self.trials}
-        return found | ({"factor_falls": self.falls} if self.falls < inf else {}) | {"undecided": self.undecided}
+        found |= {"factor_falls": self.falls} if self.falls < inf else {}
+        ways = {"falls_by_turning": float(self.falls_by_turning), "swayed": self.swayed / self.size}
+        return found | {"undecided": self.undecided} | ways
 
     def mechanism(self) -> np.ndarray:
         """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""
@@ -257,6 +277,11 @@ class GrowingLoading:
         load_attributes(self, REMEMBERED, state)
         self.rested, self.places = state["rested"], state["places"]
         self.settling.restore(state["settling"])
+
+
+def reach(moved: np.ndarray) -> float:
+    """m, the most that anything has moved."""
+    return float(np.linalg.norm(moved, axis=1).max(initial=0.0))
 
 
 def places(model: Model, size: float) -> list[np.ndarray]:

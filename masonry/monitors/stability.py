@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.errors import Stopped
+from masonry.errors import Stopped, TurnedTooFar
 from masonry.kinematics.matrices import rotation_angles, rotations
 from masonry.kinematics.tets import mean_turn
 from masonry.model.layout import KINDS
@@ -109,17 +109,17 @@ class Watch(Observer):
             turns.append((np.abs(self.tet_turn), "tets"))
         for turn, kind in turns:
             most = float(turn.max())
-            self.rotation = max(self.rotation, most)
             if most > self.rotation_limit:
                 more = min(2.0 * self.rotation_limit, 1.5)
                 block = int(self.model.layout.members[kind][int(np.argmax(turn.max(axis=1)))])
                 where = ", ".join(f"{x:.4g}" for x in self.model.layout.centroid[block])
-                raise Stopped(
+                raise TurnedTooFar(
                     f"step {step}: {kind} block {block} at ({where}) m has rotated by {most:.3g} rad, more than "
                     f"solver.rotation_limit = {self.rotation_limit:g}. Displacements are linear in rotations here: a "
                     f"turn of {more:g} rad leaves an error of {50.0 * more**2:.2g} %. To accept that: --set "
                     f"solver.rotation_limit={more:g}"
                 )
+            self.rotation = max(self.rotation, most)
 
 
 def smallest_block(model: Model) -> float:

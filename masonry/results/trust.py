@@ -20,6 +20,9 @@ ANEW = 0.01
 """Share of the external work that contacts may gain or lose as they are found anew, in large displacement."""
 SLID = 0.2
 """Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
+SWAYED = 0.5
+"""Share of the accuracy of a collapse factor by which blocks of the smallest one's size may move before it falls, in
+small displacement: a soft arch loses twice as much of its factor by it."""
 ROUNDING, BELOW_0 = 1e-11, 1e-5
 """Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
 of the steps."""
@@ -119,12 +122,23 @@ def not_enclosed(grown: dict[str, Any]) -> list[str]:
         return [
             "not the least part of the load was borne: nothing resists it, or the specimen hardly stands without it"
         ]
+    doubts = []
     if grown["undecided"]:
-        return [
+        doubts.append(
             f"in {grown['undecided']} trials the specimen neither came to rest nor gathered way in time, and was taken "
             "for one that falls: the factor may be larger"
-        ]
-    return []
+        )
+    if grown.get("falls_by_turning"):
+        doubts.append(
+            "at the factor that is not borne a block turned by more than solver.rotation_limit before it was seen "
+            'whether the specimen falls: the factor may be larger; displacements = "large" tells'
+        )
+    if (swayed := grown.get("swayed_over_block") or 0.0) > SWAYED * grown["accuracy"]:
+        doubts.append(
+            f"blocks moved by up to {swayed:.2g} of the smallest one before it fell, but the balance is that of the "
+            'shape as drawn, so the factor may be too large: displacements = "large" tells'
+        )
+    return doubts
 
 
 def not_slow(summary: dict[str, Any], damping: float) -> list[str]:

@@ -1,7 +1,7 @@
 """The largest load factor with true friction cones, by a second-order cone programme (Clarabel)."""
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse
@@ -19,10 +19,24 @@ INFEASIBLE = ("PrimalInfeasible", "AlmostPrimalInfeasible")
 UNBOUNDED = ("DualInfeasible", "AlmostDualInfeasible")
 
 
+class Near(NamedTuple):
+    """Forces that the forces asked for should be near to: half of weight (x - before)^2 is taken off push times factor.
+
+    before, weight  (U,) unknowns without units, the factor last     push  of the factor, 0 or 1
+    """
+
+    before: np.ndarray
+    weight: np.ndarray
+    push: float
+
+
 def solve_cones(
-    forces: Equilibrium, contacts: Contacts, between: tuple[float, float]
+    forces: Equilibrium, contacts: Contacts, between: tuple[float, float], near: Near | None = None
 ) -> tuple[str, np.ndarray, np.ndarray, float]:
-    """As solve_linear, but with cones; Raises SceneError where Clarabel is not installed or comes to no end."""
+    """As solve_linear, but with cones; with `near` the status may be "no end" as well.
+
+    Raises SceneError where Clarabel is not installed, or comes to no end.
+    """
     clarabel = _clarabel()
     scale = 1.0 + len(forces.dead) / 6.0
     forces = _of_the_whole(forces, scale)
@@ -51,9 +65,13 @@ def solve_cones(
     settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = ACCURACY
     cost = np.zeros(unknowns)
     cost[-1] = -1.0
+    square = sparse.csc_matrix((unknowns, unknowns))
+    if near is not None:
+        size = np.append(np.full(unknowns - 1, scale), 1.0)
+        square = sparse.csc_matrix(sparse.diags(near.weight * size**2))
+        cost = near.push * cost - near.weight * size * near.before
     matrix = sparse.csc_matrix(sparse.vstack(parts, format="csc"))
-    nothing = sparse.csc_matrix((unknowns, unknowns))
-    found = clarabel.DefaultSolver(nothing, cost, matrix, np.concatenate(sides), kinds, settings).solve()
+    found = clarabel.DefaultSolver(square, cost, matrix, np.concatenate(sides), kinds, settings).solve()
     status = str(found.status)
     gap = abs(found.obj_val - found.obj_val_dual) / max(1.0, abs(found.obj_val))
     if status in SOLVED or (status in SLOW and max(gap, found.r_prim, found.r_dual) < GOOD_ENOUGH):
@@ -63,6 +81,8 @@ def solve_cones(
     if status in INFEASIBLE or status in UNBOUNDED:
         word = "infeasible" if status in INFEASIBLE else "unbounded"
         return word, np.zeros(unknowns), np.zeros(equations), 0.0
+    if near is not None:
+        return "no end", np.zeros(unknowns), np.zeros(equations), 0.0
     raise SceneError(f"the cone programme came to no end ({status}); try --linear 16, which needs no cones")
 
 

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from masonry.errors import SceneError
-from masonry.statics.gilbert import standing_without_dilation
+from masonry.statics.no_dilation import standing_without_dilation
 from masonry.statics.problem import Bodies, Contacts, Found
 from masonry.statics.solve import EXACTLY, STANDS, Method, standing
 
@@ -19,7 +19,7 @@ def factor_of_safety(
     """The factor by bisection, the forces at it, and the mechanism just beyond it.
 
     Friction (its tangent), cohesion and tensile strength are divided by one number; loads stay. Without dilation it is
-    no bound (see gilbert.py). Raises SceneError where no friction is enough, and where none is needed.
+    no bound (see no_dilation.py). Raises SceneError where no friction is enough, and where none is needed.
     """
 
     def at(by: float) -> tuple[Found, bool]:

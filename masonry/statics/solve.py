@@ -22,12 +22,10 @@ class Method:
 
     plane    whether a plane problem is solved in its plane
     sides    of the pyramids that stand for friction cones in space, 0 for cones
-    centred  whether of many solutions the one in the middle is wanted, which only the cone programme gives
     """
 
     plane: bool = True
     sides: int = 0
-    centred: bool = False
 
 
 Range = tuple[float, float]
@@ -48,7 +46,7 @@ def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY,
         status, unknown, velocity, gap = solve_linear(forces, flat, sides, bounds)
     else:
         status, unknown, velocity, gap = solve_cones(forces, flat, bounds)
-    return _found(forces, contacts, flat, owner, status, unknown, velocity, gap)
+    return in_space(forces, contacts, flat, owner, status, unknown, velocity, gap)
 
 
 def _sides(axis: int | None, contacts: Contacts, method: Method) -> int:
@@ -57,7 +55,7 @@ def _sides(axis: int | None, contacts: Contacts, method: Method) -> int:
         return 0
     if axis is None:
         return method.sides
-    return 0 if method.centred or contacts.count > MUCH else 2
+    return 0 if contacts.count > MUCH else 2
 
 
 def standing(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Found:
@@ -67,21 +65,21 @@ def standing(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Fo
     )
 
 
-def method_word(bodies: Bodies, contacts: Contacts, method: Method) -> str:
-    """How a problem is solved, in words."""
+def method_word(bodies: Bodies, contacts: Contacts, method: Method, cones: bool = False) -> str:
+    """How a problem is solved, in words; cones: by cones in any case."""
     axis = plane_of(bodies, contacts) if method.plane else None
-    sides = _sides(axis, contacts, method)
+    sides = 0 if cones else _sides(axis, contacts, method)
     how = "linear programme (HiGHS)" if sides else "cone programme (Clarabel)"
     if axis is not None:
         return f"{how} in the plane across {'xyz'[axis]}"
     return f"{how}, friction pyramids of {sides} sides" if sides else how
 
 
-def _found(
+def in_space(
     forces: Equilibrium, contacts: Contacts, flat: Contacts, owner: np.ndarray, status: str,
     unknown: np.ndarray, velocity: np.ndarray, gap: float,
 ) -> Found:  # fmt: skip
-    """Back to units, blocks and all contact points."""
+    """Unknowns and velocities of a problem, back in units, for all blocks and contact points."""
     groups, k = forces.tangent.shape[:2]
     pressing, sliding = unknown[: flat.count], unknown[flat.count : -1]
     left = forces.normal @ pressing + forces.shear @ sliding + forces.dead + unknown[-1] * forces.live

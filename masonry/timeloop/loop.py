@@ -6,6 +6,7 @@ from dataclasses import fields
 
 import numpy as np
 
+from masonry.errors import TurnedTooFar
 from masonry.history import LARGE_UNITS, UNITS, Frame
 from masonry.kernels.step import reaction
 from masonry.loading.adaptive import AdaptiveLoading
@@ -123,7 +124,11 @@ class Loop:
         before = energy.velocities(self.model)
         advance_model(self.model, chunk, self.threads, count - 1, 1, drive_force[count - 1 :])
         self.share = min(float(chunk.dead_load[-1]), 1.0)
-        self.watch.check(done + count)
+        try:
+            self.watch.check(done + count)
+        except TurnedTooFar:
+            if not (isinstance(self.loading, GrowingLoading) and self.loading.turned_too_far()):
+                raise
         path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
         self.place = float(path[-1]) if chunk.place is None else chunk.place
         begun = max(self.settle - done - 1, 0)

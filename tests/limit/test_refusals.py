@@ -102,3 +102,8 @@ def test_crushing_needs_joints_without_tension():
     with pytest.raises(SceneError, match="add --no-strength"):
         masonry.limit(scene, crushing="1 MPa")
     assert masonry.limit(scene, crushing="1 MPa", strength=False).factor < 0.5
+
+
+def test_friction_without_dilation_needs_cones():
+    with pytest.raises(SceneError, match="--no-dilation needs cones; leave out --linear"):
+        masonry.limit("wall-tilted", dilation=False, sides=16)

@@ -110,6 +110,46 @@ def test_large_displacement_finds_the_factor_of_a_tilted_arch_as_well():
         assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(0.37361, rel=ACCURACY)
 
 
+SOFT = {"contact.unit_unit.normal_stiffness": "0.1 GPa/m", "contact.unit_unit.shear_stiffness": "0.04 GPa/m"}
+
+
+def test_a_soft_arch_that_turns_too_far_in_a_trial_still_has_a_factor_and_a_word_that_it_may_be_too_large():
+    """In small displacement the balance is that of the arch as drawn, however soft it is: 0.37361."""
+    result = masonry.run(load_scene(SCENES / "arch-of-oppenheim.toml", SOFT))
+    found, text = result.summary["collapse_load"], " ".join(summary_text(result.summary).split())
+    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(0.37361, rel=ACCURACY)
+    assert result.summary["rotation_max_rad"] <= 0.02, "what turned further was taken back"
+    assert result.summary["energy_imbalance"] < 1e-12
+    assert found["swayed_over_block"] > ACCURACY and "the factor may be too large" in text
+
+
+@pytest.mark.slow
+def test_a_soft_arch_falls_earlier_in_large_displacement_by_about_twice_what_it_moves():
+    small, large = (
+        masonry.run(load_scene(SCENES / "arch-of-oppenheim.toml", {**SOFT, "displacements": way})).summary[
+            "collapse_load"
+        ]
+        for way in ("small", "large")
+    )
+    assert large["falls"] == pytest.approx(0.37361 * (1.0 - 2.0 * small["swayed_over_block"]), rel=0.01)
+    assert large["swayed_over_block"] is None
+
+
+@pytest.mark.parametrize(("limit", "known"), [("0.02", 0.5), ("1e-6", None)])
+def test_a_trial_that_only_turns_too_far_is_not_borne_and_the_trust_says_so(limit, known):
+    more = f"[solver]\nrotation_limit = {limit}\n"
+    result = masonry.run(block(0.05, 0.1, 0.9, 'pattern = "tilt"\nabout = "y"', more=more))
+    found, text = result.summary["collapse_load"], summary_text(result.summary)
+    assert found["falls"] - found["borne"] <= ACCURACY * found["falls"]
+    assert result.summary["rotation_max_rad"] <= float(limit)
+    if known is not None:
+        assert found["falls"] == pytest.approx(known, rel=ACCURACY) and not found["falls_by_turning"]
+        assert "with care" not in text
+    else:
+        assert found["falls"] < 0.25 and found["falls_by_turning"]
+        assert "solver.rotation_limit" in text and "the factor may be" in text
+
+
 def test_a_load_that_ends_before_anything_falls_is_no_collapse_load():
     result = masonry.run(block(0.1, 0.05, 0.4, 'pattern = "tilt"\nabout = "y"\nup_to = 0.2'))
     assert (result.summary["collapse_load"]["borne"], result.summary["collapse_load"]["falls"]) == (0.2, None)

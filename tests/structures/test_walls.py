@@ -65,14 +65,40 @@ def test_a_strip_falls_in_a_simulation_at_the_tilt_of_its_hinges_the_nearer_the_
 
 
 @pytest.mark.slow
-def test_a_wall_with_a_window_bears_what_limit_analysis_allows_and_not_much_less():
-    peak = masonry.run("wall-with-window").summary["peak_force_n"]
-    most = masonry.limit("wall-with-window").factor
-    assert 0.94 * most < peak < most, "friction that does not dilate bears less"
+def test_a_strip_that_is_tilted_more_slowly_falls_less_late():
+    """A wall that is past its limit takes a while to begin to move, while the ground goes on tilting."""
+    late = []
+    for seconds in ("20 s", "40 s"):
+        pace = {"gravity.tilt.duration": seconds, "solver.duration": seconds}
+        fallen = masonry.run(masonry.load("wall-out-of-plane", pace)).summary["collapse"]
+        late.append(tan(fallen["began"]["tilt_rad"]) / STRIP - 1.0)
+    assert 0.005 < late[0] < 0.02
+    assert 0.4 * late[0] < late[1] < 0.7 * late[0]
 
 
 @pytest.mark.slow
-def test_a_facade_falls_before_the_tilt_that_limit_analysis_allows():
+@pytest.mark.parametrize(("stiffness", "known"), [(10.0, 0.375), (1.0, 0.3694)])
+def test_a_strip_whose_tilt_waits_falls_at_the_tilt_of_its_hinges_less_what_it_bulges(stiffness, known):
+    """In large displacement at joints of 10 GPa/m the closed form; at 1 GPa/m it bulges by 0.9 % of a block before."""
+    contact = {f"contact.default.{key}_stiffness": f"{share * stiffness!r} GPa/m" for key, share in KINDS}
+    still = {"gravity.tilt": None, "solver": {}, "curve": None, "assumptions": {}, "settle.steps": 4000}
+    scene = masonry.load("wall-out-of-plane", contact | still | {"limit.accuracy": 0.002})
+    found = masonry.run(scene).summary["collapse_load"]
+    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(known, rel=0.003)
+
+
+KINDS = (("normal", 1.0), ("shear", 0.4))
+
+
+@pytest.mark.slow
+def test_a_wall_with_a_window_bears_what_limit_analysis_has_without_dilation():
+    peak = masonry.run("wall-with-window").summary["peak_force_n"]
+    assert peak < 0.97 * masonry.limit("wall-with-window").factor, "friction that does not dilate bears less"
+    assert peak == pytest.approx(masonry.limit("wall-with-window", dilation=False).factor, rel=0.005)
+
+
+@pytest.mark.slow
+def test_a_facade_on_ground_that_tilts_falls_a_little_later_than_it_could():
     fallen = masonry.run("facade-tilted").summary["collapse"]
-    most = masonry.limit("facade-tilted").factor
-    assert 0.8 * most < abs(tan(fallen["began"]["tilt_rad"])) < most, "friction that does not dilate bears less"
+    least = masonry.limit("facade-tilted", dilation=False).factor
+    assert 1.0 < abs(tan(fallen["began"]["tilt_rad"])) / least < 1.04

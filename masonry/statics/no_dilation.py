@@ -1,0 +1,203 @@
+"""Collapse without dilation: forces are followed from the dead loads until the factor of the load rises no more.
+
+With friction that does not dilate, the limit theorems fail, and a structure has many factors at which it can begin to
+fall: which one it finds depends on the normal forces that joints come to have before. So they are followed on the way
+that a structure takes: from the dead loads, which come first and all at once, in joints of one stiffness per area.
+
+Each step lets the load move on and asks for the forces, of all that are borne, whose change stores the least energy
+(Haar and von Karman 1909): the greatest of  factor - pace |change of forces|^2 / 2.  Friction bounds the shear force of
+a contact by a cylinder |T| <= c + mu N for the normal force N of the same step, which is found by a row of such
+problems: so nothing rises that slides (Krabbenhoft, Karim, Lyamin, Sloan: Associated computational plasticity schemes
+for nonassociated frictional materials. Int. J. Numer. Methods Eng. 90 (2012) 1089-1117). It ends where by the theorems,
+for these cylinders, no force in the joints balances more: a mechanism that slides without rising; or beyond a peak,
+where what slides loses the pressure that held it.
+"""
+
+from dataclasses import dataclass, replace
+from math import inf
+
+import numpy as np
+
+from masonry.statics.cones import Near, solve_cones
+from masonry.statics.equilibrium import equilibrium
+from masonry.statics.plane import flattened, plane_of
+from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.solve import ANY, EXACTLY, STANDS, UPWARD, Method, Range, in_space, largest_factor
+
+SOFTER = 2.5
+"""Normal over shear stiffness of the joints."""
+FIRST, FASTER, SLOWEST, MOST = 0.125, 0.8, 1e12, 80
+"""Share of the way to the factor with dilation by which a step may raise the factor; pace of a step over that of the
+step before; the greatest pace; steps at most."""
+RISE, OPEN, DROP = 1e-4, 1e-3, 5e-3
+"""Rise of the factor in a step, over the factor, below which its end is looked for; how far it may be from the bound of
+the theorems, over the factor, at the end; and the drop after which a factor was a peak, over that with dilation."""
+SAME, TRIES, TRIES_AT_REST = 5e-4, 6, 30
+"""Change of normal forces, over the mean load of a block, at which the row of problems of a step ends; its length."""
+GREAT = 100.0
+"""Times its friction, a joint does not slide."""
+BEYOND = 5e-3
+"""Shear beyond friction, over the mean load of a block, that an answer may have."""
+
+
+@dataclass(frozen=True)
+class Flat:
+    """What the way came to.
+
+    found          forces and factor at the end of the way, or where the factor was greatest; and the mechanism
+    with_dilation  the factor of friction that dilates by its friction angle, which none without exceeds; inf if any is
+                   balanced
+    steps          of the load
+    converged      whether the factor came to rest, at the bound of the theorems for the cylinders there
+    excess         largest shear force beyond friction and cohesion, over the mean load of a block
+    open           how far the factor is below that bound, over it
+    left           the factor at the end of the way, less than that found where a peak was passed
+    """
+
+    found: Found
+    with_dilation: float
+    steps: int
+    converged: bool
+    excess: float
+    open: float
+    left: float
+
+
+def without_dilation(
+    bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, between: Range = UPWARD, softer: float = SOFTER
+) -> Flat:
+    """The factor at the end of the way; no bound. softer: normal over shear stiffness of the joints."""
+    bound = largest_factor(bodies, contacts, method, between)
+    if bound.status == "infeasible":
+        return Flat(bound, 0.0, 0, False, 0.0, 0.0, 0.0)
+    way = _Way(bodies, contacts, method, between, softer)
+    best = now = way.at_rest()
+    pace, steps = 1.0, 0
+    with_dilation = bound.factor if bound.status == "solved" else inf
+    reach = with_dilation - way.factor(now) if with_dilation < inf else 1.0 / way.unit
+    while steps < MOST:
+        after = way.step(now, pace)
+        rise = way.factor(after) - way.factor(now)
+        if rise > FIRST * reach > 0.0 and pace < SLOWEST:
+            pace *= 2.0
+            continue
+        now, steps, pace = after, steps + 1, pace * FASTER
+        if way.factor(now) > way.factor(best) and way.excess(now) <= BEYOND:
+            best = now
+        if rise <= RISE * abs(way.factor(now)) and way.end(now, with_dilation, steps).converged:
+            break
+    last = way.end(now, with_dilation, steps)
+    if way.factor(best) <= way.factor(now) + DROP * reach:
+        return last
+    peak = way.end(best, with_dilation, steps)
+    return replace(peak, converged=last.converged, left=last.left) if peak.open >= -OPEN else last
+
+
+def standing_without_dilation(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Flat:
+    """As `standing`, but without dilation: all dead loads are put on joints that do not slide, which then may."""
+    own = replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead)
+    bound = largest_factor(own, contacts, method, (0.0, 1.0))
+    if bound.status != "solved" or bound.factor < STANDS:
+        return Flat(bound, bound.factor, 0, False, 0.0, 0.0, 0.0)
+    way = _Way(own, contacts, method, (0.0, 1.0), SOFTER)
+    now, pace = way.without_sliding(), 1.0
+    for steps in range(1, MOST):
+        now, pace = way.step(now, pace), pace * FASTER
+        end = way.end(now, 1.0, steps)
+        if end.converged and end.found.factor >= STANDS:
+            break
+    return end
+
+
+class _Way:
+    """The forces of one problem, as vectors of normal forces, shear forces and the factor, without units."""
+
+    def __init__(self, bodies: Bodies, contacts: Contacts, method: Method, between: Range, softer: float) -> None:
+        self.bodies, self.contacts, self.method, self.between = bodies, contacts, method, between
+        axis = plane_of(bodies, contacts) if method.plane else None
+        self.flat, self.owner = contacts, np.arange(contacts.count)
+        if axis is not None:
+            self.flat, self.owner = flattened(contacts, axis)
+        self.forces = forces = equilibrium(bodies, self.flat, axis)
+        self.unit = forces.live_force / forces.force
+        groups, k = forces.tangent.shape[:2]
+        area, mean = self.flat.area, self.flat.area.mean()
+        along = softer * mean / np.bincount(forces.group, area, groups)
+        self.weight = np.concatenate([mean / area, np.repeat(along, k), [0.0]]) / (len(area) + groups * k)
+        moves = bodies.free.any(axis=1)
+        loads = [np.linalg.norm(load[moves, :3], axis=1).mean() for load in (bodies.dead, bodies.live)]
+        self.load = float(loads[0] or loads[1] or forces.force) / forces.force
+
+    def factor(self, forces: np.ndarray) -> float:
+        return float(forces[-1] / self.unit)
+
+    def at_rest(self) -> np.ndarray:
+        """The forces under the dead loads alone; a drive holds still."""
+        between = ANY if self.bodies.together is not None else (max(self.between[0], 0.0),) * 2
+        return self.settled(np.zeros(len(self.weight)), 1.0, 0.0, between, TRIES_AT_REST)
+
+    def without_sliding(self) -> np.ndarray:
+        """The forces at a factor of 1 where friction is great."""
+        great = replace(self.flat, friction=GREAT * self.flat.friction)
+        near = Near(np.zeros(len(self.weight)), self.weight, 0.0)
+        return solve_cones(self.forces, great, (self.unit, self.unit), near)[1]
+
+    def step(self, before: np.ndarray, pace: float) -> np.ndarray:
+        """The forces when the load has moved on; pace: the less, the further."""
+        return self.settled(before, pace, 1.0, self.between, TRIES)
+
+    def settled(self, before: np.ndarray, pace: float, push: float, between: Range, tries: int) -> np.ndarray:
+        """Forces whose friction goes with their own normal forces."""
+        near = Near(before, pace * self.weight, push)
+        bounds = (between[0] * self.unit, between[1] * self.unit)
+        given = before if before.any() else solve_cones(self.forces, self.flat, bounds, near)[1]
+        last: tuple[np.ndarray, np.ndarray] | None = None
+        for _ in range(tries):
+            status, after, _, _ = solve_cones(self.forces, self.cylinders(given), bounds, near)
+            if status != "solved":  # these cylinders are too narrow; the cones are not
+                status, after, _, _ = solve_cones(self.forces, self.flat, bounds, near)
+            if status != "solved":
+                return given
+            off = (after - given)[: self.flat.count]
+            if np.abs(off).max() <= SAME * self.load:
+                break
+            given, last = _secant(after, off, last), (after, off)
+        return after
+
+    def cylinders(self, forces: np.ndarray) -> Contacts:
+        """Contacts whose shear strength is what friction makes of these normal forces, and stays so."""
+        through = self.flat.friction * forces[: self.flat.count] * self.forces.force
+        strength = np.maximum(self.flat.cohesion + through, 0.0)
+        return replace(self.flat, friction=np.zeros_like(strength), cohesion=strength)
+
+    def end(self, forces: np.ndarray, with_dilation: float, steps: int) -> Flat:
+        """What is handed back, with the mechanism of the cylinders and the bound that it proves."""
+        still = np.zeros(len(self.forces.dead))
+        found = in_space(self.forces, self.contacts, self.flat, self.owner, "solved", forces, still, 0.0)
+        strength = np.maximum(self.contacts.cohesion + self.contacts.friction * found.normal, 0.0)
+        held = replace(self.contacts, friction=np.zeros_like(strength), cohesion=strength)
+        bound = largest_factor(self.bodies, held, self.method, self.between)
+        open_by = (bound.factor - found.factor) / max(abs(bound.factor), 1e-9)
+        excess = self.excess(forces)
+        converged = bound.status == "solved" and abs(open_by) <= OPEN and excess <= BEYOND
+        status = "solved" if converged or with_dilation < inf else "unbounded"
+        found = replace(found, status=status, velocity=bound.velocity, gap=bound.gap)
+        return Flat(found, with_dilation, steps, converged, excess, open_by, found.factor)
+
+    def excess(self, forces: np.ndarray) -> float:
+        """Shear beyond what friction and cohesion allow."""
+        count, (groups, k) = self.flat.count, self.forces.tangent.shape[:2]
+        bears = self.flat.friction * forces[:count] + self.flat.cohesion / self.forces.force
+        shear = np.linalg.norm(forces[count:-1].reshape(groups, k), axis=1)
+        soft = np.bincount(self.forces.group, self.flat.solid, groups) == 0
+        beyond = (shear - np.bincount(self.forces.group, bears, groups))[soft]
+        return float(max(beyond.max(initial=0.0), 0.0) / self.load)
+
+
+def _secant(after: np.ndarray, off: np.ndarray, last: tuple[np.ndarray, np.ndarray] | None) -> np.ndarray:
+    """Where the next of a row of forces is tried: at the zero of what two of them were off by (Anderson 1965)."""
+    if last is None:
+        return after
+    change = off - last[1]
+    share = float(off @ change) / max(float(change @ change), 1e-300)
+    return np.asarray(after - min(max(share, -1.0), 0.7) * (after - last[0]))
