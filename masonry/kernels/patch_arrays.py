@@ -16,6 +16,9 @@ class Pairs(NamedTuple):
     axis      (P, 3) the same at the last look, in space     witness (P, 3) of that look (detection/narrow.py)
     mark      (P,) m, travel of both blocks at the last look     limit  (P,) m, travel until the next one
     law       (P,) row of Rules    dashpot (P,) Pa s/m
+    slack     (P,) m, by which its points press less than they overlap: slack.py
+    gained    (P,) J, normal energy that the last look gave, until slack.py has settled it; 0 otherwise
+    face      (P, 2) its two faces before that look, -1 for edges
     """
 
     number: np.ndarray
@@ -30,6 +33,9 @@ class Pairs(NamedTuple):
     limit: np.ndarray
     law: np.ndarray
     dashpot: np.ndarray
+    slack: np.ndarray
+    gained: np.ndarray
+    face: np.ndarray
 
 
 class Points(NamedTuple):
@@ -105,6 +111,9 @@ def no_pairs(room: int) -> Pairs:
         mark=np.zeros(room),
         limit=np.zeros(room),
         dashpot=np.zeros(room),
+        slack=np.zeros(room),
+        gained=np.zeros(room),
+        face=np.full(twice, -1, dtype=np.int64),
         **whole,
     )
 

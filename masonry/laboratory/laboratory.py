@@ -68,7 +68,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     """What is kept of a run."""
     add_tilt(assembly, outcome)
     remarks = [*warnings(assembly), *rocked_remarks(assembly, outcome.history.frames)]
-    remarks += outcome.found.get("deformation", [])
+    remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", [])]
     return Result(
         summary={**summarise(assembly, outcome), "warnings": remarks},
         history=outcome.history,
