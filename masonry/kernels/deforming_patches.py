@@ -77,7 +77,7 @@ def press_deforming(near, dt):
         foot = -total(pressed)
         add_moments(push, ref, (foot * nx, foot * ny, foot * nz), nx, ny, nz)
         add(push, other, -1.0, force, moments)
-        if slack != 0.0:
+        if slack != 0.0 and force[0] == 0.0 and force[1] == 0.0 and force[2] == 0.0:
             ease(pairs, points, motion, p)
     account[FRICTION] += total(friction)
     account[DASHPOT] += total(damped)

@@ -70,7 +70,7 @@ def press(near, dt):
         fx, fy, fz, qx, qy, qz = total(fx), total(fy), total(fz), total(qx), total(qy), total(qz)
         add(push, ref, side, fx, fy, fz, qx + (oy * fz - oz * fy), qy + (oz * fx - ox * fz), qz + (ox * fy - oy * fx))
         add(push, other, -side, fx, fy, fz, qx, qy, qz)
-        if slack != 0.0:
+        if slack != 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
             ease(pairs, points, motion, p)
     account[FRICTION] += total(friction)
     account[DASHPOT] += total(damped)
