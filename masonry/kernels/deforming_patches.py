@@ -7,7 +7,7 @@ its own line from the point, and the shear force at the point: no couple is left
 """
 
 from masonry.detection.bare import bare
-from masonry.kernels.patches import DASHPOT, FRICTION, places, respond
+from masonry.kernels.patches import DASHPOT, FRICTION, ease, places, respond
 from masonry.kernels.planes import into, plane_of, turned
 from masonry.simd import FOUR, filled, four, take, total
 
@@ -43,7 +43,8 @@ def press_deforming(near, dt):
         turn = half * (v[ref, 3] + v[other, 3]), half * (v[ref, 4] + v[other, 4]), half * (v[ref, 5] + v[other, 5])
         lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, nx, ny, nz))
         stretching, along = nx * lx + ny * ly + nz * lz, nx * ox + ny * oy + nz * oz
-        fx = fy = fz = pressed = filled(0.0, four())
+        slack, fx = pairs.slack[p], filled(0.0, four())
+        fy = fz = pressed = fx
         xx = xy = xz = yx = yy = yz = zx = zy = zz = filled(0.0, four())
         for k in range(0, count[s], FOUR):
             ax, ay, az = places(frame, other, points.material, s, k)
@@ -56,7 +57,7 @@ def press_deforming(near, dt):
             dz = side * (dz + (v[other, 2] - v[ref, 2]) - lz)
             speed = dx * nx + dy * ny + dz * nz
             (gx, gy, gz), sigma, slid, lost = respond(
-                *(pairs, points, rules, p, s, k, gap),
+                *(pairs, points, rules, p, s, k, gap + slack),
                 *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), turn, dt),
             )
             friction, damped, pressed = friction + slid, damped + lost, pressed + sigma * gap
@@ -76,6 +77,8 @@ def press_deforming(near, dt):
         foot = -total(pressed)
         add_moments(push, ref, (foot * nx, foot * ny, foot * nz), nx, ny, nz)
         add(push, other, -1.0, force, moments)
+        if slack != 0.0 and force[0] == 0.0 and force[1] == 0.0 and force[2] == 0.0:
+            ease(pairs, points, motion, p)
     account[FRICTION] += total(friction)
     account[DASHPOT] += total(damped)
 

@@ -18,6 +18,9 @@ class Pairs(NamedTuple):
     reach     (P,) m, how far they may move against each other until the next look
     pose      (P, 12) how they stood to each other at the last one (relative_motion.py)
     law       (P,) row of Rules    dashpot (P,) Pa s/m
+    slack     (P,) m, by which its points press less than they overlap: slack.py
+    gained    (P,) J, normal energy that the last look gave, until slack.py has settled it; 0 otherwise
+    face      (P, 2) its two faces before that look, -1 for edges
     """
 
     number: np.ndarray
@@ -34,6 +37,9 @@ class Pairs(NamedTuple):
     pose: np.ndarray
     law: np.ndarray
     dashpot: np.ndarray
+    slack: np.ndarray
+    gained: np.ndarray
+    face: np.ndarray
 
 
 class Points(NamedTuple):
@@ -111,6 +117,9 @@ def no_pairs(room: int) -> Pairs:
         reach=np.zeros(room),
         pose=np.zeros((room, 12)),
         dashpot=np.zeros(room),
+        slack=np.zeros(room),
+        gained=np.zeros(room),
+        face=np.full(twice, -1, dtype=np.int64),
         **whole,
     )
 

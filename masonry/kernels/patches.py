@@ -9,6 +9,7 @@ reference at the same place, so the springs are conservative and no couple is le
 from math import sqrt
 
 from masonry.detection.bare import bare, inlined
+from masonry.kernels.pair_search import FAR
 from masonry.kernels.planes import plane_of, turned
 from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take, total, where
 
@@ -52,13 +53,16 @@ def press(near, dt):
         uz = v[other, 2] - v[ref, 2] - rx * oy + ry * ox
         turn = 0.5 * dt * (rx + wx), 0.5 * dt * (ry + wy), 0.5 * dt * (rz + wz)
         wx, wy, wz, along = wx - rx, wy - ry, wz - rz, n[0] * ox + n[1] * oy + n[2] * oz
-        fx = fy = fz = qx = qy = qz = filled(0.0, four())
+        slack, fx = pairs.slack[p], filled(0.0, four())
+        fy = fz = qx = qy = qz = fx
         for k in range(0, count[s], FOUR):
             ax, ay, az = places(frame, other, points.material, s, k)
             gap = side * (n[0] * ax + n[1] * ay + n[2] * az + along - take(points.level, (s, k), four()))
             d = side * (ux + wy * az - wz * ay), side * (uy + wz * ax - wx * az), side * (uz + wx * ay - wy * ax)
             rate = d[0] * n[0] + d[1] * n[1] + d[2] * n[2]
-            (gx, gy, gz), sigma, slid, lost = respond(pairs, points, rules, p, s, k, gap, d, rate, rate, n, turn, dt)
+            (gx, gy, gz), sigma, slid, lost = respond(
+                pairs, points, rules, p, s, k, gap + slack, d, rate, rate, n, turn, dt
+            )
             friction, damped = friction + slid, damped + lost
             gx, gy, gz = gx + sigma * n[0], gy + sigma * n[1], gz + sigma * n[2]
             fx, fy, fz = fx + gx, fy + gy, fz + gz
@@ -66,6 +70,8 @@ def press(near, dt):
         fx, fy, fz, qx, qy, qz = total(fx), total(fy), total(fz), total(qx), total(qy), total(qz)
         add(push, ref, side, fx, fy, fz, qx + (oy * fz - oz * fy), qy + (oz * fx - ox * fz), qz + (ox * fy - oy * fx))
         add(push, other, -side, fx, fy, fz, qx, qy, qz)
+        if slack != 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
+            ease(pairs, points, motion, p)
     account[FRICTION] += total(friction)
     account[DASHPOT] += total(damped)
 
@@ -156,12 +162,22 @@ def stored(pairs, points, rules, motion, p):
     pressed, sheared, s = 0.0, 0.0, pairs.slot[p]
     kn, ks = rules.normal_stiffness[pairs.law[p]], rules.shear_stiffness[pairs.law[p]]
     for k in range(points.held[s] if s >= 0 else 0):
-        gap = gap_of(pairs, points, motion, p, k)
+        gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
         if gap < 0.0:
             x, y, z = points.shear[s, 0, k], points.shear[s, 1, k], points.shear[s, 2, k]
             pressed += 0.5 * points.area[s, k] * kn * gap * gap
             sheared += 0.5 * points.area[s, k] * (x * x + y * y + z * z) / ks
     return pressed, sheared
+
+
+@bare
+def ease(pairs, points, motion, p):
+    """Take back as much of the slack of a pair as its points have parted: then nothing presses."""
+    least = FAR
+    for k in range(points.held[pairs.slot[p]]):
+        least = min(least, gap_of(pairs, points, motion, p, k))
+    if least + pairs.slack[p] >= 0.0:
+        pairs.slack[p] = min(max(-least, 0.0), max(pairs.slack[p], 0.0))
 
 
 @bare

@@ -8,7 +8,7 @@ import numpy as np
 from masonry.detection import placing
 from masonry.detection.bare import bare
 from masonry.detection.broad import Cells
-from masonry.detection.narrow import NONE, touch
+from masonry.detection.narrow import FACE, NONE, touch
 from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
@@ -101,6 +101,9 @@ def look(near, p):
     for i in range(3):  # from the first block, so that it is the same everywhere in space
         search.position[a, i] = 0.0
         search.position[b, i] = (motion.centre[b, i] - motion.centre[a, i]) + (motion.moved[b, i] - motion.moved[a, i])
+    pairs.face[p, 0] = pairs.face[p, 1] = -1
+    if pairs.witness[p, 0] == FACE:
+        pairs.face[p, 0], pairs.face[p, 1] = pairs.witness[p, 1], pairs.witness[p, 2]
     skin, least, axis = search.skin[0], min(search.least[a], search.least[b]), pairs.axis[p]
     search.flag[3] += 1
     # FAR: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks.
@@ -149,6 +152,8 @@ def let_go(near, p):
     pressed, sheared = stored(pairs, points, near.rules, near.motion, p)
     near.account[SHEAR_LOST] += sheared
     near.account[NORMAL_GAINED] -= pressed
+    pairs.gained[p] -= pressed
+    pairs.slack[p] = 0.0
     release(points, s)
     pairs.slot[p] = -1
 
@@ -204,7 +209,10 @@ def renew(near, p, count, own):
     if had == 0 and -deepest > BORN_DEEP * min(search.deep[ref], search.deep[other]):
         search.flag[0], search.flag[1] = TOO_DEEP, p
         return False
+    pairs.slack[p] = min(pairs.slack[p], 0.0)  # what a patch took over from bonds stays
     now_pressed, now_sheared = stored(pairs, points, near.rules, motion, p)
+    if had > 0 or search.flag[2] > 1:  # what presses from the start is as the scene says
+        pairs.gained[p] += now_pressed - pressed
     near.account[SHEAR_LOST] += sheared - now_sheared
     near.account[NORMAL_GAINED if had > 0 else BORN] += now_pressed - pressed
     return True

@@ -12,6 +12,7 @@ from masonry.detection.narrow import FACE
 from masonry.kernels.pair_search import find_pairs
 from masonry.kernels.redetection import look
 from masonry.kernels.relative_motion import stays
+from masonry.kernels.slack import settle
 
 
 @bare
@@ -30,7 +31,11 @@ def refresh(near, dt):
             if not look(near, p):
                 return False
             call_others(near, p)
-    return look_together(near) if looked else True
+    if looked and not look_together(near):
+        return False
+    if looked:
+        settle(near)
+    return True
 
 
 @bare

@@ -4,6 +4,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.loading.settings import SETTINGS
+from masonry.model.large.meeting import Large
 from masonry.model.loads import Controlled, Growing
 
 PRESCRIBED = 110
@@ -39,6 +40,26 @@ def expected_seconds(assembly: Assembly) -> float:
     each = {"contact": len(m.group), "side": 2 * len(m.group), "block": blocks, "tet": tets, "node": nodes, "step": 1}
     step = sum(NANOSECONDS[key] * count for key, count in each.items())
     return 1e-9 * (steps * step + expected_rows(assembly) * (ROW + ROW_OF_CONTACT * len(m.group)))
+
+
+def candidates(large: Large) -> int:
+    """How many pairs of convex pieces lie so near to each other at the start that they are looked at: their boxes,
+    wider by the skin on every side, overlap. Blocks that stand still, or that bonds hold, make none.
+    """
+    pieces, search = large.near.pieces, large.near.search
+    corner = pieces.vertex + large.near.motion.centre[np.repeat(pieces.body, np.diff(pieces.vertex_start))]
+    low = np.minimum.reduceat(corner, pieces.vertex_start[:-1]) - search.skin[0]
+    high = np.maximum.reduceat(corner, pieces.vertex_start[:-1]) + search.skin[0]
+    order = np.argsort(low[:, 0], kind="stable")
+    low, high, body = low[order], high[order], pieces.body[order]
+    block, moves, found = pieces.block[body], search.moves[body], 0
+    for i, last in enumerate(np.searchsorted(low[:, 0], high[:, 0], side="right")):
+        rest = slice(i + 1, last)
+        meet = np.all((low[rest, 1:] <= high[i, 1:]) & (high[rest, 1:] >= low[i, 1:]), axis=1)
+        meet &= (block[rest] != block[i]) & (moves[rest] | moves[i])
+        key = np.minimum(block[rest], block[i]) * len(pieces.body) + np.maximum(block[rest], block[i])
+        found += int(np.count_nonzero(meet & ~np.isin(key, search.bonded[search.held])))
+    return found
 
 
 def expected_rows(assembly: Assembly) -> int:

@@ -9,7 +9,7 @@ from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
 from masonry.laboratory.contact_remarks import contact_remarks, rocked_remarks, rocking_remarks
-from masonry.laboratory.cost import expected_seconds, expected_steps
+from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
 from masonry.laboratory.provenance import provenance_of
 from masonry.laboratory.quality import quality_lines
 from masonry.laboratory.result import Result
@@ -68,7 +68,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     """What is kept of a run."""
     add_tilt(assembly, outcome)
     remarks = [*warnings(assembly), *rocked_remarks(assembly, outcome.history.frames)]
-    remarks += outcome.found.get("deformation", [])
+    remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", [])]
     return Result(
         summary={**summarise(assembly, outcome), "warnings": remarks},
         history=outcome.history,
@@ -105,6 +105,7 @@ def check(scene: Scene) -> "Report":
         "limited_by": model.limited_by,
         "quality": quality_lines(assembly),
         "settling": settling_text(assembly),
+        "meeting": meeting_text(assembly),
         "steps": expected_steps(assembly),
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),
@@ -125,6 +126,18 @@ def settling_text(assembly: Assembly) -> str:
     return (
         f"until less than {AT_REST:g} of the dead loads is unbalanced and nothing moves: how many steps this takes is "
         f"found as the run begins; {assembly.plan.settle} are counted here"
+    )
+
+
+def meeting_text(assembly: Assembly) -> str:
+    """What may meet as blocks move, in large displacement; nothing without it."""
+    large = assembly.model.large
+    if large is None:
+        return ""
+    return (
+        f"{candidates(large)} pairs of {len(large.near.pieces.body)} convex pieces are near enough to be looked at; "
+        "they are found anew when two blocks may have come nearer by the skin of "
+        f"{1e3 * large.near.search.skin[0]:.3g} mm"
     )
 
 

@@ -44,6 +44,7 @@ def check_rows(report: dict[str, Any]) -> Rows:
         ("time step", [f"{report['time_step_s']:.4g} s, limited by {report['limited_by']}"]),
         *((word, [sentence]) for word, sentence in report["quality"].items()),
         *([("settling", [report["settling"]])] if report.get("settling") else []),
+        *([("may meet", [report["meeting"]])] if report.get("meeting") else []),
         ("steps", [f"{report['steps']}"]),
         ("expected time", [f"about {duration(report['expected_seconds'])}"]),
         ("compiled in", report["compiled"] or ["nothing beyond contacts"]),

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from geometry.polyhedra.measures import bounds
+from geometry.specimens.placed import FLOOR
 from masonry.kernels.patches import deepest
 from masonry.model.model import Model
 from masonry.monitors.energy import present
@@ -18,15 +19,19 @@ SQUEEZED = 0.8
 
 
 class Collapse(Observer):
-    """Looks for the first block that has fallen. Without weight nothing falls."""
+    """Looks for the first block that has fallen, and for those that have left the floor, where there is one: they are
+    lower than its underside. Without weight nothing falls."""
 
-    REMEMBERED = ("block", "step", "energies")
+    REMEMBERED = ("block", "step", "energies", "left", "first_left", "time_left")
 
     def __init__(self, model: Model) -> None:
         self.block, self.step = -1, 0
+        self.left, self.first_left, self.time_left = 0, -1, 0.0
         self.energies: dict[str, float] = {}
         low, high = bounds(model.blocks)
         self.width = (high - low).min(axis=1)
+        floor = np.array([group == FLOOR for group in model.blocks.groups])[model.blocks.group]
+        self.underside = low[floor, 2].min(initial=np.inf) if floor.any() else -np.inf
         self.free = np.zeros(model.blocks.count, dtype=bool)
         for kind, body in present(model):
             free = body.dt_over_mass[:, :3].any(axis=1)
@@ -46,9 +51,21 @@ class Collapse(Observer):
             if drop.max(initial=0.0) > DROPPED:
                 self.block, self.step = int(drop.argmax()), step
                 self.energies = {key: value for key, value in view.terms.items() if key != "imbalance"}
+        if self.underside > -np.inf:
+            self._look_below(model, step)
         assert model.large is not None
         overlap = deepest(model.large.near, self.width[model.large.near.pieces.block])
         return {"widest": float(view.seen.opening.max(initial=0.0)), "overlap": float(overlap), "slip": 0.0}
+
+    def _look_below(self, model: Model, step: int) -> None:
+        height = model.layout.centroid[:, 2].copy()
+        for kind, body in present(model):
+            moved = self._of_nodes(model, model.u[: len(body.v)], mean=True) if kind == "tets" else body.q
+            height[model.layout.members[kind]] += moved[:, 2]
+        below = self.free & (height < self.underside)
+        self.left = int(below.sum())
+        if self.first_left < 0 and self.left:
+            self.first_left, self.time_left = int(below.argmax()), step * model.dt
 
     def _of_nodes(self, model: Model, values: np.ndarray, mean: bool = False) -> np.ndarray:
         """Sums, or means, over the nodes of each meshed block."""
@@ -62,7 +79,17 @@ class Collapse(Observer):
         return np.asarray(found[which] / count if mean else found[which])
 
     def found(self) -> dict[str, Any]:
-        return {"collapse": None if self.block < 0 else (self.block, self.step, self.energies)}
+        fallen = None if self.block < 0 else (self.block, self.step, self.energies)
+        return {"collapse": fallen, "left_floor": self._left_floor()}
+
+    def _left_floor(self) -> list[str]:
+        if self.first_left < 0:
+            return []
+        others = f", and {self.left - 1} more later" if self.left > 1 else ""
+        return [
+            f"block {self.first_left} had left the floor after {self.time_left:.3g} s{others}: what leaves it falls on "
+            "for ever, and its energy is counted; make the floor larger"
+        ]
 
 
 class Deformation(Observer):

@@ -1,10 +1,15 @@
 """Bonds that have nothing left retire: two blocks whose bonds are all broken meet by patches from then on."""
 
+from collections.abc import Collection
+from typing import NamedTuple
+
 import numpy as np
 
-from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of
+from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of, stored
 from masonry.kernels.planes import plane_of
+from masonry.kernels.redetection import Near
 from masonry.kernels.refreshing import refresh
+from masonry.kernels.slack import hold
 from masonry.model.large.meeting import keys
 from masonry.model.model import Model
 from masonry.monitors.energy import stored_in_contacts
@@ -14,11 +19,20 @@ SPENT = 1e-3
 """Share of its strength that a broken bond has left, at most: at seven softening lengths of the exponential law."""
 
 
+class Carried(NamedTuple):
+    """What the bonds of two blocks carry: force (3,) N on the first one; J that they hold by pressure and by shear."""
+
+    force: np.ndarray
+    pressed: float
+    sheared: float
+
+
 def retire(model: Model) -> None:
-    """Let the bonds between two blocks go once all of them are broken; patches take their shear traction over.
+    """Let the bonds between two blocks go once all of them are broken; patches take over what they carry.
 
     A joint with residual cohesion keeps its bonds, since patches have none. What the bonds dissipated is final. What
-    their springs hold is booked as lost, and what the new points hold as gained.
+    their springs hold is booked as lost, and what the new points hold as gained: no less, but where the shear of
+    bonds that stick was spread otherwise than their pressure.
     """
     assert model.large is not None
     bonds, search, account = model.large.bonds, model.large.near.search, model.large.near.account
@@ -30,18 +44,20 @@ def retire(model: Model) -> None:
     going = np.flatnonzero(broken & ~np.isin(key, key[bonds.alive & ~broken]))
     if len(going) == 0:
         return
-    sheared, before = _shear_energy(model, going), stored_in_contacts(model)
-    tractions = _tractions(key[going], bonds.force[going], model.contacts.area[going])
+    left = _carried(model, key[going], going)
+    before = stored_in_contacts(model)
     bonds.alive[going] = False
     model.contacts.area[going] = 0.0
     model.contacts.force[going] = bonds.force[going] = 0.0
+    sheared = sum(one.sheared for one in left.values())
     account[SHEAR_LOST] += sheared
     account[NORMAL_GAINED] -= before - stored_in_contacts(model) - sheared
     search.held[:] = np.isin(search.bonded, key[bonds.alive])
     search.built[:] = -np.inf
     while not refresh(model.large.near, 0.0):
         make_room(model)
-    _hand_over(model, tractions, count)
+    for found, pairs in _pairs_of(model.large.near, left.keys(), count).items():
+        _hand_over(model.large.near, pairs, left[found])
 
 
 def _broken(model: Model, alive: np.ndarray) -> np.ndarray:
@@ -56,38 +72,68 @@ def _broken(model: Model, alive: np.ndarray) -> np.ndarray:
     return found & alive
 
 
-def _tractions(key: np.ndarray, force: np.ndarray, area: np.ndarray) -> dict[int, np.ndarray]:
-    """Mean traction (3,) Pa on side a of each pair of blocks; key (R,) of the pairs of bonds, force (R, 3) N."""
-    pairs, which = np.unique(key, return_inverse=True)
-    total = np.stack([np.bincount(which, weights=force[:, i]) for i in range(3)], axis=1)
-    return dict(zip(pairs.tolist(), total / np.bincount(which, weights=area)[:, None], strict=True))
-
-
-def _shear_energy(model: Model, which: np.ndarray) -> float:
-    """J that the shear springs of some bonds hold."""
-    normal, force, area = (array[which] for array in (model.contacts.normal, model.contacts.force, model.contacts.area))
-    stiffness = np.array([joint.shear_stiffness for joint in model.groups.properties])[model.group[which]]
-    tangential = force - np.einsum("ci,ci->c", force, normal)[:, None] * normal
-    return float(np.sum(np.einsum("ci,ci->c", tangential, tangential) / (2.0 * stiffness * area)))
-
-
-def _hand_over(model: Model, tractions: dict[int, np.ndarray], count: int) -> None:
-    """Give the points of the new patches that press the mean traction of their bonds, and book what they then hold."""
+def _carried(model: Model, key: np.ndarray, which: np.ndarray) -> dict[int, Carried]:
+    """What the bonds `which` carry, by the key (R,) of their two blocks."""
     assert model.large is not None
-    near = model.large.near
-    pairs, points, rules = near.pairs, near.points, near.rules
-    for p in range(int(pairs.number[0])):
-        s, (a, b) = pairs.slot[p], near.pieces.block[pairs.body[p]]
-        traction = tractions.get(int(keys(np.array([[a, b]]), count)[0]))
-        if s < 0 or traction is None:
-            continue
-        motion, ref = near.motion, pairs.body[p, 1 - pairs.points_of[p]]
-        n = np.array(plane_of(motion.frame, motion.dual, ref, *pairs.normal[p])[:3])
-        along = (traction - (traction @ n) * n) * (1.0 if a < b else -1.0)  # on side 0
-        size = float(np.linalg.norm(along))
-        kn, ks, tan = (rule[pairs.law[p]] for rule in rules[:3])
-        for k in range(points.held[s]):
-            most = -tan * kn * min(gap_of(pairs, points, near.motion, p, k), 0.0)
-            points.shear[s, :, k] = along * min(1.0, most / size) if size > 0.0 else 0.0
-            held = float(points.shear[s, :, k] @ points.shear[s, :, k])
-            near.account[SHEAR_LOST] -= 0.5 * points.area[s, k] * held / ks
+    normal, force, area = (array[which] for array in (model.contacts.normal, model.contacts.force, model.contacts.area))
+    kn, ks = (
+        np.array([getattr(joint, name) for joint in model.groups.properties])[model.group[which]]
+        for name in ("normal_stiffness", "shear_stiffness")
+    )
+    along = np.einsum("ci,ci->c", force, normal)
+    across = np.sum(force**2, axis=1) - along**2
+    pairs, of = np.unique(key, return_inverse=True)
+    pressed = np.bincount(of, np.minimum(along, 0.0) ** 2 / (2.0 * kn * area))
+    sheared = np.bincount(of, across / (2.0 * ks * area))
+    total = np.zeros((len(pairs), 3))
+    np.add.at(total, of, model.large.bonds.force[which])
+    return {int(k): Carried(*one) for k, *one in zip(pairs, total, pressed, sheared, strict=True)}
+
+
+def _pairs_of(near: Near, wanted: Collection[int], count: int) -> dict[int, list[int]]:
+    """The pairs of pieces that touch, by the key of their two blocks, of those that are wanted."""
+    found: dict[int, list[int]] = {}
+    for p in range(int(near.pairs.number[0])):
+        key = int(keys(near.pieces.block[near.pairs.body[p]][None], count)[0])
+        if near.pairs.slot[p] >= 0 and key in wanted:
+            found.setdefault(key, []).append(p)
+    return found
+
+
+def _hand_over(near: Near, which: list[int], left: Carried) -> None:
+    """Give the points of the new patches of two blocks what their bonds carried: as much energy of pressure, by a slack
+    of their gaps, and as much shear force, spread as the pressure is. They hold no more energy of shear than the bonds
+    did; where friction bears less than that force, it begins to slide in the next step. Book what they hold."""
+    pairs, points, motion, rules = near.pairs, near.points, near.motion, near.rules
+    held = {}
+    for p in which:
+        near.account[NORMAL_GAINED] -= stored(pairs, points, rules, motion, p)[0]
+        pairs.slack[p] = 0.0
+        held[p] = stored(pairs, points, rules, motion, p)[0]
+    whole = sum(held.values())
+    if whole <= 0.0:
+        return
+    for p in which:
+        near.account[NORMAL_GAINED] += hold(near, p, left.pressed * held[p] / whole)
+    pressures = {p: pressures_of(near, p) for p in which}
+    areas = {p: points.area[pairs.slot[p], : len(pressures[p])] for p in which}
+    thrust = sum(float(areas[p] @ pressures[p]) for p in which)
+    sheared, tractions = 0.0, {}
+    for p in which:
+        a, b = near.pieces.block[pairs.body[p]]
+        n = np.array(plane_of(motion.frame, motion.dual, pairs.body[p, 1 - pairs.points_of[p]], *pairs.normal[p])[:3])
+        share = (left.force - (left.force @ n) * n) * (1.0 if a < b else -1.0) / thrust  # on side 0
+        tractions[p] = share[:, None] * pressures[p]
+        sheared += float(areas[p] @ np.sum(tractions[p] ** 2, axis=0)) / (2.0 * rules.shear_stiffness[pairs.law[p]])
+    less = min(1.0, np.sqrt(left.sheared / sheared)) if sheared > 0.0 else 0.0
+    for p in which:
+        points.shear[pairs.slot[p], :, : len(pressures[p])] = less * tractions[p]
+    near.account[SHEAR_LOST] -= less**2 * sheared
+
+
+def pressures_of(near: Near, p: int) -> np.ndarray:
+    """(K,) Pa, how hard the points of a pair press."""
+    pairs, points = near.pairs, near.points
+    kn, count = near.rules.normal_stiffness[pairs.law[p]], points.held[pairs.slot[p]]
+    gaps = [gap_of(pairs, points, near.motion, p, k) + pairs.slack[p] for k in range(count)]
+    return kn * np.maximum(-np.array(gaps), 0.0)

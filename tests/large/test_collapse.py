@@ -1,7 +1,8 @@
 """A dry arch that is tilted until it falls: at which tilt, which voussoir, and what is said of it."""
 
+import re
 from functools import cache
-from math import tan
+from math import cos, radians, sin, sqrt, tan
 
 import pytest
 
@@ -9,6 +10,8 @@ from masonry import scene
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import summary_text
 from masonry.results.trust import trust
+from tests.large.made import G, dry, leaning
+from tests.scenes import box, tables
 
 SETTINGS = {"settle.steps": 8000, "gravity.tilt.duration": "4 s", "solver.duration": "4.5 s", "solver.rows": 600}
 
@@ -46,3 +49,23 @@ def test_a_run_in_real_time_with_a_clean_ledger_is_trusted_and_an_open_one_is_no
         ("overlap_max", 0.1, "normal stiffness is too low"),
     ):
         assert words in trust({**good, key: bad})
+
+
+def test_a_block_that_slides_off_the_floor_is_told_and_falls_on():
+    edge, half = 0.25, 0.05
+    floor = '[floor]\nsize = ["0.5 m", "0.5 m"]\nthickness = "50 mm"\n'
+    touch = 'normal_stiffness = "10 GPa/m"\nshear_stiffness = "5 GPa/m"\ntan_friction_angle = {}'
+    met = {mu: floor + tables("contact", {"floor_units": touch.format(mu)}) for mu in (0.2, 1.0)}
+    block = box("block", (-half, -half, 0.0), (2.0 * half, 2.0 * half, half), "units", 0)
+    result = laboratory.run(dry([block], 0.2, leaning(40.0), 0.5, supports=(), more=met[0.2]))
+    (remark,) = [words for words in result.summary["warnings"] if "left the floor" in words]
+    assert remark in trust(result.summary)
+    found = re.search(r"block 0 had left the floor after ([\d.]+) s: what leaves it falls on", remark)
+    assert found is not None
+    pace = G * (sin(radians(40.0)) - 0.2 * cos(radians(40.0)))
+    at_edge = sqrt(2.0 * edge / pace)  # its middle is above the edge; then it falls by half of it and the floor
+    assert at_edge < float(found[1]) < at_edge + sqrt(2.0 * (0.5 * half + 0.05) / (G * cos(radians(40.0)))) + 0.05
+    assert result.summary["energy_imbalance"] < 1e-12
+
+    stays = laboratory.run(dry([block], 1.0, leaning(40.0), 0.5, supports=(), more=met[1.0]))
+    assert not any("left the floor" in words for words in stays.summary["warnings"])

@@ -10,6 +10,8 @@ from masonry.assembly.assemble import assemble
 from masonry.detection.broad import cells_for
 from masonry.kernels.patch_arrays import no_pairs, no_points
 from masonry.laboratory import laboratory
+from masonry.laboratory.cost import candidates
+from masonry.laboratory.text import check_text
 from masonry.timeloop import large_motion, model_state
 from tests.large.made import dry, leaning
 from tests.scenes import box
@@ -108,3 +110,9 @@ def test_pairs_that_outgrow_their_room_get_more_too():
     outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
     assert len(built.model.large.near.pairs.slot) > 2
     assert apart(outcome.history.rows, 0.3) < 1e-12
+
+
+def test_what_may_meet_is_told_before_the_run():
+    """The slab with both blocks on it, and what the low one bears; the tall and the low one are too far apart."""
+    assert candidates(assemble(scene()).model.large) == 3
+    assert "may meet 3 pairs of 4 convex pieces" in " ".join(check_text(laboratory.check(scene())).split())

@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 
 from masonry import scene
+from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST
 from masonry.laboratory import laboratory
 from masonry.monitors.energy import open_in_contacts
+from masonry.timeloop import loop
+from masonry.timeloop.retirement import pressures_of
 
 WEIGHT = 1900.0 * 0.2 * 0.05 * 0.05 * 9.81
 SLID = {"drive.displacement": "30 mm", "solver.duration": "0.4 s", "solver.until": None, "drive.rate": "200 mm/s"}
@@ -45,3 +48,41 @@ def test_every_joule_is_booked_as_bonds_retire():
     work = np.abs(rows["external_work"]).max()
     assert abs(left[begun] - left[begun - 1]) < 1e-6 * work, "at the row at which they retire"
     assert np.abs(rows["imbalance"]).max() < 1e-12 * work
+
+
+def handed_over(monkeypatch, **settings):
+    """By what (J) the account changes as bonds retire, and the rows of the couplet of the paper."""
+    seen, usual = [], loop.retire
+
+    def watched(model):
+        before = model.large.near.account.copy()
+        usual(model)
+        change = model.large.near.account - before
+        if model.contacts.area.max() == 0.0 and not seen:
+            seen.append(change)
+            assert press_of(model) == pytest.approx(1.0, abs=3e-3), "of the thrust of the bonds"
+
+    monkeypatch.setattr(loop, "retire", watched)
+    rows = laboratory.run(scene.load("couplet", {"displacements": "large", **settings})).history.rows
+    (change,) = seen
+    return change, rows
+
+
+def press_of(model) -> float:
+    """What the patches press with, over the confinement of 0.5 MPa."""
+    near = model.large.near
+    held = range(int(near.pairs.number[0]))
+    pressed = 0.0
+    for p in (p for p in held if near.pairs.slot[p] >= 0):
+        pressures = pressures_of(near, p)
+        pressed += float(near.points.area[near.pairs.slot[p], : len(pressures)] @ pressures)
+    return pressed / (0.5e6 * 0.2 * 0.05)
+
+
+def test_patches_hold_what_their_bonds_held_although_the_joint_has_become_smaller(monkeypatch):
+    change, rows = handed_over(monkeypatch)
+    work = rows["external_work"].max()
+    assert abs(change[SHEAR_LOST]) < 1e-12 * work
+    assert abs(change[NORMAL_GAINED] + change[BORN]) < 1e-12 * work
+    assert max(abs(rows[key]).max() for key in ("redetection", "area")) < 1e-6 * work
+    assert rows["stress"][-1] == pytest.approx(0.73 * 0.5e6, rel=3e-3)

@@ -1,0 +1,82 @@
+"""Looking for contacts again gives no energy: a patch that would hold more after a look gets slack, and presses less.
+
+A look measures the gaps of a patch from where its blocks are, and its areas from how they overlap. Where area comes
+under pressure, or two crossed edges become two faces, the springs would hold more than before, which nothing has paid:
+what falls would come off the ground faster than it came down. So gaps get a slack, the same for all points of the
+pair, with which the patch holds what it held. It is taken back as the blocks part (patches.ease).
+
+A block that slides over a seam takes area from one patch to another: what the first loses pays for what the second
+gains, where they share a face.
+"""
+
+from math import sqrt
+
+from masonry.detection.bare import bare
+from masonry.detection.narrow import FACE
+from masonry.kernels.patches import NORMAL_GAINED, gap_of, stored
+
+ROUNDS = 60
+"""Of Newton's method, at most: six are usual."""
+
+
+@bare
+def settle(near):
+    """Give slack to all pairs that gained normal energy in the looks of this step, as far as none on their faces lost
+    as much."""
+    pairs, lost, count = near.pairs, near.before.slot, 0  # `before` is free between two searches
+    for p in range(pairs.number[0]):
+        if pairs.gained[p] < 0.0:
+            lost[count] = p
+            count += 1
+    for p in range(pairs.number[0]):
+        if pairs.gained[p] <= 0.0:
+            continue
+        for k in range(count if pairs.witness[p, 0] == FACE else 0):
+            q = lost[k]
+            if shares_face(pairs, p, q):
+                paid = min(pairs.gained[p], -pairs.gained[q])
+                pairs.gained[p] -= paid
+                pairs.gained[q] += paid
+        if pairs.gained[p] > 0.0:
+            holds = stored(pairs, near.points, near.rules, near.motion, p)[0]
+            near.account[NORMAL_GAINED] += hold(near, p, holds - pairs.gained[p]) - holds
+            pairs.gained[p] = 0.0
+    for k in range(count):
+        pairs.gained[lost[k]] = 0.0
+
+
+@bare
+def shares_face(pairs, p, q):
+    """Whether one of the two faces of patch p was one of pair q before the last look."""
+    one, two = pairs.witness[p, 1], pairs.witness[p, 2]
+    return pairs.face[q, 0] == one or pairs.face[q, 0] == two or pairs.face[q, 1] == one or pairs.face[q, 1] == two
+
+
+@bare
+def hold(near, p, energy):
+    """Give a pair the slack with which its points hold a normal energy (J), if any; returns what they hold then.
+
+    The root of the energy is a convex function of the slack: Newton's method comes from the left, and stays there.
+    """
+    pairs, points, motion = near.pairs, near.points, near.motion
+    s, kn = pairs.slot[p], near.rules.normal_stiffness[pairs.law[p]]
+    wanted = sqrt(max(energy, 0.0))
+    for _ in range(ROUNDS):
+        twice = force = deepest = 0.0
+        for k in range(points.held[s]):
+            gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
+            if gap < 0.0:
+                twice += points.area[s, k] * kn * gap * gap
+                force -= points.area[s, k] * kn * gap
+                deepest = min(deepest, gap)
+        root = sqrt(0.5 * twice)
+        if force == 0.0:
+            return 0.0
+        if wanted == 0.0:
+            pairs.slack[p] -= deepest
+            return 0.0
+        change = 2.0 * root * (root - wanted) / force
+        if abs(change) <= 1e-15 * (abs(pairs.slack[p]) - deepest):
+            return root * root
+        pairs.slack[p] += change
+    return stored(pairs, points, near.rules, motion, p)[0]
