@@ -1,4 +1,4 @@
-"""From a scene's words to the freedoms they mean: supports, drive, tractions, gravity, and what they select."""
+"""From a scene's words to the dofs they mean: supports, drive, tractions, gravity, and what they select."""
 
 import re
 
@@ -9,9 +9,9 @@ from geometry.joints import boundary
 from geometry.specimens.placed import FLOOR
 from masonry.errors import SceneError, nearest
 from masonry.model import loads
-from masonry.model.layout import FREEDOMS, KINDS, Layout, Material
+from masonry.model.layout import DOFS, KINDS, Layout, Material
 from masonry.model.motion import rows_of, velocities_of
-from masonry.model.supports import Hold, held_freedoms
+from masonry.model.supports import Hold, held_dofs
 from masonry.quantity import parse
 from masonry.scene import Scene
 
@@ -22,28 +22,28 @@ PLANE = re.compile(r"\s*(blocks at\s+)?([xyz])\s*=\s*(\S.*)")
 def conditions_of(
     scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, materials: dict[str, Material]
 ) -> loads.Conditions:
-    """Supports, drive and dead loads on the freedoms."""
+    """Supports, drive and dead loads on the dofs."""
     blocks, conditions = specimen.blocks, loads.no_conditions(layout)
     for k, support in enumerate(scene.support):
         where = f"support.{k}.on"
         chosen, faces = select(specimen, joints, support.on, where)
         axes = tuple(AXES[f] for f in support.fix if f in AXES)
         hold = Hold(chosen, axes, _turns(support.fix), faces, f"support.{k}")
-        conditions.held_by[hold.name] = held_freedoms(blocks, layout, hold)
+        conditions.held_by[hold.name] = held_dofs(blocks, layout, hold)
         _add(conditions.supported, conditions.held_by[hold.name])
     if scene.floor is not None:
         hold = Hold(specimen.sets[FLOOR], (0, 1, 2), (0, 1, 2), None, FLOOR)
-        conditions.held_by[FLOOR] = held_freedoms(blocks, layout, hold)
+        conditions.held_by[FLOOR] = held_dofs(blocks, layout, hold)
         _add(conditions.supported, conditions.held_by[FLOOR])
     _add(conditions.prescribed, conditions.supported)
     if scene.drive is not None:
         chosen, faces = select(specimen, joints, scene.drive.on, "drive.on")
         hold = Hold(chosen, (scene.drive.axis,), (), faces, "drive")
-        driven = conditions.held_by["drive"] = held_freedoms(blocks, layout, hold)
-        conditions.driven = loads.drive_freedoms(driven, scene.drive.axis)
+        driven = conditions.held_by["drive"] = held_dofs(blocks, layout, hold)
+        conditions.driven = loads.drive_dofs(driven, scene.drive.axis)
         if any((driven[kind] & conditions.supported[kind])[:, scene.drive.axis].any() for kind in KINDS):
             raise SceneError(f"drive.on = '{scene.drive.on}': a support holds it in the direction of the drive")
-        conditions.support = loads.drive_freedoms(conditions.supported, scene.drive.axis)
+        conditions.support = loads.drive_dofs(conditions.supported, scene.drive.axis)
         _add(conditions.prescribed, driven)
     for k, traction in enumerate(scene.traction):
         where = f"traction.{k}.on"
@@ -81,7 +81,7 @@ def _set_moving(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout
     """The velocities and spins with which blocks start; those that several entries name move by the sum."""
     if not scene.motion:
         return
-    motion = {kind: np.zeros((layout.rows(kind), FREEDOMS[kind])) for kind in KINDS}
+    motion = {kind: np.zeros((layout.rows(kind), DOFS[kind])) for kind in KINDS}
     spin = np.zeros((specimen.blocks.count, 3))
     for k, given in enumerate(scene.motion):
         where = f"motion.{k}.on"
@@ -108,7 +108,7 @@ def _turns(fix: tuple[str, ...]) -> tuple[int, ...]:
 
 
 def _add(masks: dict[str, np.ndarray], more: dict[str, np.ndarray]) -> None:
-    """Freedoms that are held besides those that already are."""
+    """Dofs that are held besides those that already are."""
     for kind in KINDS:
         masks[kind] |= more[kind]
 

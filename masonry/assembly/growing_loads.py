@@ -1,4 +1,4 @@
-"""The load of [limit] on the freedoms of the bodies at a factor of 1: for limit analysis, and for runs in which it
+"""The load of [limit] on the dofs of the bodies at a factor of 1: for limit analysis, and for runs in which it
 grows."""
 
 import numpy as np

@@ -42,7 +42,7 @@ def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions:
 
 
 def _supported(layout: Layout, conditions: Conditions, member: np.ndarray) -> bool:
-    """Whether a support, and not only the drive, holds some freedom of a part."""
+    """Whether a support, and not only the drive, holds some dof of a part."""
     return any(
         bool((conditions.supported[kind] & member[block_of_rows(layout, kind)][:, None]).any())
         for kind in KINDS
@@ -51,7 +51,7 @@ def _supported(layout: Layout, conditions: Conditions, member: np.ndarray) -> bo
 
 
 def block_of_rows(layout: Layout, kind: str) -> np.ndarray:
-    """The block of each row of freedoms of a kind."""
+    """The block of each row of dofs of a kind."""
     members = layout.members[kind]
     return np.repeat(members, np.diff(_row_start(layout))) if kind == "tets" else members
 
@@ -59,7 +59,7 @@ def block_of_rows(layout: Layout, kind: str) -> np.ndarray:
 def _rigid_motions(
     layout: Layout, conditions: Conditions, member: np.ndarray, size: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(n, 6) what six rigid motions (turns of 1/size) do to the held freedoms; (6,) work of the dead loads on them.
+    """(n, 6) what six rigid motions (turns of 1/size) do to the held dofs; (6,) work of the dead loads on them.
 
     Held turns and strains are taken times the size: all rows are then lengths, and the answer is the same in any unit.
     """
@@ -86,7 +86,7 @@ def _row_start(layout: Layout) -> np.ndarray:
 
 
 def _motion_of_rows(layout: Layout, kind: str, owner: np.ndarray, size: float) -> np.ndarray:
-    """(rows, freedoms, 6): each freedom under a unit move along, and a turn of 1/size about, x, y and z.
+    """(rows, dofs, 6): each dof under a unit move along, and a turn of 1/size about, x, y and z.
 
     Turns are about the middle of the specimen, wherever that stands.
     """

@@ -49,10 +49,10 @@ def advance(
         else:
             press_deforming(near, dt)
             hand_over(near.motion, members, rigid, affine, tets)
-        clock = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
-        move(None, rigid, dt, damping, clock, bonds.force, bonds.u)
-        move(None, affine, dt, damping, clock, bonds.force, bonds.u)
-        move(None, tets, dt, damping, clock, bonds.force, bonds.u)
+        loading = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
+        move(None, rigid, dt, damping, loading, bonds.force, bonds.u)
+        move(None, affine, dt, damping, loading, bonds.force, bonds.u)
+        move(None, tets, dt, damping, loading, bonds.force, bonds.u)
         drive_force[k] = reaction(rigid, rigid_drive) + reaction(affine, affine_drive) + reaction(tets, tet_drive)
         pull(rigid, rigid_drive, speed[n + 1])
         pull(affine, affine_drive, speed[n + 1])

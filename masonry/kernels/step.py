@@ -21,7 +21,7 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
                the one behind its last
     contacts   (sides, normal, area, u, force)
     bodies     (rigid, affine, tets), None where absent
-    drives     (K, 2) row and number of the freedoms that the drive moves, one array per kinematics or None
+    drives     (K, 2) row and number of the dofs that the drive moves, one array per kinematics or None
     drive_force  (steps,) out: force (N) that the drive exerts, after each step
     """
     parameters, joints, states, ranges = groups
@@ -36,10 +36,10 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
 
         sweep_groups(parallel, parameters, joints, states, 0, ranges, sides, normal, area, u, force)
 
-        clock = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
-        move(parallel, rigid_blocks, dt, damping, clock, force, u)
-        move(parallel, affine_blocks, dt, damping, clock, force, u)
-        move(parallel, tet_blocks, dt, damping, clock, force, u)
+        loading = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
+        move(parallel, rigid_blocks, dt, damping, loading, force, u)
+        move(parallel, affine_blocks, dt, damping, loading, force, u)
+        move(parallel, tet_blocks, dt, damping, loading, force, u)
 
         drive_force[k] = (
             reaction(rigid_blocks, rigid_drive)
@@ -52,22 +52,22 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
 
 
 @jit
-def pull(body, freedoms, speed):
-    """Set the velocity of the driven freedoms."""
-    if freedoms is None:
+def pull(body, dofs, speed):
+    """Set the velocity of the driven dofs."""
+    if dofs is None:
         return
-    for k in range(len(freedoms)):
-        body.v[freedoms[k, 0], freedoms[k, 1]] = speed
+    for k in range(len(dofs)):
+        body.v[dofs[k, 0], dofs[k, 1]] = speed
 
 
 @jit
-def reaction(body, freedoms):
-    """Sum of the forces that hold the given freedoms."""
-    if freedoms is None:
+def reaction(body, dofs):
+    """Sum of the forces that hold the given dofs."""
+    if dofs is None:
         return 0.0
     total = 0.0
-    for k in range(len(freedoms)):
-        total += body.hold[freedoms[k, 0], freedoms[k, 1]]
+    for k in range(len(dofs)):
+        total += body.hold[dofs[k, 0], dofs[k, 1]]
     return total
 
 

@@ -1,4 +1,4 @@
-"""Affine blocks: u(x) = t + H (x - centroid); 12 freedoms, with the block's own linear elasticity (uniform strain).
+"""Affine blocks: u(x) = t + H (x - centroid); 12 dofs, with the block's own linear elasticity (uniform strain).
 
 H is held along the block's axes: column k is the derivative along axis k of the block.
 """
@@ -44,7 +44,7 @@ class Affine(NamedTuple):
 
 
 def place(body, dt, u):
-    """Advance the freedoms by dt v and write the displacement of every contact point."""
+    """Advance the dofs by dt v and write the displacement of every contact point."""
     q, v, arm, start, first = body.q, body.v, body.arm, body.start, body.first_point
     for b in prange(len(q)):
         for i in range(0, 12, FOUR):
@@ -57,7 +57,7 @@ def place(body, dt, u):
             put_row(u, first + k, plus(plus(plus(moved, arm[k, 0], by_a), arm[k, 1], by_b), arm[k, 2], by_c))
 
 
-def move(body, dt, damping, clock, force, u):
+def move(body, dt, damping, loading, force, u):
     """Sum contact forces and their first moments, add the block's own stiffness, and advance."""
     arm, start, code = body.arm, body.start, body.code
     for b in prange(len(body.q)):
@@ -73,17 +73,17 @@ def move(body, dt, damping, clock, force, u):
         sums = (f[0], f[1], f[2], x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2])
         inner = _inner(body, b)
         done = four(), four(), four()
-        done = _advance_row(body, b, 0, sums[0:4], inner[0:4], dt, damping, clock, done)
-        done = _advance_row(body, b, 4, sums[4:8], inner[4:8], dt, damping, clock, done)
-        done = _advance_row(body, b, 8, sums[8:12], inner[8:12], dt, damping, clock, done)
+        done = _advance_row(body, b, 0, sums[0:4], inner[0:4], dt, damping, loading, done)
+        done = _advance_row(body, b, 4, sums[4:8], inner[4:8], dt, damping, loading, done)
+        done = _advance_row(body, b, 8, sums[8:12], inner[8:12], dt, damping, loading, done)
         keep(body.work, b, done)
 
 
 @register_jitable
-def _advance_row(body, b, first, contact, inner, dt, damping, clock, done):
+def _advance_row(body, b, first, contact, inner, dt, damping, loading, done):
     contacts, inners = pack(contact), pack(inner)
     for i in range(0, 4, FOUR):
-        done = advance(body, (b, first + i), part(contacts, i), part(inners, i), dt, damping, clock, done)
+        done = advance(body, (b, first + i), part(contacts, i), part(inners, i), dt, damping, loading, done)
     return done
 
 
@@ -135,7 +135,7 @@ def hooke(h, lame, mu):
 
 @register_jitable
 def _inner(body, b):
-    """Generalised force of the block's own stiffness on its 12 freedoms: -V sigma on H, nothing on t."""
+    """Generalised force of the block's own stiffness on its 12 dofs: -V sigma on H, nothing on t."""
     s = hooke(gradient(body.axes, b, body.q), -body.stiffness[b, 0], -body.stiffness[b, 1])
     m = times_axes(body.axes, b, (s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2]))
     return (0.0, 0.0, 0.0, m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8])

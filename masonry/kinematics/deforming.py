@@ -72,7 +72,7 @@ class Deforming(NamedTuple):
 
 
 def place(body, dt, u):
-    """Advance the freedoms by dt v, write F and the displacement of every contact point."""
+    """Advance the dofs by dt v, write F and the displacement of every contact point."""
     q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
     frame = body.frame
     for b in prange(len(q)):
@@ -87,7 +87,7 @@ def place(body, dt, u):
             put_row(u, first + k, plus(plus(plus(moved, arm[k, 0], by_a), arm[k, 1], by_b), arm[k, 2], by_c))
 
 
-def move(body, dt, damping, clock, force, u):
+def move(body, dt, damping, loading, force, u):
     """Sum contact forces and their first moments, add the block's own stiffness, and advance."""
     arm, start, code, q, axes, stiffness = body.arm, body.start, body.code, body.q, body.axes, body.stiffness
     apart, patches, work = body.apart, body.patches, body.work
@@ -98,22 +98,22 @@ def move(body, dt, damping, clock, force, u):
         p = times_symmetric(_edges(h, axes, b), _stress(h, axes, b, -stiffness[b, 0], -stiffness[b, 1]))
         done, drawn = (four(), four(), four()), four()
         own, inner = (f[0], f[1], f[2], m[0]), (0.0, 0.0, 0.0, p[0])
-        done, drawn = _advance_row(body, b, 0, own, inner, dt, damping, clock, done, drawn)
-        done, drawn = _advance_row(body, b, 4, m[1:5], p[1:5], dt, damping, clock, done, drawn)
-        done, drawn = _advance_row(body, b, 8, m[5:9], p[5:9], dt, damping, clock, done, drawn)
+        done, drawn = _advance_row(body, b, 0, own, inner, dt, damping, loading, done, drawn)
+        done, drawn = _advance_row(body, b, 4, m[1:5], p[1:5], dt, damping, loading, done, drawn)
+        done, drawn = _advance_row(body, b, 8, m[5:9], p[5:9], dt, damping, loading, done, drawn)
         keep(work, b, done)
         keep_drawn(work, b, 0.5 * dt * total(drawn))
 
 
 @register_jitable
-def _advance_row(body, b, first, contact, inner, dt, damping, clock, done, drawn):
-    """Four freedoms; `drawn` grows by what the stiffness gives, the sum of its forces now and before times v."""
+def _advance_row(body, b, first, contact, inner, dt, damping, loading, done, drawn):
+    """Four dofs; `drawn` grows by what the stiffness gives, the sum of its forces now and before times v."""
     contacts, inners = pack(contact), pack(inner)
     for i in range(0, 4, FOUR):
         at, own = (b, first + i), part(inners, i)
         drawn = drawn + (own + take(body.inner, at, own)) * take(body.v, at, own)
         put(body.inner, at, own)
-        done = advance(body, at, part(contacts, i), own, dt, damping, clock, done)
+        done = advance(body, at, part(contacts, i), own, dt, damping, loading, done)
     return done, drawn
 
 

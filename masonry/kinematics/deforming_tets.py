@@ -172,7 +172,7 @@ def _patched(patches, n, contact):
     return plus(contact, 1.0, take_row(patches, n))
 
 
-def move(body, dt, damping, clock, force, u):
+def move(body, dt, damping, loading, force, u):
     """Eq. (4) with F S in place of the stress: of every tet to its corners; then contacts, damping and motion."""
     inner, corner, slope, volume, lame = body.inner, body.corner, body.slope, body.volume, body.lame
     start, code, v, work, frame, mean_slope = body.start, body.code, body.v, body.work, body.frame, body.mean_slope
@@ -208,7 +208,7 @@ def move(body, dt, damping, clock, force, u):
             for i in range(0, 3, FOUR):
                 own = take(inner, (n, i), four())
                 drawn = drawn + own * take(v, (n, i), four())
-                done = advance(body, (n, i), part(contact, i), own, dt, damping, clock, done)
+                done = advance(body, (n, i), part(contact, i), own, dt, damping, loading, done)
         keep(work, b, done)
         keep_drawn(work, b, 0.5 * dt * total(drawn))
 

@@ -19,16 +19,16 @@ def _loop(body_class: type, name: str, parallel: bool):
 
 
 def place(parallel, body, dt, u):
-    """First half of the step: advance the freedoms by dt v, write the displacement of every point (rows of u)."""
+    """First half of the step: advance the dofs by dt v, write the displacement of every point (rows of u)."""
     if body is not None:
         _loop(type(body), "place", parallel is not None)(body, dt, u)
 
 
-def move(parallel, body, dt, damping, clock, force, u):
-    """Second half of the step: forces, damping, works, velocities; clock as in kernels/freedom.py."""
+def move(parallel, body, dt, damping, loading, force, u):
+    """Second half of the step: forces, damping, works, velocities; loading as in kinematics/motion.py."""
     if body is not None:
         loop = _loop(type(body), "move", parallel is not None)
-        loop(body, dt, damping, clock, force, u)
+        loop(body, dt, damping, loading, force, u)
 
 
 def _is_absent(numba_type) -> bool:
@@ -44,8 +44,8 @@ def _place(parallel, body, dt, u):
 
 
 @overload(move)
-def _move(parallel, body, dt, damping, clock, force, u):
+def _move(parallel, body, dt, damping, loading, force, u):
     if _is_absent(body):
-        return lambda parallel, body, dt, damping, clock, force, u: None
+        return lambda parallel, body, dt, damping, loading, force, u: None
     loop = _loop(body.instance_class, "move", "bool" in str(parallel))
-    return lambda parallel, body, dt, damping, clock, force, u: loop(body, dt, damping, clock, force, u)
+    return lambda parallel, body, dt, damping, loading, force, u: loop(body, dt, damping, loading, force, u)

@@ -1,4 +1,4 @@
-"""One freedom: damping, leapfrog, and the work of each force by the trapezoid (eqs 1 and 3)."""
+"""One degree of freedom: damping, leapfrog, and the work of each force by the trapezoid (eqs 1 and 3)."""
 
 from typing import NamedTuple
 
@@ -20,7 +20,7 @@ class Guided(NamedTuple):
 
 
 def resist(damping, dt_over_mass, force, velocity, now, before):
-    """What damping adds to the force on a freedom that is expected to move at `before`, and at `now` after the step.
+    """What damping adds to the force on a dof that is expected to move at `before`, and at `now` after the step.
 
     None: nothing. A number: local damping -xi |F| sign(v), eq. (3). Guided: the rest of the velocity, v - expected,
     decays by (1 - share) / (1 + share) a step, and the expected part follows the drive without any force. Leapfrog with
@@ -71,7 +71,7 @@ def _share_of(array, at, like, factor):
 
 
 def dead_load(body, at, like, share):
-    """The load on a freedom at a share of it; what the share exceeds 1 by is that of the load that varies besides."""
+    """The load on a dof at a share of it; what the share exceeds 1 by is that of the load that varies besides."""
     if body.change is None:
         return share_of(body.load, at, like, share)
     return min(share, 1.0) * take(body.load, at, like) + max(share - 1.0, 0.0) * take(body.change, at, like)
@@ -100,25 +100,25 @@ def accumulate_work(done, held, half_step_move, contact, hold, load):
 
 
 @register_jitable
-def advance(body, at, contact, inner, dt, damping, clock, done):
-    """Freedoms of a row from `at` on, one or several: total force, damping or reaction, and the kick of eq. (1).
+def advance(body, at, contact, inner, dt, damping, loading, done):
+    """Dofs of a row from `at` on, one or several: total force, damping or reaction, and the kick of eq. (1).
 
     contact, inner  force of the contacts and of the block's own stiffness now: numbers or lanes
-    clock           share of the dead load that acts now and one step before; speed of the drive after and before
+    loading           share of the dead load that acts now and one step before; speed of the drive after and before
     done            works (J) of contacts, damping, and what acts from outside, so far; returned with this step's
     """
-    load = dead_load(body, at, contact, clock[0])
+    load = dead_load(body, at, contact, loading[0])
     dt_over_mass, velocity = take(body.dt_over_mass, at, contact), take(body.v, at, contact)
     sum_of_forces = contact + inner + load
     now, before = (
-        share_of(body.guess, at, contact, clock[2]),
-        share_of(body.guess, at, contact, clock[3]),
+        share_of(body.guess, at, contact, loading[2]),
+        share_of(body.guess, at, contact, loading[3]),
     )
     held = dt_over_mass == 0.0
     hold = where(held, -sum_of_forces, resist(damping, dt_over_mass, sum_of_forces, velocity, now, before))
     contacts = contact + take(body.contact, at, contact)
     holds = hold + take(body.hold, at, contact)
-    loads = load + dead_load(body, at, contact, clock[1])
+    loads = load + dead_load(body, at, contact, loading[1])
     done = accumulate_work(done, held, 0.5 * dt * velocity, contacts, holds, loads)
     put(body.contact, at, contact)
     put(body.hold, at, hold)
@@ -134,7 +134,7 @@ def at_rest_or(velocity):
 
 @register_jitable
 def keep(work, b, done):
-    """Add the works of a block's freedoms to its account, where one is kept."""
+    """Add the works of a block's dofs to its account, where one is kept."""
     if work is not None:
         work[b, 0] += total(done[0])
         work[b, 1] += total(done[1])

@@ -1,6 +1,6 @@
-"""Rigid blocks, small rotations: u(x) = t + theta x (x - centroid); 6 freedoms, three moves and three turns.
+"""Rigid blocks, small rotations: u(x) = t + theta x (x - centroid); 6 dofs, three moves and three turns.
 
-Displacements are linear in the freedoms: a rotation theta costs an error of theta^2/2, so a run stops beyond a stated
+Displacements are linear in the dofs: a rotation theta costs an error of theta^2/2, so a run stops beyond a stated
 rotation. Turns are about the axes in the columns of `axes` (principal axes; None where they are x, y, z).
 """
 
@@ -73,7 +73,7 @@ def turn_in(axes, b, x, y, z):
 
 
 def place(body, dt, u):
-    """Advance the freedoms by dt v and write the displacement of every contact point."""
+    """Advance the dofs by dt v and write the displacement of every contact point."""
     q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
     for b in prange(len(q)):
         for i in range(0, 6, EIGHT):
@@ -85,7 +85,7 @@ def place(body, dt, u):
             put_row(u, first + k, plus(plus(plus(moved, arm[k, 0], by_x), arm[k, 1], by_y), arm[k, 2], by_z))
 
 
-def move(body, dt, damping, clock, force, u):
+def move(body, dt, damping, loading, force, u):
     """Sum the contact forces of each block, damp, add up the work, and kick the velocities by half a step each way."""
     arm, start, code, axes = body.arm, body.start, body.code, body.axes
     for b in prange(len(body.q)):
@@ -104,5 +104,5 @@ def move(body, dt, damping, clock, force, u):
         forces = pack((fx, fy, fz, mx, my, mz, 0.0, 0.0))
         done = eight(), eight(), eight()
         for i in range(0, 6, EIGHT):
-            done = advance(body, (b, i), part(forces, i), 0.0, dt, damping, clock, done)
+            done = advance(body, (b, i), part(forces, i), 0.0, dt, damping, loading, done)
         keep(body.work, b, done)

@@ -1,4 +1,4 @@
-"""Blocks of constant-strain tets, linear elastic, small strains: 3 freedoms a node; one thread owns a block."""
+"""Blocks of constant-strain tets, linear elastic, small strains: 3 dofs a node; one thread owns a block."""
 
 from typing import NamedTuple
 
@@ -125,7 +125,7 @@ def pulled(start, code, share, n, force, contact):
     return contact
 
 
-def move(body, dt, damping, clock, force, u):
+def move(body, dt, damping, loading, force, u):
     """Eq. (4): stress of every tet to its corners; then contacts, damping and motion of the block's nodes."""
     inner, corner, slope, lame, start, code = body.inner, body.corner, body.slope, body.lame, body.start, body.code
     pull_start, pull_code, pull_share = body.pull_start, body.pull_code, body.pull_share
@@ -153,7 +153,7 @@ def move(body, dt, damping, clock, force, u):
                 contact = plus(contact, 1.0 - 2.0 * (code[k] & 1), take_row(force, code[k] >> 1))
             contact = pulled(pull_start, pull_code, pull_share, n, force, contact)
             for i in range(0, 3, FOUR):
-                done = advance(body, (n, i), part(contact, i), take(inner, (n, i), four()), dt, damping, clock, done)
+                done = advance(body, (n, i), part(contact, i), take(inner, (n, i), four()), dt, damping, loading, done)
         keep(body.work, b, done)
 
 

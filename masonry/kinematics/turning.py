@@ -167,7 +167,7 @@ def place(body, dt, u):
             put_row(u, first + k, plus(plus(plus(moved, arm[k, 0], by_x), arm[k, 1], by_y), arm[k, 2], by_z))
 
 
-def move(body, dt, damping, clock, force, u):
+def move(body, dt, damping, loading, force, u):
     """Sum the forces and moments of each block, damp, book the work, and kick its momenta.
 
     With K = L(n-1/2) J(n)^-1 L(n+1/2) / 2 the works close to round-off: K gains dt/2 (M(n-1) w+ + M(n) w-), with w+ and
@@ -184,16 +184,16 @@ def move(body, dt, damping, clock, force, u):
         moment = added(added(axial(product(moment, transposed(r))), beside), patch_couple(patches, b))
         own = added(own, patch_force(patches, b))
         done = 0.0, 0.0, 0.0
-        done = advance(body, (b, 0), own[0], 0.0, dt, damping, clock, done)
-        done = advance(body, (b, 1), own[1], 0.0, dt, damping, clock, done)
-        done = advance(body, (b, 2), own[2], 0.0, dt, damping, clock, done)
+        done = advance(body, (b, 0), own[0], 0.0, dt, damping, loading, done)
+        done = advance(body, (b, 1), own[1], 0.0, dt, damping, loading, done)
+        done = advance(body, (b, 2), own[2], 0.0, dt, damping, loading, done)
 
         q, free, principal = _principal(axes, b, r), _free(vector_at(dt_over_mass, b, 3)), vector_at(inertia, b, 0)
         before, angular = vector_at(v, b, 3), vector_at(momentum, b, 0)
         w = _spin(q, principal, free, angular, before)
-        load, earlier = _moment_of_load(dead, change, b, clock[0]), _moment_of_load(dead, change, b, clock[1])
+        load, earlier = _moment_of_load(dead, change, b, loading[0]), _moment_of_load(dead, change, b, loading[1])
         driving = each(free, added(moment, load))
-        damped = each(free, _damping(damping, _expected(guess, b, clock), principal, q, driving, w, dt))
+        damped = each(free, _damping(damping, _expected(guess, b, loading), principal, q, driving, w, dt))
         hold = added(damped, minus(driving, added(moment, load)))
         was = vector_at(reaction, b, 3)
         push = added(driving, damped)
@@ -256,11 +256,11 @@ def _damping(damping, expected, inertia, q, driving, w, dt):
 
 
 @register_jitable
-def _expected(guess, b, clock):
+def _expected(guess, b, loading):
     """Angular velocities that block b is expected to have after this step and before."""
     if guess is None:
         return (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-    return scaled(clock[2], vector_at(guess, b, 3)), scaled(clock[3], vector_at(guess, b, 3))
+    return scaled(loading[2], vector_at(guess, b, 3)), scaled(loading[3], vector_at(guess, b, 3))
 
 
 @register_jitable

@@ -100,7 +100,7 @@ def check(scene: Scene) -> "Report":
         "contacts": {name: int(n) for name, n in zip(model.group_names, counts, strict=True)},
         "contact_points": len(model.group),
         "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
-        "freedoms": model.freedoms,
+        "freedoms": model.dofs,
         "time_step_s": model.dt,
         "limited_by": model.limited_by,
         "quality": quality_lines(assembly),
@@ -151,7 +151,7 @@ def left_out(assembly: Assembly) -> list[str]:
     m, out = assembly.model, []
     for kind, body in zip(("rigid blocks", "affine blocks", "tets"), m.bodies, strict=True):
         if body is None:
-            out.append(f"{kind}: no such loops, no such freedoms")
+            out.append(f"{kind}: no such loops, no such degrees of freedom")
     if all(body is None or body.load is None for body in m.bodies):
         out.append("dead loads (gravity, traction): no load arrays, no work")
     elif not m.varying:

@@ -91,7 +91,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "scatter": {drawn.group: drawn.summary() for drawn in assembly.drawn},
         "contacts": len(model.group),
         "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
-        "freedoms": model.freedoms,
+        "freedoms": model.dofs,
         "steps": outcome.steps,
         "control": outcome.control,
         "seconds_run": outcome.seconds_run,

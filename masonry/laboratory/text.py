@@ -40,7 +40,7 @@ def check_rows(report: dict[str, Any]) -> Rows:
         *([("scatter", report["scatter"])] if report.get("scatter") else []),
         ("contact points", [f"{report['contact_points']}"]),
         ("tets", [f"{report['tets']}"]),
-        ("freedoms", [f"{report['freedoms']}"]),
+        ("degrees of freedom", [f"{report['freedoms']}"]),
         ("time step", [f"{report['time_step_s']:.4g} s, limited by {report['limited_by']}"]),
         *((word, [sentence]) for word, sentence in report["quality"].items()),
         *([("settling", [report["settling"]])] if report.get("settling") else []),

@@ -1,4 +1,4 @@
-"""Gauges: the displacement of a place, as a weighted sum of the freedoms of the model; read when a row is taken."""
+"""Gauges: the displacement of a place, as a weighted sum of the dofs of the model; read when a row is taken."""
 
 from dataclasses import dataclass
 
@@ -25,7 +25,7 @@ class Place:
 
 @dataclass(frozen=True)
 class Gauge:
-    """Name, and per kind of motion the rows, columns and weights of the freedoms that add up to the reading."""
+    """Name, and per kind of motion the rows, columns and weights of the dofs that add up to the reading."""
 
     name: str
     terms: dict[str, tuple[np.ndarray, np.ndarray, np.ndarray]]
@@ -52,7 +52,7 @@ def gauge(name: str, layout: Layout, at: Place, relative_to: Place | None, axis:
 
 
 def _terms(layout: Layout, kind: str, place: Place, axis: int, factor: float) -> tuple[np.ndarray, ...]:
-    """Rows, columns and weights of one place in the freedoms of one kind: u = t + turn x arm, or u = t + H arm."""
+    """Rows, columns and weights of one place in the dofs of one kind: u = t + turn x arm, or u = t + H arm."""
     if kind == "tets":
         return place.node, np.full(len(place.node), axis), factor * place.node_share
     own = np.flatnonzero(layout.kind[place.block] == KINDS.index(kind))

@@ -1,4 +1,4 @@
-"""The blocks of a model sorted by how they move: which block is where, and what mass each freedom has."""
+"""The blocks of a model sorted by how they move: which block is where, and what mass each dof has."""
 
 from dataclasses import dataclass
 
@@ -8,7 +8,7 @@ from geometry.blocks import Blocks, TetMesh
 from geometry.polyhedra import measures
 
 KINDS = ("rigid", "affine", "tets")
-FREEDOMS = {"rigid": 6, "affine": 12, "tets": 3}
+DOFS = {"rigid": 6, "affine": 12, "tets": 3}
 
 
 @dataclass(frozen=True)
@@ -48,13 +48,13 @@ class Layout:
     mesh: TetMesh | None
 
     def rows(self, kind: str) -> int:
-        """Rows of freedoms of a kind: blocks, or nodes."""
+        """Rows of dofs of a kind: blocks, or nodes."""
         if kind == "tets":
             return 0 if self.mesh is None else len(self.mesh.nodes)
         return len(self.members[kind])
 
-    def freedom(self, kind: str, row: int, i: int) -> str:
-        """A freedom in words, to blame it in a message."""
+    def dof(self, kind: str, row: int, i: int) -> str:
+        """A dof in words, to blame it in a message."""
         if kind == "tets":
             assert self.mesh is not None
             block = int(np.searchsorted(self.mesh.node_start, row, side="right") - 1)
@@ -87,7 +87,7 @@ def lay_out(blocks: Blocks, kind_of_group: dict[str, str], mesh: TetMesh | None)
 
 
 def real_masses(layout: Layout, density: np.ndarray) -> dict[str, np.ndarray]:
-    """Mass of every freedom (kg, kg m2): (B, 6) rigid, (B, 12) affine, (N, 3) tets (a quarter of each tet per node)."""
+    """Mass of every dof (kg, kg m2): (B, 6) rigid, (B, 12) affine, (N, 3) tets (a quarter of each tet per node)."""
     masses = {}
     which = layout.members["rigid"]
     m, s = density[which] * layout.volume[which], density[which, None] * layout.moment[which]

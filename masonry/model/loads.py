@@ -1,4 +1,4 @@
-"""Drive, tractions and gravity on the freedoms of the bodies; what is absent stays None."""
+"""Drive, tractions and gravity on the dofs of the bodies; what is absent stays None."""
 
 from dataclasses import dataclass, field
 from math import ceil
@@ -9,7 +9,7 @@ from geometry.blocks import Blocks
 from geometry.joints.boundary import surface_nodes
 from geometry.polyhedra import measures
 from masonry.errors import SceneError
-from masonry.model.layout import FREEDOMS, KINDS, Layout, node_masses
+from masonry.model.layout import DOFS, KINDS, Layout, node_masses
 
 
 @dataclass(frozen=True)
@@ -23,11 +23,11 @@ class Push:
 @dataclass
 class Conditions:
     """Per kind: masks of what supports and drive prescribe, dead loads (None where there are none); flat indices of the
-    driven freedoms and of those that support against the drive; masks of what supports alone hold; loads of tractions
+    driven dofs and of those that support against the drive; masks of what supports alone hold; loads of tractions
     that vary, one entry each, by kind, at a share of 1. And by name: masks of what each support and the drive hold, and
     each dead load at a share of 1, those that vary included.
 
-    motion  per kind, velocities (rows, freedoms) that bodies start with, in the freedoms that v has; None without any
+    motion  per kind, velocities (rows, dofs) that bodies start with, in the dofs that v has; None without any
     spin    (B, 3) rad/s along x, y, z, with which each block starts; None without any
     """
 
@@ -45,7 +45,7 @@ class Conditions:
 
 def no_conditions(layout: Layout) -> Conditions:
     """Nothing held, nothing loaded."""
-    shapes = {kind: (layout.rows(kind), FREEDOMS[kind]) for kind in KINDS}
+    shapes = {kind: (layout.rows(kind), DOFS[kind]) for kind in KINDS}
     masks = [{k: np.zeros(s, dtype=bool) for k, s in shapes.items()} for _ in range(2)]
     return Conditions(masks[0], dict.fromkeys(KINDS), supported=masks[1])
 
@@ -81,9 +81,9 @@ def add_traction(blocks: Blocks, layout: Layout, load: dict, push: Push) -> None
 def _of(load: dict, kind: str, layout: Layout) -> np.ndarray:
     """The dead loads of a kind, made on first use; a kind without rows gets none."""
     if layout.rows(kind) == 0:
-        return np.zeros((0, FREEDOMS[kind]))
+        return np.zeros((0, DOFS[kind]))
     if load[kind] is None:
-        load[kind] = np.zeros((layout.rows(kind), FREEDOMS[kind]))
+        load[kind] = np.zeros((layout.rows(kind), DOFS[kind]))
     return load[kind]
 
 
@@ -94,12 +94,12 @@ def add_load(layout: Layout, total: dict, more: dict) -> None:
             _of(total, kind, layout)[:] += more[kind]
 
 
-def drive_freedoms(mask: dict[str, np.ndarray], axis: int) -> dict[str, np.ndarray | None]:
-    """Flat indices, per kind, of the freedoms of a mask that move along an axis; None where there are none."""
+def drive_dofs(mask: dict[str, np.ndarray], axis: int) -> dict[str, np.ndarray | None]:
+    """Flat indices, per kind, of the dofs of a mask that move along an axis; None where there are none."""
     found: dict[str, np.ndarray | None] = {}
     for kind, held in mask.items():
         rows = np.flatnonzero(held[:, axis])
-        found[kind] = rows * FREEDOMS[kind] + axis if len(rows) else None
+        found[kind] = rows * DOFS[kind] + axis if len(rows) else None
     return found
 
 

@@ -13,7 +13,7 @@ from masonry.model import stable_step as stiffness
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
 from masonry.model.contact_groups import contact_groups
 from masonry.model.large.meeting import Large, Meetings, add_row_sums, bonds_of, near_of, pushed, without_sides
-from masonry.model.layout import FREEDOMS, KINDS, Layout, Material, real_masses
+from masonry.model.layout import DOFS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.step_cost import StepCost, step_cost
 from masonry.simd.rows import aligned
@@ -65,7 +65,7 @@ class Model:
         return self.groups.swept(which), tuple(self.contacts), tuple(self.bodies), self.drives
 
     @property
-    def freedoms(self) -> int:
+    def dofs(self) -> int:
         return sum(body.v.size for body in self.bodies if body is not None)
 
     @property
@@ -214,9 +214,9 @@ def idle_where_dry(groups: Groups) -> Groups:
     return Groups(columns[0], columns[1], columns[2], groups.bounds)
 
 
-def _row_and_number(freedoms: np.ndarray | None, kind: str) -> np.ndarray | None:
-    """(K, 2) of flat indices of freedoms."""
-    return None if freedoms is None else np.column_stack(np.divmod(freedoms, FREEDOMS[kind]))
+def _row_and_number(dofs: np.ndarray | None, kind: str) -> np.ndarray | None:
+    """(K, 2) of flat indices of dofs."""
+    return None if dofs is None else np.column_stack(np.divmod(dofs, DOFS[kind]))
 
 
 def _side(layout: Layout, joints: Joints, which: str) -> stiffness.Side:
@@ -255,9 +255,9 @@ def _stepping(
             dt = stiffness.equation_11(layout, real, kn, stepping.step_fraction)
         elif not isinstance(stepping.time_step, str):
             dt = stepping.time_step
-        return real, dt, bound, layout.freedom(kind, row, i) if kind else "nothing: nothing can move"
+        return real, dt, bound, layout.dof(kind, row, i) if kind else "nothing: nothing can move"
     dt = stiffness.step_that_keeps_the_mass(sums, real, free, stepping.step_fraction, xi)
     if not isinstance(stepping.time_step, str):
         dt = stepping.time_step
     masses = stiffness.scaled_masses(sums, dt, stepping.step_fraction, xi)
-    return masses, dt, dt / stepping.step_fraction, "every freedom alike: masses are scaled to one bound"
+    return masses, dt, dt / stepping.step_fraction, "every degree of freedom alike: masses are scaled to one bound"

@@ -1,4 +1,4 @@
-"""Blocks that start in motion: their velocities on the freedoms, and the work that set them off."""
+"""Blocks that start in motion: their velocities on the dofs, and the work that set them off."""
 
 from typing import Any
 
@@ -12,8 +12,8 @@ from masonry.model.model import Model
 def velocities_of(
     layout: Layout, kind: str, rows: np.ndarray, velocity: np.ndarray, spin: np.ndarray, about: np.ndarray
 ) -> np.ndarray:
-    """(n, freedoms) of a rigid motion on rows of a kind: velocity (3,) m/s of the point `about` (3,) m, and spin (3,)
-    rad/s, in the freedoms that v of these bodies has.
+    """(n, dofs) of a rigid motion on rows of a kind: velocity (3,) m/s of the point `about` (3,) m, and spin (3,)
+    rad/s, in the dofs that v of these bodies has.
 
     Rigid: velocity of the centroid along x, y, z, spin about the block's principal axes. Affine: velocity of the
     centroid, then the rate of the gradient, rows along x, y, z and columns along the principal axes. Tets: velocity of
@@ -68,7 +68,7 @@ def set_off(model: Model, before: list[np.ndarray]) -> None:
 
 
 def _strike(model: Model, blows: dict[str, np.ndarray], before: list[np.ndarray]) -> None:
-    """Add to velocities, by kind (rows, freedoms); the work of the blow that does this is booked as external work.
+    """Add to velocities, by kind (rows, dofs); the work of the blow that does this is booked as external work.
 
     The kinetic energy of a row is v(n-1/2) M v(n+1/2) / 2, and the forces of this step do half of their work with the
     velocity after it: a blow dv between them adds v' M v' / 2 - v M v / 2 - (v - v(n-1/2)) M dv / 2, with v' = v + dv.

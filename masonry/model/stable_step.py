@@ -1,7 +1,7 @@
 """The proven stable time step: row sums of |K| (Gershgorin) over contacts, affine blocks and tets; eq. (11) by name.
 
 For a diagonal mass matrix w_max^2 <= max_i sum_j |K_ij| / m_i, so dt <= 2/w_max holds at dt = 2 min sqrt(m_i/S_i).
-Local damping lowers the limit: a freedom answers with up to (1 + xi) F, so dt is divided by sqrt(1 + xi).
+Local damping lowers the limit: a dof answers with up to (1 + xi) F, so dt is divided by sqrt(1 + xi).
 Turns and strains are scaled by a length along their axis, so that the sums add like to like.
 """
 
@@ -15,12 +15,12 @@ CHUNK = 8192
 BETWEEN = len(KINDS)
 """Form of a side whose point lies between tet nodes, in a triangle of them; the other forms are the kinds."""
 SOFTEST = 1e-3
-"""No row sum is taken smaller than this share of the block's largest (a freedom that nothing resists needs a mass)."""
+"""No row sum is taken smaller than this share of the block's largest (a dof that nothing resists needs a mass)."""
 
 
 @dataclass(frozen=True)
 class Side:
-    """One side of all contacts: kind of its body, row of its freedoms, arm from the centroid along the block's axes.
+    """One side of all contacts: kind of its body, row of its dofs, arm from the centroid along the block's axes.
 
     corner, share  (C, 3) nodes and shape functions of points between tet nodes, as in Joints; None where there are none
     """
@@ -41,7 +41,7 @@ class Side:
         return np.where(self.corner[:, 0] >= 0, BETWEEN, self.kind)
 
     def columns(self, kind: int, which: np.ndarray) -> np.ndarray:
-        """(c, 3, n) displacement of the point for a unit of each freedom, turns and strains divided by their length."""
+        """(c, 3, n) displacement of the point for a unit of each dof, turns and strains divided by their length."""
         identity = np.broadcast_to(np.eye(3), (len(which), 3, 3))
         if kind == BETWEEN:
             assert self.share is not None
@@ -137,7 +137,7 @@ def tet_row_sums(sums: np.ndarray, layout: Layout, lame_of_block: np.ndarray) ->
 
 
 def unscale(sums: dict[str, np.ndarray], layout: Layout, length: np.ndarray) -> None:
-    """Turn the sums of scaled freedoms into what their masses are compared with; floor what nothing resists."""
+    """Turn the sums of scaled dofs into what their masses are compared with; floor what nothing resists."""
     for kind in ("rigid", "affine"):
         rows = sums[kind]
         if len(rows):
@@ -151,7 +151,7 @@ def unscale(sums: dict[str, np.ndarray], layout: Layout, length: np.ndarray) -> 
 def stable_step(
     sums: dict[str, np.ndarray], masses: dict[str, np.ndarray], free: dict[str, np.ndarray], damping: float
 ) -> tuple[float, str, int, int]:
-    """(dt, kind, row, freedom): the proven bound in seconds and the freedom that sets it."""
+    """(dt, kind, row, dof): the proven bound in seconds and the dof that sets it."""
     best = (np.inf, "", 0, 0)
     for kind in KINDS:
         if not free[kind].any():
@@ -167,7 +167,7 @@ def stable_step(
 def scaled_masses(
     sums: dict[str, np.ndarray], dt: float, step_fraction: float, damping: float
 ) -> dict[str, np.ndarray]:
-    """Masses (quasi-static) for which every freedom has its proven bound at dt/step_fraction."""
+    """Masses (quasi-static) for which every dof has its proven bound at dt/step_fraction."""
     return {kind: rows * (1.0 + damping) * (dt / (2.0 * step_fraction)) ** 2 for kind, rows in sums.items()}
 
 

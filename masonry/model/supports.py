@@ -1,4 +1,4 @@
-"""What supports and drive take hold of: blocks or faces of them, and the freedoms that this means."""
+"""What supports and drive take hold of: blocks or faces of them, and the dofs that this means."""
 
 from dataclasses import dataclass
 
@@ -23,8 +23,8 @@ class Hold:
     name: str = "support"
 
 
-def held_freedoms(blocks: Blocks, layout: Layout, hold: Hold) -> dict[str, np.ndarray]:
-    """Per kind, a mask of the freedoms that a support or drive takes hold of.
+def held_dofs(blocks: Blocks, layout: Layout, hold: Hold) -> dict[str, np.ndarray]:
+    """Per kind, a mask of the dofs that a support or drive takes hold of.
 
     A whole block: each named axis holds its movement and (affine) the strains along it; turns are for rigid blocks.
     A face: nodes of tets; a rigid block's face can be a roller (its normal) or be held altogether.
@@ -85,7 +85,7 @@ def _hold_rigid_face(row: np.ndarray, hold: Hold, normal: np.ndarray, layout: La
 
 
 def _turn(layout: Layout, block: int, axis: int, name: str) -> int:
-    """Which freedom (3, 4 or 5) of a rigid block is its turn about x, y or z: one of its principal axes."""
+    """Which dof (3, 4 or 5) of a rigid block is its turn about x, y or z: one of its principal axes."""
     share = np.abs(layout.axes[block][axis])
     if share.max() < 1.0 - 1e-9:
         place = ", ".join(f"{x:.4g}" for x in layout.centroid[block])

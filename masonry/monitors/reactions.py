@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.model.layout import FREEDOMS, KINDS, Layout
+from masonry.model.layout import DOFS, KINDS, Layout
 from masonry.model.loads import Conditions
 from masonry.model.model import Model
 from masonry.monitors.energy import present
@@ -14,14 +14,14 @@ from masonry.monitors.observer import Observer, View
 
 FORCE, MOMENT = slice(0, 3), slice(3, 6)
 Parts = dict[str, tuple[np.ndarray, np.ndarray]]
-"""Per kind: rows of its freedoms (n,), and for each the shares or loads of its freedoms (n, freedoms)."""
+"""Per kind: rows of its dofs (n,), and for each the shares or loads of its dofs (n, dofs)."""
 
 
 @dataclass(frozen=True)
 class Outer:
     """What acts on a specimen from outside: a support, the drive, or a dead load.
 
-    parts   of a support or drive: 1 at the freedoms that it holds; of a load: its generalised forces at a share of 1
+    parts   of a support or drive: 1 at the dofs that it holds; of a load: its generalised forces at a share of 1
     varies  number of a load's history, None where its share is that of the dead loads
     """
 
@@ -46,7 +46,7 @@ class Standing:
 
 
 class Surroundings:
-    """All that acts on a model from outside. A freedom that several supports hold counts with the first of them."""
+    """All that acts on a model from outside. A dof that several supports hold counts with the first of them."""
 
     def __init__(self, conditions: Conditions | None = None) -> None:
         self.holds: list[Outer] = []
@@ -111,9 +111,9 @@ def _parts(values: dict[str, np.ndarray] | dict[str, np.ndarray | None]) -> Part
 
 
 def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """(6,) of damping and (6,) of inertia, minus mass times acceleration, on all freedoms that are free.
+    """(6,) of damping and (6,) of inertia, minus mass times acceleration, on all dofs that are free.
 
-    Contacts and the blocks' own stresses add nothing to the sum over all blocks, and free freedoms move by eq. (1): so
+    Contacts and the blocks' own stresses add nothing to the sum over all blocks, and free dofs move by eq. (1): so
     reactions, loads, damping and inertia add up to 0 at every step, at rest or not. `before`: velocities a step ago.
     """
     damping, inertia = np.zeros(6), np.zeros(6)
@@ -145,7 +145,7 @@ def globally(layout: Layout, rows: np.ndarray, load: np.ndarray) -> np.ndarray:
 
 
 def resultant(layout: Layout, kind: str, rows: np.ndarray, forces: np.ndarray, large: Any = None) -> np.ndarray:
-    """(6,) force (N) and moment (N m) about the origin of generalised forces (n, freedoms) on rows of a kind.
+    """(6,) force (N) and moment (N m) about the origin of generalised forces (n, dofs) on rows of a kind.
 
     The arms are those before loading, as everywhere in a model of small rotations; those now where there is a `large`
     body.
@@ -154,7 +154,7 @@ def resultant(layout: Layout, kind: str, rows: np.ndarray, forces: np.ndarray, l
         place = layout.centroid[layout.members["rigid"][rows]] + large.q[rows, :3]
         moment = forces[:, 3:] + np.cross(place, forces[:, :3])
         return np.concatenate([forces[:, :3].sum(axis=0), moment.sum(axis=0)])
-    assert forces.shape[1] == FREEDOMS[kind]
+    assert forces.shape[1] == DOFS[kind]
     force = forces[:, :3]
     if kind == "tets":
         assert layout.mesh is not None

@@ -13,7 +13,7 @@ from masonry.monitors.snap_back import SnapBack
 from masonry.runtime.state import State
 
 LEAP = 1e-2
-"""A freedom that moves by more than this share of the smallest block in one step is not a motion but an instability."""
+"""A dof that moves by more than this share of the smallest block in one step is not a motion but an instability."""
 RINGING = 100.0
 """Kinetic energy above this multiple of the external work is an instability: a stable step at 0.99 keeps below 50."""
 TORN_LEDGER = 0.2
@@ -55,7 +55,7 @@ class Watch(Observer):
         self.snap_back.restore(state["snap_back"])
 
     def _fastest(self) -> tuple[str, int, int]:
-        """Kind, row and freedom of what moves fastest, turns and strains times the block size."""
+        """Kind, row and dof of what moves fastest, turns and strains times the block size."""
         best = (-1.0, "", 0, 0)
         for kind, body in zip(KINDS, self.model.bodies, strict=True):
             if body is None:
@@ -89,7 +89,7 @@ class Watch(Observer):
                 "The time step is within its proven bound, so the drive is too fast (take more steps or a lower rate), "
                 "a load too large, or a contact too soft for this specimen"
             )
-        raise Stopped(f"unstable at step {step}: {model.layout.freedom(*self._fastest())}, runs away. {why}")
+        raise Stopped(f"unstable at step {step}: {model.layout.dof(*self._fastest())}, runs away. {why}")
 
     def _check_rotation(self, step: int) -> None:
         rigid, affine, tets = self.model.bodies

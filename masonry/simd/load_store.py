@@ -8,7 +8,7 @@ from masonry.simd.arithmetic import DOUBLE, PLAIN, WORD, Lanes
 from masonry.simd.select import filled
 
 EIGHT, FOUR = (1, 1) if PLAIN else (8, 4)
-"""Numbers that a kernel takes at a time: of eight tets or freedoms, and of a row of four."""
+"""Numbers that a kernel takes at a time: of eight tets or dofs, and of a row of four."""
 
 
 def pointer_to(context, builder, kind, value, indices):

@@ -1,4 +1,4 @@
-"""Equilibrium of rigid blocks as a sparse matrix: what forces at contact points do to the freedoms of the blocks."""
+"""Equilibrium of rigid blocks as a sparse matrix: what forces at contact points do to the dofs of the blocks."""
 
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ class Equilibrium:
     leader   (G,) a contact point of each group, at which its shear forces act
     tangent  (G, k, 3) their directions: one in a plane, two in space
     dead, live  (R,)
-    rows     (R, 6 B) sparse, from freedoms of all blocks (with units of length) to the R equations
+    rows     (R, 6 B) sparse, from dofs of all blocks (with units of length) to the R equations
     force    N, and `live_force` N, of which `live` is made
     length   m
     """
@@ -37,7 +37,7 @@ class Equilibrium:
 
 
 def equilibrium(bodies: Bodies, contacts: Contacts, axis: int | None = None) -> Equilibrium:
-    """The equations of all freedoms that nothing holds; axis: across the plane of a plane problem, None in space.
+    """The equations of all dofs that nothing holds; axis: across the plane of a plane problem, None in space.
 
     In a plane all shear forces of one polygon act along one line, and are one force.
     """
@@ -74,7 +74,7 @@ def _mean_force(load: np.ndarray) -> float:
 
 
 def _rows(bodies: Bodies, axis: int | None, length: float) -> sparse.csr_array:
-    """(R, 6 B): picks the free freedoms, adds up those that move together, and divides moments by the length."""
+    """(R, 6 B): picks the free dofs, adds up those that move together, and divides moments by the length."""
     free = bodies.free.copy()
     if axis is not None:
         free[:, [k for k in range(6) if (k == axis) or (k >= 3 and k != 3 + axis)]] = False

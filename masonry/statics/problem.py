@@ -15,7 +15,7 @@ class Bodies:
     free      (B, 6) whether a block may move along, and turn about, x, y and z
     dead      (B, 6) loads that stay as they are
     live      (B, 6) loads that are multiplied by the factor
-    together  (B, 6) freedoms that move as one, by the same amount; None without any
+    together  (B, 6) dofs that move as one, by the same amount; None without any
     """
 
     centre: np.ndarray

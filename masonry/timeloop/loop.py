@@ -212,8 +212,8 @@ class Loop:
         count with the support."""
         model, area, sign = self.model, self.recording.section, self.recording.sign
         stress, support = (
-            sum(reaction(b, f) for b, f in zip(model.bodies, freedoms, strict=True)) / area * sign
-            for freedoms in (model.drives, model.supports)
+            sum(reaction(b, f) for b, f in zip(model.bodies, dofs, strict=True)) / area * sign
+            for dofs in (model.drives, model.supports)
         )
         support += float(self.loads_along @ shares) / area * sign
         return {

@@ -70,7 +70,7 @@ def test_rigid_couplet_follows_the_closed_form(law, confinement):
     ("law", "confinement"), [("linear", "0.1 MPa"), ("polynomial", "0.5 MPa"), ("exponential", "1.0 MPa")]
 )
 def test_blocks_driven_as_a_whole_do_not_shear_and_give_the_same_curve(law, confinement, kinematics):
-    """Every freedom along the drive is prescribed, so that the blocks' own shear is zero."""
+    """Every dof along the drive is prescribed, so that the blocks' own shear is zero."""
     steps = {"drive.steps": 10000, "settle.steps": 2000} if kinematics == "tets" else FINE
     check(law, confinement, *curve("couplet", law=law, confinement=confinement, kinematics=kinematics, **steps))
 

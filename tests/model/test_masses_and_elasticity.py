@@ -152,7 +152,7 @@ def hooke(gradient: np.ndarray, material: Material) -> np.ndarray:
 @pytest.mark.parametrize("kind", ["affine", "tets"])
 @pytest.mark.parametrize("i, k", [(0, 0), (2, 2), (0, 2), (1, 0)])
 def test_one_block_resists_stretch_and_shear_as_hooke_says(kind, turned, i, k):
-    """Forces f on the freedoms q of a uniform field do the work -sigma : gradient V for any other uniform field."""
+    """Forces f on the dofs q of a uniform field do the work -sigma : gradient V for any other uniform field."""
     blocks = shapes.stack([0.07])
     if turned:
         blocks = shapes.skewed(blocks, SHEAR)

@@ -1,4 +1,4 @@
-"""Quasi-static mass scaling: it redistributes the mass, brings every freedom to one bound, and leaves rest as it is."""
+"""Quasi-static mass scaling: it redistributes the mass, brings every dof to one bound, and leaves rest as it is."""
 
 from dataclasses import replace
 
@@ -45,7 +45,7 @@ def test_every_freedom_with_scaled_masses_sits_at_the_same_bound(kinds, fraction
     model = made(kinds, Stepping("scaled", step_fraction=fraction, damping=damping))
     assert model.bound == pytest.approx(model.dt / fraction, rel=1e-12)
     real = made(kinds, Stepping("real", damping=damping))
-    # with real masses each freedom has its own bound; masses scale as (bound wanted / bound had) squared
+    # with real masses each dof has its own bound; masses scale as (bound wanted / bound had) squared
     which = models.free(model)
     had = own_bounds(kinds, damping)[which]
     wanted = had * np.sqrt(models.mass_vector(model)[which] / models.mass_vector(real)[which])
@@ -53,7 +53,7 @@ def test_every_freedom_with_scaled_masses_sits_at_the_same_bound(kinds, fraction
 
 
 def own_bounds(kinds, damping: float) -> np.ndarray:
-    """The bound that each freedom alone would set with real masses: all others made ever so heavy."""
+    """The bound that each dof alone would set with real masses: all others made ever so heavy."""
     from masonry.model import stable_step as stiffness
 
     bounds = []

@@ -44,7 +44,7 @@ def pair(request):
 
 
 def linear(model, gradient, jump):
-    """Freedoms under a uniform strain, the last block shifted by jump."""
+    """Dofs under a uniform strain, the last block shifted by jump."""
     field = {kind: np.zeros_like(body.v) for kind, body in present(model)}
     whole = models.linear_field(model, np.zeros(3), gradient)
     shifted = models.linear_field(model, np.asarray(jump, dtype=float), gradient)

@@ -82,7 +82,7 @@ BAD = {
     "half a step": (PACE, "steps = 0.5", "steps", "drive.steps", ["whole number"]),
     "a huge exponent": ('width = "50 mm"', 'width = "1e999 mm"', "width", "specimen.width", ["finite"]),
     "a tower of powers": ('width = "50 mm"', 'width = "9**9**9 mm"', "width", "specimen.width", ["not a number"]),
-    "an unknown freedom": ('fix = "all"', 'fix = ["x", "rotations"]', "fix", "support.0.fix.1", ["'rotation'"]),
+    "an unknown dof": ('fix = "all"', 'fix = ["x", "rotations"]', "fix", "support.0.fix.1", ["'rotation'"]),
     "a support that fixes nothing": ('fix = "all"', "fix = []", "fix", "support.0.fix", ["1 or more"]),
     "an unknown direction": ('direction = "x"', 'direction = "u"', "direction", "drive.direction", ["-x, -y, -z"]),
     "a stress along no axis": ("{z = ", "{w = ", "stress", "traction.0.stress.w", ["allowed: x, y, z"]),

@@ -43,7 +43,7 @@ def wall(kinds: Sequence[str], skew: bool = False) -> shapes.Setup:
 
 
 def resultant(model: Model, values: dict[str, np.ndarray]) -> np.ndarray:
-    """(6,) sum and moment about the origin of forces (or momenta) given on the freedoms of each kind."""
+    """(6,) sum and moment about the origin of forces (or momenta) given on the dofs of each kind."""
     total, layout = np.zeros(6), model.layout
     for kind, _ in present(model):
         f = values[kind]

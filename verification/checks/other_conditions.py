@@ -1,4 +1,4 @@
-"""Conditions that a scene cannot say: its model built again with other freedoms held or driven."""
+"""Conditions that a scene cannot say: its model built again with other dofs held or driven."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -8,7 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.conditions import conditions_of
 from masonry.model import model
-from masonry.model.layout import FREEDOMS, KINDS, Layout, Material
+from masonry.model.layout import DOFS, KINDS, Layout, Material
 from masonry.model.loads import Conditions
 
 TURNS = {"x": 3, "y": 4, "z": 5}
@@ -45,9 +45,9 @@ def turned(assembly: Assembly, axis: str) -> Assembly:
     def turn(conditions: Conditions, layout: Layout) -> None:
         moved = conditions.driven["rigid"]
         assert moved is not None
-        row, along = np.divmod(moved, FREEDOMS["rigid"])
+        row, along = np.divmod(moved, DOFS["rigid"])
         conditions.prescribed["rigid"][row, along] = conditions.supported["rigid"][row, along]
         conditions.prescribed["rigid"][row, TURNS[axis]] = True
-        conditions.driven = dict.fromkeys(KINDS) | {"rigid": FREEDOMS["rigid"] * row + TURNS[axis]}
+        conditions.driven = dict.fromkeys(KINDS) | {"rigid": DOFS["rigid"] * row + TURNS[axis]}
 
     return rebuilt(assembly, turn)

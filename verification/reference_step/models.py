@@ -68,7 +68,7 @@ def replace_bodies(model: Model, **values) -> None:
 
 
 def set_velocity(model: Model, velocity: np.ndarray) -> None:
-    """(rows, n) velocities of the first n freedoms of each block or node; m/s."""
+    """(rows, n) velocities of the first n dofs of each block or node; m/s."""
     for body in model.bodies:
         if body is not None:
             body.v[:, : velocity.shape[1]] = velocity

@@ -13,10 +13,10 @@ ONE = np.uint32(1)
 
 
 @cache
-def freedom(damped: bool, booked: bool):
-    """The kick of eq. (1) for one freedom, with local damping, eq. (3), and works (J): of contacts, and of what holds.
+def dof(damped: bool, booked: bool):
+    """The kick of eq. (1) for one dof, with local damping, eq. (3), and works (J): of contacts, and of what holds.
 
-    What holds is damping where the freedom can move, and else (pace 0) the reaction, whose work is external.
+    What holds is damping where the dof can move, and else (pace 0) the reaction, whose work is external.
     """
 
     @compiled
@@ -45,7 +45,7 @@ def rigid_step(contacts, damped: bool, booked: bool):
 
     start (B + 1,), code (S,)  contact sides of each block, 2 * contact + (1 on side b); arm (S, 4)
     """
-    kick = freedom(damped, booked)
+    kick = dof(damped, booked)
 
     @compiled
     def steps(count, dt, xi, law, ends, frame, u, force, past, slip, spent, q, v, pace, before, work, start, code, arm):
@@ -83,7 +83,7 @@ def tet_step(contacts, damped: bool, booked: bool):
 
     slope (T, 9)  sqrt(volume) times the gradients of the last three shape functions; lame (B, 2) Pa
     """
-    kick = freedom(damped, booked)
+    kick = dof(damped, booked)
 
     @compiled
     def tets(first, last, corner, slope, lame, mu, u, inner):

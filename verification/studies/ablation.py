@@ -104,7 +104,7 @@ def shipped(name: str, tell: Callable[[str], None]) -> list[str]:
     contacts = ", ".join(f"{count} {group}" for group, count in found["contacts"].items())
     sizes = (
         f"{found['blocks']} blocks, {found['contact_points']} contact points ({contacts}), {found['freedoms']} "
-        f"freedoms, {found['steps']} steps of {found['time_step_s']:.3g} s."
+        f"degrees of freedom, {found['steps']} steps of {found['time_step_s']:.3g} s."
     )
     lists = [page.Cell("\n".join(found[key]), "text") for key in ("compiled", "left_out")]
     warned = page.bullets(found["warnings"]) if found["warnings"] else ""

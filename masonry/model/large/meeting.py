@@ -1,6 +1,6 @@
 """A model of large displacement: blocks that turn, bonds in frames that turn with them, and what may meet.
 
-It is made from the model of small displacement of the same scene: its freedoms, masses, loads and contacts.
+It is made from the model of small displacement of the same scene: its dofs, masses, loads and contacts.
 """
 
 from dataclasses import dataclass
@@ -97,7 +97,7 @@ def add_row_sums(
 
 
 def _face_corners(blocks: Blocks, layout: Layout) -> tuple[np.ndarray, ...]:
-    """Corners of all faces (c, 3) m, the area (m2) of each, its block, and row of its freedoms (c,).
+    """Corners of all faces (c, 3) m, the area (m2) of each, its block, and row of its dofs (c,).
 
     Of meshed blocks the corners of the triangles at their surface: a patch lies in one triangle of each, so it gives no
     node more than its third of a triangle.
@@ -169,7 +169,7 @@ def near_of(
 ) -> tuple[Near, Members | None]:
     """What may meet, with room for the contacts of the undeformed shape twice over; and kinds.
 
-    masses    (rows, freedoms) of each kind, those of motion, of held blocks too
+    masses    (rows, dofs) of each kind, those of motion, of held blocks too
     bonded    (K, 2) blocks that bonds hold together
     """
     tets = outer_tets(layout)

@@ -42,7 +42,7 @@ def motion_of(
 
 
 def masses_of(layout: Layout, masses: dict[str, np.ndarray], block: np.ndarray) -> np.ndarray:
-    """(N,) kg of motion of the blocks that bodies are or belong to, from those of the freedoms of each kind."""
+    """(N,) kg of motion of the blocks that bodies are or belong to, from those of the dofs of each kind."""
     found = np.zeros(len(layout.kind))
     for kind in ("rigid", "affine"):
         found[layout.members[kind]] = masses[kind][:, 0]

@@ -1,6 +1,6 @@
 """The proven stable step where blocks turn and deform: row sums by the norms of 3-vectors, from wherever one looks.
 
-stable_step.py adds |K_ij| along x, y, z: true at the start, and no longer once a block has turned. Here every freedom
+stable_step.py adds |K_ij| along x, y, z: true at the start, and no longer once a block has turned. Here every dof
 that is a vector (a move, a column of H, a node) counts by its length, and K_ij by its 2-norm. max_i |x_i| is a norm
 too, so w_max^2 <= max_i sum_j ||K_ij|| / m_i holds as Gershgorin's does, where the three masses of a vector are equal.
 Then no turn changes the sums, neither of blocks nor of normals: levers about a rigid block's own axes keep their
@@ -16,7 +16,7 @@ second is V S, and only tension adds to the highest frequency: S <= (3 lambda + 
 
 import numpy as np
 
-from masonry.model.layout import FREEDOMS, KINDS, Layout, tet_gradients, tet_volumes
+from masonry.model.layout import DOFS, KINDS, Layout, tet_gradients, tet_volumes
 from masonry.model.stable_step import BETWEEN, CHUNK, Side, across, unscale
 
 STRETCH = 1.02
@@ -38,7 +38,7 @@ def row_sums(
     lame       (B, 2) Pa, of rigid blocks 0
     length     (B, 3) m, of `lengths`
     """
-    sums = {kind: np.zeros((layout.rows(kind), FREEDOMS[kind])) for kind in KINDS}
+    sums = {kind: np.zeros((layout.rows(kind), DOFS[kind])) for kind in KINDS}
     contact_row_sums(sums, sides, stiffness, slack)
     affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length, stretch)
     tet_row_sums(sums["tets"], layout, lame, stretch)
@@ -51,7 +51,7 @@ def contact_row_sums(
 ) -> None:
     """Add the contacts' share; stiffness (C,) N/m is the larger of normal and shear one, dilation included.
 
-    A side moves by no more than the sum of its freedoms' lengths, each times its lever over that freedom's length.
+    A side moves by no more than the sum of its dofs' lengths, each times its lever over that dof's length.
     """
     both_levers = [levers(side, slack) for side in sides]
     both = stiffness * sum(1.0 + lever.sum(axis=1) for lever in both_levers)

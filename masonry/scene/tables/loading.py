@@ -10,10 +10,10 @@ from masonry.scene.tables.history import History, Timed, is_timed
 from masonry.scene.tables.types import (
     Damping,
     Direction,
+    Dof,
     Duration,
     Fraction,
     Frames,
-    Freedom,
     Given,
     KeyedError,
     Length,
@@ -30,7 +30,7 @@ BOUNDS = ("gershgorin", "equation-11")
 
 
 def _freedoms(value: Any) -> Any:
-    """ "all", one freedom or a list of them."""
+    """ "all", one dof or a list of them."""
     if value == "all":
         return ("x", "y", "z", "rotation")
     return (value,) if isinstance(value, str) else value
@@ -86,7 +86,7 @@ class Support(Table):
     """Blocks or an outer face that are held in some directions."""
 
     on: Selector
-    fix: Annotated[tuple[Freedom, ...], BeforeValidator(_freedoms), Field(min_length=1)]
+    fix: Annotated[tuple[Dof, ...], BeforeValidator(_freedoms), Field(min_length=1)]
 
 
 class Drive(Table):

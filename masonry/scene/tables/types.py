@@ -31,7 +31,7 @@ def _law(value: Any) -> Any:
 
 Law = Annotated[str, BeforeValidator(_law)]
 Motion = Literal["rigid", "affine", "tets"]
-Freedom = Literal["x", "y", "z", "rotation", "rotation x", "rotation y", "rotation z"]
+Dof = Literal["x", "y", "z", "rotation", "rotation x", "rotation y", "rotation z"]
 Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
 SOFTEST = 1e-6
 """Pa/m, the least stiffness of a joint that is not 0."""

@@ -33,7 +33,7 @@ def rigid() -> Findings:
     omega, _ = assembled.fastest(model, assembled.stiffness(model, models.STONE))
     mass, spring = 1900.0 * 0.2 * 0.05 * 0.05, 150e9 * 0.2 * 0.05
     found.check("couplet: highest frequency", "rad/s", omega, float(np.sqrt(spring / mass)), "closed form", 1e-12,
-                1e-15, "one freedom that is free: sqrt(k_n A/m)")  # fmt: skip
+                1e-15, "one degree of freedom that is free: sqrt(k_n A/m)")  # fmt: skip
     limit = float(2.0 / omega / np.sqrt(1.8))
     result = laboratory.run(scene.load("couplet", {**GIVEN, "solver.time_step": f"{critical.BELOW * limit!r} s"}))
     found.note("couplet at 0.99 of the limit", result)

@@ -1,15 +1,15 @@
 """A skewed block on an elastic joint: all its frequencies, with masses, inertias and stiffnesses by hand.
 
-         __________          u(x) = t + H (x - c): 12 freedoms; a rigid block has those with H r = theta x r, 6 of them
+         __________          u(x) = t + H (x - c): 12 dofs; a rigid block has those with H r = theta x r, 6 of them
         /    c    /  edge e3
        /_________/           M   m for t;  m/12 sum of e_k e_k^T for each row of H (an affine image of a cube)
        ===========  joint    K   integral of N^T D N over the face a, b about f,  D = kn n n^T + ks (1 - n n^T):
        ///////////               N(f)^T D N(f) A + A/12 (N'(a)^T D N'(a) + N'(b)^T D N'(b));  and V C
 
-The frequencies of the program are those of its own step: what velocity a unit of each freedom gives in one step from
+The frequencies of the program are those of its own step: what velocity a unit of each dof gives in one step from
 rest, over dt, is -M^-1 K, column by column. So wrong inertias show here, which no answer at rest depends on.
 
-Reference: mechanics; sums over six and twelve freedoms.
+Reference: mechanics; sums over six and twelve dofs.
 """
 
 import numpy as np
@@ -30,7 +30,7 @@ def move(r: np.ndarray) -> np.ndarray:
 
 
 def by_hand() -> tuple[np.ndarray, np.ndarray]:
-    """Mass (kg, kg m2) and stiffness (N/m, N, N m) of the twelve freedoms."""
+    """Mass (kg, kg m2) and stiffness (N/m, N, N m) of the twelve dofs."""
     edges = SKEW * SIZE  # in columns
     volume, (a, b, c) = float(np.linalg.det(edges)), edges.T
     mass = models.STONE.density * volume
@@ -52,7 +52,7 @@ def by_hand() -> tuple[np.ndarray, np.ndarray]:
 
 
 def turns() -> np.ndarray:
-    """(12, 6) the freedoms of an affine block for those of a rigid one: H = theta x."""
+    """(12, 6) the dofs of an affine block for those of a rigid one: H = theta x."""
     found = np.zeros((12, 6))
     found[:3, :3] = EYE
     for k in range(3):

@@ -11,7 +11,7 @@ joint a constant jump, kn sigma_nn across and ks along:
     u = H x + (sum of the jumps of the joints before x)      jump = n sn/kn + (sigma n - n sn)/ks,   sn = n.sigma n
 
 It must be found to rounding, as a third of a facet's area at each of its corners integrates the linear shape functions
-exactly. Three nodes are held in six freedoms, the run comes to rest by damping; what is left is compared without the
+exactly. Three nodes are held in six dofs, the run comes to rest by damping; what is left is compared without the
 rigid motion of the whole patch. In the interface model the outline moves as it must, and the inside is found; points at
 the corners of quadratic facets, whose weights there should be zero, must fail.
 """
@@ -114,7 +114,7 @@ def without_rigid_motion(place: Array, error: Array) -> Array:
 
 
 def hold_three_nodes(conditions: Conditions, layout: Layout) -> None:
-    """Six freedoms of three corners of the first block, in place of the scene's support."""
+    """Six dofs of three corners of the first block, in place of the scene's support."""
     assert layout.mesh is not None
     held = np.zeros_like(conditions.prescribed["tets"])
     for corner, axes in (([0, 0, 0], [0, 1, 2]), ([0, 1, 0], [0, 2]), ([0, 0, 1], [0])):
@@ -136,7 +136,7 @@ def explicit(found: Findings, specimen: Specimen, mesh: TetMesh) -> float:
 
 
 def implicit(mesh: TetMesh, degree: int, rule: str | int) -> float:
-    """Largest error of the freedoms of the interface model (m)."""
+    """Largest error of the dofs of the interface model (m)."""
     block = np.repeat(np.arange(3), np.diff(mesh.tet_start))
     law = Law("elastic", KN, KS)
     found = model(solid(mesh.nodes, mesh.tets, block), YOUNG, POISSON, lambda a, b: law, degree, rule)

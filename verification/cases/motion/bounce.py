@@ -7,7 +7,7 @@
 
 The dashpot acts on velocities half a step old, so the step makes an error of first order in dt sqrt(k/m).
 
-Reference: one freedom, integrated by scipy to 1e-12.
+Reference: one dof, integrated by scipy to 1e-12.
 """
 
 import numpy as np
@@ -48,5 +48,5 @@ CASE = Case(
     area="Dynamics",
     run=run,
     scene=SCENE,
-    no_problems="one freedom at a tenth of the step's bound",
+    no_problems="one degree of freedom at a tenth of the step's bound",
 )

@@ -16,7 +16,7 @@ AT_ONCE = 64
 
 @dataclass(frozen=True)
 class Condensed:
-    """S q + sum of joint forces = dead + lambda * push over the free freedoms of the joints, `kept` (n,).
+    """S q + sum of joint forces = dead + lambda * push over the free dofs of the joints, `kept` (n,).
 
     stiffness (n, n) N/m   dead, push (n,) N   jump (3 m, n), jump_driven (3 m,): jumps are jump q + lambda jump_driven
     """
@@ -31,8 +31,8 @@ class Condensed:
     jump_driven: Array
     factor: SuperLU | None
 
-    def all_freedoms(self, q: Array, factor: float, dead: float) -> Array:
-        """(N,) m, from the kept freedoms, lambda and the share of the dead load."""
+    def all_dofs(self, q: Array, factor: float, dead: float) -> Array:
+        """(N,) m, from the kept dofs, lambda and the share of the dead load."""
         m = self.model
         u = factor * m.driven
         u[self.kept] = q
@@ -52,7 +52,7 @@ class Condensed:
 
 
 def condense(model: Model) -> Condensed:
-    """Eliminate the free freedoms that touch no joint (static condensation); every block needs something that holds it
+    """Eliminate the free dofs that touch no joint (static condensation); every block needs something that holds it
     once its joints are held."""
     jumps = all_jumps(model.joints)
     touched = np.zeros(len(model.held), dtype=bool)

@@ -19,7 +19,7 @@ VERTICES = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]), np.full(3, 1.0 / 6.0)
 class Joint:
     """The points of all facets that follow one law.
 
-    jump    (3 n, N) u_b - u_a at the points from the freedoms, x, y, z of each point
+    jump    (3 n, N) u_b - u_a at the points from the dofs, x, y, z of each point
     weight  (n,) m2     normal  (n, 3) from a to b     place  (n, 3) m     blocks  (n, 2)
     """
 
@@ -72,7 +72,7 @@ def _merged(joint: Joint, vertex: Array) -> Joint:
 
 
 def _values(facets: FacetBasis, count: int) -> csr_matrix:
-    """(3 n, N) displacement at the points of facets from the freedoms."""
+    """(3 n, N) displacement at the points of facets from the dofs."""
     cells, points = facets.dx.shape
     row = np.arange(cells * points * 3).reshape(cells, points, 3)
     rows, columns, values = [], [], []

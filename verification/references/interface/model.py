@@ -19,9 +19,9 @@ Where = Callable[[Array, Array], Array]
 
 @dataclass
 class Model:
-    """K u + sum of joint forces = dead + lambda * load,  u = lambda * driven on the prescribed freedoms.
+    """K u + sum of joint forces = dead + lambda * load,  u = lambda * driven on the prescribed dofs.
 
-    place (N, 3) m, block (N,), axis (N,): where each freedom is, of which block, and along which axis
+    place (N, 3) m, block (N,), axis (N,): where each dof is, of which block, and along which axis
     """
 
     body: Solid
@@ -36,17 +36,17 @@ class Model:
     dead: Array = field(default_factory=lambda: np.zeros(0))
     load: Array = field(default_factory=lambda: np.zeros(0))
 
-    def freedoms(self, axes: str, where: Where) -> Array:
-        """(N,) mask of the freedoms along some axes ("xz") at the places that `where` picks."""
+    def dofs(self, axes: str, where: Where) -> Array:
+        """(N,) mask of the dofs along some axes ("xz") at the places that `where` picks."""
         return np.isin(self.axis, ["xyz".index(a) for a in axes]) & where(self.place, self.block)
 
     def hold(self, axes: str, where: Where) -> None:
-        """Prescribe freedoms; they stay where they are unless they are driven."""
-        self.held |= self.freedoms(axes, where)
+        """Prescribe dofs; they stay where they are unless they are driven."""
+        self.held |= self.dofs(axes, where)
 
     def drive(self, axes: str, where: Where, amount: float = 1.0) -> None:
-        """Prescribe freedoms that move by lambda * amount (m)."""
-        chosen = self.freedoms(axes, where)
+        """Prescribe dofs that move by lambda * amount (m)."""
+        chosen = self.dofs(axes, where)
         self.held |= chosen
         self.driven[chosen] = amount
 

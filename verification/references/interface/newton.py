@@ -25,7 +25,7 @@ class NotConverged(Exception):
 
 @dataclass(frozen=True)
 class State:
-    """An equilibrium: kept freedoms q, lambda, share of the dead load, and the history of each joint."""
+    """An equilibrium: kept dofs q, lambda, share of the dead load, and the history of each joint."""
 
     q: Array
     factor: float
@@ -36,7 +36,7 @@ class State:
 class Path:
     """Follows the equilibria of a model from rest; all that a step needs is condensed once.
 
-    control  weights (N,) of the freedoms whose sum is prescribed instead of lambda, or None: lambda itself
+    control  weights (N,) of the dofs whose sum is prescribed instead of lambda, or None: lambda itself
     """
 
     def __init__(self, model: Model, control: Array | None = None) -> None:
@@ -168,11 +168,11 @@ class Path:
         return force, _block_diagonal(np.concatenate(blocks)), tuple(histories)
 
     def displacements(self) -> Array:
-        """(N,) m, of all freedoms now."""
-        return self.system.all_freedoms(self.state.q, self.state.factor, self.state.dead)
+        """(N,) m, of all dofs now."""
+        return self.system.all_dofs(self.state.q, self.state.factor, self.state.dead)
 
     def reactions(self) -> Array:
-        """(N,) N: what holds the prescribed freedoms; zero, up to the residual, where they are free."""
+        """(N,) N: what holds the prescribed dofs; zero, up to the residual, where they are free."""
         m, state = self.model, self.state
         force = self._joints(state.q, state.factor)[0]
         jumps = m.stiffness @ self.displacements() - state.dead * m.dead - state.factor * m.load
@@ -181,7 +181,7 @@ class Path:
         return jumps
 
     def drive_force(self) -> float:
-        """N, of the driven freedoms: work-conjugate to lambda where nothing else is loaded by it."""
+        """N, of the driven dofs: work-conjugate to lambda where nothing else is loaded by it."""
         return float(self.reactions() @ self.model.driven)
 
 
