@@ -7,6 +7,7 @@ import numpy as np
 from geometry.blocks import Blocks, GeometryError, Joints, Specimen
 from geometry.joints import boundary
 from geometry.specimens.placed import FLOOR
+from masonry.assembly.fill import weight_of_fill
 from masonry.errors import SceneError, nearest
 from masonry.model import loads
 from masonry.model.layout import DOFS, KINDS, Layout, Material
@@ -68,6 +69,12 @@ def conditions_of(
                 loads.add_load(layout, conditions.load, weight)
             else:
                 conditions.varying.append(weight)
+    for k, fill in enumerate(scene.fill):
+        conditions.each_load[f"fill.{k}"] = weight_of_fill(
+            *(fill, f"fill.{k}", specimen, joints, layout),
+            *(select(specimen, joints, fill.on, f"fill.{k}.on")[0], -scene.gravity.z if scene.gravity else 0.0),
+        )
+        loads.add_load(layout, conditions.load, conditions.each_load[f"fill.{k}"])
     _set_moving(scene, specimen, joints, layout, conditions)
     return conditions
 

@@ -61,7 +61,7 @@ def in_layers(scene: Scene, plan: Plan) -> dict[str, Any]:
     if not scene.comes_in_layers:
         return {}
     assert scene.gravity is not None
-    tractions = sum(traction.path is None for traction in scene.traction)
+    tractions = sum(traction.path is None for traction in scene.traction) + len(scene.fill)
     turns = np.append(np.arange(scene.gravity.layers), np.full(tractions, scene.gravity.layers))
     slot = 0.5 * plan.settle / (turns[-1] + 1)
     k = np.arange(plan.settle + 1)

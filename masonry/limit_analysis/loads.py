@@ -109,7 +109,8 @@ def _asked(scene: Scene, varying: list[str]) -> LimitLoad | None:
 
 
 def _steady(scene: Scene, varying: list[str]) -> list[str]:
-    return [name for k in range(len(scene.traction)) if (name := f"traction.{k}") not in varying]
+    tractions = [name for k in range(len(scene.traction)) if (name := f"traction.{k}") not in varying]
+    return [*tractions, *(f"fill.{k}" for k in range(len(scene.fill)))]
 
 
 def _loads(conditions: Conditions, layout: Layout, name: str) -> np.ndarray:

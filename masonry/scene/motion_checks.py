@@ -24,6 +24,24 @@ def require_fit(scene: Any) -> None:
         _gravity(scene)
     if scene.limit is not None:
         _limit(scene)
+    if scene.fill:
+        _fill(scene)
+
+
+def _fill(scene: Any) -> None:
+    """A fill has weight alone, and it presses straight down."""
+    gravity = scene.gravity
+    if gravity is None or gravity.z >= 0.0 or gravity.x != 0.0 or gravity.y != 0.0:
+        raise KeyedError(
+            "fill.0", "a fill presses by its weight along -z: give [gravity] with a z below 0, and no x or y"
+        )
+    if gravity.paths:
+        raise KeyedError("fill.0", "a fill stays as heavy as it is; leave out history and tilt of [gravity]")
+    if scene.limit is not None and scene.limit.pattern in ("weight", "tilt"):
+        raise KeyedError(
+            "limit.pattern",
+            f"{scene.limit.pattern} would leave out the mass of the fill; take force, traction or drive",
+        )
 
 
 def _limit(scene: Any) -> None:

@@ -31,6 +31,7 @@ def portrait_rows(scene: SceneData) -> Rows:
         ("supports", [f"{held.on}: {', '.join(held.fix)}" for held in scene.support]),
         ("confinement", [_words(told["confinement"])] if scene.confinement is not None else []),
         ("traction", [_words(traction) for traction in told.get("traction", ())]),
+        ("fill", [_words(fill) for fill in told.get("fill", ())]),
         ("gravity", [_words(told["gravity"])] if scene.gravity is not None else []),
         ("motion", [_words(motion) for motion in told.get("motion", ())]),
         ("floor", [_words(told.get("floor", {})) or "below"] if scene.floor is not None else []),

@@ -12,7 +12,7 @@ from masonry.scene.tables.contact import Contact, Material
 from masonry.scene.tables.gauge import Curve, Gauge
 from masonry.scene.tables.law_keys import AnyContact
 from masonry.scene.tables.limit import LimitLoad
-from masonry.scene.tables.loading import Drive, Settle, Solver, Support, Traction
+from masonry.scene.tables.loading import Drive, Fill, Settle, Solver, Support, Traction
 from masonry.scene.tables.motion import Floor, Gravity, InitialMotion
 from masonry.scene.tables.points import DENSITIES, PerAxis
 from masonry.scene.tables.scatter import Scatter, require_contacts
@@ -44,6 +44,7 @@ class SceneData(Table):
     support: tuple[Support, ...] = ()
     drive: Drive | None = None
     traction: tuple[Traction, ...] = ()
+    fill: tuple[Fill, ...] = ()
     gravity: Gravity | None = None
     motion: tuple[InitialMotion, ...] = ()
     floor: Floor | None = None

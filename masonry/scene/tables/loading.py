@@ -9,6 +9,7 @@ from masonry.scene.tables import history as histories
 from masonry.scene.tables.history import History, Timed, is_timed
 from masonry.scene.tables.types import (
     Damping,
+    Density,
     Direction,
     Dof,
     Duration,
@@ -17,6 +18,7 @@ from masonry.scene.tables.types import (
     Given,
     KeyedError,
     Length,
+    Position,
     Rows,
     Share,
     Steps,
@@ -173,6 +175,14 @@ class Traction(Table):
     def _has_a_time(self) -> "Traction":
         histories.checked(self.history, self.duration, "number")
         return self
+
+
+class Fill(Table):
+    """Loose earth on blocks up to a level (m, along z): its weight presses down on the faces that look up to it."""
+
+    on: Selector
+    level: Position
+    density: Density
 
 
 class Settle(Table):
