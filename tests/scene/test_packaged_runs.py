@@ -18,11 +18,17 @@ def require_balance(summary):
         for key in ("force_n", "moment_nm"):
             each = np.array([act[key] for act in acts.values()])
             left = each.sum(axis=0)
-            assert np.abs(left).max() < 1e-12 * np.abs(each).max(), key
-            assert balance["sum"][key] == pytest.approx(left.tolist(), rel=0.0, abs=1e-14 * np.abs(each).max())
+            forces = np.array([act["force_n"] for act in acts.values()])
+            most = max(
+                np.abs(each).max(), np.abs(forces).max()
+            )  # or a force times 1 m, without any moment
+            assert np.abs(left).max() < 1e-12 * most, key
+            assert balance["sum"][key] == pytest.approx(left.tolist(), rel=0.0, abs=1e-14 * most)
     assert set(summary["reactions"]) == {"peak", "end"}
     assert summary["force_balance"] < 1e-12
-    assert summary["motion_at_end"] < 1e-5
+    if "collapse_load" not in summary:  # which ends in a fall
+        soft = summary["law"] == "friction"  # what rocks on dry joints hardly has a stiffness that brings it to rest
+        assert summary["motion_at_end"] < (1e-4 if soft else 1e-5)
 
 
 @pytest.mark.parametrize("name", QUICK)
