@@ -19,9 +19,7 @@ def require_balance(summary):
             each = np.array([act[key] for act in acts.values()])
             left = each.sum(axis=0)
             forces = np.array([act["force_n"] for act in acts.values()])
-            most = max(
-                np.abs(each).max(), np.abs(forces).max()
-            )  # or a force times 1 m, without any moment
+            most = max(np.abs(each).max(), np.abs(forces).max())  # or a force times 1 m, without any moment
             assert np.abs(left).max() < 1e-12 * most, key
             assert balance["sum"][key] == pytest.approx(left.tolist(), rel=0.0, abs=1e-14 * most)
     assert set(summary["reactions"]) == {"peak", "end"}
