@@ -127,7 +127,8 @@ def _hint(loc: Keys, name: str, raw: Any) -> str:
 
 
 def _elsewhere(name: str, raw: Any) -> list[str]:
-    """The keys of this name that stand in a table, dotted; of several groups those that have it already."""
+    """The keys of this name that stand in a table, dotted: of tables that are there, if any; of several groups those
+    that have it already."""
     found = []
     for table in SceneData.model_fields:
         below = raw.get(table)
@@ -143,7 +144,8 @@ def _elsewhere(name: str, raw: Any) -> list[str]:
         number = ("0",) if isinstance(below, list) else ()
         if name in _fields(inside, raw):
             found.append(".".join((table, *number, name)))
-    return found
+    there = [key for key in found if key.partition(".")[0] in raw]
+    return there or found
 
 
 def _choice(name: str, allowed: list[str]) -> str:
