@@ -9,9 +9,10 @@ import numpy as np
 from geometry.blocks import Blocks, Joints, Specimen
 from geometry.joints.covered import covered_shares
 from geometry.polyhedra.measures import face_areas_normals_centroids
+from geometry.polyhedra.polygons import cut, pad
 from masonry.errors import SceneError
 from masonry.model.layout import KINDS, Layout
-from masonry.model.loads import add_gravity
+from masonry.model.loads import add_force
 from masonry.scene.tables.loading import Fill
 
 UPWARD, COVERED = 1e-6, 1e-6
@@ -26,22 +27,16 @@ def weight_of_fill(
     if (layout.kind[chosen] == KINDS.index("tets")).any():
         raise SceneError(f"{where}.on = '{fill.on}': a fill acts on rigid and affine blocks, not on tets")
     faces = _open_faces(blocks, joints, chosen, f"{where}.on = '{fill.on}'")
-    force, moment = _columns(blocks, layout.centroid, faces, fill.level)
-    if not force.any():
+    owner = blocks.face_block()[faces]
+    volume, centre = _columns(blocks, faces, fill.level)
+    if not volume.any():
         raise SceneError(
             f"{where}.level: no free face of '{fill.on}' looks up below {fill.level:.6g} m; raise the level"
         )
-    weight = fill.density * gravity
-    down = np.array([0.0, 0.0, -weight])
-    add_gravity(layout, load, force / layout.volume, down)
-    for b in np.flatnonzero(force):
-        kind, row = KINDS[layout.kind[b]], layout.local[b]
-        array = load[kind]
-        assert array is not None
-        if kind == "rigid":
-            array[row, 3:] += layout.axes[b].T @ np.cross(moment[b], down)
-        else:
-            array[row, 3:] += np.outer(down, layout.axes[b].T @ moment[b]).ravel()
+    down = np.array([0.0, 0.0, -fill.density * gravity])
+    for f in np.flatnonzero(volume):
+        b = int(owner[f])
+        add_force(layout, load, b, volume[f] * down, centre[f] - layout.centroid[b])
     return load
 
 
@@ -60,31 +55,18 @@ def _open_faces(blocks: Blocks, joints: Joints, chosen: np.ndarray, where: str) 
     return up[covered <= COVERED]
 
 
-def _columns(blocks: Blocks, centroid: np.ndarray, faces: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
-    """(B,) m3 of earth above each block, and (B, 3) m4, its first moment about the centroid, taken at the faces.
+def _columns(blocks: Blocks, faces: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
+    """(F,) m3 of earth above each face, and (F, 3) m, where on the face it presses.
 
-    Exact: over a triangle the height is linear, and the middles of its edges integrate its product with an arm.
+    Exact: over a triangle the height is linear, and the middles of its edges integrate its product with a place.
     """
-    owner = blocks.face_block()
-    volume, moment = np.zeros(blocks.count), np.zeros((blocks.count, 3))
-    for f in faces.tolist():
-        polygon = _below(blocks.points[blocks.face_points[blocks.face_start[f] : blocks.face_start[f + 1]]], level)
-        for k in range(1, len(polygon) - 1):
-            corner = polygon[[0, k, k + 1]]
-            flat = 0.5 * np.cross(corner[1] - corner[0], corner[2] - corner[0])[2]
-            middle = 0.5 * (corner + np.roll(corner, -1, axis=0))
-            columns = flat / 3.0 * (level - middle[:, 2])
-            volume[owner[f]] += columns.sum()
-            moment[owner[f]] += columns @ (middle - centroid[owner[f]])
-    return volume, moment
-
-
-def _below(polygon: np.ndarray, level: float) -> np.ndarray:
-    """What of a polygon (n, 3) lies below a level (m)."""
-    kept = []
-    for one, other in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
-        if one[2] <= level:
-            kept.append(one)
-        if (one[2] - level) * (other[2] - level) < 0.0:
-            kept.append(one + (level - one[2]) / (other[2] - one[2]) * (other - one))
-    return np.array(kept).reshape(-1, 3)
+    corners, count = (array[faces] for array in pad(blocks.points, blocks.face_start, blocks.face_points))
+    corners, count = cut(corners, count, level - corners[:, :, 2])
+    first = np.broadcast_to(corners[:, :1], corners[:, 1:-1].shape)
+    triangle = np.stack([first, corners[:, 1:-1], corners[:, 2:]], axis=2)
+    flat = 0.5 * np.cross(triangle[:, :, 1] - triangle[:, :, 0], triangle[:, :, 2] - triangle[:, :, 0])[:, :, 2]
+    middle = 0.5 * (triangle + np.roll(triangle, -1, axis=2))
+    columns = flat[:, :, None] / 3.0 * (level - middle[..., 2])
+    volume = np.where(count > 2, columns.sum(axis=(1, 2)), 0.0)
+    moment = np.einsum("ftm,ftmi->fi", columns, middle)
+    return volume, moment / np.where(volume > 0.0, volume, 1.0)[:, None]

@@ -7,7 +7,7 @@ from geometry.blocks import Joints, Specimen
 from masonry.assembly.conditions import density_of, select
 from masonry.errors import SceneError
 from masonry.model.layout import KINDS, Layout, Material
-from masonry.model.loads import Conditions, Push, add_gravity, add_traction
+from masonry.model.loads import Conditions, Push, add_force, add_gravity, add_traction
 from masonry.scene import Scene
 from masonry.scene.tables.limit import LimitLoad
 
@@ -71,20 +71,13 @@ def _add_force(
 ) -> None:
     """A force (N) shared out by volume, at a place or at the centroids of the blocks."""
     density = np.where(np.isin(np.arange(len(layout.volume)), chosen), 1.0 / layout.volume[chosen].sum(), 0.0)
-    add_gravity(layout, load, density, force)
     if at is None:
+        add_gravity(layout, load, density, force)
         return
     if (layout.kind[chosen] == KINDS.index("tets")).any():
         raise SceneError("limit.at: a force on blocks of tets acts throughout them; leave the place out")
     for b in chosen.tolist():
-        kind, row, own = KINDS[layout.kind[b]], layout.local[b], density[b] * layout.volume[b] * force
-        arm = np.array(at) - layout.centroid[b]
-        array = load[kind]
-        assert array is not None
-        if kind == "rigid":
-            array[row, 3:] += layout.axes[b].T @ np.cross(arm, own)
-        else:
-            array[row, 3:] += np.outer(own, layout.axes[b].T @ arm).ravel()
+        add_force(layout, load, b, density[b] * layout.volume[b] * force, np.array(at) - layout.centroid[b])
 
 
 def _axis(direction: str | None) -> int:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from geometry.polyhedra.box_pairs import overlapping_boxes
 from masonry.assembly.assemble import Assembly
 from masonry.loading.settings import SETTINGS
 from masonry.model.large.meeting import Large
@@ -50,16 +51,11 @@ def candidates(large: Large) -> int:
     corner = pieces.vertex + large.near.motion.centre[np.repeat(pieces.body, np.diff(pieces.vertex_start))]
     low = np.minimum.reduceat(corner, pieces.vertex_start[:-1]) - search.skin[0]
     high = np.maximum.reduceat(corner, pieces.vertex_start[:-1]) + search.skin[0]
-    order = np.argsort(low[:, 0], kind="stable")
-    low, high, body = low[order], high[order], pieces.body[order]
-    block, moves, found = pieces.block[body], search.moves[body], 0
-    for i, last in enumerate(np.searchsorted(low[:, 0], high[:, 0], side="right")):
-        rest = slice(i + 1, last)
-        meet = np.all((low[rest, 1:] <= high[i, 1:]) & (high[rest, 1:] >= low[i, 1:]), axis=1)
-        meet &= (block[rest] != block[i]) & (moves[rest] | moves[i])
-        key = np.minimum(block[rest], block[i]) * len(pieces.body) + np.maximum(block[rest], block[i])
-        found += int(np.count_nonzero(meet & ~np.isin(key, search.bonded[search.held])))
-    return found
+    pair = pieces.body[overlapping_boxes(low, high)]
+    block = pieces.block[pair]
+    key = block.min(axis=1) * len(pieces.body) + block.max(axis=1)
+    meets = (block[:, 0] != block[:, 1]) & search.moves[pair].any(axis=1)
+    return int(np.count_nonzero(meets & ~np.isin(key, search.bonded[search.held])))
 
 
 def expected_rows(assembly: Assembly) -> int:

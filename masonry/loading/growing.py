@@ -55,9 +55,8 @@ class GrowingLoading:
         self.model, self.plan, self.settings = model, plan, settings
         self.state_of, self.restore_model = keep, restore
         layers = 0 if plan.layers is None else len(plan.layers)
-        grows = np.zeros((len(model.varying) - layers, plan.settle + 1))
-        come = None if plan.layers is None else np.concatenate([plan.layers, grows])
-        still = Program(plan.dead_load, np.zeros(plan.settle + 1), plan.settle, 0, layers=come)
+        grows = np.zeros((len(model.varying) - layers, plan.settle + 1)) if layers else None
+        still = Program(plan.dead_load, np.zeros(plan.settle + 1), plan.settle, 0, grows, layers=plan.layers)
         self.settling = ScheduledLoading(model, still, max(1, rows // 10))
         self.loads = SharedLoads(model, layers)
         self.size = smallest_block(model)

@@ -64,18 +64,23 @@ def add_traction(blocks: Blocks, layout: Layout, load: dict, push: Push) -> None
     area, _, centre = measures.face_areas_normals_centroids(blocks)
     owner = blocks.face_block()
     for f in push.faces:
-        b = owner[f]
-        kind, row = KINDS[layout.kind[b]], layout.local[b]
-        force, arm = push.stress * area[f], centre[f] - layout.centroid[b]
-        if kind == "rigid":
-            _of(load, kind, layout)[row] += np.concatenate([force, layout.axes[b].T @ np.cross(arm, force)])
-        elif kind == "affine":
-            moment = np.outer(force, layout.axes[b].T @ arm).ravel()
-            _of(load, kind, layout)[row] += np.concatenate([force, moment])
+        b = int(owner[f])
+        if KINDS[layout.kind[b]] != "tets":
+            add_force(layout, load, b, push.stress * area[f], centre[f] - layout.centroid[b])
     meshed = push.faces[layout.kind[owner[push.faces]] == KINDS.index("tets")]
     if layout.mesh is not None and len(meshed):
         nodes, share = surface_nodes(layout.mesh, blocks, meshed)
         np.add.at(_of(load, "tets", layout), nodes, share[:, None] * push.stress)
+
+
+def add_force(layout: Layout, load: dict, b: int, force: np.ndarray, arm: np.ndarray) -> None:
+    """Add a force (3,) N on a rigid or affine block, at an arm (3,) m from its centroid."""
+    kind, row = KINDS[layout.kind[b]], layout.local[b]
+    if kind == "rigid":
+        moment = layout.axes[b].T @ np.cross(arm, force)
+    else:
+        moment = np.outer(force, layout.axes[b].T @ arm).ravel()
+    _of(load, kind, layout)[row] += np.concatenate([force, moment])
 
 
 def _of(load: dict, kind: str, layout: Layout) -> np.ndarray:
