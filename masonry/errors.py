@@ -61,9 +61,19 @@ def extra(name: str) -> str:
     return f"in the clone of masonry-dem: pip install '.[{name}]'"
 
 
+def closest(word: str, known: Iterable[str], likeness: float = 0.4) -> str | None:
+    """The word most like this one, of which no more than its beginning is read; None where none is like it."""
+    return next(iter(difflib.get_close_matches(word[:100], list(known), 1, likeness)), None)
+
+
+def did_you_mean(word: str, known: Iterable[str], likeness: float = 0.4) -> str:
+    """The same as a question for the end of a message; empty where none is like it."""
+    close = closest(word, known, likeness)
+    return f"; did you mean '{close}'?" if close else ""
+
+
 def nearest(word: str, known: Iterable[str]) -> str:
     """What is allowed, and the nearest of it, for the end of a message."""
     allowed = sorted(known)
-    close = difflib.get_close_matches(word, allowed, 1, 0.4)
-    hint = f"; did you mean '{close[0]}'?" if close else ""
+    hint = did_you_mean(word, allowed)
     return f"known here: {', '.join(allowed)}{hint}"

@@ -6,7 +6,6 @@ are exact fractions, so "1 N/mm^2" and "1 MPa" give the same bits, and so does a
 read again.
 """
 
-import difflib
 import math
 import re
 from collections import Counter
@@ -14,7 +13,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, closest
 
 
 class Kind(NamedTuple):
@@ -157,9 +156,9 @@ def _symbol(symbol: str) -> tuple[Fraction, dict[str, int]]:
     try:
         unit = _registry().Unit(symbol)
     except (pint.errors.PintError, TypeError, ValueError):
-        alike = [u for u in _COMMON if u.lower() == symbol.lower()]
-        alike = alike or difflib.get_close_matches(symbol[:20], _COMMON, 1, 0.5)
-        nearest = f"did you mean '{alike[0]}'?" if alike else _COMMON_UNITS
+        same = next((unit for unit in _COMMON if unit.lower() == symbol.lower()), None)
+        alike = same or closest(symbol[:20], _COMMON, 0.5)
+        nearest = f"did you mean '{alike}'?" if alike else _COMMON_UNITS
         raise ValueError(f"{_short(symbol)} is no known unit; {nearest}") from None
     if "[temperature]" in unit.dimensionality:
         raise ValueError(f"{_short(symbol)} has no place in a scene; {_COMMON_UNITS}")

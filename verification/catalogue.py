@@ -1,6 +1,5 @@
 """The cases there are: every CASE, or CASES, of the modules of `verification.cases`, found without a list."""
 
-import difflib
 import importlib
 import pkgutil
 import re
@@ -9,7 +8,7 @@ from functools import cache, partial
 from types import ModuleType
 from typing import TypeVar
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, closest
 from verification import cases
 from verification.case import Case
 
@@ -61,8 +60,8 @@ def named(names: Iterable[str], known: dict[str, T], kind: str, listing: str) ->
     for name in names:
         word = name.lower().replace("_", "-")
         if word not in known:
-            close = difflib.get_close_matches(word, known, 1, 0.4)
-            hint = f"did you mean '{close[0]}'?" if close else f"{listing} names them all"
+            close = closest(word, known)
+            hint = f"did you mean '{close}'?" if close else f"{listing} names them all"
             raise SceneError(f"no {kind} '{name[:80]}': {hint}")
         found[word] = known[word]
     return list(found.values())

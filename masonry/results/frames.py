@@ -1,13 +1,12 @@
 """Which of the kept frames of a result is meant: that of the peak or the lowest stress, an end, or the nearest."""
 
-import difflib
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, did_you_mean
 from masonry.history import Frame
 from masonry.loading.cycles import peak_row
 
@@ -116,8 +115,7 @@ def _length(text: str) -> float:
     try:
         return convert(text, "length", "step", "[-1e5, 1e5]")
     except ValueError:
-        close = difflib.get_close_matches(text, WORDS, 1, 0.4)
-        hint = f"; did you mean '{close[0]}'?" if close else ""
+        hint = did_you_mean(text, WORDS)
         raise SceneError(
             f"step '{text}': {', '.join(WORDS)}, the number of a step, or a displacement such as '0.05 mm'{hint}"
         ) from None

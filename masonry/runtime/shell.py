@@ -2,7 +2,6 @@
 
 import argparse
 import contextlib
-import difflib
 import os
 import re
 import signal
@@ -11,7 +10,7 @@ import threading
 from collections.abc import Iterator, Sequence
 from typing import Any, NoReturn
 
-from masonry.errors import visible
+from masonry.errors import did_you_mean, visible
 
 ENDING = (signal.SIGTERM, *([signal.SIGHUP] if hasattr(signal, "SIGHUP") else []))
 """Signals that ask a process to end: of a system that shuts down, of a terminal that is closed."""
@@ -28,9 +27,8 @@ class Parser(argparse.ArgumentParser):
         found, unknown = super().parse_known_args(args, namespace)
         if unknown:
             word = unknown[0].partition("=")[0]
-            close = difflib.get_close_matches(word, self._option_string_actions, 1, 0.7)
-            hint = f"; did you mean '{close[0]}'?" if close else ""
-            if not close and "--set" in self._option_string_actions and re.fullmatch(r"--\w[\w.-]*", word):
+            hint = did_you_mean(word, self._option_string_actions, 0.7)
+            if not hint and "--set" in self._option_string_actions and re.fullmatch(r"--\w[\w.-]*", word):
                 hint = f"; a key of the scene is changed by --set {word[2:]}=VALUE"
             self.error(f"unrecognized arguments: {' '.join(unknown)}{hint}")
         return found, unknown

@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from masonry.errors import SceneError
 from masonry.quantity import parse
-from masonry.scene.errors import explain
+from masonry.scene.messages import explain
 from masonry.scene.overrides import Overrides, apply
 from masonry.scene.portrait import portrait_html, portrait_text
 from masonry.scene.schema import SceneData

@@ -1,11 +1,11 @@
 """A scene: specimen, properties, supports, loading and solver, checked and in SI."""
 
 from collections.abc import Iterator
-from difflib import get_close_matches
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
+from masonry.errors import did_you_mean
 from masonry.history import FACTOR, TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact import Contact, Material
@@ -188,8 +188,7 @@ class SceneData(Table):
 
 
 def _no_such(key: str, keys: list[str]) -> str:
-    nearest = get_close_matches(key[:100], keys, 1, 0.4)
-    return f"'{key[:100]}' is no key of this scene" + (f"; did you mean '{nearest[0]}'?" if nearest else "")
+    return f"'{key[:100]}' is no key of this scene{did_you_mean(key, keys)}"
 
 
 def dotted_keys(value: Any, path: str = "") -> Iterator[str]:

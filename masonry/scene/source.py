@@ -1,6 +1,5 @@
 """Where a scene's raw values come from: a file or a packaged scene, and the line of every key in it."""
 
-import difflib
 import re
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -9,7 +8,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, closest
 from masonry.runtime.text_files import decoded, toml_of
 from masonry.scene.lines import line_numbers
 from masonry.scene.variant import Keys, overlay
@@ -134,4 +133,4 @@ def _nearest(file: Traversable, name: str, known: dict[str, Traversable], typed:
     if isinstance(file, Path) and file.name and file.with_name(f"{file.name}.toml").is_file():
         return f"{typed}.toml"
     stem = re.split(r"[/\\]", name[-200:])[-1].removesuffix(".toml")
-    return next(iter(difflib.get_close_matches(stem, known, 1, 0.4)), None)
+    return closest(stem, known)

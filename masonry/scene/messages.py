@@ -1,13 +1,12 @@
 """Pydantic's findings -> one message for the user: file and line, key, what is wrong, the nearest valid choice."""
 
-import difflib
 import re
 from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from masonry.errors import Findings, SceneError
+from masonry.errors import Findings, SceneError, closest
 from masonry.quantity import KINDS, written
 from masonry.scene.lines import split_key
 from masonry.scene.schema import SceneData
@@ -64,7 +63,7 @@ def _without_echoes(findings: list[ErrorDetails]) -> list[ErrorDetails]:
     unknown = [found["loc"] for found in findings if found["type"] in UNKNOWN][:100]
     for *table, name in unknown:
         names = [str(key) for *others, key in missing if others == table]
-        for nearest in difflib.get_close_matches(str(name)[:80], names, 1, 0.5):
+        if nearest := closest(str(name), names, 0.5):
             del missing[(*table, nearest)]
     return [found for found in findings if found["type"] not in MISSING or found["loc"] in missing]
 
@@ -149,8 +148,8 @@ def _elsewhere(name: str, raw: Any) -> list[str]:
 
 
 def _choice(name: str, allowed: list[str]) -> str:
-    nearest = difflib.get_close_matches(name[:80], allowed, 1, 0.5)
-    return (f"did you mean '{nearest[0]}'? " if nearest else "") + f"allowed: {', '.join(allowed)}"
+    nearest = closest(name, allowed, 0.5)
+    return (f"did you mean '{nearest}'? " if nearest else "") + f"allowed: {', '.join(allowed)}"
 
 
 def _fields(loc: Keys, raw: Any) -> dict[str, Any]:
