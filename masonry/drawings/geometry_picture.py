@@ -1,5 +1,6 @@
 """The specimen of a scene as a picture: units and cells, groups, supports, loads, named sets, axes in mm."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from masonry.drawings.condition_marks import Mark, marks
 from masonry.drawings.mark_drawing import COLOURS, draw_mark, place_of_value, stands_left
 from masonry.drawings.picture_frame import draw_axes, draw_sets
 from masonry.errors import SceneError
-from masonry.pictures.camera import Camera, camera_of
+from masonry.pictures.camera import Camera, camera_of, with_less_floor
 from masonry.pictures.faces import UNIT_EDGE, FaceDrawing
 from masonry.pictures.front import group_colours
 from masonry.pictures.hidden_surfaces import visible_pieces
@@ -65,12 +66,14 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     from matplotlib.figure import Figure
 
     camera = camera_for(scene, specimen, view)
-    blocks = specimen.blocks
+    blocks = with_less_floor(specimen.blocks)
+    whole = np.array_equal(blocks.points, specimen.blocks.points)
+    specimen = replace(specimen, blocks=blocks)
     size = float(np.ptp(camera.project(blocks.points), axis=0).max())
     listed = marks(scene, specimen, joints)
     figure = Figure(figsize=(WIDTH, WIDTH), layout="constrained")
     axes = figure.subplots()
-    _title(figure, scene, specimen)
+    _title(figure, scene, specimen, "" if whole else "; of the floor a part")
     pieces = visible_pieces(blocks, joints, camera)
     faces = FaceDrawing(blocks, camera)
     for piece in pieces:
@@ -90,9 +93,9 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     return figure
 
 
-def _title(figure: Any, scene: Scene, specimen: Specimen) -> None:
+def _title(figure: Any, scene: Scene, specimen: Specimen, more: str) -> None:
     figure.suptitle(plain(scene.title or scene.name), fontsize=13, wrap=True)
-    figure.axes[0].set_title(f"{specimen.shape}: {_blocks(specimen.blocks.count)}", fontsize=10, color="0.3")
+    figure.axes[0].set_title(f"{specimen.shape}: {_blocks(specimen.blocks.count)}{more}", fontsize=10, color="0.3")
 
 
 def _blocks(count: int) -> str:

@@ -1,6 +1,7 @@
 """Round the picture of a specimen: axes in mm, and the names of its sets beside it."""
 
 from collections.abc import Iterable, Sequence
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ MOST_IN_A_ROW = 6
 OUT = 0.055
 """How far the edges with coordinates stand from the specimen, over its size."""
 AWAY = 0.21
-"""How far names stand from the specimen, over the size of the picture."""
+"""How far names stand from the box round the specimen, over the size of the picture."""
 
 
 def draw_sets(
@@ -39,8 +40,9 @@ def draw_sets(
     owner = specimen.blocks.face_block()
     block = np.array([owner[piece.face] for piece in pieces], dtype=np.int64)
     middle = np.array([camera.project(piece.corners).mean(axis=0) for piece in pieces])
-    flat = camera.project(specimen.blocks.points)
-    low, high = flat.min(axis=0), flat.max(axis=0)
+    ends = specimen.blocks.points.min(axis=0), specimen.blocks.points.max(axis=0)
+    box = camera.project(np.array(list(product(*np.transpose(ends)))))
+    low, high = box.min(axis=0), box.max(axis=0)
     centre = (low + high) / 2
     sides: dict[bool, list[tuple[float, str, np.ndarray]]] = {False: [], True: []}
     lone = sum(len(members) == 1 for members in specimen.sets.values())
@@ -127,7 +129,7 @@ def draw_axes(axes: Any, blocks: Blocks, camera: Camera, left_taken: bool = Fals
         flat = camera.project(blocks.points)
         for spine, across, low, high in zip(("bottom", "left"), "xy", flat.min(axis=0), flat.max(axis=0), strict=True):
             ticks = _ticks(low, high, 6)
-            axes.set(**{f"{across}ticks": ticks * 1e-3, f"{across}ticklabels": [f"{tick:.4g}" for tick in ticks]})
+            axes.set(**{f"{across}ticks": ticks * 1e-3, f"{across}ticklabels": [f"{tick:.6g}" for tick in ticks]})
             axes.spines[spine].set_bounds(low, high)
         axes.spines[["top", "right"]].set_visible(False)
         return
@@ -163,7 +165,7 @@ def _draw_edge(
     for tick in ticks:
         at = camera.project(start + (tick * 1e-3 - low[axis]) * along) + away * size * out
         axes.plot(*np.array([at, at + 0.012 * size * out]).T, color="0.3", lw=0.9)
-        axes.annotate(f"{tick:.4g}", at + 0.03 * size * out, ha="center", va="center", fontsize=8, color="0.2")
+        axes.annotate(f"{tick:.6g}", at + 0.03 * size * out, ha="center", va="center", fontsize=8, color="0.2")
     name = ends.mean(axis=0) + (0.08, 0.12)[axis] * size * out if axis < 2 else ends[1] + (0.0, 0.05 * size)
     axes.annotate(f"{'xyz'[axis]} [mm]", name, ha="center", va="center", fontsize=9)
     axes.update_datalim([name + 0.03 * size * out])

@@ -61,6 +61,15 @@ def above_floor(blocks: Blocks) -> np.ndarray:
     return np.unique(blocks.face_points[group != blocks.groups.index(FLOOR)])
 
 
+def with_less_floor(blocks: Blocks) -> Blocks:
+    """The same for a picture: of a floor no more than half the size of what stands on it is left on each side, and a
+    tenth of it below."""
+    own = above_floor(blocks)
+    low, high = blocks.points[own].min(axis=0), blocks.points[own].max(axis=0)
+    room = float(np.max(high - low)) * np.array([0.5, 0.5, 0.1])
+    return replace(blocks, points=np.clip(blocks.points, low - room, high + room))
+
+
 def box_of(camera: Camera, blocks: Blocks, moved: Sequence[np.ndarray], times: float = 1.0) -> np.ndarray:
     """Lowest and highest place (2, 2) that a corner above the floor comes to, with some room round them; corners move
     by (P, 3) m each, drawn `times` larger."""
