@@ -1,1 +1,4 @@
-"""Limit analysis of a scene: its contacts and loads, the factor, how it fails, in words and pictures."""
+"""Limit analysis of a scene: its contacts and loads, the factor, how it fails, in words and pictures.
+
+The optimisation itself is masonry/statics: cones.py (Clarabel), linear.py (HiGHS), no_dilation.py.
+"""

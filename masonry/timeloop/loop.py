@@ -13,7 +13,7 @@ from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.cycles import reached
 from masonry.loading.growing import GrowingLoading
 from masonry.loading.scheduled import Chunk, ScheduledLoading
-from masonry.model.large.row_sums import STRETCH
+from masonry.model.large.stable_step import STRETCH
 from masonry.model.model import Model
 from masonry.model.motion import set_off
 from masonry.monitors import energy

@@ -23,7 +23,7 @@ from masonry.kinematics.turning import Turning
 from masonry.model.arrays import Bodies, in_rows
 from masonry.model.large.bodies import deforming, deforming_tets, turning
 from masonry.model.large.motion import free_bodies, masses_of, motion_of, outer_tets, sizes_of
-from masonry.model.large.row_sums import affine_row_sums, contact_row_sums, levers, tet_row_sums
+from masonry.model.large.stable_step import affine_row_sums, contact_row_sums, levers, tet_row_sums
 from masonry.model.layout import KINDS, Layout
 from masonry.model.stable_step import Side
 

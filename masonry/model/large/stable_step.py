@@ -1,6 +1,6 @@
 """The proven stable step where blocks turn and deform: row sums by the norms of 3-vectors, from wherever one looks.
 
-stable_step.py adds |K_ij| along x, y, z: true at the start, and no longer once a block has turned. Here every dof
+model/stable_step.py adds |K_ij| along x, y, z: true at the start, and no longer once a block has turned. Here every dof
 that is a vector (a move, a column of H, a node) counts by its length, and K_ij by its 2-norm. max_i |x_i| is a norm
 too, so w_max^2 <= max_i sum_j ||K_ij|| / m_i holds as Gershgorin's does, where the three masses of a vector are equal.
 Then no turn changes the sums, neither of blocks nor of normals: levers about a rigid block's own axes keep their
