@@ -134,11 +134,11 @@ def stress_text(summary: dict[str, Any], key: str) -> str:
 
 def cycles_text(cycles: list[dict[str, Any]]) -> str:
     """How many cycles there were, what they dissipated, and what is left of the stiffness; the first few in figures."""
-    spent = ", ".join(f"{cycle['dissipated_j']:.3g}" for cycle in cycles[:FEW_CYCLES])
+    dissipated = ", ".join(f"{cycle['dissipated_j']:.3g}" for cycle in cycles[:FEW_CYCLES])
     more = ", ..." if len(cycles) > FEW_CYCLES else ""
     first, last = (cycles[k]["stiffness_pa_per_m"] for k in (0, -1))
     left = f"; stiffness of the last over the first: {last / first:.2g}" if first and last and len(cycles) > 1 else ""
-    return f"{len(cycles)}, dissipating {spent}{more} J{left}"
+    return f"{len(cycles)}, dissipating {dissipated}{more} J{left}"
 
 
 def tilt_text(tilt: float, when: str = "") -> str:

@@ -128,7 +128,7 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
     """All terms (J) at this moment, under the names of history.UNITS, and of LARGE_UNITS in large displacement."""
     works = np.sum([body.work.sum(axis=0) for _, body in present(model)], axis=0)
     contact_work, damping, external = -float(works[0]), -float(works[1]), float(works[2])
-    spent = model.joints.area @ model.state.dissipated
+    dissipated = model.joints.area @ model.state.dissipated
     moving = kinetic(model, before)
     lines = {}
     if model.large is not None:  # work[:, 3]: lost by free rotors, and put into blocks that deform
@@ -137,9 +137,9 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
         "external_work": external,
         "elastic_blocks": view.elastic_blocks,
         "elastic_contacts": view.elastic_contacts,
-        "fracture_mode_1": float(spent[0]),
-        "fracture_mode_2": float(spent[1]),
-        "friction": float(spent[2]) + (0.0 if model.large is None else float(model.large.near.account[FRICTION])),
+        "fracture_mode_1": float(dissipated[0]),
+        "fracture_mode_2": float(dissipated[1]),
+        "friction": float(dissipated[2]) + (0.0 if model.large is None else float(model.large.near.account[FRICTION])),
         "damping": damping,
         "kinetic": moving,
         "contact_work": contact_work,

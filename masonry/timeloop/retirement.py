@@ -15,7 +15,7 @@ from masonry.model.model import Model
 from masonry.monitors.energy import stored_in_contacts
 from masonry.timeloop.large_motion import make_room
 
-SPENT = 1e-3
+STRENGTH_LEFT = 1e-3
 """Share of its strength that a broken bond has left, at most: at seven softening lengths of the exponential law."""
 
 
@@ -68,7 +68,11 @@ def _broken(model: Model, alive: np.ndarray) -> np.ndarray:
             continue
         own = slice(model.groups.bounds[g], model.groups.bounds[g + 1])
         tension, shear = model.state.intact_n[own], model.state.intact_s[own]
-        found[own] = tension * shear < SPENT if joint.combined is not None else np.maximum(tension, shear) < SPENT
+        found[own] = (
+            tension * shear < STRENGTH_LEFT
+            if joint.combined is not None
+            else np.maximum(tension, shear) < STRENGTH_LEFT
+        )
     return found & alive
 
 

@@ -48,8 +48,8 @@ def solution() -> tuple[float, float]:
         widest = np.maximum(widest, opening)
         peak = max(peak, float(np.mean(tension(LAW, JOINT, opening))))
     cracked = widest[widest > JOINT.opening_at_peak]
-    spent = sum(dissipated_in_tension(LAW, JOINT, w) for w in cracked)
-    return peak, spent * WIDTH * LENGTH / FIBRES
+    dissipated = sum(dissipated_in_tension(LAW, JOINT, w) for w in cracked)
+    return peak, dissipated * WIDTH * LENGTH / FIBRES
 
 
 def exact(one: Run) -> dict[str, float]:

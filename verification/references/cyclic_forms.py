@@ -46,7 +46,7 @@ class Sheared:
         slid = self.slid_by(made, float(way * self.stress))
         elastic = way * self.stress + self.joint.ks * made
         stress = np.minimum(elastic, self.strength(slid))
-        gone = self.gone + self.spent(slid)
+        gone = self.gone + self.dissipated_in_leg(slid)
         self.place, self.stress = float(places[-1]), float(way * stress[-1])
         self.slid, self.gone = float(slid[-1]), float(gone[-1])
         return way * stress, gone
@@ -61,7 +61,7 @@ class Sheared:
         reached = path - self.slid + (self.strength(path) - start) / self.joint.ks
         return np.asarray(np.interp(made, reached, path))
 
-    def spent(self, slid: Floats) -> Floats:
+    def dissipated_in_leg(self, slid: Floats) -> Floats:
         """Energy (J/m2) that the leg has taken: under the envelope, less what stays elastic by the total slip."""
         if self.variable == "plastic":
             return self._under(slid + self.peak_at) - self._under(np.array([self.slid + self.peak_at]))

@@ -99,9 +99,9 @@ def softening_claim(second: Mapping[str, Result], first: Result) -> Claim:
 
 def tension_claim(grid: Result, cells: Result) -> Claim:
     """Most energy goes into tension, and as much as one section takes."""
-    spent, rough = energy_per_section(grid), energy_per_section(cells)
-    shares = [s["mode I"] / s["fracture"] for s in (spent, rough)]
-    whole = spent["fracture"]
+    dissipated, rough = energy_per_section(grid), energy_per_section(cells)
+    shares = [s["mode I"] / s["fracture"] for s in (dissipated, rough)]
+    whole = dissipated["fracture"]
     return claim("The governing mechanism is the tensile response of joints and bricks", "5.2",
                  f"> 50 % of the fracture energy by mode I; of the regular grid within 10 % of {BY_HAND:g} N/m of "
                  "section",

@@ -52,12 +52,12 @@ def apart(one: Result, other: Result, begin: float = 0.0, end: float = np.inf) -
 def energy_per_section(result: Result) -> dict[str, float]:
     """Energy by where it went, over the section of the specimen, in N/m: mode I, mode II, friction, fracture in all."""
     energy, section = result.summary["energy_j"], result.summary["section_m2"]
-    spent = {
+    dissipated = {
         "mode I": energy["fracture_mode_1"] / section,
         "mode II": energy["fracture_mode_2"] / section,
         "friction": energy["friction"] / section,
     }
-    return spent | {"fracture": spent["mode I"] + spent["mode II"]}
+    return dissipated | {"fracture": dissipated["mode I"] + dissipated["mode II"]}
 
 
 def tail(result: Result) -> float:

@@ -71,10 +71,10 @@ def drastic_claim(found: Mapping[str, Both]) -> Claim:
     """Twice the tensile energy of the units, beside twice their shear energy: the paper calls the first drastic."""
     moved = {name: [apart(both[kind][2], both[kind][1]) for kind in ("GI", "GII")] for name, both in found.items()}
     half = {name: [fall_to(both["GI"][f], 0.5) * MILLI for f in (1, 2)] for name, both in found.items()}
-    spent = {name: [energy_per_section(both["GI"][f])["fracture"] for f in (1, 2)] for name, both in found.items()}
+    dissipated = {name: [energy_per_section(both["GI"][f])["fracture"] for f in (1, 2)] for name, both in found.items()}
     shown = [
         f"{n}: {percent(m[0])} and {percent(m[1])}; half the peak {half[n][0]:.3f} and {half[n][1]:.3f} mm past it "
-        f"({half[n][1] / half[n][0]:.1f} times), fracture energy {spent[n][0]:.1f} and {spent[n][1]:.1f} N/m"
+        f"({half[n][1] / half[n][0]:.1f} times), fracture energy {dissipated[n][0]:.1f} and {dissipated[n][1]:.1f} N/m"
         for n, m in moved.items()
     ]
     return claim("A drastic change of the response once the units have twice the GI of the interface", "6, Fig. 18a",

@@ -66,7 +66,7 @@ def residual_claims(shipped: Result, hinge: Result) -> list[Claim]:
     """What is carried at the end, and the energy that it took."""
     ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (shipped, hinge)]
     sheared = [(c := crack_path(r)).stress_carried(c.bed) * MEGA for r in (shipped, hinge)]
-    spent = [energy_per_section(r)["fracture"] for r in (shipped, hinge)]
+    dissipated = [energy_per_section(r)["fracture"] for r in (shipped, hinge)]
     return [
         claim("The mechanism yields a residual stress, from shear of the bed joints", "5.1, Fig. 10",
               f"stress at the end > 0, and within {percent(ALIKE)} of the shear of broken bed joints over the section",
@@ -75,7 +75,7 @@ def residual_claims(shipped: Result, hinge: Result) -> list[Claim]:
               "something else carries load"),
         claim("Energy to full separation, from Table 3", "Table 3, by hand",
               f"fracture energy of one stepped crack within 10 % of {BY_HAND} N/m of section; friction comes on top",
-              f"{spent[0]:.1f} N/m and {energy_per_section(shipped)['friction']:.1f} N/m of friction at "
-              f"{float(shipped.history.rows['displacement'][-1]) * MILLI:.2g} mm; on a hinge: {spent[1]:.1f} N/m",
-              all(abs(s / BY_HAND - 1.0) < 0.1 for s in spent), "more or less than one stepped crack"),
+              f"{dissipated[0]:.1f} N/m and {energy_per_section(shipped)['friction']:.1f} N/m of friction at "
+              f"{float(shipped.history.rows['displacement'][-1]) * MILLI:.2g} mm; on a hinge: {dissipated[1]:.1f} N/m",
+              all(abs(s / BY_HAND - 1.0) < 0.1 for s in dissipated), "more or less than one stepped crack"),
     ]  # fmt: skip
