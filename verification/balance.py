@@ -54,10 +54,10 @@ def open_by(result: Result) -> float:
     loads = [abs(work) for work in result.summary["work_of_loads_j"].values()]
     work, size = max(float(np.abs(rows["external_work"]).max()), *loads, 0.0), largest(rows)
     gap = float(np.abs(residual(rows)).max())
-    share = gap / (work or size) if gap else 0.0
+    imbalance = gap / (work or size) if gap else 0.0
     told = float(result.summary["energy_imbalance"])
-    agrees = honest(rows) and (work == 0.0 or abs(told - share) <= SAME * size / work)
-    return share if agrees else np.inf
+    agrees = honest(rows) and (work == 0.0 or abs(told - imbalance) <= SAME * size / work)
+    return imbalance if agrees else np.inf
 
 
 def mismatch(result: Result) -> float:

@@ -102,7 +102,7 @@ def _loading(scene: Scene, dt: float) -> Program | Controlled:
         if scene.gravity.tilt is not None and scene.gravity.tilt.steps is not None:
             count = scene.gravity.tilt.steps + 1
             require_few(settle + count, dt)
-            return followed(dt, settle, np.zeros(count), _shares(loads, settle, count))
+            return followed(dt, settle, np.zeros(count), _load_factors(loads, settle, count))
     if loads or (drive is not None and drive.history is not None):
         return _along_histories(drive, loads, settle, dt)
     if drive is None:
@@ -126,7 +126,7 @@ def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: f
     if drive is not None and drive.history is None:
         plain = program(dt, settle, drive.sign * drive.farthest, drive.steps, drive.rate, drive.ramp)
         require_two(plain.steps - settle)
-        return replace(plain, varying=_shares(loads, settle, plain.steps - settle))
+        return replace(plain, varying=_load_factors(loads, settle, plain.steps - settle))
     path = None if drive is None else drive.path
     duration = max(found.duration for found in [*loads, *([path] if path else [])]) if loads or path else 0.0
     if drive is not None and drive.steps is not None:
@@ -142,10 +142,10 @@ def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: f
         places = np.zeros(count)
     else:
         places = drive.sign * (passage(drive.turns, count) if path is None else _at(path, t) - _at(path, t[:1]))
-    return followed(dt, settle, places, _shares(loads, settle, count, duration) if loads else None)
+    return followed(dt, settle, places, _load_factors(loads, settle, count, duration) if loads else None)
 
 
-def _shares(loads: list[Timed], settle: int, count: int, duration: float = 0.0) -> np.ndarray:
+def _load_factors(loads: list[Timed], settle: int, count: int, duration: float = 0.0) -> np.ndarray:
     """(H, settle + count + 1) share of each load at each step: all the time of the longest, or `duration` (s) if that
     is longer, passes in the last `count` steps."""
     t = np.linspace(0.0, max(duration, *(load.duration for load in loads)), count)

@@ -34,11 +34,11 @@ def polygon_points(
     for k in range(count):
         name[k] = corner_feature(face_a, face_b, label[row, k - 1 if k > 0 else count - 1], label[row, k])
     count = merge(u, v, name, row, count, weight, MERGED * sqrt(total))
-    share = max(1.0, min(full, least) / total)
+    factor = max(1.0, min(full, least) / total)
     for k in range(count):
         low, high = heights(plane, u[row, k], v[row, k])
         point[k, 0], point[k, 1], point[k, 2] = point_of(plane, u[row, k], v[row, k], 0.5 * (low + high))
-        gap[k], area[k], feature[k] = high - low, share * weight[k], name[k]
+        gap[k], area[k], feature[k] = high - low, factor * weight[k], name[k]
     return count
 
 

@@ -78,8 +78,8 @@ def common_plane(vertex, loop, loop_start, normal, offset, fa, fb, dx, dy, dz, n
         sx, sy, sz = -nz, 0.0, nx
     else:
         sx, sy, sz = ny, -nx, 0.0
-    share = 1.0 / sqrt(sx * sx + sy * sy + sz * sz)
-    sx, sy, sz = share * sx, share * sy, share * sz
+    scale = 1.0 / sqrt(sx * sx + sy * sy + sz * sz)
+    sx, sy, sz = scale * sx, scale * sy, scale * sz
     tx, ty, tz = ny * sz - nz * sy, nz * sx - nx * sz, nx * sy - ny * sx
     o = loop[loop_start[fa]]
     ox, oy, oz = vertex[o, 0], vertex[o, 1], vertex[o, 2]

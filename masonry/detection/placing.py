@@ -63,8 +63,8 @@ def place(pieces, piece, frame, turned):
     for k in range(pieces.face_start[piece], pieces.face_start[piece + 1]):
         x, y, z = normal_0[k, 0], normal_0[k, 1], normal_0[k, 2]
         nx, ny, nz = a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z
-        share = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
-        nx, ny, nz = share * nx, share * ny, share * nz
+        scale = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
+        nx, ny, nz = scale * nx, scale * ny, scale * nz
         normal[k, 0], normal[k, 1], normal[k, 2] = nx, ny, nz
         v = loop[loop_start[k]]
         offset[k] = nx * vertex[v, 0] + ny * vertex[v, 1] + nz * vertex[v, 2]

@@ -141,8 +141,8 @@ def turned_with(x, y, z, before, turn, n):
     along = x * n[0] + y * n[1] + z * n[2]
     x, y, z = x - along * n[0], y - along * n[1], z - along * n[2]
     after = x * x + y * y + z * z
-    share = where(after > 0.0, sqrt(before / after), 0.0)
-    return share * x, share * y, share * z
+    scale = where(after > 0.0, sqrt(before / after), 0.0)
+    return scale * x, scale * y, scale * z
 
 
 @bare
@@ -186,14 +186,14 @@ def gap_of(pairs, points, motion, p, k):
     own, s = pairs.points_of[p], pairs.slot[p]
     ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
     x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
-    nx, ny, nz, share = plane_of(motion.frame, motion.dual, ref, x, y, z)
+    nx, ny, nz, scale = plane_of(motion.frame, motion.dual, ref, x, y, z)
     n = nx, ny, nz
     a = turned(motion.frame, other, points.material[s, 0, k], points.material[s, 1, k], points.material[s, 2, k])
     along = 0.0
     for i in range(3):
         between = (motion.centre[other, i] - motion.centre[ref, i]) + (motion.moved[other, i] - motion.moved[ref, i])
         along += n[i] * (a[i] + between)
-    return (along - share * points.level[s, k]) * (1.0 if own == 1 else -1.0)
+    return (along - scale * points.level[s, k]) * (1.0 if own == 1 else -1.0)
 
 
 @bare

@@ -237,9 +237,9 @@ def remember(pairs, points, motion, search, p):
 
 @bare
 def set_dashpot(pairs, rules, search, p, area):
-    """The dashpot of a patch (Pa s/m): its share of the critical damping of the two masses on the whole patch."""
-    share, kn = rules.dashpot[pairs.law[p]], rules.normal_stiffness[pairs.law[p]]
+    """The dashpot of a patch (Pa s/m): its ratio of the critical damping of the two masses on the whole patch."""
+    damping_ratio, kn = rules.dashpot[pairs.law[p]], rules.normal_stiffness[pairs.law[p]]
     pairs.dashpot[p] = 0.0
-    if share > 0.0 and area > 0.0:
+    if damping_ratio > 0.0 and area > 0.0:
         a, b = search.mass[pairs.body[p, 0]], search.mass[pairs.body[p, 1]]
-        pairs.dashpot[p] = 2.0 * share * sqrt(kn * (a * b / (a + b)) / area)
+        pairs.dashpot[p] = 2.0 * damping_ratio * sqrt(kn * (a * b / (a + b)) / area)

@@ -229,13 +229,16 @@ def _given(q, inertia, free, momentum, w):
 
 
 @register_jitable
-def _moment_of_load(load, change, b, share):
-    """Moment of the dead loads at a share of them, as in motion.dead_load; 0 where there are none."""
+def _moment_of_load(load, change, b, load_factor):
+    """Moment of the dead loads at a factor of them, as in motion.dead_load; 0 where there are none."""
     if load is None:
         return 0.0, 0.0, 0.0
     if change is None:
-        return scaled(share, vector_at(load, b, 3))
-    return added(scaled(min(share, 1.0), vector_at(load, b, 3)), scaled(max(share - 1.0, 0.0), vector_at(change, b, 3)))
+        return scaled(load_factor, vector_at(load, b, 3))
+    return added(
+        scaled(min(load_factor, 1.0), vector_at(load, b, 3)),
+        scaled(max(load_factor - 1.0, 0.0), vector_at(change, b, 3)),
+    )
 
 
 @register_jitable

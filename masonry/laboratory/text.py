@@ -201,11 +201,11 @@ def accuracy_text(summary: dict[str, Any]) -> str:
     )
 
 
-def damping_words(share: float) -> str:
+def damping_words(fraction: float) -> str:
     """What damping took of the work of the drive; or gave, where it pulls along what lags behind."""
-    if share >= -BELOW_0:
-        return f"damping took {percent(share)} of the work"
-    return f"damping gave {percent(-share)} of the work, by pulling along what lagged behind the drive"
+    if fraction >= -BELOW_0:
+        return f"damping took {percent(fraction)} of the work"
+    return f"damping gave {percent(-fraction)} of the work, by pulling along what lagged behind the drive"
 
 
 def sudden_text(summary: dict[str, Any]) -> str:
@@ -226,8 +226,8 @@ def _number(summary: dict[str, Any], key: str, factor: float, unit: str) -> str:
 
 
 def _kinetic(summary: dict[str, Any]) -> str:
-    share = summary.get("kinetic_over_internal_max")
-    return "not known" if share is None else percent(share, 4)
+    ratio = summary.get("kinetic_over_internal_max")
+    return "not known" if ratio is None else percent(ratio, 4)
 
 
 def _seconds(summary: dict[str, Any], key: str) -> str:

@@ -42,19 +42,19 @@ def rows_of(layout: Layout, kind: str, chosen: np.ndarray) -> np.ndarray:
     return np.concatenate([np.zeros(0, dtype=np.int64), *(np.arange(start[b], start[b + 1]) for b in inside)])
 
 
-def begin(model: Model, shares: np.ndarray | None, loaded: bool) -> None:
+def begin(model: Model, load_factors: np.ndarray | None, loaded: bool) -> None:
     """Set off what starts in motion in a run without settling. Dead loads that act at once (`loaded`) give all that is
     free half a step of themselves, so that velocities are those in the middle of the first step.
 
-    shares  (H,) of the loads that vary as the run begins; None without any
+    load_factors  (H,) of the loads that vary as the run begins; None without any
     """
     blows = {} if model.motion is None else {kind: blow.copy() for kind, blow in model.motion.items()}
     for kind, body in _present(model):
         if not loaded or body.load is None:
             continue
         load = body.load.copy()
-        for share, varying in zip(() if shares is None else shares, model.varying, strict=True):
-            load += 0.0 if varying[kind] is None else share * varying[kind]
+        for load_factor, varying in zip(() if load_factors is None else load_factors, model.varying, strict=True):
+            load += 0.0 if varying[kind] is None else load_factor * varying[kind]
         blows[kind] = blows.get(kind, 0.0) + 0.5 * body.dt_over_mass * load
     _strike(model, blows, [body.v.copy() for _, body in _present(model)])
 

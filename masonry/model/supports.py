@@ -86,11 +86,11 @@ def _hold_rigid_face(row: np.ndarray, hold: Hold, normal: np.ndarray, layout: La
 
 def _turn(layout: Layout, block: int, axis: int, name: str) -> int:
     """Which dof (3, 4 or 5) of a rigid block is its turn about x, y or z: one of its principal axes."""
-    share = np.abs(layout.axes[block][axis])
-    if share.max() < 1.0 - 1e-9:
+    component = np.abs(layout.axes[block][axis])
+    if component.max() < 1.0 - 1e-9:
         place = ", ".join(f"{x:.4g}" for x in layout.centroid[block])
         raise SceneError(
             f"{name}: {'xyz'[axis]} is no principal axis of rigid block {block} at ({place}) m, so its turn about "
             f"{'xyz'[axis]} cannot be held alone: fix 'rotation' or 'all', or put a rigid plate there"
         )
-    return 3 + int(np.argmax(share))
+    return 3 + int(np.argmax(component))

@@ -150,7 +150,7 @@ def panel_title(result: "ResultData", name: str, frame: Frame, times: float, nar
     if len(rows.get("stress", ())):
         stress = without_noise(float(np.interp(frame.step, rows["step"], rows["stress"])), rows["stress"])
         words += f", stress {stress * MEGA:.3g} MPa"
-        words += "\n" if narrow else f"\n{100 * share_of_way(rows, frame):.3g} % of the way, "
+        words += "\n" if narrow else f"\n{100 * travelled_fraction(rows, frame):.3g} % of the way, "
     else:
         words += "\n"
     return f"{words}{_drawn(times)}"
@@ -161,7 +161,7 @@ def _drawn(times: float) -> str:
     return "drawn at true scale" if times == 1.0 else f"displacements drawn {times:g} times"
 
 
-def share_of_way(rows: dict[str, np.ndarray], frame: Frame) -> float:
+def travelled_fraction(rows: dict[str, np.ndarray], frame: Frame) -> float:
     """How much of all that the drive goes, to and fro, lies before a frame; of the time where nothing is driven."""
     way = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rows["displacement"])))])
     way = way if way[-1] > 0.0 else rows["step"] - rows["step"][0]

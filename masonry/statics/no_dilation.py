@@ -199,5 +199,5 @@ def _secant(after: np.ndarray, off: np.ndarray, last: tuple[np.ndarray, np.ndarr
     if last is None:
         return after
     change = off - last[1]
-    share = float(off @ change) / max(float(change @ change), 1e-300)
-    return np.asarray(after - min(max(share, -1.0), 0.7) * (after - last[0]))
+    fraction = float(off @ change) / max(float(change @ change), 1e-300)
+    return np.asarray(after - min(max(fraction, -1.0), 0.7) * (after - last[0]))

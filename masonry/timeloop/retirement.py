@@ -126,8 +126,8 @@ def _hand_over(near: Near, which: list[int], left: Carried) -> None:
     for p in which:
         a, b = near.pieces.block[pairs.body[p]]
         n = np.array(plane_of(motion.frame, motion.dual, pairs.body[p, 1 - pairs.points_of[p]], *pairs.normal[p])[:3])
-        share = (left.force - (left.force @ n) * n) * (1.0 if a < b else -1.0) / thrust  # on side 0
-        tractions[p] = share[:, None] * pressures[p]
+        shear_over_thrust = (left.force - (left.force @ n) * n) * (1.0 if a < b else -1.0) / thrust  # on side 0
+        tractions[p] = shear_over_thrust[:, None] * pressures[p]
         sheared += float(areas[p] @ np.sum(tractions[p] ** 2, axis=0)) / (2.0 * rules.shear_stiffness[pairs.law[p]])
     less = min(1.0, np.sqrt(left.sheared / sheared)) if sheared > 0.0 else 0.0
     for p in which:

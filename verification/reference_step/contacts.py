@@ -91,15 +91,15 @@ def softening(curved: bool):
                             first += 0.5 * dn * ft * e * e / opened * (ds - whole)
                         ds = whole
                     yielded = rest + ds * dn * (peak - rest)
-                    share = yielded / tau
+                    fraction = yielded / tau
                     path = (tau - yielded) * soft
                     dissipated[c, 1] += path * 0.5 * (most + yielded - 2.0 * rest)
                     dissipated[c, 2] += path * rest
-                    left = (1.0 - share) * soft
+                    left = (1.0 - fraction) * soft
                     slip[c, 0] += left * tx
                     slip[c, 1] += left * ty
                     slip[c, 2] += left * tz
-                    tx, ty, tz = share * tx, share * ty, share * tz
+                    tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
                 dissipated[c, 0] += first
                 secant = dn * ds * ft / opened
                 sigma = e * (kn if e <= 0.0 else secant)

@@ -65,9 +65,9 @@ def contact_row_sums(
             np.add.at(sums[kind], side.row[which], np.concatenate([moves, per_column], axis=1))
         which = np.flatnonzero(form == BETWEEN)
         if len(which):
-            assert side.corner is not None and side.share is not None
-            shares = side.share[which] * both[which, None]
-            np.add.at(sums["tets"], side.corner[which], np.repeat(shares[:, :, None], 3, axis=2))
+            assert side.corner is not None and side.fraction is not None
+            fractions = side.fraction[which] * both[which, None]
+            np.add.at(sums["tets"], side.corner[which], np.repeat(fractions[:, :, None], 3, axis=2))
 
 
 def levers(side: Side, slack: float = 0.0) -> np.ndarray:

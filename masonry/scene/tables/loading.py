@@ -20,10 +20,10 @@ from masonry.scene.tables.types import (
     Length,
     Position,
     Rows,
-    Share,
     Steps,
     StressVector,
     Table,
+    UnitInterval,
     Velocity,
 )
 
@@ -103,7 +103,7 @@ class Drive(Table):
     accuracy: Accuracy | None = None
     rate: Velocity | None = None
     steps: Steps | None = None
-    ramp: Share = 0.3
+    ramp: UnitInterval = 0.3
 
     @property
     def axis(self) -> int:

@@ -72,7 +72,7 @@ def wall_of_the_sample() -> Any:
 
 def test_a_crack_round_all_units_is_stepped():
     crack = flexural_crack(parted(), wall_of_the_sample())
-    assert (crack.word, crack.through, crack.unit_share) == ("stepped", 0, 0.0)
+    assert (crack.word, crack.through, crack.unit_fraction) == ("stepped", 0, 0.0)
 
 
 def test_a_crack_through_units_in_every_other_course_is_straight_and_in_fewer_mixed():

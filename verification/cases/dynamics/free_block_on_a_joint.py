@@ -43,7 +43,7 @@ def by_hand() -> tuple[np.ndarray, np.ndarray]:
     glue = KN * np.outer(n, n) + KS * (EYE - np.outer(n, n))
     slopes = [move(side) - move(0 * side) for side in (a, b)]
     parts = [(area, move(below)), *((area / 12, slope) for slope in slopes)]
-    stiffness = sum(share * m.T @ glue @ m for share, m in parts)
+    stiffness = sum(weight * m.T @ glue @ m for weight, m in parts)
     lame, mu = models.STONE.lame()
     own = lame * np.einsum("ij,kl->ijkl", EYE, EYE)
     own += mu * (np.einsum("ik,jl->ijkl", EYE, EYE) + np.einsum("il,jk->ijkl", EYE, EYE))

@@ -79,9 +79,9 @@ def run() -> Findings:
         moments(found, f"gauss, {n} x {n} points", joints.point, joints.area, 1.0, "exact from two points on: rounding")
     fan = mesh_by_fans(blocks, np.array([True, True]), find_joints(blocks))[1]
     corner = np.array([(x, y) for x in (0.0, SIDES[0]) for y in (0.0, SIDES[1])])
-    share = np.sort([fan.area[np.abs(fan.point[:, :2] - c).max(axis=1) < 1e-12].sum() / AREA for c in corner])
+    fraction = np.sort([fan.area[np.abs(fan.point[:, :2] - c).max(axis=1) < 1e-12].sum() / AREA for c in corner])
     for k, wanted in enumerate((1 / 6, 1 / 6, 1 / 3, 1 / 3)):
-        found.check(f"two triangles: share of corner {k + 1} in order", "1", float(share[k]), wanted, "closed form",
+        found.check(f"two triangles: share of corner {k + 1} in order", "1", float(fraction[k]), wanted, "closed form",
                     1e-13, 1e-15, ROUNDING)  # fmt: skip
     for size in (1.0, 0.03, 0.011):
         joints = shapes.setup(blocks, ["tets", "tets"], mesh_size=size).joints

@@ -26,27 +26,27 @@ MARGIN = 0.01
 def by_thickness() -> Findings:
     """Under own weight at 1 % less and more than the least thickness."""
     findings = Findings()
-    for share in (1.0 - MARGIN, 1.0 + MARGIN):
+    for factor in (1.0 - MARGIN, 1.0 + MARGIN):
         knobs = {
             "specimen.angle": "180 deg",
             "specimen.voussoirs": 16,
-            "specimen.thickness": f"{THINNEST * share!r} m",
+            "specimen.thickness": f"{THINNEST * factor!r} m",
             "gravity.tilt": None,
             "curve": None,
             "settle.steps": 60000,
             "solver.duration": "4 s",
         }
-        fell(findings, f"t/R = {THINNEST * share:.5f}", "arch-tilted", knobs, share < 1.0)
+        fell(findings, f"t/R = {THINNEST * factor:.5f}", "arch-tilted", knobs, factor < 1.0)
     return findings
 
 
 def by_tilt() -> Findings:
     """Tilted to 1 % less and more than the greatest tilt, and left there."""
     findings = Findings()
-    for share in (1.0 - MARGIN, 1.0 + MARGIN):
-        angle = degrees(atan(TILT * share))
+    for factor in (1.0 - MARGIN, 1.0 + MARGIN):
+        angle = degrees(atan(TILT * factor))
         knobs = {"gravity.tilt.angle": f"{angle!r} deg", "gravity.tilt.duration": "10 s", "solver.duration": "13 s"}
-        fell(findings, f"tan = {TILT * share:.5f}", "arch-tilted", knobs, share > 1.0)
+        fell(findings, f"tan = {TILT * factor:.5f}", "arch-tilted", knobs, factor > 1.0)
     return findings
 
 

@@ -45,9 +45,9 @@ def parts(done: Done) -> list[str]:
         crack, peak = crack_of(done, run), done.peak(run)
         low, high = wall_by_hand(done, run).bounds()
         numbers = (f"{1e-6 * value:.3g}" for value in (low, peak, high))
-        shares = (f"{100 * crack.unit_share:.0f} %", f"{crack.shares['bed joints']:.2f}")
+        fractions = (f"{100 * crack.unit_fraction:.0f} %", f"{crack.fractions['bed joints']:.2f}")
         name = f"{pair[0]:g} / {pair[1]:g}" + (", as shipped" if pair == ASSUMED else "")
-        rows.append([name, sigma, *numbers, crack.word, str(crack.through), *shares])
+        rows.append([name, sigma, *numbers, crack.word, str(crack.through), *fractions])
     return [page.picture(picture(done), CAPTION), page.table(HEADER, rows, "Peak and crack by the lost strengths.")]
 
 

@@ -106,9 +106,9 @@ def wall(result: Result, drive: np.ndarray) -> Wall:
     pairs = np.sort(np.column_stack([unit[joints.block_a], unit[joints.block_b]]), axis=1)
     broken = joints.area * (frame.damage >= BROKEN)
     names, index = np.unique(pairs, axis=0, return_inverse=True)
-    share = np.bincount(index.ravel(), broken) / np.bincount(index.ravel(), joints.area)
+    fraction = np.bincount(index.ravel(), broken) / np.bincount(index.ravel(), joints.area)
     within = names[:, 0] == names[:, 1]
-    gone = np.where(within, share > 0.0, share >= 0.5)
+    gone = np.where(within, fraction > 0.0, fraction >= 0.5)
     energy = result.summary["energy_j"]
     fracture = energy["fracture_mode_1"] + energy["fracture_mode_2"]
     inside = pairs[:, 0] == pairs[:, 1]

@@ -48,7 +48,7 @@ def table_of_runs(done: Done, labels: Iterable[str]) -> list[str]:
 def row_of(label: str, result: Result) -> list[str]:
     """The numbers of a run."""
     energy, crack = energy_per_section(result), crack_path(result)
-    shares = crack.shares()
+    fractions = crack.fractions()
     return [
         label,
         f"{mpa(result):.4f}",
@@ -56,7 +56,7 @@ def row_of(label: str, result: Result) -> list[str]:
         percent(left_after(result, 2.0)),
         f"{result.summary['final_stress_pa'] * MEGA:.4f}",
         *(f"{energy[name]:.1f}" for name in ("mode I", "mode II", "friction")),
-        *(f"{shares[name]:.2f}" for name in ("head joints", "units", "bed joints")),
+        *(f"{fractions[name]:.2f}" for name in ("head joints", "units", "bed joints")),
         where(result),
     ]
 

@@ -40,16 +40,16 @@ def peak_claim(peaks: Mapping[str, float]) -> Claim:
 def pattern_claim(result: Result) -> Claim:
     """Head joints in tension and bed joints in shear, one stepped crack."""
     crack = crack_path(result)
-    shares, frame = crack.shares(), crack.frame
+    fractions, frame = crack.fractions(), crack.frame
     led = frame.damage_tension >= frame.damage_shear
     head, bed = crack.broken & crack.head, crack.broken & crack.bed
     opened, slid = (float(np.average(m, weights=crack.area[c])) for m, c in ((led[head], head), (~led[bed], bed)))
     return claim("Tensile cracks at the head joints together with shear failure at the bed joints", "5.1, Fig. 11",
                  f"broken: one head joint a course (1.00 of the section) by tension, {BEDS:.2f} of bed joints by "
                  "shear, each > 90 %",
-                 f"{shares['head joints']:.2f}, {percent(opened)} led by tension; {shares['bed joints']:.2f}, "
+                 f"{fractions['head joints']:.2f}, {percent(opened)} led by tension; {fractions['bed joints']:.2f}, "
                  f"{percent(slid)} by shear",
-                 abs(shares["head joints"] - 1) < 0.05 and abs(shares["bed joints"] - BEDS) < 0.05
+                 abs(fractions["head joints"] - 1) < 0.05 and abs(fractions["bed joints"] - BEDS) < 0.05
                  and min(opened, slid) > 0.9, "another pattern")  # fmt: skip
 
 
