@@ -36,14 +36,14 @@ def halves(model, kind: str):
     )
 
 
-def wall(kind: str, turns: bool, joined: bool):
+def wall(kind: str, rotates: bool, joined: bool):
     """1000 blocks that tumble, with contact sides or without."""
     model = models.model_of(*specimens.wall(25, 40), kind=kind)
-    if turns:
+    if rotates:
         model.bodies = large(model.bodies, model.masses["rigid"][:, 3:])
     body = getattr(model.bodies, kind)
     body.v[...] = np.random.default_rng(1).normal(scale=0.1, size=body.v.shape)
-    if turns and kind == "rigid":
+    if rotates and kind == "rigid":
         spin(body)
     if not joined:
         models.replace_bodies(model, start=np.zeros_like(body.start))

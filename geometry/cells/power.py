@@ -143,8 +143,8 @@ def _faces(
         wall[:, None], domain.normal[np.where(wall, beyond - n, 0)], site[np.minimum(beyond, n - 1)] - site[cell]
     )
     start = np.concatenate([[0], np.cumsum(corners)])
-    turn = _angles(place[vertex], face, start, outward)
-    return start, vertex[np.lexsort((turn, face))], cell, np.where(wall, ~(beyond - n), beyond)
+    angle = _angles(place[vertex], face, start, outward)
+    return start, vertex[np.lexsort((angle, face))], cell, np.where(wall, ~(beyond - n), beyond)
 
 
 def _angles(place: np.ndarray, face: np.ndarray, start: np.ndarray, outward: np.ndarray) -> np.ndarray:

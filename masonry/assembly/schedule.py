@@ -62,10 +62,10 @@ def in_layers(scene: Scene, plan: Plan) -> dict[str, Any]:
         return {}
     assert scene.gravity is not None
     tractions = sum(traction.path is None for traction in scene.traction) + len(scene.fill)
-    turns = np.append(np.arange(scene.gravity.layers), np.full(tractions, scene.gravity.layers))
-    slot = 0.5 * plan.settle / (turns[-1] + 1)
+    order = np.append(np.arange(scene.gravity.layers), np.full(tractions, scene.gravity.layers))
+    slot = 0.5 * plan.settle / (order[-1] + 1)
     k = np.arange(plan.settle + 1)
-    layers = WAITING * smooth(k / slot) + (1.0 - WAITING) * smooth(k / slot - turns[:, None])
+    layers = WAITING * smooth(k / slot) + (1.0 - WAITING) * smooth(k / slot - order[:, None])
     return {"dead_load": np.ones_like(plan.dead_load), "layers": layers}
 
 
@@ -121,8 +121,8 @@ def _settle(scene: Scene) -> int:
 def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: float) -> Program | Controlled:
     """All histories over the same steps: each load's time runs while the drive makes its whole way."""
     if drive is not None and drive.accuracy is not None:
-        turns = tuple(drive.sign * place for place in drive.turns)
-        return controlled(settle, turns[0], drive.accuracy, turns)
+        reversals = tuple(drive.sign * place for place in drive.reversals)
+        return controlled(settle, reversals[0], drive.accuracy, reversals)
     if drive is not None and drive.history is None:
         plain = program(dt, settle, drive.sign * drive.farthest, drive.steps, drive.rate, drive.ramp)
         require_two(plain.steps - settle)
@@ -132,7 +132,7 @@ def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: f
     if drive is not None and drive.steps is not None:
         count = drive.steps
     elif drive is not None and drive.rate is not None:
-        count = steps_at(drive.rate, dt, drive.turns)
+        count = steps_at(drive.rate, dt, drive.reversals)
     else:
         count = 1 + int(np.ceil(min(duration / dt, 1e18)))
     require_two(count)
@@ -141,7 +141,7 @@ def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: f
     if drive is None:
         places = np.zeros(count)
     else:
-        places = drive.sign * (passage(drive.turns, count) if path is None else _at(path, t) - _at(path, t[:1]))
+        places = drive.sign * (passage(drive.reversals, count) if path is None else _at(path, t) - _at(path, t[:1]))
     return followed(dt, settle, places, _load_factors(loads, settle, count, duration) if loads else None)
 
 

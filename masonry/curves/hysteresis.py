@@ -54,8 +54,8 @@ def _draw_loops(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes) -> Non
         axes.plot(drawn.across[part], stress[part], color=colour, linewidth=1.6, label=label)
     way = np.sign(np.diff(rows["displacement"]))
     moving = np.flatnonzero(way)
-    turns = moving[1:][way[moving[1:]] != way[moving[:-1]]]
-    axes.plot(drawn.across[turns], stress[turns], "o", color="#b2182b", markersize=4, label="turn")
+    reversals = moving[1:][way[moving[1:]] != way[moving[:-1]]]
+    axes.plot(drawn.across[reversals], stress[reversals], "o", color="#b2182b", markersize=4, label="turn")
     axes.axhline(0.0, color="0.6", linewidth=0.8)
     axes.axvline(0.0, color="0.6", linewidth=0.8)
     axes.set_xlabel(drawn.label)

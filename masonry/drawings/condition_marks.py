@@ -60,11 +60,13 @@ def marks(scene: Scene, specimen: Specimen, joints: Joints) -> list[Mark]:
     if scene.drive is not None:
         drive = scene.drive
         blocks, faces = _selected(specimen, joints, drive.on, "drive.on")
-        one_way = len(drive.turns) == 1
+        one_way = len(drive.reversals) == 1
         value = (
-            f"{drive.turns[0] * 1e3:.4g} mm" if one_way else f"{drive.farthest * 1e3:.4g} mm at most, back and forth"
+            f"{drive.reversals[0] * 1e3:.4g} mm"
+            if one_way
+            else f"{drive.farthest * 1e3:.4g} mm at most, back and forth"
         )
-        way = drive.sign * (np.sign(drive.turns[0]) if one_way else 1.0) * np.eye(3)[drive.axis]
+        way = drive.sign * (np.sign(drive.reversals[0]) if one_way else 1.0) * np.eye(3)[drive.axis]
         arrows = [_push_or_pull(specimen, part, faces, way) for part in parts_of(joints, blocks, faces)]
         words = f"drive: {drive.on}, {value} along {drive.direction}"
         found.append(Mark("drive", words, blocks, faces, [], arrows=arrows, value=value))

@@ -40,7 +40,7 @@ def press_deforming(near, dt):
             (centre[other, 2] - centre[ref, 2]) + (moved[other, 2] - moved[ref, 2]),
         )
         half = 0.5 * dt
-        turn = half * (v[ref, 3] + v[other, 3]), half * (v[ref, 4] + v[other, 4]), half * (v[ref, 5] + v[other, 5])
+        spin = half * (v[ref, 3] + v[other, 3]), half * (v[ref, 4] + v[other, 4]), half * (v[ref, 5] + v[other, 5])
         lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, nx, ny, nz))
         stretching, along = nx * lx + ny * ly + nz * lz, nx * ox + ny * oy + nz * oz
         slack, fx = pairs.slack[p], filled(0.0, four())
@@ -58,7 +58,7 @@ def press_deforming(near, dt):
             speed = dx * nx + dy * ny + dz * nz
             (gx, gy, gz), sigma, slid, lost = respond(
                 *(pairs, points, rules, p, s, k, gap + slack),
-                *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), turn, dt),
+                *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), spin, dt),
             )
             friction, damped, pressed = friction + slid, damped + lost, pressed + sigma * gap
             gx, gy, gz = gx + sigma * nx, gy + sigma * ny, gz + sigma * nz

@@ -177,7 +177,7 @@ def observe(body, u, stress):
 
 
 @jit
-def mean_turn(body, u, turn):
+def mean_rotation(body, u, rotation):
     """Write the mean small rotation (B, 3) rad of every block: the antisymmetric part of its displacement gradient."""
     for b in range(len(body.lame)):
         volume, x, y, z = 0.0, 0.0, 0.0, 0.0
@@ -190,7 +190,7 @@ def mean_turn(body, u, turn):
                 x += 0.5 * total(root * (h[7] - h[5]))
                 y += 0.5 * total(root * (h[2] - h[6]))
                 z += 0.5 * total(root * (h[3] - h[1]))
-        turn[b, 0], turn[b, 1], turn[b, 2] = x / volume, y / volume, z / volume
+        rotation[b, 0], rotation[b, 1], rotation[b, 2] = x / volume, y / volume, z / volume
 
 
 @register_jitable

@@ -35,9 +35,9 @@ def contact_remarks(assembly: Assembly) -> list[str]:
 
 def rocking_remarks(assembly: Assembly) -> list[str]:
     """Of joints that may rock: the lever arm that their contact points leave of that to the edge."""
-    turns = _may_turn(assembly)
+    rotates = _may_rotate(assembly)
     joints = assembly.joints
-    return _of_rocking(assembly, turns[joints.block_a] | turns[joints.block_b], "turn, where they rock,")
+    return _of_rocking(assembly, rotates[joints.block_a] | rotates[joints.block_b], "turn, where they rock,")
 
 
 def rocked_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
@@ -80,15 +80,15 @@ def _reach(joints: Joints) -> np.ndarray:
     return (inner / np.maximum(outer, 1e-300))[joints.patch]
 
 
-def _may_turn(assembly: Assembly) -> np.ndarray:
+def _may_rotate(assembly: Assembly) -> np.ndarray:
     """(B,) which blocks are free to rotate about some axis."""
-    model, turns = assembly.model, np.zeros(assembly.specimen.blocks.count, dtype=bool)
+    model, rotates = assembly.model, np.zeros(assembly.specimen.blocks.count, dtype=bool)
     for kind, body in present(model):
         if kind == "tets":
-            turns[model.layout.members[kind]] = True
+            rotates[model.layout.members[kind]] = True
         else:
-            turns[model.layout.members[kind]] = np.any(body.dt_over_mass[:, 3:] > 0.0, axis=1)
-    return turns
+            rotates[model.layout.members[kind]] = np.any(body.dt_over_mass[:, 3:] > 0.0, axis=1)
+    return rotates
 
 
 def _of_tension(name: str, given: Contact, joint: JointProperties, block: float) -> list[str]:
@@ -124,4 +124,4 @@ def _of_dilation(name: str, given: Contact, joint: JointProperties, way: float) 
 
 def way_of(drive: Drive | None) -> float:
     """m, the whole way of a drive, to and fro; without one nothing is known, and all is within it."""
-    return inf if drive is None else float(np.abs(np.diff(drive.turns, prepend=0.0)).sum())
+    return inf if drive is None else float(np.abs(np.diff(drive.reversals, prepend=0.0)).sum())

@@ -60,9 +60,9 @@ def _terms(layout: Layout, kind: str, place: Place, axis: int, factor: float) ->
     arm = place.point[own] - layout.centroid[block]
     if kind == "rigid":
         arm = np.cross(arm, np.eye(3)[axis])
-    turned = np.einsum("nij,ni->nj", layout.axes[block], arm)
+    local_arm = np.einsum("nij,ni->nj", layout.axes[block], arm)
     first = 3 if kind == "rigid" else 3 + 3 * axis
     row = np.repeat(layout.local[block], 4)
     column = np.tile([axis, first, first + 1, first + 2], len(own))
-    weight = fraction[:, None] * np.column_stack([np.ones(len(own)), turned])
+    weight = fraction[:, None] * np.column_stack([np.ones(len(own)), local_arm])
     return row, column, weight.ravel()

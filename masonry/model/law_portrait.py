@@ -65,8 +65,8 @@ def portrait(parameters: Any, joint: JointProperties) -> Portrait:
         end = _end(opened.opening, opened.sigma / strength, at_peak)
     else:
         mode_1, end = None, WITHOUT_STRENGTH
-    turn = at_peak + 0.25 * (end - at_peak)
-    tension = _pull(parameters, joint, _through(0.0, turn, -0.1 * (at_peak or turn), turn, end))
+    reversal = at_peak + 0.25 * (end - at_peak)
+    tension = _pull(parameters, joint, _through(0.0, reversal, -0.1 * (at_peak or reversal), reversal, end))
     shear, mode_2 = {}, {}
     for compression in (0.0, *COMPRESSIONS):
         peak, last = _strengths(joint, compression)
@@ -79,8 +79,8 @@ def portrait(parameters: Any, joint: JointProperties) -> Portrait:
             if strength is not None:
                 mode_2[compression] = _energy(slid, slid.slip, slid.tau, last)
         if compression:
-            turn = at_peak + 0.3 * (end - at_peak)
-            shear[compression] = _push(parameters, joint, compression, _through(0.0, turn, -0.5 * turn, end))
+            reversal = at_peak + 0.3 * (end - at_peak)
+            shear[compression] = _push(parameters, joint, compression, _through(0.0, reversal, -0.5 * reversal, end))
     return Portrait(tension, shear, mode_1, mode_2)
 
 

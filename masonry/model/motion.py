@@ -76,13 +76,13 @@ def _strike(model: Model, blows: dict[str, np.ndarray], before: list[np.ndarray]
     for (kind, body), old in zip(_present(model), before, strict=True):
         if (blow := blows.get(kind)) is None:
             continue
-        turns = model.large is not None and kind == "rigid"
-        if turns:
+        rotates = model.large is not None and kind == "rigid"
+        if rotates:
             blow = blow.copy()
             blow[:, 3:] = np.einsum("bij,bj->bi", model.layout.axes[model.layout.members[kind]], blow[:, 3:])
         energy = model.masses[kind] * blow * (body.v + 0.5 * blow - 0.5 * (body.v - old))
         body.v[...] += blow
-        if turns:  # blocks that turned before start from their momentum, which has no masses
+        if rotates:  # blocks that turned before start from their momentum, which has no masses
             had = 0.5 * np.einsum("bi,bi->b", body.momentum, body.v[:, 3:] - blow[:, 3:])
             spin(body)
             energy[:, 3:] = 0.0

@@ -53,10 +53,10 @@ class Side:
             strain = np.einsum("im,ck->cimk", np.eye(3), arm).reshape(len(which), 3, 9)
             return np.concatenate([identity, strain], axis=2)
         axes = self.axes[which]
-        turned = np.einsum("cij,cj->ci", axes, self.arm[which])
-        turn = np.cross(axes.transpose(0, 2, 1), turned[:, None, :]).transpose(0, 2, 1)
-        turn = turn / across(self.length[which])[:, None]
-        return np.concatenate([identity, turn], axis=2)
+        local_arm = np.einsum("cij,cj->ci", axes, self.arm[which])
+        rotation = np.cross(axes.transpose(0, 2, 1), local_arm[:, None, :]).transpose(0, 2, 1)
+        rotation = rotation / across(self.length[which])[:, None]
+        return np.concatenate([identity, rotation], axis=2)
 
 
 def lengths(layout: Layout, block: np.ndarray, arm: np.ndarray) -> np.ndarray:

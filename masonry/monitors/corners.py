@@ -49,8 +49,8 @@ class Corners:
             which = layout.members["rigid"]
             shift[which] = rigid.q[:, :3]
             x, y, z = np.einsum("bij,bj->ib", layout.axes[which], rigid.q[:, 3:])
-            for i, j, turn in ((1, 0, z), (2, 1, x), (0, 2, y)):
-                gradient[which, i, j], gradient[which, j, i] = turn, -turn
+            for i, j, rotation in ((1, 0, z), (2, 1, x), (0, 2, y)):
+                gradient[which, i, j], gradient[which, j, i] = rotation, -rotation
         if affine is not None:
             which = layout.members["affine"]
             shift[which] = affine.q[:, :3]

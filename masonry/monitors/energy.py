@@ -107,16 +107,16 @@ def _moved(model: Model, point: np.ndarray, block: np.ndarray) -> np.ndarray:
 def kinetic(model: Model, before: list[np.ndarray]) -> float:
     """v(n-1/2) M v(n+1/2) / 2 (J), with which the balance closes to round-off; `before`: velocities a step earlier."""
     pairs = list(zip(present(model), before, strict=True))
-    turned = 0.0
+    rotational = 0.0
     if model.large is not None and model.bodies.rigid is not None:
-        turned, pairs = turning.kinetic(model.bodies.rigid, model.masses["rigid"], before[0]), pairs[1:]
-    return turned + 0.5 * sum(float(np.sum(model.masses[kind] * old * body.v)) for (kind, body), old in pairs)
+        rotational, pairs = turning.kinetic(model.bodies.rigid, model.masses["rigid"], before[0]), pairs[1:]
+    return rotational + 0.5 * sum(float(np.sum(model.masses[kind] * old * body.v)) for (kind, body), old in pairs)
 
 
 def velocities(model: Model) -> list[np.ndarray]:
     """Copies of the velocities of the bodies that are there; angular momenta in place of turns where blocks turn."""
-    turns = model.large is not None
-    return [turning.momenta(body) if turns and kind == "rigid" else body.v.copy() for kind, body in present(model)]
+    rotates = model.large is not None
+    return [turning.momenta(body) if rotates and kind == "rigid" else body.v.copy() for kind, body in present(model)]
 
 
 def present(model: Model) -> list[tuple[str, Any]]:

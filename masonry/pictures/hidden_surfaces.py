@@ -46,8 +46,8 @@ def visible_pieces(blocks: Blocks, joints: Joints, camera: Camera) -> list[Piece
     outer, own = unit_edges(blocks, seen, normal), turning_edges(blocks, seen, normal)
     pieces = [
         piece
-        for f, c, bounds, turns in zip(seen.tolist(), corners, outer, own, strict=True)
-        for piece in _cut(f, c, bounds & turns, turns, 1.5 * float(edge))
+        for f, c, bounds, turning in zip(seen.tolist(), corners, outer, own, strict=True)
+        for piece in _cut(f, c, bounds & turning, turning, 1.5 * float(edge))
     ]
     size = float(np.ptp(blocks.points, axis=0).max())
     return _farthest_first(pieces, normal[[piece.face for piece in pieces]], camera, 1e-6 * size)

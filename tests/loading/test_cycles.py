@@ -72,7 +72,7 @@ def test_an_expression_in_steps_and_its_turning_points_to_an_accuracy_take_the_s
     runs = [load("couplet", {**QUICK, **sine, **pace}) for pace in ({"drive.steps": 8000}, {"drive.accuracy": 0.01})]
     stepped, paced = (laboratory.run(scene) for scene in runs)
     assert stepped.history.rows["displacement"][-1] == pytest.approx(0.0, abs=1e-18)
-    assert stepped.history.rows["displacement"].max() == pytest.approx(max(runs[0].drive.turns), rel=1e-4)
+    assert stepped.history.rows["displacement"].max() == pytest.approx(max(runs[0].drive.reversals), rel=1e-4)
     one, two = ([cycle["dissipated_j"] for cycle in run.summary["cycles"]] for run in (stepped, paced))
     assert len(one) == 2 and one == pytest.approx(two, rel=1e-3)
 

@@ -74,10 +74,10 @@ class Sheared:
 
 
 def legs(places: Floats) -> list[slice]:
-    """The rows (n,) m of a drive, split where it turns; each leg ends with its turn."""
+    """The rows (n,) m of a drive, split where it turns; each leg ends with its reversal."""
     way = np.sign(np.diff(places))
-    turns = np.flatnonzero(way[1:] * way[:-1] < 0.0) + 1
-    bounds = [-1, *turns.tolist(), len(places) - 1]
+    reversals = np.flatnonzero(way[1:] * way[:-1] < 0.0) + 1
+    bounds = [-1, *reversals.tolist(), len(places) - 1]
     return [slice(a + 1, b + 1) for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
 
 

@@ -132,9 +132,9 @@ def swing(count: int, knobs: Knobs) -> Run:
         compiled_step.advance_model(model, one, 1, 0, 1, np.zeros(1))
         energies[k] = 0.5 * mass * before * body.v[free, 2] + 0.5 * stiffness * body.q[free, 2] ** 2
     seconds = time.perf_counter() - begun
-    turn = math.acos(1.0 - 0.5 * stiffness / mass * model.dt**2)
-    reach = speed * model.dt / math.sin(turn)
-    exact = reach * math.sin(turn * count)
+    phase = math.acos(1.0 - 0.5 * stiffness / mass * model.dt**2)
+    reach = speed * model.dt / math.sin(phase)
+    exact = reach * math.sin(phase * count)
     rows = {"energy": energies, "place": np.array([body.q[free, 2], exact, reach])}
     summary: dict[str, Any] = {"steps": count, "energy_imbalance": float(np.ptp(energies) / energies.mean())}
     needed = {"reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}

@@ -45,8 +45,8 @@ class Timed:
         made, most = np.diff(value), float(np.abs(value).max())
         way = np.sign(np.where(np.abs(made) > FLAT * most, made, 0.0))
         moving = np.flatnonzero(way)
-        turns = moving[1:][way[moving[1:]] != way[moving[:-1]]]
-        found = [self._closer(t[max(k - 1, 0)], t[k + 1], way[k] < 0) for k in turns]
+        reversals = moving[1:][way[moving[1:]] != way[moving[:-1]]]
+        found = [self._closer(t[max(k - 1, 0)], t[k + 1], way[k] < 0) for k in reversals]
         places = np.array([0.0, *found, float(value[-1])])
         return tuple(places[1:][np.abs(np.diff(places)) > START * most].tolist())
 

@@ -119,7 +119,7 @@ class Drive(Table):
         return histories.checked(self.history, self.duration, "length")
 
     @property
-    def turns(self) -> tuple[float, ...]:
+    def reversals(self) -> tuple[float, ...]:
         """The places (m, along the direction) that the drive visits one after the other."""
         if self.history is None:
             return (self.displacement or 0.0,)
@@ -129,7 +129,7 @@ class Drive(Table):
     @property
     def farthest(self) -> float:
         """m, how far from its start the drive comes."""
-        return max(map(abs, self.turns))
+        return max(map(abs, self.reversals))
 
     @model_validator(mode="after")
     def _has_one_way(self) -> "Drive":

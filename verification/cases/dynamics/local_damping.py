@@ -44,10 +44,10 @@ def swung(findings: Findings, fraction: float) -> tuple[np.ndarray, np.ndarray, 
     place, speed = follow(
         findings, name, model, steps, lambda m: np.array([m.bodies.rigid.q[1, 2], m.bodies.rigid.v[1, 2]])
     ).T
-    turns = np.flatnonzero(speed[1:-1] * speed[2:] < 0)[:2] + 1
-    crossing = np.abs(speed[turns]) / (np.abs(speed[turns]) + np.abs(speed[turns + 1]))
-    a, b, c = place[turns], place[turns + 1], place[turns + 2]
-    return place, model.dt * (turns + crossing), crossing, b - (a - c) ** 2 / (8 * (a - 2 * b + c))
+    reversals = np.flatnonzero(speed[1:-1] * speed[2:] < 0)[:2] + 1
+    crossing = np.abs(speed[reversals]) / (np.abs(speed[reversals]) + np.abs(speed[reversals + 1]))
+    a, b, c = place[reversals], place[reversals + 1], place[reversals + 2]
+    return place, model.dt * (reversals + crossing), crossing, b - (a - c) ** 2 / (8 * (a - 2 * b + c))
 
 
 def run() -> Findings:

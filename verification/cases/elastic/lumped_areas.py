@@ -57,8 +57,8 @@ def partly(findings: Findings) -> None:
     side, quarter = 0.1, np.sqrt(0.5)
     two = shapes.stack([side, side], (side, side))
     centre = np.array([side / 2, side / 2, 0.0])
-    turn = np.array([[quarter, -quarter, 0.0], [quarter, quarter, 0.0], [0.0, 0.0, 1.0]])
-    upper = [(face - centre) @ turn.T + centre for face in shapes.faces_of(two, 1)]
+    rotation = np.array([[quarter, -quarter, 0.0], [quarter, quarter, 0.0], [0.0, 0.0, 1.0]])
+    upper = [(face - centre) @ rotation.T + centre for face in shapes.faces_of(two, 1)]
     blocks = from_faces([shapes.faces_of(two, 0), upper], [0, 1], [0, 0], ("units",))
     octagon = 2.0 * (np.sqrt(2.0) - 1.0) * side**2
     findings.check(

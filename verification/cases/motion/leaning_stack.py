@@ -37,11 +37,11 @@ def run() -> Findings:
     findings = Findings()
     for factor in (0.995, 1.005):
         result = findings.note(f"f = {factor:g}", result_of(SCENE, {"specimen.box": boxes(factor), **KNOBS}))
-        turned = result.summary["rotation_max_rad"]
+        rotation = result.summary["rotation_max_rad"]
         if factor < 1.0:
-            findings.at_most("rotation where it stands", "rad", turned, 1e-3, "the springs give way by less")
+            findings.at_most("rotation where it stands", "rad", rotation, 1e-3, "the springs give way by less")
         else:
-            findings.at_most("less than the rotation where it falls", "rad", 0.02, turned, "it turns on and on")
+            findings.at_most("less than the rotation where it falls", "rad", 0.02, rotation, "it turns on and on")
     return findings
 
 
