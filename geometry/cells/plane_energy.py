@@ -270,12 +270,12 @@ def _of_joints(site, domains, wishes, at, label, count, to_site, to_weight):
         lack = 1.0 - gap / wishes.segment
         total += wishes.of_segments * lack * lack
         slope = -2.0 * wishes.of_segments * lack / wishes.segment
-        for point, way in ((q, slope), (p, -slope)):
+        for point, gradient in ((q, slope), (p, -slope)):
             i, k = cell[point], corner[point]
             before = label[i, k - 1] if k > 0 else label[i, count[i] - 1]
             a = label[i, k]
             wall = -1 - (a if a < 0 else before)
             if wall >= 0 and domains.line[wall] == line[point]:
-                x, z = way * domains.along[wall, 0], way * domains.along[wall, 1]
+                x, z = gradient * domains.along[wall, 0], gradient * domains.along[wall, 1]
                 _hand_on(i, before, a, at[i, k, 0], at[i, k, 1], x, z, site, domains.normal, to_site, to_weight)
     return total

@@ -90,14 +90,14 @@ def _solve(
     for k in range(3):
         other = simplices[:, k + 1]
         wall, towards = other >= n, np.minimum(other, n - 1)
-        way = site[towards] - site[first]
-        distance = np.linalg.norm(way, axis=1)
+        direction = site[towards] - site[first]
+        distance = np.linalg.norm(direction, axis=1)
         with np.errstate(divide="ignore", invalid="ignore"):
             half = (distance**2 + weight[first] - weight[towards]) / (2 * distance)
-            way = way / distance[:, None]
+            direction = direction / distance[:, None]
         outward = domain.normal[np.where(wall, other - n, 0)]
         beyond = domain.offset[np.where(wall, other - n, 0)] - np.einsum("fi,fi->f", outward, site[first])
-        normal[:, k] = np.where(wall[:, None], outward, way)
+        normal[:, k] = np.where(wall[:, None], outward, direction)
         level[:, k] = np.where(wall, beyond, half)
     quality = np.abs(np.linalg.det(normal))
     sound = np.isfinite(quality) & (quality > 1e-7)

@@ -127,8 +127,8 @@ def _solid(step: _Entities, blocks: Blocks, b: int, name: str, normal: np.ndarra
         for i, j in zip(loop, loop[1:] + loop[:1], strict=True):
             key = (min(i, j), max(i, j))
             if key not in edges:
-                way = vertices[key[1]] - vertices[key[0]]
-                vector = step.add(f"VECTOR('',{_direction(step, way / np.linalg.norm(way))},1.)")
+                direction = vertices[key[1]] - vertices[key[0]]
+                vector = step.add(f"VECTOR('',{_direction(step, direction / np.linalg.norm(direction))},1.)")
                 line = step.add(f"LINE('',{place[key[0]]},{vector})")
                 edges[key] = step.add(f"EDGE_CURVE('',{vertex[key[0]]},{vertex[key[1]]},{line},.T.)")
             oriented.append(step.add(f"ORIENTED_EDGE('',*,*,{edges[key]},{'.T.' if i < j else '.F.'})"))
@@ -163,8 +163,8 @@ def _point(step: _Entities, place: Sequence[float]) -> str:
     return step.add(f"CARTESIAN_POINT('',({','.join(map(_real, place))}))")
 
 
-def _direction(step: _Entities, way: Sequence[float]) -> str:
-    return step.add(f"DIRECTION('',({','.join(map(_real, way))}))")
+def _direction(step: _Entities, direction: Sequence[float]) -> str:
+    return step.add(f"DIRECTION('',({','.join(map(_real, direction))}))")
 
 
 def _real(value: float) -> str:

@@ -107,10 +107,10 @@ def _loading(scene: Scene, dt: float) -> Program | Controlled:
         return _along_histories(drive, loads, settle, dt)
     if drive is None:
         return program(dt, settle, 0.0, None, None, 0.0)
-    way = drive.sign * drive.farthest
+    displacement = drive.sign * drive.farthest
     if drive.accuracy is not None:
-        return controlled(settle, way, drive.accuracy)
-    return program(dt, settle, way, drive.steps, drive.rate, drive.ramp)
+        return controlled(settle, displacement, drive.accuracy)
+    return program(dt, settle, displacement, drive.steps, drive.rate, drive.ramp)
 
 
 def _settle(scene: Scene) -> int:

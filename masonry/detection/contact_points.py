@@ -75,8 +75,8 @@ def corner_point(
         height = side * (nx * vertex[k, 0] + ny * vertex[k, 1] + nz * vertex[k, 2])
         if height < lowest:
             found, lowest = k, height
-    way = -0.5 * side * apart
-    point[0, 0] = vertex[found, 0] + dx + way * nx
-    point[0, 1] = vertex[found, 1] + dy + way * ny
-    point[0, 2] = vertex[found, 2] + dz + way * nz
+    offset = -0.5 * side * apart
+    point[0, 0] = vertex[found, 0] + dx + offset * nx
+    point[0, 1] = vertex[found, 1] + dy + offset * ny
+    point[0, 2] = vertex[found, 2] + dz + offset * nz
     gap[0], area[0], feature[0] = apart, least, lone_feature(face, found - first, side)

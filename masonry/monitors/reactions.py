@@ -96,8 +96,8 @@ class Surroundings:
         found = np.zeros(len(self.loads))
         for k, one in enumerate(self.loads):
             for kind, (rows, load) in one.parts.items():
-                way = model.u[: len(bodies[kind].v)] if kind == "tets" else bodies[kind].q
-                found[k] += float(np.sum(load * way[rows]))
+                displacements = model.u[: len(bodies[kind].v)] if kind == "tets" else bodies[kind].q
+                found[k] += float(np.sum(load * displacements[rows]))
         return found
 
 

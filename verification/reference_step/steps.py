@@ -29,9 +29,9 @@ def dof(damped: bool, booked: bool):
             hold = -hold if velocity > 0.0 else (hold if velocity < 0.0 else 0.0)
         hold = -total if give == 0.0 else hold
         if booked:
-            way = half * velocity
-            work[row, i] += (contact + before[row, i]) * way
-            work[row, 4 + i] += (hold + before[row, 4 + i]) * way
+            move = half * velocity
+            work[row, i] += (contact + before[row, i]) * move
+            work[row, 4 + i] += (hold + before[row, 4 + i]) * move
             before[row, i] = contact
             before[row, 4 + i] = hold
         v[row, i] = velocity + give * (total + hold)

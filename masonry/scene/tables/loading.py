@@ -132,7 +132,7 @@ class Drive(Table):
         return max(map(abs, self.reversals))
 
     @model_validator(mode="after")
-    def _has_one_way(self) -> "Drive":
+    def _is_given_once(self) -> "Drive":
         if self.history is None and self.displacement is None:
             raise KeyedError("displacement", "missing; give it, for example '20 mm', or a history that turns back")
         if self.history is not None and self.displacement is not None:

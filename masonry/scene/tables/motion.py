@@ -104,7 +104,7 @@ class Gravity(Table):
         return data
 
     @model_validator(mode="after")
-    def _varies_in_one_way(self) -> "Gravity":
+    def _varies_by_one_key(self) -> "Gravity":
         histories.checked(self.history, self.duration, "number")
         if self.layers > 1 and (self.history is not None or self.tilt is not None):
             raise KeyedError("layers", "a weight that comes on in layers stays as it is; leave out history and tilt")

@@ -134,10 +134,10 @@ def test_the_plateau_is_met_within_a_share_of_the_peak_and_the_polynomial_comes_
 
 
 def test_laws_that_take_the_same_work_do_not_pass_for_different_ones(joints):
-    assert laws.ways(joints).holds
+    assert laws.behaviours(joints).holds
     for c in CONFINEMENTS:
         joints.loaded[name("polynomial", c)] = joints.loaded[name("linear", c)] = joints[name("exponential", c)]
-    assert laws.ways(joints).holds is False
+    assert laws.behaviours(joints).holds is False
 
 
 def test_only_the_linear_law_takes_the_energy_that_it_is_given(joints):

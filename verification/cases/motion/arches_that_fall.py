@@ -68,8 +68,8 @@ def by_spread() -> Findings:
                    "its last hinge opens slowly, and joints give way by a share of 1e-5")  # fmt: skip
     weight = 2000.0 * 9.81 * 0.3  # of a unit of area
     thrust = -rows["force"] / weight
-    way = np.abs(rows["displacement"])
-    opened = (way > 0.1 * SPREAD) & (way < 0.2 * SPREAD)
+    travel = np.abs(rows["displacement"])
+    opened = (travel > 0.1 * SPREAD) & (travel < 0.2 * SPREAD)
     first = float(np.mean(np.abs(thrust[opened])))
     findings.check("thrust once the hinges are there", "1", first, THRUST[0] + 0.15 * (THRUST[1] - THRUST[0]),
                    "limit analysis", 0.02, 0.01, "between 0.1 and 0.2 of the way")  # fmt: skip
