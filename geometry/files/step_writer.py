@@ -59,7 +59,7 @@ def step_text(blocks: Blocks, names: Sequence[str]) -> Iterator[str]:
         part = _product(step, application, name)
         shape = step.add(f"ADVANCED_BREP_SHAPE_REPRESENTATION('',({origin},{solid}),{context})")
         step.add(f"SHAPE_DEFINITION_REPRESENTATION({step.add(_shape(part))},{shape})")
-        _place(step, whole, part, shape, assembly, origin, b + 1)
+        _add_to_assembly(step, whole, part, shape, assembly, origin, b + 1)
         yield step.take()
     yield TAIL
 
@@ -104,7 +104,9 @@ def _product(step: _Entities, application: str, name: str) -> str:
     return step.add(f"PRODUCT_DEFINITION('design','',{formation},{design})")
 
 
-def _place(step: _Entities, whole: str, part: str, shape: str, assembly: str, origin: str, number: int) -> None:
+def _add_to_assembly(
+    step: _Entities, whole: str, part: str, shape: str, assembly: str, origin: str, number: int
+) -> None:
     """The part in the whole, where it stands."""
     transformation = step.add(f"ITEM_DEFINED_TRANSFORMATION('','',{origin},{origin})")
     relation = step.add(

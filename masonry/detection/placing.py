@@ -38,7 +38,7 @@ def cofactor(frame, out):
 
 
 @bare
-def place(pieces, piece, frame, turned):
+def update_piece(pieces, piece, frame, turned):
     """Write corners, centre, normals and offsets of one piece for the frame (3, 3) of its body into `turned`."""
     vertex, centre, normal, offset = turned.vertex, turned.centre, turned.normal, turned.offset
     vertex_0, centre_0, normal_0, loop = pieces.vertex, pieces.centre, pieces.normal, pieces.loop
@@ -71,8 +71,8 @@ def place(pieces, piece, frame, turned):
 
 
 @bare
-def place_all(pieces, frame, turned):
-    """`place` of every piece; frame (N, 3, 3) of the bodies."""
+def update_pieces(pieces, frame, turned):
+    """`update_piece` of every piece; frame (N, 3, 3) of the bodies."""
     body = pieces.body
     for piece in range(len(body)):
-        place(pieces, piece, frame[body[piece]], turned)
+        update_piece(pieces, piece, frame[body[piece]], turned)

@@ -97,7 +97,7 @@ def look(near, p):
     a, b = pairs.body[p, 0], pairs.body[p, 1]
     for side in range(2):
         block = pairs.body[p, side]
-        placing.place(pieces, pairs.piece[p, side], motion.frame[block], near.turned)
+        placing.update_piece(pieces, pairs.piece[p, side], motion.frame[block], near.turned)
     for i in range(3):  # from the first block, so that it is the same everywhere in space
         search.position[a, i] = 0.0
         search.position[b, i] = (motion.centre[b, i] - motion.centre[a, i]) + (motion.moved[b, i] - motion.moved[a, i])

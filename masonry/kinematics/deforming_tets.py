@@ -105,7 +105,7 @@ def _push(p, x, y, z):
     return p[0] * x + p[1] * y + p[2] * z, p[3] * x + p[4] * y + p[5] * z, p[6] * x + p[7] * y + p[8] * z
 
 
-def place(body, dt, u):
+def update_positions(body, dt, u):
     """Advance the nodes by dt v, and with them the points between nodes and the frames."""
     v, start, frame, mean_slope = body.v, body.node_start, body.frame, body.mean_slope
     corner, fraction, own, first = body.corner_between, body.fraction_between, body.start_between, body.first_between

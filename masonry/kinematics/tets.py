@@ -93,7 +93,7 @@ def _push(s, x, y, z):
     return s[0] * x + s[5] * y + s[4] * z, s[5] * x + s[1] * y + s[3] * z, s[4] * x + s[3] * y + s[2] * z
 
 
-def place(body, dt, u):
+def update_positions(body, dt, u):
     """Advance the nodes by dt v, and with them the points between nodes."""
     v, start = body.v, body.node_start
     corner, fraction, own, first = body.corner_between, body.fraction_between, body.start_between, body.first_between

@@ -147,7 +147,7 @@ def _mean_spin(r, axes, b, inertia, free, momentum, w, dt):
     return _held_spin(_principal(axes, b, half), inertia, free, momentum, w)
 
 
-def place(body, dt, u):
+def update_positions(body, dt, u):
     """Move and turn every block with its velocities, and write the displacement of every contact point."""
     q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
     frame, momentum, inertia, dt_over_mass = body.frame, body.momentum, body.inertia, body.dt_over_mass
