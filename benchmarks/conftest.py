@@ -70,7 +70,7 @@ def pytest_terminal_summary(terminalreporter) -> None:
         features = list(next(iter(LEFT_OUT.values())))
         lines = [("", *features)]
         for scene, saved in LEFT_OUT.items():
-            cells = ["used" if share is None else f"{100 * share:.0f} %" for share in saved.values()]
+            cells = ["used" if fraction is None else f"{100 * fraction:.0f} %" for fraction in saved.values()]
             lines.append((scene, *cells))
         _write(terminalreporter, "left out of the shipped scenes, and what of a step that saves", lines)
 

@@ -21,10 +21,10 @@ STRETCH, STRETCHED = 5e-8, 60
 """Strain of the wall in each step, where all of it softens, and calls of STEPS steps until it does."""
 
 
-def sliding(model, twin, share: float) -> np.ndarray:
+def sliding(model, twin, sliding_fraction: float) -> np.ndarray:
     """Press all contacts, let a random share slide far beyond the peak; returns how they slide further, (C, 3) m."""
     joints = model.joints
-    slides = np.random.default_rng(1).random(len(joints.area)) < share
+    slides = np.random.default_rng(1).random(len(joints.area)) < sliding_fraction
     along = np.roll(joints.normal, 1, axis=1) * slides[:, None]
     begin = FAR * along - DEEP * joints.normal
     models.sweeping(model, begin, 1)()
@@ -42,14 +42,14 @@ NODES = {
 
 @pytest.mark.parametrize("name", NODES)
 def test_a_pair_of_nodes_costs_what_the_exponential_law_by_hand_costs(benchmark, figure, name):
-    share, limits, limit = NODES[name]
+    sliding_fraction, limits, limit = NODES[name]
     model = models.model_of(*specimens.pairs(), kind="tets")
     twin, count = ReferenceStep(model), len(model.joints.area)
-    by = sliding(model, twin, share)
+    by = sliding(model, twin, sliding_fraction)
     ours, by_hand = models.sweeping(model, by, STEPS), twin.sweeping(by, STEPS)
     idle = models.sweeping(model, by, STEPS, sweeps=False), twin.sweeping(by, STEPS, sweeps=False)
     by_hand()
-    assert models.evolving(model, ours) == pytest.approx(share, abs=0.02)
+    assert models.evolving(model, ours) == pytest.approx(sliding_fraction, abs=0.02)
     agree(model, twin)
     benchmark.pedantic(ours, rounds=20)
     found = against((ours, idle[0]), (by_hand, idle[1]), ROUNDS)

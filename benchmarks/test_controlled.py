@@ -32,9 +32,9 @@ def run(name: str, **over) -> tuple[dict, int, float]:
     summary = laboratory.run(scene).summary
     assert not summary["stopped"]
     energy = summary["energy_j"]
-    spent = energy["fracture_mode_1"] + energy["fracture_mode_2"] + energy["friction"]
+    dissipated = energy["fracture_mode_1"] + energy["fracture_mode_2"] + energy["friction"]
     settle = scene.settle.steps if scene.settle else 0
-    return summary, summary["steps"] - settle, error_of(name, summary["peak_stress_pa"], spent)
+    return summary, summary["steps"] - settle, error_of(name, summary["peak_stress_pa"], dissipated)
 
 
 @pytest.mark.parametrize("name", list(CONVERGED))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.jit.compiler import jit
-from masonry.kinematics.dispatch import move, place
+from masonry.kinematics.dispatch import move, update_positions
 from masonry.kinematics.turning import spin
 from masonry.model.arrays import Bodies
 from masonry.model.large.bodies import deforming_tets, large
@@ -16,9 +16,9 @@ STEPS, DAMPING, LOADING = 20, 0.8, (1.0, 1.0, 0.0, 0.0)
 
 
 @jit
-def _place(steps, dt, body, u):
+def _update_positions(steps, dt, body, u):
     for _ in range(steps):
-        place(None, body, dt, u)
+        update_positions(None, body, dt, u)
 
 
 @jit
@@ -31,19 +31,19 @@ def halves(model, kind: str):
     """The two halves of a step of a model's bodies of one kind, without the contacts' sweep."""
     body, contacts = getattr(model.bodies, kind), model.contacts
     return (
-        lambda: _place(STEPS, model.dt, body, contacts.u),
+        lambda: _update_positions(STEPS, model.dt, body, contacts.u),
         lambda: _move(STEPS, model.dt, body, contacts.force, contacts.u),
     )
 
 
-def wall(kind: str, turns: bool, joined: bool):
+def wall(kind: str, rotates: bool, joined: bool):
     """1000 blocks that tumble, with contact sides or without."""
     model = models.model_of(*specimens.wall(25, 40), kind=kind)
-    if turns:
+    if rotates:
         model.bodies = large(model.bodies, model.masses["rigid"][:, 3:])
     body = getattr(model.bodies, kind)
     body.v[...] = np.random.default_rng(1).normal(scale=0.1, size=body.v.shape)
-    if turns and kind == "rigid":
+    if rotates and kind == "rigid":
         spin(body)
     if not joined:
         models.replace_bodies(model, start=np.zeros_like(body.start))

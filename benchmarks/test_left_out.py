@@ -114,16 +114,18 @@ def saved() -> dict[str, float]:
     # The usual one twice: the first comes after the tets, which leave it nothing in the cache.
     _, usual, *others, rigid, tets = (t.least for t in in_turn(works[0], *works, rounds=200))
     times = dict(zip((*WITH, *WITHOUT), others, strict=True))
-    shares = {name: 1.0 - usual / times[name] for name in WITH} | {name: 1.0 - times[name] / usual for name in WITHOUT}
-    return shares | {"tets": 1.0 - rigid / tets}
+    fractions = {name: 1.0 - usual / times[name] for name in WITH} | {
+        name: 1.0 - times[name] / usual for name in WITHOUT
+    }
+    return fractions | {"tets": 1.0 - rigid / tets}
 
 
 def test_what_the_shipped_scenes_leave_out_costs_them_nothing(figure, left_out, saved):
-    for name, share in saved.items():
-        figure(f"leaving out {name} saves of a step", 100.0 * share, "%")
+    for name, fraction in saved.items():
+        figure(f"leaving out {name} saves of a step", 100.0 * fraction, "%")
     for name in packaged():
         cells = getattr(scene.load(name).specimen, "cells", None)
         used = models.used(assemble(scene.load(name, FEW if cells is not None else [])).model)
-        left_out[name] = {part: None if part in used else share for part, share in saved.items()}
-    for name, share in saved.items():
-        require(1.0 - share, 1.1, f"a step without {name}, over one with it")
+        left_out[name] = {part: None if part in used else fraction for part, fraction in saved.items()}
+    for name, fraction in saved.items():
+        require(1.0 - fraction, 1.1, f"a step without {name}, over one with it")

@@ -15,7 +15,7 @@ import numpy as np
 from masonry.laboratory.result import Result
 
 TAKEN = ("damping", "kinetic", "elastic_blocks", "contact_work", "rotor")
-SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
+DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
 IN_LARGE = ("dashpot", "redetection", "area")
 """What contacts take besides in large displacement."""
 SAME = 1e-13
@@ -25,7 +25,7 @@ Terms = Mapping[str, np.ndarray | float]
 
 def dissipated(summary: Mapping[str, Any]) -> float:
     """J that fracture and friction have taken by the end of a run."""
-    return float(sum(summary["energy_j"][key] for key in SPENT))
+    return float(sum(summary["energy_j"][key] for key in DISSIPATED))
 
 
 def residual(terms: Terms) -> np.ndarray:
@@ -54,16 +54,16 @@ def open_by(result: Result) -> float:
     loads = [abs(work) for work in result.summary["work_of_loads_j"].values()]
     work, size = max(float(np.abs(rows["external_work"]).max()), *loads, 0.0), largest(rows)
     gap = float(np.abs(residual(rows)).max())
-    share = gap / (work or size) if gap else 0.0
+    imbalance = gap / (work or size) if gap else 0.0
     told = float(result.summary["energy_imbalance"])
-    agrees = honest(rows) and (work == 0.0 or abs(told - share) <= SAME * size / work)
-    return share if agrees else np.inf
+    agrees = honest(rows) and (work == 0.0 or abs(told - imbalance) <= SAME * size / work)
+    return imbalance if agrees else np.inf
 
 
 def mismatch(result: Result) -> float:
-    """What the laws book as spent against the work that contacts took less what they store, over the first; at the
+    """What the laws book as dissipated against the work that contacts took less what they store, over the first; at the
     end of a run."""
     rows = result.history.rows
-    spent = sum(float(rows[name][-1]) for name in (*SPENT, *IN_LARGE) if name in rows)
+    booked_energy = sum(float(rows[name][-1]) for name in (*DISSIPATED, *IN_LARGE) if name in rows)
     taken = float(rows["contact_work"][-1] - rows["elastic_contacts"][-1])
-    return abs(taken - spent) / abs(spent) if spent else 0.0
+    return abs(taken - booked_energy) / abs(booked_energy) if booked_energy else 0.0

@@ -70,9 +70,9 @@ def shortcomings(findings: Findings) -> list[str]:
     """The checks and ledgers that do not hold, each in a sentence."""
     found = [off(check) for check in findings.checks if not check.holds]
     found += [
-        f"the energy ledger of {run} is open by {share:.1e} of the external work, more than {IMBALANCE:.0e}"
-        for run, share in findings.imbalance.items()
-        if not share <= IMBALANCE
+        f"the energy ledger of {run} is open by {imbalance:.1e} of the external work, more than {IMBALANCE:.0e}"
+        for run, imbalance in findings.imbalance.items()
+        if not imbalance <= IMBALANCE
     ]
     return found if findings.checks else [*found, "no check was made"]
 

@@ -112,14 +112,14 @@ FEW_ROWS = {"solver.rows": 100}
 """For small problems, whose thousand rows would cost more than their steps."""
 
 
-def fractions(extra: dict[str, Any], *shares: float) -> Refinement:
-    """Settings of the time step, as shares of the proven bound."""
-    return {f"{f:g}": {"solver.step_fraction": f, **extra} for f in shares or (1.0, 0.9, 0.6, 0.3)}
+def fractions(extra: dict[str, Any], *step_fractions: float) -> Refinement:
+    """Settings of the time step, as fractions of the proven bound."""
+    return {f"{f:g}": {"solver.step_fraction": f, **extra} for f in step_fractions or (1.0, 0.9, 0.6, 0.3)}
 
 
-def dampings(extra: dict[str, Any], *shares: float) -> Refinement:
+def dampings(extra: dict[str, Any], *damping_factors: float) -> Refinement:
     """Settings of the local damping at a constant rate; 0.8 is the default."""
-    return {f"{xi:g}": {"solver.damping": xi, **extra} for xi in shares or (0.8, 0.5, 0.2)}
+    return {f"{xi:g}": {"solver.damping": xi, **extra} for xi in damping_factors or (0.8, 0.5, 0.2)}
 
 
 def laws(extra: dict[str, Any], *names: str) -> Refinement:

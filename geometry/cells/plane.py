@@ -116,15 +116,15 @@ def hold_sizes(diagram: PlaneDiagram, target: np.ndarray, tolerance: float = 1e-
         lack = target - area
         if np.abs(lack / target).max() <= tolerance:
             return True
-        step, before, share = _newton_step(diagram, lack), diagram.weight, 1.0
-        while share > 1e-6:
-            diagram.weight = before + share * step
+        step, before, fraction = _newton_step(diagram, lack), diagram.weight, 1.0
+        while fraction > 1e-6:
+            diagram.weight = before + fraction * step
             if diagram.update():
                 area = areas_and_centroids(diagram)[0]
-                progress = np.linalg.norm(target - area) <= (1 - 0.5 * share) * np.linalg.norm(lack)
+                progress = np.linalg.norm(target - area) <= (1 - 0.5 * fraction) * np.linalg.norm(lack)
                 if area.min() >= least and progress:
                     break
-            share *= 0.5
+            fraction *= 0.5
         else:
             diagram.weight = before
             diagram.update()
@@ -138,12 +138,12 @@ def _newton_step(diagram: PlaneDiagram, lack: np.ndarray) -> np.ndarray:
     cell, label, length = edges(diagram)
     once = label > cell
     i, j, length = cell[once], label[once], length[once]
-    share = length / (2 * np.linalg.norm(diagram.site[i] - diagram.site[j], axis=1))
-    diagonal = np.bincount(i, share, n) + np.bincount(j, share, n)
+    coefficient = length / (2 * np.linalg.norm(diagram.site[i] - diagram.site[j], axis=1))
+    diagonal = np.bincount(i, coefficient, n) + np.bincount(j, coefficient, n)
     kept = np.ones(n, dtype=bool)
     kept[diagram.domains.cell_start[:-1]] = False
     rows, columns = np.concatenate([i, j, np.arange(n)]), np.concatenate([j, i, np.arange(n)])
-    matrix = coo_array((np.concatenate([-share, -share, diagonal]), (rows, columns)), shape=(n, n)).tocsr()
+    matrix = coo_array((np.concatenate([-coefficient, -coefficient, diagonal]), (rows, columns)), shape=(n, n)).tocsr()
     step = np.zeros(n)
     if kept.any():
         step[kept] = spsolve(matrix[kept][:, kept].tocsc(), lack[kept])

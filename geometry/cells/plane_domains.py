@@ -40,10 +40,10 @@ def _lines(start: np.ndarray, end: np.ndarray, normal: np.ndarray) -> np.ndarray
         opposite = np.flatnonzero(normal @ normal[w] < -1 + 1e-12)
         level = np.abs((start[opposite] - start[w]) @ normal[w])
         opposite = opposite[level < CLOSE]
-        way = end[w] - start[w]
-        way = way / np.linalg.norm(way)
-        ends = np.stack([(start[opposite] - start[w]) @ way, (end[opposite] - start[w]) @ way], axis=1)
-        shared = np.minimum(ends.max(axis=1), (end[w] - start[w]) @ way) - np.maximum(ends.min(axis=1), 0.0)
+        direction = end[w] - start[w]
+        direction = direction / np.linalg.norm(direction)
+        ends = np.stack([(start[opposite] - start[w]) @ direction, (end[opposite] - start[w]) @ direction], axis=1)
+        shared = np.minimum(ends.max(axis=1), (end[w] - start[w]) @ direction) - np.maximum(ends.min(axis=1), 0.0)
         links.append(np.stack([np.full(len(opposite), w), opposite], axis=1)[shared > CLOSE])
     pairs = np.concatenate(links)
     graph = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count))

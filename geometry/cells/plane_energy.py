@@ -105,9 +105,9 @@ def _cut(a, b, level, j, x, z, at, label, spare, spare_label, count):
         else:
             outside = True
         if (here <= 0.0) != (there <= 0.0):
-            share = here / (here - there)
-            spare[kept, 0] = at[k, 0] + share * (at[after, 0] - at[k, 0])
-            spare[kept, 1] = at[k, 1] + share * (at[after, 1] - at[k, 1])
+            fraction = here / (here - there)
+            spare[kept, 0] = at[k, 0] + fraction * (at[after, 0] - at[k, 0])
+            spare[kept, 1] = at[k, 1] + fraction * (at[after, 1] - at[k, 1])
             spare_label[kept] = j if here <= 0.0 else label[k]
             kept += 1
         here = there
@@ -135,14 +135,14 @@ def _hand_on(i, a, b, vx, vz, gx, gz, site, normal, to_site, to_weight):
     det = ax * bz - az * bx
     if abs(det) < 1e-12:
         return
-    for generator, share in ((a, (gx * bz - gz * bx) / det), (b, (gz * ax - gx * az) / det)):
+    for generator, factor in ((a, (gx * bz - gz * bx) / det), (b, (gz * ax - gx * az) / det)):
         if generator >= 0:
-            to_site[generator, 0] += share * (site[generator, 0] - vx)
-            to_site[generator, 1] += share * (site[generator, 1] - vz)
-            to_site[i, 0] -= share * (site[i, 0] - vx)
-            to_site[i, 1] -= share * (site[i, 1] - vz)
-            to_weight[generator] -= 0.5 * share
-            to_weight[i] += 0.5 * share
+            to_site[generator, 0] += factor * (site[generator, 0] - vx)
+            to_site[generator, 1] += factor * (site[generator, 1] - vz)
+            to_site[i, 0] -= factor * (site[i, 0] - vx)
+            to_site[i, 1] -= factor * (site[i, 1] - vz)
+            to_weight[generator] -= 0.5 * factor
+            to_weight[i] += 0.5 * factor
 
 
 @compiled
@@ -225,11 +225,11 @@ def _of_cell(i, at, label, count, wishes, pull):
             lack = 1.0 - length / wishes.edge
             total += wishes.of_edges * lack * lack
             if length > 1e-12:
-                share = -2.0 * wishes.of_edges * lack / (wishes.edge * length)
-                pull[m, 0] += share * x
-                pull[m, 1] += share * z
-                pull[k, 0] -= share * x
-                pull[k, 1] -= share * z
+                factor = -2.0 * wishes.of_edges * lack / (wishes.edge * length)
+                pull[m, 0] += factor * x
+                pull[m, 1] += factor * z
+                pull[k, 0] -= factor * x
+                pull[k, 1] -= factor * z
     return total
 
 
@@ -270,12 +270,12 @@ def _of_joints(site, domains, wishes, at, label, count, to_site, to_weight):
         lack = 1.0 - gap / wishes.segment
         total += wishes.of_segments * lack * lack
         slope = -2.0 * wishes.of_segments * lack / wishes.segment
-        for point, way in ((q, slope), (p, -slope)):
+        for point, gradient in ((q, slope), (p, -slope)):
             i, k = cell[point], corner[point]
             before = label[i, k - 1] if k > 0 else label[i, count[i] - 1]
             a = label[i, k]
             wall = -1 - (a if a < 0 else before)
             if wall >= 0 and domains.line[wall] == line[point]:
-                x, z = way * domains.along[wall, 0], way * domains.along[wall, 1]
+                x, z = gradient * domains.along[wall, 0], gradient * domains.along[wall, 1]
                 _hand_on(i, before, a, at[i, k, 0], at[i, k, 1], x, z, site, domains.normal, to_site, to_weight)
     return total

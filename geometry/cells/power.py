@@ -90,14 +90,14 @@ def _solve(
     for k in range(3):
         other = simplices[:, k + 1]
         wall, towards = other >= n, np.minimum(other, n - 1)
-        way = site[towards] - site[first]
-        distance = np.linalg.norm(way, axis=1)
+        direction = site[towards] - site[first]
+        distance = np.linalg.norm(direction, axis=1)
         with np.errstate(divide="ignore", invalid="ignore"):
             half = (distance**2 + weight[first] - weight[towards]) / (2 * distance)
-            way = way / distance[:, None]
+            direction = direction / distance[:, None]
         outward = domain.normal[np.where(wall, other - n, 0)]
         beyond = domain.offset[np.where(wall, other - n, 0)] - np.einsum("fi,fi->f", outward, site[first])
-        normal[:, k] = np.where(wall[:, None], outward, way)
+        normal[:, k] = np.where(wall[:, None], outward, direction)
         level[:, k] = np.where(wall, beyond, half)
     quality = np.abs(np.linalg.det(normal))
     sound = np.isfinite(quality) & (quality > 1e-7)
@@ -143,8 +143,8 @@ def _faces(
         wall[:, None], domain.normal[np.where(wall, beyond - n, 0)], site[np.minimum(beyond, n - 1)] - site[cell]
     )
     start = np.concatenate([[0], np.cumsum(corners)])
-    turn = _angles(place[vertex], face, start, outward)
-    return start, vertex[np.lexsort((turn, face))], cell, np.where(wall, ~(beyond - n), beyond)
+    angle = _angles(place[vertex], face, start, outward)
+    return start, vertex[np.lexsort((angle, face))], cell, np.where(wall, ~(beyond - n), beyond)
 
 
 def _angles(place: np.ndarray, face: np.ndarray, start: np.ndarray, outward: np.ndarray) -> np.ndarray:

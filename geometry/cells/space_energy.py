@@ -357,11 +357,11 @@ def _edges(cut, i, wishes, site, to_site, to_weight, wanted, sides):
             if square < threshold * threshold:
                 length = max(np.sqrt(square), 1e-12)
                 short = 1 - length / threshold
-                share = 1 / 3
+                weight = 1 / 3
                 if sides[p] == 3 or sides[q] == 3:
-                    share *= wishes.of_triangles
-                total += short * short * share
-                pull = -2 * short / threshold / length * share
+                    weight *= wishes.of_triangles
+                total += short * short * weight
+                pull = -2 * short / threshold / length * weight
                 wanted[t, 0] += pull * x
                 wanted[t, 1] += pull * y
                 wanted[t, 2] += pull * z

@@ -117,14 +117,14 @@ def hold_sizes(diagram: SpaceDiagram, target: np.ndarray, tolerance: float = 1e-
         lack = target - diagram.volume
         if np.abs(lack / target).max() <= tolerance:
             return True
-        step, before, share = _newton_step(diagram, lack), diagram.weight, 1.0
-        while share > 1e-6:
-            diagram.weight = before + share * step
+        step, before, fraction = _newton_step(diagram, lack), diagram.weight, 1.0
+        while fraction > 1e-6:
+            diagram.weight = before + fraction * step
             whole = diagram.update()
-            progress = np.linalg.norm(target - diagram.volume) <= (1 - 0.5 * share) * np.linalg.norm(lack)
+            progress = np.linalg.norm(target - diagram.volume) <= (1 - 0.5 * fraction) * np.linalg.norm(lack)
             if whole and diagram.volume.min() >= least and progress:
                 break
-            share *= 0.5
+            fraction *= 0.5
         else:
             diagram.weight = before
             diagram.update()
@@ -136,9 +136,9 @@ def _newton_step(diagram: SpaceDiagram, lack: np.ndarray) -> np.ndarray:
     """Change of the weights that makes up for the lack of volume (n,), to first order; the first weight stays."""
     n = len(lack)
     i, j, area = diagram.contacts()
-    share = area / (2 * np.linalg.norm(diagram.site[i] - diagram.site[j], axis=1))
-    diagonal = np.bincount(i, share, n)
-    matrix = (diags_array(diagonal) - coo_array((share, (i, j)), shape=(n, n))).tocsr()[1:, 1:]
+    coefficient = area / (2 * np.linalg.norm(diagram.site[i] - diagram.site[j], axis=1))
+    diagonal = np.bincount(i, coefficient, n)
+    matrix = (diags_array(diagonal) - coo_array((coefficient, (i, j)), shape=(n, n))).tocsr()[1:, 1:]
     step = np.zeros(n)
     if n > 1:
         scaling = diags_array(1 / diagonal[1:])

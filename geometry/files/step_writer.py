@@ -59,7 +59,7 @@ def step_text(blocks: Blocks, names: Sequence[str]) -> Iterator[str]:
         part = _product(step, application, name)
         shape = step.add(f"ADVANCED_BREP_SHAPE_REPRESENTATION('',({origin},{solid}),{context})")
         step.add(f"SHAPE_DEFINITION_REPRESENTATION({step.add(_shape(part))},{shape})")
-        _place(step, whole, part, shape, assembly, origin, b + 1)
+        _add_to_assembly(step, whole, part, shape, assembly, origin, b + 1)
         yield step.take()
     yield TAIL
 
@@ -104,7 +104,9 @@ def _product(step: _Entities, application: str, name: str) -> str:
     return step.add(f"PRODUCT_DEFINITION('design','',{formation},{design})")
 
 
-def _place(step: _Entities, whole: str, part: str, shape: str, assembly: str, origin: str, number: int) -> None:
+def _add_to_assembly(
+    step: _Entities, whole: str, part: str, shape: str, assembly: str, origin: str, number: int
+) -> None:
     """The part in the whole, where it stands."""
     transformation = step.add(f"ITEM_DEFINED_TRANSFORMATION('','',{origin},{origin})")
     relation = step.add(
@@ -127,8 +129,8 @@ def _solid(step: _Entities, blocks: Blocks, b: int, name: str, normal: np.ndarra
         for i, j in zip(loop, loop[1:] + loop[:1], strict=True):
             key = (min(i, j), max(i, j))
             if key not in edges:
-                way = vertices[key[1]] - vertices[key[0]]
-                vector = step.add(f"VECTOR('',{_direction(step, way / np.linalg.norm(way))},1.)")
+                direction = vertices[key[1]] - vertices[key[0]]
+                vector = step.add(f"VECTOR('',{_direction(step, direction / np.linalg.norm(direction))},1.)")
                 line = step.add(f"LINE('',{place[key[0]]},{vector})")
                 edges[key] = step.add(f"EDGE_CURVE('',{vertex[key[0]]},{vertex[key[1]]},{line},.T.)")
             oriented.append(step.add(f"ORIENTED_EDGE('',*,*,{edges[key]},{'.T.' if i < j else '.F.'})"))
@@ -163,8 +165,8 @@ def _point(step: _Entities, place: Sequence[float]) -> str:
     return step.add(f"CARTESIAN_POINT('',({','.join(map(_real, place))}))")
 
 
-def _direction(step: _Entities, way: Sequence[float]) -> str:
-    return step.add(f"DIRECTION('',({','.join(map(_real, way))}))")
+def _direction(step: _Entities, direction: Sequence[float]) -> str:
+    return step.add(f"DIRECTION('',({','.join(map(_real, direction))}))")
 
 
 def _real(value: float) -> str:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Joints, TetMesh
-from geometry.joints.covered import covered_shares
+from geometry.joints.covered import covered_fractions
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 
@@ -21,7 +21,7 @@ def outer_faces(blocks: Blocks, joints: Joints, block_set: np.ndarray, direction
     """
     if direction not in DIRECTIONS:
         raise GeometryError(f"face {direction!r} is unknown; allowed: {', '.join(DIRECTIONS)}")
-    covered = covered_shares(blocks, joints)
+    covered = covered_fractions(blocks, joints)
     faces = _extreme_faces(blocks, block_set, direction)
     _require_wholly_free_or_covered(blocks, covered, faces, f"face {direction}")
     free = faces[covered[faces] <= 1e-6]
@@ -52,7 +52,7 @@ def faces_in_plane(blocks: Blocks, axis: int, level: float) -> np.ndarray:
 
 def free_faces_in_plane(blocks: Blocks, joints: Joints, axis: int, level: float) -> np.ndarray:
     """Faces of faces_in_plane that lie in no joint; GeometryError if there is none, or if one is covered in part."""
-    covered = covered_shares(blocks, joints)
+    covered = covered_fractions(blocks, joints)
     faces = faces_in_plane(blocks, axis, level)
     _require_wholly_free_or_covered(blocks, covered, faces, "a face there")
     free = faces[covered[faces] <= 1e-6]

@@ -15,7 +15,7 @@ FACING = 0.5
 """Least cosine between the normals of a joint and of a face beside it."""
 
 
-def covered_shares(blocks: Blocks, joints: Joints) -> np.ndarray:
+def covered_fractions(blocks: Blocks, joints: Joints) -> np.ndarray:
     """(F,) share of each face's area that lies in joints."""
     area, normal, centroid = face_areas_normals_centroids(blocks)
     polygon, count = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))

@@ -39,8 +39,8 @@ def _joints(blocks: Blocks, a: np.ndarray, b: np.ndarray, normal: np.ndarray) ->
     one, two = blocks.unit[a], blocks.unit[b]
     inside, turned = one == two, one > two
     pair = np.sort(np.stack([np.where(inside, a, one), np.where(inside, b, two)], axis=1), axis=1)
-    way = np.round(np.where((turned & ~inside)[:, None], -normal, normal), ALIKE) + 0.0
-    return np.unique(np.column_stack([inside, pair, way]), axis=0, return_inverse=True)[1].reshape(-1)
+    direction = np.round(np.where((turned & ~inside)[:, None], -normal, normal), ALIKE) + 0.0
+    return np.unique(np.column_stack([inside, pair, direction]), axis=0, return_inverse=True)[1].reshape(-1)
 
 
 def _longest(edge: np.ndarray, joint: np.ndarray) -> np.ndarray:

@@ -64,9 +64,9 @@ def _in_triangles(fan: Triangles, parts: int, inside: int) -> Points:
     """Each triangle cut into parts^2 alike, with one point in the middle of each or three of degree 2."""
     lattice = _small_triangles(parts)
     places = np.eye(3) / 2 + 1 / 6 if inside == 3 else np.full((1, 3), 1 / 3)
-    share = np.einsum("pc,scd->spd", places, lattice).reshape(-1, 3)
-    point = np.einsum("pd,tdi->tpi", share, fan.corners).reshape(-1, 3)
-    return np.repeat(fan.polygon, len(share)), point, np.repeat(fan.area / len(share), len(share))
+    barycentric = np.einsum("pc,scd->spd", places, lattice).reshape(-1, 3)
+    point = np.einsum("pd,tdi->tpi", barycentric, fan.corners).reshape(-1, 3)
+    return np.repeat(fan.polygon, len(barycentric)), point, np.repeat(fan.area / len(barycentric), len(barycentric))
 
 
 def _small_triangles(parts: int) -> np.ndarray:
@@ -92,13 +92,13 @@ def _in_sectors(fan: Triangles, sectors: int) -> Points:
     first = np.flatnonzero(fan.edge == 0)
     behind = np.cumsum(fan.area) - fan.area
     begin = (behind - behind[first].repeat(np.diff([*first, len(behind)]))) / total
-    share = fan.area / total
+    fraction = fan.area / total
     low = np.floor(begin * sectors + 1e-9).astype(np.int64)
-    high = np.minimum(np.ceil((begin + share) * sectors - 1e-9).astype(np.int64), sectors)
+    high = np.minimum(np.ceil((begin + fraction) * sectors - 1e-9).astype(np.int64), sectors)
     triangle, sector = ranges(low, np.maximum(high - low, 1))
     sector = np.minimum(sector, sectors - 1)
     part = np.stack([sector, sector + 1]) / sectors
-    part = np.clip((part - begin[triangle]) / share[triangle], 0.0, 1.0)
+    part = np.clip((part - begin[triangle]) / fraction[triangle], 0.0, 1.0)
     part[0, sector == low[triangle]] = 0.0
     part[1, np.append(triangle[1:] != triangle[:-1], True)] = 1.0
     middle, start, end = (fan.corners[triangle, k] for k in range(3))

@@ -72,7 +72,7 @@ def _on_polygons(
     repeated: int = 0,
 ) -> Joints:
     """Contact points on padded polygons (J, K, 3) between blocks (J,), with normals (J, 3) from a to b."""
-    patch, point, share = contact_points(corners, count, density)
+    patch, point, area = contact_points(corners, count, density)
     patch_start, patch_points = unpad(corners, count)
     return Joints(
         block_a=block_a[patch],
@@ -81,7 +81,7 @@ def _on_polygons(
         node_b=np.full(len(patch), -1, dtype=np.int64),
         point=point,
         normal=normal[patch],
-        area=share,
+        area=area,
         patch=patch,
         patch_start=patch_start,
         patch_points=patch_points,

@@ -20,9 +20,9 @@ def fan_tets(blocks: Blocks, which: np.ndarray) -> TetMesh:
     volume = volumes(blocks)
     fans = _fans(blocks, np.asarray(which, dtype=bool))
     owner = np.repeat(np.arange(blocks.count), np.diff(fans.tet_start))
-    share = np.linalg.det(fans.nodes[fans.tets[:, 1:]] - fans.nodes[fans.tets[:, :1]]) / 6 / volume[owner]
-    failed = np.unique(owner[share < -NOTHING])
-    kept = share > NOTHING
+    fraction = np.linalg.det(fans.nodes[fans.tets[:, 1:]] - fans.nodes[fans.tets[:, :1]]) / 6 / volume[owner]
+    failed = np.unique(owner[fraction < -NOTHING])
+    kept = fraction > NOTHING
     fans = TetMesh(
         fans.nodes, fans.node_start, fans.tets[kept], np.searchsorted(owner[kept], np.arange(blocks.count + 1))
     )

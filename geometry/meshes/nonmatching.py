@@ -96,12 +96,12 @@ def _between_nodes(joints: Joints, pieces: Pieces, which: np.ndarray, of_parent:
     found |= {"node_a": none, "node_b": none, "point": place, "area": area}
     for side, name in enumerate("ab"):
         found[f"corner_{name}"] = pieces.nodes[pieces.faces[q, side]]
-        shares = _shares(pieces.places(side)[q], place)
-        found[f"share_{name}"] = np.where(pieces.meshed(side)[q, None], shares, 0.0)
+        fractions = _shape_functions(pieces.places(side)[q], place)
+        found[f"share_{name}"] = np.where(pieces.meshed(side)[q, None], fractions, 0.0)
     return found | {"patch": len(of_parent) + q}
 
 
-def _shares(corner: np.ndarray, point: np.ndarray) -> np.ndarray:
+def _shape_functions(corner: np.ndarray, point: np.ndarray) -> np.ndarray:
     """(n, 3) shape functions of triangles (n, 3, 3) at points within them (n, 3)."""
     one, two, arm = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0], point - corner[:, 0]
     normal = np.cross(one, two)
@@ -109,8 +109,8 @@ def _shares(corner: np.ndarray, point: np.ndarray) -> np.ndarray:
     square = np.where(square > 0, square, 1.0)
     second = np.einsum("ni,ni->n", np.cross(arm, two), normal) / square
     third = np.einsum("ni,ni->n", np.cross(one, arm), normal) / square
-    share = np.maximum(np.stack([1.0 - second - third, second, third], axis=1), 0.0)
-    return share / share.sum(axis=1, keepdims=True)
+    fraction = np.maximum(np.stack([1.0 - second - third, second, third], axis=1), 0.0)
+    return fraction / fraction.sum(axis=1, keepdims=True)
 
 
 def _kept(joints: Joints, which: np.ndarray) -> Values:
@@ -119,8 +119,8 @@ def _kept(joints: Joints, which: np.ndarray) -> Values:
 
 
 def _nothing_between(count: int) -> Values:
-    corner, share = np.full((count, 3), -1), np.zeros((count, 3))
-    return {"corner_a": corner, "share_a": share, "corner_b": corner, "share_b": share}
+    corner, fraction = np.full((count, 3), -1), np.zeros((count, 3))
+    return {"corner_a": corner, "share_a": fraction, "corner_b": corner, "share_b": fraction}
 
 
 def _joined(joints: Joints, pieces: Pieces, parts: list[Values]) -> Joints:

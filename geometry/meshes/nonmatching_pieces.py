@@ -103,8 +103,8 @@ def _parents(joints: Joints, fine: Joints, middle: np.ndarray, width: float) -> 
     normal = joints.normal[of]
     edge = np.roll(polygon, -1, axis=1) - polygon
     length = np.linalg.norm(edge, axis=2, keepdims=True)
-    turn = np.sign(np.einsum("ji,ji->j", areas_normals_centroids(polygon)[1], normal))
-    inward = np.cross(normal[:, None] * turn[:, None, None], edge / np.where(length > 0, length, 1.0))
+    orientation = np.sign(np.einsum("ji,ji->j", areas_normals_centroids(polygon)[1], normal))
+    inward = np.cross(normal[:, None] * orientation[:, None, None], edge / np.where(length > 0, length, 1.0))
     parent, nearest = np.full(len(middle), -1), np.full(len(middle), np.inf)
     for k in range(int((end - begin).max(initial=0))):
         which = np.flatnonzero(begin + k < end)

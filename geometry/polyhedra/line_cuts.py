@@ -11,12 +11,12 @@ class Pieces:
     """Pieces of a line in bodies.
 
     body    (n,) number of the body     middle  (n, 3) m, of the piece
-    share   (n,) of all that the bodies hold of the line; where k bodies share a piece each has a k-th; adds up to 1
+    fraction  (n,) of all that the bodies hold of the line; where k bodies share a piece each has a k-th; adds up to 1
     """
 
     body: np.ndarray
     middle: np.ndarray
-    share: np.ndarray
+    fraction: np.ndarray
 
 
 def pieces(normal: np.ndarray, level: np.ndarray, place: Sequence[float | None], width: float) -> Pieces:

@@ -58,8 +58,8 @@ def _chain(flat: Plane, edges: list[tuple[int, int]]) -> list[Loop]:
         leaving.setdefault(start, []).append(end)
     following = {}
     for start, end in edges:
-        turn = [_clockwise(flat[start] - flat[end], flat[after] - flat[end]) for after in leaving[end]]
-        following[start, end] = (end, leaving[end][int(np.argmin(turn))])
+        rotation = [_clockwise(flat[start] - flat[end], flat[after] - flat[end]) for after in leaving[end]]
+        following[start, end] = (end, leaving[end][int(np.argmin(rotation))])
     loops = []
     while following:
         edge = next(iter(following))

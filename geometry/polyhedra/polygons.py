@@ -30,8 +30,8 @@ def areas_normals_centroids(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray
     area = np.linalg.norm(vector, axis=1)
     safe = np.where(area > 0, area, 1.0)[:, None]
     normal = vector / safe
-    share = np.einsum("nki,ni->nk", triangle, normal) / safe
-    centroid = corners[:, 0] + np.einsum("nk,nki->ni", share, arm + following) / 3
+    fraction = np.einsum("nki,ni->nk", triangle, normal) / safe
+    centroid = corners[:, 0] + np.einsum("nk,nki->ni", fraction, arm + following) / 3
     return area, normal, centroid
 
 
@@ -82,8 +82,8 @@ def cut(corners: np.ndarray, count: np.ndarray, distance: np.ndarray) -> tuple[n
     following = np.roll(distance, -1, axis=1)
     used = np.arange(corners.shape[1]) < count[:, None]
     crosses = used & (distance * following < 0)
-    share = np.divide(distance, distance - following, out=np.zeros_like(distance), where=crosses)
-    crossing = corners + share[:, :, None] * (np.roll(corners, -1, axis=1) - corners)
+    fraction = np.divide(distance, distance - following, out=np.zeros_like(distance), where=crosses)
+    crossing = corners + fraction[:, :, None] * (np.roll(corners, -1, axis=1) - corners)
     slots = 2 * corners.shape[1]
     both = np.stack([corners, crossing], axis=2).reshape(len(corners), slots, 3)
     keep = np.stack([used & (distance >= 0), crosses], axis=2).reshape(len(corners), slots)

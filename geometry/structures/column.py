@@ -54,8 +54,8 @@ def column(
 def _drum(radius: np.ndarray, level: np.ndarray, sides: int) -> Blocks:
     """A body between two regular polygons, of radius (2,) m at a level (2,) m."""
     angle = 2 * np.pi * (np.arange(sides) + 0.5) / sides
-    way = np.stack([np.cos(angle), np.sin(angle), np.zeros(sides)], axis=1)
-    low, high = (r * way + (0.0, 0.0, z) for r, z in zip(radius, level, strict=True))
+    direction = np.stack([np.cos(angle), np.sin(angle), np.zeros(sides)], axis=1)
+    low, high = (r * direction + (0.0, 0.0, z) for r, z in zip(radius, level, strict=True))
     after = np.roll(np.arange(sides), -1)
     around = [np.stack([low[a], low[b], high[b], high[a]]) for a, b in enumerate(after)]
     return from_faces([[low[::-1], high, *around]], [0], [0], ("units",))

@@ -71,17 +71,17 @@ def dome(
 
 def _corners(spheres: np.ndarray, steep: np.ndarray, sides: int) -> np.ndarray:
     """(2, C + 1, n, 3) m: on both spheres, at each angle from the axis (rad), round about."""
-    way = 2 * np.pi * np.arange(sides) / sides
-    r, s, p = np.meshgrid(spheres, steep, way, indexing="ij")
+    azimuth = 2 * np.pi * np.arange(sides) / sides
+    r, s, p = np.meshgrid(spheres, steep, azimuth, indexing="ij")
     level = np.where(np.abs(s - 0.5 * np.pi) < 1e-14, 0.0, np.cos(s))  # a hemisphere stands level
     return np.stack([r * np.sin(s) * np.cos(p), r * np.sin(s) * np.sin(p), r * level], axis=-1)
 
 
 def _along(steep: float, sides: int) -> np.ndarray:
     """(n, 3) unit vectors down along the meridians at an angle from the axis (rad)."""
-    way = 2 * np.pi * np.arange(sides) / sides
+    azimuth = 2 * np.pi * np.arange(sides) / sides
     flat = 0.0 if abs(steep - 0.5 * np.pi) < 1e-14 else np.cos(steep)
-    return np.stack([flat * np.cos(way), flat * np.sin(way), np.full(sides, -np.sin(steep))], axis=1)
+    return np.stack([flat * np.cos(azimuth), flat * np.sin(azimuth), np.full(sides, -np.sin(steep))], axis=1)
 
 
 def _body(corner: np.ndarray) -> list[np.ndarray]:

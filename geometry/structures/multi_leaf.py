@@ -95,16 +95,16 @@ def _require(bond: str, headers: float, core: CellRequest) -> None:
         raise GeometryError("multi-leaf: the core is cut into cells in space: form = 'space'")
 
 
-def _headers(coursing: Coursing, module: float, share: float) -> list[np.ndarray]:
-    """For each course, which of its units are headers: whole ones only, as many as the share says, evenly spread."""
+def _headers(coursing: Coursing, module: float, fraction: float) -> list[np.ndarray]:
+    """For each course, which of its units are headers: whole ones only, as many as the fraction says, evenly spread."""
     whole = [np.diff(cuts) > module * (1 - 0.5 / WHOLE) for cuts in coursing.cuts]
     total = sum(int(mask.sum()) for mask in whole)
-    wanted, courses = round(share * total), len(whole)
+    wanted, courses = round(fraction * total), len(whole)
     found = [np.zeros(len(mask), dtype=bool) for mask in whole]
     if wanted == 0:
         return found
     fewest = min(int(mask.sum()) for mask in whole)
-    most = max(fewest // 2, 1) if share <= 0.5 else max(fewest, 1)  # every other one where that is enough
+    most = max(fewest // 2, 1) if fraction <= 0.5 else max(fewest, 1)  # every other one where that is enough
     number = min(courses, -(-wanted // most))
     chosen = np.floor((np.arange(number) + 0.5) * courses / number).astype(int)
     left = wanted

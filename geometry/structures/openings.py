@@ -113,7 +113,7 @@ def bearing_of(opening: Opening, wall: Wall) -> float:
     """The bearing of a lintel (m), given or chosen."""
     if opening.bearing is not None or opening.head != "lintel":
         return opening.bearing or 0.0
-    fitting = [share * wall.module for share in BEARINGS if _fault(opening, wall, share * wall.module) is None]
+    fitting = [fraction * wall.module for fraction in BEARINGS if _fault(opening, wall, fraction * wall.module) is None]
     return min(fitting, key=lambda b: _in_line(opening, wall, b), default=BEARINGS[0] * wall.module)
 
 
@@ -226,8 +226,8 @@ def flat_arch(opening: Opening, wall: Wall) -> list[np.ndarray]:
     """Outlines (4, 2) m, x and z, of the voussoirs of a flat arch, from left to right."""
     low, rise = opening.sill + opening.height, opening.head_courses * wall.rise
     middle, half = opening.left + 0.5 * opening.width, 0.5 * opening.width
-    share = 2.0 * np.arange(opening.voussoirs + 1) / opening.voussoirs - 1.0
-    below, above = middle + share * half, middle + share * (half + rise * np.tan(opening.skew))
+    fraction = 2.0 * np.arange(opening.voussoirs + 1) / opening.voussoirs - 1.0
+    below, above = middle + fraction * half, middle + fraction * (half + rise * np.tan(opening.skew))
     return [
         np.array([[below[k], low], [below[k + 1], low], [above[k + 1], low + rise], [above[k], low + rise]])
         for k in range(opening.voussoirs)

@@ -30,9 +30,9 @@ def require_ring(
 def joints_of_ring(radius: float, angle: float, count: int, thickness: float) -> np.ndarray:
     """(n + 1, 2, 2) m: x, z of the inner and the outer end of each joint of n pieces, from left to right."""
     from_crown = angle * (np.arange(count + 1) / count - 0.5)
-    way = np.stack([np.sin(from_crown), np.cos(from_crown)], axis=1)
+    direction = np.stack([np.sin(from_crown), np.cos(from_crown)], axis=1)
     circles = radius + thickness * np.array([-0.5, 0.5])
-    return np.asarray(circles[None, :, None] * way[:, None, :])
+    return np.asarray(circles[None, :, None] * direction[:, None, :])
 
 
 def voussoir_outlines(ends: np.ndarray) -> list[np.ndarray]:

@@ -168,7 +168,7 @@ def _upright(loops: Sequence[np.ndarray], thickness: float) -> Blocks:
 def _ends(blocks: Blocks, course: np.ndarray, sides: tuple[float, float], near: float) -> dict[str, np.ndarray]:
     """Sets of the units at the ends of the facade, and of the lowest and the highest course."""
     own = np.split(blocks.points[blocks.face_points], blocks.face_start[blocks.block_face_start[1:-1]])
-    low, high = (np.array([way(points[:, 0]) for points in own]) for way in (np.min, np.max))
+    low, high = (np.array([bound(points[:, 0]) for points in own]) for bound in (np.min, np.max))
     return {
         "left end": np.flatnonzero(low <= sides[0] + near),
         "right end": np.flatnonzero(high >= sides[1] - near),

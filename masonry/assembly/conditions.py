@@ -29,7 +29,7 @@ def conditions_of(
         where = f"support.{k}.on"
         chosen, faces = select(specimen, joints, support.on, where)
         axes = tuple(AXES[f] for f in support.fix if f in AXES)
-        hold = Hold(chosen, axes, _turns(support.fix), faces, f"support.{k}")
+        hold = Hold(chosen, axes, _rotations(support.fix), faces, f"support.{k}")
         conditions.held_by[hold.name] = held_dofs(blocks, layout, hold)
         _add(conditions.supported, conditions.held_by[hold.name])
     if scene.floor is not None:
@@ -97,19 +97,19 @@ def _set_moving(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout
             raise SceneError(f"{where} = '{given.on}': whole blocks start in motion; name a set, without a face")
         volume = layout.volume[chosen]
         centre = np.average(layout.centroid[chosen], axis=0, weights=volume) if given.about is None else given.about
-        turn = np.array(given.spin)
-        spin[chosen] += turn
+        angular_velocity = np.array(given.spin)
+        spin[chosen] += angular_velocity
         for kind in KINDS:
             if len(rows := rows_of(layout, kind, chosen)) == 0:
                 continue
-            moves = velocities_of(layout, kind, rows, np.array(given.velocity), turn, np.array(centre))
+            moves = velocities_of(layout, kind, rows, np.array(given.velocity), angular_velocity, np.array(centre))
             if (moves[conditions.prescribed[kind][rows]] != 0.0).any():
                 raise SceneError(f"{where} = '{given.on}': a support or the drive holds what this sets in motion")
             motion[kind][rows] += moves
     conditions.motion, conditions.spin = motion, spin
 
 
-def _turns(fix: tuple[str, ...]) -> tuple[int, ...]:
+def _rotations(fix: tuple[str, ...]) -> tuple[int, ...]:
     """The axes that blocks may not turn about."""
     return tuple(k for axis, k in AXES.items() if "rotation" in fix or f"rotation {axis}" in fix)
 

@@ -7,7 +7,7 @@ nothing and carries nothing; of a fill that does, this is the safe side.
 import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen
-from geometry.joints.covered import covered_shares
+from geometry.joints.covered import covered_fractions
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.polyhedra.polygons import cut, pad
 from masonry.errors import SceneError
@@ -45,7 +45,7 @@ def _open_faces(blocks: Blocks, joints: Joints, chosen: np.ndarray, where: str) 
     _, normal, _ = face_areas_normals_centroids(blocks)
     owner = blocks.face_block()
     up = np.flatnonzero((normal[:, 2] > UPWARD) & np.isin(owner, chosen))
-    covered = covered_shares(blocks, joints)[up]
+    covered = covered_fractions(blocks, joints)[up]
     partly = up[(covered > COVERED) & (covered < 1.0 - COVERED)]
     if len(partly):
         raise SceneError(

@@ -37,28 +37,28 @@ def _place(specimen: Specimen, joints: Joints, layout: Layout, where: str | Coor
     chosen, faces = select(specimen, joints, where, key)
     blocks = specimen.blocks
     if faces is None:
-        point, share, owner = layout.centroid[chosen], layout.volume[chosen], chosen
+        point, weight, owner = layout.centroid[chosen], layout.volume[chosen], chosen
     else:
         area, _, centre = face_areas_normals_centroids(blocks)
-        point, share, owner = centre[faces], area[faces], blocks.face_block()[faces]
+        point, weight, owner = centre[faces], area[faces], blocks.face_block()[faces]
     meshed = layout.kind[owner] == KINDS.index("tets")
-    node, node_share = np.zeros(0, dtype=np.int64), np.zeros(0)
+    node, node_weight = np.zeros(0, dtype=np.int64), np.zeros(0)
     if layout.mesh is not None and meshed.any():
         if faces is None:
-            node, node_share = _nodes_of(layout.mesh, owner[meshed])
+            node, node_weight = _nodes_of(layout.mesh, owner[meshed])
         else:
-            node, node_share = surface_nodes(layout.mesh, blocks, faces[meshed])
-    whole = share[~meshed].sum() + node_share.sum()
-    return Place(owner[~meshed], point[~meshed], share[~meshed] / whole, node, node_share / whole)
+            node, node_weight = surface_nodes(layout.mesh, blocks, faces[meshed])
+    whole = weight[~meshed].sum() + node_weight.sum()
+    return Place(owner[~meshed], point[~meshed], weight[~meshed] / whole, node, node_weight / whole)
 
 
 def _nodes_of(mesh: TetMesh, chosen: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Nodes of meshed blocks, and the volume (m3) of each: a quarter of its tets."""
     own = np.repeat(np.isin(np.arange(len(mesh.tet_start) - 1), chosen), np.diff(mesh.tet_start))
     volume = np.where(own, tet_volumes(mesh), 0.0) / 4
-    share = np.bincount(mesh.tets.ravel(), np.repeat(volume, 4), minlength=len(mesh.nodes))
-    node = np.flatnonzero(share > 0.0)
-    return node, share[node]
+    weight = np.bincount(mesh.tets.ravel(), np.repeat(volume, 4), minlength=len(mesh.nodes))
+    node = np.flatnonzero(weight > 0.0)
+    return node, weight[node]
 
 
 def _on_line(specimen: Specimen, layout: Layout, where: Coordinates, key: str) -> Place:
@@ -78,11 +78,11 @@ def _on_line(specimen: Specimen, layout: Layout, where: Coordinates, key: str) -
     solid = layout.kind[found.body] != KINDS.index("tets")
     if len(found.body) == 0:
         raise SceneError(f"{key}: no block lies at {_said(place)}; the specimen reaches over {_said(low, high)}")
-    node, node_share = np.zeros(0, dtype=np.int64), np.zeros(0)
+    node, node_weight = np.zeros(0, dtype=np.int64), np.zeros(0)
     if mesh is not None and not solid.all():
-        node, node_share = _between_nodes(mesh, place, width)
-        node_share = node_share * found.share[~solid].sum()
-    return Place(found.body[solid], found.middle[solid], found.share[solid], node, node_share)
+        node, node_weight = _between_nodes(mesh, place, width)
+        node_weight = node_weight * found.fraction[~solid].sum()
+    return Place(found.body[solid], found.middle[solid], found.fraction[solid], node, node_weight)
 
 
 def _said(*places: Sequence[float | None]) -> str:
@@ -100,5 +100,5 @@ def _between_nodes(mesh: TetMesh, place: list[float | None], width: float) -> tu
     level = np.einsum("tki,tki->tk", normal, np.roll(corner, 1, axis=1))
     found: Pieces = pieces(normal, level, place, width)
     arm = found.middle[:, None] - corner[found.body]
-    share = 1.0 + np.einsum("nki,nki->nk", gradient[found.body], arm)
-    return mesh.tets[found.body].ravel(), (found.share[:, None] * share).ravel()
+    weight = 1.0 + np.einsum("nki,nki->nk", gradient[found.body], arm)
+    return mesh.tets[found.body].ravel(), (found.fraction[:, None] * weight).ravel()

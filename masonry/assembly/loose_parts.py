@@ -35,10 +35,12 @@ def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions:
         work = np.abs(directions[~held] @ load)
         if np.any(work > LOOSE * max(np.abs(load).max(), 1e-300)):
             mode = directions[~held][int(np.argmax(work))]
-            way = f"along {'xyz'[int(np.argmax(np.abs(mode[:3])))]}"
+            motion = f"along {'xyz'[int(np.argmax(np.abs(mode[:3])))]}"
             if np.abs(mode[3:]).max() > np.abs(mode[:3]).max():
-                way = f"from turning about {'xyz'[int(np.argmax(np.abs(mode[3:])))]}"
-            _refuse(specimen, layout, member, f"are not held {way}, where the dead loads push; add it to a [[support]]")
+                motion = f"from turning about {'xyz'[int(np.argmax(np.abs(mode[3:])))]}"
+            _refuse(
+                specimen, layout, member, f"are not held {motion}, where the dead loads push; add it to a [[support]]"
+            )
 
 
 def _supported(layout: Layout, conditions: Conditions, member: np.ndarray) -> bool:

@@ -62,10 +62,10 @@ def in_layers(scene: Scene, plan: Plan) -> dict[str, Any]:
         return {}
     assert scene.gravity is not None
     tractions = sum(traction.path is None for traction in scene.traction) + len(scene.fill)
-    turns = np.append(np.arange(scene.gravity.layers), np.full(tractions, scene.gravity.layers))
-    slot = 0.5 * plan.settle / (turns[-1] + 1)
+    order = np.append(np.arange(scene.gravity.layers), np.full(tractions, scene.gravity.layers))
+    slot = 0.5 * plan.settle / (order[-1] + 1)
     k = np.arange(plan.settle + 1)
-    layers = WAITING * smooth(k / slot) + (1.0 - WAITING) * smooth(k / slot - turns[:, None])
+    layers = WAITING * smooth(k / slot) + (1.0 - WAITING) * smooth(k / slot - order[:, None])
     return {"dead_load": np.ones_like(plan.dead_load), "layers": layers}
 
 
@@ -102,15 +102,15 @@ def _loading(scene: Scene, dt: float) -> Program | Controlled:
         if scene.gravity.tilt is not None and scene.gravity.tilt.steps is not None:
             count = scene.gravity.tilt.steps + 1
             require_few(settle + count, dt)
-            return followed(dt, settle, np.zeros(count), _shares(loads, settle, count))
+            return followed(dt, settle, np.zeros(count), _load_factors(loads, settle, count))
     if loads or (drive is not None and drive.history is not None):
         return _along_histories(drive, loads, settle, dt)
     if drive is None:
         return program(dt, settle, 0.0, None, None, 0.0)
-    way = drive.sign * drive.farthest
+    displacement = drive.sign * drive.farthest
     if drive.accuracy is not None:
-        return controlled(settle, way, drive.accuracy)
-    return program(dt, settle, way, drive.steps, drive.rate, drive.ramp)
+        return controlled(settle, displacement, drive.accuracy)
+    return program(dt, settle, displacement, drive.steps, drive.rate, drive.ramp)
 
 
 def _settle(scene: Scene) -> int:
@@ -121,18 +121,18 @@ def _settle(scene: Scene) -> int:
 def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: float) -> Program | Controlled:
     """All histories over the same steps: each load's time runs while the drive makes its whole way."""
     if drive is not None and drive.accuracy is not None:
-        turns = tuple(drive.sign * place for place in drive.turns)
-        return controlled(settle, turns[0], drive.accuracy, turns)
+        reversals = tuple(drive.sign * place for place in drive.reversals)
+        return controlled(settle, reversals[0], drive.accuracy, reversals)
     if drive is not None and drive.history is None:
         plain = program(dt, settle, drive.sign * drive.farthest, drive.steps, drive.rate, drive.ramp)
         require_two(plain.steps - settle)
-        return replace(plain, varying=_shares(loads, settle, plain.steps - settle))
+        return replace(plain, varying=_load_factors(loads, settle, plain.steps - settle))
     path = None if drive is None else drive.path
     duration = max(found.duration for found in [*loads, *([path] if path else [])]) if loads or path else 0.0
     if drive is not None and drive.steps is not None:
         count = drive.steps
     elif drive is not None and drive.rate is not None:
-        count = steps_at(drive.rate, dt, drive.turns)
+        count = steps_at(drive.rate, dt, drive.reversals)
     else:
         count = 1 + int(np.ceil(min(duration / dt, 1e18)))
     require_two(count)
@@ -141,11 +141,11 @@ def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: f
     if drive is None:
         places = np.zeros(count)
     else:
-        places = drive.sign * (passage(drive.turns, count) if path is None else _at(path, t) - _at(path, t[:1]))
-    return followed(dt, settle, places, _shares(loads, settle, count, duration) if loads else None)
+        places = drive.sign * (passage(drive.reversals, count) if path is None else _at(path, t) - _at(path, t[:1]))
+    return followed(dt, settle, places, _load_factors(loads, settle, count, duration) if loads else None)
 
 
-def _shares(loads: list[Timed], settle: int, count: int, duration: float = 0.0) -> np.ndarray:
+def _load_factors(loads: list[Timed], settle: int, count: int, duration: float = 0.0) -> np.ndarray:
     """(H, settle + count + 1) share of each load at each step: all the time of the longest, or `duration` (s) if that
     is longer, passes in the last `count` steps."""
     t = np.linspace(0.0, max(duration, *(load.duration for load in loads)), count)

@@ -59,8 +59,12 @@ def specimen_of(scene: Scene) -> Specimen:
 
 def as_turned(scene: Scene, points: np.ndarray) -> np.ndarray:
     """Points (n, 3) m of the specimen as it was built, where it stands in the scene."""
-    turn = scene.specimen.turned
-    return points if turn is None else turned(points, np.eye(3)["xyz".index(turn.about)], turn.angle, turn.through)
+    rotation = scene.specimen.turned
+    return (
+        points
+        if rotation is None
+        else turned(points, np.eye(3)["xyz".index(rotation.about)], rotation.angle, rotation.through)
+    )
 
 
 def _specimen_of(scene: Scene) -> Specimen:

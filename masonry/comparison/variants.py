@@ -146,9 +146,9 @@ def plates(assembly: Assembly) -> list[Variant]:
         if not is_plate or not rigid or {"x", "y", "z", "rotation"} <= fixed:
             continue
         straight = [word for word in support.fix if not word.startswith("rotation")]
-        turns = len(straight) == len(support.fix)
-        name = f"{support.on} {'upright' if turns else 'free to turn'}"
-        found.append(Variant("plates", name, {f"support.{k}.fix": [*straight, "rotation"] if turns else straight}))
+        rotates = len(straight) == len(support.fix)
+        name = f"{support.on} {'upright' if rotates else 'free to turn'}"
+        found.append(Variant("plates", name, {f"support.{k}.fix": [*straight, "rotation"] if rotates else straight}))
     return found
 
 

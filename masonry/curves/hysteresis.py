@@ -31,8 +31,8 @@ def hysteresis_figure(result: "ResultData") -> Any:
     for axes in (loops, ledger, bars):
         tidy(axes)
     _draw_loops(loops, rows, drawn)
-    way = MILLI * np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rows["displacement"])))])
-    draw_ledger(ledger, rows, way)
+    path = MILLI * np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rows["displacement"])))])
+    draw_ledger(ledger, rows, path)
     ledger.set_xlabel("way of the drive, back and forth [mm]")
     ledger.set_ylabel("energy [J]")
     figure.legend(*ledger.get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False, fontsize=9)
@@ -52,10 +52,10 @@ def _draw_loops(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes) -> Non
         colour = colormaps["viridis_r"](0.15 + 0.85 * (k + 1) / count)
         label = f"cycle {k + 1}" if k in shown else None
         axes.plot(drawn.across[part], stress[part], color=colour, linewidth=1.6, label=label)
-    way = np.sign(np.diff(rows["displacement"]))
-    moving = np.flatnonzero(way)
-    turns = moving[1:][way[moving[1:]] != way[moving[:-1]]]
-    axes.plot(drawn.across[turns], stress[turns], "o", color="#b2182b", markersize=4, label="turn")
+    direction = np.sign(np.diff(rows["displacement"]))
+    moving = np.flatnonzero(direction)
+    reversals = moving[1:][direction[moving[1:]] != direction[moving[:-1]]]
+    axes.plot(drawn.across[reversals], stress[reversals], "o", color="#b2182b", markersize=4, label="turn")
     axes.axhline(0.0, color="0.6", linewidth=0.8)
     axes.axvline(0.0, color="0.6", linewidth=0.8)
     axes.set_xlabel(drawn.label)

@@ -33,8 +33,8 @@ def settling_figure(result: "ResultData") -> Any:
     for axes in (moved, ledger):
         tidy(axes)
     over, label = _across(result)
-    for (name, (steps, way)), colour in zip(movements(result).items(), 9 * COLOURS, strict=False):
-        moved.plot(over(steps), MILLI * way, color=colour, linewidth=2.0, label=plain(name))
+    for (name, (steps, path)), colour in zip(movements(result).items(), 9 * COLOURS, strict=False):
+        moved.plot(over(steps), MILLI * path, color=colour, linewidth=2.0, label=plain(name))
     moved.set_ylabel("displacement [mm]")
     if lines := reaction_lines(result.summary):
         shown = lines if len(lines) <= MOST else [*lines[:MOST], f"and {len(lines) - MOST} more in summary.json"]
@@ -73,7 +73,7 @@ def movements(result: "ResultData") -> dict[str, tuple[np.ndarray, np.ndarray]]:
     height = result.specimen.blocks.points[:, 2]
     top = height >= height.max() - TOP * np.ptp(height)
     steps = np.array([0.0, *(frame.step for frame in frames)])
-    ways = np.array([np.zeros(3), *(frame.corners[top].mean(axis=0) for frame in frames)])
-    largest = np.abs(ways).max()
-    shown = {f"top of the specimen, {axis}": (steps, ways[:, k]) for k, axis in enumerate("xyz")}
-    return {name: (at, way) for name, (at, way) in shown.items() if np.abs(way).max() >= SMALL * largest}
+    paths = np.array([np.zeros(3), *(frame.corners[top].mean(axis=0) for frame in frames)])
+    largest = np.abs(paths).max()
+    shown = {f"top of the specimen, {axis}": (steps, paths[:, k]) for k, axis in enumerate("xyz")}
+    return {name: (at, path) for name, (at, path) in shown.items() if np.abs(path).max() >= SMALL * largest}

@@ -134,10 +134,10 @@ def edge_axis(edge, e, g, vertex, normal, dx, dy, dz):
     square = nx * nx + ny * ny + nz * nz
     if square <= PARALLEL * PARALLEL * (ax * ax + ay * ay + az * az) * (bx * bx + by * by + bz * bz):
         return False, 0.0, 0.0, 0.0, 0.0
-    share = 1.0 / sqrt(square)
+    scale = 1.0 / sqrt(square)
     if _along(normal, f1, nx, ny, nz) + _along(normal, f2, nx, ny, nz) < 0.0:
-        share = -share
-    nx, ny, nz = share * nx, share * ny, share * nz
+        scale = -scale
+    nx, ny, nz = scale * nx, scale * ny, scale * nz
     if _along(normal, g1, nx, ny, nz) + _along(normal, g2, nx, ny, nz) > 0.0:
         return False, 0.0, 0.0, 0.0, 0.0
     x, y, z = (

@@ -33,9 +33,9 @@ def cut_by(u, v, label, height, row, count, pu, pv, du, dv, level, name, snap):
         if abs(here) <= snap:
             here = 0.0
         if before * here < 0.0:
-            share = before / (before - here)
-            u[other, kept] = u[row, last] + share * (u[row, k] - u[row, last])
-            v[other, kept] = v[row, last] + share * (v[row, k] - v[row, last])
+            fraction = before / (before - here)
+            u[other, kept] = u[row, last] + fraction * (u[row, k] - u[row, last])
+            v[other, kept] = v[row, last] + fraction * (v[row, k] - v[row, last])
             label[other, kept] = name if here > 0.0 else label[row, last]
             kept += 1
         if here <= 0.0:

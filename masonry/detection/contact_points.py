@@ -34,11 +34,11 @@ def polygon_points(
     for k in range(count):
         name[k] = corner_feature(face_a, face_b, label[row, k - 1 if k > 0 else count - 1], label[row, k])
     count = merge(u, v, name, row, count, weight, MERGED * sqrt(total))
-    share = max(1.0, min(full, least) / total)
+    factor = max(1.0, min(full, least) / total)
     for k in range(count):
         low, high = heights(plane, u[row, k], v[row, k])
         point[k, 0], point[k, 1], point[k, 2] = point_of(plane, u[row, k], v[row, k], 0.5 * (low + high))
-        gap[k], area[k], feature[k] = high - low, share * weight[k], name[k]
+        gap[k], area[k], feature[k] = high - low, factor * weight[k], name[k]
     return count
 
 
@@ -75,8 +75,8 @@ def corner_point(
         height = side * (nx * vertex[k, 0] + ny * vertex[k, 1] + nz * vertex[k, 2])
         if height < lowest:
             found, lowest = k, height
-    way = -0.5 * side * apart
-    point[0, 0] = vertex[found, 0] + dx + way * nx
-    point[0, 1] = vertex[found, 1] + dy + way * ny
-    point[0, 2] = vertex[found, 2] + dz + way * nz
+    offset = -0.5 * side * apart
+    point[0, 0] = vertex[found, 0] + dx + offset * nx
+    point[0, 1] = vertex[found, 1] + dy + offset * ny
+    point[0, 2] = vertex[found, 2] + dz + offset * nz
     gap[0], area[0], feature[0] = apart, least, lone_feature(face, found - first, side)

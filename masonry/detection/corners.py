@@ -46,8 +46,8 @@ def merge(u, v, name, row, count, weight, near):
     for k in range(count):  # round from `first`, into the other row
         i = (first + k) % count
         u[other, k], v[other, k] = u[row, i], v[row, i]
-    _turn(name, first, count)
-    _turn(weight, first, count)
+    _rotate(name, first, count)
+    _rotate(weight, first, count)
     for k in range(1, count + 1):
         if k < count:
             du, dv = u[other, k] - u[other, begun], v[other, k] - v[other, begun]
@@ -59,7 +59,7 @@ def merge(u, v, name, row, count, weight, near):
 
 
 @bare
-def _turn(values, first, count):
+def _rotate(values, first, count):
     """The first `count` values begin with number `first`: reversed thrice."""
     _reverse(values, 0, first)
     _reverse(values, first, count)

@@ -226,8 +226,8 @@ def _between(normal, fa, fb, lead):
     nx = blend * normal[fa, 0] - (1.0 - blend) * normal[fb, 0]
     ny = blend * normal[fa, 1] - (1.0 - blend) * normal[fb, 1]
     nz = blend * normal[fa, 2] - (1.0 - blend) * normal[fb, 2]
-    share = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
-    return blend, share * nx, share * ny, share * nz
+    scale = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
+    return blend, scale * nx, scale * ny, scale * nz
 
 
 @bare

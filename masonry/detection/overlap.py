@@ -78,8 +78,8 @@ def common_plane(vertex, loop, loop_start, normal, offset, fa, fb, dx, dy, dz, n
         sx, sy, sz = -nz, 0.0, nx
     else:
         sx, sy, sz = ny, -nx, 0.0
-    share = 1.0 / sqrt(sx * sx + sy * sy + sz * sz)
-    sx, sy, sz = share * sx, share * sy, share * sz
+    scale = 1.0 / sqrt(sx * sx + sy * sy + sz * sz)
+    sx, sy, sz = scale * sx, scale * sy, scale * sz
     tx, ty, tz = ny * sz - nz * sy, nz * sx - nx * sz, nx * sy - ny * sx
     o = loop[loop_start[fa]]
     ox, oy, oz = vertex[o, 0], vertex[o, 1], vertex[o, 2]
@@ -119,8 +119,8 @@ def beside(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane):
     """How far (m) faces fa and fb are apart along a line of the plane, at least: 0 where no edge of them parts them."""
     sx, sy, sz, tx, ty, tz = plane.sx, plane.sy, plane.sz, plane.tx, plane.ty, plane.tz
     widest = 0.0
-    for turn in range(2):
-        own, other, sign = (fa, fb, 1.0) if turn == 0 else (fb, fa, -1.0)
+    for side in range(2):
+        own, other, sign = (fa, fb, 1.0) if side == 0 else (fb, fa, -1.0)
         first, last = loop_start[own], loop_start[own + 1]
         for k in range(first, last):
             i, j = loop[k], loop[k + 1 if k + 1 < last else first]

@@ -38,7 +38,7 @@ def cofactor(frame, out):
 
 
 @bare
-def place(pieces, piece, frame, turned):
+def update_piece(pieces, piece, frame, turned):
     """Write corners, centre, normals and offsets of one piece for the frame (3, 3) of its body into `turned`."""
     vertex, centre, normal, offset = turned.vertex, turned.centre, turned.normal, turned.offset
     vertex_0, centre_0, normal_0, loop = pieces.vertex, pieces.centre, pieces.normal, pieces.loop
@@ -63,16 +63,16 @@ def place(pieces, piece, frame, turned):
     for k in range(pieces.face_start[piece], pieces.face_start[piece + 1]):
         x, y, z = normal_0[k, 0], normal_0[k, 1], normal_0[k, 2]
         nx, ny, nz = a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z
-        share = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
-        nx, ny, nz = share * nx, share * ny, share * nz
+        scale = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
+        nx, ny, nz = scale * nx, scale * ny, scale * nz
         normal[k, 0], normal[k, 1], normal[k, 2] = nx, ny, nz
         v = loop[loop_start[k]]
         offset[k] = nx * vertex[v, 0] + ny * vertex[v, 1] + nz * vertex[v, 2]
 
 
 @bare
-def place_all(pieces, frame, turned):
-    """`place` of every piece; frame (N, 3, 3) of the bodies."""
+def update_pieces(pieces, frame, turned):
+    """`update_piece` of every piece; frame (N, 3, 3) of the bodies."""
     body = pieces.body
     for piece in range(len(body)):
-        place(pieces, piece, frame[body[piece]], turned)
+        update_piece(pieces, piece, frame[body[piece]], turned)

@@ -61,9 +61,9 @@ def transfer(
             for i in range(count):
                 _give(tau, i, new_tau, k, min(area[i] / new_count, new_area[k] / count))
     for k in range(new_count):
-        share = 1.0 / new_area[k] if new_area[k] > 0.0 else 0.0
+        scale = 1.0 / new_area[k] if new_area[k] > 0.0 else 0.0
         for x in range(3):
-            new_tau[k, x] *= share
+            new_tau[k, x] *= scale
     return before - energy(new_area, new_tau, new_count)
 
 
@@ -134,8 +134,8 @@ def _flatten(point, count, origin, axis, eu, ev, row):
         sx, sy, sz = -nz, 0.0, nx
     else:
         sx, sy, sz = ny, -nx, 0.0
-    share = 1.0 / sqrt(sx * sx + sy * sy + sz * sz)
-    sx, sy, sz = share * sx, share * sy, share * sz
+    scale = 1.0 / sqrt(sx * sx + sy * sy + sz * sz)
+    sx, sy, sz = scale * sx, scale * sy, scale * sz
     tx, ty, tz = ny * sz - nz * sy, nz * sx - nx * sz, nx * sy - ny * sx
     for k in range(count):
         x, y, z = point[k, 0] - origin[0, 0], point[k, 1] - origin[0, 1], point[k, 2] - origin[0, 2]

@@ -60,12 +60,14 @@ def marks(scene: Scene, specimen: Specimen, joints: Joints) -> list[Mark]:
     if scene.drive is not None:
         drive = scene.drive
         blocks, faces = _selected(specimen, joints, drive.on, "drive.on")
-        one_way = len(drive.turns) == 1
+        monotonic = len(drive.reversals) == 1
         value = (
-            f"{drive.turns[0] * 1e3:.4g} mm" if one_way else f"{drive.farthest * 1e3:.4g} mm at most, back and forth"
+            f"{drive.reversals[0] * 1e3:.4g} mm"
+            if monotonic
+            else f"{drive.farthest * 1e3:.4g} mm at most, back and forth"
         )
-        way = drive.sign * (np.sign(drive.turns[0]) if one_way else 1.0) * np.eye(3)[drive.axis]
-        arrows = [_push_or_pull(specimen, part, faces, way) for part in parts_of(joints, blocks, faces)]
+        direction = drive.sign * (np.sign(drive.reversals[0]) if monotonic else 1.0) * np.eye(3)[drive.axis]
+        arrows = [_push_or_pull(specimen, part, faces, direction) for part in parts_of(joints, blocks, faces)]
         words = f"drive: {drive.on}, {value} along {drive.direction}"
         found.append(Mark("drive", words, blocks, faces, [], arrows=arrows, value=value))
     for k, traction in enumerate(scene.traction):
@@ -126,16 +128,16 @@ def spread(low: np.ndarray, high: np.ndarray, axis: int, at: float, most: int, l
 
 
 def _push_or_pull(
-    specimen: Specimen, blocks: np.ndarray, faces: np.ndarray | None, way: np.ndarray, load: bool = False
+    specimen: Specimen, blocks: np.ndarray, faces: np.ndarray | None, direction: np.ndarray, load: bool = False
 ) -> tuple[np.ndarray, np.ndarray, bool]:
     """Arrows that stand on the side of the box where there is room: they pull away from it, or press on it."""
     low, high = box_of(specimen, blocks, faces)
-    axis = int(np.argmax(np.abs(way)))
+    axis = int(np.argmax(np.abs(direction)))
     at_high = nearer_side(specimen, low, high, axis) if low[axis] < high[axis] else _looks_up(specimen, faces, axis)
-    presses = at_high == (way[axis] < 0)
+    presses = at_high == (direction[axis] < 0)
     level = high[axis] if at_high else low[axis]
     size = float(np.ptp(specimen.blocks.points, axis=0).max())
-    return spread(low, high, axis, level, 7 if load else 3, 0.05 * size), way, presses
+    return spread(low, high, axis, level, 7 if load else 3, 0.05 * size), direction, presses
 
 
 def _looks_up(specimen: Specimen, faces: np.ndarray | None, axis: int) -> bool:

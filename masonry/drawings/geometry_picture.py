@@ -47,18 +47,18 @@ def camera_for(scene: Scene, specimen: Specimen, view: str | None) -> Camera:
     """The camera of a view by its name, or the one that shows where the drive and a tilt lead."""
     if view is None:
         toward = camera_of("front", specimen).toward
-        across = any(abs(toward @ way) > 0.5 for way in _ways(scene))
+        across = any(abs(toward @ direction) > 0.5 for direction in _directions(scene))
         view = "iso" if across or specimen.shape in IN_SPACE else "front"
     return camera_of(view, specimen)
 
 
-def _ways(scene: Scene) -> list[np.ndarray]:
+def _directions(scene: Scene) -> list[np.ndarray]:
     """Unit vectors along which a scene's drive pushes and its tilt lets things lean."""
-    ways = [np.eye(3)[scene.drive.axis]] if scene.drive is not None else []
+    directions = [np.eye(3)[scene.drive.axis]] if scene.drive is not None else []
     if scene.gravity is not None and scene.gravity.tilt is not None:
         lean = np.cross(np.eye(3)["xyz".index(scene.gravity.tilt.about)], scene.gravity.vector)
-        ways.append(lean / np.linalg.norm(lean))
-    return ways
+        directions.append(lean / np.linalg.norm(lean))
+    return directions
 
 
 def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str | None = None) -> Any:

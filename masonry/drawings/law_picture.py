@@ -1,4 +1,4 @@
-"""The portrait of a law as a picture: traction against separation, shear against slip, and the energies spent."""
+"""The portrait of a law as a picture: traction against separation, shear against slip, and the energies dissipated."""
 
 from pathlib import Path
 from typing import Any
@@ -37,31 +37,31 @@ def law_figure(name: str, found: Portrait) -> Any:
     return figure
 
 
-def _draw_tension(curve: Any, spent: Any, found: Portrait) -> None:
+def _draw_tension(curve: Any, energies: Any, found: Portrait) -> None:
     path = found.tension
     curve.set_title("opened, closed until the faces press, opened again", fontsize=10, color="0.3")
     curve.plot(path.opening * MILLI, path.sigma * MEGA, color=COLOURS[1], linewidth=1.8)
     curve.axhline(0.0, color="0.5", linewidth=0.8)
     curve.set_ylabel("normal stress, tension positive [MPa]")
-    spent.plot(path.opening * MILLI, path.fracture, color=FRACTURE, label="fracture, mode I")
-    spent.plot(path.opening * MILLI, path.stored, color="0.55", linewidth=1.0, label="stored")
-    spent.set_ylabel("energy [N/m]")
-    spent.set_xlabel("opening [mm]")
-    spent.legend(frameon=False, fontsize=9)
+    energies.plot(path.opening * MILLI, path.fracture, color=FRACTURE, label="fracture, mode I")
+    energies.plot(path.opening * MILLI, path.stored, color="0.55", linewidth=1.0, label="stored")
+    energies.set_ylabel("energy [N/m]")
+    energies.set_xlabel("opening [mm]")
+    energies.legend(frameon=False, fontsize=9)
 
 
-def _draw_shear(curve: Any, spent: Any, found: Portrait) -> None:
+def _draw_shear(curve: Any, energies: Any, found: Portrait) -> None:
     curve.set_title("slid, back beyond the start, and on", fontsize=10, color="0.3")
     for (compression, path), colour in zip(found.shear.items(), COLOURS, strict=True):
         label = f"{compression * MEGA:g} MPa"
         curve.plot(path.slip * MILLI, path.tau * MEGA, color=colour, linewidth=1.6, label=label)
-        spent.plot(path.slip * MILLI, path.fracture, color=colour, linewidth=1.4)
-        spent.plot(path.slip * MILLI, path.friction, "--", color=colour, linewidth=1.0)
+        energies.plot(path.slip * MILLI, path.fracture, color=colour, linewidth=1.4)
+        energies.plot(path.slip * MILLI, path.friction, "--", color=colour, linewidth=1.0)
     curve.axhline(0.0, color="0.5", linewidth=0.8)
     curve.set_ylabel("shear stress [MPa]")
     curve.legend(title="compression", frameon=False, fontsize=9)
-    spent.plot([], [], color="0.3", label="fracture, mode II")
-    spent.plot([], [], "--", color="0.3", label="friction")
-    spent.set_ylabel("energy [N/m]")
-    spent.set_xlabel("slip [mm]")
-    spent.legend(frameon=False, fontsize=9)
+    energies.plot([], [], color="0.3", label="fracture, mode II")
+    energies.plot([], [], "--", color="0.3", label="friction")
+    energies.set_ylabel("energy [N/m]")
+    energies.set_xlabel("slip [mm]")
+    energies.legend(frameon=False, fontsize=9)

@@ -23,8 +23,8 @@ def draw_mark(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], ca
     colour = COLOURS[mark.kind]
     if mark.kind == "support":
         _draw_support(axes, specimen, mark, pieces, camera, size)
-    for base, way, presses in mark.arrows:
-        _draw_arrows(axes, camera, pieces, (base, way, presses), colour, size)
+    for base, vector, presses in mark.arrows:
+        _draw_arrows(axes, camera, pieces, (base, vector, presses), colour, size)
     if (words := place_of_value(mark, camera, size)) is not None:
         _draw_value(axes, mark, *words, size)
 
@@ -32,8 +32,8 @@ def draw_mark(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], ca
 def stands_left(specimen: Specimen, mark: Mark) -> bool:
     """Whether arrows of a mark stand out of the low end of a specimen along x."""
     low = specimen.blocks.points[:, 0].min()
-    for base, way, presses in mark.arrows:
-        out = -way[0] if presses else way[0]
+    for base, vector, presses in mark.arrows:
+        out = -vector[0] if presses else vector[0]
         if out < -0.5 and base[:, 0].min() < low + 1e-6:
             return True
     return False
@@ -46,8 +46,8 @@ def place_of_value(mark: Mark, camera: Camera, size: float) -> tuple[np.ndarray,
     """
     if not (mark.arrows and mark.value):
         return None
-    base, way, presses = mark.arrows[0]
-    out = (-1.0 if presses else 1.0) * _flat(camera, way)
+    base, vector, presses = mark.arrows[0]
+    out = (-1.0 if presses else 1.0) * _flat(camera, vector)
     return camera.project(base[-1]) + 1.1 * ARROW * size * out, out
 
 
@@ -62,9 +62,9 @@ def _draw_value(axes: Any, mark: Mark, at: np.ndarray, out: np.ndarray, size: fl
     axes.update_datalim([at + (wide - left, 0.05 * size), at - (left, 0.05 * size)])
 
 
-def _flat(camera: Camera, way: np.ndarray) -> np.ndarray:
+def _flat(camera: Camera, vector: np.ndarray) -> np.ndarray:
     """Direction on the paper; zero where it runs along the line of sight."""
-    direction = camera.project(way)
+    direction = camera.project(vector)
     length = np.linalg.norm(direction)
     return direction / length if length > 0.2 else np.zeros(2)
 
@@ -78,10 +78,10 @@ def _draw_arrows(
     size: float,
 ) -> None:
     """Arrows onto or away from their places; a dot or a cross in a ring where they run along the line of sight."""
-    base, way, presses = arrows
-    direction = _flat(camera, way)
+    base, vector, presses = arrows
+    direction = _flat(camera, vector)
     if not direction.any():
-        nearer = way @ camera.toward > 0
+        nearer = vector @ camera.toward > 0
         for x, z in camera.project(base):
             axes.plot(x, z, "o", ms=11, mfc="white", mec=colour, mew=1.6, zorder=8)
             axes.plot(x, z, "o" if nearer else "x", ms=4 if nearer else 7, color=colour, mew=1.6, zorder=8)
@@ -89,7 +89,7 @@ def _draw_arrows(
     for point in base:
         place = camera.project(point)
         start, end = (place - ARROW * size * direction, place) if presses else (place, place + ARROW * size * direction)
-        behind = hidden(point + (-1e-3 if presses else 1e-3) * size * way, pieces, camera, 1e-4 * size)
+        behind = hidden(point + (-1e-3 if presses else 1e-3) * size * vector, pieces, camera, 1e-4 * size)
         style = {"arrowstyle": "-|>", "color": colour, "lw": 1.8, "mutation_scale": 14, "shrinkA": 0, "shrinkB": 0}
         axes.annotate("", end, start, zorder=0.5 if behind else 8, arrowprops=style)
         axes.update_datalim([start, end])
@@ -117,14 +117,14 @@ def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece]
         low, high = box_of(specimen, part, mark.faces)
         for axis in mark.held:
             at_high = nearer_side(specimen, low, high, axis)
-            way = (1.0 if at_high else -1.0) * np.eye(3)[axis]
-            direction = _flat(camera, way)
+            vector = (1.0 if at_high else -1.0) * np.eye(3)[axis]
+            direction = _flat(camera, vector)
             if not direction.any():
                 continue
             for place in spread(
                 low, high, axis, high[axis] if at_high else low[axis], 3 if camera.along_an_axis else 2, 0.08 * size
             ):
-                behind = hidden(place + 1e-3 * size * way, pieces, camera, 1e-4 * size)
+                behind = hidden(place + 1e-3 * size * vector, pieces, camera, 1e-4 * size)
                 depth = 0.5 if behind else 7.0
                 _draw_roller(axes, camera.project(place), direction, 0.028 * size, colour, mark.all_held, depth)
 

@@ -123,7 +123,7 @@ def draw_axes(axes: Any, blocks: Blocks, camera: Camera, left_taken: bool = Fals
     axes.autoscale_view()
     axes.margins(0.04)
     if camera.along_an_axis:
-        names = ["xyz"[int(np.argmax(np.abs(way)))] for way in (camera.right, camera.up)]
+        names = ["xyz"[int(np.argmax(np.abs(direction)))] for direction in (camera.right, camera.up)]
         axes.set_xlabel(f"{names[0]} [mm]")
         axes.set_ylabel(f"{names[1]} [mm]")
         flat = camera.project(blocks.points)

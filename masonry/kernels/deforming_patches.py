@@ -33,14 +33,14 @@ def press_deforming(near, dt):
         own = points_of[p]
         ref, other = body[p, 1 - own], body[p, own]
         side = 1.0 if own == 1 else -1.0  # the normal points from side 0 to side 1
-        nx, ny, nz, share = plane_of(frame, dual, ref, normal[p, 0], normal[p, 1], normal[p, 2])
+        nx, ny, nz, scale = plane_of(frame, dual, ref, normal[p, 0], normal[p, 1], normal[p, 2])
         ox, oy, oz = (  # the sums of the places would lose digits far from the origin
             (centre[other, 0] - centre[ref, 0]) + (moved[other, 0] - moved[ref, 0]),
             (centre[other, 1] - centre[ref, 1]) + (moved[other, 1] - moved[ref, 1]),
             (centre[other, 2] - centre[ref, 2]) + (moved[other, 2] - moved[ref, 2]),
         )
         half = 0.5 * dt
-        turn = half * (v[ref, 3] + v[other, 3]), half * (v[ref, 4] + v[other, 4]), half * (v[ref, 5] + v[other, 5])
+        spin = half * (v[ref, 3] + v[other, 3]), half * (v[ref, 4] + v[other, 4]), half * (v[ref, 5] + v[other, 5])
         lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, nx, ny, nz))
         stretching, along = nx * lx + ny * ly + nz * lz, nx * ox + ny * oy + nz * oz
         slack, fx = pairs.slack[p], filled(0.0, four())
@@ -48,7 +48,7 @@ def press_deforming(near, dt):
         xx = xy = xz = yx = yy = yz = zx = zy = zz = filled(0.0, four())
         for k in range(0, count[s], FOUR):
             ax, ay, az = places(frame, other, points.material, s, k)
-            gap = side * (nx * ax + ny * ay + nz * az + along - share * take(points.level, (s, k), four()))
+            gap = side * (nx * ax + ny * ay + nz * az + along - scale * take(points.level, (s, k), four()))
             # velocity of side 1 against side 0 at the points
             lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, ax + ox, ay + oy, az + oz))
             dx, dy, dz = places(rate, other, points.material, s, k)
@@ -58,7 +58,7 @@ def press_deforming(near, dt):
             speed = dx * nx + dy * ny + dz * nz
             (gx, gy, gz), sigma, slid, lost = respond(
                 *(pairs, points, rules, p, s, k, gap + slack),
-                *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), turn, dt),
+                *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), spin, dt),
             )
             friction, damped, pressed = friction + slid, damped + lost, pressed + sigma * gap
             gx, gy, gz = gx + sigma * nx, gy + sigma * ny, gz + sigma * nz

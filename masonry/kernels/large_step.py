@@ -10,7 +10,7 @@ from masonry.kernels.gathering import gather_places, gather_velocities, hand_ove
 from masonry.kernels.patches import press
 from masonry.kernels.refreshing import refresh
 from masonry.kernels.step import pull, reaction, sweep_groups
-from masonry.kinematics.dispatch import move, place
+from masonry.kinematics.dispatch import move, update_positions
 
 
 @bare
@@ -36,9 +36,9 @@ def advance(
             gather_velocities(near.motion, members, rigid, affine, tets)
         if not refresh(near, dt):
             return k
-        place(None, rigid, dt, bonds.u)
-        place(None, affine, dt, bonds.u)
-        place(None, tets, dt, bonds.u)
+        update_positions(None, rigid, dt, bonds.u)
+        update_positions(None, affine, dt, bonds.u)
+        update_positions(None, tets, dt, bonds.u)
         if members is not None:
             gather_places(near.motion, members, rigid, affine, tets, bonds)
         to_frames(bonds, ranges, local)

@@ -19,7 +19,7 @@ def find_pairs(near):
     Blocks that do not move are no pair, nor are two that bonds hold together. False where there is no room.
     """
     pieces, motion, search = near.pieces, near.motion, near.search
-    placing.place_all(pieces, motion.frame, near.turned)
+    placing.update_pieces(pieces, motion.frame, near.turned)
     for b in range(len(motion.travel)):
         search.built[b] = motion.travel[b]
         for i in range(3):

@@ -51,7 +51,7 @@ def press(near, dt):
         ux = v[other, 0] - v[ref, 0] - ry * oz + rz * oy
         uy = v[other, 1] - v[ref, 1] - rz * ox + rx * oz
         uz = v[other, 2] - v[ref, 2] - rx * oy + ry * ox
-        turn = 0.5 * dt * (rx + wx), 0.5 * dt * (ry + wy), 0.5 * dt * (rz + wz)
+        rotation = 0.5 * dt * (rx + wx), 0.5 * dt * (ry + wy), 0.5 * dt * (rz + wz)
         wx, wy, wz, along = wx - rx, wy - ry, wz - rz, n[0] * ox + n[1] * oy + n[2] * oz
         slack, fx = pairs.slack[p], filled(0.0, four())
         fy = fz = qx = qy = qz = fx
@@ -61,7 +61,7 @@ def press(near, dt):
             d = side * (ux + wy * az - wz * ay), side * (uy + wz * ax - wx * az), side * (uz + wx * ay - wy * ax)
             rate = d[0] * n[0] + d[1] * n[1] + d[2] * n[2]
             (gx, gy, gz), sigma, slid, lost = respond(
-                pairs, points, rules, p, s, k, gap + slack, d, rate, rate, n, turn, dt
+                pairs, points, rules, p, s, k, gap + slack, d, rate, rate, n, rotation, dt
             )
             friction, damped = friction + slid, damped + lost
             gx, gy, gz = gx + sigma * n[0], gy + sigma * n[1], gz + sigma * n[2]
@@ -84,11 +84,11 @@ def places(frame, b, material, s, k):
 
 
 @inlined
-def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, turn, dt):
+def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, rotation, dt):
     """What four points of a patch bear: shear (3) and normal force (N), and what friction and dashpot took (J).
 
     d, along  m/s, of side 1 against side 0, and its part along the normal n     closing  m/s, rate of the gap (m)
-    turn      rad, of the two blocks in this step
+    rotation  rad, of the two blocks in this step
     """
     law, size = pairs.law[p], take(points.area, (s, k), four())
     kn, ks, tan = rules.normal_stiffness[law], rules.shear_stiffness[law], rules.tan_friction[law]
@@ -108,7 +108,7 @@ def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, turn, dt):
     before = x * x + y * y + z * z
     if not any_lane(touches | (before > 0.0)):
         return (sigma, sigma, sigma), sigma, sigma, lost
-    held = turned_with(x, y, z, before, turn, n)
+    held = turned_with(x, y, z, before, rotation, n)
     slip = dt * (d[0] - along * n[0]), dt * (d[1] - along * n[1]), dt * (d[2] - along * n[2])
     t, taken = slide(held, slip, ks, -tan * sigma)
     x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
@@ -135,14 +135,18 @@ def slide(h, s, ks, most):
 
 
 @inlined
-def turned_with(x, y, z, before, turn, n):
-    """The shear traction of points, of norm^2 `before`, after a turn (rad): in the plane, and of the same size."""
-    x, y, z = x + turn[1] * z - turn[2] * y, y + turn[2] * x - turn[0] * z, z + turn[0] * y - turn[1] * x
+def turned_with(x, y, z, before, rotation, n):
+    """The shear traction of points, of norm^2 `before`, after a rotation (rad): in the plane, and of the same size."""
+    x, y, z = (
+        x + rotation[1] * z - rotation[2] * y,
+        y + rotation[2] * x - rotation[0] * z,
+        z + rotation[0] * y - rotation[1] * x,
+    )
     along = x * n[0] + y * n[1] + z * n[2]
     x, y, z = x - along * n[0], y - along * n[1], z - along * n[2]
     after = x * x + y * y + z * z
-    share = where(after > 0.0, sqrt(before / after), 0.0)
-    return share * x, share * y, share * z
+    scale = where(after > 0.0, sqrt(before / after), 0.0)
+    return scale * x, scale * y, scale * z
 
 
 @bare
@@ -186,14 +190,14 @@ def gap_of(pairs, points, motion, p, k):
     own, s = pairs.points_of[p], pairs.slot[p]
     ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
     x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
-    nx, ny, nz, share = plane_of(motion.frame, motion.dual, ref, x, y, z)
+    nx, ny, nz, scale = plane_of(motion.frame, motion.dual, ref, x, y, z)
     n = nx, ny, nz
     a = turned(motion.frame, other, points.material[s, 0, k], points.material[s, 1, k], points.material[s, 2, k])
     along = 0.0
     for i in range(3):
         between = (motion.centre[other, i] - motion.centre[ref, i]) + (motion.moved[other, i] - motion.moved[ref, i])
         along += n[i] * (a[i] + between)
-    return (along - share * points.level[s, k]) * (1.0 if own == 1 else -1.0)
+    return (along - scale * points.level[s, k]) * (1.0 if own == 1 else -1.0)
 
 
 @bare

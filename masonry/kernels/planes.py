@@ -25,8 +25,8 @@ def plane_of(frame, dual, b, x, y, z):
         nx, ny, nz = turned(frame, b, x, y, z)
         return nx, ny, nz, 1.0
     nx, ny, nz = turned(dual, b, x, y, z)
-    share = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
-    return share * nx, share * ny, share * nz, share
+    scale = 1.0 / sqrt(nx * nx + ny * ny + nz * nz)
+    return scale * nx, scale * ny, scale * nz, scale
 
 
 @bare

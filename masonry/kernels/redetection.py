@@ -97,7 +97,7 @@ def look(near, p):
     a, b = pairs.body[p, 0], pairs.body[p, 1]
     for side in range(2):
         block = pairs.body[p, side]
-        placing.place(pieces, pairs.piece[p, side], motion.frame[block], near.turned)
+        placing.update_piece(pieces, pairs.piece[p, side], motion.frame[block], near.turned)
     for i in range(3):  # from the first block, so that it is the same everywhere in space
         search.position[a, i] = 0.0
         search.position[b, i] = (motion.centre[b, i] - motion.centre[a, i]) + (motion.moved[b, i] - motion.moved[a, i])
@@ -237,9 +237,9 @@ def remember(pairs, points, motion, search, p):
 
 @bare
 def set_dashpot(pairs, rules, search, p, area):
-    """The dashpot of a patch (Pa s/m): its share of the critical damping of the two masses on the whole patch."""
-    share, kn = rules.dashpot[pairs.law[p]], rules.normal_stiffness[pairs.law[p]]
+    """The dashpot of a patch (Pa s/m): its ratio of the critical damping of the two masses on the whole patch."""
+    damping_ratio, kn = rules.dashpot[pairs.law[p]], rules.normal_stiffness[pairs.law[p]]
     pairs.dashpot[p] = 0.0
-    if share > 0.0 and area > 0.0:
+    if damping_ratio > 0.0 and area > 0.0:
         a, b = search.mass[pairs.body[p, 0]], search.mass[pairs.body[p, 1]]
-        pairs.dashpot[p] = 2.0 * share * sqrt(kn * (a * b / (a + b)) / area)
+        pairs.dashpot[p] = 2.0 * damping_ratio * sqrt(kn * (a * b / (a + b)) / area)

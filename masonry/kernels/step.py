@@ -7,7 +7,7 @@ from numba.extending import overload
 
 from masonry.jit.compiler import jit
 from masonry.kernels import contact
-from masonry.kinematics.dispatch import move, place
+from masonry.kinematics.dispatch import move, update_positions
 
 
 @jit
@@ -30,9 +30,9 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
     rigid_drive, affine_drive, tet_drive = drives
     for k in range(steps):
         n = first + k
-        place(parallel, rigid_blocks, dt, u)
-        place(parallel, affine_blocks, dt, u)
-        place(parallel, tet_blocks, dt, u)
+        update_positions(parallel, rigid_blocks, dt, u)
+        update_positions(parallel, affine_blocks, dt, u)
+        update_positions(parallel, tet_blocks, dt, u)
 
         sweep_groups(parallel, parameters, joints, states, 0, ranges, sides, normal, area, u, force)
 

@@ -43,7 +43,7 @@ class Affine(NamedTuple):
     change: np.ndarray | None = None
 
 
-def place(body, dt, u):
+def update_positions(body, dt, u):
     """Advance the dofs by dt v and write the displacement of every contact point."""
     q, v, arm, start, first = body.q, body.v, body.arm, body.start, body.first_point
     for b in prange(len(q)):

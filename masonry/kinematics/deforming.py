@@ -71,7 +71,7 @@ class Deforming(NamedTuple):
     patches: np.ndarray | None = None
 
 
-def place(body, dt, u):
+def update_positions(body, dt, u):
     """Advance the dofs by dt v, write F and the displacement of every contact point."""
     q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
     frame = body.frame

@@ -52,7 +52,7 @@ from masonry.simd import (
 class DeformingTets(NamedTuple):
     """Arrays of B meshed blocks with N nodes and T tets; node k is row k of u.
 
-    v, dt_over_mass, contact, hold, inner, start, code, node_start, group_start, corner, lame, load to pull_share  as
+    v, dt_over_mass, contact, hold, inner, start, code, node_start, group_start, corner, lame, load to pull_fraction  as
                     Tets
     slope           (G, 9, 8) 1/m, gradients of the last three shape functions; 0 where filled up
     volume          (G, 8) m3 at the start; 0 where filled up
@@ -81,12 +81,12 @@ class DeformingTets(NamedTuple):
     guess: np.ndarray | None = None
     change: np.ndarray | None = None
     corner_between: np.ndarray | None = None
-    share_between: np.ndarray | None = None
+    fraction_between: np.ndarray | None = None
     start_between: np.ndarray | None = None
     first_between: np.uint32 | None = None
     pull_start: np.ndarray | None = None
     pull_code: np.ndarray | None = None
-    pull_share: np.ndarray | None = None
+    pull_fraction: np.ndarray | None = None
     frame: np.ndarray | None = None
     mean_slope: np.ndarray | None = None
     apart: np.ndarray | None = None
@@ -105,15 +105,15 @@ def _push(p, x, y, z):
     return p[0] * x + p[1] * y + p[2] * z, p[3] * x + p[4] * y + p[5] * z, p[6] * x + p[7] * y + p[8] * z
 
 
-def place(body, dt, u):
+def update_positions(body, dt, u):
     """Advance the nodes by dt v, and with them the points between nodes and the frames."""
     v, start, frame, mean_slope = body.v, body.node_start, body.frame, body.mean_slope
-    corner, share, own, first = body.corner_between, body.share_between, body.start_between, body.first_between
+    corner, fraction, own, first = body.corner_between, body.fraction_between, body.start_between, body.first_between
     for b in prange(len(body.lame)):
         for n in range(start[b], start[b + 1]):
             for i in range(0, 3, FOUR):
                 put(u, (n, i), take(u, (n, i), four()) + dt * take(v, (n, i), four()))
-        interpolate(corner, share, own, first, b, u)
+        interpolate(corner, fraction, own, first, b, u)
         _put_frame(frame, mean_slope, start, b, u)
 
 
@@ -133,7 +133,7 @@ def _put_frame(frame, mean_slope, start, b, u):
 
 
 @register_jitable
-def _couple(apart, frame, first, last, start, code, pull_start, pull_code, pull_share, force, b):
+def _couple(apart, frame, first, last, start, code, pull_start, pull_code, pull_fraction, force, b):
     """T F^-T, with T of the couple of the forces on sides a about their material points; 0 without `apart`."""
     if apart is None:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -145,7 +145,7 @@ def _couple(apart, frame, first, last, start, code, pull_start, pull_code, pull_
         by_z = plus(by_z, on_a * apart[c, 2], own)
     if pull_start is not None:
         for k in range(pull_start[first], pull_start[last]):
-            c, on_a = pull_code[k] >> 1, pull_share[k] * (1.0 - (pull_code[k] & 1))
+            c, on_a = pull_code[k] >> 1, pull_fraction[k] * (1.0 - (pull_code[k] & 1))
             own = take_row(force, c)
             by_x, by_y = plus(by_x, on_a * apart[c, 0], own), plus(by_y, on_a * apart[c, 1], own)
             by_z = plus(by_z, on_a * apart[c, 2], own)
@@ -176,7 +176,7 @@ def move(body, dt, damping, loading, force, u):
     """Eq. (4) with F S in place of the stress: of every tet to its corners; then contacts, damping and motion."""
     inner, corner, slope, volume, lame = body.inner, body.corner, body.slope, body.volume, body.lame
     start, code, v, work, frame, mean_slope = body.start, body.code, body.v, body.work, body.frame, body.mean_slope
-    pull_start, pull_code, pull_share = body.pull_start, body.pull_code, body.pull_share
+    pull_start, pull_code, pull_fraction = body.pull_start, body.pull_code, body.pull_fraction
     apart, patches = body.apart, body.patches
     for b in prange(len(lame)):
         first, last = body.node_start[b], body.node_start[b + 1]
@@ -197,13 +197,13 @@ def move(body, dt, damping, loading, force, u):
                 scatter(inner, corner, (t, 1, j), px, py, pz)
                 scatter(inner, corner, (t, 2, j), qx, qy, qz)
                 scatter(inner, corner, (t, 3, j), rx, ry, rz)
-        couple = _couple(apart, frame, first, last, start, code, pull_start, pull_code, pull_share, force, b)
+        couple = _couple(apart, frame, first, last, start, code, pull_start, pull_code, pull_fraction, force, b)
         done = four(), four(), four()
         for n in range(first, last):
             contact = pack((0.0, 0.0, 0.0, 0.0))
             for k in range(start[n], start[n + 1]):
                 contact = plus(contact, 1.0 - 2.0 * (code[k] & 1), take_row(force, code[k] >> 1))
-            contact = pulled(pull_start, pull_code, pull_share, n, force, contact)
+            contact = pulled(pull_start, pull_code, pull_fraction, n, force, contact)
             contact = _patched(patches, n, _turned(apart, mean_slope, n, couple, contact))
             for i in range(0, 3, FOUR):
                 own = take(inner, (n, i), four())

@@ -18,10 +18,10 @@ def _loop(body_class: type, name: str, parallel: bool):
     return _compiled[key]
 
 
-def place(parallel, body, dt, u):
+def update_positions(parallel, body, dt, u):
     """First half of the step: advance the dofs by dt v, write the displacement of every point (rows of u)."""
     if body is not None:
-        _loop(type(body), "place", parallel is not None)(body, dt, u)
+        _loop(type(body), "update_positions", parallel is not None)(body, dt, u)
 
 
 def move(parallel, body, dt, damping, loading, force, u):
@@ -35,11 +35,11 @@ def _is_absent(numba_type) -> bool:
     return not hasattr(numba_type, "instance_class")
 
 
-@overload(place)
-def _place(parallel, body, dt, u):
+@overload(update_positions)
+def _update_positions(parallel, body, dt, u):
     if _is_absent(body):
         return lambda parallel, body, dt, u: None
-    loop = _loop(body.instance_class, "place", "bool" in str(parallel))
+    loop = _loop(body.instance_class, "update_positions", "bool" in str(parallel))
     return lambda parallel, body, dt, u: loop(body, dt, u)
 
 

@@ -170,9 +170,9 @@ def largest_stretch(e):
 
 
 @register_jitable
-def exponential(turn):
+def exponential(rotation):
     """The rotation by a vector of rad (Rodrigues)."""
-    x, y, z = turn
+    x, y, z = rotation
     square = x * x + y * y + z * z
     if square < SMALL_ANGLE_SQUARED:
         s = 1.0 + square * (SINE[0] + square * (SINE[1] + square * (SINE[2] + square * SINE[3])))

@@ -58,32 +58,33 @@ def _resist(damping, dt_over_mass, force, velocity, now, before):
     return lambda damping, dt_over_mass, force, velocity, now, before: _local(damping, force, velocity)
 
 
-def share_of(array, at, like, factor):
+def factor_times(array, at, like, factor):
     """A factor times what an array holds from index `at` on, as many as `like` has; 0 where the array is absent."""
     return 0.0 if array is None else factor * take(array, at, like)
 
 
-@overload(share_of)
-def _share_of(array, at, like, factor):
+@overload(factor_times)
+def _factor_times(array, at, like, factor):
     if isinstance(array, types.Array):
         return lambda array, at, like, factor: factor * take(array, at, like)
     return lambda array, at, like, factor: 0.0
 
 
-def dead_load(body, at, like, share):
-    """The load on a dof at a share of it; what the share exceeds 1 by is that of the load that varies besides."""
+def dead_load(body, at, like, load_factor):
+    """The load on a dof at a factor of it; what the factor exceeds 1 by is that of the load that varies besides."""
     if body.change is None:
-        return share_of(body.load, at, like, share)
-    return min(share, 1.0) * take(body.load, at, like) + max(share - 1.0, 0.0) * take(body.change, at, like)
+        return factor_times(body.load, at, like, load_factor)
+    return min(load_factor, 1.0) * take(body.load, at, like) + max(load_factor - 1.0, 0.0) * take(body.change, at, like)
 
 
 @overload(dead_load)
-def _dead_load(body, at, like, share):
+def _dead_load(body, at, like, load_factor):
     if isinstance(dict(zip(body.fields, body.types, strict=True))["change"], types.Array):
-        return lambda body, at, like, share: (
-            min(share, 1.0) * take(body.load, at, like) + max(share - 1.0, 0.0) * take(body.change, at, like)
+        return lambda body, at, like, load_factor: (
+            min(load_factor, 1.0) * take(body.load, at, like)
+            + max(load_factor - 1.0, 0.0) * take(body.change, at, like)
         )
-    return lambda body, at, like, share: share_of(body.load, at, like, share)
+    return lambda body, at, like, load_factor: factor_times(body.load, at, like, load_factor)
 
 
 @register_jitable
@@ -104,15 +105,15 @@ def advance(body, at, contact, inner, dt, damping, loading, done):
     """Dofs of a row from `at` on, one or several: total force, damping or reaction, and the kick of eq. (1).
 
     contact, inner  force of the contacts and of the block's own stiffness now: numbers or lanes
-    loading           share of the dead load that acts now and one step before; speed of the drive after and before
+    loading           factor of the dead load that acts now and one step before; speed of the drive after and before
     done            works (J) of contacts, damping, and what acts from outside, so far; returned with this step's
     """
     load = dead_load(body, at, contact, loading[0])
     dt_over_mass, velocity = take(body.dt_over_mass, at, contact), take(body.v, at, contact)
     sum_of_forces = contact + inner + load
     now, before = (
-        share_of(body.guess, at, contact, loading[2]),
-        share_of(body.guess, at, contact, loading[3]),
+        factor_times(body.guess, at, contact, loading[2]),
+        factor_times(body.guess, at, contact, loading[3]),
     )
     held = dt_over_mass == 0.0
     hold = where(held, -sum_of_forces, resist(damping, dt_over_mass, sum_of_forces, velocity, now, before))

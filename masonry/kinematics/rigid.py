@@ -72,7 +72,7 @@ def turn_in(axes, b, x, y, z):
     )
 
 
-def place(body, dt, u):
+def update_positions(body, dt, u):
     """Advance the dofs by dt v and write the displacement of every contact point."""
     q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
     for b in prange(len(q)):

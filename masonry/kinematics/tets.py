@@ -42,10 +42,10 @@ class Tets(NamedTuple):
     work, load, guess, change  (B, 3), three times (N, 3), as for rigid blocks; None where absent
 
     Contact points that lie between nodes, in a surface triangle; None where there are none:
-    corner_between, share_between  (S, 3) nodes of the triangle, and their shape functions at the point
+    corner_between, fraction_between  (S, 3) nodes of the triangle, and their shape functions at the point
     start_between   (B + 1,) sides of each block
     first_between   row of u at which these sides begin
-    pull_start, pull_code, pull_share  (N + 1,), (3 S,), (3 S,) the same by nodes: sides, and the share of each
+    pull_start, pull_code, pull_fraction  (N + 1,), (3 S,), (3 S,) the same by nodes: sides, and the fraction of each
     """
 
     v: np.ndarray
@@ -65,12 +65,12 @@ class Tets(NamedTuple):
     guess: np.ndarray | None = None
     change: np.ndarray | None = None
     corner_between: np.ndarray | None = None
-    share_between: np.ndarray | None = None
+    fraction_between: np.ndarray | None = None
     start_between: np.ndarray | None = None
     first_between: np.uint32 | None = None
     pull_start: np.ndarray | None = None
     pull_code: np.ndarray | None = None
-    pull_share: np.ndarray | None = None
+    pull_fraction: np.ndarray | None = None
 
 
 @register_jitable(inline="always")
@@ -93,42 +93,42 @@ def _push(s, x, y, z):
     return s[0] * x + s[5] * y + s[4] * z, s[5] * x + s[1] * y + s[3] * z, s[4] * x + s[3] * y + s[2] * z
 
 
-def place(body, dt, u):
+def update_positions(body, dt, u):
     """Advance the nodes by dt v, and with them the points between nodes."""
     v, start = body.v, body.node_start
-    corner, share, own, first = body.corner_between, body.share_between, body.start_between, body.first_between
+    corner, fraction, own, first = body.corner_between, body.fraction_between, body.start_between, body.first_between
     for b in prange(len(body.lame)):
         for n in range(start[b], start[b + 1]):
             for i in range(0, 3, FOUR):
                 put(u, (n, i), take(u, (n, i), four()) + dt * take(v, (n, i), four()))
-        interpolate(corner, share, own, first, b, u)
+        interpolate(corner, fraction, own, first, b, u)
 
 
 @register_jitable
-def interpolate(corner, share, start, first, b, u):
+def interpolate(corner, fraction, start, first, b, u):
     """Displacement of the contact points of block b that lie between nodes: sum of N_j u_j."""
     if start is None:
         return
     for k in range(start[b], start[b + 1]):
         p, q, r = corner[k, 0], corner[k, 1], corner[k, 2]
         for i in range(3):
-            u[first + k, i] = share[k, 0] * u[p, i] + share[k, 1] * u[q, i] + share[k, 2] * u[r, i]
+            u[first + k, i] = fraction[k, 0] * u[p, i] + fraction[k, 1] * u[q, i] + fraction[k, 2] * u[r, i]
 
 
 @register_jitable
-def pulled(start, code, share, n, force, contact):
+def pulled(start, code, fraction, n, force, contact):
     """The force on node n with what the contact points between nodes add to it: N_j times their force."""
     if start is None:
         return contact
     for k in range(start[n], start[n + 1]):
-        contact = plus(contact, share[k] * (1.0 - 2.0 * (code[k] & 1)), take_row(force, code[k] >> 1))
+        contact = plus(contact, fraction[k] * (1.0 - 2.0 * (code[k] & 1)), take_row(force, code[k] >> 1))
     return contact
 
 
 def move(body, dt, damping, loading, force, u):
     """Eq. (4): stress of every tet to its corners; then contacts, damping and motion of the block's nodes."""
     inner, corner, slope, lame, start, code = body.inner, body.corner, body.slope, body.lame, body.start, body.code
-    pull_start, pull_code, pull_share = body.pull_start, body.pull_code, body.pull_share
+    pull_start, pull_code, pull_fraction = body.pull_start, body.pull_code, body.pull_fraction
     for b in prange(len(lame)):
         first, last = body.node_start[b], body.node_start[b + 1]
         for n in range(first, last):
@@ -151,7 +151,7 @@ def move(body, dt, damping, loading, force, u):
             contact = pack((0.0, 0.0, 0.0, 0.0))
             for k in range(start[n], start[n + 1]):
                 contact = plus(contact, 1.0 - 2.0 * (code[k] & 1), take_row(force, code[k] >> 1))
-            contact = pulled(pull_start, pull_code, pull_share, n, force, contact)
+            contact = pulled(pull_start, pull_code, pull_fraction, n, force, contact)
             for i in range(0, 3, FOUR):
                 done = advance(body, (n, i), part(contact, i), take(inner, (n, i), four()), dt, damping, loading, done)
         keep(body.work, b, done)
@@ -177,7 +177,7 @@ def observe(body, u, stress):
 
 
 @jit
-def mean_turn(body, u, turn):
+def mean_rotation(body, u, rotation):
     """Write the mean small rotation (B, 3) rad of every block: the antisymmetric part of its displacement gradient."""
     for b in range(len(body.lame)):
         volume, x, y, z = 0.0, 0.0, 0.0, 0.0
@@ -190,7 +190,7 @@ def mean_turn(body, u, turn):
                 x += 0.5 * total(root * (h[7] - h[5]))
                 y += 0.5 * total(root * (h[2] - h[6]))
                 z += 0.5 * total(root * (h[3] - h[1]))
-        turn[b, 0], turn[b, 1], turn[b, 2] = x / volume, y / volume, z / volume
+        rotation[b, 0], rotation[b, 1], rotation[b, 2] = x / volume, y / volume, z / volume
 
 
 @register_jitable

@@ -147,7 +147,7 @@ def _mean_spin(r, axes, b, inertia, free, momentum, w, dt):
     return _held_spin(_principal(axes, b, half), inertia, free, momentum, w)
 
 
-def place(body, dt, u):
+def update_positions(body, dt, u):
     """Move and turn every block with its velocities, and write the displacement of every contact point."""
     q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
     frame, momentum, inertia, dt_over_mass = body.frame, body.momentum, body.inertia, body.dt_over_mass
@@ -155,11 +155,11 @@ def place(body, dt, u):
         r = matrix_at(frame, b)
         free, moving = _free(vector_at(dt_over_mass, b, 3)), vector_at(v, b, 3)
         w = _mean_spin(r, axes, b, vector_at(inertia, b, 0), free, vector_at(momentum, b, 0), moving, dt)
-        turn = scaled(dt, w)
-        r = straightened(product(exponential(turn), r))
+        rotation = scaled(dt, w)
+        r = straightened(product(exponential(rotation), r))
         put_matrix(frame, b, r)
         put_vector(q, b, 0, added(vector_at(q, b, 0), scaled(dt, vector_at(v, b, 0))))
-        put_vector(q, b, 3, added(vector_at(q, b, 3), turn))
+        put_vector(q, b, 3, added(vector_at(q, b, 3), rotation))
         moved = pack((q[b, 0], q[b, 1], q[b, 2], 0.0))
         by_x, by_y = pack((r[0] - 1.0, r[3], r[6], 0.0)), pack((r[1], r[4] - 1.0, r[7], 0.0))
         by_z = pack((r[2], r[5], r[8] - 1.0, 0.0))
@@ -198,7 +198,7 @@ def move(body, dt, damping, loading, force, u):
         was = vector_at(reaction, b, 3)
         push = added(driving, damped)
         kicked = _rested(added(angular, scaled(dt, push)))
-        turned = (
+        rotational_work = (
             dot(moment, w) + dot(vector_at(contact, b, 3), before),
             dot(damped, w) + dot(each(free, was), before),
             dot(minus(hold, damped), w)
@@ -212,7 +212,7 @@ def move(body, dt, damping, loading, force, u):
         put_vector(reaction, b, 3, hold)
         put_vector(momentum, b, 0, kicked)
         put_vector(v, b, 3, added(before, each(free, minus(after, before))))
-        _keep(work, b, done, scaled(0.5 * dt, turned), loss)
+        _keep(work, b, done, scaled(0.5 * dt, rotational_work), loss)
 
 
 @register_jitable
@@ -229,13 +229,16 @@ def _given(q, inertia, free, momentum, w):
 
 
 @register_jitable
-def _moment_of_load(load, change, b, share):
-    """Moment of the dead loads at a share of them, as in motion.dead_load; 0 where there are none."""
+def _moment_of_load(load, change, b, load_factor):
+    """Moment of the dead loads at a factor of them, as in motion.dead_load; 0 where there are none."""
     if load is None:
         return 0.0, 0.0, 0.0
     if change is None:
-        return scaled(share, vector_at(load, b, 3))
-    return added(scaled(min(share, 1.0), vector_at(load, b, 3)), scaled(max(share - 1.0, 0.0), vector_at(change, b, 3)))
+        return scaled(load_factor, vector_at(load, b, 3))
+    return added(
+        scaled(min(load_factor, 1.0), vector_at(load, b, 3)),
+        scaled(max(load_factor - 1.0, 0.0), vector_at(change, b, 3)),
+    )
 
 
 @register_jitable
@@ -264,10 +267,10 @@ def _expected(guess, b, loading):
 
 
 @register_jitable
-def _keep(work, b, done, turned, loss):
+def _keep(work, b, done, rotational_work, loss):
     """Add the works of moving and of turning to a block's account, where one is kept."""
     if work is not None:
-        put_vector(work, b, 0, added(vector_at(work, b, 0), added(done, turned)))
+        put_vector(work, b, 0, added(vector_at(work, b, 0), added(done, rotational_work)))
         work[b, 3] += loss
 
 

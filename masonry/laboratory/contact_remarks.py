@@ -29,15 +29,15 @@ def contact_remarks(assembly: Assembly) -> list[str]:
         if reads and joint.tensile_strength is not None and np.ndim(joint.tensile_strength) == 0:
             found += _of_tension(name, given, joint, smallest_block(model))
         if joint.tan_dilation is not None:
-            found += _of_dilation(name, given, joint, way_of(assembly.scene.drive))
+            found += _of_dilation(name, given, joint, travel_of(assembly.scene.drive))
     return found
 
 
 def rocking_remarks(assembly: Assembly) -> list[str]:
     """Of joints that may rock: the lever arm that their contact points leave of that to the edge."""
-    turns = _may_turn(assembly)
+    rotates = _may_rotate(assembly)
     joints = assembly.joints
-    return _of_rocking(assembly, turns[joints.block_a] | turns[joints.block_b], "turn, where they rock,")
+    return _of_rocking(assembly, rotates[joints.block_a] | rotates[joints.block_b], "turn, where they rock,")
 
 
 def rocked_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
@@ -80,15 +80,15 @@ def _reach(joints: Joints) -> np.ndarray:
     return (inner / np.maximum(outer, 1e-300))[joints.patch]
 
 
-def _may_turn(assembly: Assembly) -> np.ndarray:
+def _may_rotate(assembly: Assembly) -> np.ndarray:
     """(B,) which blocks are free to rotate about some axis."""
-    model, turns = assembly.model, np.zeros(assembly.specimen.blocks.count, dtype=bool)
+    model, rotates = assembly.model, np.zeros(assembly.specimen.blocks.count, dtype=bool)
     for kind, body in present(model):
         if kind == "tets":
-            turns[model.layout.members[kind]] = True
+            rotates[model.layout.members[kind]] = True
         else:
-            turns[model.layout.members[kind]] = np.any(body.dt_over_mass[:, 3:] > 0.0, axis=1)
-    return turns
+            rotates[model.layout.members[kind]] = np.any(body.dt_over_mass[:, 3:] > 0.0, axis=1)
+    return rotates
 
 
 def _of_tension(name: str, given: Contact, joint: JointProperties, block: float) -> list[str]:
@@ -111,17 +111,17 @@ def _of_tension(name: str, given: Contact, joint: JointProperties, block: float)
     return []
 
 
-def _of_dilation(name: str, given: Contact, joint: JointProperties, way: float) -> list[str]:
-    """A dilation that does not end within the way of the drive, though no end was given."""
+def _of_dilation(name: str, given: Contact, joint: JointProperties, travel: float) -> list[str]:
+    """A dilation that does not end within the travel of the drive, though no end was given."""
     end = float(np.max(joint.dilation_cutoff)) if joint.dilation_cutoff is not None else inf
-    if given.dilation_cutoff is not None or end <= way:
+    if given.dilation_cutoff is not None or end <= travel:
         return []
     return [
-        f"contact.{name}: dilation does not end within the drive's {1e3 * way:.3g} mm: by its fracture energy the "
+        f"contact.{name}: dilation does not end within the drive's {1e3 * travel:.3g} mm: by its fracture energy the "
         f"cohesion is gone at a slip of {1e3 * end:.3g} mm only; give dilation_cutoff, or less fracture energy"
     ]
 
 
-def way_of(drive: Drive | None) -> float:
-    """m, the whole way of a drive, to and fro; without one nothing is known, and all is within it."""
-    return inf if drive is None else float(np.abs(np.diff(drive.turns, prepend=0.0)).sum())
+def travel_of(drive: Drive | None) -> float:
+    """m, the whole travel of a drive, to and fro; without one nothing is known, and all is within it."""
+    return inf if drive is None else float(np.abs(np.diff(drive.reversals, prepend=0.0)).sum())

@@ -10,7 +10,7 @@ from masonry.model.loads import Controlled, Growing
 
 PRESCRIBED = 110
 """Increments of a way or a leg where the drive prescribes all that moves: few steps each, whatever the accuracy."""
-WAY, CRACKS = 9000, 220.0
+TRAVEL, CRACKS = 9000, 220.0
 """Steps of a drive that goes one way, and over the accuracy besides. Measured, as what follows: walls and couplets of
 the paper, with rigid blocks and others, at 0.1 to 5 %: from 0.4 times as many to 1.6 times in single cases."""
 LEG, WIDER = 3000, 200.0
@@ -73,14 +73,14 @@ def expected_rows(assembly: Assembly) -> int:
 
 def _paced(assembly: Assembly, plan: Controlled) -> float:
     """Steps after the settling."""
-    turns = np.array(plan.turns or (plan.displacement,))
+    reversals = np.array(plan.turns or (plan.displacement,))
     if drive_prescribes_all(assembly):
-        return PRESCRIBED * SETTINGS.few_steps * len(turns)
+        return PRESCRIBED * SETTINGS.few_steps * len(reversals)
     if plan.turns:
-        reached = [np.maximum(side, 0.0).max() for side in (turns, -turns)]
-        return LEG * len(turns) + WIDER / plan.accuracy * sum(reached) / max(reached)
+        reached = [np.maximum(side, 0.0).max() for side in (reversals, -reversals)]
+        return LEG * len(reversals) + WIDER / plan.accuracy * sum(reached) / max(reached)
     deformable = any(len(assembly.model.layout.members[kind]) for kind in ("affine", "tets"))
-    return WAY + CRACKS / (plan.accuracy * (SETTINGS.deformable if deformable else 1.0))
+    return TRAVEL + CRACKS / (plan.accuracy * (SETTINGS.deformable if deformable else 1.0))
 
 
 def drive_prescribes_all(assembly: Assembly) -> bool:

@@ -16,7 +16,7 @@ def quality_lines(assembly: Assembly) -> dict[str, str]:
         lines["shortest joint edge"] = _sentence(assembly, found.shortest_joint_edge, 1e3, "mm", " h")
         lines["smallest joint"] = _sentence(assembly, found.smallest_joint, 1e6, "mm2", " h2")
     if found.flattest_tet:
-        where = _place(assembly, found.flattest_tet.blocks)
+        where = _where(assembly, found.flattest_tet.blocks)
         lines["flattest tet"] = f"radius ratio {found.flattest_tet.value:.3g} (regular: 1), {where}"
     joints = assembly.joints
     ignored = (
@@ -29,10 +29,10 @@ def quality_lines(assembly: Assembly) -> dict[str, str]:
 
 
 def _sentence(assembly: Assembly, worst: Worst, factor: float, unit: str, of: str) -> str:
-    return f"{worst.value * factor:.3g} {unit}, {worst.ratio:.2g}{of}; {_place(assembly, worst.blocks)}"
+    return f"{worst.value * factor:.3g} {unit}, {worst.ratio:.2g}{of}; {_where(assembly, worst.blocks)}"
 
 
-def _place(assembly: Assembly, which: tuple[int, ...]) -> str:
+def _where(assembly: Assembly, which: tuple[int, ...]) -> str:
     """Numbers, groups and place of one block, or of the two of a joint and of what their boxes share."""
     blocks = assembly.specimen.blocks
     low, high = bounds(blocks)
@@ -50,7 +50,7 @@ def _cost(assembly: Assembly) -> str:
         return "none: all blocks that move allow the same time step"
     return (
         f"the time step would be {_longer(cost.usual)} if no block were worse than the median, "
-        f"{_longer(cost.without)} without the worst, {_place(assembly, (cost.block,))}"
+        f"{_longer(cost.without)} without the worst, {_where(assembly, (cost.block,))}"
     )
 
 

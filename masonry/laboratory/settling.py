@@ -37,7 +37,7 @@ def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: 
     rest, or move the specimen out of bounds in two trials on end; KeyboardInterrupt as soon as `asked` says that the
     run is to end.
     """
-    model, steps, gave_way = assembly.model, FEWEST, ""
+    model, steps, failed_before = assembly.model, FEWEST, ""
     fresh = model_state.state(model)
     if isinstance(assembly.plan, Controlled):
         model.damping = AT_FIRST
@@ -47,7 +47,7 @@ def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: 
         if not found and unbalanced < AT_REST and moving < STILL:
             scene = with_settle(assembly.scene, steps)
             return replace(assembly, scene=scene, plan=plan_of(scene, model.dt))
-        if found and gave_way:
+        if found and failed_before:
             raise Stopped(f"the dead loads move the specimen away: {found}; {ADVICE}")
         if steps >= LONGEST:
             why = found or (
@@ -55,7 +55,7 @@ def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: 
                 f"is {moving:.2g} of the stored (should be under {STILL:g})"
             )
             raise Stopped(f"the dead loads have not come to rest in {steps} steps: {why}; {ADVICE}")
-        steps, gave_way = 2 * steps, found
+        steps, failed_before = 2 * steps, found
 
 
 ADVICE = (

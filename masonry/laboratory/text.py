@@ -134,11 +134,11 @@ def stress_text(summary: dict[str, Any], key: str) -> str:
 
 def cycles_text(cycles: list[dict[str, Any]]) -> str:
     """How many cycles there were, what they dissipated, and what is left of the stiffness; the first few in figures."""
-    spent = ", ".join(f"{cycle['dissipated_j']:.3g}" for cycle in cycles[:FEW_CYCLES])
+    dissipated = ", ".join(f"{cycle['dissipated_j']:.3g}" for cycle in cycles[:FEW_CYCLES])
     more = ", ..." if len(cycles) > FEW_CYCLES else ""
     first, last = (cycles[k]["stiffness_pa_per_m"] for k in (0, -1))
     left = f"; stiffness of the last over the first: {last / first:.2g}" if first and last and len(cycles) > 1 else ""
-    return f"{len(cycles)}, dissipating {spent}{more} J{left}"
+    return f"{len(cycles)}, dissipating {dissipated}{more} J{left}"
 
 
 def tilt_text(tilt: float, when: str = "") -> str:
@@ -201,11 +201,11 @@ def accuracy_text(summary: dict[str, Any]) -> str:
     )
 
 
-def damping_words(share: float) -> str:
+def damping_words(fraction: float) -> str:
     """What damping took of the work of the drive; or gave, where it pulls along what lags behind."""
-    if share >= -BELOW_0:
-        return f"damping took {percent(share)} of the work"
-    return f"damping gave {percent(-share)} of the work, by pulling along what lagged behind the drive"
+    if fraction >= -BELOW_0:
+        return f"damping took {percent(fraction)} of the work"
+    return f"damping gave {percent(-fraction)} of the work, by pulling along what lagged behind the drive"
 
 
 def sudden_text(summary: dict[str, Any]) -> str:
@@ -226,8 +226,8 @@ def _number(summary: dict[str, Any], key: str, factor: float, unit: str) -> str:
 
 
 def _kinetic(summary: dict[str, Any]) -> str:
-    share = summary.get("kinetic_over_internal_max")
-    return "not known" if share is None else percent(share, 4)
+    ratio = summary.get("kinetic_over_internal_max")
+    return "not known" if ratio is None else percent(ratio, 4)
 
 
 def _seconds(summary: dict[str, Any], key: str) -> str:

@@ -7,7 +7,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
-from masonry.limit_analysis.contacts import POINTS, contacts_of, rises, share_of_sliding, strong_groups, touching
+from masonry.limit_analysis.contacts import POINTS, contacts_of, rises, sliding_fraction, strong_groups, touching
 from masonry.limit_analysis.data import set_of
 from masonry.limit_analysis.loads import Loads, loads_of
 from masonry.limit_analysis.result import LimitResult
@@ -116,7 +116,7 @@ def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: M
     if found.status != "solved":
         raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
     result.take(found)
-    slides = wishes.dilation and share_of_sliding(loads.bodies, contacts, found) > SLIDES
+    slides = wishes.dilation and sliding_fraction(loads.bodies, contacts, found) > SLIDES
     if slides and not rises(result.scene, result.specimen, result.joints):
         result.remarks.append(
             "joints slide in this mechanism, and rise as they slide; in this scene they do not, or rise less, so that "
@@ -170,8 +170,8 @@ def _require_standing(specimen: Specimen, bodies: Bodies, contacts: Contacts, me
     where = ", ".join(f"{x:.4g}" for x in bodies.centre[first])
     name = set_of(specimen, first)
     what = f"block {first}" + (f" ('{name}')" if name else "") + f" at ({where}) m"
-    share = f"{found.factor:.3g} of them is balanced" if found.factor > 1e-6 else "nothing of them is balanced"
-    raise SceneError(f"it cannot stand under its dead loads: {share}, and {what} is the first to move")
+    balanced = f"{found.factor:.3g} of them is balanced" if found.factor > 1e-6 else "nothing of them is balanced"
+    raise SceneError(f"it cannot stand under its dead loads: {balanced}, and {what} is the first to move")
 
 
 def _points_word(scene: Scene, wishes: Wishes) -> str:

@@ -67,7 +67,7 @@ def rises(scene: Scene, specimen: Specimen, joints: Joints) -> bool:
     return all((joint.tan_dilation or 0.0) >= DILATES * (joint.tan_friction or 0.0) for joint in tables)
 
 
-def share_of_sliding(bodies: Bodies, contacts: Contacts, found: Found) -> float:
+def sliding_fraction(bodies: Bodies, contacts: Contacts, found: Found) -> float:
     """Work of shear forces on the slip of a mechanism, over the work of all loads on it; whatever its sign."""
     speeds = []
     for block in (contacts.block_a, contacts.block_b):

@@ -35,8 +35,8 @@ class Loads:
         bodies = self.bodies
         if self.steady is None:
             return replace(bodies, dead=bodies.dead + factor * bodies.live)
-        turned = bodies.dead - self.steady + factor * bodies.live
-        return replace(bodies, dead=self.steady + turned / np.hypot(1.0, factor))
+        tilted = bodies.dead - self.steady + factor * bodies.live
+        return replace(bodies, dead=self.steady + tilted / np.hypot(1.0, factor))
 
 
 def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool = False) -> Loads:
@@ -157,7 +157,7 @@ def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditio
     """
     deforms = np.array([scene.kinematics_of(g) != "rigid" for g in specimen.blocks.groups])[specimen.blocks.group]
     held = conditions.prescribed["rigid"].copy()
-    held[:, 3:] = _turns_about_axes(held[:, 3:], layout)
+    held[:, 3:] = _rotations_about_axes(held[:, 3:], layout)
     for by in conditions.held_by.values():
         for k in range(3):
             which = deforms & by["rigid"][:, k]
@@ -165,14 +165,14 @@ def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditio
     return held
 
 
-def _turns_about_axes(held: np.ndarray, layout: Layout) -> np.ndarray:
+def _rotations_about_axes(held: np.ndarray, layout: Layout) -> np.ndarray:
     """Turns about principal axes that are held, as turns about x, y and z.
 
     A scene that holds one or two turns of a block has an axis of it along x, y or z (see masonry/model/supports.py).
     """
     found = np.repeat(np.all(held, axis=1)[:, None], 3, axis=1)
     number = held.sum(axis=1).tolist()
-    for block in (b for b, turns in enumerate(number) if turns in (1, 2)):
+    for block in (b for b, rotations in enumerate(number) if rotations in (1, 2)):
         one = number[block] == 1
         odd = int(np.argmax(held[block] if one else ~held[block]))
         along = int(np.argmax(np.abs(layout.axes[block, :, odd])))

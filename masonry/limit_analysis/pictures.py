@@ -128,6 +128,6 @@ def _fitted(figure: Any, axes: Any) -> Any:
     axes.autoscale_view()
     axes.margins(0.02)
     low, high = axes.dataLim.min, axes.dataLim.max
-    share = float((high[1] - low[1]) / max(high[0] - low[0], 1e-300))
-    figure.set_size_inches(WIDTH, min(max((WIDTH - 0.5) * share, 1.5), 11.0) + 1.0)
+    aspect = float((high[1] - low[1]) / max(high[0] - low[0], 1e-300))
+    figure.set_size_inches(WIDTH, min(max((WIDTH - 0.5) * aspect, 1.5), 11.0) + 1.0)
     return figure

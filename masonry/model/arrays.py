@@ -71,10 +71,12 @@ def number_sides(sides: tuple, first: dict[str, int], rows: dict[str, int]) -> t
             place[which] = first[name] + np.arange(len(which))
     between = np.flatnonzero(kind == BETWEEN)
     if len(between):
-        corner, share = (np.concatenate([getattr(s, name) for s in sides])[between] for name in ("corner", "share"))
+        corner, fraction = (
+            np.concatenate([getattr(s, name) for s in sides])[between] for name in ("corner", "fraction")
+        )
         order = np.argsort(corner[:, 0], kind="stable")
         place[between[order]] = first["between"] + np.arange(len(between))
-        ordered["between"] = corner[order], share[order], code[between[order]]
+        ordered["between"] = corner[order], fraction[order], code[between[order]]
     return aligned(place.reshape(2, count).T.astype(np.uint32)), ordered
 
 
@@ -172,17 +174,17 @@ def in_rows(values: np.ndarray) -> np.ndarray:
 
 def _between(layout: Layout, mesh: TetMesh, sides: tuple, first: int) -> dict:
     """Fields of Tets for the sides whose points lie between nodes, as number_sides gives them."""
-    corner, share, code = sides
+    corner, fraction, code = sides
     last = np.append(layout.members["tets"], len(mesh.node_start) - 1)
     order = np.argsort(corner.ravel(), kind="stable")
     return {
         "corner_between": corner.astype(np.uint32),
-        "share_between": np.ascontiguousarray(share),
+        "fraction_between": np.ascontiguousarray(fraction),
         "start_between": np.searchsorted(corner[:, 0], mesh.node_start[last]).astype(np.uint32),
         "first_between": np.uint32(first),
         "pull_start": np.searchsorted(corner.ravel()[order], np.arange(len(mesh.nodes) + 1)).astype(np.uint32),
         "pull_code": np.repeat(code, 3)[order].astype(np.uint32),
-        "pull_share": share.ravel()[order],
+        "pull_fraction": fraction.ravel()[order],
     }
 
 

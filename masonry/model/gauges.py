@@ -12,15 +12,15 @@ from masonry.model.model import Model
 class Place:
     """Where a displacement is taken: the weighted mean over points of blocks and over tet nodes.
 
-    block, point, share  (n,), (n, 3) m, (n,): points of rigid and affine blocks
-    node, node_share     (m,), (m,): tet nodes; both shares together add up to 1
+    block, point, fraction  (n,), (n, 3) m, (n,): points of rigid and affine blocks
+    node, node_fraction     (m,), (m,): tet nodes; both fractions together add up to 1
     """
 
     block: np.ndarray
     point: np.ndarray
-    share: np.ndarray
+    fraction: np.ndarray
     node: np.ndarray
-    node_share: np.ndarray
+    node_fraction: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -54,15 +54,15 @@ def gauge(name: str, layout: Layout, at: Place, relative_to: Place | None, axis:
 def _terms(layout: Layout, kind: str, place: Place, axis: int, factor: float) -> tuple[np.ndarray, ...]:
     """Rows, columns and weights of one place in the dofs of one kind: u = t + turn x arm, or u = t + H arm."""
     if kind == "tets":
-        return place.node, np.full(len(place.node), axis), factor * place.node_share
+        return place.node, np.full(len(place.node), axis), factor * place.node_fraction
     own = np.flatnonzero(layout.kind[place.block] == KINDS.index(kind))
-    block, share = place.block[own], factor * place.share[own]
+    block, fraction = place.block[own], factor * place.fraction[own]
     arm = place.point[own] - layout.centroid[block]
     if kind == "rigid":
         arm = np.cross(arm, np.eye(3)[axis])
-    turned = np.einsum("nij,ni->nj", layout.axes[block], arm)
+    local_arm = np.einsum("nij,ni->nj", layout.axes[block], arm)
     first = 3 if kind == "rigid" else 3 + 3 * axis
     row = np.repeat(layout.local[block], 4)
     column = np.tile([axis, first, first + 1, first + 2], len(own))
-    weight = share[:, None] * np.column_stack([np.ones(len(own)), turned])
+    weight = fraction[:, None] * np.column_stack([np.ones(len(own)), local_arm])
     return row, column, weight.ravel()

@@ -60,27 +60,27 @@ def portrait(parameters: Any, joint: JointProperties) -> Portrait:
     strength = joint.tensile_strength
     at_peak = (strength or 0.0) / joint.normal_stiffness
     if strength:
-        opened = _pull(parameters, joint, _way(at_peak, _given(parameters, 1, 0.0), strength, 0.0))
+        opened = _pull(parameters, joint, _displacements(at_peak, _given(parameters, 1, 0.0), strength, 0.0))
         mode_1 = _energy(opened, opened.opening, opened.sigma, 0.0)
         end = _end(opened.opening, opened.sigma / strength, at_peak)
     else:
         mode_1, end = None, WITHOUT_STRENGTH
-    turn = at_peak + 0.25 * (end - at_peak)
-    tension = _pull(parameters, joint, _through(0.0, turn, -0.1 * (at_peak or turn), turn, end))
+    reversal = at_peak + 0.25 * (end - at_peak)
+    tension = _pull(parameters, joint, _through(0.0, reversal, -0.1 * (at_peak or reversal), reversal, end))
     shear, mode_2 = {}, {}
     for compression in (0.0, *COMPRESSIONS):
         peak, last = _strengths(joint, compression)
         at_peak = peak / joint.shear_stiffness if peak else 0.0
         end = 3.0 * at_peak or WITHOUT_STRENGTH
         if peak > last:
-            way = _way(at_peak, _given(parameters, 2, compression), peak, last)
-            slid = _push(parameters, joint, compression, way)
+            displacements = _displacements(at_peak, _given(parameters, 2, compression), peak, last)
+            slid = _push(parameters, joint, compression, displacements)
             end = _end(slid.slip, (slid.tau - last) / (peak - last), at_peak)
             if strength is not None:
                 mode_2[compression] = _energy(slid, slid.slip, slid.tau, last)
         if compression:
-            turn = at_peak + 0.3 * (end - at_peak)
-            shear[compression] = _push(parameters, joint, compression, _through(0.0, turn, -0.5 * turn, end))
+            reversal = at_peak + 0.3 * (end - at_peak)
+            shear[compression] = _push(parameters, joint, compression, _through(0.0, reversal, -0.5 * reversal, end))
     return Portrait(tension, shear, mode_1, mode_2)
 
 
@@ -113,7 +113,7 @@ def _through(*corners: float) -> np.ndarray:
     return np.concatenate([[corners[0]], *legs])
 
 
-def _way(at_peak: float, energy: float | None, peak: float, last: float) -> np.ndarray:
+def _displacements(at_peak: float, energy: float | None, peak: float, last: float) -> np.ndarray:
     """(N,) m: rest, the peak, and ever further beyond, each step a little longer than the one before.
 
     at_peak     m
@@ -127,22 +127,22 @@ def _way(at_peak: float, energy: float | None, peak: float, last: float) -> np.n
     return np.concatenate([[0.0, at_peak], at_peak + np.geomspace(nearest, farthest, count)])
 
 
-def _end(way: np.ndarray, left: np.ndarray, at_peak: float) -> float:
+def _end(displacements: np.ndarray, left: np.ndarray, at_peak: float) -> float:
     """m: where the share LEFT of the strength is left, and no less than three times the way to the peak."""
-    gone = way[(left <= LEFT) & (way > at_peak)]
+    gone = displacements[(left <= LEFT) & (displacements > at_peak)]
     return max(float(gone[0]) if len(gone) else 40.0 * at_peak, 3.0 * at_peak)
 
 
-def _energy(path: Path, way: np.ndarray, stress: np.ndarray, last: float) -> Energy:
+def _energy(path: Path, displacements: np.ndarray, stress: np.ndarray, last: float) -> Energy:
     """Of a path whose second point is the peak; `last` (Pa) is the residual. What is lost at once leaves no area."""
     above = stress - last
     above[2:] = np.where(np.abs(above[2:]) <= LOST * stress[1], 0.0, above[2:])
-    work = 0.5 * (above[1:] + above[:-1]) * np.diff(way)
+    work = 0.5 * (above[1:] + above[:-1]) * np.diff(displacements)
     if above[2] == 0.0:
         work[1] = 0.0
     beyond = work[1:].sum()
     return Energy(
-        float(work.sum() + last * way[-1] - path.friction[-1] - path.stored[-1] + path.stored[0]),
+        float(work.sum() + last * displacements[-1] - path.friction[-1] - path.stored[-1] + path.stored[0]),
         float(beyond),
         float(path.fracture[-1]),
     )

@@ -69,8 +69,8 @@ def add_traction(blocks: Blocks, layout: Layout, load: dict, push: Push) -> None
             add_force(layout, load, b, push.stress * area[f], centre[f] - layout.centroid[b])
     meshed = push.faces[layout.kind[owner[push.faces]] == KINDS.index("tets")]
     if layout.mesh is not None and len(meshed):
-        nodes, share = surface_nodes(layout.mesh, blocks, meshed)
-        np.add.at(_of(load, "tets", layout), nodes, share[:, None] * push.stress)
+        nodes, tributary = surface_nodes(layout.mesh, blocks, meshed)
+        np.add.at(_of(load, "tets", layout), nodes, tributary[:, None] * push.stress)
 
 
 def add_force(layout: Layout, load: dict, b: int, force: np.ndarray, arm: np.ndarray) -> None:

@@ -130,7 +130,7 @@ def build(
     density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
     real = real_masses(layout, density)
     if meetings is not None:
-        stepping = replace(stepping, step_fraction=stepping.step_fraction * meetings.step_share)
+        stepping = replace(stepping, step_fraction=stepping.step_fraction * meetings.step_fraction)
     masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, dilated)
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
     rows = {kind: layout.rows(kind) for kind in KINDS}
@@ -220,12 +220,14 @@ def _row_and_number(dofs: np.ndarray | None, kind: str) -> np.ndarray | None:
 
 
 def _side(layout: Layout, joints: Joints, which: str) -> stiffness.Side:
-    block, node, corner, share = (getattr(joints, f"{name}_{which}") for name in ("block", "node", "corner", "share"))
+    block, node, corner, fraction = (
+        getattr(joints, f"{name}_{which}") for name in ("block", "node", "corner", "share")
+    )
     kind = layout.kind[block]
     row = np.where(kind == KINDS.index("tets"), node, layout.local[block])
     axes = layout.axes[block]
     arm = np.einsum("cji,cj->ci", axes, joints.point - layout.centroid[block])
-    return stiffness.Side(kind, row, arm, axes, np.ones((len(block), 3)), corner, share)
+    return stiffness.Side(kind, row, arm, axes, np.ones((len(block), 3)), corner, fraction)
 
 
 def _with_length(side: stiffness.Side, length: np.ndarray) -> stiffness.Side:

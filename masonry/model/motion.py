@@ -42,19 +42,19 @@ def rows_of(layout: Layout, kind: str, chosen: np.ndarray) -> np.ndarray:
     return np.concatenate([np.zeros(0, dtype=np.int64), *(np.arange(start[b], start[b + 1]) for b in inside)])
 
 
-def begin(model: Model, shares: np.ndarray | None, loaded: bool) -> None:
+def begin(model: Model, load_factors: np.ndarray | None, loaded: bool) -> None:
     """Set off what starts in motion in a run without settling. Dead loads that act at once (`loaded`) give all that is
     free half a step of themselves, so that velocities are those in the middle of the first step.
 
-    shares  (H,) of the loads that vary as the run begins; None without any
+    load_factors  (H,) of the loads that vary as the run begins; None without any
     """
     blows = {} if model.motion is None else {kind: blow.copy() for kind, blow in model.motion.items()}
     for kind, body in _present(model):
         if not loaded or body.load is None:
             continue
         load = body.load.copy()
-        for share, varying in zip(() if shares is None else shares, model.varying, strict=True):
-            load += 0.0 if varying[kind] is None else share * varying[kind]
+        for load_factor, varying in zip(() if load_factors is None else load_factors, model.varying, strict=True):
+            load += 0.0 if varying[kind] is None else load_factor * varying[kind]
         blows[kind] = blows.get(kind, 0.0) + 0.5 * body.dt_over_mass * load
     _strike(model, blows, [body.v.copy() for _, body in _present(model)])
 
@@ -76,13 +76,13 @@ def _strike(model: Model, blows: dict[str, np.ndarray], before: list[np.ndarray]
     for (kind, body), old in zip(_present(model), before, strict=True):
         if (blow := blows.get(kind)) is None:
             continue
-        turns = model.large is not None and kind == "rigid"
-        if turns:
+        rotates = model.large is not None and kind == "rigid"
+        if rotates:
             blow = blow.copy()
             blow[:, 3:] = np.einsum("bij,bj->bi", model.layout.axes[model.layout.members[kind]], blow[:, 3:])
         energy = model.masses[kind] * blow * (body.v + 0.5 * blow - 0.5 * (body.v - old))
         body.v[...] += blow
-        if turns:  # blocks that turned before start from their momentum, which has no masses
+        if rotates:  # blocks that turned before start from their momentum, which has no masses
             had = 0.5 * np.einsum("bi,bi->b", body.momentum, body.v[:, 3:] - blow[:, 3:])
             spin(body)
             energy[:, 3:] = 0.0

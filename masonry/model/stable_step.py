@@ -22,7 +22,7 @@ SOFTEST = 1e-3
 class Side:
     """One side of all contacts: kind of its body, row of its dofs, arm from the centroid along the block's axes.
 
-    corner, share  (C, 3) nodes and shape functions of points between tet nodes, as in Joints; None where there are none
+    corner, fraction  (C, 3) nodes and shape functions of points between tet nodes, as in Joints; None without any
     """
 
     kind: np.ndarray
@@ -31,7 +31,7 @@ class Side:
     axes: np.ndarray
     length: np.ndarray
     corner: np.ndarray | None = None
-    share: np.ndarray | None = None
+    fraction: np.ndarray | None = None
 
     @property
     def form(self) -> np.ndarray:
@@ -44,8 +44,8 @@ class Side:
         """(c, 3, n) displacement of the point for a unit of each dof, turns and strains divided by their length."""
         identity = np.broadcast_to(np.eye(3), (len(which), 3, 3))
         if kind == BETWEEN:
-            assert self.share is not None
-            return np.einsum("cj,ik->cijk", self.share[which], np.eye(3)).reshape(len(which), 3, 9)
+            assert self.fraction is not None
+            return np.einsum("cj,ik->cijk", self.fraction[which], np.eye(3)).reshape(len(which), 3, 9)
         if KINDS[kind] == "tets":
             return identity
         if KINDS[kind] == "affine":
@@ -53,10 +53,10 @@ class Side:
             strain = np.einsum("im,ck->cimk", np.eye(3), arm).reshape(len(which), 3, 9)
             return np.concatenate([identity, strain], axis=2)
         axes = self.axes[which]
-        turned = np.einsum("cij,cj->ci", axes, self.arm[which])
-        turn = np.cross(axes.transpose(0, 2, 1), turned[:, None, :]).transpose(0, 2, 1)
-        turn = turn / across(self.length[which])[:, None]
-        return np.concatenate([identity, turn], axis=2)
+        local_arm = np.einsum("cij,cj->ci", axes, self.arm[which])
+        rotation = np.cross(axes.transpose(0, 2, 1), local_arm[:, None, :]).transpose(0, 2, 1)
+        rotation = rotation / across(self.length[which])[:, None]
+        return np.concatenate([identity, rotation], axis=2)
 
 
 def lengths(layout: Layout, block: np.ndarray, arm: np.ndarray) -> np.ndarray:

@@ -14,11 +14,11 @@ from masonry.model.loads import no_conditions
 
 @dataclass(frozen=True)
 class Hold:
-    """Blocks (or, where `faces` is given, outer faces of them) that are held: axes 0..2, turns about axes if rigid."""
+    """Blocks (or, where `faces` is given, outer faces of them) that are held: axes 0..2, rotations if rigid."""
 
     blocks: np.ndarray
     axes: tuple[int, ...]
-    turns: tuple[int, ...] = ()
+    rotations: tuple[int, ...] = ()
     faces: np.ndarray | None = None
     name: str = "support"
 
@@ -38,11 +38,13 @@ def held_dofs(blocks: Blocks, layout: Layout, hold: Hold) -> dict[str, np.ndarra
         masks["rigid"][rigid, axis] = True
         masks["affine"][affine, axis] = True
         masks["affine"][affine, 3 + 3 * axis : 6 + 3 * axis] = True
-    if set(hold.turns) == {0, 1, 2}:
+    if set(hold.rotations) == {0, 1, 2}:
         masks["rigid"][rigid, 3:] = True
     else:
-        for block in hold.blocks[layout.kind[hold.blocks] == KINDS.index("rigid")] if hold.turns else ():
-            masks["rigid"][layout.local[block], [_turn(layout, block, k, hold.name) for k in hold.turns]] = True
+        for block in hold.blocks[layout.kind[hold.blocks] == KINDS.index("rigid")] if hold.rotations else ():
+            masks["rigid"][
+                layout.local[block], [_rotation_dof(layout, block, k, hold.name) for k in hold.rotations]
+            ] = True
     if layout.mesh is not None:
         for b in hold.blocks:
             masks["tets"][layout.mesh.node_start[b] : layout.mesh.node_start[b + 1], list(hold.axes)] = True
@@ -76,7 +78,7 @@ def _hold_rigid_face(row: np.ndarray, hold: Hold, normal: np.ndarray, layout: La
         row[:] = True
     elif hold.axes == (along,):
         row[along] = True
-        row[3:] |= np.arange(3, 6) != _turn(layout, block, along, hold.name)
+        row[3:] |= np.arange(3, 6) != _rotation_dof(layout, block, along, hold.name)
     else:
         raise SceneError(
             f"{hold.name}: the face of a rigid block can be a roller (fix '{'xyz'[along]}', its normal) or be held "
@@ -84,13 +86,13 @@ def _hold_rigid_face(row: np.ndarray, hold: Hold, normal: np.ndarray, layout: La
         )
 
 
-def _turn(layout: Layout, block: int, axis: int, name: str) -> int:
+def _rotation_dof(layout: Layout, block: int, axis: int, name: str) -> int:
     """Which dof (3, 4 or 5) of a rigid block is its turn about x, y or z: one of its principal axes."""
-    share = np.abs(layout.axes[block][axis])
-    if share.max() < 1.0 - 1e-9:
+    component = np.abs(layout.axes[block][axis])
+    if component.max() < 1.0 - 1e-9:
         place = ", ".join(f"{x:.4g}" for x in layout.centroid[block])
         raise SceneError(
             f"{name}: {'xyz'[axis]} is no principal axis of rigid block {block} at ({place}) m, so its turn about "
             f"{'xyz'[axis]} cannot be held alone: fix 'rotation' or 'all', or put a rigid plate there"
         )
-    return 3 + int(np.argmax(share))
+    return 3 + int(np.argmax(component))

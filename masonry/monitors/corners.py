@@ -49,8 +49,8 @@ class Corners:
             which = layout.members["rigid"]
             shift[which] = rigid.q[:, :3]
             x, y, z = np.einsum("bij,bj->ib", layout.axes[which], rigid.q[:, 3:])
-            for i, j, turn in ((1, 0, z), (2, 1, x), (0, 2, y)):
-                gradient[which, i, j], gradient[which, j, i] = turn, -turn
+            for i, j, rotation in ((1, 0, z), (2, 1, x), (0, 2, y)):
+                gradient[which, i, j], gradient[which, j, i] = rotation, -rotation
         if affine is not None:
             which = layout.members["affine"]
             shift[which] = affine.q[:, :3]
@@ -67,9 +67,9 @@ def moved(place, arm, shift, gradient):
         for k in range(arm.shape[1]):
             x, y, z = arm[b, k, 0], arm[b, k, 1], arm[b, k, 2]
             for i in range(3):
-                way = shift[b, i] + gradient[b, i, 0] * x + gradient[b, i, 1] * y + gradient[b, i, 2] * z
-                found[b, k, i] = place[b, k, i] + way
-                reach[b] = max(reach[b], abs(way))
+                displacement = shift[b, i] + gradient[b, i, 0] * x + gradient[b, i, 1] * y + gradient[b, i, 2] * z
+                found[b, k, i] = place[b, k, i] + displacement
+                reach[b] = max(reach[b], abs(displacement))
     return found, reach
 
 

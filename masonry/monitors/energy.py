@@ -107,16 +107,16 @@ def _moved(model: Model, point: np.ndarray, block: np.ndarray) -> np.ndarray:
 def kinetic(model: Model, before: list[np.ndarray]) -> float:
     """v(n-1/2) M v(n+1/2) / 2 (J), with which the balance closes to round-off; `before`: velocities a step earlier."""
     pairs = list(zip(present(model), before, strict=True))
-    turned = 0.0
+    rotational = 0.0
     if model.large is not None and model.bodies.rigid is not None:
-        turned, pairs = turning.kinetic(model.bodies.rigid, model.masses["rigid"], before[0]), pairs[1:]
-    return turned + 0.5 * sum(float(np.sum(model.masses[kind] * old * body.v)) for (kind, body), old in pairs)
+        rotational, pairs = turning.kinetic(model.bodies.rigid, model.masses["rigid"], before[0]), pairs[1:]
+    return rotational + 0.5 * sum(float(np.sum(model.masses[kind] * old * body.v)) for (kind, body), old in pairs)
 
 
 def velocities(model: Model) -> list[np.ndarray]:
     """Copies of the velocities of the bodies that are there; angular momenta in place of turns where blocks turn."""
-    turns = model.large is not None
-    return [turning.momenta(body) if turns and kind == "rigid" else body.v.copy() for kind, body in present(model)]
+    rotates = model.large is not None
+    return [turning.momenta(body) if rotates and kind == "rigid" else body.v.copy() for kind, body in present(model)]
 
 
 def present(model: Model) -> list[tuple[str, Any]]:
@@ -128,7 +128,7 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
     """All terms (J) at this moment, under the names of history.UNITS, and of LARGE_UNITS in large displacement."""
     works = np.sum([body.work.sum(axis=0) for _, body in present(model)], axis=0)
     contact_work, damping, external = -float(works[0]), -float(works[1]), float(works[2])
-    spent = model.joints.area @ model.state.dissipated
+    dissipated = model.joints.area @ model.state.dissipated
     moving = kinetic(model, before)
     lines = {}
     if model.large is not None:  # work[:, 3]: lost by free rotors, and put into blocks that deform
@@ -137,9 +137,9 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
         "external_work": external,
         "elastic_blocks": view.elastic_blocks,
         "elastic_contacts": view.elastic_contacts,
-        "fracture_mode_1": float(spent[0]),
-        "fracture_mode_2": float(spent[1]),
-        "friction": float(spent[2]) + (0.0 if model.large is None else float(model.large.near.account[FRICTION])),
+        "fracture_mode_1": float(dissipated[0]),
+        "fracture_mode_2": float(dissipated[1]),
+        "friction": float(dissipated[2]) + (0.0 if model.large is None else float(model.large.near.account[FRICTION])),
         "damping": damping,
         "kinetic": moving,
         "contact_work": contact_work,

@@ -64,9 +64,11 @@ class Frames:
         elif rigid is not None:
             p, (arm_after, arm_next) = self.points[0], self.across
             row = self.row[p]
-            turn = np.einsum("bij,bj->bi", self.model.layout.axes[self.model.layout.members["rigid"]], rigid.q[:, 3:])
-            by_turn = turn[:, NEXT][row] * arm_after - turn[:, AFTER][row] * arm_next
-            moved[p] = rigid.q[:, :3][row] + by_turn
+            rotation = np.einsum(
+                "bij,bj->bi", self.model.layout.axes[self.model.layout.members["rigid"]], rigid.q[:, 3:]
+            )
+            by_rotation = rotation[:, NEXT][row] * arm_after - rotation[:, AFTER][row] * arm_next
+            moved[p] = rigid.q[:, :3][row] + by_rotation
         if affine is not None:
             p = self.points[1]
             h = affine.q[self.row[p], 3:].reshape(-1, 3, 3)

@@ -43,15 +43,17 @@ class LawArea(Observer):
         for g, (parameters, joint) in enumerate(zip(law_parameters, joint_properties, strict=True)):
             if joint.tensile_strength is None or beside(type(parameters), "shear_intact") is None:
                 continue
-            spent = self.model.state.dissipated[bounds[g] : bounds[g + 1], 1]
+            dissipated = self.model.state.dissipated[bounds[g] : bounds[g + 1], 1]
             lost = lost_in_shear(joint, self.compression[bounds[g] : bounds[g + 1]])
-            share = np.divide(spent, lost, out=np.zeros_like(spent), where=lost > 0.0)
-            share[(joint.residual_cohesion > 0.0) & (self.model.state.intact_n[bounds[g] : bounds[g + 1]] < 1.0)] = 0.0
-            for c in np.argsort(share)[-LOOKED_AT:]:
-                if share[c] > 0.0:
+            fraction = np.divide(dissipated, lost, out=np.zeros_like(dissipated), where=lost > 0.0)
+            fraction[(joint.residual_cohesion > 0.0) & (self.model.state.intact_n[bounds[g] : bounds[g + 1]] < 1.0)] = (
+                0.0
+            )
+            for c in np.argsort(fraction)[-LOOKED_AT:]:
+                if fraction[c] > 0.0:
                     between = 0.0, float(self.compression[bounds[g] + c])
                     has = max(area(_of(parameters, c), _of(joint, c), compression) for compression in between)
-                    most = max(most, float(spent[c]) / has) if has > 0.0 else most
+                    most = max(most, float(dissipated[c]) / has) if has > 0.0 else most
         return most
 
 

@@ -17,7 +17,7 @@ class View:
     seen      what contacts show
     terms     the energy ledger (J), under the names of history.UNITS
     before    velocities one step earlier (energy.velocities)
-    shares    of each dead load
+    load_factors  of each dead load
     settling  whether the dead loads still settle
     rotation  the largest of any block so far, rad
     least, longest  det F and stretch of blocks that deform (energy.Observation)
@@ -26,7 +26,7 @@ class View:
     seen: Seen
     terms: dict[str, float] = field(default_factory=dict)
     before: list[np.ndarray] = field(default_factory=list)
-    shares: list[float] = field(default_factory=list)
+    load_factors: list[float] = field(default_factory=list)
     settling: bool = False
     rotation: float = 0.0
     least: float = 1.0

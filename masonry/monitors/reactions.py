@@ -21,8 +21,8 @@ Parts = dict[str, tuple[np.ndarray, np.ndarray]]
 class Outer:
     """What acts on a specimen from outside: a support, the drive, or a dead load.
 
-    parts   of a support or drive: 1 at the dofs that it holds; of a load: its generalised forces at a share of 1
-    varies  number of a load's history, None where its share is that of the dead loads
+    parts   of a support or drive: 1 at the dofs that it holds; of a load: its generalised forces at a factor of 1
+    varies  number of a load's history, None where its factor is that of the dead loads
     """
 
     name: str
@@ -63,41 +63,41 @@ class Surroundings:
             self.loads.append(Outer(name, _parts(load), *varies))
 
     def standing(
-        self, model: Model, before: list[np.ndarray], step: int, displacement: float, shares: list[float]
+        self, model: Model, before: list[np.ndarray], step: int, displacement: float, load_factors: list[float]
     ) -> Standing:
-        """The forces now; `before`: velocities one step earlier; `shares` of the loads that act."""
+        """The forces now; `before`: velocities one step earlier; `load_factors` of the loads that act."""
         layout = model.layout
         bodies, large = dict(present(model)), large_bodies(model)
         held = np.zeros((len(self.holds), 6))
         for k, one in enumerate(self.holds):
             for kind, (rows, mask) in one.parts.items():
                 held[k] += resultant(layout, kind, rows, mask * bodies[kind].hold[rows], large.get(kind))
-        loads = self.resultants(layout, shares, large)
+        loads = self.resultants(layout, load_factors, large)
         return Standing(step, displacement, held, loads, *of_motion(model, before), acting(model))
 
-    def resultants(self, layout: Layout, shares: list[float], large: dict[str, Any] | None = None) -> np.ndarray:
-        """(L, 6) of the loads at their shares; where blocks are now that turn as far as they like (large_bodies)."""
+    def resultants(self, layout: Layout, load_factors: list[float], large: dict[str, Any] | None = None) -> np.ndarray:
+        """(L, 6) of the loads at their factors; where blocks are now that turn as far as they like (large_bodies)."""
         found = np.zeros((len(self.loads), 6))
-        for k, (one, share) in enumerate(zip(self.loads, shares, strict=True)):
+        for k, (one, load_factor) in enumerate(zip(self.loads, load_factors, strict=True)):
             for kind, (rows, load) in one.parts.items():
                 body = (large or {}).get(kind)
                 acts = load if body is None or kind != "rigid" else globally(layout, rows, load)
-                found[k] += share * resultant(layout, kind, rows, acts, body)
+                found[k] += load_factor * resultant(layout, kind, rows, acts, body)
         return found
 
     def along(self, layout: Layout, axis: int | None) -> np.ndarray:
-        """(L,) N: the force of each load along an axis at a share of 1; none without an axis."""
+        """(L,) N: the force of each load along an axis at a factor of 1; none without an axis."""
         count = len(self.loads)
         return np.zeros(count) if axis is None else self.resultants(layout, [1.0] * count)[:, axis]
 
     def moved(self, model: Model) -> np.ndarray:
-        """(L,) J: what each load at a share of 1 would have done on the way to where the specimen stands."""
+        """(L,) J: what each load at a factor of 1 would have done on the way to where the specimen stands."""
         bodies = dict(present(model))
         found = np.zeros(len(self.loads))
         for k, one in enumerate(self.loads):
             for kind, (rows, load) in one.parts.items():
-                way = model.u[: len(bodies[kind].v)] if kind == "tets" else bodies[kind].q
-                found[k] += float(np.sum(load * way[rows]))
+                displacements = model.u[: len(bodies[kind].v)] if kind == "tets" else bodies[kind].q
+                found[k] += float(np.sum(load * displacements[rows]))
         return found
 
 
@@ -174,18 +174,18 @@ def resultant(layout: Layout, kind: str, rows: np.ndarray, forces: np.ndarray, l
 
 
 class WorkOfLoads(Observer):
-    """Work (J) of each load so far, by the trapezoid from row to row: exact while its share stays as it is."""
+    """Work (J) of each load so far, by the trapezoid from row to row: exact while its factor stays as it is."""
 
-    REMEMBERED = ("done", "settled", "moved", "shares")
+    REMEMBERED = ("done", "settled", "moved", "load_factors")
 
     def __init__(self, surroundings: Surroundings) -> None:
         self.surroundings = surroundings
-        self.done, self.settled, self.moved, self.shares = np.zeros((4, len(surroundings.loads)))
+        self.done, self.settled, self.moved, self.load_factors = np.zeros((4, len(surroundings.loads)))
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
-        moved, now = self.surroundings.moved(model), np.array(view.shares)
-        self.done = self.done + 0.5 * (now + self.shares) * (moved - self.moved)
-        self.moved, self.shares = moved, now
+        moved, now = self.surroundings.moved(model), np.array(view.load_factors)
+        self.done = self.done + 0.5 * (now + self.load_factors) * (moved - self.moved)
+        self.moved, self.load_factors = moved, now
         if view.settling:
             self.settled = self.done
         return {}

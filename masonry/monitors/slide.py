@@ -45,9 +45,9 @@ class Slide(Observer):
     def _measure(self, model: Model, step: int, which: np.ndarray, slip: np.ndarray) -> None:
         """How far these contacts, which touch, have slid along their joints."""
         (one, two), u = model.contacts.sides[which].T, model.contacts.u
-        share = np.abs(np.einsum("ckj,cj->ck", self.axes[which], u[two] - u[one])) / self.extent[which]
-        highest = int(np.argmax(share.max(axis=1)))
-        worst, reached = int(which[highest]), float(share[highest].max())
+        fraction = np.abs(np.einsum("ckj,cj->ck", self.axes[which], u[two] - u[one])) / self.extent[which]
+        highest = int(np.argmax(fraction.max(axis=1)))
+        worst, reached = int(which[highest]), float(fraction[highest].max())
         self.largest = max(self.largest, reached)
         if reached > self.limit:
             raise Stopped(

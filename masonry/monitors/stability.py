@@ -4,7 +4,7 @@ import numpy as np
 
 from masonry.errors import Stopped, TurnedTooFar
 from masonry.kinematics.matrices import rotation_angles, rotations
-from masonry.kinematics.tets import mean_turn
+from masonry.kinematics.tets import mean_rotation
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
 from masonry.monitors.energy import open_in_contacts
@@ -33,7 +33,7 @@ class Watch(Observer):
         self.size = smallest_block(model)
         self.arm = np.array([1.0] * 3 + [self.size] * 9)
         self.affine = model.layout.members["affine"]
-        self.tet_turn = np.zeros((len(model.layout.members["tets"]), 3))
+        self.tet_rotation = np.zeros((len(model.layout.members["tets"]), 3))
         self.snap_back = SnapBack(model)
 
     def check(self, step: int) -> None:
@@ -47,7 +47,7 @@ class Watch(Observer):
         self.snap_back.check(step)
 
     def state(self) -> State:
-        """The largest turn and work so far, and what contacts were like at the last look."""
+        """The largest rotation and work so far, and what contacts were like at the last look."""
         return {**super().state(), "snap_back": self.snap_back.state()}
 
     def restore(self, state: State) -> None:
@@ -93,25 +93,25 @@ class Watch(Observer):
 
     def _check_rotation(self, step: int) -> None:
         rigid, affine, tets = self.model.bodies
-        turns = []
+        largest_rotations = []
         if self.model.large is not None:
             frames = [] if rigid is None else [rigid.frame]
             frames += [rotations(body.frame) for body in (affine, tets) if body is not None]
             self.rotation = max(self.rotation, *(float(rotation_angles(frame).max()) for frame in frames))
             return
         if rigid is not None:
-            turns.append((np.abs(rigid.q[:, 3:]), "rigid"))
+            largest_rotations.append((np.abs(rigid.q[:, 3:]), "rigid"))
         if affine is not None:
             h = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), self.model.layout.axes[self.affine])
-            turns.append((0.5 * np.abs(h - h.transpose(0, 2, 1)).reshape(-1, 9), "affine"))
+            largest_rotations.append((0.5 * np.abs(h - h.transpose(0, 2, 1)).reshape(-1, 9), "affine"))
         if tets is not None:
-            mean_turn(tets, self.model.contacts.u, self.tet_turn)
-            turns.append((np.abs(self.tet_turn), "tets"))
-        for turn, kind in turns:
-            most = float(turn.max())
+            mean_rotation(tets, self.model.contacts.u, self.tet_rotation)
+            largest_rotations.append((np.abs(self.tet_rotation), "tets"))
+        for rotation, kind in largest_rotations:
+            most = float(rotation.max())
             if most > self.rotation_limit:
                 more = min(2.0 * self.rotation_limit, 1.5)
-                block = int(self.model.layout.members[kind][int(np.argmax(turn.max(axis=1)))])
+                block = int(self.model.layout.members[kind][int(np.argmax(rotation.max(axis=1)))])
                 where = ", ".join(f"{x:.4g}" for x in self.model.layout.centroid[block])
                 raise TurnedTooFar(
                     f"step {step}: {kind} block {block} at ({where}) m has rotated by {most:.3g} rad, more than "

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from geometry.joints.covered import covered_shares
+from geometry.joints.covered import covered_fractions
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.history import Frame
@@ -123,7 +123,7 @@ class Viewer:
 
     def _outer(self) -> np.ndarray:
         """Faces that no joint covers wholly."""
-        return np.flatnonzero(covered_shares(self.result.specimen.blocks, self.result.joints) < 1 - 1e-6)
+        return np.flatnonzero(covered_fractions(self.result.specimen.blocks, self.result.joints) < 1 - 1e-6)
 
     def _outer_faces(self) -> np.ndarray:
         blocks, faces = self.result.specimen.blocks, self._outer()

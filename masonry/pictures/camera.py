@@ -48,8 +48,8 @@ def along_floor(blocks: Blocks, moved: Sequence[np.ndarray] = ()) -> int | None:
         return None
     own = above_floor(blocks)
     size = np.ptp(blocks.points[own], axis=0)[:2]
-    way = np.max([np.abs(corners[own, :2]).max(axis=0) for corners in moved], axis=0, initial=0.0)
-    x, y = way if way.max() > 0.1 * size.min() else size
+    extent = np.max([np.abs(corners[own, :2]).max(axis=0) for corners in moved], axis=0, initial=0.0)
+    x, y = extent if extent.max() > 0.1 * size.min() else size
     return 0 if x >= y else 1
 
 

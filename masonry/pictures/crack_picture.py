@@ -145,12 +145,12 @@ def panel_title(result: "ResultData", name: str, frame: Frame, times: float, nar
     rows = result.history.rows
     if not result.has_drive:
         return f"{name}:{between}step {frame.step}\n{_drawn(times)}"
-    ways = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))
-    words = f"{name}:{between}displacement {without_noise(frame.displacement, ways) * MILLI:.4g} mm"
+    displacements = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))
+    words = f"{name}:{between}displacement {without_noise(frame.displacement, displacements) * MILLI:.4g} mm"
     if len(rows.get("stress", ())):
         stress = without_noise(float(np.interp(frame.step, rows["step"], rows["stress"])), rows["stress"])
         words += f", stress {stress * MEGA:.3g} MPa"
-        words += "\n" if narrow else f"\n{100 * share_of_way(rows, frame):.3g} % of the way, "
+        words += "\n" if narrow else f"\n{100 * travelled_fraction(rows, frame):.3g} % of the way, "
     else:
         words += "\n"
     return f"{words}{_drawn(times)}"
@@ -161,11 +161,11 @@ def _drawn(times: float) -> str:
     return "drawn at true scale" if times == 1.0 else f"displacements drawn {times:g} times"
 
 
-def share_of_way(rows: dict[str, np.ndarray], frame: Frame) -> float:
+def travelled_fraction(rows: dict[str, np.ndarray], frame: Frame) -> float:
     """How much of all that the drive goes, to and fro, lies before a frame; of the time where nothing is driven."""
-    way = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rows["displacement"])))])
-    way = way if way[-1] > 0.0 else rows["step"] - rows["step"][0]
-    return float(np.interp(frame.step, rows["step"], way) / way[-1]) if way[-1] > 0.0 else 1.0
+    travel = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rows["displacement"])))])
+    travel = travel if travel[-1] > 0.0 else rows["step"] - rows["step"][0]
+    return float(np.interp(frame.step, rows["step"], travel) / travel[-1]) if travel[-1] > 0.0 else 1.0
 
 
 def draw_keys(figure: Any, axes: list[Any], drawings: Sequence[Drawing], scale: float, kinds: Sequence[str]) -> None:

@@ -35,8 +35,8 @@ def scale_of(openings: np.ndarray) -> float:
 
 def widths(openings: np.ndarray, scale: float) -> np.ndarray:
     """Widths (points) of lines by the openings (m) of the cracks that they stand for."""
-    share = np.clip(openings / scale, 0.0, 1.0) if scale > 0.0 else np.zeros(len(openings))
-    return np.asarray(THIN + (THICK - THIN) * share)
+    fraction = np.clip(openings / scale, 0.0, 1.0) if scale > 0.0 else np.zeros(len(openings))
+    return np.asarray(THIN + (THICK - THIN) * fraction)
 
 
 def draw_cracks(

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
-from geometry.joints.covered import covered_shares
+from geometry.joints.covered import covered_fractions
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 from masonry.pictures.camera import Camera
@@ -38,7 +38,7 @@ class Piece:
 def visible_pieces(blocks: Blocks, joints: Joints, camera: Camera) -> list[Piece]:
     """The faces toward the viewer that no joint covers wholly, in pieces, farthest first."""
     _, normal, _ = face_areas_normals_centroids(blocks)
-    seen = np.flatnonzero((normal @ camera.toward > 1e-6) & (covered_shares(blocks, joints) < COVERED))
+    seen = np.flatnonzero((normal @ camera.toward > 1e-6) & (covered_fractions(blocks, joints) < COVERED))
     corners = [blocks.face(f) for f in seen.tolist()]
     if not corners:
         return []
@@ -46,8 +46,8 @@ def visible_pieces(blocks: Blocks, joints: Joints, camera: Camera) -> list[Piece
     outer, own = unit_edges(blocks, seen, normal), turning_edges(blocks, seen, normal)
     pieces = [
         piece
-        for f, c, bounds, turns in zip(seen.tolist(), corners, outer, own, strict=True)
-        for piece in _cut(f, c, bounds & turns, turns, 1.5 * float(edge))
+        for f, c, bounds, turning in zip(seen.tolist(), corners, outer, own, strict=True)
+        for piece in _cut(f, c, bounds & turning, turning, 1.5 * float(edge))
     ]
     size = float(np.ptp(blocks.points, axis=0).max())
     return _farthest_first(pieces, normal[[piece.face for piece in pieces]], camera, 1e-6 * size)

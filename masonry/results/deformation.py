@@ -42,19 +42,19 @@ class Deformation:
         point: np.ndarray,
         node: np.ndarray,
         corner: np.ndarray | None = None,
-        share: np.ndarray | None = None,
+        fraction: np.ndarray | None = None,
     ) -> np.ndarray:
         """(n, 3) m, displacement of point (n, 3) as part of block (n,), or of tet node (n,) where that is not -1.
 
-        corner, share  (n, 3) tet nodes round the point where its first is not -1, and their shares, as in Joints
+        corner, fraction  (n, 3) tet nodes round the point where its first is not -1, and their shape functions
         """
         arm = point - self._centre[block]
         displacement = self._shift[block] + np.einsum("nij,nj->ni", self._gradient[block], arm)
         meshed = node >= 0
         displacement[meshed] = self._nodes[node[meshed]]
-        if corner is not None and share is not None:
+        if corner is not None and fraction is not None:
             between = corner[:, 0] >= 0
-            displacement[between] = np.einsum("nj,nji->ni", share[between], self._nodes[corner[between]])
+            displacement[between] = np.einsum("nj,nji->ni", fraction[between], self._nodes[corner[between]])
         return displacement
 
     def sides(self, joints: Joints, contact: np.ndarray, point: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 LEAST_DAMAGE = 0.05
 """Contacts with less damage are not shown as damaged."""
-SHARE = 0.01
+FRACTION = 0.01
 """Of the largest opening or slip in the frame: what moved by less is not told."""
 PARTED = 0.5
 """Of the root of a joint's area: an opening or slip beyond which its two sides have nothing to do with each other."""
@@ -64,7 +64,7 @@ def _moved(result: "ResultData", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
     with np.errstate(invalid="ignore"):  # a frictionless glue has no shear stiffness and no shear stress
         slid_for_good = frame.slip - np.abs(frame.shear_stress) / shear
     largest = float(np.hypot(np.maximum(frame.opening, 0.0), frame.slip).max(initial=0.0))
-    least = max(SHARE * largest, LEAST)
+    least = max(FRACTION * largest, LEAST)
     with np.errstate(invalid="ignore"):
         return open_for_good > least, slid_for_good > least
 

@@ -52,10 +52,10 @@ def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
     frame = frames[chosen]
     if abs(of_frames[chosen] - wanted) <= exact:
         return Chosen(frame, f"at step {frame.step}")
-    ways = np.array([kept.displacement for kept in frames])
+    moved = np.array([kept.displacement for kept in frames])
     note = (
         f"no frame was kept at '{step}'; the nearest of {len(frames)} is drawn: step {frame.step}, displacement "
-        f"{without_noise(frame.displacement, ways) * 1e3:.4g} mm (a run keeps more with --set solver.frames=100)"
+        f"{without_noise(frame.displacement, moved) * 1e3:.4g} mm (a run keeps more with --set solver.frames=100)"
     )
     return Chosen(frame, f"at step {frame.step}, the nearest kept to {step}", note)
 

@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, TextIO
 
-LINE_SHARE = 0.1
+LINE_FRACTION = 0.1
 LINE_SECONDS = 10.0
 """A plain line is due after this share of the steps, or after this time."""
 TICK_SECONDS = 1.0
@@ -68,7 +68,7 @@ class Progress:
                 self._said_at = now
                 self._bar.update(self._task, total=self.total_steps or None, completed=step, note=note, refresh=True)
             return
-        due = step - self._said_step >= LINE_SHARE * self.total_steps > 0 or now - self._said_at >= LINE_SECONDS
+        due = step - self._said_step >= LINE_FRACTION * self.total_steps > 0 or now - self._said_at >= LINE_SECONDS
         if step > self._said_step and (due or done):
             self._said_at, self._said_step = now, step
             self._say(self.line(step, note, now))

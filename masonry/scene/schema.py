@@ -118,7 +118,7 @@ class SceneData(Table):
         if self.gravity is not None and self.gravity.tilt is None:
             loads += self.gravity.paths
         paths = [path.turning_points() for path in loads]
-        return any(len(path) > 1 for path in paths) or (self.drive is not None and len(self.drive.turns) > 1)
+        return any(len(path) > 1 for path in paths) or (self.drive is not None and len(self.drive.reversals) > 1)
 
     def resolved(self) -> dict[str, Any]:
         """The scene as plain values with SI units, defaults written out; loading it gives the same scene bit by bit.

@@ -34,9 +34,9 @@ class Crushing:
         """Of a strength multiplied by a number."""
         return replace(self, strength=by * self.strength)
 
-    def merged(self, shares: sparse.csr_array) -> "Crushing":
-        """For other points, whose normal forces shares (C, n) hand out to those here."""
-        total, first, second = ((rows @ shares).tocsr() for rows in (self.total, self.first, self.second))
+    def merged(self, fractions: sparse.csr_array) -> "Crushing":
+        """For other points, whose normal forces fractions (C, n) hand out to those here."""
+        total, first, second = ((rows @ fractions).tocsr() for rows in (self.total, self.first, self.second))
         return Crushing(total, first, second, self.strength)
 
 

@@ -72,14 +72,14 @@ def _pyramids(forces: Equilibrium, contacts: Contacts, sides: int) -> tuple[spar
     hard = np.ones(groups, dtype=bool)
     hard[forces.group[contacts.solid]] = False
     angle = 2 * np.pi * np.arange(sides) / sides
-    way = np.column_stack([np.cos(angle), np.sin(angle)])[:, :k]
+    directions = np.column_stack([np.cos(angle), np.sin(angle)])[:, :k]
     inside = np.cos(np.pi / sides) if k == 2 else 1.0
-    share = sparse.csr_array(
+    friction = sparse.csr_array(
         (-inside * contacts.friction, (forces.group, np.arange(contacts.count))), shape=(groups, contacts.count)
     )
     cohesion = inside * np.bincount(forces.group, contacts.cohesion, groups) / forces.force
     kept = np.flatnonzero(np.repeat(hard, sides))
-    shear = sparse.kron(sparse.eye_array(groups), way, format="csr")
-    normal = sparse.kron(share, np.ones((sides, 1)), format="csr")
+    shear = sparse.kron(sparse.eye_array(groups), directions, format="csr")
+    normal = sparse.kron(friction, np.ones((sides, 1)), format="csr")
     rows = sparse.hstack([normal, shear, sparse.csr_array((groups * sides, 1))], format="csr")
     return rows[kept], np.repeat(cohesion, sides)[kept]

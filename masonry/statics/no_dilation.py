@@ -42,16 +42,16 @@ BEYOND = 5e-3
 
 @dataclass(frozen=True)
 class Flat:
-    """What the way came to.
+    """What the load path came to.
 
-    found          forces and factor at the end of the way, or where the factor was greatest; and the mechanism
+    found          forces and factor at the end of the path, or where the factor was greatest; and the mechanism
     with_dilation  the factor of friction that dilates by its friction angle, which none without exceeds; inf if any is
                    balanced
     steps          of the load
     converged      whether the factor came to rest, at the bound of the theorems for the cylinders there
     excess         largest shear force beyond friction and cohesion, over the mean load of a block
     open           how far the factor is below that bound, over it
-    left           the factor at the end of the way, less than that found where a peak was passed
+    left           the factor at the end of the path, less than that found where a peak was passed
     """
 
     found: Found
@@ -66,30 +66,30 @@ class Flat:
 def without_dilation(
     bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, between: Range = UPWARD, softer: float = SOFTER
 ) -> Flat:
-    """The factor at the end of the way; no bound. softer: normal over shear stiffness of the joints."""
+    """The factor at the end of the load path; no bound. softer: normal over shear stiffness of the joints."""
     bound = largest_factor(bodies, contacts, method, between)
     if bound.status == "infeasible":
         return Flat(bound, 0.0, 0, False, 0.0, 0.0, 0.0)
-    way = _Way(bodies, contacts, method, between, softer)
-    best = now = way.at_rest()
+    path = _LoadPath(bodies, contacts, method, between, softer)
+    best = now = path.at_rest()
     pace, steps = 1.0, 0
     with_dilation = bound.factor if bound.status == "solved" else inf
-    reach = with_dilation - way.factor(now) if with_dilation < inf else 1.0 / way.unit
+    reach = with_dilation - path.factor(now) if with_dilation < inf else 1.0 / path.unit
     while steps < MOST:
-        after = way.step(now, pace)
-        rise = way.factor(after) - way.factor(now)
+        after = path.step(now, pace)
+        rise = path.factor(after) - path.factor(now)
         if rise > FIRST * reach > 0.0 and pace < SLOWEST:
             pace *= 2.0
             continue
         now, steps, pace = after, steps + 1, pace * FASTER
-        if way.factor(now) > way.factor(best) and way.excess(now) <= BEYOND:
+        if path.factor(now) > path.factor(best) and path.excess(now) <= BEYOND:
             best = now
-        if rise <= RISE * abs(way.factor(now)) and way.end(now, with_dilation, steps).converged:
+        if rise <= RISE * abs(path.factor(now)) and path.end(now, with_dilation, steps).converged:
             break
-    last = way.end(now, with_dilation, steps)
-    if way.factor(best) <= way.factor(now) + DROP * reach:
+    last = path.end(now, with_dilation, steps)
+    if path.factor(best) <= path.factor(now) + DROP * reach:
         return last
-    peak = way.end(best, with_dilation, steps)
+    peak = path.end(best, with_dilation, steps)
     return replace(peak, converged=last.converged, left=last.left) if peak.open >= -OPEN else last
 
 
@@ -99,17 +99,17 @@ def standing_without_dilation(bodies: Bodies, contacts: Contacts, method: Method
     bound = largest_factor(own, contacts, method, (0.0, 1.0))
     if bound.status != "solved" or bound.factor < STANDS:
         return Flat(bound, bound.factor, 0, False, 0.0, 0.0, 0.0)
-    way = _Way(own, contacts, method, (0.0, 1.0), SOFTER)
-    now, pace = way.without_sliding(), 1.0
+    path = _LoadPath(own, contacts, method, (0.0, 1.0), SOFTER)
+    now, pace = path.without_sliding(), 1.0
     for steps in range(1, MOST):
-        now, pace = way.step(now, pace), pace * FASTER
-        end = way.end(now, 1.0, steps)
+        now, pace = path.step(now, pace), pace * FASTER
+        end = path.end(now, 1.0, steps)
         if end.converged and end.found.factor >= STANDS:
             break
     return end
 
 
-class _Way:
+class _LoadPath:
     """The forces of one problem, as vectors of normal forces, shear forces and the factor, without units."""
 
     def __init__(self, bodies: Bodies, contacts: Contacts, method: Method, between: Range, softer: float) -> None:
@@ -199,5 +199,5 @@ def _secant(after: np.ndarray, off: np.ndarray, last: tuple[np.ndarray, np.ndarr
     if last is None:
         return after
     change = off - last[1]
-    share = float(off @ change) / max(float(change @ change), 1e-300)
-    return np.asarray(after - min(max(share, -1.0), 0.7) * (after - last[0]))
+    fraction = float(off @ change) / max(float(change @ change), 1e-300)
+    return np.asarray(after - min(max(fraction, -1.0), 0.7) * (after - last[0]))

@@ -57,6 +57,6 @@ def flattened(contacts: Contacts, axis: int) -> tuple[Contacts, np.ndarray]:
     owner = owner.ravel()
     total = {name: np.bincount(owner, getattr(contacts, name)) for name in ("area", "cohesion", "tension")}
     if (crush := contacts.crush) is not None:
-        share = contacts.area / total["area"][owner]
-        crush = crush.merged(sparse.csr_array((share, (np.arange(contacts.count), owner))))
+        fraction = contacts.area / total["area"][owner]
+        crush = crush.merged(sparse.csr_array((fraction, (np.arange(contacts.count), owner))))
     return replace(contacts.select(first), **total, crush=crush), owner

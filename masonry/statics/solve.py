@@ -83,14 +83,14 @@ def in_space(
     groups, k = forces.tangent.shape[:2]
     pressing, sliding = unknown[: flat.count], unknown[flat.count : -1]
     left = forces.normal @ pressing + forces.shear @ sliding + forces.dead + unknown[-1] * forces.live
-    share = contacts.area / flat.area[owner]
+    fraction = contacts.area / flat.area[owner]
     shear = np.einsum("gk,gki->gi", sliding.reshape(groups, k), forces.tangent)
     part = _part_of_group(forces, flat, pressing)
     moving = (forces.rows.T @ velocity).reshape(-1, 6) / forces.live_force
     return Found(
         status, float(unknown[-1] * forces.force / forces.live_force),
-        forces.force * share * pressing[owner],
-        forces.force * (share * part[owner])[:, None] * shear[forces.group[owner]],
+        forces.force * fraction * pressing[owner],
+        forces.force * (fraction * part[owner])[:, None] * shear[forces.group[owner]],
         moving, gap, float(np.abs(left).max(initial=0.0)) if status == "solved" else 0.0,
     )  # fmt: skip
 

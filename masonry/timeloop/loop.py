@@ -35,7 +35,7 @@ from masonry.timeloop.retirement import retire
 
 FOUND = ("peak_force", "displacement_at_peak", "lowest_force", "displacement_at_lowest", "steps", "log")
 """What an outcome has besides the history before the run is over."""
-REMEMBERED = ("place", "done", "frames_done", "highest_row", "share", "heights")
+REMEMBERED = ("place", "done", "frames_done", "highest_row", "dead_load_factor", "heights")
 ALIKE = 1e-4
 """Share by which one row must be higher than another for both to be kept as the peak, that is, ten at most."""
 Columns = dict[str, list[float]]
@@ -56,7 +56,7 @@ class Loop:
     ) -> None:
         self.model, self.loading, self.settle, self.recording = model, loading, settle, recording
         self.threads, self.outcome = threads, outcome
-        self.place = self.share = 0.0
+        self.place = self.dead_load_factor = 0.0
         self.done = self.frames_done = 0
         large = () if model.large is None else LARGE_UNITS
         gauges = (gauge.name for gauge in recording.gauges)
@@ -123,7 +123,7 @@ class Loop:
             advance_model(self.model, chunk, self.threads, 0, count - 1, drive_force)
         before = energy.velocities(self.model)
         advance_model(self.model, chunk, self.threads, count - 1, 1, drive_force[count - 1 :])
-        self.share = min(float(chunk.dead_load[-1]), 1.0)
+        self.dead_load_factor = min(float(chunk.dead_load[-1]), 1.0)
         try:
             self.watch.check(done + count)
         except TurnedTooFar:
@@ -171,23 +171,23 @@ class Loop:
         """A place of the drive (m) along its direction, for one along an axis."""
         return self.recording.sign * place + 0.0
 
-    def shares(self) -> list[float]:
-        """The share of each dead load now."""
+    def load_factors(self) -> list[float]:
+        """The factor of each dead load now."""
         varying = self.loading.shares()
         loads = self.recording.surroundings.loads
-        return [self.share * (1.0 if load.varies is None else float(varying[load.varies])) for load in loads]
+        return [self.dead_load_factor * (1.0 if load.varies is None else float(varying[load.varies])) for load in loads]
 
     def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
         """What the specimen shows now, in a row; and a frame where one is due, or the force is the highest so far."""
-        model, shares, now = self.model, self.shares(), energy.observe(self.model)
+        model, load_factors, now = self.model, self.load_factors(), energy.observe(self.model)
         terms = energy.ledger(model, now, before)
         settling, rotation = step <= self.settle, self.watch.rotation
-        view = View(now.seen, terms, before, shares, settling, rotation, now.least, now.longest)
+        view = View(now.seen, terms, before, load_factors, settling, rotation, now.least, now.longest)
         observed: dict[str, float] = {}
         for observer in self.observers.values():
             observed |= observer.look(model, view, step)
         row = {
-            **self.drive(step, shares),
+            **self.drive(step, load_factors),
             **terms,
             **self.loading.columns(),
             **{gauge.name: gauge.read(model) for gauge in self.recording.gauges},
@@ -199,7 +199,7 @@ class Loop:
         higher = row["stress"] > self.highest_row and step >= max(self.settle, 1)
         if frame_due or higher:
             place = row["displacement"]
-            standing = self.recording.surroundings.standing(model, before, step, place, shares)
+            standing = self.recording.surroundings.standing(model, before, step, place, load_factors)
             frame = self.camera.take(now, step, place)
             if frame_due:
                 self.frames.append(frame)
@@ -207,7 +207,7 @@ class Loop:
             if higher:
                 self.keep_peak(row["stress"], frame, standing)
 
-    def drive(self, step: int, shares: list[float]) -> dict[str, float]:
+    def drive(self, step: int, load_factors: list[float]) -> dict[str, float]:
         """Where the drive is, and what it and its support exert, in the columns of a row; dead loads along the drive
         count with the support."""
         model, area, sign = self.model, self.recording.section, self.recording.sign
@@ -215,7 +215,7 @@ class Loop:
             sum(reaction(b, f) for b, f in zip(model.bodies, dofs, strict=True)) / area * sign
             for dofs in (model.drives, model.supports)
         )
-        support += float(self.loads_along @ shares) / area * sign
+        support += float(self.loads_along @ load_factors) / area * sign
         return {
             "step": step,
             "time": step * model.dt,

@@ -43,7 +43,7 @@ def large_arrays(model: Model) -> dict[str, np.ndarray | None]:
     for kind, body in present(model):
         found |= {f"{kind}.{name}": getattr(body, name, None) for name in ("frame", "momentum", "patches")}
     if large.members is not None:
-        found |= {f"motion.{name}": getattr(near.motion, name) for name in GATHERED} | {"turns": large.bonds.frames}
+        found |= {f"motion.{name}": getattr(near.motion, name) for name in GATHERED} | {"rotations": large.bonds.frames}
     found |= {"apart": large.bonds.apart, "bond_u": large.bonds.u, "bond_force": large.bonds.force}
     found |= {"area": model.contacts.area, "alive": large.bonds.alive}
     found |= {"travel": near.motion.travel, "built": near.search.built, "flag": near.search.flag}

@@ -15,7 +15,7 @@ from masonry.model.model import Model
 from masonry.monitors.energy import stored_in_contacts
 from masonry.timeloop.large_motion import make_room
 
-SPENT = 1e-3
+STRENGTH_LEFT = 1e-3
 """Share of its strength that a broken bond has left, at most: at seven softening lengths of the exponential law."""
 
 
@@ -68,7 +68,11 @@ def _broken(model: Model, alive: np.ndarray) -> np.ndarray:
             continue
         own = slice(model.groups.bounds[g], model.groups.bounds[g + 1])
         tension, shear = model.state.intact_n[own], model.state.intact_s[own]
-        found[own] = tension * shear < SPENT if joint.combined is not None else np.maximum(tension, shear) < SPENT
+        found[own] = (
+            tension * shear < STRENGTH_LEFT
+            if joint.combined is not None
+            else np.maximum(tension, shear) < STRENGTH_LEFT
+        )
     return found & alive
 
 
@@ -122,8 +126,8 @@ def _hand_over(near: Near, which: list[int], left: Carried) -> None:
     for p in which:
         a, b = near.pieces.block[pairs.body[p]]
         n = np.array(plane_of(motion.frame, motion.dual, pairs.body[p, 1 - pairs.points_of[p]], *pairs.normal[p])[:3])
-        share = (left.force - (left.force @ n) * n) * (1.0 if a < b else -1.0) / thrust  # on side 0
-        tractions[p] = share[:, None] * pressures[p]
+        shear_over_thrust = (left.force - (left.force @ n) * n) * (1.0 if a < b else -1.0) / thrust  # on side 0
+        tractions[p] = shear_over_thrust[:, None] * pressures[p]
         sheared += float(areas[p] @ np.sum(tractions[p] ** 2, axis=0)) / (2.0 * rules.shear_stiffness[pairs.law[p]])
     less = min(1.0, np.sqrt(left.sheared / sheared)) if sheared > 0.0 else 0.0
     for p in which:

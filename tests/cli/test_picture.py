@@ -6,7 +6,7 @@ import time
 import numpy as np
 import pytest
 
-from geometry.joints.covered import covered_shares
+from geometry.joints.covered import covered_fractions
 from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import concatenate, divide, from_boxes
 from geometry.polyhedra.measures import face_areas_normals_centroids
@@ -124,8 +124,8 @@ def test_a_point_behind_the_wall_is_hidden_and_one_before_or_above_it_is_not():
 
 def test_covered_faces_are_those_in_joints():
     blocks = grid((2, 1, 1))
-    assert np.allclose(np.sort(covered_shares(blocks, find_joints(blocks)))[-2:], 1)
-    assert np.count_nonzero(covered_shares(blocks, find_joints(blocks))) == 2
+    assert np.allclose(np.sort(covered_fractions(blocks, find_joints(blocks)))[-2:], 1)
+    assert np.count_nonzero(covered_fractions(blocks, find_joints(blocks))) == 2
 
 
 def test_marks_stand_where_the_scene_holds_and_loads_the_specimen():

@@ -15,7 +15,7 @@ from masonry.laboratory.result import load_result
 from masonry.movies import movie_file
 from masonry.movies.movie import Movie
 from masonry.movies.movie_file import write_movie
-from masonry.pictures.crack_picture import drawing_of, frames_to_draw, magnification, panel_title, share_of_way
+from masonry.pictures.crack_picture import drawing_of, frames_to_draw, magnification, panel_title, travelled_fraction
 from masonry.pictures.frame_picture import draw_frame
 from masonry.results.frames import choose
 from masonry.results.store import NUMBERS
@@ -108,8 +108,8 @@ def test_the_pictures_of_both_directions_have_names_of_their_own(folder, capsys)
 def test_the_share_of_the_way_counts_all_that_the_drive_goes_to_and_fro():
     frame = sample().history.frames[1]
     rows = {"step": 100.0 * np.arange(4), "displacement": np.array([0.0, 1.0, -1.0, 0.0])}
-    assert share_of_way(rows, frame) == pytest.approx(0.75)
-    assert share_of_way({**rows, "displacement": np.zeros(4)}, frame) == pytest.approx(2 / 3)
+    assert travelled_fraction(rows, frame) == pytest.approx(0.75)
+    assert travelled_fraction({**rows, "displacement": np.zeros(4)}, frame) == pytest.approx(2 / 3)
 
 
 def test_a_title_says_displacement_stress_share_of_the_way_and_scale():

@@ -34,9 +34,9 @@ def test_rows_have_the_figures_of_their_runs_and_their_deviation_from_the_first(
     for row in done.rows:
         summary = json.loads((done.folder / "runs" / row["key"] / "summary.json").read_text(encoding="utf-8"))
         terms = summary["energy_j"]
-        spent = terms["fracture_mode_1"] + terms["fracture_mode_2"] + terms["friction"]
-        assert row["dissipated_j"] == pytest.approx(spent) and row["final_stress_pa"] == summary["final_stress_pa"]
-        assert row["dissipated_j_deviation"] == pytest.approx(spent / base["dissipated_j"] - 1.0)
+        dissipated = terms["fracture_mode_1"] + terms["fracture_mode_2"] + terms["friction"]
+        assert row["dissipated_j"] == pytest.approx(dissipated) and row["final_stress_pa"] == summary["final_stress_pa"]
+        assert row["dissipated_j_deviation"] == pytest.approx(dissipated / base["dissipated_j"] - 1.0)
         assert row["trust"] in ("sound", "with care") and row["trust_sentence"].endswith(".")
     softening = others[-1]  # plastic slip lacks the elastic part: strength falls sooner
     assert -0.05 < softening["dissipated_j_deviation"] < -0.001

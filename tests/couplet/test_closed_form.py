@@ -60,8 +60,8 @@ def test_rigid_couplet_follows_the_closed_form(law, confinement):
     compression, beta = COMPRESSIONS[confinement]
     wanted = closed_forms.dissipated_in_shear(law, Joint(beta=beta), rows["displacement"][-1], compression)
     energy = summary["energy_j"]
-    spent = energy["fracture_mode_1"] + energy["fracture_mode_2"] + energy["friction"]
-    assert spent == pytest.approx(float(wanted) * 0.2 * 0.05, rel=1e-3)
+    dissipated = energy["fracture_mode_1"] + energy["fracture_mode_2"] + energy["friction"]
+    assert dissipated == pytest.approx(float(wanted) * 0.2 * 0.05, rel=1e-3)
     assert energy["fracture_mode_1"] == 0.0
 
 

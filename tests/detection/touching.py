@@ -14,7 +14,7 @@ from geometry.polyhedra.measures import centroids
 from masonry.detection.narrow import touch
 from masonry.detection.overlap import most_points, scratch_of
 from masonry.detection.pieces import pieces_of
-from masonry.detection.placing import place_all, turned_of
+from masonry.detection.placing import turned_of, update_pieces
 
 FAR = 1e300
 
@@ -47,14 +47,14 @@ class Bodies:
             self.position[body] = position
         if frame is not None:
             self.frame[body] = frame
-        place_all(self.pieces, self.frame, self.turned)
+        update_pieces(self.pieces, self.frame, self.turned)
         return self
 
     def move(self, turn: np.ndarray, shift: np.ndarray) -> "Bodies":
         """All bodies turned about the origin and shifted."""
         self.position[:] = self.position @ turn.T + shift
         self.frame[:] = turn @ self.frame
-        place_all(self.pieces, self.frame, self.turned)
+        update_pieces(self.pieces, self.frame, self.turned)
         return self
 
     def touch(self, p=0, q=1, skin=FAR, reach=FAR, least=1e-4, witness=None) -> Touching:

@@ -4,7 +4,7 @@ import numpy as np
 
 from masonry.kernels.step import advance
 from masonry.kinematics import deforming, deforming_tets, turning
-from masonry.kinematics.dispatch import move, place
+from masonry.kinematics.dispatch import move, update_positions
 from masonry.kinematics.turning import Turning
 from masonry.model.arrays import Bodies, in_rows
 from masonry.model.large.bodies import large
@@ -88,7 +88,7 @@ class Springs:
         dt = self.model.dt
         for _ in range(steps):
             for _, body in self.present:
-                place(parallel, body, dt, self.u)
+                update_positions(parallel, body, dt, self.u)
             a, b = self.model.contacts.sides.T
             self.apart[...] = self.u[b] - self.u[a]
             self.force[...] = np.einsum("cij,cj->ci", self.stiffness, self.apart)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.kinematics import turning
-from masonry.kinematics.dispatch import move, place
+from masonry.kinematics.dispatch import move, update_positions
 from masonry.model.arrays import in_rows
 from tests.kinematics import bricks
 
@@ -62,7 +62,7 @@ def test_a_corner_hits_a_plane():
     u, force, floor = in_rows(np.zeros((1, 3))), in_rows(np.zeros((1, 3))), (start @ corner)[2] - corner[2]
     impulse, before = 0.0, turning.momenta(body)
     for _ in range(600):
-        place(None, body, dt, u)
+        update_positions(None, body, dt, u)
         force[0, 2] = stiffness * max(floor - u[0, 2], 0.0)
         impulse += dt * force[0, 2]
         before = turning.momenta(body)

@@ -8,7 +8,7 @@ import pytest
 from geometry.joints.find import find_joints
 from geometry.meshes.nonmatching import surface_joints
 from geometry.meshes.tetrahedralise import mesh_blocks
-from masonry.kinematics.dispatch import move, place
+from masonry.kinematics.dispatch import move, update_positions
 from masonry.model.arrays import in_rows
 from masonry.model.layout import KINDS, Material
 from masonry.model.model import Stepping, sort_by_group
@@ -86,7 +86,7 @@ def test_patches_act_as_contacts_at_the_same_points_do(kind):
     body = body._replace(patches=patches, start=np.zeros_like(body.start), apart=None)
     for _ in range(200):
         sided.march(1)
-        place(None, body, patched.model.dt, patched.u)
+        update_positions(None, body, patched.model.dt, patched.u)
         force = -sided.force
         if kind == "tets":
             patches[...] = 0.0

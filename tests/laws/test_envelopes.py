@@ -78,8 +78,8 @@ def test_the_table_of_known_values_is_met():
 def test_energy_of_opening_is_the_closed_area_at_any_step_on_the_secant(name, widest):
     found = pulled(name, widest, most=3.3e-6)
     wanted = closed_forms.dissipated_in_tension(name, Joint(), widest)
-    assert found.spent[-1, 0] == pytest.approx(wanted, rel=1e-12)
-    assert not found.spent[:, 1:].any()
+    assert found.dissipated_by_mode[-1, 0] == pytest.approx(wanted, rel=1e-12)
+    assert not found.dissipated_by_mode[:, 1:].any()
 
 
 @pytest.mark.parametrize("name", LAWS[1:])
@@ -127,14 +127,14 @@ def test_energy_of_slip_is_the_closed_area(name, compression):
     wanted = closed_forms.dissipated_in_shear(name, joint, 1e-3, compression)
     assert found.dissipated[-1] == pytest.approx(wanted, rel=1e-5)
     friction = float(joint.residual(compression)) * (1e-3 - found.tau[-1] / joint.ks)
-    assert found.spent[-1, 2] == pytest.approx(friction, rel=1e-12, abs=1e-12)
-    assert found.spent[-1, 0] == 0.0
+    assert found.dissipated_by_mode[-1, 2] == pytest.approx(friction, rel=1e-12, abs=1e-12)
+    assert found.dissipated_by_mode[-1, 0] == 0.0
 
 
 @pytest.mark.parametrize("compression", COMPRESSIONS)
 def test_linear_slip_spends_exactly_its_mode_2_energy(compression):
     found = sheared("linear", compression, 1e-3, most=0.02e-6)
-    assert found.spent[-1, 1] == pytest.approx(58.0 + 130e-6 * compression, rel=1e-4)
+    assert found.dissipated_by_mode[-1, 1] == pytest.approx(58.0 + 130e-6 * compression, rel=1e-4)
 
 
 @pytest.mark.parametrize("name", LAWS[1:])

@@ -140,5 +140,5 @@ def test_a_contact_with_empty_places_beside_it_answers_as_one_among_eight(name):
     work = np.abs(among.stress).max() * np.abs(path).max()
     assert among.intact_n[-1] < 1.0 and among.intact_s[-1] < 1.0
     np.testing.assert_allclose(beside.stress, among.stress, rtol=0, atol=1e-10 * np.abs(among.stress).max())
-    np.testing.assert_allclose(beside.spent, among.spent, rtol=0, atol=1e-10 * work)
+    np.testing.assert_allclose(beside.dissipated_by_mode, among.dissipated_by_mode, rtol=0, atol=1e-10 * work)
     np.testing.assert_allclose(beside.stored, among.stored, rtol=0, atol=1e-10 * work)

@@ -64,9 +64,9 @@ def test_the_law_of_the_page_has_no_more_than_30_lines():
 def test_names_of_arguments_are_free(law_and_other):
     path = along([(0.0, 0.0, -2e-6), (60e-6, 0.0, 4e-6), (-20e-6, 0.0, 9e-6), (90e-6, 0.0, 1e-6)], 0.5e-6)
     one, other = (walk(own(name), path) for name in law_and_other)
-    for field in ("stress", "spent", "stored", "intact_n", "intact_s"):
+    for field in ("stress", "dissipated_by_mode", "stored", "intact_n", "intact_s"):
         assert np.array_equal(getattr(one, field), getattr(other, field)), field
-    assert one.spent[-1, :2].min() > 0.0
+    assert one.dissipated_by_mode[-1, :2].min() > 0.0
 
 
 def test_opening_follows_the_two_lines():
@@ -83,7 +83,7 @@ def test_energy_of_opening_is_the_area_at_any_step(widest):
     path = np.linspace(0.0, widest, 200001)
     sigma = np.interp(path, [0.0, AT_PEAK, AT_PEAK + 8e-6, AT_PEAK + 40e-6], 0.58e6 * np.array([0.0, 1.0, 0.3, 0.0]))
     wanted = np.trapezoid(sigma, path) - 0.5 * sigma[-1] * widest
-    assert found.spent[-1, 0] == pytest.approx(wanted, rel=1e-6)
+    assert found.dissipated_by_mode[-1, 0] == pytest.approx(wanted, rel=1e-6)
 
 
 def test_the_energies_of_the_portrait_are_those_given():
@@ -105,7 +105,7 @@ def test_dissipation_of_an_own_law_never_decreases_and_strength_never_grows(poin
 def test_two_laws_whose_tuples_have_one_name_are_two_laws_in_compiled_code():
     path = along([(0.0, 0.0, 0.0), (0.0, 0.0, 80e-6)], 3e-6)
     for name, energy in (("bilinear", 5.8), ("weaker", 0.8 * 5.8)):
-        assert walk(own(name), path).spent[-1, 0] == pytest.approx(energy + TRIANGLE, rel=1e-9)
+        assert walk(own(name), path).dissipated_by_mode[-1, 0] == pytest.approx(energy + TRIANGLE, rel=1e-9)
 
 
 @settings(unhurried, max_examples=20)
@@ -119,7 +119,12 @@ def test_written_with_if_or_for_eight_at_once_or_in_python_a_law_does_the_same(n
     np.testing.assert_allclose(other.stress, one.stress, rtol=0, atol=1e-9 * size)
     np.testing.assert_allclose(plain.sigma, one.sigma, rtol=0, atol=1e-9 * size)
     np.testing.assert_allclose(plain.tau, one.stress[:, 0], rtol=0, atol=1e-9 * size)
-    np.testing.assert_allclose(plain.fracture, one.spent[:, :2].sum(axis=1), rtol=0, atol=1e-9 * (1 + one.spent.max()))
+    np.testing.assert_allclose(
+        plain.fracture,
+        one.dissipated_by_mode[:, :2].sum(axis=1),
+        rtol=0,
+        atol=1e-9 * (1 + one.dissipated_by_mode.max()),
+    )
 
 
 @pytest.mark.parametrize("variable", ["displacement", "plastic"])
@@ -130,7 +135,9 @@ def test_a_law_that_knows_its_curve_alone_goes_on_from_the_share_that_is_left(co
     path = along([(0, 0, z), (60e-6, 0, z), (40e-6, 0, z), (40e-6, 0, rest), (90e-6, 0, rest), (-300e-6, 0, rest)])
     whole, alone = (walk(own(name, softening_variable=variable), path) for name in ("bilinear", "by-slip"))
     np.testing.assert_allclose(alone.stress, whole.stress, rtol=0, atol=1e-9 * np.abs(whole.stress).max())
-    np.testing.assert_allclose(alone.spent, whole.spent, rtol=0, atol=1e-9 * whole.dissipated[-1])
+    np.testing.assert_allclose(
+        alone.dissipated_by_mode, whole.dissipated_by_mode, rtol=0, atol=1e-9 * whole.dissipated[-1]
+    )
     assert whole.intact_s[-1] < 0.2 < whole.intact_s[path[:, 0] >= 60e-6 - 1e-12][0] < 1.0
 
 

@@ -92,9 +92,9 @@ def require_dissipation(law: tuple, path: np.ndarray) -> None:
     total = np.concatenate([[0.0], found.dissipated])
     rounding = 1e-12 * (np.max(total) + 1e-6)
     assert np.min(np.diff(total)) >= -rounding
-    assert np.min(np.diff(found.spent, axis=0, prepend=0.0)[:, :2]) >= -rounding
+    assert np.min(np.diff(found.dissipated_by_mode, axis=0, prepend=0.0)[:, :2]) >= -rounding
     if joint.tan_dilation is None:
-        assert np.min(np.diff(found.spent[:, 2], prepend=0.0)) >= -rounding
+        assert np.min(np.diff(found.dissipated_by_mode[:, 2], prepend=0.0)) >= -rounding
     for falling in (found.intact_n, found.intact_s, -found.opening_max):
         assert np.max(np.diff(falling)) <= 0.0 if len(falling) > 1 else True
     assert np.all((found.intact_n >= 0.0) & (found.intact_n <= 1.0))
@@ -199,7 +199,9 @@ def test_a_closed_path_takes_no_more_of_mode_2_than_the_law_has_at_the_largest_c
         between = (0.0, most) if joint.cohesion else (most,)
         step = np.linalg.norm(np.diff(found.path, axis=0), axis=1).max()
         one_step = step * float(closed_form.peak(most) - closed_form.residual(most)) if name == "brittle" else 0.0
-        assert found.spent[-1, 1] <= 1.005 * max(shear_area(name, closed_form, p) for p in between) + one_step
+        assert (
+            found.dissipated_by_mode[-1, 1] <= 1.005 * max(shear_area(name, closed_form, p) for p in between) + one_step
+        )
 
 
 @every_law_and_option
@@ -230,4 +232,6 @@ def test_the_frame_of_the_slip_does_not_matter(name, options, points, turn):
     one, other = walk(chosen_law, path), walk(chosen_law, path @ rotation.T)
     size = np.max(np.abs(one.stress)) + 1.0
     np.testing.assert_allclose(other.stress, one.stress @ rotation.T, rtol=0, atol=tolerance * size)
-    np.testing.assert_allclose(other.spent, one.spent, rtol=0, atol=tolerance * (one.dissipated[-1] + 1e-6))
+    np.testing.assert_allclose(
+        other.dissipated_by_mode, one.dissipated_by_mode, rtol=0, atol=tolerance * (one.dissipated[-1] + 1e-6)
+    )

@@ -81,6 +81,6 @@ def test_equal_strengths_in_an_array_give_the_bits_of_one_strength_for_all(name,
     )
     for ninth in (False, True):
         one, many = walk((parameters, joint), path, ninth=ninth), walk(arrays, path, ninth=ninth)
-        for field in ("stress", "spent", "stored", "intact_n", "intact_s", "slip"):
+        for field in ("stress", "dissipated_by_mode", "stored", "intact_n", "intact_s", "slip"):
             np.testing.assert_array_equal(getattr(many, field), getattr(one, field), field)
-        assert one.spent[-1].min() >= 0.0 < one.spent[-1].max()
+        assert one.dissipated_by_mode[-1].min() >= 0.0 < one.dissipated_by_mode[-1].max()

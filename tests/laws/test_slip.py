@@ -200,5 +200,7 @@ def test_the_energy_of_softening_by_plastic_slip_is_the_area_over_the_plastic_sl
         "polynomial": 2 * G_II * drop / peak / 3.0 * (1 - (1 + found.slip[-1, 0] * peak / 2 / G_II) ** -3.0),
         "exponential": G_II * drop / joint.c0,
     }[name]
-    assert found.spent[-1, 1] == pytest.approx(area, rel=1e-3, abs=2 * drop * 0.05 * UM if name == "brittle" else 0.0)
-    assert found.spent[-1, 2] == pytest.approx(residual * found.slip[-1, 0], rel=1e-9)
+    assert found.dissipated_by_mode[-1, 1] == pytest.approx(
+        area, rel=1e-3, abs=2 * drop * 0.05 * UM if name == "brittle" else 0.0
+    )
+    assert found.dissipated_by_mode[-1, 2] == pytest.approx(residual * found.slip[-1, 0], rel=1e-9)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.kinematics import deforming, deforming_tets
-from masonry.kinematics.dispatch import move, place
+from masonry.kinematics.dispatch import move, update_positions
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import JointProperties
 from masonry.model import model, stable_step
@@ -106,7 +106,7 @@ def tangent(kind: str, f: np.ndarray) -> tuple[np.ndarray, np.ndarray, float, ob
     def forces(at: np.ndarray) -> np.ndarray:
         where[...] = at.reshape(where.shape)
         body.v[...] = 0.0
-        place(None, body, 0.0, u)
+        update_positions(None, body, 0.0, u)
         move(None, body, found.dt, None, (1.0, 1.0, 0.0, 0.0), force, u)
         return body.inner.ravel().copy()
 

@@ -21,7 +21,7 @@ SHEAR = np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0.0, 0.0, 0.9]])
 def oscillator(damping: float, fraction: float):
     """A rigid block on a held one that can only rise and fall: mass m on a spring kn A."""
     s = shapes.setup(shapes.stack([0.05, 0.07]), ["rigid", "rigid"])
-    holds = [models.everything(0), Hold(np.array([1]), (0, 1), turns=(0, 1, 2))]
+    holds = [models.everything(0), Hold(np.array([1]), (0, 1), rotations=(0, 1, 2))]
     mass, spring = 1900 * 0.2 * 0.1 * 0.07, KN * 0.2 * 0.1
     omega = np.sqrt(spring / mass)
     model = models.make(s, models.GLUE, Stepping("real", 2 * fraction / omega, damping=damping), holds)

@@ -56,8 +56,8 @@ def test_a_drive_that_came_back_says_0_in_titles():
 @pytest.mark.parametrize("parts", [(0.0, 0.0, 0.0), (0.2, 0.05, 0.0), (0.0, 0.1, 0.3)])
 def test_numbers_over_the_bars_of_cycles_stay_within_their_axes(parts):
     result = sample()
-    spent = dict(zip(("fracture_mode_1_j", "fracture_mode_2_j", "friction_j"), parts, strict=True))
-    result.summary["cycles"] = [{**spent, "dissipated_j": sum(parts), "closed": False}]
+    dissipated = dict(zip(("fracture_mode_1_j", "fracture_mode_2_j", "friction_j"), parts, strict=True))
+    result.summary["cycles"] = [{**dissipated, "dissipated_j": sum(parts), "closed": False}]
     figure = curve_figure(result)
     texts, legends = boxes(figure)
     (over,) = (box for words, box in texts.items() if "not closed" in words)

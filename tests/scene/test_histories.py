@@ -104,7 +104,7 @@ def test_a_history_that_does_not_do_is_refused_in_one_sentence(keys, words):
 def test_a_history_takes_the_place_of_the_displacement_and_is_paced_as_it_is():
     assert cyclic(["1 mm", "-1 mm"]).drive.displacement is None
     assert cyclic(["1 mm", "-1 mm"]).drive.accuracy == 0.01
-    assert load("couplet-cyclic", {"drive.displacement": "1 mm"}).drive.turns == (1e-3,)
+    assert load("couplet-cyclic", {"drive.displacement": "1 mm"}).drive.reversals == (1e-3,)
     assert cyclic(["1 mm", "-2 mm"]).drive.farthest == 2e-3
 
 
@@ -114,16 +114,16 @@ def test_a_written_history_reads_back_as_it_was(history, tmp_path):
     (tmp_path / "again.toml").write_text(to_toml(scene))
     again = load(tmp_path / "again.toml")
     assert again.drive == scene.drive
-    assert again.drive.turns == scene.drive.turns
+    assert again.drive.reversals == scene.drive.reversals
 
 
 def test_the_turning_points_of_an_expression_are_found_to_rounding():
-    turns = timed("2 mm * sin(2 pi t / 1 s) * t / 4 s", 4.0, "length").turning_points()
+    reversals = timed("2 mm * sin(2 pi t / 1 s) * t / 4 s", 4.0, "length").turning_points()
     wanted = np.arange(0, 8) * 0.5 + 0.25  # where tan(2 pi t) = -2 pi t
     for _ in range(50):
         wanted = (np.arctan(-2 * np.pi * wanted) + np.pi * np.arange(1, 9)) / (2 * np.pi)
-    assert turns[:-1] == pytest.approx(0.5e-3 * np.sin(2 * np.pi * wanted) * wanted, rel=1e-12)
-    assert abs(turns[-1]) < 1e-15
+    assert reversals[:-1] == pytest.approx(0.5e-3 * np.sin(2 * np.pi * wanted) * wanted, rel=1e-12)
+    assert abs(reversals[-1]) < 1e-15
 
 
 def test_a_table_turns_at_its_rows_and_nowhere_between():
@@ -135,14 +135,14 @@ def test_a_table_turns_at_its_rows_and_nowhere_between():
 
 @settings(max_examples=30, deadline=None, derandomize=True)
 @given(st.lists(st.floats(-1, 1).map(lambda x: round(x, 2)), min_size=1, max_size=6), st.integers(2000, 3000))
-def test_a_passage_visits_every_turning_point_and_goes_straight_there(turns, steps):
-    turns = [b for a, b in zip([0.0, *turns], turns, strict=False) if a != b]
-    if not turns:
+def test_a_passage_visits_every_turning_point_and_goes_straight_there(reversals, steps):
+    reversals = [b for a, b in zip([0.0, *reversals], reversals, strict=False) if a != b]
+    if not reversals:
         return
-    places = passage(tuple(turns), steps)
-    way = np.abs(np.diff([0.0, *turns])).sum()
-    assert len(places) == steps and places[0] == 0.0 and places[-1] == turns[-1]
-    assert set(turns) <= set(places.tolist())
+    places = passage(tuple(reversals), steps)
+    way = np.abs(np.diff([0.0, *reversals])).sum()
+    assert len(places) == steps and places[0] == 0.0 and places[-1] == reversals[-1]
+    assert set(reversals) <= set(places.tolist())
     assert np.abs(np.diff(places)).sum() == pytest.approx(way, rel=1e-12), "never beyond a turn"
 
 

@@ -72,8 +72,8 @@ def follow(model: Model, places: Sequence[float], parts: int = 1) -> tuple[Array
     """Force of the drive (N) at each place under displacement control, the most strength lost there, and the path."""
     path, force, harm = Path(model), [], []
     if model.dead.any():
-        for share in np.linspace(0.0, 1.0, DEAD_STEPS + 1)[1:]:
-            path.go(0.0, dead=float(share))
+        for load_factor in np.linspace(0.0, 1.0, DEAD_STEPS + 1)[1:]:
+            path.go(0.0, dead=float(load_factor))
     for before, place in zip([0.0, *places[:-1]], places, strict=True):
         for part in range(1, parts + 1):
             path.go(before + (place - before) * part / parts)

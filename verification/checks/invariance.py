@@ -14,7 +14,7 @@ from verification.checks.free_motion import STRONG, follow
 from verification.fixtures import assembled, models, shapes
 from verification.fixtures.one_contact import TABLE_1
 
-TURNS = {
+ROTATIONS = {
     "turned by 45 degrees about (1, 2, 3)": Rotation.from_rotvec(np.pi / 4 * np.array([1, 2, 3]) / 14**0.5).as_matrix(),
     "turned by 90 degrees about z": np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]),
     "mirrored": np.diag([-1.0, 1.0, 1.0]),
@@ -71,8 +71,8 @@ def contact_forces(model: Model) -> np.ndarray:
 
 def rigid_motion(findings: Findings, kinds: Sequence[str], words: str) -> None:
     """All blocks move and turn together: no force at all. And contacts push both sides alike, along one line."""
-    turn = next(iter(TURNS.values()))
-    model = models.make(shapes.mapped(wall(kinds, skew=True), turn, SHIFT), STRONG)
+    rotation = next(iter(ROTATIONS.values()))
+    model = models.make(shapes.mapped(wall(kinds, skew=True), rotation, SHIFT), STRONG)
     random = np.random.default_rng(1)
     spin = random.normal(size=3)
     rigid = models.linear_field(model, random.normal(size=3), np.cross(np.eye(3), -spin))
@@ -109,12 +109,12 @@ def _weakest(findings: Findings, words: str, model: Model) -> None:
     findings.at_most(words, "1", left, 0.9, "any loss of a tenth will do")
 
 
-def _loaded(setup: shapes.Setup, law: tuple, turn: np.ndarray, stepping: Stepping, order: np.ndarray) -> Model:
+def _loaded(setup: shapes.Setup, law: tuple, rotation: np.ndarray, stepping: Stepping, order: np.ndarray) -> Model:
     """Blocks 0 and 1 (by their old numbers) held; weight, and a traction on top."""
     where = np.argsort(order)
-    push = Push(np.array([setup.blocks.block_face_start[where[4]]]), turn @ np.array([6e4, 3e4, -3e4]))
+    push = Push(np.array([setup.blocks.block_face_start[where[4]]]), rotation @ np.array([6e4, 3e4, -3e4]))
     held = models.everything(int(where[0]), int(where[1]))
-    return models.make(setup, law, stepping, [held], [push], gravity=turn @ np.array([80.0, 60.0, -40.0]))
+    return models.make(setup, law, stepping, [held], [push], gravity=rotation @ np.array([80.0, 60.0, -40.0]))
 
 
 def alike(findings: Findings, kinds: Sequence[str], words: str, law: tuple, steps: int, stepping: Stepping) -> None:
@@ -127,12 +127,12 @@ def alike(findings: Findings, kinds: Sequence[str], words: str, law: tuple, step
     why = "rounding, whose share grows with the steps in which joints soften"
     if law is SOFT:
         _weakest(findings, f"{words}: strength left of the weakest joint", plain)
-    for name, turn in TURNS.items():
-        setup = shapes.mapped(still, turn, SHIFT if "shifted" in name else np.zeros(3))
-        model = _loaded(setup, law, turn, stepping, rest)
+    for name, rotation in ROTATIONS.items():
+        setup = shapes.mapped(still, rotation, SHIFT if "shifted" in name else np.zeros(3))
+        model = _loaded(setup, law, rotation, stepping, rest)
         follow(findings, f"{words}: {name}", model, steps, lambda m: np.zeros(1), every=steps // 20)
         now = models.displacements(model)
-        off = max(float(np.abs(b - a @ turn.T).max(initial=0.0)) for a, b in zip(was, now, strict=True))
+        off = max(float(np.abs(b - a @ rotation.T).max(initial=0.0)) for a, b in zip(was, now, strict=True))
         findings.check(f"{words}: {name}, displacements", "m", off, 0.0, KIND, 1e-12, 1e-14, why, scale)
     other, nodes = shapes.renumbered(still, ORDER)
     model = _loaded(other, law, np.eye(3), stepping, ORDER)

@@ -11,7 +11,7 @@ from masonry.model import model
 from masonry.model.layout import DOFS, KINDS, Layout, Material
 from masonry.model.loads import Conditions
 
-TURNS = {"x": 3, "y": 4, "z": 5}
+ROTATION_DOFS = {"x": 3, "y": 4, "z": 5}
 
 
 def rebuilt(assembly: Assembly, change: Callable[[Conditions, Layout], None]) -> Assembly:
@@ -42,12 +42,12 @@ def turned(assembly: Assembly, axis: str) -> Assembly:
     are the moment about the blocks' centroids (N m), over the section where it is a stress.
     """
 
-    def turn(conditions: Conditions, layout: Layout) -> None:
+    def rotate(conditions: Conditions, layout: Layout) -> None:
         moved = conditions.driven["rigid"]
         assert moved is not None
         row, along = np.divmod(moved, DOFS["rigid"])
         conditions.prescribed["rigid"][row, along] = conditions.supported["rigid"][row, along]
-        conditions.prescribed["rigid"][row, TURNS[axis]] = True
-        conditions.driven = dict.fromkeys(KINDS) | {"rigid": DOFS["rigid"] * row + TURNS[axis]}
+        conditions.prescribed["rigid"][row, ROTATION_DOFS[axis]] = True
+        conditions.driven = dict.fromkeys(KINDS) | {"rigid": DOFS["rigid"] * row + ROTATION_DOFS[axis]}
 
-    return rebuilt(assembly, turn)
+    return rebuilt(assembly, rotate)

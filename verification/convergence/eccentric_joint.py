@@ -33,23 +33,23 @@ PLACES = (np.arange(FIBRES) + 0.5) * LENGTH / FIBRES - LENGTH / 2
 @cache
 def solution() -> tuple[float, float]:
     """(peak Pa, dissipated J) of the continuous joint: the turn at every pull, then the sum over the fibres."""
-    arm, turn, peak = PLACES - ECCENTRICITY, 0.0, 0.0
+    arm, rotation, peak = PLACES - ECCENTRICITY, 0.0, 0.0
     widest = np.zeros(FIBRES)
     for pull in np.linspace(0.0, PULL, 4001)[1:]:
-        guess, reach = turn, 4e-3 * PULL
+        guess, reach = rotation, 4e-3 * PULL
 
-        def moment(turn: float, pull: float = pull) -> float:
-            return float(np.sum(tension(LAW, JOINT, pull + turn * arm) * arm))
+        def moment(rotation: float, pull: float = pull) -> float:
+            return float(np.sum(tension(LAW, JOINT, pull + rotation * arm) * arm))
 
         while moment(guess - reach / LENGTH) * moment(guess + reach / LENGTH) > 0.0:
             reach *= 1.5
-        turn = float(brentq(moment, guess - reach / LENGTH, guess + reach / LENGTH, xtol=1e-16))
-        opening = pull + turn * arm
+        rotation = float(brentq(moment, guess - reach / LENGTH, guess + reach / LENGTH, xtol=1e-16))
+        opening = pull + rotation * arm
         widest = np.maximum(widest, opening)
         peak = max(peak, float(np.mean(tension(LAW, JOINT, opening))))
     cracked = widest[widest > JOINT.opening_at_peak]
-    spent = sum(dissipated_in_tension(LAW, JOINT, w) for w in cracked)
-    return peak, spent * WIDTH * LENGTH / FIBRES
+    dissipated = sum(dissipated_in_tension(LAW, JOINT, w) for w in cracked)
+    return peak, dissipated * WIDTH * LENGTH / FIBRES
 
 
 def exact(one: Run) -> dict[str, float]:

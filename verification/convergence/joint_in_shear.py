@@ -74,8 +74,8 @@ LENGTH, WIDTH, PRESSURE, PUSH = 0.25, 0.1, 0.2e6, 0.6e-3
 
 def exact_of_triplet(one: Run) -> dict[str, float]:
     """Peak (Pa) and dissipated energy (J)."""
-    spent = float(closed_forms.dissipated_in_shear("linear", JOINT, PUSH, PRESSURE))
-    return {"peak stress": float(JOINT.peak(PRESSURE)), "dissipated energy": 2 * LENGTH * WIDTH * spent}
+    dissipated = float(closed_forms.dissipated_in_shear("linear", JOINT, PUSH, PRESSURE))
+    return {"peak stress": float(JOINT.peak(PRESSURE)), "dissipated energy": 2 * LENGTH * WIDTH * dissipated}
 
 
 PROBLEMS = (

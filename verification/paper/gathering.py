@@ -36,7 +36,7 @@ def in_turn(wanted: dict[str, dict[str, Run]]) -> list[tuple[str, str]]:
     """(experiment, label) of all runs, one of each experiment in turn: those of one experiment mostly need the same
     step, and workers that come to them together all wait while one of them compiles it."""
     lists = [[(name, label) for label in runs] for name, runs in wanted.items()]
-    return [pair for turn in itertools.zip_longest(*lists) for pair in turn if pair is not None]
+    return [pair for pairs in itertools.zip_longest(*lists) for pair in pairs if pair is not None]
 
 
 def with_halved(runs: dict[str, Run], quick: bool) -> dict[str, Run]:

@@ -59,7 +59,7 @@ RULES: dict[str, Callable[[Any], dict[str, Any]]] = {
     "steps": lambda value: {f"x{f:g}": round(f * value) for f in (0.5, 2)},
     "rate": lambda value: {f"x{f:g}": f"{1e3 * f * value:g} mm/s" for f in (0.5, 2)},
     "displacement": _times(0.8, 1.2, unit=" m"),
-    "fix": lambda value: {"turning held" if "rotation" not in value else "turning free": _turn(value)},
+    "fix": lambda value: {"turning held" if "rotation" not in value else "turning free": _toggled_rotation(value)},
 }
 
 NEEDS: dict[str, dict[str, Any]] = {
@@ -71,7 +71,7 @@ NEEDS: dict[str, dict[str, Any]] = {
 """What the base run must have for the entry to matter at all."""
 
 
-def _turn(value: Any) -> list[str]:
+def _toggled_rotation(value: Any) -> list[str]:
     return [v for v in value if v != "rotation"] if "rotation" in value else [*value, "rotation"]
 
 

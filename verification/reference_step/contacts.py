@@ -18,7 +18,7 @@ def shoving(contacts):
     """Moves side b of every contact by by[c] and sweeps over the contacts (or not), round after round."""
 
     @compiled
-    def shove(rounds, by, sweeps, law, ends, frame, u, force, past, slip, spent):
+    def shove(rounds, by, sweeps, law, ends, frame, u, force, past, slip, dissipated):
         for _ in range(rounds):
             for c in range(len(by)):
                 b = ends[c, 1]
@@ -26,13 +26,13 @@ def shoving(contacts):
                 u[b, 1] += by[c, 1]
                 u[b, 2] += by[c, 2]
             if sweeps:
-                contacts(law, ends, frame, u, force, past, slip, spent)
+                contacts(law, ends, frame, u, force, past, slip, dissipated)
 
     return shove
 
 
 @compiled
-def elastic(law, ends, frame, u, force, past, slip, spent):
+def elastic(law, ends, frame, u, force, past, slip, dissipated):
     """Eqs (5) and (6): no history."""
     kn, ks = law[0], law[1]
     for c in range(len(frame)):
@@ -54,7 +54,7 @@ def softening(curved: bool):
     """
 
     @compiled
-    def contacts(law, ends, frame, u, force, past, slip, spent):
+    def contacts(law, ends, frame, u, force, past, slip, dissipated):
         kn, ks, ft, c0, tan0, cr, tanr, g1, g2 = law
         un0, steep, fall, soft = ft / kn, -ft / g1, -c0 / g2, 1.0 / ks
         for c in range(len(frame)):
@@ -91,16 +91,16 @@ def softening(curved: bool):
                             first += 0.5 * dn * ft * e * e / opened * (ds - whole)
                         ds = whole
                     yielded = rest + ds * dn * (peak - rest)
-                    share = yielded / tau
+                    fraction = yielded / tau
                     path = (tau - yielded) * soft
-                    spent[c, 1] += path * 0.5 * (most + yielded - 2.0 * rest)
-                    spent[c, 2] += path * rest
-                    left = (1.0 - share) * soft
+                    dissipated[c, 1] += path * 0.5 * (most + yielded - 2.0 * rest)
+                    dissipated[c, 2] += path * rest
+                    left = (1.0 - fraction) * soft
                     slip[c, 0] += left * tx
                     slip[c, 1] += left * ty
                     slip[c, 2] += left * tz
-                    tx, ty, tz = share * tx, share * ty, share * tz
-                spent[c, 0] += first
+                    tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
+                dissipated[c, 0] += first
                 secant = dn * ds * ft / opened
                 sigma = e * (kn if e <= 0.0 else secant)
                 past[c, 0], past[c, 1], past[c, 2], past[c, 3] = opened, dn, ds, secant

@@ -32,7 +32,7 @@ class ReferenceStep:
         parameters, joint = model.groups.parameters[0], model.groups.properties[0]
         i = joint
         self.law = (i.normal_stiffness, i.shear_stiffness)
-        self.past, self.slip, self.spent = (np.zeros((count if law != "elastic" else 0, 4)) for _ in range(3))
+        self.past, self.slip, self.dissipated = (np.zeros((count if law != "elastic" else 0, 4)) for _ in range(3))
         if law != "elastic":
             limits = i.tensile_strength, i.cohesion, i.tan_friction, i.residual_cohesion, i.tan_residual_friction
             self.law += limits + ((parameters.G_I, parameters.G_II) if law == "exponential" else (0.0, 1.0))
@@ -77,7 +77,7 @@ class ReferenceStep:
 
     def stepping(self, steps: int) -> Callable[[], None]:
         """A call that takes so many steps."""
-        memory = self.past, self.slip, self.spent
+        memory = self.past, self.slip, self.dissipated
 
         def take() -> None:
             self.step(steps, self.dt, self.xi, self.law, self.ends, self.frame, self.u, self.force, *memory, *self.body)
@@ -89,7 +89,7 @@ class ReferenceStep:
         shove, arrays = contacts.shoving(self.contacts), (self.ends, self.frame, self.u, self.force)
 
         def take() -> None:
-            shove(rounds, by, sweeps, self.law, *arrays, self.past, self.slip, self.spent)
+            shove(rounds, by, sweeps, self.law, *arrays, self.past, self.slip, self.dissipated)
 
         return take
 
@@ -103,4 +103,4 @@ class ReferenceStep:
 
     def size(self) -> int:
         """Bytes of its arrays."""
-        return size_of(self.ends, self.frame, self.u, self.force, self.past, self.slip, self.spent, self.body)
+        return size_of(self.ends, self.frame, self.u, self.force, self.past, self.slip, self.dissipated, self.body)

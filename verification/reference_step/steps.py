@@ -29,9 +29,9 @@ def dof(damped: bool, booked: bool):
             hold = -hold if velocity > 0.0 else (hold if velocity < 0.0 else 0.0)
         hold = -total if give == 0.0 else hold
         if booked:
-            way = half * velocity
-            work[row, i] += (contact + before[row, i]) * way
-            work[row, 4 + i] += (hold + before[row, 4 + i]) * way
+            move = half * velocity
+            work[row, i] += (contact + before[row, i]) * move
+            work[row, 4 + i] += (hold + before[row, 4 + i]) * move
             before[row, i] = contact
             before[row, 4 + i] = hold
         v[row, i] = velocity + give * (total + hold)
@@ -48,7 +48,9 @@ def rigid_step(contacts, damped: bool, booked: bool):
     kick = dof(damped, booked)
 
     @compiled
-    def steps(count, dt, xi, law, ends, frame, u, force, past, slip, spent, q, v, pace, before, work, start, code, arm):
+    def steps(
+        count, dt, xi, law, ends, frame, u, force, past, slip, dissipated, q, v, pace, before, work, start, code, arm
+    ):
         for _ in range(count):
             for b in range(len(start) - 1):
                 m, t = 2 * b, 2 * b + 1
@@ -60,7 +62,7 @@ def rigid_step(contacts, damped: bool, booked: bool):
                     u[k, 0] = x + r * arm[k, 2] - s * arm[k, 1]
                     u[k, 1] = y + s * arm[k, 0] - p * arm[k, 2]
                     u[k, 2] = z + p * arm[k, 1] - r * arm[k, 0]
-            contacts(law, ends, frame, u, force, past, slip, spent)
+            contacts(law, ends, frame, u, force, past, slip, dissipated)
             for b in range(len(start) - 1):
                 fx, fy, fz, mx, my, mz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
                 for k in range(start[b], start[b + 1]):
@@ -121,14 +123,14 @@ def tet_step(contacts, damped: bool, booked: bool):
 
     @compiled
     def steps(
-        count, dt, xi, law, ends, frame, u, force, past, slip, spent,
+        count, dt, xi, law, ends, frame, u, force, past, slip, dissipated,
         v, pace, before, work, start, code, node_start, tet_start, corner, slope, lame, inner,
     ):  # fmt: skip
         for _ in range(count):
             for n in range(len(v)):
                 for i in range(4):
                     u[n, i] += dt * v[n, i]
-            contacts(law, ends, frame, u, force, past, slip, spent)
+            contacts(law, ends, frame, u, force, past, slip, dissipated)
             for b in range(len(lame)):
                 first, last = node_start[b], node_start[b + 1]
                 for n in range(first, last):

@@ -195,5 +195,5 @@ def affine_couplet_compliance(
     points or more along L has the exact second moment), so du_z/dx = -12 tau h/(kn L^2), and
     du_x/dz = tau/G - du_z/dx.
     """
-    turn = 12.0 * height / (glue_kn * length**2)
-    return 2.0 * (1.0 / glue_ks + height / shear_modulus + height * turn)
+    rotation = 12.0 * height / (glue_kn * length**2)
+    return 2.0 * (1.0 / glue_ks + height / shear_modulus + height * rotation)

@@ -41,15 +41,15 @@ class Sheared:
 
     def along(self, places: Floats) -> tuple[Floats, Floats]:
         """Stress (Pa) and energy gone (J/m2) at places (n,) m on one leg in order; the last one is the next turn."""
-        way = np.sign(places[-1] - self.place)
+        direction = np.sign(places[-1] - self.place)
         made = np.abs(places - self.place)
-        slid = self.slid_by(made, float(way * self.stress))
-        elastic = way * self.stress + self.joint.ks * made
+        slid = self.slid_by(made, float(direction * self.stress))
+        elastic = direction * self.stress + self.joint.ks * made
         stress = np.minimum(elastic, self.strength(slid))
-        gone = self.gone + self.spent(slid)
-        self.place, self.stress = float(places[-1]), float(way * stress[-1])
+        gone = self.gone + self.dissipated_in_leg(slid)
+        self.place, self.stress = float(places[-1]), float(direction * stress[-1])
         self.slid, self.gone = float(slid[-1]), float(gone[-1])
-        return way * stress, gone
+        return direction * stress, gone
 
     def slid_by(self, made: Floats, start: float) -> Floats:
         """The softening variable `made` m from the start of a leg at `start` Pa."""
@@ -61,7 +61,7 @@ class Sheared:
         reached = path - self.slid + (self.strength(path) - start) / self.joint.ks
         return np.asarray(np.interp(made, reached, path))
 
-    def spent(self, slid: Floats) -> Floats:
+    def dissipated_in_leg(self, slid: Floats) -> Floats:
         """Energy (J/m2) that the leg has taken: under the envelope, less what stays elastic by the total slip."""
         if self.variable == "plastic":
             return self._under(slid + self.peak_at) - self._under(np.array([self.slid + self.peak_at]))
@@ -74,10 +74,10 @@ class Sheared:
 
 
 def legs(places: Floats) -> list[slice]:
-    """The rows (n,) m of a drive, split where it turns; each leg ends with its turn."""
-    way = np.sign(np.diff(places))
-    turns = np.flatnonzero(way[1:] * way[:-1] < 0.0) + 1
-    bounds = [-1, *turns.tolist(), len(places) - 1]
+    """The rows (n,) m of a drive, split where it turns; each leg ends with its reversal."""
+    direction = np.sign(np.diff(places))
+    reversals = np.flatnonzero(direction[1:] * direction[:-1] < 0.0) + 1
+    bounds = [-1, *reversals.tolist(), len(places) - 1]
     return [slice(a + 1, b + 1) for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
 
 

@@ -53,9 +53,9 @@ def judge(made: page.Chapter, outcomes: Sequence[Outcome]) -> None:
         here = [o for o in outcomes if o.case.area == area]
         if here:
             made.judge(area, _kind(here), _sentence(here))
-    ledgers = [share for o in outcomes for share in o.findings.imbalance.values()]
+    ledgers = [imbalance for o in outcomes for imbalance in o.findings.imbalance.values()]
     if ledgers:
-        fine = all(share <= IMBALANCE for share in ledgers)
+        fine = all(imbalance <= IMBALANCE for imbalance in ledgers)
         words = "closes within" if fine else "does not close: it is off by up to"
         sentence = (
             f"The energy balance of {len(ledgers)} runs {words} {max(ledgers):.0e} of the external work at every row "
@@ -145,10 +145,10 @@ def _check(check: Check) -> list[str | page.Cell]:
 
 def _runs(outcome: Outcome) -> list[list[str | page.Cell]]:
     rows: list[list[str | page.Cell]] = []
-    for name, share in outcome.findings.imbalance.items():
+    for name, imbalance in outcome.findings.imbalance.items():
         measures, seconds = outcome.findings.measures.get(name, {}), outcome.findings.seconds.get(name, 0.0)
         steps, kinetic = measures.get("steps"), measures.get("kinetic_over_internal")
-        closes = page.judged(f"{share:.0e}", share <= IMBALANCE)
+        closes = page.judged(f"{imbalance:.0e}", imbalance <= IMBALANCE)
         said = "-" if steps is None else f"{steps:.0f}", "-" if kinetic is None else f"{kinetic:.1e}"
         rows.append([name, said[0], f"{seconds:.2g}", closes, said[1]])
     return rows

@@ -70,8 +70,8 @@ def draw_cell(axes: Any, place: tuple[int, int], outcome: Outcome) -> None:
 
 def length(error: float) -> float:
     """Share of the bar that is full: 0 at LEAST, 1 at MOST, by the logarithm between."""
-    share = math.log(max(error, LEAST) / LEAST) / math.log(MOST / LEAST)
-    return min(share, 1.0)
+    fraction = math.log(max(error, LEAST) / LEAST) / math.log(MOST / LEAST)
+    return min(fraction, 1.0)
 
 
 def written(error: float) -> str:

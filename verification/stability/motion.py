@@ -31,28 +31,33 @@ def grids(full: bool) -> list[Grid]:
 
 def fractions(full: bool) -> Grid:
     """The time step over its proven bound, which for free blocks lies below the true limit."""
-    shares = (0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0, 1.1, 1.2) if full else (0.9,)
+    step_fractions = (0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0, 1.1, 1.2) if full else (0.9,)
     cells = {}
     for row, damping in DAMPING.items() if full else list(DAMPING.items())[:1]:
-        for share in shares:
-            must = ("OK", "WARNED") if share <= 1.0 else ()
-            knobs = {**REAL, **damping, "solver.step_fraction": share, "drive.steps": round(18000 / share)}
-            cells[row, f"{share:g}"] = Cell(CHAIN, knobs, torn, must)
+        for step_fraction in step_fractions:
+            must = ("OK", "WARNED") if step_fraction <= 1.0 else ()
+            knobs = {
+                **REAL,
+                **damping,
+                "solver.step_fraction": step_fraction,
+                "drive.steps": round(18000 / step_fraction),
+            }
+            cells[row, f"{step_fraction:g}"] = Cell(CHAIN, knobs, torn, must)
     return Grid("Time step over the proven bound", "motion", "step fraction", cells)
 
 
 def true_limits(full: bool) -> Grid:
     """The time step over the limit itself, known in closed form where blocks can move along the chain alone."""
-    shares = (0.5, 0.9, 0.99, 1.01, 1.02, 1.05, 1.1, 1.2, 2.0, 5.0) if full else (0.99, 1.05)
+    step_fractions = (0.5, 0.9, 0.99, 1.01, 1.02, 1.05, 1.1, 1.2, 2.0, 5.0) if full else (0.99, 1.05)
     cells = {}
     for row, damping in DAMPING.items() if full else list(DAMPING.items())[:1]:
         guided = {**REAL, **damping, "support": GUIDED}
         bound = assemble(load(CHAIN, guided)).model.bound
         limit = limit_of_chain(guided, 0.8 if row == "damping 0.8" else 0.0)
-        for share in shares:
-            must = ("OK", "WARNED") if share < 1.0 else ("STOPPED",)
-            knobs = {"solver.step_fraction": share * limit / bound, "drive.steps": round(18000 / share)}
-            cells[row, f"{share:g}"] = Cell(CHAIN, {**guided, **knobs}, torn, must)
+        for step_fraction in step_fractions:
+            must = ("OK", "WARNED") if step_fraction < 1.0 else ("STOPPED",)
+            knobs = {"solver.step_fraction": step_fraction * limit / bound, "drive.steps": round(18000 / step_fraction)}
+            cells[row, f"{step_fraction:g}"] = Cell(CHAIN, {**guided, **knobs}, torn, must)
     note = "Limit: 2/w over sqrt(1 + xi), w = 2 sqrt(k/m) cos(pi/(2 n + 2)) for n free blocks between two held ones."
     return Grid("Time step over the true limit", "motion", "time step over the limit", cells, note=note)
 
@@ -127,9 +132,9 @@ def swing(count: int, knobs: Knobs) -> Run:
         compiled_step.advance_model(model, one, 1, 0, 1, np.zeros(1))
         energies[k] = 0.5 * mass * before * body.v[free, 2] + 0.5 * stiffness * body.q[free, 2] ** 2
     seconds = time.perf_counter() - begun
-    turn = math.acos(1.0 - 0.5 * stiffness / mass * model.dt**2)
-    reach = speed * model.dt / math.sin(turn)
-    exact = reach * math.sin(turn * count)
+    phase = math.acos(1.0 - 0.5 * stiffness / mass * model.dt**2)
+    reach = speed * model.dt / math.sin(phase)
+    exact = reach * math.sin(phase * count)
     rows = {"energy": energies, "place": np.array([body.q[free, 2], exact, reach])}
     summary: dict[str, Any] = {"steps": count, "energy_imbalance": float(np.ptp(energies) / energies.mean())}
     needed = {"reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}

@@ -18,10 +18,10 @@ def sheared(one: Run) -> dict[str, Exact]:
     at_peak = min(slip, float(joint.peak(sigma)) / joint.ks)
     peak = float(closed_forms.shear(law, joint, at_peak, sigma))
     work = float(closed_forms.shear_work(law, joint, slip, sigma))
-    spent = float(closed_forms.dissipated_in_shear(law, joint, slip, sigma))
+    dissipated = float(closed_forms.dissipated_in_shear(law, joint, slip, sigma))
     return {
         "peak": Exact(one.value("peak"), peak),
-        "dissipated": Exact(one.value("dissipated"), area * spent, area * work),
+        "dissipated": Exact(one.value("dissipated"), area * dissipated, area * work),
     }
 
 
@@ -43,11 +43,11 @@ def sheared_over_plastic_slip(one: Run) -> dict[str, Exact]:
         return residual + drop * math.exp(-joint.c0 * plastic / energy)
 
     plastic = float(brentq(lambda p: stress(p) / joint.ks + p - slip, 0.0, slip))
-    spent = residual * plastic - drop * energy / joint.c0 * math.expm1(-joint.c0 * plastic / energy)
-    work = spent + 0.5 * stress(plastic) ** 2 / joint.ks
+    dissipated = residual * plastic - drop * energy / joint.c0 * math.expm1(-joint.c0 * plastic / energy)
+    work = dissipated + 0.5 * stress(plastic) ** 2 / joint.ks
     return {
         "peak": Exact(one.value("peak"), residual + drop),
-        "dissipated": Exact(one.value("dissipated"), area * spent, area * work),
+        "dissipated": Exact(one.value("dissipated"), area * dissipated, area * work),
     }
 
 
@@ -72,8 +72,8 @@ def torn(one: Run) -> dict[str, Exact]:
     if loaded.gravity is not None:
         peak -= loaded.material["units"].density * float(loaded.gravity.z) * float(loaded.specimen.box[-1].size[2])
     work = float(closed_forms.tension_work(law, joint, opened))
-    spent = float(closed_forms.dissipated_in_tension(law, joint, opened))
+    dissipated = float(closed_forms.dissipated_in_tension(law, joint, opened))
     return {
         "peak": Exact(one.value("peak"), peak),
-        "dissipated": Exact(one.value("dissipated"), area * spent, area * work),
+        "dissipated": Exact(one.value("dissipated"), area * dissipated, area * work),
     }

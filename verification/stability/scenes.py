@@ -32,8 +32,12 @@ def far_enough(law: str, joint: Joint, sigma: float) -> float:
 def slid(name: str, knobs: Knobs, sigma: float = 0.5e6) -> Knobs:
     """Knobs with a drive that goes through the whole softening of the joint."""
     joint = joint_of(name, {key: value for key, value in knobs.items() if not key.startswith("drive")})
-    way = far_enough(str(knobs.get("law")), joint, sigma)
-    return {"drive.displacement": f"{way!r} m", "solver.slip_limit": 100, **knobs}  # the law is judged, not the joint
+    travel = far_enough(str(knobs.get("law")), joint, sigma)
+    return {
+        "drive.displacement": f"{travel!r} m",
+        "solver.slip_limit": 100,
+        **knobs,
+    }  # the law is judged, not the joint
 
 
 def box(name: str, low: tuple[float, float, float], size: tuple[float, float, float], unit: int) -> dict[str, Any]:

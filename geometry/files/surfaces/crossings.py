@@ -33,8 +33,8 @@ def _through(start: np.ndarray, end: np.ndarray, face: np.ndarray, width: float)
     before = np.einsum("ni,ni->n", start - face[:, 0], normal)
     after = np.einsum("ni,ni->n", end - face[:, 0], normal)
     meets = (before * after < 0) & (np.minimum(np.abs(before), np.abs(after)) > width)
-    share = np.divide(before, before - after, out=np.zeros_like(before), where=meets)
-    place = start + share[:, None] * (end - start)
+    fraction = np.divide(before, before - after, out=np.zeros_like(before), where=meets)
+    place = start + fraction[:, None] * (end - start)
     inside = meets
     for k in range(3):
         edge = face[:, (k + 1) % 3] - face[:, k]

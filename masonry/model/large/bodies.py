@@ -61,8 +61,8 @@ def deforming_tets(body: Tets, apart: np.ndarray | None, framed: bool = True) ->
     if framed:
         frames["frame"] = np.tile(np.eye(3), (len(body.lame), 1, 1))
         frames["mean_slope"] = in_rows(mean_slopes(len(body.v), body.corner, slope, volume, body.node_start))
-    between = ("corner_between", "share_between", "start_between", "first_between")
-    by_node = ("pull_start", "pull_code", "pull_share")
+    between = ("corner_between", "fraction_between", "start_between", "first_between")
+    by_node = ("pull_start", "pull_code", "pull_fraction")
     names = ("inner", "node_start", "group_start", "corner", "lame", "load", "change", "guess", *between, *by_node)
     return DeformingTets(**_common(body, names), slope=slope, volume=volume, apart=apart, **frames)
 

@@ -46,10 +46,10 @@ class Meetings:
         return float(max(rule.max(initial=0.0) for rule in self.rules[:2]))
 
     @property
-    def step_share(self) -> float:
+    def step_fraction(self) -> float:
         """Of the stable step that dashpots leave, which act on velocities half a step old."""
-        share = float(self.rules.dashpot.max(initial=0.0))
-        return float(np.sqrt(1.0 + share**2) - share)
+        damping_ratio = float(self.rules.dashpot.max(initial=0.0))
+        return float(np.sqrt(1.0 + damping_ratio**2) - damping_ratio)
 
 
 @dataclass(frozen=True)

@@ -59,15 +59,15 @@ def contact_row_sums(
         form = side.form
         for code, kind in enumerate(KINDS):
             which = np.flatnonzero(form == code)
-            turns = both[which, None] * lever[which]
+            rotations = both[which, None] * lever[which]
             moves = np.repeat(both[which, None], 3, axis=1)
-            per_column = {"rigid": turns, "affine": np.tile(turns, 3), "tets": turns[:, :0]}[kind]
+            per_column = {"rigid": rotations, "affine": np.tile(rotations, 3), "tets": rotations[:, :0]}[kind]
             np.add.at(sums[kind], side.row[which], np.concatenate([moves, per_column], axis=1))
         which = np.flatnonzero(form == BETWEEN)
         if len(which):
-            assert side.corner is not None and side.share is not None
-            shares = side.share[which] * both[which, None]
-            np.add.at(sums["tets"], side.corner[which], np.repeat(shares[:, :, None], 3, axis=2))
+            assert side.corner is not None and side.fraction is not None
+            fractions = side.fraction[which] * both[which, None]
+            np.add.at(sums["tets"], side.corner[which], np.repeat(fractions[:, :, None], 3, axis=2))
 
 
 def levers(side: Side, slack: float = 0.0) -> np.ndarray:

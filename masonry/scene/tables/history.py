@@ -18,7 +18,7 @@ START = 1e-9
 """Share of the farthest displacement by which a history may miss 0 at its start."""
 FLAT = 1e-12
 """Changes below this share of the farthest displacement are rounding, not motion."""
-MOST_WAY = 1e5
+MOST_DISPLACEMENT = 1e5
 """m, farthest place of a drive."""
 FARTHEST = {"length": "[-1e5, 1e5]", "number": "[-1e6, 1e6]"}
 FORMS = {
@@ -43,10 +43,10 @@ class Timed:
         t = np.linspace(0.0, self.duration, LOOKS)
         value = self.at(t)
         made, most = np.diff(value), float(np.abs(value).max())
-        way = np.sign(np.where(np.abs(made) > FLAT * most, made, 0.0))
-        moving = np.flatnonzero(way)
-        turns = moving[1:][way[moving[1:]] != way[moving[:-1]]]
-        found = [self._closer(t[max(k - 1, 0)], t[k + 1], way[k] < 0) for k in turns]
+        direction = np.sign(np.where(np.abs(made) > FLAT * most, made, 0.0))
+        moving = np.flatnonzero(direction)
+        reversals = moving[1:][direction[moving[1:]] != direction[moving[:-1]]]
+        found = [self._closer(t[max(k - 1, 0)], t[k + 1], direction[k] < 0) for k in reversals]
         places = np.array([0.0, *found, float(value[-1])])
         return tuple(places[1:][np.abs(np.diff(places)) > START * most].tolist())
 
@@ -141,8 +141,10 @@ def require_a_start_at_0(path: Timed) -> None:
     most = float(np.abs(value).max())
     if most < 1e-9:
         raise KeyedError("history", f"the displacement never passes {most:.2g} m; at least 1e-9 m is needed")
-    if most > MOST_WAY:
-        raise KeyedError("history", f"the displacement reaches {most:.2g} m; at most {MOST_WAY:g} m are allowed")
+    if most > MOST_DISPLACEMENT:
+        raise KeyedError(
+            "history", f"the displacement reaches {most:.2g} m; at most {MOST_DISPLACEMENT:g} m are allowed"
+        )
     if abs(value[0]) > START * most:
         raise KeyedError("history", f"the displacement must be 0 at t = 0, and is {value[0]:.4g} m")
 

@@ -20,10 +20,10 @@ from masonry.scene.tables.types import (
     Length,
     Position,
     Rows,
-    Share,
     Steps,
     StressVector,
     Table,
+    UnitInterval,
     Velocity,
 )
 
@@ -103,7 +103,7 @@ class Drive(Table):
     accuracy: Accuracy | None = None
     rate: Velocity | None = None
     steps: Steps | None = None
-    ramp: Share = 0.3
+    ramp: UnitInterval = 0.3
 
     @property
     def axis(self) -> int:
@@ -119,7 +119,7 @@ class Drive(Table):
         return histories.checked(self.history, self.duration, "length")
 
     @property
-    def turns(self) -> tuple[float, ...]:
+    def reversals(self) -> tuple[float, ...]:
         """The places (m, along the direction) that the drive visits one after the other."""
         if self.history is None:
             return (self.displacement or 0.0,)
@@ -129,10 +129,10 @@ class Drive(Table):
     @property
     def farthest(self) -> float:
         """m, how far from its start the drive comes."""
-        return max(map(abs, self.turns))
+        return max(map(abs, self.reversals))
 
     @model_validator(mode="after")
-    def _has_one_way(self) -> "Drive":
+    def _is_given_once(self) -> "Drive":
         if self.history is None and self.displacement is None:
             raise KeyedError("displacement", "missing; give it, for example '20 mm', or a history that turns back")
         if self.history is not None and self.displacement is not None:

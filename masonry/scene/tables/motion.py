@@ -9,9 +9,19 @@ from masonry.quantity import KINDS
 from masonry.scene.tables import history as histories
 from masonry.scene.tables.history import Timed
 from masonry.scene.tables.loading import LoadHistory, Selector
-from masonry.scene.tables.types import Acceleration, Duration, Given, KeyedError, Length, Position, Steps, Table, Turn
+from masonry.scene.tables.types import (
+    Acceleration,
+    Duration,
+    Given,
+    KeyedError,
+    Length,
+    Position,
+    SignedAngle,
+    Steps,
+    Table,
+)
 
-NO_TURN = 1e-9
+NO_ROTATION = 1e-9
 """rad: a tilt by less is none."""
 Axis = Literal["x", "y", "z"]
 
@@ -30,13 +40,13 @@ class Tilt(Table):
     """Gravity turned slowly about an axis by an angle (rad, right-hand rule), in so much time or so many steps."""
 
     about: Axis
-    angle: Turn
+    angle: SignedAngle
     duration: Duration | None = None
     steps: Steps | None = None
 
     @model_validator(mode="after")
     def _has_one_pace(self) -> "Tilt":
-        if abs(self.angle) < NO_TURN:
+        if abs(self.angle) < NO_ROTATION:
             raise KeyedError("angle", "a tilt by 0 turns nothing; leave the table out, or give an angle")
         if (self.duration is None) == (self.steps is None):
             how = "missing; give duration or steps" if self.steps is None else "duration and steps exclude each other"
@@ -94,7 +104,7 @@ class Gravity(Table):
         return data
 
     @model_validator(mode="after")
-    def _varies_in_one_way(self) -> "Gravity":
+    def _varies_by_one_key(self) -> "Gravity":
         histories.checked(self.history, self.duration, "number")
         if self.layers > 1 and (self.history is not None or self.tilt is not None):
             raise KeyedError("layers", "a weight that comes on in layers stays as it is; leave out history and tilt")

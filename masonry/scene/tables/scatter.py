@@ -5,7 +5,7 @@ from typing import Any, ClassVar
 from pydantic import ConfigDict, Field, model_validator
 
 from masonry.errors import nearest
-from masonry.scene.tables.types import KeyedError, Number, Share, Table, Variation
+from masonry.scene.tables.types import KeyedError, Number, Table, UnitInterval, Variation
 
 
 class Scattered(Table):
@@ -15,7 +15,7 @@ class Scattered(Table):
     cohesion: Variation | None = None
     fracture_energy_mode_1: Variation | None = None
     fracture_energy_mode_2: Variation | None = None
-    correlation: Share = 1.0
+    correlation: UnitInterval = 1.0
 
     @property
     def variations(self) -> dict[str, float]:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from geometry.blocks import Blocks
-from geometry.joints.covered import covered_shares
+from geometry.joints.covered import covered_fractions
 from geometry.joints.find import find_joints, stated_joints
 from geometry.joints.nearby import Rule, nearby_joints
 from geometry.joints.point_density import Density
@@ -145,14 +145,14 @@ def test_faces_beside_a_narrow_gap_count_as_covered(gap, share):
     """A gap of 4 % of a face can be looked into; both halves of a face that is cut in two lie beside the joint."""
     blocks = stacked(gap)
     joints = measured(blocks, Rule(0.05, 1e-3, 0.3))[1]
-    assert np.sort(covered_shares(blocks, joints))[-2:] == pytest.approx(share)
+    assert np.sort(covered_fractions(blocks, joints))[-2:] == pytest.approx(share)
     cut = polyhedra(
         [([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1.002)], BENT)],
         ["bent"], [0], ["units"],
     )  # fmt: skip
     joints = measured(concatenate([cut, boxes(((0, 0, 1.004), (1, 1, 2)))]), RULE)[1]
-    shares = covered_shares(concatenate([cut, boxes(((0, 0, 1.004), (1, 1, 2)))]), joints)
-    assert np.sum(shares > 0.99) == 3
+    fractions = covered_fractions(concatenate([cut, boxes(((0, 0, 1.004), (1, 1, 2)))]), joints)
+    assert np.sum(fractions > 0.99) == 3
 
 
 def test_two_planes_of_a_step_are_two_joints():

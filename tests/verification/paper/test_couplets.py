@@ -67,7 +67,7 @@ def test_work_stiffness_and_plateau_are_those_of_the_closed_form():
 def test_lambda_as_printed_starts_near_nothing_and_grows_where_the_mended_one_starts_at_one_and_falls():
     one = Joint(beta=2.1)
     slip = np.linspace(float(one.peak(1e5)) / one.ks, 1e-3, 50)
-    shown, mended = printed.share(one, slip, 1e5), printed.mended_share(one, slip, 1e5)
+    shown, mended = printed.intact_fraction(one, slip, 1e5), printed.mended_fraction(one, slip, 1e5)
     assert shown[0] < 0.01
     assert np.all(np.diff(shown) > 0.0)
     assert mended[0] == pytest.approx(1.0)
@@ -134,10 +134,10 @@ def test_the_plateau_is_met_within_a_share_of_the_peak_and_the_polynomial_comes_
 
 
 def test_laws_that_take_the_same_work_do_not_pass_for_different_ones(joints):
-    assert laws.ways(joints).holds
+    assert laws.behaviours(joints).holds
     for c in CONFINEMENTS:
         joints.loaded[name("polynomial", c)] = joints.loaded[name("linear", c)] = joints[name("exponential", c)]
-    assert laws.ways(joints).holds is False
+    assert laws.behaviours(joints).holds is False
 
 
 def test_only_the_linear_law_takes_the_energy_that_it_is_given(joints):

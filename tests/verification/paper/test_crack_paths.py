@@ -31,10 +31,10 @@ def parted(**changes: np.ndarray) -> Result:
 def test_a_stepped_crack_goes_through_one_head_joint_a_course_and_half_a_unit_of_bed_between_two():
     crack = crack_path(parted())
     assert crack.sections() == pytest.approx(1.0)
-    shares = crack.shares()
-    assert shares["units"] == 0.0
-    assert shares["head joints"] == pytest.approx(1.0)
-    assert shares["bed joints"] == pytest.approx(3 * 0.5 * LENGTH * DEPTH / SECTION)
+    fractions = crack.fractions()
+    assert fractions["units"] == 0.0
+    assert fractions["head joints"] == pytest.approx(1.0)
+    assert fractions["bed joints"] == pytest.approx(3 * 0.5 * LENGTH * DEPTH / SECTION)
 
 
 def test_the_place_of_a_stepped_crack_is_between_its_head_joints():
@@ -51,7 +51,7 @@ def test_a_straight_crack_at_mid_length_has_no_spread_and_is_not_off_the_middle_
     crack = crack_path(parted(damage_tension=one, damage_shear=0 * one, opening=1e-4 * one))
     assert crack.place() == pytest.approx((LENGTH, 0.0))
     assert crack.off_mid_length() == pytest.approx(0.0, abs=1e-12)
-    assert crack.shares() == pytest.approx({"head joints": 0.5, "units": 0.5, "bed joints": 0.0})
+    assert crack.fractions() == pytest.approx({"head joints": 0.5, "units": 0.5, "bed joints": 0.0})
     assert len(blocks.unit) > 0
 
 

@@ -46,14 +46,14 @@ def test_the_walls_of_a_scene_differ_by_seed_and_correlation_alone(quick):
 
 
 @pytest.mark.parametrize(
-    ("name", "way", "opening"),
+    ("name", "path", "opening"),
     [("wallette-mode-1", "stepped", (0.2, 0.6)), ("wallette-mode-2", "straight", (0.9, 1.0))],
 )
-def test_the_way_of_a_crack_is_read_off_the_contacts_that_broke(name, way, opening):
+def test_the_way_of_a_crack_is_read_off_the_contacts_that_broke(name, path, opening):
     result = laboratory.run(scene.load(name, {"drive.accuracy": "4 %"}))
     found = wall(result, np.linspace(0.0, float(result.history.rows["displacement"][-1]), POINTS))
-    assert found.way == way and opening[0] < found.by_opening <= opening[1]
-    assert any(a == b for a, b in found.places) == (way == "straight")
+    assert found.path == path and opening[0] < found.by_opening <= opening[1]
+    assert any(a == b for a, b in found.places) == (path == "straight")
     assert found.peak >= found.stress.max() > 0.97 * found.peak
 
 
@@ -62,7 +62,7 @@ def test_a_band_holds_nine_walls_in_ten_and_the_frequency_is_that_of_the_walls()
     low, high, middle = many.band()
     assert (low[-1], middle[-1], high[-1]) == pytest.approx((0.082e6, 0.1e6, 0.118e6))
     assert many.frequency.tolist() == [1.0, 0.0] and many.patterns == 1
-    assert many.ways == {"stepped": 101, "mixed": 0, "straight": 0}
+    assert many.paths == {"stepped": 101, "mixed": 0, "straight": 0}
 
 
 def test_no_claim_of_scatter_holds_of_walls_that_are_all_alike():
@@ -77,7 +77,7 @@ def test_of_few_walls_nothing_is_told():
 
 
 def test_the_claims_see_weaker_walls_that_crack_in_another_way():
-    other = modes(0.08e6, 0.07e6, 0.09e6, way="straight")
+    other = modes(0.08e6, 0.07e6, 0.09e6, path="straight")
     assert claims.weakest_claim(other).holds
     assert claims.qualitative_claim(other).holds is False
     assert claims.averaging_claim(other).holds

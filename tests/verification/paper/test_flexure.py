@@ -23,7 +23,7 @@ WALL = Wall(0.5e6, 1.5e6, 0.75e6, 0.12, 0.114, 0.45, 6)
 
 def test_a_crack_goes_through_or_round_the_unit_in_every_other_course():
     """Round the lowest unit it turns one bed joint, round each other one two."""
-    assert WALL.ways() == {(3, 0), (2, 1), (2, 2), (1, 3), (1, 4), (0, 5)}
+    assert WALL.paths() == {(3, 0), (2, 1), (2, 2), (1, 3), (1, 4), (0, 5)}
 
 
 def test_the_straight_crack_is_the_elastic_and_the_plastic_moment_of_its_mean_strength():
@@ -72,7 +72,7 @@ def wall_of_the_sample() -> Any:
 
 def test_a_crack_round_all_units_is_stepped():
     crack = flexural_crack(parted(), wall_of_the_sample())
-    assert (crack.word, crack.through, crack.unit_share) == ("stepped", 0, 0.0)
+    assert (crack.word, crack.through, crack.unit_fraction) == ("stepped", 0, 0.0)
 
 
 def test_a_crack_through_units_in_every_other_course_is_straight_and_in_fewer_mixed():

@@ -47,7 +47,7 @@ def locked(findings: Findings) -> None:
     plastic = np.maximum(JOINT.ks * slip - TOP, 0.0) / (JOINT.ks + JOINT.tan0 * JOINT.kn * tan(PSI))
     pressed = S + JOINT.kn * tan(PSI) * plastic
     rate = walked.tau + walked.sigma * tan(PSI)
-    spent = float(np.trapezoid(rate, walked.slip[:, 0]))
+    dissipated = float(np.trapezoid(rate, walked.slip[:, 0]))
     grows = (JOINT.tan0 - tan(PSI)) * JOINT.kn * tan(PSI)
     by_hand = (TOP - S * tan(PSI)) * plastic[-1] + 0.5 * grows * plastic[-1] ** 2
     off = float(np.abs(walked.sigma + pressed).max()), float(np.abs(walked.tau - JOINT.ks * (slip - plastic)).max())
@@ -57,7 +57,7 @@ def locked(findings: Findings) -> None:
                    float(walked.tau.max()))  # fmt: skip
     findings.check("locked: dissipated", "J/m2", float(walked.dissipated[-1]), by_hand, "closed form", 1e-12, 1e-14,
                    "a trapezoid of straight lines: rounding")  # fmt: skip
-    findings.check("locked: sum of (tau - s tan psi) dp", "J/m2", spent, by_hand, "closed form", 1e-12, 1e-14,
+    findings.check("locked: sum of (tau - s tan psi) dp", "J/m2", dissipated, by_hand, "closed form", 1e-12, 1e-14,
                    "a trapezoid of straight lines: rounding")  # fmt: skip
     lines = (
         Line("compression", 1e6 * slip, -1e-6 * walked.sigma),
@@ -73,10 +73,10 @@ def as_steep_as_friction(findings: Findings) -> None:
     corners = [(0, 0, z), (90 * UM, 0, z), (-90 * UM, 30 * UM, z), (50 * UM, 0, z - 3 * UM)]
     for name in ("linear", "exponential"):
         steep = law(name, cohesion=0.1e6, dilation_angle=atan(0.73) * (1 - 1e-12), dilation_cutoff=1.0)
-        spent = walk(steep, along(corners, 0.5 * UM)).dissipated
+        dissipated = walk(steep, along(corners, 0.5 * UM)).dissipated
         findings.check(f"as steep as friction, {name}: largest fall of the dissipation", "J/m2",
-                       float(min(np.diff(spent).min(), 0.0)), 0.0, "closed form", 1e-12, 1e-14,
-                       "tau >= s tan(psi): rounding", float(spent[-1]))  # fmt: skip
+                       float(min(np.diff(dissipated).min(), 0.0)), 0.0, "closed form", 1e-12, 1e-14,
+                       "tau >= s tan(psi): rounding", float(dissipated[-1]))  # fmt: skip
     steepest = threshold(lambda angle: refused("linear", dilation_angle=angle), 0.0, 1.5, 60)[0]
     findings.check("steepest dilation angle that is accepted", "rad", steepest, atan(0.73), "closed form", 1e-13, 1e-15,
                    "bisection of a comparison: rounding")  # fmt: skip

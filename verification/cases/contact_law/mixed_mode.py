@@ -83,8 +83,8 @@ def closed_again(found: Findings) -> None:
     """What shear a torn contact bears at most under compression, short of the slip at which an intact one softens."""
     torn, s = 10 * UM, 0.5e6
     peak, residual = float(JOINT.peak(s)), float(JOINT.residual(s))
-    share, z, slip = float(tension("linear", JOINT, torn)) / JOINT.fT, -s / JOINT.kn, 0.999 * peak / JOINT.ks
-    for coupling, wanted in (("combined", residual + share * (peak - residual)), ("independent", JOINT.ks * slip)):
+    fraction, z, slip = float(tension("linear", JOINT, torn)) / JOINT.fT, -s / JOINT.kn, 0.999 * peak / JOINT.ks
+    for coupling, wanted in (("combined", residual + fraction * (peak - residual)), ("independent", JOINT.ks * slip)):
         path = along([(0, 0, 0), (0, 0, torn), (0, 0, z), (wanted / JOINT.ks, 0, z), (slip, 0, z)], STEP)
         tau = float(walk(law("linear", coupling=coupling), path).tau.max())
         found.check(f"largest shear stress of a torn contact under compression, {coupling}", "Pa", tau, wanted,

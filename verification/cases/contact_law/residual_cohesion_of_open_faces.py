@@ -17,7 +17,7 @@ from verification.references.closed_forms import Joint, tension
 
 JOINT = Joint(c_res=0.2e6)
 WIDEST = (10 * UM, 40 * UM)
-SHARES = (1.0, 0.5, 0.1, 0.0)
+FRACTIONS = (1.0, 0.5, 0.1, 0.0)
 PRESSED = 1e-6
 FAR = 1e-3
 
@@ -34,12 +34,12 @@ def run() -> Findings:
     found = Findings()
     for kappa in WIDEST:
         left = float(tension("linear", JOINT, kappa))
-        for share in SHARES:
-            e = share * kappa
-            lost = JOINT.c_res * (1.0 - (1.0 - left / JOINT.fT) * share)
-            alone = JOINT.c_res - left * share * JOINT.tan_res
+        for fraction in FRACTIONS:
+            e = fraction * kappa
+            lost = JOINT.c_res * (1.0 - (1.0 - left / JOINT.fT) * fraction)
+            alone = JOINT.c_res - left * fraction * JOINT.tan_res
             for coupling, wanted in (("combined", lost), ("independent", max(alone, 0.0))):
-                where = f"torn to {kappa / UM:g} um, at {share:g} of it, {coupling}"
+                where = f"torn to {kappa / UM:g} um, at {fraction:g} of it, {coupling}"
                 found.check(f"shear stress, {where}", "Pa", slid(kappa, e, coupling), wanted, "closed form", 1e-12,
                             1e-14, ROUNDING, JOINT.c_res)  # fmt: skip
         wanted = JOINT.c_res + JOINT.kn * PRESSED * JOINT.tan_res

@@ -43,7 +43,7 @@ def by_hand() -> tuple[np.ndarray, np.ndarray]:
     glue = KN * np.outer(n, n) + KS * (EYE - np.outer(n, n))
     slopes = [move(side) - move(0 * side) for side in (a, b)]
     parts = [(area, move(below)), *((area / 12, slope) for slope in slopes)]
-    stiffness = sum(share * m.T @ glue @ m for share, m in parts)
+    stiffness = sum(weight * m.T @ glue @ m for weight, m in parts)
     lame, mu = models.STONE.lame()
     own = lame * np.einsum("ij,kl->ijkl", EYE, EYE)
     own += mu * (np.einsum("ik,jl->ijkl", EYE, EYE) + np.einsum("il,jk->ijkl", EYE, EYE))
@@ -51,7 +51,7 @@ def by_hand() -> tuple[np.ndarray, np.ndarray]:
     return inertia, stiffness
 
 
-def turns() -> np.ndarray:
+def rotations() -> np.ndarray:
     """(12, 6) the dofs of an affine block for those of a rigid one: H = theta x."""
     found = np.zeros((12, 6))
     found[:3, :3] = EYE
@@ -64,7 +64,7 @@ def run() -> Findings:
     """Six frequencies of the rigid block, twelve of the affine one."""
     found = Findings()
     inertia, stiffness = by_hand()
-    for kind, base in (("rigid", turns()), ("affine", np.eye(12))):
+    for kind, base in (("rigid", rotations()), ("affine", np.eye(12))):
         squares = np.linalg.eigvals(np.linalg.solve(base.T @ inertia @ base, base.T @ stiffness @ base))
         wanted = np.sort(np.sqrt(squares.real))
         blocks = shapes.skewed(shapes.stack([SIZE[2], SIZE[2]], (SIZE[0], SIZE[1])), SKEW)

@@ -54,10 +54,10 @@ def run() -> Findings:
     exact = np.array([np.pi / OMEGA, SPEED * np.sqrt(MASS * STIFFNESS), SPEED])
     runs = [hit(found, count) for count in COUNTS]
     errors = np.array([np.array(values[1:]) / exact - 1.0 for values in runs])
-    share = (np.pi / (COUNTS[-1] + 0.5)) ** 2
+    square = (np.pi / (COUNTS[-1] + 0.5)) ** 2
     names = ("duration", "peak force", "velocity after over velocity before")
     for k, (name, unit, expected) in enumerate(
-        zip(names, ("s", "N", "1"), (share / 24, share / 8, share / 8), strict=True)
+        zip(names, ("s", "N", "1"), (square / 24, square / 8, square / 8), strict=True)
     ):
         size = float(exact[k]) if k < 2 else 1.0
         order = float(np.log2(errors[-2, k] / errors[-1, k]) / np.log2((COUNTS[-1] + 0.5) / (COUNTS[-2] + 0.5)))

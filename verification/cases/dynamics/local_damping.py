@@ -44,17 +44,17 @@ def swung(findings: Findings, fraction: float) -> tuple[np.ndarray, np.ndarray, 
     place, speed = follow(
         findings, name, model, steps, lambda m: np.array([m.bodies.rigid.q[1, 2], m.bodies.rigid.v[1, 2]])
     ).T
-    turns = np.flatnonzero(speed[1:-1] * speed[2:] < 0)[:2] + 1
-    share = np.abs(speed[turns]) / (np.abs(speed[turns]) + np.abs(speed[turns + 1]))
-    a, b, c = place[turns], place[turns + 1], place[turns + 2]
-    return place, model.dt * (turns + share), share, b - (a - c) ** 2 / (8 * (a - 2 * b + c))
+    reversals = np.flatnonzero(speed[1:-1] * speed[2:] < 0)[:2] + 1
+    crossing = np.abs(speed[reversals]) / (np.abs(speed[reversals]) + np.abs(speed[reversals + 1]))
+    a, b, c = place[reversals], place[reversals + 1], place[reversals + 2]
+    return place, model.dt * (reversals + crossing), crossing, b - (a - c) ** 2 / (8 * (a - 2 * b + c))
 
 
 def run() -> Findings:
     """Amplitudes, half periods, free fall."""
     found = Findings()
     runs = [swung(found, fraction) for fraction in FRACTIONS]
-    place, when, share, where = runs[-1]
+    place, when, crossing, where = runs[-1]
     dt, kind = 2 * FRACTIONS[-1] / OMEGA, "closed form"
     first, square = -where[0] / START, (OMEGA * dt) ** 2
     undamped, late = XI / (2 * (1 - XI)) * square, 2 * XI / (1 - XI) * dt
@@ -68,7 +68,7 @@ def run() -> Findings:
                 "at most (1 + xi)^2/(8 (1 - xi)) (w dt)^2 = 2 (w dt)^2 by the step in which it turns")  # fmt: skip
     found.check("half period", "s", float(when[1] - when[0]), HALF, kind, late / HALF, 0.5 * late / HALF,
                 "the step in which it turns: at most 2 xi dt/(1 - xi)")  # fmt: skip
-    found.check("half period and what that step gains", "s", float(when[1] - when[0] + (1 - share[0]) * late), HALF,
+    found.check("half period and what that step gains", "s", float(when[1] - when[0] + (1 - crossing[0]) * late), HALF,
                 kind, 3 * dt / HALF * OMEGA * dt, dt / HALF * OMEGA * dt, "of second order: (w dt)^2 over w times the "
                 "period")  # fmt: skip
     model = made(loose(KN), 1e-5, GRAVITY)

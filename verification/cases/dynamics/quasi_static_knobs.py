@@ -29,7 +29,7 @@ KNOBS: dict[str, dict[str, Any]] = {
     "0.5 of the bound": {"solver.step_fraction": 0.5},
     "0.7 of the bound": {"solver.step_fraction": 0.7},
 }
-SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
+DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
 
 
 def answers(result: Result) -> dict[str, float]:
@@ -37,7 +37,7 @@ def answers(result: Result) -> dict[str, float]:
     summary = result.summary
     return {
         "peak": float(summary["peak_stress_pa"]),
-        "dissipated energy": float(sum(summary["energy_j"][key] for key in SPENT)),
+        "dissipated energy": float(sum(summary["energy_j"][key] for key in DISSIPATED)),
     }
 
 

@@ -51,8 +51,8 @@ def run() -> Findings:
     }  # fmt: skip
     for damping in (0.0, 0.8):
         scaled = blocks(Stepping("scaled", damping=damping, step_fraction=FRACTION))
-        share = moving(scaled) * scaled.dt / 2.0 * np.sqrt(1.0 + damping)
-        ratios[f"scaled masses, xi = {damping:g}: w dt/2 sqrt(1 + xi)"] = share, FRACTION
+        ratio = moving(scaled) * scaled.dt / 2.0 * np.sqrt(1.0 + damping)
+        ratios[f"scaled masses, xi = {damping:g}: w dt/2 sqrt(1 + xi)"] = ratio, FRACTION
     printed = blocks(Stepping("real", "equation-11", FRACTION, 0.0))
     ratios["eq. (11) by name, 2 f sqrt(m/k), over the limit"] = printed.dt / LIMIT, FRACTION * np.sqrt(2.0)
     found.checks += [

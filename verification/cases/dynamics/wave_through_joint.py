@@ -55,7 +55,7 @@ def component(away: Floats, u: Floats) -> complex:
     return complex(np.sum(np.diff(u) * np.exp(2j * np.pi * middle / WAVELENGTH)))
 
 
-def share_that_passes(bar: Bar, wave: Wave) -> float:
+def transmitted_fraction(bar: Bar, wave: Wave) -> float:
     """|T|: what has passed over what came, which is what has passed and what went back (stresses are the same)."""
     joint = bar.before * WAVELENGTH
     last = np.flatnonzero(wave.x == joint)[0] + 1
@@ -83,7 +83,7 @@ def waves(found: Findings, ratio: float, expected: float) -> None:
         wave = bar.run(n, moved, 8.0 * PERIOD)
         found.note(f"k/(wZ) = {ratio}, {n} cells a wavelength", wave.result)
         reference = exact(bar, rate, wave)
-        passed.append(share_that_passes(bar, wave))
+        passed.append(transmitted_fraction(bar, wave))
         errors.append(float(np.sqrt(np.mean((wave.u - reference) ** 2)) / np.abs(reference).max()))
     theory = float(1 / np.sqrt(1 + 1 / (2 * ratio) ** 2))
     limit = (4 * passed[-1] - passed[-2]) / 3

@@ -57,8 +57,8 @@ def partly(findings: Findings) -> None:
     side, quarter = 0.1, np.sqrt(0.5)
     two = shapes.stack([side, side], (side, side))
     centre = np.array([side / 2, side / 2, 0.0])
-    turn = np.array([[quarter, -quarter, 0.0], [quarter, quarter, 0.0], [0.0, 0.0, 1.0]])
-    upper = [(face - centre) @ turn.T + centre for face in shapes.faces_of(two, 1)]
+    rotation = np.array([[quarter, -quarter, 0.0], [quarter, quarter, 0.0], [0.0, 0.0, 1.0]])
+    upper = [(face - centre) @ rotation.T + centre for face in shapes.faces_of(two, 1)]
     blocks = from_faces([shapes.faces_of(two, 0), upper], [0, 1], [0, 0], ("units",))
     octagon = 2.0 * (np.sqrt(2.0) - 1.0) * side**2
     findings.check(
@@ -79,9 +79,9 @@ def run() -> Findings:
         moments(found, f"gauss, {n} x {n} points", joints.point, joints.area, 1.0, "exact from two points on: rounding")
     fan = mesh_by_fans(blocks, np.array([True, True]), find_joints(blocks))[1]
     corner = np.array([(x, y) for x in (0.0, SIDES[0]) for y in (0.0, SIDES[1])])
-    share = np.sort([fan.area[np.abs(fan.point[:, :2] - c).max(axis=1) < 1e-12].sum() / AREA for c in corner])
+    fraction = np.sort([fan.area[np.abs(fan.point[:, :2] - c).max(axis=1) < 1e-12].sum() / AREA for c in corner])
     for k, wanted in enumerate((1 / 6, 1 / 6, 1 / 3, 1 / 3)):
-        found.check(f"two triangles: share of corner {k + 1} in order", "1", float(share[k]), wanted, "closed form",
+        found.check(f"two triangles: share of corner {k + 1} in order", "1", float(fraction[k]), wanted, "closed form",
                     1e-13, 1e-15, ROUNDING)  # fmt: skip
     for size in (1.0, 0.03, 0.011):
         joints = shapes.setup(blocks, ["tets", "tets"], mesh_size=size).joints

@@ -107,8 +107,8 @@ def exact(place: Array, block: Array) -> Array:
 
 def without_rigid_motion(place: Array, error: Array) -> Array:
     """Errors (n, 3) less the shift and small turn that explain most of them."""
-    turns = [np.cross(axis, place) for axis in np.eye(3)]
-    modes = np.stack([*(np.broadcast_to(axis, place.shape) for axis in np.eye(3)), *turns], axis=-1).reshape(-1, 6)
+    rotations = [np.cross(axis, place) for axis in np.eye(3)]
+    modes = np.stack([*(np.broadcast_to(axis, place.shape) for axis in np.eye(3)), *rotations], axis=-1).reshape(-1, 6)
     modes = modes / np.abs(modes).max(axis=0)
     return error.ravel() - modes @ np.linalg.lstsq(modes, error.ravel(), rcond=None)[0]
 

@@ -86,10 +86,10 @@ def tears(found: Findings) -> None:
     """Energy per area of the joint, for each division of the units."""
     for n in DIVISIONS:
         result = found.note(f"{n} x {n} blocks a unit", result_of(TEAR, {"specimen.divisions": [n, n, 1]}))
-        spent = float(result.summary["energy_j"]["fracture_mode_1"]) / float(result.summary["section_m2"])
-        found.check(f"energy of the open joint per area, {n} x {n} blocks a unit", "N/m", spent, ENERGY, "closed form",
-                    1e-12, 1e-14, "the law books the area under its curve between two openings exactly, however far "
-                    "apart")  # fmt: skip
+        dissipated = float(result.summary["energy_j"]["fracture_mode_1"]) / float(result.summary["section_m2"])
+        found.check(f"energy of the open joint per area, {n} x {n} blocks a unit", "N/m", dissipated, ENERGY,
+                    "closed form", 1e-12, 1e-14, "the law books the area under its curve between two openings "
+                    "exactly, however far apart")  # fmt: skip
 
 
 def run() -> Findings:

@@ -39,8 +39,8 @@ def continuous(pulled: Floats) -> Floats:
 
     for w in pulled:
 
-        def moment(turn: float, w: float = w) -> float:
-            return float(np.sum(stress(w + turn * x) * x))
+        def moment(rotation: float, w: float = w) -> float:
+            return float(np.sum(stress(w + rotation * x) * x))
 
         step = 1e-7
         low, high = phi - step, phi + step

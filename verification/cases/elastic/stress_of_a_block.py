@@ -74,10 +74,10 @@ def of_contacts(found: Findings) -> None:
     joints = model.joints
     model.contacts.force[:] = joints.area[:, None] * (joints.normal @ STRESS)
     compare(found, "rigid", Frames(model).contact_stress()[0], STRESS)
-    turn = 0.5 * (GRADIENT - GRADIENT.T)
-    models.put(model, models.positions(model), models.linear_field(model, np.zeros(3), turn))
-    corners(found, "rigid", model, turn)
-    turned(found, "rigid", model, turn)
+    rotation = 0.5 * (GRADIENT - GRADIENT.T)
+    models.put(model, models.positions(model), models.linear_field(model, np.zeros(3), rotation))
+    corners(found, "rigid", model, rotation)
+    turned(found, "rigid", model, rotation)
 
 
 def compare(found: Findings, kind: str, had: np.ndarray, wanted: np.ndarray) -> None:

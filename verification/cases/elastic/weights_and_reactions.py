@@ -35,14 +35,14 @@ STEPS = 6000
 STATICS = "statics: rounding, and how far all has come to rest"
 
 
-def column(kind: str, share: np.ndarray) -> Model:
-    """Three blocks, the lowest held, under a `share` (3,) of each component of weight and traction; not yet moved."""
+def column(kind: str, load_factor: np.ndarray) -> Model:
+    """Three blocks, the lowest held, under a `load_factor` (3,) of each component of both loads; not yet moved."""
     setup = shapes.setup(shapes.stack(HEIGHTS, SIDES), ["rigid", kind, kind], mesh_size=0.06)
     count = len(setup.blocks.face_start) - 1
     level = np.array([setup.blocks.face(f)[:, 2].min() for f in range(count)])
-    top = Push(np.flatnonzero(np.isclose(level, sum(HEIGHTS))), share * TRACTION)
+    top = Push(np.flatnonzero(np.isclose(level, sum(HEIGHTS))), load_factor * TRACTION)
     stepping = Stepping("scaled", damping=0.8)
-    return models.make(setup, glued(KN, KS), stepping, [models.everything(0)], [top], share * GRAVITY, STONE)
+    return models.make(setup, glued(KN, KS), stepping, [models.everything(0)], [top], load_factor * GRAVITY, STONE)
 
 
 def at_rest(found: Findings, words: str, model: Model) -> dict[str, float]:

@@ -38,7 +38,7 @@ def sheared(findings: Findings, law: str, mpa: float) -> tuple[Line, Line]:
     slip, stress = rows["displacement"][moved], rows["stress"][moved]
     wanted, peak = shear(law, joint, slip, s), joint.c0 + s * joint.tan0
     missed, rough = around_the_peak(law, joint, s, rows)
-    spent = dissipated(result.summary)
+    dissipated_energy = dissipated(result.summary)
     gone = AREA * float(dissipated_in_shear(law, joint, slip[-1], s))
     rough *= AREA / gone
     findings.check(f"peak, {words}", "Pa", result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
@@ -47,7 +47,7 @@ def sheared(findings: Findings, law: str, mpa: float) -> tuple[Line, Line]:
                    1e-13, "what the settled confinement still swings by, and rounding", peak)  # fmt: skip
     findings.check(f"residual, {words}", "Pa", float(stress[-1]), float(wanted[-1]), kind, 1e-12, 1e-13,
                    "what the settled confinement still swings by, and rounding")  # fmt: skip
-    findings.check(f"dissipated, {words}", "J", spent, gone, kind, 3 * rough, rough,
+    findings.check(f"dissipated, {words}", "J", dissipated_energy, gone, kind, 3 * rough, rough,
                    "the trapezoid: of the envelope, and of the corner at the peak that no step hits")  # fmt: skip
     some = slice(None, None, 20)
     return (

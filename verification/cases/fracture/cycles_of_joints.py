@@ -23,13 +23,13 @@ from verification.scene_runs import assembled
 UM = 1e-6
 
 
-def through(*turns: float, step: float) -> list[float]:
-    """Places (m) of the drive on its way from 0 to each turn, about `step` apart."""
+def through(*reversals: float, step: float) -> list[float]:
+    """Places (m) of the drive on its way from 0 to each reversal, about `step` apart."""
     places, last = [], 0.0
-    for turn in turns:
-        count = max(2, round(abs(turn - last) / step))
-        places += np.linspace(last, turn, count + 1)[1:].tolist()
-        last = turn
+    for reversal in reversals:
+        count = max(2, round(abs(reversal - last) / step))
+        places += np.linspace(last, reversal, count + 1)[1:].tolist()
+        last = reversal
     return places
 
 

@@ -43,9 +43,9 @@ YOUNG, ENERGY, STRENGTH, KN = 10e9, 10.0, 1e6, 1e12
 HEIGHT, WIDTH, LENGTH, CRACK, NEAR = 0.012, 0.003, 0.072, 0.012, 1e-9
 SECOND_MOMENT = WIDTH * HEIGHT**3 / 12
 MOMENT = WIDTH * float(np.sqrt(ENERGY * YOUNG * HEIGHT**3 / 12))
-TURN = MOMENT / (YOUNG * SECOND_MOMENT)
+ROTATION = MOMENT / (YOUNG * SECOND_MOMENT)
 """rad of an arm's end for each metre of its length, at MOMENT."""
-PLATEAU = (0.033 * TURN, 0.048 * TURN)
+PLATEAU = (0.033 * ROTATION, 0.048 * ROTATION)
 """Turns (rad) between which the process zone is complete and does not feel the far end."""
 OPENING = 1e-6
 LAYERS = (4, 8)
@@ -78,13 +78,13 @@ def arm(layers: int, degree: int) -> Model:
 def implicit(layers: int, degree: int) -> Curve:
     """Turn of the end (rad) and moment (N m) of the interface model, as far as the plateau goes."""
     beam = arm(layers, degree)
-    path, turn, moment = Path(beam), [0.0], [0.0]
+    path, rotation, moment = Path(beam), [0.0], [0.0]
     path.go(0.1 * MOMENT)
-    while turn[-1] < 1.02 * PLATEAU[1] and len(turn) < 200:
+    while rotation[-1] < 1.02 * PLATEAU[1] and len(rotation) < 200:
         path.open_by(OPENING)
-        turn.append(float(beam.load @ path.displacements()))
+        rotation.append(float(beam.load @ path.displacements()))
         moment.append(path.state.factor)
-    return np.array(turn), np.array(moment)
+    return np.array(rotation), np.array(moment)
 
 
 def explicit(found: Findings, layers: int) -> Curve:
@@ -107,9 +107,9 @@ def explicit(found: Findings, layers: int) -> Curve:
 
 def plateau(curve: Curve) -> float:
     """Mean moment (N m) over the plateau."""
-    turn, moment = curve
+    rotation, moment = curve
     where = np.linspace(*PLATEAU, 2001)
-    return float(np.mean(np.interp(where, turn, moment)))
+    return float(np.mean(np.interp(where, rotation, moment)))
 
 
 def run() -> Findings:

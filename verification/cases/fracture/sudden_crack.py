@@ -38,8 +38,8 @@ def run() -> Findings:
 
 
 def _answer(summary: dict) -> dict[tuple[str, str], float]:
-    spent = dissipated(summary)
-    return {("dissipated energy", "J"): spent, ("end stress", "Pa"): summary["final_stress_pa"]}
+    dissipated_energy = dissipated(summary)
+    return {("dissipated energy", "J"): dissipated_energy, ("end stress", "Pa"): summary["final_stress_pa"]}
 
 
 CASE = Case(

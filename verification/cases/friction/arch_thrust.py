@@ -59,8 +59,8 @@ def run() -> Findings:
         found.at_most(f"{words}: thrust of the weight alone over the greatest", "1", settled / greatest, 1.0,
                       "the safe theorem: any thrust that stands lies between the two")  # fmt: skip
         if arch.voussoirs == ARCHES[0][1].voussoirs:
-            way = np.abs(1e3 * rows["displacement"])
-            lines += [Line(words, way, rows["force"]), Line("by hand", way[[0, -1]], np.full(2, limit), "dashed")]
+            travel = np.abs(1e3 * rows["displacement"])
+            lines += [Line(words, travel, rows["force"]), Line("by hand", travel[[0, -1]], np.full(2, limit), "dashed")]
     found.plot("Semicircle of 15 voussoirs", "movement of the abutment (mm)", "thrust (N)", *lines)
     return found
 

@@ -32,15 +32,15 @@ def run() -> Findings:
         top = float(shear(name, JOINT, 80 * UM, COMPRESSION))
         walked = slid(name, COMPRESSION, us0, 80 * UM, -80 * UM, -120 * UM)
         x = walked.path[:, 0]
-        turn, again = int(np.argmax(x)), int(np.argmin(np.abs(x + 80 * UM)))
-        turned = 80 * UM - 2.0 * top / JOINT.ks
-        reached = 80 * UM + np.maximum(turned - x, 0.0)
+        reversal, again = int(np.argmax(x)), int(np.argmin(np.abs(x + 80 * UM)))
+        slides_back = 80 * UM - 2.0 * top / JOINT.ks
+        reached = 80 * UM + np.maximum(slides_back - x, 0.0)
         back = top - JOINT.ks * (80 * UM - x)
-        wanted = np.where(x >= turned, back, -shear(name, JOINT, reached, COMPRESSION))[turn:]
-        off = float(np.abs(walked.stress[turn:, 0] - wanted).max())
+        wanted = np.where(x >= slides_back, back, -shear(name, JOINT, reached, COMPRESSION))[reversal:]
+        off = float(np.abs(walked.stress[reversal:, 0] - wanted).max())
         loop = float(dissipated_in_shear(name, JOINT, reached[again], COMPRESSION))
-        slid_on = np.concatenate([x[: turn + 1], [80 * UM], reached[turn:][reached[turn:] > 80 * UM]])
-        slid_on = slid_on[: turn + 2 + int(np.sum(reached[turn : again + 1] > 80 * UM))]
+        slid_on = np.concatenate([x[: reversal + 1], [80 * UM], reached[reversal:][reached[reversal:] > 80 * UM]])
+        slid_on = slid_on[: reversal + 2 + int(np.sum(reached[reversal : again + 1] > 80 * UM))]
         trapezoid = float(np.trapezoid(shear(name, JOINT, slid_on, COMPRESSION), slid_on))
         trapezoid += 0.5 * JOINT.ks * x[0] ** 2
         trapezoid -= 0.5 * float(shear(name, JOINT, reached[again], COMPRESSION)) ** 2 / JOINT.ks

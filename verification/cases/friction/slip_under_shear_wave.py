@@ -50,7 +50,7 @@ def moved(time: Floats) -> Floats:
     return 0.5 * AMPLITUDE * (1 - np.cos(2 * pi * np.clip(time / PERIOD, 0.0, CYCLES)))
 
 
-def shares(s: float) -> tuple[float, float, float]:
+def coefficients(s: float) -> tuple[float, float, float]:
     """T, R and A of a joint that bears a share s of the incident stress."""
     q = asin(s)
     passed = 4 / pi * (q / 2 - sin(2 * q) / 4 + s**2 * (pi / 2 - q))
@@ -81,14 +81,15 @@ def run() -> Findings:
         bar = Bar(shear=True, joint=joint(s * INCIDENT))
         wave = bar.run(CELLS, moved, 8.0 * PERIOD)
         found.note(f"ts/t0 = {s}", wave.result)
-        for name, value, reference in zip("TRA", measured(bar, wave), shares(s), strict=True):
+        for name, value, reference in zip("TRA", measured(bar, wave), coefficients(s), strict=True):
             found.check(f"{name}, ts/t0 = {s}", "1", value, reference, "closed form", 2e-3, 5e-4,
                         "the joint's stiffness takes (1/100)^2 of an elastic wave and delays the clipped one's "
                         "corners; cells of 1/80 wavelength round them", 1.0)  # fmt: skip
         came_in = CYCLES * 0.5 * INCIDENT**2 / IMPEDANCE * PERIOD * wave.area
         heat = dissipated(wave.result.summary) / came_in
-        found.check(f"heat that the joint booked over the incident energy, ts/t0 = {s}", "1", heat, shares(s)[2] ** 2,
-                    "closed form", 2e-3, 5e-4, "the same A^2 from the law's own account, over all three cycles",
+        found.check(f"heat that the joint booked over the incident energy, ts/t0 = {s}", "1", heat,
+                    coefficients(s)[2] ** 2, "closed form", 2e-3, 5e-4,
+                    "the same A^2 from the law's own account, over all three cycles",
                     1.0)  # fmt: skip
         beyond = wave.x > bar.before * WAVELENGTH
         stress = np.diff(wave.u[beyond]) / np.diff(wave.x[beyond]) * bar.modulus

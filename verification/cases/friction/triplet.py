@@ -49,7 +49,7 @@ def run() -> Findings:
     slip, force = rows["displacement"][moved], AREA * rows["stress"][moved]
     wanted = 2 * AREA * shear("exponential", joint, slip, S)
     peak = 2 * AREA * float(joint.peak(S))
-    spent = dissipated(result.summary)
+    dissipated_energy = dissipated(result.summary)
     gone = 2 * AREA * float(dissipated_in_shear("exponential", joint, slip[-1], S))
     missed, rough = around_the_peak("exponential", joint, S, rows)
     rough *= 2 * AREA / gone
@@ -67,7 +67,7 @@ def run() -> Findings:
                 0.5 * step / at, "the step in which the force comes within 0.1 % of the peak")  # fmt: skip
     found.check("displacement at the end", "m", float(slip[-1]), LAST, kind, 1e-12, 1e-13,
                 "what the scene asks for; a sum of 20,000 steps: rounding")  # fmt: skip
-    found.check("dissipated by both joints", "J", spent, gone, kind, 3 * rough, rough,
+    found.check("dissipated by both joints", "J", dissipated_energy, gone, kind, 3 * rough, rough,
                 "the trapezoid: of the envelope, and of the corner at the peak that no step hits")  # fmt: skip
     at_every_step(found)
     some = slice(None, None, 20)

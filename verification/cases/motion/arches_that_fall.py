@@ -26,27 +26,27 @@ MARGIN = 0.01
 def by_thickness() -> Findings:
     """Under own weight at 1 % less and more than the least thickness."""
     findings = Findings()
-    for share in (1.0 - MARGIN, 1.0 + MARGIN):
+    for factor in (1.0 - MARGIN, 1.0 + MARGIN):
         knobs = {
             "specimen.angle": "180 deg",
             "specimen.voussoirs": 16,
-            "specimen.thickness": f"{THINNEST * share!r} m",
+            "specimen.thickness": f"{THINNEST * factor!r} m",
             "gravity.tilt": None,
             "curve": None,
             "settle.steps": 60000,
             "solver.duration": "4 s",
         }
-        fell(findings, f"t/R = {THINNEST * share:.5f}", "arch-tilted", knobs, share < 1.0)
+        fell(findings, f"t/R = {THINNEST * factor:.5f}", "arch-tilted", knobs, factor < 1.0)
     return findings
 
 
 def by_tilt() -> Findings:
     """Tilted to 1 % less and more than the greatest tilt, and left there."""
     findings = Findings()
-    for share in (1.0 - MARGIN, 1.0 + MARGIN):
-        angle = degrees(atan(TILT * share))
+    for factor in (1.0 - MARGIN, 1.0 + MARGIN):
+        angle = degrees(atan(TILT * factor))
         knobs = {"gravity.tilt.angle": f"{angle!r} deg", "gravity.tilt.duration": "10 s", "solver.duration": "13 s"}
-        fell(findings, f"tan = {TILT * share:.5f}", "arch-tilted", knobs, share > 1.0)
+        fell(findings, f"tan = {TILT * factor:.5f}", "arch-tilted", knobs, factor > 1.0)
     return findings
 
 
@@ -68,8 +68,8 @@ def by_spread() -> Findings:
                    "its last hinge opens slowly, and joints give way by a share of 1e-5")  # fmt: skip
     weight = 2000.0 * 9.81 * 0.3  # of a unit of area
     thrust = -rows["force"] / weight
-    way = np.abs(rows["displacement"])
-    opened = (way > 0.1 * SPREAD) & (way < 0.2 * SPREAD)
+    travel = np.abs(rows["displacement"])
+    opened = (travel > 0.1 * SPREAD) & (travel < 0.2 * SPREAD)
     first = float(np.mean(np.abs(thrust[opened])))
     findings.check("thrust once the hinges are there", "1", first, THRUST[0] + 0.15 * (THRUST[1] - THRUST[0]),
                    "limit analysis", 0.02, 0.01, "between 0.1 and 0.2 of the way")  # fmt: skip

@@ -36,20 +36,20 @@ def run() -> Findings:
     result = findings.note("pushed over", result_of(SCENE, KNOBS))
     rows = result.history.rows
     weight = DENSITY * G * 4.0 * HALF * HIGH * DEPTH
-    way = rows["displacement"]
-    late = way > 0.15 * way[-1]  # it gathers way within a tenth
+    travel = rows["displacement"]
+    late = travel > 0.15 * travel[-1]  # it gathers way within a tenth
     alpha, radius = np.arctan2(HALF, HIGH), np.hypot(HALF, HIGH)
-    left = np.arcsin(np.sin(alpha) - way / radius)  # alpha - theta
+    left = np.arcsin(np.sin(alpha) - travel / radius)  # alpha - theta
     off = rows["force"][late] / weight - np.tan(left[late])
     worst = int(np.argmax(np.abs(off)))
     findings.check("force over weight", "1", float(off[worst]), 0.0, "closed form", 1e-3, 1e-4,
                    "springs let the edge in by a share of 1e-6, and v^2/(g R) is 3e-4", scale=1.0)  # fmt: skip
-    at_rest = float(np.interp(0.0, -(rows["force"][late]), way[late]))
+    at_rest = float(np.interp(0.0, -(rows["force"][late]), travel[late]))
     findings.check("way at which it balances", "m", at_rest, HALF, "closed form", 1e-3, 1e-4,
                    "as the force", scale=HALF)  # fmt: skip
     findings.plot("A block pushed over at its centre", "way of the centre (mm)", "force over weight (1)",
-                  Line("run", way * 1e3, rows["force"] / weight),
-                  Line("tan(alpha - theta)", way * 1e3, np.tan(left), "dashed"))  # fmt: skip
+                  Line("run", travel * 1e3, rows["force"] / weight),
+                  Line("tan(alpha - theta)", travel * 1e3, np.tan(left), "dashed"))  # fmt: skip
     return findings
 
 

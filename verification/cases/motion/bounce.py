@@ -17,13 +17,13 @@ from verification.fixtures.dry_blocks import box, restitution, slab
 from verification.scene_runs import result_of
 
 SCENE, SPEED = "dry-block", 1.0
-SHARES = (0.05, 0.1, 0.2, 0.5)
+DAMPING_RATIOS = (0.05, 0.1, 0.2, 0.5)
 
 
 def run() -> Findings:
     """Speed after the impact over that before, without weight."""
     findings = Findings()
-    for zeta in SHARES:
+    for zeta in DAMPING_RATIOS:
         knobs = {
             "specimen.box": [slab(), box("block", (-0.05, -0.1, 0.02), (0.1, 0.2, 0.1), 1)],
             "contact.unit_unit.normal_dashpot": zeta,

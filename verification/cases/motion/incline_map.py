@@ -22,7 +22,7 @@ from verification.scene_runs import result_of
 SCENE = "dry-block"
 SLOPES, HALVES, HIGH = (14.0, 16.0, 18.0, 32.0, 54.0), (0.02, 0.03, 0.04, 0.07), 0.13
 FRICTIONS = (0.17, 0.35, 0.6)
-TURNED, SLID, TIME = 1e-3, 1e-4, 0.1
+ROTATED, SLID, TIME = 1e-3, 1e-4, 0.1
 """rad, and m of slip under the weight: more is toppling, and sliding; within s, as the formulas are for small turns."""
 
 
@@ -40,7 +40,7 @@ def run() -> Findings:
         rows = result.history.rows
         weight = DENSITY * G * 4.0 * half * HIGH * 0.2
         slid = rows["friction"][-1] > SLID * friction * weight * np.cos(np.radians(slope))
-        toppled = result.summary["rotation_max_rad"] > TURNED
+        toppled = result.summary["rotation_max_rad"] > ROTATED
         wanted = fate(half, HIGH, friction, slope)
         seen.add(wanted)
         if (bool(slid), bool(toppled)) != wanted:

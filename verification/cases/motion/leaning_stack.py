@@ -22,11 +22,11 @@ KNOBS = {
 }
 
 
-def boxes(share: float) -> list[dict[str, object]]:
+def boxes(factor: float) -> list[dict[str, object]]:
     """The stack on a slab that ends at x = 0."""
     found, right = [box("slab", (-1.0, -0.5, -0.1), (1.0, 1.0, 0.1), 0)], 0.0
     for level, i in enumerate(range(COUNT, 0, -1)):
-        right += share * LONG / (2 * i)
+        right += factor * LONG / (2 * i)
         name = "block" if i == 1 else f"block {i}"
         found.append(box(name, (right - LONG, -0.05, level * HIGH), (LONG, 0.1, HIGH), level + 1))
     return found
@@ -35,13 +35,13 @@ def boxes(share: float) -> list[dict[str, object]]:
 def run() -> Findings:
     """It stands at 0.995 and falls at 1.005."""
     findings = Findings()
-    for share in (0.995, 1.005):
-        result = findings.note(f"f = {share:g}", result_of(SCENE, {"specimen.box": boxes(share), **KNOBS}))
-        turned = result.summary["rotation_max_rad"]
-        if share < 1.0:
-            findings.at_most("rotation where it stands", "rad", turned, 1e-3, "the springs give way by less")
+    for factor in (0.995, 1.005):
+        result = findings.note(f"f = {factor:g}", result_of(SCENE, {"specimen.box": boxes(factor), **KNOBS}))
+        rotation = result.summary["rotation_max_rad"]
+        if factor < 1.0:
+            findings.at_most("rotation where it stands", "rad", rotation, 1e-3, "the springs give way by less")
         else:
-            findings.at_most("less than the rotation where it falls", "rad", 0.02, turned, "it turns on and on")
+            findings.at_most("less than the rotation where it falls", "rad", 0.02, rotation, "it turns on and on")
     return findings
 
 

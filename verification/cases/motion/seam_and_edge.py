@@ -46,8 +46,8 @@ def run() -> Findings:
     findings, limit = Findings(), FRICTION * DENSITY * G * float(np.prod(SIZE))
     flat = {"specimen.box": boxes(-0.1), "support": supports("y", "rotation"), **KNOBS}
     rows = findings.note("over the seam", result_of(SCENE, flat)).history.rows
-    way, off = rows["displacement"], np.abs(rows["force"] - limit)
-    on_both, behind = (way > 0.03) & (way < 0.149), (way > 0.149) & (way < 0.19)
+    travel, off = rows["displacement"], np.abs(rows["force"] - limit)
+    on_both, behind = (travel > 0.03) & (travel < 0.149), (travel > 0.149) & (travel < 0.19)
     findings.check("force on the first slab and over the seam", "N", float(off[on_both].max()), 0.0, "closed form",
                    1e-9, 2e-10, "friction is the weight's on any patch", scale=limit)  # fmt: skip
     findings.check("force as it leaves the first slab", "N", float(off[behind].max()), 0.0, "closed form", 3e-5, 1e-5,

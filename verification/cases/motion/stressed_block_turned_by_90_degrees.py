@@ -46,7 +46,7 @@ def by_hand(gradient: np.ndarray) -> tuple[np.ndarray, float]:
 
 
 def quarter(axis: int) -> np.ndarray:
-    """A turn by 90 degrees about x, y or z."""
+    """A rotation by 90 degrees about x, y or z."""
     i, j = (axis + 1) % 3, (axis + 2) % 3
     found = np.zeros((3, 3))
     found[axis, axis] = found[j, i] = 1.0
@@ -59,8 +59,8 @@ def put_there(findings: Findings) -> None:
     model = assembled(SCENE, KNOBS).model
     body = model.bodies.affine
     off, apart = [], []
-    for turn in (np.eye(3), *map(quarter, range(3))):
-        gradient = turn @ STRETCH
+    for rotation in (np.eye(3), *map(quarter, range(3))):
+        gradient = rotation @ STRETCH
         body.q[0, 3:], body.frame[0] = (gradient - np.eye(3)).ravel(), gradient
         seen, (stress, stored) = energy.observe(model), by_hand(gradient)
         rows = np.array([stress[i, j] for i, j in ORDER])

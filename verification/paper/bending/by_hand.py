@@ -1,4 +1,4 @@
-"""Horizontal bending by hand: what a wall in running bond carries by each way that a crack may take through it.
+"""Horizontal bending by hand: what a wall in running bond carries by each path that a crack may take through it.
 
 All cracks stand between the load rollers, where the moment is constant. A crack goes through the head joints at
 mid-length of every other course; in each course between, it goes either on through the unit, or round it: through the
@@ -9,7 +9,7 @@ With W = H t^2/6 and f the tensile strength that a course meets, for the nominal
     plastic: all parts yield, an upper bound              3 mean f + n T_p/W,  T_p = tau int r dA about the pressed edge
 
 with tau = c - sigma tan(phi) in each of n bed joints, an overlap of a x t each, J = a t (a^2 + t^2)/12 and r its half
-diagonal. The least over all ways is the estimate.
+diagonal. The least over all paths is the estimate.
 """
 
 from dataclasses import dataclass
@@ -35,35 +35,35 @@ class Wall:
     height: float
     courses: int
 
-    def ways(self) -> set[tuple[int, int]]:
-        """(courses cracked through the unit, bed joints turned) of every way that the crack may take."""
+    def paths(self) -> set[tuple[int, int]]:
+        """(courses cracked through the unit, bed joints turned) of every path that the crack may take."""
         between = range(0, self.courses, 2)
         beds = [(c > 0) + (c < self.courses - 1) for c in between]
         choices = product((0, 1), repeat=len(beds))
         return {(len(beds) - sum(c), int(np.dot(c, beds))) for c in choices}
 
-    def brittle(self, way: tuple[int, int]) -> float:
+    def brittle(self, path: tuple[int, int]) -> float:
         """Nominal stress M/W (Pa) if all parts reach their first limit together."""
         a, t = self.overlap, self.thickness
         torsion = self.shear * a * t * (a**2 + t**2) / 12 / (0.5 * np.hypot(a, t))
-        return self._tension(way) + way[1] * torsion / self._modulus
+        return self._tension(path) + path[1] * torsion / self._modulus
 
-    def plastic(self, way: tuple[int, int]) -> float:
+    def plastic(self, path: tuple[int, int]) -> float:
         """Nominal stress M/W (Pa) if all parts yield, about the pressed edge: an upper bound."""
         return (
-            3.0 * self._tension(way) + way[1] * self.shear * edge_moment(self.overlap, self.thickness) / self._modulus
+            3.0 * self._tension(path) + path[1] * self.shear * edge_moment(self.overlap, self.thickness) / self._modulus
         )
 
     def bounds(self) -> tuple[float, float]:
-        """The least of both over all ways, Pa."""
-        return min(map(self.brittle, self.ways())), min(map(self.plastic, self.ways()))
+        """The least of both over all paths, Pa."""
+        return min(map(self.brittle, self.paths())), min(map(self.plastic, self.paths()))
 
     @property
     def _modulus(self) -> float:
         return self.height * self.thickness**2 / 6
 
-    def _tension(self, way: tuple[int, int]) -> float:
-        return (way[0] * self.units + (self.courses - way[0]) * self.interface) / self.courses
+    def _tension(self, path: tuple[int, int]) -> float:
+        return (path[0] * self.units + (self.courses - path[0]) * self.interface) / self.courses
 
 
 def wall_of(scene: Scene) -> Wall:

@@ -17,12 +17,12 @@ class FlexuralCrack:
     """The crack at the end of a run.
 
     courses  (n,) per course, area broken within units, seen along the wall, over the course's section
-    shares   broken area over the section of the wall: of head joints, units (both seen along the wall), bed joints
+    fractions  broken area over the section of the wall: of head joints, units (both seen along the wall), bed joints
     opened   share of the broken area of head joints that lost more by tension than by shear
     """
 
     courses: np.ndarray
-    shares: dict[str, float]
+    fractions: dict[str, float]
     opened: float
 
     @property
@@ -31,10 +31,10 @@ class FlexuralCrack:
         return int(np.sum(self.courses > CRACKED))
 
     @property
-    def unit_share(self) -> float:
+    def unit_fraction(self) -> float:
         """Of the broken area of head joints and units, that within units: 0 stepped, about a half straight."""
-        along = self.shares["units"] + self.shares["head joints"]
-        return self.shares["units"] / along if along > 0.0 else 0.0
+        along = self.fractions["units"] + self.fractions["head joints"]
+        return self.fractions["units"] / along if along > 0.0 else 0.0
 
     @property
     def word(self) -> str:
@@ -44,10 +44,11 @@ class FlexuralCrack:
 
     def sentence(self) -> str:
         """The pattern with its numbers."""
-        beds = self.shares["bed joints"]
+        beds = self.fractions["bed joints"]
         return (
             f"{self.word}: units cracked in {self.through} of {len(self.courses)} courses, "
-            f"{100 * self.unit_share:.0f} % of the broken section within units, broken bed joints {beds:.2f} sections"
+            f"{100 * self.unit_fraction:.0f} % of the broken section within units, broken bed joints {beds:.2f} "
+            "sections"
         )
 
 
@@ -62,6 +63,6 @@ def flexural_crack(result: Result, spec: BendingSpec) -> FlexuralCrack:
     area = path.area[head]
     return FlexuralCrack(
         np.bincount(number, along, spec.courses) / (course * spec.thickness),
-        path.shares(),
+        path.fractions(),
         float(area[led].sum() / area.sum()) if area.size else 0.0,
     )

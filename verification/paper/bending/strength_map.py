@@ -45,9 +45,9 @@ def parts(done: Done) -> list[str]:
         crack, peak = crack_of(done, run), done.peak(run)
         low, high = wall_by_hand(done, run).bounds()
         numbers = (f"{1e-6 * value:.3g}" for value in (low, peak, high))
-        shares = (f"{100 * crack.unit_share:.0f} %", f"{crack.shares['bed joints']:.2f}")
+        fractions = (f"{100 * crack.unit_fraction:.0f} %", f"{crack.fractions['bed joints']:.2f}")
         name = f"{pair[0]:g} / {pair[1]:g}" + (", as shipped" if pair == ASSUMED else "")
-        rows.append([name, sigma, *numbers, crack.word, str(crack.through), *shares])
+        rows.append([name, sigma, *numbers, crack.word, str(crack.through), *fractions])
     return [page.picture(picture(done), CAPTION), page.table(HEADER, rows, "Peak and crack by the lost strengths.")]
 
 
@@ -62,9 +62,9 @@ def picture(done: Done) -> Figure:
             one.plot(*pair, mark, color=colour, markersize=11, markeredgewidth=3.0)
             one.annotate(f"{1e-6 * done.peak(run):.2f} MPa", pair, (11, -3), textcoords="offset points", fontsize=8)
         across, wall = np.linspace(0.15, 0.65, 30), wall_by_hand(done, label(ASSUMED, sigma))
-        for way, style in (("brittle", "--"), ("plastic", ":")):
-            limits = [even(wall, 1e6 * x, way) for x in across]
-            one.plot(across, np.array(limits) * 1e-6, style, color="0.4", linewidth=1.2, label=f"by hand, {way}")
+        for behaviour, style in (("brittle", "--"), ("plastic", ":")):
+            limits = [even(wall, 1e6 * x, behaviour) for x in across]
+            one.plot(across, np.array(limits) * 1e-6, style, color="0.4", linewidth=1.2, label=f"by hand, {behaviour}")
         one.set_ylim(0.4, 5.5)
         for word, (mark, colour) in MARK.items():
             one.plot([], [], mark, color=colour, markersize=8, markeredgewidth=2.5, label=word)
@@ -73,13 +73,13 @@ def picture(done: Done) -> Figure:
     return figure
 
 
-def even(wall: Wall, interface: float, way: str) -> float:
+def even(wall: Wall, interface: float, behaviour: str) -> float:
     """Strength (Pa) of units with which the stepped and the straight crack carry the same, by hand."""
     pressed = wall.shear - 1.5 * wall.interface
     tried = [
         Wall(interface, units, 1.5 * interface + pressed, wall.overlap, wall.thickness, wall.height, wall.courses)
         for units in (0.0, 1e6)
     ]
-    straight, stepped = max(wall.ways()), min(wall.ways())
-    at_none, at_one = (getattr(w, way)(straight) for w in tried)
-    return float((getattr(tried[0], way)(stepped) - at_none) / (at_one - at_none) * 1e6)
+    straight, stepped = max(wall.paths()), min(wall.paths())
+    at_none, at_one = (getattr(w, behaviour)(straight) for w in tried)
+    return float((getattr(tried[0], behaviour)(stepped) - at_none) / (at_one - at_none) * 1e6)

@@ -110,6 +110,6 @@ def parts(done: Done) -> list[str]:
             run = done[label(size, c, ratio)]
             peak = run.summary["peak_stress_pa"] / float(Joint().peak(CONFINEMENTS[c]))
             level = plateau(run.history.rows) / plateau_of_law(run.history.rows, CONFINEMENTS[c])
-            shares = (crack.lower + crack.upper, crack.bed, crack.bed_tension)
-            rows.append([f"{ratio}", f"{size}, {c}", f"{peak:.3f}", f"{level:.2f}", *(f"{v:.2f}" for v in shares)])
+            fractions = (crack.lower + crack.upper, crack.bed, crack.bed_tension)
+            rows.append([f"{ratio}", f"{size}, {c}", f"{peak:.3f}", f"{level:.2f}", *(f"{v:.2f}" for v in fractions)])
     return [page.table(HEADER, rows, "The bed's strengths and energies over those of its interfaces (4 is shipped)")]

@@ -52,15 +52,15 @@ def tensions(done: Done) -> list[Claim]:
     for law in LAWS:
         if f"{law}, tension" in done.runs:
             summary = done[f"{law}, tension"].summary
-            spent = summary["energy_j"]["fracture_mode_1"] / summary["section_m2"]
-            ratios[law] = spent / float(dissipated_in_tension(law, Joint(), OPENED)), spent
+            dissipated = summary["energy_j"]["fracture_mode_1"] / summary["section_m2"]
+            ratios[law] = dissipated / float(dissipated_in_tension(law, Joint(), OPENED)), dissipated
     if not ratios:
         return []
     return [
         claim("The laws take into account the mode I fracture energy", "3, eqs (12), (14), (16)",
               f"energy to 0.2 mm of opening within {CLOSED:.0%} of the closed form; to the end G_I = 5.8 N/m with the "
               "elastic triangle of 1.12 N/m in it (linear) or on top of it",
-              "; ".join(f"{law} {spent:.2f} N/m ({r:.3f} of it)" for law, (r, spent) in ratios.items()),
+              "; ".join(f"{law} {dissipated:.2f} N/m ({r:.3f} of it)" for law, (r, dissipated) in ratios.items()),
               all(abs(r - 1.0) <= CLOSED for r, _ in ratios.values()), "the run does not take what the equation does"),
     ]  # fmt: skip
 

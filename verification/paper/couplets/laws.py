@@ -40,7 +40,7 @@ def by_law(value: Callable[[str, str], float], form: str = ".3f") -> str:
 
 def claims(done: Done) -> list[Claim]:
     """Section 4 on Fig. 6."""
-    return [capacity(done), plateau(done), ways(done), *orders(), envelope()]
+    return [capacity(done), plateau(done), behaviours(done), *orders(), envelope()]
 
 
 def records(done: Done) -> list[dict[str, Any]]:
@@ -93,7 +93,7 @@ def slip_of_plateau(one: Joint, compression: float) -> float:
     return float(u[np.flatnonzero(above)[-1]])
 
 
-def ways(done: Done) -> Claim:
+def behaviours(done: Done) -> Claim:
     """How far the laws differ between the peak and the plateau."""
     works = {c: {law: work_to(done[name(law, c)].history.rows, EARLY) for law in LAWS} for c in CONFINEMENTS}
     spreads = [spread(list(by.values())) for by in works.values()]

@@ -32,21 +32,21 @@ def work_to(rows: Rows, displacement: float) -> float:
     return float(np.trapezoid(tau_all, u_all))
 
 
-def plateau(rows: Rows, share: float = 0.2) -> float:
-    """Mean stress (Pa) over the last share of the way."""
-    return mean_late(*driven(rows), share)
+def plateau(rows: Rows, fraction: float = 0.2) -> float:
+    """Mean stress (Pa) over the last fraction of the way."""
+    return mean_late(*driven(rows), fraction)
 
 
-def mean_late(u: np.ndarray, tau: np.ndarray, share: float = 0.2) -> float:
-    """Mean of a stress (Pa) over the last share of displacements (m) that grow."""
-    last = u >= (1.0 - share) * u[-1]
+def mean_late(u: np.ndarray, tau: np.ndarray, fraction: float = 0.2) -> float:
+    """Mean of a stress (Pa) over the last fraction of displacements (m) that grow."""
+    last = u >= (1.0 - fraction) * u[-1]
     return float(np.trapezoid(tau[last], u[last]) / np.ptp(u[last]))
 
 
-def initial_stiffness(rows: Rows, share: float = 0.3) -> float:
-    """Slope (Pa/m) of the curve up to a share of its peak, by least squares through the origin."""
+def initial_stiffness(rows: Rows, fraction: float = 0.3) -> float:
+    """Slope (Pa/m) of the curve up to a fraction of its peak, by least squares through the origin."""
     u, tau = driven(rows)
-    rising = slice(0, int(np.argmax(tau >= share * tau.max())))
+    rising = slice(0, int(np.argmax(tau >= fraction * tau.max())))
     return float(u[rising] @ tau[rising] / (u[rising] @ u[rising]))
 
 

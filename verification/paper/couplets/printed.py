@@ -17,22 +17,22 @@ def mode_2_energy(compression: ArrayLike) -> Floats:
     return 58.0 - 130e-6 * np.asarray(compression, dtype=float)
 
 
-def share(joint: Joint, slip: ArrayLike, compression: float) -> Floats:
+def intact_fraction(joint: Joint, slip: ArrayLike, compression: float) -> Floats:
     """Lambda of eq. (15) as printed: (us/(w - us0 + us))^beta, w = 2 G_II/tau_max."""
     us, peak = np.asarray(slip, dtype=float), float(joint.peak(compression))
     return (us / (2.0 * float(joint.mode_2_energy(compression)) / peak - peak / joint.ks + us)) ** joint.beta
 
 
-def mended_share(joint: Joint, slip: ArrayLike, compression: float) -> Floats:
+def mended_fraction(joint: Joint, slip: ArrayLike, compression: float) -> Floats:
     """Lambda of eq. (15) as mended, 1 up to the peak: (w/(w + us - us0))^beta."""
     peak = float(joint.peak(compression))
     w = 2.0 * float(joint.mode_2_energy(compression)) / peak
     return (w / (w + np.maximum(np.asarray(slip, dtype=float) - peak / joint.ks, 0.0))) ** joint.beta
 
 
-def friction(joint: Joint, share: ArrayLike) -> Floats:
+def friction(joint: Joint, intact_fraction: ArrayLike) -> Floats:
     """tan(phi) of eq. (15) as printed: tan0 + lambda (tan0 - tan_res)."""
-    return joint.tan0 + np.asarray(share, dtype=float) * (joint.tan0 - joint.tan_res)
+    return joint.tan0 + np.asarray(intact_fraction, dtype=float) * (joint.tan0 - joint.tan_res)
 
 
 def fading_cohesion(joint: Joint, slip: float, compression: float) -> float:
@@ -52,9 +52,9 @@ def misprints() -> list[Misprint]:
     low, high = Joint(beta=2.1), Joint(beta=2.9)
     pairs = ((low, SIGMA), (high, ANOTHER))
     energies = [float(mode_2_energy(s)) for s in (SIGMA, 0.5e6, ANOTHER)]
-    peaks = [float(share(joint, joint.peak(s) / joint.ks, s)) for joint, s in pairs]
-    late = [float(share(joint, FAR, s)) for joint, s in pairs]
-    mended = [float(mended_share(joint, FAR, s)) for joint, s in pairs]
+    peaks = [float(intact_fraction(joint, joint.peak(s) / joint.ks, s)) for joint, s in pairs]
+    late = [float(intact_fraction(joint, FAR, s)) for joint, s in pairs]
+    mended = [float(mended_fraction(joint, FAR, s)) for joint, s in pairs]
     tangents = [float(friction(joint, value)) for (joint, _), value in zip(pairs, late, strict=True)]
     fading = [fading_cohesion(low, FAR, SIGMA) / 1e6, low.c0 * mended_exponential(low, FAR, SIGMA) / 1e6]
     return [

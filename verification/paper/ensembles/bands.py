@@ -23,8 +23,8 @@ def bands(modes: Mapping[str, tuple[Ensemble, Mapping[str, Ensemble]]]) -> Figur
             above.fill_between(walls.drive * MILLI, low, high, color=colour, alpha=0.18, linewidth=0)
             above.plot(walls.drive * MILLI, middle, color=colour, linewidth=1.3, label=f"{kind}: median, 5 to 95 %")
             peaks = np.sort(walls.peaks) * MEGA
-            share = (np.arange(len(peaks)) + 0.5) / len(peaks)
-            below.plot(peaks, share, "o-", color=colour, markersize=3, linewidth=0.9, label=f"{kind}, {len(peaks)}")
+            fraction = (np.arange(len(peaks)) + 0.5) / len(peaks)
+            below.plot(peaks, fraction, "o-", color=colour, markersize=3, linewidth=0.9, label=f"{kind}, {len(peaks)}")
         above.plot(alone.drive * MILLI, alone.walls[0].stress * MEGA, "--", color="0.15", label="no scatter")
         below.axvline(alone.peaks[0] * MEGA, color="0.15", linestyle="--", label="no scatter")
         for one in (above, below):

@@ -12,7 +12,7 @@ WIDE = 0.1
 """Of the mean peak: a band that one test, or one run, cannot stand for."""
 FEW = 10
 """Walls of which nothing can be told."""
-ONE_WAY = (
+ONE_PATH = (
     "the sentence is about walls in bending; in these two scenes one way is far weaker than the other, by hand (bed "
     "joints by their cohesion, heads and units by their tensile strength) 0.25 MPa stepped against 0.77 straight in "
     "mode 1, 0.5 against 0.225 in mode 2, and scatter of 20 to 30 % does not make up for it"
@@ -33,9 +33,9 @@ def told(modes: Modes, says: str, source: str, check: str, measured: str, holds:
     return claim(says, source, check, measured, holds, why)
 
 
-def ways_text(walls: Ensemble) -> str:
+def paths_text(walls: Ensemble) -> str:
     """ "28 straight, 2 mixed"."""
-    return ", ".join(f"{count} {way}" for way, count in walls.ways.items() if count)
+    return ", ".join(f"{count} {path}" for path, count in walls.paths.items() if count)
 
 
 def envelope_claim(modes: Modes) -> Claim:
@@ -53,27 +53,29 @@ def envelope_claim(modes: Modes) -> Claim:
 
 
 def qualitative_claim(modes: Modes) -> Claim:
-    """Most walls with scatter crack in the way of the one without."""
-    alike = {name: w.ways[alone.walls[0].way] / len(w.walls) for name, alone, w in each(modes)}
+    """Most walls with scatter crack along the path of the one without."""
+    alike = {name: w.paths[alone.walls[0].path] / len(w.walls) for name, alone, w in each(modes)}
     holds = min(alike.values()) > 0.8
     return told(modes, "Variation is not considered; the crack patterns found without it are satisfying qualitatively",
                 "6",
                 "over 80 % of the walls with scatter crack in the same way (stepped, straight, mixed) as the one "
                 "without",
-                "; ".join(f"{name}: {100.0 * alike[name]:.0f} % {alone.walls[0].way} as without"
+                "; ".join(f"{name}: {100.0 * alike[name]:.0f} % {alone.walls[0].path} as without"
                 for name, alone, _ in each(modes)),
                 holds, "which way a crack goes depends on which joints and units are weak")  # fmt: skip
 
 
 def mixed_claim(modes: Modes) -> Claim:
     """Within a scene cracks are stepped, straight or both, by what was drawn."""
-    ways = {mode: {way for w in kinds.values() for way in w.ways if w.ways[way]} for mode, (_, kinds) in modes.items()}
-    holds = any(len(found) > 1 for found in ways.values())
+    paths = {
+        mode: {path for w in kinds.values() for path in w.paths if w.paths[path]} for mode, (_, kinds) in modes.items()
+    }
+    holds = any(len(found) > 1 for found in paths.values())
     return told(modes, "Stepped and straight cracks occur at once or by themselves, among other things because "
                 "properties vary", "6",
                 "walls of one scene that differ by what is drawn alone crack in more than one way",
-                "; ".join(f"{name}: {ways_text(w)}" for name, _, w in each(modes)),
-                holds, ONE_WAY)  # fmt: skip
+                "; ".join(f"{name}: {paths_text(w)}" for name, _, w in each(modes)),
+                holds, ONE_PATH)  # fmt: skip
 
 
 def weakest_claim(modes: Modes) -> Claim:

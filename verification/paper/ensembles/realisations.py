@@ -13,7 +13,7 @@ from verification.paper.experiment import Done
 
 POINTS = 300
 """Places along a curve at which walls are compared."""
-WAYS = ("stepped", "mixed", "straight")
+PATHS = ("stepped", "mixed", "straight")
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class Wall:
     stress       (POINTS,) Pa, at equal distances of the drive
     broken       (n,) which of its crack lines are broken at the end
     places       joints (pairs of units) broken over half their area at least, and units (twice the same) broken at all
-    way          how its crack goes: "stepped" through joints alone, "straight" through units and head joints but no bed
+    path         how its crack goes: "stepped" through joints alone, "straight" through units and head joints but no bed
                  joint, or "mixed" through units and bed joints
     by_opening   share of the fracture energy that mode I took
     """
@@ -33,7 +33,7 @@ class Wall:
     stress: np.ndarray
     broken: np.ndarray
     places: frozenset[tuple[int, int]]
-    way: str
+    path: str
     by_opening: float
 
 
@@ -72,9 +72,9 @@ class Ensemble:
         return len({wall.places for wall in self.walls})
 
     @property
-    def ways(self) -> dict[str, int]:
-        """How many walls crack in each of the WAYS."""
-        return {way: sum(wall.way == way for wall in self.walls) for way in WAYS}
+    def paths(self) -> dict[str, int]:
+        """How many walls crack along each of the PATHS."""
+        return {path: sum(wall.path == path for wall in self.walls) for path in PATHS}
 
     def band(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(POINTS,) Pa each: the quantiles 5 % and 95 % of the stress at each place of the drive, and the median."""
@@ -106,9 +106,9 @@ def wall(result: Result, drive: np.ndarray) -> Wall:
     pairs = np.sort(np.column_stack([unit[joints.block_a], unit[joints.block_b]]), axis=1)
     broken = joints.area * (frame.damage >= BROKEN)
     names, index = np.unique(pairs, axis=0, return_inverse=True)
-    share = np.bincount(index.ravel(), broken) / np.bincount(index.ravel(), joints.area)
+    fraction = np.bincount(index.ravel(), broken) / np.bincount(index.ravel(), joints.area)
     within = names[:, 0] == names[:, 1]
-    gone = np.where(within, share > 0.0, share >= 0.5)
+    gone = np.where(within, fraction > 0.0, fraction >= 0.5)
     energy = result.summary["energy_j"]
     fracture = energy["fracture_mode_1"] + energy["fracture_mode_2"]
     inside = pairs[:, 0] == pairs[:, 1]
@@ -118,6 +118,6 @@ def wall(result: Result, drive: np.ndarray) -> Wall:
         stress=np.interp(drive, rows["displacement"], rows["stress"]),
         broken=lines.damage >= BROKEN,
         places=frozenset((int(a), int(b)) for a, b in names[gone]),
-        way="stepped" if not units else "mixed" if beds else "straight",
+        path="stepped" if not units else "mixed" if beds else "straight",
         by_opening=float(energy["fracture_mode_1"] / fracture),
     )

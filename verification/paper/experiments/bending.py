@@ -27,7 +27,7 @@ from verification.paper.pictures import Line, cracks, curves
 QUICK = {ACCURACY: "3 %"}
 """At 4 % the two ends of the stepped wall differ by 2.1 % for a moment."""
 SUDDEN = "strong units give way at once"
-GIVE_WAY = tuple(pair for pair in STRENGTHS if pair[0] > ASSUMED[0] and pair[1] >= 8 * pair[0])
+FAIL_SUDDENLY = tuple(pair for pair in STRENGTHS if pair[0] > ASSUMED[0] and pair[1] >= 8 * pair[0])
 """Of these the two ends differ by up to 3.1 % of the peak for a moment past it."""
 INTRODUCTION = (
     "A wall of six courses in four-point bending about an upright axis, and the same under a pressure on its bed "
@@ -42,7 +42,7 @@ def runs(quick: bool) -> dict[str, Run]:
     """Both walls for every pair of strengths; for two pairs with other cells and other contact points as well."""
     made = {}
     for pair, sigma in walls() if quick else walls(STRENGTHS):
-        settings, sudden = {**strengths(*pair), **(QUICK if quick else {})}, SUDDEN if pair in GIVE_WAY else ""
+        settings, sudden = {**strengths(*pair), **(QUICK if quick else {})}, SUDDEN if pair in FAIL_SUDDENLY else ""
         made[label(pair, sigma)] = Run(SCENES[sigma], settings, halve=pair in (ASSUMED, WEAKER), sudden=sudden)
     return made if quick else made | dict(_varied())
 

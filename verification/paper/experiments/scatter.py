@@ -8,7 +8,7 @@ from masonry.pictures.style import MEGA
 from verification.html import page
 from verification.html.page import percent
 from verification.paper.ensembles.bands import bands, frequencies
-from verification.paper.ensembles.claims import claims, ways_text
+from verification.paper.ensembles.claims import claims, paths_text
 from verification.paper.ensembles.realisations import Ensemble, ensemble
 from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Section
 
@@ -105,7 +105,7 @@ def line(mode: str, kind: str, alone: Ensemble, kinds: dict[str, Ensemble]) -> l
     opening = np.mean([wall.by_opening for wall in found.walls])
     return [
         *(mode, kind, f"{len(found.walls)}", f"{alone.peaks[0] * MEGA:.4f}", f"{found.peaks.mean() * MEGA:.4f}"),
-        *(f"{low:.4f} to {high:.4f}", percent(found.variation), ways_text(found), f"{found.patterns}"),
+        *(f"{low:.4f} to {high:.4f}", percent(found.variation), paths_text(found), f"{found.patterns}"),
         f"{100.0 * opening:.0f} % ({100.0 * alone.walls[0].by_opening:.0f} %)",
     ]
 

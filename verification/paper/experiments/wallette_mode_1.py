@@ -79,7 +79,7 @@ def dilated(angle: int, hinge: bool = False) -> str:
     return f"dilation {angle} degrees" + (f", {HINGE}" if hinge else "")
 
 
-def ways(quick: bool) -> dict[bool, str]:
+def plates(quick: bool) -> dict[bool, str]:
     """Whether the plate is on a hinge where dilation is varied -> the words for it."""
     return {False: SHIPPED} if quick else {False: SHIPPED, True: HINGE}
 
@@ -92,7 +92,7 @@ def show(done: Done) -> Section:
     lines = [pictures.stress_line(label, done[label]) for label in beside]
     angles = {
         f"Fig. 12: {name}": [pictures.stress_line(f"dilation {a} degrees", done[dilated(a, hinge)]) for a in ANGLES]
-        for hinge, name in ways(done.quick).items()
+        for hinge, name in plates(done.quick).items()
     }
     if not done.quick:
         by_cutoff = [pictures.stress_line(name, done[label]) for name, label in cutoffs().items()]
@@ -141,7 +141,7 @@ def cutoff_claim(done: Done) -> Claim:
 def dilation_claims(done: Done) -> list[Claim]:
     """What the angle of dilation does before and after the peak, however the plates are held."""
     before, after = [], []
-    for hinge in ways(done.quick):
+    for hinge in plates(done.quick):
         by_angle = [done[dilated(angle, hinge)] for angle in ANGLES]
         peak_at, end = peak_place(by_angle[1]), float(by_angle[1].history.rows["displacement"][-1])
         before += [apart(r, by_angle[1], 0.0, peak_at) for r in by_angle]

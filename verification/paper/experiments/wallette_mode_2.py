@@ -93,22 +93,22 @@ def softening_claim(second: Mapping[str, Result], first: Result) -> Claim:
                  "falls to half the peak in < half the displacement of mode 1; at twice that of the peak less is left",
                  f"{'; '.join(f'{n}: {half[n]:.3f} mm, {percent(left[n])}' for n in second)}; mode 1: {before[0]:.3f} "
                  f"mm, {percent(before[1])}. Left at {end * MILLI:.1f} mm: "
-                 + ", ".join(f"{percent(share)} ({n})" for n, share in late.items()),
+                 + ", ".join(f"{percent(fraction)} ({n})" for n, fraction in late.items()),
                  max(half.values()) < 0.5 * before[0] and max(left.values()) < before[1], "not as steep")  # fmt: skip
 
 
 def tension_claim(grid: Result, cells: Result) -> Claim:
     """Most energy goes into tension, and as much as one section takes."""
-    spent, rough = energy_per_section(grid), energy_per_section(cells)
-    shares = [s["mode I"] / s["fracture"] for s in (spent, rough)]
-    whole = spent["fracture"]
+    dissipated, rough = energy_per_section(grid), energy_per_section(cells)
+    fractions = [s["mode I"] / s["fracture"] for s in (dissipated, rough)]
+    whole = dissipated["fracture"]
     return claim("The governing mechanism is the tensile response of joints and bricks", "5.2",
                  f"> 50 % of the fracture energy by mode I; of the regular grid within 10 % of {BY_HAND:g} N/m of "
                  "section",
-                 f"grid {100 * shares[0]:.0f} % of {whole:.2f} N/m, {crack_path(grid).sections():.2f} of the section "
-                 f"broken at the end; 218 cells {100 * shares[1]:.0f} % of {rough['fracture']:.1f} N/m: their faces "
-                 "are rough and slide on each other",
-                 min(shares) > 0.5 and abs(whole / BY_HAND - 1.0) < 0.1, "another mechanism takes part")  # fmt: skip
+                 f"grid {100 * fractions[0]:.0f} % of {whole:.2f} N/m, {crack_path(grid).sections():.2f} of the "
+                 f"section broken at the end; 218 cells {100 * fractions[1]:.0f} % of {rough['fracture']:.1f} N/m: "
+                 "their faces are rough and slide on each other",
+                 min(fractions) > 0.5 and abs(whole / BY_HAND - 1.0) < 0.1, "another mechanism takes part")  # fmt: skip
 
 
 EXPERIMENT = Experiment(

@@ -93,9 +93,9 @@ def coarse_claim(found: Mapping[str, Found]) -> Claim:
     off = []
     for name in (FIRST, SECOND):
         coarse, fine = found[name][SIZES[0]], found[name][SIZES[-1]]
-        spent = [np.mean([energy_per_section(r)["fracture"] for r in results]) for results in (coarse, fine)]
+        dissipated = [np.mean([energy_per_section(r)["fracture"] for r in results]) for results in (coarse, fine)]
         top = [np.mean([mpa(r) for r in results]) for results in (coarse, fine)]
-        off += [float(top[0] / top[1] - 1.0), float(spent[0] / spent[1] - 1.0)]
+        off += [float(top[0] / top[1] - 1.0), float(dissipated[0] / dissipated[1] - 1.0)]
     return claim("Coarse blocks give enough accuracy", "6",
                  "218 against 540 cells: mean peak and fracture energy within 10 %",
                  f"mode 1: {100 * off[0]:+.2g} % and {100 * off[1]:+.2g} %; mode 2: {100 * off[2]:+.2g} % and "

@@ -28,10 +28,10 @@ def mean_curves(found: Found) -> list[Line]:
 def peaks_figure(found: Mapping[str, Found]) -> Figure:
     """Peaks over the mean of their family, all on one scale, and where cracks are; a dot is a seed, a bar a size."""
     figure, axes = sheet(1, len(found) + 1, (12.0, 3.6))
-    share = {name: _over_mean(peaks(family)) for name, family in found.items()}
-    most = 1.1 * max(abs(v - 100.0) for groups in share.values() for values in groups.values() for v in values)
+    over_mean = {name: _over_mean(peaks(family)) for name, family in found.items()}
+    most = 1.1 * max(abs(v - 100.0) for groups in over_mean.values() for values in groups.values() for v in values)
     for one, (name, family) in zip(axes.flat, found.items(), strict=False):
-        _dots(one, share[name])
+        _dots(one, over_mean[name])
         mean = float(np.mean([v for values in peaks(family).values() for v in values]))
         one.set_title(name.replace(", ", ",\n") + f"\nmean {mean:.4f} MPa", fontsize=9)
         one.set_ylim(100.0 - most, 100.0 + most)

@@ -48,7 +48,7 @@ def table_of_runs(done: Done, labels: Iterable[str]) -> list[str]:
 def row_of(label: str, result: Result) -> list[str]:
     """The numbers of a run."""
     energy, crack = energy_per_section(result), crack_path(result)
-    shares = crack.shares()
+    fractions = crack.fractions()
     return [
         label,
         f"{mpa(result):.4f}",
@@ -56,7 +56,7 @@ def row_of(label: str, result: Result) -> list[str]:
         percent(left_after(result, 2.0)),
         f"{result.summary['final_stress_pa'] * MEGA:.4f}",
         *(f"{energy[name]:.1f}" for name in ("mode I", "mode II", "friction")),
-        *(f"{shares[name]:.2f}" for name in ("head joints", "units", "bed joints")),
+        *(f"{fractions[name]:.2f}" for name in ("head joints", "units", "bed joints")),
         where(result),
     ]
 
@@ -98,11 +98,11 @@ def rate_claim(shipped: Result, constant: Result, source: str) -> Claim:
 
 def plates_claim(hinge: Result, held: Result, why: str) -> Claim:
     """What it matters whether the plates turn, which the paper does not say."""
-    spent = [energy_per_section(r)["fracture"] for r in (hinge, held)]
+    dissipated = [energy_per_section(r)["fracture"] for r in (hinge, held)]
     ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (hinge, held)]
     return claim("A displacement rate is set on one side of the wallette", "5",
                  "peak, end and energy with a right plate that is on a hinge, and with one that does not turn",
                  f"peak {mpa(hinge):.4f} and {mpa(held):.4f} MPa, at the end {ends[0]:.4f} and {ends[1]:.4f} MPa, "
-                 f"curves {percent(apart(held, hinge))} of the peak apart on average; energy {spent[0]:.1f} and "
-                 f"{spent[1]:.1f} N/m",
+                 f"curves {percent(apart(held, hinge))} of the peak apart on average; energy {dissipated[0]:.1f} and "
+                 f"{dissipated[1]:.1f} N/m",
                  None, why)  # fmt: skip

@@ -39,11 +39,11 @@ class CrackPath:
         """Broken area seen along the wall, over its section: 1 is one crack through the whole height."""
         return self._facing(self.broken)
 
-    def shares(self) -> dict[str, float]:
+    def fractions(self) -> dict[str, float]:
         """Broken area seen along the wall by what it goes through, over the section; beds are seen from below."""
         along = {"head joints": self.head, "units": self.unit}
-        shares = {name: self._facing(self.broken & kind) for name, kind in along.items()}
-        return shares | {"bed joints": float(self.area[self.broken & self.bed].sum() / self.section)}
+        fractions = {name: self._facing(self.broken & kind) for name, kind in along.items()}
+        return fractions | {"bed joints": float(self.area[self.broken & self.bed].sum() / self.section)}
 
     def place(self) -> tuple[float, float]:
         """(middle, spread) m along the wall of what opened: mean and standard deviation of x by opened volume.

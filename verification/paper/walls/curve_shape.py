@@ -24,15 +24,15 @@ def left_after(result: Result, times: float) -> float:
     return float(stress_at(result, times * peak_place(result)) / result.summary["peak_stress_pa"])
 
 
-def fall_to(result: Result, share: float) -> float:
-    """Displacement (m) past the peak at which the stress is first a share of the peak; nan where it never is."""
+def fall_to(result: Result, fraction: float) -> float:
+    """Displacement (m) past the peak at which the stress is first a fraction of the peak; nan where it never is."""
     rows, peak = result.history.rows, float(result.summary["peak_stress_pa"])
-    below = (rows["displacement"] > peak_place(result)) & (rows["stress"] <= share * peak)
+    below = (rows["displacement"] > peak_place(result)) & (rows["stress"] <= fraction * peak)
     if not below.any():
         return float("nan")
     k = int(np.argmax(below))
     u, s = rows["displacement"][k - 1 : k + 1], rows["stress"][k - 1 : k + 1]
-    return float(np.interp(share * peak, s[::-1], u[::-1])) - peak_place(result)
+    return float(np.interp(fraction * peak, s[::-1], u[::-1])) - peak_place(result)
 
 
 def steepest_fall(result: Result, window: float) -> float:
@@ -52,12 +52,12 @@ def apart(one: Result, other: Result, begin: float = 0.0, end: float = np.inf) -
 def energy_per_section(result: Result) -> dict[str, float]:
     """Energy by where it went, over the section of the specimen, in N/m: mode I, mode II, friction, fracture in all."""
     energy, section = result.summary["energy_j"], result.summary["section_m2"]
-    spent = {
+    dissipated = {
         "mode I": energy["fracture_mode_1"] / section,
         "mode II": energy["fracture_mode_2"] / section,
         "friction": energy["friction"] / section,
     }
-    return spent | {"fracture": spent["mode I"] + spent["mode II"]}
+    return dissipated | {"fracture": dissipated["mode I"] + dissipated["mode II"]}
 
 
 def tail(result: Result) -> float:

@@ -71,10 +71,10 @@ def drastic_claim(found: Mapping[str, Both]) -> Claim:
     """Twice the tensile energy of the units, beside twice their shear energy: the paper calls the first drastic."""
     moved = {name: [apart(both[kind][2], both[kind][1]) for kind in ("GI", "GII")] for name, both in found.items()}
     half = {name: [fall_to(both["GI"][f], 0.5) * MILLI for f in (1, 2)] for name, both in found.items()}
-    spent = {name: [energy_per_section(both["GI"][f])["fracture"] for f in (1, 2)] for name, both in found.items()}
+    dissipated = {name: [energy_per_section(both["GI"][f])["fracture"] for f in (1, 2)] for name, both in found.items()}
     shown = [
         f"{n}: {percent(m[0])} and {percent(m[1])}; half the peak {half[n][0]:.3f} and {half[n][1]:.3f} mm past it "
-        f"({half[n][1] / half[n][0]:.1f} times), fracture energy {spent[n][0]:.1f} and {spent[n][1]:.1f} N/m"
+        f"({half[n][1] / half[n][0]:.1f} times), fracture energy {dissipated[n][0]:.1f} and {dissipated[n][1]:.1f} N/m"
         for n, m in moved.items()
     ]
     return claim("A drastic change of the response once the units have twice the GI of the interface", "6, Fig. 18a",
@@ -107,8 +107,8 @@ def pattern_claim(name: str, series: Series) -> Claim:
                  "6, Fig. 19",
                  f"mode 2, GI of the units 20 N/m: the crack moves or widens by > {STRAIGHT * MILLI:.0f} mm along the "
                  "wall",
-                 f"at {where(series[1])} mm, units {base.shares()['units']:.2f} of the section; with 20 N/m at "
-                 f"{where(series[2.5])} mm, units {tough.shares()['units']:.2f}",
+                 f"at {where(series[1])} mm, units {base.fractions()['units']:.2f} of the section; with 20 N/m at "
+                 f"{where(series[2.5])} mm, units {tough.fractions()['units']:.2f}",
                  moved > STRAIGHT, "strength decides where a crack begins, and that is the same. Of the "
                  "units less is broken through at the end, because tearing takes longer; half the "
                  "loading error moves the peak by < 1 %")  # fmt: skip
@@ -116,14 +116,14 @@ def pattern_claim(name: str, series: Series) -> Claim:
 
 def tension_claim(found: Mapping[str, Both]) -> Claim:
     """What breaks the units of Fig. 19."""
-    shares = {}
+    fractions = {}
     for name, both in found.items():
         crack = crack_path(both["GI"][2.5])
         led = crack.frame.damage_tension >= crack.frame.damage_shear
         chosen = crack.broken & crack.unit
-        shares[name] = float(np.average(led[chosen], weights=crack.area[chosen])) if chosen.any() else 0.0
+        fractions[name] = float(np.average(led[chosen], weights=crack.area[chosen])) if chosen.any() else 0.0
     return claim("Tensile failure of the bricks at GI = 20 N/m", "6, Fig. 19",
                  "mode 2: more than half of what is broken within units is led by tension",
-                 "; ".join(f"{name}: {100 * share:.0f} %" for name, share in shares.items()),
-                 min(shares.values()) > 0.5, "with GI as large as GII, the oblique faces between cells "
+                 "; ".join(f"{name}: {100 * fraction:.0f} %" for name, fraction in fractions.items()),
+                 min(fractions.values()) > 0.5, "with GI as large as GII, the oblique faces between cells "
                  "slide apart before they are torn: more of them break by shear")  # fmt: skip

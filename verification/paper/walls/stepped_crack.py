@@ -40,16 +40,16 @@ def peak_claim(peaks: Mapping[str, float]) -> Claim:
 def pattern_claim(result: Result) -> Claim:
     """Head joints in tension and bed joints in shear, one stepped crack."""
     crack = crack_path(result)
-    shares, frame = crack.shares(), crack.frame
+    fractions, frame = crack.fractions(), crack.frame
     led = frame.damage_tension >= frame.damage_shear
     head, bed = crack.broken & crack.head, crack.broken & crack.bed
     opened, slid = (float(np.average(m, weights=crack.area[c])) for m, c in ((led[head], head), (~led[bed], bed)))
     return claim("Tensile cracks at the head joints together with shear failure at the bed joints", "5.1, Fig. 11",
                  f"broken: one head joint a course (1.00 of the section) by tension, {BEDS:.2f} of bed joints by "
                  "shear, each > 90 %",
-                 f"{shares['head joints']:.2f}, {percent(opened)} led by tension; {shares['bed joints']:.2f}, "
+                 f"{fractions['head joints']:.2f}, {percent(opened)} led by tension; {fractions['bed joints']:.2f}, "
                  f"{percent(slid)} by shear",
-                 abs(shares["head joints"] - 1) < 0.05 and abs(shares["bed joints"] - BEDS) < 0.05
+                 abs(fractions["head joints"] - 1) < 0.05 and abs(fractions["bed joints"] - BEDS) < 0.05
                  and min(opened, slid) > 0.9, "another pattern")  # fmt: skip
 
 
@@ -66,7 +66,7 @@ def residual_claims(shipped: Result, hinge: Result) -> list[Claim]:
     """What is carried at the end, and the energy that it took."""
     ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (shipped, hinge)]
     sheared = [(c := crack_path(r)).stress_carried(c.bed) * MEGA for r in (shipped, hinge)]
-    spent = [energy_per_section(r)["fracture"] for r in (shipped, hinge)]
+    dissipated = [energy_per_section(r)["fracture"] for r in (shipped, hinge)]
     return [
         claim("The mechanism yields a residual stress, from shear of the bed joints", "5.1, Fig. 10",
               f"stress at the end > 0, and within {percent(ALIKE)} of the shear of broken bed joints over the section",
@@ -75,7 +75,7 @@ def residual_claims(shipped: Result, hinge: Result) -> list[Claim]:
               "something else carries load"),
         claim("Energy to full separation, from Table 3", "Table 3, by hand",
               f"fracture energy of one stepped crack within 10 % of {BY_HAND} N/m of section; friction comes on top",
-              f"{spent[0]:.1f} N/m and {energy_per_section(shipped)['friction']:.1f} N/m of friction at "
-              f"{float(shipped.history.rows['displacement'][-1]) * MILLI:.2g} mm; on a hinge: {spent[1]:.1f} N/m",
-              all(abs(s / BY_HAND - 1.0) < 0.1 for s in spent), "more or less than one stepped crack"),
+              f"{dissipated[0]:.1f} N/m and {energy_per_section(shipped)['friction']:.1f} N/m of friction at "
+              f"{float(shipped.history.rows['displacement'][-1]) * MILLI:.2g} mm; on a hinge: {dissipated[1]:.1f} N/m",
+              all(abs(s / BY_HAND - 1.0) < 0.1 for s in dissipated), "more or less than one stepped crack"),
     ]  # fmt: skip

@@ -29,15 +29,15 @@ def peak_claim(peaks: Mapping[str, float]) -> Claim:
 
 def path_claims(results: Mapping[str, Result]) -> list[Claim]:
     """What the crack goes through, and where in its units."""
-    shares = {label: crack_path(r).shares() for label, r in results.items()}
+    fractions = {label: crack_path(r).fractions() for label, r in results.items()}
     spread = {label: crack_spread(r) for label, r in results.items()}
     off = {label: crack_path(r).off_mid_length() for label, r in results.items()}
     return [
         claim("The cracks follow the head joints and the bricks", "5.2, Fig. 14",
               "broken: head joints > 0.4 and units > 0.25 of the section, bed joints < 0.15",
               "; ".join(f"{label}: {s['head joints']:.2f}, {s['units']:.2f}, {s['bed joints']:.2f}"
-                  for label, s in shares.items()),
-              all(s["head joints"] > 0.4 and s["units"] > 0.25 and s["bed joints"] < 0.15 for s in shares.values()),
+                  for label, s in fractions.items()),
+              all(s["head joints"] > 0.4 and s["units"] > 0.25 and s["bed joints"] < 0.15 for s in fractions.values()),
               "another path"),
         claim("Roughly through the mid-length of the brick", "5.2, Fig. 14",
               f"mean distance from it < a fifth of half a unit ({200 * HALF_UNIT:.0f} mm); spread < "

@@ -68,14 +68,14 @@ def shear_left(law: Law, past: Array, peak: Array, residual: Array, compression:
     raise ValueError(f"no envelope of a {law.kind} joint in shear")
 
 
-def slip_of_share(law: Law, share: Array, peak: Array, residual: Array, compression: Array) -> Array:
+def slip_of_fraction(law: Law, fraction: Array, peak: Array, residual: Array, compression: Array) -> Array:
     """The slip (m) beyond t_max/ks at which `shear_left` is so much: its inverse."""
     energy = law.G_II + law.G_II_slope * compression
-    drop, share = np.maximum(peak - residual, 1e-300), np.maximum(share, 1e-300)
+    drop, fraction = np.maximum(peak - residual, 1e-300), np.maximum(fraction, 1e-300)
     if law.kind == "linear":
-        return (1.0 - share) * (2.0 * energy / drop - drop / law.ks)
+        return (1.0 - fraction) * (2.0 * energy / drop - drop / law.ks)
     if law.kind == "polynomial":
-        return (share ** (-1.0 / law.beta) - 1.0) * 2.0 * energy / np.maximum(peak, 1e-300)
+        return (fraction ** (-1.0 / law.beta) - 1.0) * 2.0 * energy / np.maximum(peak, 1e-300)
     if law.kind == "exponential":
-        return -np.log(share) * energy / law.c0
+        return -np.log(fraction) * energy / law.c0
     raise ValueError(f"no envelope of a {law.kind} joint in shear")

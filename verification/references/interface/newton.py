@@ -72,9 +72,9 @@ class Path:
         used = [e / j.law.opening_at_peak for e, j in zip(openings, self.model.joints, strict=True)]
         most = min(1.0, max(float(e.max(initial=0.0)) for e in used))
         for joint, e, history in zip(self.model.joints, used, self.state.histories, strict=True):
-            share = joint.weight * ((e >= 0.9 * most) & (history.tension > NEARLY_GONE))
-            weights += joint.jump.T @ (share[:, None] * joint.normal).ravel()
-            area += share.sum()
+            softening_area = joint.weight * ((e >= 0.9 * most) & (history.tension > NEARLY_GONE))
+            weights += joint.jump.T @ (softening_area[:, None] * joint.normal).ravel()
+            area += softening_area.sum()
         self.row = self.system.row(weights / max(area, 1e-300))
         self.reached = float(
             self.row[0] @ self.state.q + self.row[1] * self.state.factor + self.row[2] * self.state.dead
@@ -84,13 +84,13 @@ class Path:
         return self.go(self.reached + amount)
 
     def _go(self, target: float, dead: float, halvings: int) -> None:
-        start, begun, share = self.state, self.reached, self.state.dead
+        start, begun, load_factor = self.state, self.reached, self.state.dead
         try:
             found = self._solve(target, dead)
         except NotConverged:
             if halvings == 0:
                 raise
-            middle = 0.5 * (begun + target), 0.5 * (share + dead)
+            middle = 0.5 * (begun + target), 0.5 * (load_factor + dead)
             self._go(*middle, halvings - 1)
             self._go(target, dead, halvings - 1)
             return

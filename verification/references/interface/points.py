@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from verification.references.interface.envelopes import Law, shear_left, slip_of_share, tension_left
+from verification.references.interface.envelopes import Law, shear_left, slip_of_fraction, tension_left
 
 Array = np.ndarray
 ROUNDS = 60
@@ -52,7 +52,7 @@ def traction(law: Law, history: History, normal: Array, jump: Array) -> tuple[Ar
         shared = wn if law.combined else 1.0
         past = (size - residual - history.shear * shared * (peak - residual)) / law.ks
         compression = np.maximum(-sigma, 0.0)
-        so_far = slip_of_share(law, history.shear, peak, residual, compression)
+        so_far = slip_of_fraction(law, history.shear, peak, residual, compression)
         left = shear_left(law, so_far + np.maximum(past, 0.0), peak, residual, compression)
         falls = (past > 0.0) & (peak > residual)
         ws = np.where(falls, np.minimum(history.shear, left), history.shear)
@@ -61,9 +61,9 @@ def traction(law: Law, history: History, normal: Array, jump: Array) -> tuple[Ar
     sigma = normal_stress(law, widest, wn, ws, e)
     peak, residual = strengths(law, widest, wn, sigma, e)
     bears = residual + ws * (wn if law.combined else 1.0) * (peak - residual)
-    share = np.where(size > bears, bears / np.maximum(size, 1e-300), 1.0)
-    tau = share[..., None] * trial
-    slip = history.slip + (1.0 - share)[..., None] * trial / law.ks
+    fraction = np.where(size > bears, bears / np.maximum(size, 1e-300), 1.0)
+    tau = fraction[..., None] * trial
+    slip = history.slip + (1.0 - fraction)[..., None] * trial / law.ks
     return sigma[..., None] * normal + tau, History(widest, wn, ws, slip)
 
 

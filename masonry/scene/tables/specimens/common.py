@@ -6,14 +6,14 @@ from pydantic import model_validator
 
 from masonry.scene.tables.cells import Cells, exclude
 from masonry.scene.tables.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
-from masonry.scene.tables.types import Area, Count, KeyedError, Length, Position, Table, Turn
+from masonry.scene.tables.types import Area, Count, KeyedError, Length, Position, SignedAngle, Table
 
 
 class Turned(Table):
     """The whole specimen turned by an angle (rad, right-hand rule) about an axis through a point (m)."""
 
     about: Literal["x", "y", "z"]
-    angle: Turn
+    angle: SignedAngle
     through: tuple[Position, Position, Position] = (0.0, 0.0, 0.0)
 
 

@@ -17,8 +17,8 @@ from masonry.scene.tables.types import (
     Halves,
     KeyedError,
     Length,
-    Share,
     Table,
+    UnitInterval,
     Voussoirs,
 )
 
@@ -144,7 +144,7 @@ class MultiLeafSpec(Structure):
     unit_height: Length
     joint_thickness: Gap = 0.0
     bond: Literal["running", "stack"] = "running"
-    headers: Share = 0.0
+    headers: UnitInterval = 0.0
     core: CoreCells
     base: Length | None = None
     beam: Length | None = None
