@@ -1,6 +1,14 @@
 """What all tests start from."""
 
+import gc
 import signal
 
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # as in what a script starts in the background
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_collection_finish() -> None:
+    """The tests themselves are not looked through for garbage, again and again, while Numba compiles."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(20_000, 20, 20)

@@ -89,7 +89,7 @@ EDITS = {
 }
 
 
-@pytest.mark.parametrize("kind", EDITS)
+@pytest.mark.parametrize("kind", ["law", *(pytest.param(kind, marks=pytest.mark.slow) for kind in list(EDITS)[1:])])
 def test_an_edit_of_a_law_a_kernel_or_a_kinematics_changes_the_next_run(used, kind):
     copy, first = used
     file = EDITS[kind][0]

@@ -62,7 +62,11 @@ def after(chunks: int):
     return lambda: next(answers, True)
 
 
-@pytest.mark.parametrize("name", SCENES)
+SLOW = ("tets, steps", "affine, accuracy")
+"""Their kinds of step are compiled for nobody else; others have steps of tets, and an accuracy."""
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow if n in SLOW else ()) for n in SCENES])
 def test_a_run_in_pieces_on_changing_threads_has_the_bits_of_the_run_in_one(name, tmp_path):
     scene, kept, looks = SCENES[name](), Checkpoints(tmp_path), []
     whole = everything(

@@ -81,6 +81,7 @@ def test_a_cache_with_damaged_files_is_one_without_them(used, tmp_path):
     assert {path: path.stat().st_mtime_ns for path in files} == kept
 
 
+@pytest.mark.slow
 def test_a_cache_on_a_full_disk_is_gone_without_and_the_log_says_so(used, tmp_path):
     whole = used[1]
     with disk(tmp_path / "small", "100k") as small:

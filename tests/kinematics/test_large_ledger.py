@@ -67,6 +67,7 @@ def test_without_apart_a_couple_is_left():
     assert np.abs(springs.momenta()[1] - start).max() > 1e-4 * np.abs(start).max()
 
 
+@pytest.mark.slow
 def test_threads_give_the_same_bits():
     one, two = tumbling(2e-5, 3e4, 5e3), tumbling(2e-5, 3e4, 5e3)
     one.march(100, 0.2)

@@ -26,7 +26,7 @@ def couplet(pace: str, **settings):
     return laboratory.run(scene.load("couplet", BASE | PACES[pace] | settings))
 
 
-@pytest.mark.parametrize("pace", PACES)
+@pytest.mark.parametrize("pace", [pytest.param("steps", marks=pytest.mark.slow), "accuracy"])
 def test_the_curve_is_that_of_small_displacement(pace):
     small, large = couplet(pace), couplet(pace, displacements="large")
     assert small.summary["peak_stress_pa"] == pytest.approx(1.375e6, rel=2e-3)

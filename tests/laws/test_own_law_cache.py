@@ -62,6 +62,7 @@ def test_a_second_process_compiles_nothing(used):
     assert here.run() == Ran([], first.stress, tools=False)
 
 
+@pytest.mark.slow
 def test_our_laws_are_found_as_well_where_the_package_has_gone(used):
     here = used[0]
     assert "advance" in here.run(OURS).compiled

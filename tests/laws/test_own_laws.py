@@ -60,7 +60,10 @@ def test_the_law_of_the_page_has_no_more_than_30_lines():
     assert len(files_of_page()["tunnel.py"].splitlines()) < 30
 
 
-@pytest.mark.parametrize("law_and_other", [("bilinear", "other-words"), ("by-slip", "other-words-by-slip")])
+@pytest.mark.parametrize(
+    "law_and_other",
+    [("bilinear", "other-words"), pytest.param(("by-slip", "other-words-by-slip"), marks=pytest.mark.slow)],
+)
 def test_names_of_arguments_are_free(law_and_other):
     path = along([(0.0, 0.0, -2e-6), (60e-6, 0.0, 4e-6), (-20e-6, 0.0, 9e-6), (90e-6, 0.0, 1e-6)], 0.5e-6)
     one, other = (walk(own(name), path) for name in law_and_other)

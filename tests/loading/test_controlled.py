@@ -1,5 +1,7 @@
 """A drive paced by its error: it arrives, keeps its word, costs few steps, and its guide neither drags nor rings."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -62,6 +64,8 @@ def test_the_shipped_couplet_keeps_the_accuracy_that_was_asked(accuracy):
     assert result.summary["peak_stress_pa"] == pytest.approx(1.375e6, rel=accuracy)
 
 
+COARSE = replace(SETTINGS, finest=2_000)
+"""Of random energies every increment is the finest there is."""
 TERMS = ("damping", "elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "kinetic")
 
 
@@ -120,7 +124,7 @@ def test_increments_add_up_whatever_the_energies_say():
     scene = load("wallette-mode-1", {"drive.accuracy": 0.05})
     assembly = assemble(scene)
     rng = np.random.default_rng(0)
-    pace, moved = AdaptiveLoading(assembly.model, controlled(10, -3e-4, 0.05), 100), 0.0
+    pace, moved = AdaptiveLoading(assembly.model, controlled(10, -3e-4, 0.05), 100, COARSE), 0.0
     while (chunk := pace.next()) is not None:
         moved += chunk.speed[:-1].sum() * assembly.model.dt
         assert np.all(chunk.speed <= 0.0)

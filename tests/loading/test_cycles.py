@@ -13,7 +13,7 @@ from masonry.loading.scheduled import ScheduledLoading
 from masonry.model.loads import controlled
 from masonry.monitors.energy import Seen
 from masonry.scene import load
-from tests.loading.test_controlled import TERMS
+from tests.loading.test_controlled import COARSE, TERMS
 from verification.cases.fracture.joint_that_closes import KEYS
 from verification.references.closed_forms import Joint, dissipated_in_tension, unloaded
 
@@ -105,7 +105,7 @@ def test_increments_reach_every_turning_point_whatever_the_energies_say():
     assembly = assemble(load("couplet", {"drive.accuracy": 0.05}))
     rng = np.random.default_rng(0)
     turns = (-3e-4, 1e-6, 2e-6, -1e-3, 1e-3)
-    pace, place, visited = AdaptiveLoading(assembly.model, controlled(10, turns[0], 0.05, turns), 100), 0.0, []
+    pace, place, visited = AdaptiveLoading(assembly.model, controlled(10, turns[0], 0.05, turns), 100, COARSE), 0.0, []
     while (chunk := pace.next()) is not None:
         before = place
         place += chunk.speed[:-1].sum() * assembly.model.dt

@@ -36,7 +36,10 @@ def apart(blocks, kinds, sizes):
     return shapes.Setup(blocks, kind, sort_by_group(blocks, joints)[2], mesh)
 
 
-@pytest.fixture(params=[("tets", "tets"), ("rigid", "tets"), ("tets", "affine")], ids="-".join)
+PAIRS = [("tets", "tets"), ("rigid", "tets"), ("tets", "affine")]
+
+
+@pytest.fixture(params=PAIRS, ids="-".join)
 def pair(request):
     upper = ((0.02, -0.01, 0.05), (0.15, 0.09, 0.12))
     blocks = shapes.boxes([((0, 0, 0), (0.2, 0.1, 0.05)), upper])
@@ -157,6 +160,15 @@ def test_the_energy_balance_closes(pair, damping):
     assert terms["elastic_contacts"] == pytest.approx(terms["contact_work"], rel=1e-9)
 
 
+@pytest.mark.parametrize(
+    "pair",
+    [
+        ("rigid", "tets"),
+        *(pytest.param(kinds, marks=pytest.mark.slow) for kinds in PAIRS if kinds != ("rigid", "tets")),
+    ],
+    indirect=True,
+    ids="-".join,
+)
 def test_two_threads_take_the_same_steps(pair):
     from masonry.kernels.step import advance
 

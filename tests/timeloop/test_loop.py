@@ -61,7 +61,7 @@ def bits(result) -> list[bytes]:
     return [v.tobytes() for v in result.history.rows.values()] + [getattr(frame, f).tobytes() for f in fields]
 
 
-@pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
+@pytest.mark.parametrize("kinematics", ["rigid", pytest.param("affine", marks=pytest.mark.slow), "tets"])
 def test_the_same_scene_gives_the_same_bits_twice_and_on_two_threads(kinematics):
     text = couplet(kinematics, settle=400, pace="steps = 800", displacement="0.02 mm")
     once, again, threaded = (laboratory.run(load(text), threads=n) for n in (1, 1, 2))
@@ -70,7 +70,10 @@ def test_the_same_scene_gives_the_same_bits_twice_and_on_two_threads(kinematics)
     assert once.history.rows["stress"].max() > 1e5
 
 
-@pytest.mark.parametrize("changes", [[], ["kinematics=tets", "specimen.mesh_size=60 mm"]], ids=["rigid", "tets"])
+MESHED = pytest.param(["kinematics=tets", "specimen.mesh_size=60 mm"], marks=pytest.mark.slow, id="tets")
+
+
+@pytest.mark.parametrize("changes", [pytest.param([], id="rigid"), MESHED])
 def test_a_wall_that_cracks_gives_the_same_bits_on_one_and_on_two_threads(changes):
     wall = scene.load("wallette-mode-1", ["specimen.divisions=[4, 2]", "drive.rate=50 mm/s", *changes])
     one, two = (laboratory.run(wall, threads=n) for n in (1, 2))

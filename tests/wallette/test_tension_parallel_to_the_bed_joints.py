@@ -55,6 +55,7 @@ def test_mode_1_costs_the_energy_of_one_stepped_crack():
     assert per_area == pytest.approx(16.4, rel=0.1)
 
 
+@pytest.mark.slow
 def test_mode_1_hardly_feels_the_loading_rate():
     fast, slow = run("wallette-mode-1", "drive.rate=1 mm/s"), run("wallette-mode-1", "drive.rate=0.5 mm/s")
     assert slow.summary["peak_stress_pa"] == pytest.approx(fast.summary["peak_stress_pa"], rel=0.01)
@@ -91,7 +92,7 @@ def steepest_late_fall(result: Result) -> float:
     return float((early - late).max() / peak)
 
 
-@pytest.mark.parametrize("name", ["wallette-mode-1", "wallette-mode-1-218"])
+@pytest.mark.parametrize("name", ["wallette-mode-1", pytest.param("wallette-mode-1-218", marks=pytest.mark.slow)])
 def test_where_dilation_ends_moves_what_is_left_of_mode_1_and_not_its_peak(name):
     short, long = (run(name, f"contact.unit_unit.dilation_cutoff={cutoff} mm") for cutoff in ("0.05", "0.2"))
     assert long.summary["peak_stress_pa"] == pytest.approx(short.summary["peak_stress_pa"], rel=1e-3)

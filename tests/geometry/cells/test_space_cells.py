@@ -181,15 +181,12 @@ print(hashlib.sha256(power.vertices.tobytes() + power.face_points.tobytes()).hex
 """
 
 
-def test_the_same_seed_gives_the_same_bits_in_other_processes():
+def test_the_same_seed_gives_the_same_bits_in_another_process():
     power, _ = divide_space(BRICK, np.full(60, BRICK.volume / 60), None, np.random.default_rng(3))
     here = hashlib.sha256(power.vertices.tobytes() + power.face_points.tobytes()).hexdigest()
-    for number in ("1", "2"):
-        environment = {**os.environ, "PYTHONHASHSEED": number, "OMP_NUM_THREADS": number}
-        there = subprocess.run(
-            [sys.executable, "-c", DIGEST], env=environment, capture_output=True, text=True, check=True
-        )
-        assert there.stdout.strip() == here
+    environment = {**os.environ, "PYTHONHASHSEED": "2", "OMP_NUM_THREADS": "2"}
+    there = subprocess.run([sys.executable, "-c", DIGEST], env=environment, capture_output=True, text=True, check=True)
+    assert there.stdout.strip() == here
 
 
 @pytest.mark.slow
