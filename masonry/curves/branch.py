@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from masonry.curves.ledger import draw_ledger
 from masonry.history import FACTOR
 from masonry.pictures.style import MILLI, heading, plain, tidy
@@ -20,7 +22,8 @@ def branch_figure(result: "ResultData") -> Any:
     heading(figure, result)
     found, rows = result.summary["collapse_load"], result.history.rows
     led, way, factor = found["branch"], MILLI * rows[found["branch"]["gauge"]], rows[FACTOR]
-    grown = factor.argmax() if found["borne"] not in factor else int((factor == found["borne"]).nonzero()[0][-1])
+    grown = int(np.flatnonzero(rows["step"] <= rows["step"][-1] - led["steps"])[-1])  # the last rest
+    late = way[grown] > way.min() + 0.5 * np.ptp(way)
     for axes in (curve, ledger):
         tidy(axes)
     curve.plot(
@@ -31,7 +34,8 @@ def branch_figure(result: "ResultData") -> Any:
     curve.annotate(
         f"{found['borne']:.4g} is borne, {found['falls']:.4g} is not",
         (way[grown], found["borne"]),
-        xytext=(12, 4),
+        xytext=(-12 if late else 12, 6),
+        ha="right" if late else "left",
         textcoords="offset points",
         color="#b2182b",
         fontsize=11,

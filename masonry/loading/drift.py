@@ -29,18 +29,30 @@ class Drift:
             self.moved = {kind: self.fades * way + (now[kind] - self.places[kind]) for kind, way in self.moved.items()}
         self.places = now
 
-    def brake(self, model: Model, before: list[np.ndarray], left: float) -> None:
+    def brake(self, model: Model, before: list[np.ndarray], left: float) -> float:
         """Leave a share of all velocities but those along the drift: an impulse, booked as a force of the damping in
-        this step, so that the energy balance stays closed. before: energy.velocities a step earlier"""
+        this step, so that the energy balance stays closed. Returns how many times `moved` it drifts in a second, a pace
+        in which no swing is felt. before: energy.velocities a step earlier
+
+        The mean of the velocities before and after the step counts: of the fastest swings, which turn round at each
+        step, one of them alone would make the impulse feed them.
+        """
         bodies = energy.present(model)
-        along = momenta(model, list(self.moved.values()))
-        inertia = sum(float(np.sum(one * way)) for one, way in zip(along, self.moved.values(), strict=True))
-        speed = sum(float(np.sum(one * body.v)) for one, (_, body) in zip(along, bodies, strict=True)) / inertia
-        lost = [(left - 1.0) * (body.v - speed * self.moved[kind]) for kind, body in bodies]
-        for (_, body), change, blow, old in zip(bodies, lost, momenta(model, lost), before, strict=True):
+        earlier = [
+            np.concatenate([old[:, :3], over_inertia(body, old[:, 3:])], axis=1) if isinstance(body, Turning) else old
+            for (_, body), old in zip(bodies, before, strict=True)
+        ]
+        mean = [0.5 * (body.v + old) for (_, body), old in zip(bodies, earlier, strict=True)]
+        ways = [self.moved[kind] for kind, _ in bodies]
+        along = momenta(model, ways)
+        inertia, momentum = (
+            sum(float(np.sum(a * b)) for a, b in zip(along, moves, strict=True)) for moves in (ways, mean)
+        )
+        drifts = momentum / inertia
+        lost = [(left - 1.0) * (v - drifts * way) for v, way in zip(mean, ways, strict=True)]
+        for (_, body), change, blow, old in zip(bodies, lost, momenta(model, lost), earlier, strict=True):
             if isinstance(body, Turning):
                 body.momentum[...] += blow[:, 3:]
-                old = np.concatenate([old[:, :3], over_inertia(body, old[:, 3:])], axis=1)
             body.hold[...] += blow / model.dt
             work = 0.5 * blow * old
             if len(work) == len(body.work):
@@ -48,6 +60,7 @@ class Drift:
             else:
                 body.work[0, 1] += work.sum()  # nodes of tets are not told apart by block
             body.v[...] += np.where(blow != 0.0, change, 0.0)
+        return drifts
 
     def state(self) -> State:
         """What it is made anew from."""

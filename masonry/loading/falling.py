@@ -54,7 +54,7 @@ class Falling:
     """Leads a factor, look by look.
 
     led     whether there is a branch, from the moment on that `begin` finds one
-    look    steps from one look to the next     factor  at the end of the next look     row_due  whether a row is due then
+    look    steps from one look to the next     factor  at its end     row_due  whether a row is due then
     ends    how the branch has ended, or why there is none; "" as long as it goes on
     off     share of the collapse factor that damping and inertia took since the row before: how far the factor of a row
             is from equilibrium
@@ -139,7 +139,8 @@ class Falling:
         fall = sqrt(self.gain * falls / self.far)
         self.swing = max(self.swing, fall)
         rate = min(settings.quick * fall, settings.slow * self.swing)
-        self.look = int(np.clip(settings.sampled / (rate * dt), settings.shortest, settings.longest))
+        often = min(settings.sampled / rate, settings.braked / self.swing)
+        self.look = int(np.clip(often / dt, settings.shortest, settings.longest))
         self.rate = min(rate, settings.sampled / (self.look * dt))
         self.most_steps = int(settings.patience * sqrt(2.0 / self.aim) / (fall * dt))
         self.drift = Drift(mechanism, exp(-settings.memory * self.rate * self.look * dt))
@@ -150,10 +151,10 @@ class Falling:
         passed = self.look * self.model.dt
         self.steps += self.look
         self.drift.look(self.model)
-        self.drift.brake(self.model, before, exp(-min(self.swing * passed, 1.0)))
-        way = self.sense * (self.gauge.read(self.model) - self.start)
-        speed = (way - self.way) / passed
-        rises, self.way, self.speed = (speed - self.speed) / passed, way, speed
+        drifts = self.drift.brake(self.model, before, exp(-min(self.swing * passed, 1.0)))
+        speed = drifts * self.sense * self.gauge.along(self.drift.moved)
+        rises, self.speed = (speed - self.speed) / passed, speed
+        self.way = self.sense * (self.gauge.read(self.model) - self.start)
         self.account(before)
         self.steer(rises, passed)
         self.ends = self.ended()
@@ -191,10 +192,9 @@ class Falling:
         """The factor at the end of the next look. `rises`: how much faster the gauge became (m/s2), by which the factor
         was more than equilibrium needs. Where the specimen leaps ahead, the way goes on from there."""
         settings, row = self.settings, self.far / self.settings.rows
-        faster = self.aim * self.scale * self.gain
-        if abs(self.off) > settings.rough * self.aim:
-            faster = -faster
-        self.pace = max(self.pace + faster * passed, min(self.pace, sqrt(abs(faster) * row)))
+        most = min(self.aim * self.scale * self.gain, 2.0 * self.far * (self.rate / settings.least) ** 2)
+        faster = most * float(np.clip(settings.rough - abs(self.off) / self.aim, -1.0, 1.0))
+        self.pace = max(self.pace + faster * passed, min(self.pace, sqrt(most * row)))
         self.target += self.pace * passed
         leaping = self.way > self.target + row
         self.leaps += leaping and not self.leaping

@@ -118,11 +118,13 @@ class FallingSettings:
     """What the branch behind the collapse goes by. Rates are those of exponentials and of circular frequencies.
 
     aim        of the accuracy: share of the collapse factor by which the factor exceeds equilibrium, as the way gathers
-               pace; `rough`, times that, beyond which it slows down
+               pace; `rough`, times that, at which it gathers no more, and begins to slow down
     quick      rate of the servo over that of the fall; `slow`, at most over the slowest swing at first: with 0.1 blocks
                that slide began to flutter, at 0.05 blocks, walls and arches did not
-    sampled    share of the servo's time that a look takes, within `shortest` and `longest` steps: swings are braked at
-               each look, and with 50 steps from one to the next a wall whose joints slide began to flutter
+    least      times of the servo that the branch takes, at least
+    sampled    share of the servo's time that a look takes at most, and `braked`, of the time of the slowest swing; both
+               within `shortest` and `longest` steps. Swings are braked at each look: with 1.7 in place of 0.7 a wall
+               whose joints slide began to flutter
     memory     rate at which older moves fade from the drift, over that of the servo
     moves      of the most that anything moves: what the gauge must move in the mechanism, at least
     runs       times the pace: a gauge that is faster where the factor comes to 0 runs away
@@ -131,10 +133,12 @@ class FallingSettings:
     """
 
     aim: float = 0.5
-    rough: float = 2.0
+    rough: float = 3.0
     quick: float = 10.0
     slow: float = 0.05
+    least: float = 50.0
     sampled: float = 0.1
+    braked: float = 0.7
     shortest: int = 5
     longest: int = 25
     memory: float = 0.5
