@@ -21,17 +21,14 @@ SCENES = Path(verification.__file__).parent / "scenes"
 HALF, HIGH = 0.05, 0.1
 """m, half sizes of the slender block."""
 SIDEWAYS = 'pattern = "weight"\ndirection = "x"'
-LARGE = {"displacements": "large"}
 AIMED = falling.FALLING.aim * ACCURACY
 """Share of the collapse factor by which the factor exceeds equilibrium."""
 
 
-def led(
-    until: str, limit: str = SIDEWAYS, friction: float = 0.9, direction: str = "x", at: str = "block", more: str = ""
-):
+def led(until: str, limit: str = SIDEWAYS, friction: float = 0.9, direction: str = "x", **changes):
     """A block of which a gauge is led until it reads so much."""
-    gauge = listed("gauge", [f'name = "sway"\nat = "{at}"\ndirection = "{direction}"'])
-    return block(HALF, HIGH, friction, f'{limit}\ncontrol = "sway"\nuntil = "{until}"', more=gauge + more)
+    gauge = listed("gauge", [f'name = "sway"\nat = "block"\ndirection = "{direction}"'])
+    return block(HALF, HIGH, friction, f'{limit}\ncontrol = "sway"\nuntil = "{until}"', more=gauge, **changes)
 
 
 def branch(result) -> tuple[np.ndarray, np.ndarray]:
@@ -118,7 +115,7 @@ def test_a_slender_block_bears_ever_less_until_it_stands_over_its_toe(arm):
     block, so that the arm above the centroid stays what it was."""
     weight = 1900.0 * 9.81 * 4 * HALF * HIGH * 0.2
     at = f'pattern = "force"\non = "block"\nforce = {{x = "{weight!r} N"}}\nat = ["0 m", "100 mm", "{HIGH + arm!r} m"]'
-    result = masonry.run(led("80 mm", at if arm else SIDEWAYS).with_(LARGE))
+    result = masonry.run(led("80 mm", at if arm else SIDEWAYS, displacements="large"))
     found, (way, factor) = result.summary["collapse_load"]["branch"], branch(result)
     high, far = of_the_centroid(way)
     collapse, known = HALF / (HIGH + arm), far / (high + arm)
@@ -132,7 +129,7 @@ def test_a_slender_block_bears_ever_less_until_it_stands_over_its_toe(arm):
 
 @pytest.mark.slow
 def test_half_the_share_for_the_motion_takes_root_2_as_many_steps(monkeypatch):
-    scene, steps = led("20 mm").with_(LARGE), []
+    scene, steps = led("20 mm", displacements="large"), []
     for share in (1.0, 0.5, 0.25):
         monkeypatch.setattr(falling.Falling.__init__, "__defaults__", (replace(falling.FALLING, aim=share),))
         result = masonry.run(scene)
