@@ -196,13 +196,18 @@ class Falling:
         faster = most * float(np.clip(settings.rough - abs(self.off) / self.aim, -1.0, 1.0))
         self.pace = max(self.pace + faster * passed, min(self.pace, sqrt(most * row)))
         self.target += self.pace * passed
-        leaping = self.way > self.target + row
+        leaping = self.way > self.target + row and self.speed > settings.runs * self.pace
         self.leaps += leaping and not self.leaping
-        self.leaping, self.target = leaping, max(self.target, self.way - row)
+        if leaping:
+            self.target = self.way - row
+        self.leaping = leaping
         self.damping = self.model.damping = self.usual if leaping else 0.0
         found = 0.5 * (self.factor + self.earlier) - rises / self.gain
-        self.balance += self.rate * passed * (found - self.balance)
-        pushes = faster + 2.0 * self.rate * (self.pace - self.speed) + self.rate**2 * (self.target - self.way)
+        behind = self.target - self.way
+        self.balance += (
+            self.rate * passed * (found - self.balance + settings.integral * self.rate**2 * behind / self.gain)
+        )
+        pushes = faster + 2.0 * self.rate * (self.pace - self.speed) + self.rate**2 * behind
         self.earlier = self.factor
         self.factor = float(np.clip(self.balance + pushes / self.gain, 0.0, self.plan.most))
 

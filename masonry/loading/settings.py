@@ -127,7 +127,9 @@ class FallingSettings:
                whose joints slide began to flutter
     memory     rate at which older moves fade from the drift, over that of the servo
     moves      of the most that anything moves: what the gauge must move in the mechanism, at least
-    runs       times the pace: a gauge that is faster where the factor comes to 0 runs away
+    integral   share with which the gauge's lag behind the way moves what is taken for equilibrium: as that falls
+               steadily, the gauge would else run ahead by as much as the servo is late
+    runs       times the pace: a gauge that is faster leaps where it is ahead, and runs away where the factor is 0
     patience   times the steps that a branch takes where all goes well, after which it is given up
     rows       of the whole branch
     """
@@ -141,6 +143,7 @@ class FallingSettings:
     braked: float = 0.7
     shortest: int = 5
     longest: int = 25
+    integral: float = 0.3
     memory: float = 0.5
     moves: float = 0.02
     runs: float = 2.0
