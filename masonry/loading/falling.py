@@ -24,22 +24,8 @@ from masonry.monitors import energy
 from masonry.runtime.state import State, attributes, load_attributes
 
 REMEMBERED = (
-    *(
-        "ends",
-        "due",
-        "look",
-        "sense",
-        "start",
-        "gain",
-        "rate",
-        "swing",
-        "scale",
-        "most_steps",
-        "steps",
-        "rows",
-        "leaps",
-    ),
-    *("way", "speed", "target", "pace", "balance", "factor", "earlier", "leaping", "damping"),
+    *("ends", "due", "look", "sense", "start", "gain", "rate", "swing", "scale", "most_steps", "steps", "rows"),
+    *("leaps", "leaping", "way", "speed", "target", "pace", "balance", "factor", "earlier", "damping"),
     *("works", "work", "spent", "off", "worst", "near"),
 )
 UNTIL, ZERO, MOST, AWAY, TURNED, LATE = "until", "zero", "up_to", "runs away", "turned", "late"
@@ -184,9 +170,9 @@ class Falling:
         if self.due:
             self.off = (spent - self.spent) / max(abs(self.work) * self.scale, 1e-300)
             self.rows, self.spent, self.work = row, spent, 0.0
+            self.worst = max(self.worst, abs(self.off))
             if self.worst <= self.plan.accuracy:
                 self.near = self.start + self.sense * self.way
-            self.worst = max(self.worst, abs(self.off))
 
     def steer(self, rises: float, passed: float) -> None:
         """The factor at the end of the next look. `rises`: how much faster the gauge became (m/s2), by which the factor
@@ -202,12 +188,10 @@ class Falling:
             self.target = self.way - row
         self.leaping = leaping
         self.damping = self.model.damping = self.usual if leaping else 0.0
-        found = 0.5 * (self.factor + self.earlier) - rises / self.gain
-        behind = self.target - self.way
-        self.balance += (
-            self.rate * passed * (found - self.balance + settings.integral * self.rate**2 * behind / self.gain)
-        )
-        pushes = faster + 2.0 * self.rate * (self.pace - self.speed) + self.rate**2 * behind
+        lags = self.rate**2 * (self.target - self.way)
+        found = 0.5 * (self.factor + self.earlier) + (settings.integral * lags - rises) / self.gain
+        self.balance += self.rate * passed * (found - self.balance)
+        pushes = faster + 2.0 * self.rate * (self.pace - self.speed) + lags
         self.earlier = self.factor
         self.factor = float(np.clip(self.balance + pushes / self.gain, 0.0, self.plan.most))
 
