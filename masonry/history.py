@@ -37,11 +37,15 @@ TILT = "tilt_of_gravity"
 """The column (rad) of a run whose gravity is turned."""
 FACTOR = "load_factor"
 """The column (1) of a run whose load grows until it falls."""
+OFF_BALANCE = "out_of_balance"
+"""The column (1) of one that leads a gauge on behind the collapse: by how much the factor exceeds equilibrium, on
+average since the row before, over the collapse factor; 0 at the rests before."""
 
 
 def unit_of(column: str) -> str:
-    """Of a column of a history; all that are not in UNITS are gauges, but for the tilt and the load factor."""
-    return {TILT: "rad", FACTOR: "1"}.get(column) or UNITS.get(column) or LARGE_UNITS.get(column, "m")
+    """Of a column of a history; all that are not in UNITS are gauges, but for the tilt, the load factor and how far it
+    is from equilibrium."""
+    return {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1"}.get(column) or UNITS.get(column) or LARGE_UNITS.get(column, "m")
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,18 @@ import numpy as np
 
 from masonry.errors import SceneError
 from masonry.loading.schedule import followed, passage, steps_at
-from masonry.model.loads import Controlled, Growing, Plan, Program, controlled, program, require_few, rise, smooth
+from masonry.model.loads import (
+    Control,
+    Controlled,
+    Growing,
+    Plan,
+    Program,
+    controlled,
+    program,
+    require_few,
+    rise,
+    smooth,
+)
 from masonry.scene import Scene
 from masonry.scene.tables.history import Timed
 from masonry.scene.tables.loading import Drive
@@ -34,7 +45,10 @@ def plan_of(scene: Scene, dt: float) -> Plan:
         settle = _settle(scene)
         dead_load = rise(settle, settle) if settle else np.ones(1)
         most, tilts = scene.limit.up_to or UP_TO, scene.limit.pattern == "tilt"
-        growing = Growing(dead_load, scene.limit.accuracy, most, tilts)
+        control = None
+        if scene.limit.control is not None and scene.limit.until is not None:
+            control = Control(scene.limit.control, scene.limit.until)
+        growing = Growing(dead_load, scene.limit.accuracy, most, tilts, control=control)
         return replace(growing, **in_layers(scene, growing))
     plan = _loading(scene, dt)
     plan = replace(plan, **in_layers(scene, plan))

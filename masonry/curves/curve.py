@@ -16,11 +16,15 @@ if TYPE_CHECKING:
 
 def curve_figure(result: "ResultData") -> Any:
     """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger; loops and cycles
-    of a drive that turns back; movements and reactions where there is none."""
+    of a drive that turns back; movements and reactions where there is none; the load factor where a gauge was led."""
     if result.summary.get("cycles"):
         from masonry.curves.hysteresis import hysteresis_figure
 
         return hysteresis_figure(result)
+    if (result.summary.get("collapse_load") or {}).get("branch", {}).get("led"):
+        from masonry.curves.branch import branch_figure
+
+        return branch_figure(result)
     if not result.has_drive and len(result.history.rows.get("step", ())):
         from masonry.curves.settling import settling_figure
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.curves.ledger import draw_ledger
-from masonry.history import FACTOR, LARGE_UNITS, TILT, UNITS
+from masonry.history import FACTOR, LARGE_UNITS, OFF_BALANCE, TILT, UNITS
 from masonry.pictures.style import MILLI, heading, plain, tidy
 from masonry.results.reactions import reaction_lines
 
@@ -65,7 +65,7 @@ def movements(result: "ResultData") -> dict[str, tuple[np.ndarray, np.ndarray]]:
     gauges = {
         name: (rows["step"], values)
         for name, values in rows.items()
-        if name not in (*UNITS, *LARGE_UNITS, TILT, FACTOR)
+        if name not in (*UNITS, *LARGE_UNITS, TILT, FACTOR, OFF_BALANCE)
     }
     frames = result.history.frames
     if gauges or not frames:

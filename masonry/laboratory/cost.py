@@ -18,6 +18,8 @@ LEG, WIDER = 3000, 200.0
 far on one side as the farthest place of all."""
 TRIALS, FEWEST_OF_TRIAL, ROWS_OF_GROWTH = 30, 2000, 150
 """Of a load that grows until it falls: trials, the steps of one at least, and rows."""
+STEPS_OF_BRANCH, ROWS_OF_BRANCH = 50_000, 200
+"""Of a gauge that is led on behind the collapse: from 1,000 steps to 300,000 in single cases."""
 NANOSECONDS = {"contact": 13.0, "side": 4.0, "block": 60.0, "tet": 20.0, "node": 30.0, "step": 2000.0}
 """Rough cost of each part of a step on one 2.5 GHz core; `masonry check` says "about"."""
 ROW, ROW_OF_CONTACT = 2.5e5, 400.0
@@ -28,7 +30,8 @@ def expected_steps(assembly: Assembly) -> int:
     """All steps of a fixed program; about how many there will be of a drive that is paced by its error."""
     plan = assembly.plan
     if isinstance(plan, Growing):
-        return plan.settle + TRIALS * max(plan.settle // 2, FEWEST_OF_TRIAL)
+        branch = 0 if plan.control is None else STEPS_OF_BRANCH
+        return plan.settle + TRIALS * max(plan.settle // 2, FEWEST_OF_TRIAL) + branch
     return plan.settle + round(_paced(assembly, plan)) if isinstance(plan, Controlled) else plan.steps
 
 
@@ -62,7 +65,7 @@ def expected_rows(assembly: Assembly) -> int:
     """Rows of the curve: to an accuracy, each increment writes one."""
     plan, rows = assembly.plan, assembly.recording.rows
     if isinstance(plan, Growing):
-        return ROWS_OF_GROWTH
+        return ROWS_OF_GROWTH + (0 if plan.control is None else ROWS_OF_BRANCH)
     if not isinstance(plan, Controlled):
         return min(rows, plan.steps) + len(plan.marks)
     settling = min(max(1, rows // SETTINGS.settling_rows), plan.settle)

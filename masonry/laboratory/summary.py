@@ -11,7 +11,7 @@ from geometry.specimens.placed import FLOOR
 from masonry import __version__
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import tilt_at
-from masonry.history import LARGE_UNITS, TILT, UNITS
+from masonry.history import FACTOR, LARGE_UNITS, TILT, UNITS
 from masonry.jit.sources import source_hash
 from masonry.laboratory.provenance import own_sources
 from masonry.loading.cycles import SPENT, at_peak, goes_one_way, table
@@ -196,8 +196,14 @@ def _collapse_load(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
             "first": first,
             "sets": sorted(name for name, members in sets.items() if first in members),
             "moved": moved.tolist(),
+            **({} if (led := outcome.found["branch"]) is None else {"branch": _branch(led, outcome.history.rows)}),
         }
     }
+
+
+def _branch(led: dict[str, Any], rows: dict[str, np.ndarray]) -> dict[str, Any]:
+    """What became of the gauge that was to be led on behind the collapse."""
+    return led | {"reached_m": float(rows[led["gauge"]][-1]), "factor_at_end": float(rows[FACTOR][-1])}
 
 
 def _moment(rows: dict[str, np.ndarray], row: int) -> dict[str, float]:

@@ -72,6 +72,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
     return [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
         *([("load factor", factor_text(found))] if (found := summary.get("collapse_load")) else []),
+        *([("past the collapse", [branch_text(led)])] if found and (led := found.get("branch")) else []),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *([("tilt of gravity", [tilt_text(summary["tilt_rad"], " at the end")])] if "tilt_rad" in summary else []),
         *([("collapse", [collapse_text(fallen)])] if (fallen := summary.get("collapse")) else []),
@@ -171,6 +172,16 @@ def factor_text(found: dict[str, Any]) -> list[str]:
         f"{moving} of {len(found['moved'])} blocks move; block {found['first']}"
         + (f" of '{sets}' moves most" if sets else " moves most"),
     ]
+
+
+def branch_text(led: dict[str, Any]) -> str:
+    """How far a gauge was led on behind the collapse, and what the factor was there."""
+    if not led["led"]:
+        return f"'{led['gauge']}' was not led on"
+    near = f"within {percent(led['out_of_balance_max'])} of the collapse factor of equilibrium, in {led['steps']} steps"
+    stands = ": it stands no more by itself" if led["ends"] == "zero" else ""
+    factor = 0.0 if led["ends"] == "zero" else led["factor_at_end"]
+    return f"the factor is {factor:.4g} where '{led['gauge']}' is {1e3 * led['reached_m']:.4g} mm{stands}; {near}"
 
 
 def gauge_text(readings: dict[str, float], driven: bool = True) -> str:

@@ -3,6 +3,7 @@
 Each trial raises the factor from one at which the specimen rests, and waits. Where it comes to rest again, the factor
 is borne. Where it gathers way, the model goes back to where it rested, and the next trial raises the factor by half as
 much. So the collapse factor is enclosed in one run, between the greatest that was borne and the least that was not.
+Where the scene names a gauge, that is then led on behind the collapse (falling.py).
 """
 
 from collections.abc import Callable
@@ -10,9 +11,13 @@ from math import inf, log
 
 import numpy as np
 
+from masonry.history import FACTOR, OFF_BALANCE
+from masonry.loading.falling import Falling
+from masonry.loading.moved import places, reach, shares_of_blocks
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.loading.settings import GROWING, GrowingSettings
 from masonry.loading.varying_loads import SharedLoads
+from masonry.model.gauges import Gauge
 from masonry.model.loads import Growing, Program
 from masonry.model.model import Model
 from masonry.monitors import energy
@@ -30,8 +35,9 @@ REMEMBERED = (
 )
 LEAST = 1e-9
 """A factor that is nothing, where there is no other load to compare with."""
-SETTLES, RISES, WAITS, SHOWS, DROPS, OVER = "settles", "rises", "waits", "shows", "drops", "over"
-"""Phases: dead loads settle; the factor rises; a trial is watched; its rest is shown; the fall is followed; the end."""
+SETTLES, RISES, WAITS, SHOWS, DROPS, LEADS, OVER = "settles", "rises", "waits", "shows", "drops", "leads", "over"
+"""Phases: dead loads settle; the factor rises; a trial is watched; its rest is shown; the fall is followed, or a gauge
+is led on; the end."""
 
 
 class GrowingLoading:
@@ -50,8 +56,10 @@ class GrowingLoading:
         keep: Callable[[Model], Arrays],
         restore: Callable[[Model, Arrays], None],
         settings: GrowingSettings = GROWING,
+        gauge: Gauge | None = None,
     ) -> None:
-        """keep, restore  make copies of what changes in a model, and put them back (timeloop/model_state.py)"""
+        """keep, restore  make copies of what changes in a model, and put them back (timeloop/model_state.py)
+        gauge  is led on behind the collapse"""
         self.model, self.plan, self.settings = model, plan, settings
         self.state_of, self.restore_model = keep, restore
         layers = 0 if plan.layers is None else len(plan.layers)
@@ -72,6 +80,7 @@ class GrowingLoading:
         self.steps_of_trial = self.slowest = 0
         self.travelled = self.usual = self.swayed = 0.0
         self.turned = self.falls_by_turning = False
+        self.branch = None if gauge is None else Falling(model, plan, gauge)
 
     def shares(self) -> np.ndarray:
         """(L + H,) of the loads that come on in layers, and of those that grow, now."""
@@ -80,7 +89,7 @@ class GrowingLoading:
 
     def columns(self) -> dict[str, float]:
         """What a row says besides."""
-        return {"load_factor": self.factor}
+        return {FACTOR: self.factor} | ({} if self.branch is None else {OFF_BALANCE: self.branch.off})
 
     def next(self) -> Chunk | None:
         """The next chunk; None when the fall was followed, or the load has come to its end."""
@@ -93,6 +102,8 @@ class GrowingLoading:
             self.begin()
         if self.phase == OVER:
             return None
+        if self.phase == LEADS and self.branch is not None:
+            return self.passing(self.branch.factor, self.branch.look, self.branch.row_due)
         if self.phase == RISES:
             return self.passing(self.target, self.window * self.settings.look)
         return self.passing(self.factor, self.settings.look, self.phase in (SHOWS, DROPS))
@@ -123,8 +134,11 @@ class GrowingLoading:
 
     def farthest(self) -> float:
         """m, how far anything has moved since the last rest."""
-        now = places(self.model, self.size)
-        return max(reach(place - then) for place, then in zip(now, self.places, strict=True))
+        return max(map(reach, self.moved()))
+
+    def moved(self) -> list[np.ndarray]:
+        """How far all has moved since the last rest, as `places`."""
+        return [now - then for now, then in zip(places(self.model, self.size), self.places, strict=True)]
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:
         """Look at the specimen after each chunk; `before`: velocities one step before this one."""
@@ -141,21 +155,24 @@ class GrowingLoading:
             self.judge(before)
         elif self.phase == SHOWS:
             self.go_on()
+        elif self.phase == LEADS and self.branch is not None:
+            self.phase = self.phase if self.branch.goes_on(before) else OVER
         else:
             self.looked += 1
-            if self.travelled > self.fall or self.looked >= self.settings.fall_looks:
-                self.phase = OVER
+            self.phase = OVER if self.travelled > self.fall or self.looked >= self.settings.fall_looks else DROPS
 
     def turned_too_far(self) -> bool:
         """A block has turned further than small displacement allows: whether this is no more than the end of a trial,
         or of the fall that is followed."""
-        self.turned = self.phase in (RISES, WAITS, DROPS)
+        self.turned = self.phase in (RISES, WAITS, DROPS, LEADS)
+        if self.phase == LEADS and self.branch is not None:
+            self.branch.turned()
         return self.turned
 
     def end_by_turning(self) -> None:
         """A trial in which a block turns too far did not come to rest."""
         self.turned = False
-        if self.phase == DROPS:
+        if self.phase in (DROPS, LEADS):
             self.phase = OVER
             return
         self.give_way(turning=True)
@@ -194,6 +211,8 @@ class GrowingLoading:
 
     def bear(self) -> None:
         """The factor is borne: a row shows it, and the next trial goes on from here."""
+        if self.branch is not None:
+            self.branch.learn(self.rested, self.factor - self.stands)
         self.stands, self.slowest = self.factor, max(self.slowest, self.steps_of_trial)
         self.usual = max(self.usual, self.travelled)
         self.swayed = max(map(reach, places(self.model, self.size)))
@@ -222,24 +241,31 @@ class GrowingLoading:
         """The factor is not borne: go back to where the specimen rested, or follow the fall from here."""
         if self.factor <= self.falls:
             self.falls, self.falls_by_turning = self.factor, turning
-        if self.found:
+        if self.found and (self.branch is None or not self.branch.begin(self.rested, self.stands, self.falls)):
             self.phase, self.looked = DROPS, 0
             return
         self.restore_model(self.model, self.rested)
         self.factor = self.stands
-        self.go_on()
+        if self.found:
+            self.phase = LEADS
+        else:
+            self.go_on()
 
     def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """Rows change nothing."""
 
     def progress(self) -> tuple[int, int]:
-        """How far the factor is known, in thousandths."""
+        """How far the factor is known, in thousandths; where a gauge is to be led on, that is the first half."""
         if self.phase == OVER:
             return 1000, 1000
+        return self.enclosed() if self.branch is None else self.branch.progress(self.enclosed()), 1000
+
+    def enclosed(self) -> int:
+        """How far the factor is known, in thousandths."""
         if self.falls == inf:
-            return 500 * self.trials // (self.trials + 20), 1000
+            return 500 * self.trials // (self.trials + 20)
         width = max((self.falls - self.stands) / max(self.plan.accuracy * self.falls, self.least), 1.0)
-        return 500 + int(450 / (1.0 + log(width))), 1000
+        return 500 + int(450 / (1.0 + log(width)))
 
     def report(self) -> dict[str, float]:
         """The interval, and how it was found; `factor_falls` is missing where nothing fell. A load that is less than
@@ -252,15 +278,7 @@ class GrowingLoading:
 
     def mechanism(self) -> np.ndarray:
         """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""
-        layout, moved = self.model.layout, np.zeros(self.model.blocks.count)
-        kinds, now = [kind for kind, _ in energy.present(self.model)], places(self.model, self.size)
-        for kind, place, then in zip(kinds, now, self.places, strict=True):
-            far = np.linalg.norm(place - then, axis=1)
-            if kind == "tets":
-                assert layout.mesh is not None
-                far = np.maximum.reduceat(far, layout.mesh.node_start[layout.members[kind]])
-            moved[layout.members[kind]] = far
-        return moved / max(float(moved.max(initial=0.0)), 1e-300)
+        return shares_of_blocks(self.model, self.moved())
 
     def state(self) -> State:
         """All that the next chunk depends on."""
@@ -269,6 +287,7 @@ class GrowingLoading:
             "rested": self.rested,
             "places": [place.copy() for place in self.places],
             "settling": self.settling.state(),
+            **({} if self.branch is None else {"branch": self.branch.state()}),
         }
 
     def restore(self, state: State) -> None:
@@ -276,18 +295,5 @@ class GrowingLoading:
         load_attributes(self, REMEMBERED, state)
         self.rested, self.places = state["rested"], state["places"]
         self.settling.restore(state["settling"])
-
-
-def reach(moved: np.ndarray) -> float:
-    """m, the most that anything has moved."""
-    return float(np.linalg.norm(moved, axis=1).max(initial=0.0))
-
-
-def places(model: Model, size: float) -> list[np.ndarray]:
-    """(rows, n) m, how far blocks, or the nodes of tets, are from where they were made; turns and strains of blocks
-    times a size (m)."""
-    found = []
-    for kind, body in energy.present(model):
-        moved = model.u[: len(body.v)] if kind == "tets" else body.q
-        found.append(moved * np.where(np.arange(moved.shape[1]) < 3, 1.0, size))
-    return found
+        if self.branch is not None:
+            self.branch.restore(state["branch"])

@@ -111,3 +111,44 @@ class GrowingSettings:
 
 
 GROWING = GrowingSettings()
+
+
+@dataclass(frozen=True)
+class FallingSettings:
+    """What the branch behind the collapse goes by. Rates are those of exponentials and of circular frequencies.
+
+    aim        of the accuracy: share of the collapse factor by which the factor exceeds equilibrium, as the way gathers
+               pace; `rough`, times that, at which it gathers no more, and begins to slow down
+    quick      rate of the servo over that of the fall; `slow`, at most over the slowest swing at first: with 0.1 blocks
+               that slide began to flutter, at 0.05 blocks, walls and arches did not
+    least      times of the servo that the branch takes, at least
+    sampled    share of the servo's time that a look takes at most, and `braked`, of the time of the slowest swing; both
+               within `shortest` and `longest` steps. Swings are braked at each look: with 1.7 in place of 0.7 a wall
+               whose joints slide began to flutter
+    memory     rate at which older moves fade from the drift, over that of the servo
+    moves      of the most that anything moves: what the gauge must move in the mechanism, at least
+    integral   share with which the gauge's lag behind the way moves what is taken for equilibrium: as that falls
+               steadily, the gauge would else run ahead by as much as the servo is late
+    runs       times the pace: a gauge that is faster leaps where it is ahead, and runs away where the factor is 0
+    patience   times the steps that a branch takes where all goes well, after which it is given up
+    rows       of the whole branch
+    """
+
+    aim: float = 0.5
+    rough: float = 3.0
+    quick: float = 10.0
+    slow: float = 0.05
+    least: float = 50.0
+    sampled: float = 0.1
+    braked: float = 0.7
+    shortest: int = 5
+    longest: int = 25
+    integral: float = 0.3
+    memory: float = 0.5
+    moves: float = 0.02
+    runs: float = 2.0
+    patience: float = 20.0
+    rows: int = 200
+
+
+FALLING = FallingSettings()

@@ -28,6 +28,16 @@ def knots(shares: np.ndarray, settle: int, straight: float) -> np.ndarray:
         at = np.union1d(at, (at[:-1] + at[1:])[bent] // 2)
 
 
+def works_of(model: Model, moved: dict[str, np.ndarray]) -> np.ndarray:
+    """(H,) J, what each load that varies does at a share of 1 as dofs (by kind, rows of each) move so far."""
+    return np.array(
+        [
+            sum(float(np.sum(load * moved[k])) for k, load in one.items() if load is not None and k in moved)
+            for one in model.varying
+        ]
+    )
+
+
 class SharedLoads:
     """Loads that pass from some shares to others within a chunk, in proportion to its steps."""
 

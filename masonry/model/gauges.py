@@ -32,10 +32,14 @@ class Gauge:
 
     def read(self, model: Model) -> float:
         """m, now."""
+        kinds = [(kind, model.u if kind == "tets" else model.bodies[KINDS.index(kind)].q) for kind in self.terms]
+        return self.along(dict(kinds))
+
+    def along(self, moved: dict[str, np.ndarray]) -> float:
+        """m, for dofs (rows, n) by kind of motion."""
         reading = 0.0
         for kind, (row, column, weight) in self.terms.items():
-            moved = model.u if kind == "tets" else model.bodies[KINDS.index(kind)].q
-            reading += float(weight @ moved[row, column])
+            reading += float(weight @ moved[kind][row, column])
         return reading
 
 

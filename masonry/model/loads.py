@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 from math import ceil
+from typing import NamedTuple
 
 import numpy as np
 
@@ -174,6 +175,13 @@ class Controlled:
         return len(self.dead_load) - 1
 
 
+class Control(NamedTuple):
+    """Behind its collapse a load is led by a gauge, by its name, until it reads so much (m)."""
+
+    gauge: str
+    until: float
+
+
 @dataclass(frozen=True)
 class Growing:
     """A load whose factor grows until nothing balances it (loading/growing.py), to an accuracy, up to `most`.
@@ -188,6 +196,7 @@ class Growing:
     most: float
     tilts: bool = False
     layers: np.ndarray | None = None
+    control: Control | None = None
 
     ramp = 0
 
@@ -202,6 +211,11 @@ class Growing:
             return np.array([factor])
         whole = float(np.hypot(1.0, factor))
         return np.array([1.0 / whole - 1.0, factor / whole])
+
+    def slope(self, factor: float) -> np.ndarray:
+        """(H,) by how much the shares change per unit of the factor."""
+        whole = float(np.hypot(1.0, factor))
+        return np.array([-factor, 1.0]) / whole**3 if self.tilts else np.ones(1)
 
 
 Plan = Program | Controlled | Growing

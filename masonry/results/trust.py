@@ -45,7 +45,7 @@ def trust(summary: dict[str, Any]) -> str:
         doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
     dynamic, grown = bool(summary.get("in_real_time")), summary.get("collapse_load")
     doubts += [] if dynamic else not_at_rest(summary)
-    doubts += not_enclosed(grown) if grown else []
+    doubts += not_enclosed(grown) + not_led(grown) if grown else []
     if (summary.get("force_balance") or 0.0) > IMBALANCE:
         doubts.append(f"forces and moments add up to {summary['force_balance']:.2g} of the largest, not to 0")
     if (overlap := summary.get("overlap_max") or 0.0) > OVERLAP:
@@ -85,7 +85,7 @@ def trust(summary: dict[str, Any]) -> str:
     doubts += [] if dynamic or grown else not_slow(summary, damping)
     if not doubts:
         kind = "a run in real time" if dynamic else "quasi-static" if has_drive(summary) else "at rest"
-        kind = "at rest under each factor that is borne" if grown else kind
+        kind = rests(grown) if grown else kind
         return (
             f"{kind} and the energy balance closes: the numbers solve this model; whether the model describes the wall "
             "depends on the scene's assumptions."
@@ -137,6 +137,42 @@ def not_enclosed(grown: dict[str, Any]) -> list[str]:
         doubts.append(
             f"blocks moved by up to {swayed:.2g} of the smallest one before it fell, but the balance is that of the "
             'shape as drawn, so the factor may be too large: displacements = "large" tells'
+        )
+    return doubts
+
+
+def rests(grown: dict[str, Any]) -> str:
+    """How near to equilibrium the rows of a load that grew are."""
+    led = grown.get("branch")
+    behind = f", within {percent(led['out_of_balance_max'])} of equilibrium behind the collapse" if led else ""
+    return f"at rest under each factor that is borne{behind}"
+
+
+def not_led(grown: dict[str, Any]) -> list[str]:
+    """What speaks against the branch behind the collapse, where a gauge was to be led on."""
+    led = grown.get("branch")
+    if led is None or grown["falls"] is None:
+        return []
+    gauge, at = f"gauge '{led['gauge']}'", f"{1e3 * led['reached_m']:.4g} mm"
+    said = {
+        "stays": f"the collapse hardly moves {gauge}, so it was not led on: control one that the mechanism moves",
+        "other way": f"the collapse moves {gauge} away from limit.until, so it was not led on: turn the sign of that",
+        "up_to": f"the factor came to limit.up_to where {gauge} was at {at}, short of limit.until",
+        "runs away": f"{gauge} could not be controlled: at {at} it ran away although nothing pushed any more",
+        "turned": f"a block turned by more than solver.rotation_limit where {gauge} was at {at}, short of limit.until: "
+        'displacements = "large" goes on',
+        "late": f"{gauge} came no further than {at} in {led['steps']} steps",
+    }
+    doubts = [said[led["ends"]]] if led["ends"] in said else []
+    if led["leaps"]:
+        doubts.append(
+            f"the specimen leapt ahead of {gauge} {led['leaps']} times behind the collapse, as it gave way faster than "
+            "the load can be led: what broke meanwhile depends on how its motion is damped"
+        )
+    if led["out_of_balance_max"] > grown["accuracy"]:
+        doubts.append(
+            f"behind the collapse motion took up to {percent(led['out_of_balance_max'])} of the collapse factor, more "
+            f"than the accuracy beyond {1e3 * led['near_to_m']:.4g} mm: see the column out_of_balance"
         )
     return doubts
 

@@ -5,8 +5,8 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
-from masonry.errors import did_you_mean
-from masonry.history import FACTOR, TILT, UNITS
+from masonry.errors import did_you_mean, nearest
+from masonry.history import FACTOR, OFF_BALANCE, TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact import Contact, Material
 from masonry.scene.tables.gauge import Curve, Gauge
@@ -161,15 +161,19 @@ class SceneData(Table):
         return self
 
     def _gauges_have_names_of_their_own(self) -> None:
-        names = [*UNITS, TILT, FACTOR]
+        names = [*UNITS, TILT, FACTOR, OFF_BALANCE]
         for k, gauge in enumerate(self.gauge):
             if gauge.name in names:
                 raise KeyedError(f"gauge.{k}.name", f"'{gauge.name}' is a column of the results already; take another")
             names.append(gauge.name)
         tilts = self.gravity is not None and self.gravity.tilt is not None
-        across = ["displacement", *([TILT] if tilts else []), *names[len(UNITS) + 2 :]]
+        across = ["displacement", *([TILT] if tilts else []), *names[len(UNITS) + 3 :]]
         if self.curve is not None and self.curve.x not in across:
             raise KeyedError("curve.x", f"'{self.curve.x[:60]}' is no gauge; allowed: {', '.join(across)}")
+        led, gauges = None if self.limit is None else self.limit.control, [gauge.name for gauge in self.gauge]
+        if led is not None and led not in gauges:
+            there = nearest(led, gauges) if gauges else "there is none: give the scene a table [[gauge]]"
+            raise KeyedError("limit.control", f"'{led[:60]}' is no gauge; {there}")
 
     def _kinematics_have_what_they_need(self) -> None:
         if self.kinematics_of("floor") != "rigid" and self.is_floor("floor") and "floor" not in self.material:

@@ -236,6 +236,7 @@ class Loop:
         self.outcome.control = self.loading.report()
         if isinstance(self.loading, GrowingLoading):
             self.outcome.found["mechanism"] = self.loading.mechanism()
+            self.outcome.found["branch"] = None if self.loading.branch is None else self.loading.branch.found()
         self.outcome.events = [] if self.loading.events is None else self.loading.events.found
         self.outcome.history.frames = [frames[step] for step in sorted(frames)]
 

@@ -14,6 +14,7 @@ from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.growing import GrowingLoading
 from masonry.loading.rest import Rest
 from masonry.loading.scheduled import ScheduledLoading
+from masonry.model.gauges import Gauge
 from masonry.model.loads import Controlled, Growing, Plan
 from masonry.model.model import Model
 from masonry.runtime.progress import Progress
@@ -38,7 +39,7 @@ def run(
     """
     outcome = Outcome(History())
     outcome.seconds_compile = prepare(model, threads, progress)
-    loading = loading_of(model, plan, recording.rows)
+    loading = loading_of(model, plan, recording.rows, recording.gauges)
     if NOT_KEPT:
         outcome.log.append(f"what was compiled could not be kept, so the next run compiles it again: {NOT_KEPT[0]}")
     loop = Loop(model, loading, plan.settle, recording, threads, outcome)
@@ -57,12 +58,14 @@ def run(
     return outcome
 
 
-def loading_of(model: Model, plan: Plan, rows: int) -> Loading:
+def loading_of(model: Model, plan: Plan, rows: int, gauges: tuple[Gauge, ...] = ()) -> Loading:
     """How the load of a plan advances; sudden cracks are waited for where masses are scaled and no load varies."""
     if isinstance(plan, Controlled):
         return AdaptiveLoading(model, plan, rows)
     if isinstance(plan, Growing):
-        return GrowingLoading(model, plan, rows, model_state.state, model_state.restore)
+        control = plan.control
+        led = None if control is None else next(gauge for gauge in gauges if gauge.name == control.gauge)
+        return GrowingLoading(model, plan, rows, model_state.state, model_state.restore, gauge=led)
     waits = plan.varying is None and model.scaled and model.damping is not None
     return ScheduledLoading(model, plan, rows, Rest(model) if waits else None)
 

@@ -22,6 +22,14 @@ from tests.timeloop.test_loop import couplet
 SHORT = {"settle": 200, "displacement": "0.03 mm"}
 WAVE = {"on": "top.z+", "stress": {"z": "-0.5 MPa"}, "history": "1 + 0.2 * sin(40 pi t / 1 s)", "duration": "1 s"}
 TURNS = {"drive.accuracy": None, "drive.history": ["0.1 mm", "0 mm", "0.1 mm"], "drive.steps": 900}
+LED = {
+    "settle.steps": 2000,
+    "solver.rows": 30,
+    "limit.accuracy": 0.2,
+    "limit.control": "top",
+    "limit.until": "2 mm",
+    "gauge": [{"name": "top", "at": "top course", "direction": "-x"}],
+}
 SCENES = {
     "rigid, steps": lambda: load(couplet("rigid", settle=400, pace="steps = 800", displacement="0.02 mm")),
     "tets, steps": lambda: load(couplet("tets", settle=400, pace="steps = 800", displacement="0.02 mm")),
@@ -37,6 +45,7 @@ SCENES = {
     "a load that grows until it falls": lambda: load_scene(
         "wall-tilted", {"settle.steps": 500, "limit.accuracy": 0.05, "limit.up_to": 0.03, "solver.rows": 30}
     ),
+    "a wall whose top is led on behind the collapse": lambda: load_scene("wall-tilted", LED),
     "a blow after the settling": lambda: standing('["1 m/s", 0, 0]', 300).with_({"solver.rows": 30}),
     "a flight": lambda: flight(gravity=GRAVITY),
     "blocks that topple and are found anew": lambda: toppling(duration=0.4).with_({"solver.rows": 30}),

@@ -16,8 +16,8 @@ ACCURACY = 0.005
 SCENES = Path(verification.__file__).parent / "scenes"
 
 
-def block(half: float, high: float, friction: float, limit: str, contact: str = "", more: str = ""):
-    """A block of half sizes on a held one; limit: lines of [limit]."""
+def block(half: float, high: float, friction: float, limit: str, contact: str = "", more: str = "", **changes):
+    """A block of half sizes on a held one; limit: lines of [limit]; changes: other keys of the scene."""
     dry = f'normal_stiffness = "30 GPa/m"\nshear_stiffness = "12 GPa/m"\ntan_friction_angle = {friction}\n{contact}'
     boxes = [
         box("base", (-0.5, 0, -0.1), (1.0, 0.2, 0.1), "units", 0),
@@ -30,7 +30,8 @@ def block(half: float, high: float, friction: float, limit: str, contact: str = 
         + tables("contact", {"unit_unit": dry})
         + listed("support", ['on = "base"\nfix = "all"'])
         + '[gravity]\nz = "-9.81 m/s^2"\n'
-        + f'[limit]\n{limit}\naccuracy = "0.5 %"\n{more}'
+        + f'[limit]\n{limit}\naccuracy = "0.5 %"\n{more}',
+        **changes,
     )
 
 

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import BeforeValidator, PlainSerializer, model_validator
+from pydantic import BeforeValidator, Field, PlainSerializer, model_validator
 
 from masonry.scene.tables.loading import Accuracy, Selector
 from masonry.scene.tables.motion import Coordinate
@@ -18,8 +18,8 @@ KEYS = {
 }
 """Keys of each pattern."""
 OPTIONAL = ("at",)
-OF_RUNS = ("accuracy", "up_to")
-"""Keys of runs that drive the load to collapse, with any pattern but "drive"."""
+OF_RUNS = ("accuracy", "up_to", "control", "until")
+"""Keys of runs that drive the load to collapse, and beyond it, with any pattern but "drive"."""
 EXAMPLES = {
     "direction": 'direction = "x"',
     "about": 'about = "y"',
@@ -55,7 +55,7 @@ ForceVector = Annotated[Forces, BeforeValidator(_directions), PlainSerializer(_w
 class LimitLoad(Table):
     """The load that the factor multiplies, by its pattern: the weight in another direction, gravity turned about an
     axis, a force on blocks, a traction on a face, or what the drive pushes with. With an accuracy a run lets it grow
-    until nothing balances it, up to a factor at most."""
+    until nothing balances it, up to a factor at most; a gauge to control is then led on until it reads so much."""
 
     pattern: Literal["weight", "tilt", "force", "traction", "drive"]
     direction: Direction | None = None
@@ -66,6 +66,8 @@ class LimitLoad(Table):
     stress: StressVector | None = None
     accuracy: Accuracy | None = None
     up_to: Annotated[float, Given("number", "[1e-6, 1e6]")] | None = None
+    control: Annotated[str, Field(max_length=60)] | None = None
+    until: Annotated[float, Given("length", "[-1e5, 1e5]")] | None = None
 
     @model_validator(mode="after")
     def _has_its_keys(self) -> "LimitLoad":
@@ -83,7 +85,17 @@ class LimitLoad(Table):
             raise KeyedError("accuracy", "a run moves the drive by [drive] itself, which has an accuracy; leave it out")
         if self.accuracy is None and self.up_to is not None:
             raise KeyedError("up_to", "says where a run ends whose load grows: it needs accuracy = '1 %'")
+        self._can_be_led()
         for key in ("force", "stress"):
             if getattr(self, key) is not None and not any(getattr(self, key)):
                 raise KeyedError(key, "is 0 in all directions; give one that is not")
         return self
+
+    def _can_be_led(self) -> None:
+        if (self.control is None) != (self.until is None):
+            missing, given = ("until", "control") if self.until is None else ("control", "until")
+            raise KeyedError(missing, f"missing; {given} needs it: control = a gauge's name, until = '80 mm'")
+        if self.control is not None and self.accuracy is None:
+            raise KeyedError("control", "is led on when the load has collapsed, in a run: it needs accuracy = '1 %'")
+        if self.until == 0.0:
+            raise KeyedError("until", "is 0: give the reading of the gauge to which it is to be led")

@@ -1,0 +1,51 @@
+"""curve.png of a load that grew, where a gauge was led on behind the collapse: the factor over it; the ledger."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from masonry.curves.ledger import draw_ledger
+from masonry.history import FACTOR
+from masonry.pictures.style import MILLI, heading, plain, tidy
+
+if TYPE_CHECKING:
+    from masonry.results.data import ResultData
+
+
+def branch_figure(result: "ResultData") -> Any:
+    """A figure of 1200 x 960 pixels at 120 dpi, over the gauge: the load factor, at rests and behind the collapse, with
+    the collapse factor and the end; the energy ledger below it."""
+    from masonry.pictures.figure import ShownFigure
+
+    figure = ShownFigure(figsize=(10, 8), layout="constrained")
+    curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
+    heading(figure, result)
+    found, rows = result.summary["collapse_load"], result.history.rows
+    led, way, factor = found["branch"], MILLI * rows[found["branch"]["gauge"]], rows[FACTOR]
+    grown = int(np.flatnonzero(rows["step"] <= rows["step"][-1] - led["steps"])[-1])  # the last rest
+    late = way[grown] > way.min() + 0.5 * np.ptp(way)
+    for axes in (curve, ledger):
+        tidy(axes)
+    curve.plot(
+        way[: grown + 1], factor[: grown + 1], "o-", color="#e07b00", markersize=3, linewidth=1.2, label="at rest"
+    )
+    curve.plot(way[grown:], factor[grown:], color="#1f3b5c", linewidth=2.0, label="led on")
+    curve.plot(way[grown], found["borne"], "o", color="#b2182b", markersize=7, label="collapse")
+    curve.annotate(
+        f"{found['borne']:.4g} is borne, {found['falls']:.4g} is not",
+        (way[grown], found["borne"]),
+        xytext=(-12 if late else 12, 6),
+        ha="right" if late else "left",
+        textcoords="offset points",
+        color="#b2182b",
+        fontsize=11,
+    )
+    curve.margins(y=0.12)
+    curve.axhline(0.0, color="0.6", linewidth=0.8)
+    curve.set_ylabel("load factor [1]")
+    draw_ledger(ledger, rows, way)
+    ledger.set_ylabel("energy [J]")
+    ledger.set_xlabel(plain(f"{led['gauge']} [mm]"))
+    for axes in (curve, ledger):
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+    return figure

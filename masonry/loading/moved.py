@@ -1,0 +1,41 @@
+"""How far the bodies of a model have moved from where they were made, and since a rest: in m, and as dofs."""
+
+import numpy as np
+
+from masonry.model.model import Model
+from masonry.monitors import energy
+
+Arrays = dict[str, np.ndarray]
+
+
+def places(model: Model, size: float) -> list[np.ndarray]:
+    """(rows, n) m, how far blocks, or the nodes of tets, are from where they were made; turns and strains of blocks
+    times a size (m)."""
+    return [moved * np.where(np.arange(moved.shape[1]) < 3, 1.0, size) for moved in dofs(model).values()]
+
+
+def reach(moved: np.ndarray) -> float:
+    """m, the most that anything has moved."""
+    return float(np.linalg.norm(moved, axis=1).max(initial=0.0))
+
+
+def dofs(model: Model) -> Arrays:
+    """By kind of motion, the dofs of the bodies (rows, n): m, and turns or strains."""
+    return {kind: model.u[: len(body.v)] if kind == "tets" else body.q for kind, body in energy.present(model)}
+
+
+def shares_of_blocks(model: Model, moved: list[np.ndarray]) -> np.ndarray:
+    """(B,) how far each block has moved, over the one that moved most; zeros where none did. moved: as of `places`."""
+    layout, found = model.layout, np.zeros(model.blocks.count)
+    for (kind, _), way in zip(energy.present(model), moved, strict=True):
+        far = np.linalg.norm(way, axis=1)
+        if kind == "tets":
+            assert layout.mesh is not None
+            far = np.maximum.reduceat(far, layout.mesh.node_start[layout.members[kind]])
+        found[layout.members[kind]] = far
+    return found / max(float(found.max(initial=0.0)), 1e-300)
+
+
+def kept_dofs(model: Model, kept: Arrays) -> Arrays:
+    """The same of a state that was kept (timeloop/model_state.py)."""
+    return {kind: kept["u" if kind == "tets" else f"{kind}.q"][: len(now)] for kind, now in dofs(model).items()}
