@@ -17,7 +17,7 @@ Load = dict[str, np.ndarray | None]
 def let_grow(
     scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, materials: dict[str, Material], into: Conditions
 ) -> None:
-    """Add the load of [limit] to those that vary: one, or for a tilt two, as model.loads.Growing.shares has them."""
+    """Add the load of [limit] to those that vary: one, or for a tilt two, see model.loads.Growing."""
     asked, density = scene.limit, density_of(specimen.blocks, materials)
     assert asked is not None
     gravity = gravity_of(scene)

@@ -11,11 +11,11 @@ from masonry.simd import filled, put, take, total, where
 class Guided(NamedTuple):
     """Damping of what moves otherwise than expected.
 
-    share  c dt / 2, for a viscosity of c times the mass against the unexpected part of the velocity
-    xi     of a little local damping, eq. (3), of all motion
+    half_c_dt  h = c dt / 2, for a viscosity of c times the mass against the unexpected part of the velocity
+    xi         of a little local damping, eq. (3), of all motion
     """
 
-    share: float
+    half_c_dt: float
     xi: float
 
 
@@ -23,13 +23,13 @@ def resist(damping, dt_over_mass, force, velocity, now, before):
     """What damping adds to the force on a dof that is expected to move at `before`, and at `now` after the step.
 
     None: nothing. A number: local damping -xi |F| sign(v), eq. (3). Guided: the rest of the velocity, v - expected,
-    decays by (1 - share) / (1 + share) a step, and the expected part follows the drive without any force. Leapfrog with
+    decays by (1 - h) / (1 + h) a step, and the expected part follows the drive without any force. Leapfrog with
     a viscosity taken at the middle of the step is stable as without, so the bound is that of the local part.
     """
     if damping is None:
         return 0.0
     if isinstance(damping, Guided):
-        return _guided(damping.share, damping.xi, dt_over_mass, force, velocity, now, before)
+        return _guided(damping.half_c_dt, damping.xi, dt_over_mass, force, velocity, now, before)
     return _local(damping, force, velocity)
 
 
@@ -41,9 +41,9 @@ def _local(xi, force, velocity):
 
 
 @register_jitable
-def _guided(share, xi, dt_over_mass, force, velocity, now, before):
+def _guided(half_c_dt, xi, dt_over_mass, force, velocity, now, before):
     driving = force + _local(xi, force, velocity)
-    after = now + ((velocity - before) * (1.0 - share) + dt_over_mass * driving) / (1.0 + share)
+    after = now + ((velocity - before) * (1.0 - half_c_dt) + dt_over_mass * driving) / (1.0 + half_c_dt)
     return (after - velocity) / dt_over_mass - force
 
 
@@ -53,7 +53,7 @@ def _resist(damping, dt_over_mass, force, velocity, now, before):
         return lambda damping, dt_over_mass, force, velocity, now, before: filled(0.0, force)
     if getattr(damping, "instance_class", None) is Guided:
         return lambda damping, dt_over_mass, force, velocity, now, before: _guided(
-            damping.share, damping.xi, dt_over_mass, force, velocity, now, before
+            damping.half_c_dt, damping.xi, dt_over_mass, force, velocity, now, before
         )
     return lambda damping, dt_over_mass, force, velocity, now, before: _local(damping, force, velocity)
 

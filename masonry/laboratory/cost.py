@@ -76,10 +76,10 @@ def expected_rows(assembly: Assembly) -> int:
 
 def _paced(assembly: Assembly, plan: Controlled) -> float:
     """Steps after the settling."""
-    reversals = np.array(plan.turns or (plan.displacement,))
+    reversals = np.array(plan.reversals or (plan.displacement,))
     if drive_prescribes_all(assembly):
         return PRESCRIBED * SETTINGS.few_steps * len(reversals)
-    if plan.turns:
+    if plan.reversals:
         reached = [np.maximum(side, 0.0).max() for side in (reversals, -reversals)]
         return LEG * len(reversals) + WIDER / plan.accuracy * sum(reached) / max(reached)
     deformable = any(len(assembly.model.layout.members[kind]) for kind in ("affine", "tets"))

@@ -14,7 +14,7 @@ from masonry.assembly.schedule import tilt_at
 from masonry.history import FACTOR, LARGE_UNITS, TILT, UNITS
 from masonry.jit.sources import source_hash
 from masonry.laboratory.provenance import own_sources
-from masonry.loading.cycles import SPENT, at_peak, goes_one_way, table
+from masonry.loading.cycles import DISSIPATED, at_peak, only_rises, table
 from masonry.model.loads import Controlled, Growing
 from masonry.monitors import events
 from masonry.monitors.energy import open_in_contacts
@@ -28,7 +28,7 @@ BROKEN, DAMAGED = 0.95, 0.05
 SUDDEN = 1e-3
 """Share of all energy lost, by cracks, friction and damping, from which on what a sudden crack released is told."""
 
-STILL_SHARE = 1e-4
+STILL_FRACTION = 1e-4
 """Of the kinetic energy when the first block has fallen: with less, the fall has not begun."""
 MOVING = 0.05
 """Of the block that moves most: from which on a block belongs to the mechanism."""
@@ -53,7 +53,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     peak = outcome.peak_force / assembly.specimen.section
     lowest = outcome.lowest_force / assembly.specimen.section
     internal, highest = rows["elastic_blocks"] + rows["contact_work"], peak if peak > 0.0 else -lowest
-    if not goes_one_way(rows["displacement"]):  # on the way back work comes back, and the force may be negative
+    if not only_rises(rows["displacement"]):  # on the way back work comes back, and the force may be negative
         internal, highest = np.maximum.accumulate(internal), max(peak, -lowest)
     work = float(np.abs(rows["external_work"]).max())
     work_of_loads, observed = outcome.found["work_of_loads"], outcome.observed
@@ -61,10 +61,10 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
     after_settling = work_of_loads - outcome.found["work_of_loads_settling"]
     begun = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1  # the last row of the settling
-    spent = sum(float(rows[key][-1]) for key in SPENT)
+    dissipated = sum(float(rows[key][-1]) for key in DISSIPATED)
     driven = float(np.abs(rows["external_work"][begun:] - rows["external_work"][begun]).max(initial=0.0))
     taken = float((rows["damping"] + rows["kinetic"])[-1] - (rows["damping"] + rows["kinetic"])[begun])
-    lost = spent + max(taken, 0.0)
+    lost = dissipated + max(taken, 0.0)
     sudden = events.table(model, outcome.events, rows, max(SUDDEN * lost, ROUNDING * work))
     released = sum(event["released_j"] for event in sudden)
     for event in outcome.events:
@@ -76,7 +76,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     last = {key: float(values[-1]) for key, values in rows.items()}
     torn = abs(open_in_contacts(last))
     scale = (
-        max(abs(spent), ROUNDING * work) if model.large is None else moved
+        max(abs(dissipated), ROUNDING * work) if model.large is None else moved
     )  # what falls may dissipate next to nothing
     laws = {name: scene.contact_of(name).law for name in model.group_names}
     kinematics = {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups}
@@ -117,7 +117,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "kinetic_over_internal_max": float(ratio.max()) if dynamic.any() else 0.0,
         "energy_j": {key: float(rows[key][-1]) for key in (*ENERGY_TERMS, *LARGE_UNITS) if key in rows},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / moved) if moved > 0 else 0.0,
-        "dissipation_mismatch": torn / scale if (spent or model.large is not None) and scale > 0.0 else 0.0,
+        "dissipation_mismatch": torn / scale if (dissipated or model.large is not None) and scale > 0.0 else 0.0,
         "unbalanced_after_settling": float(observed["unbalanced"][-1]),
         "kinetic_after_settling": float(observed["still_moving"][-1]),
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
@@ -165,7 +165,7 @@ def _collapse(assembly: Assembly, outcome: Outcome) -> dict[str, Any] | None:
     block, step, energies = outcome.found["collapse"]
     rows, specimen = outcome.history.rows, assembly.specimen
     row = int(np.searchsorted(rows["step"], step))
-    still = np.flatnonzero(rows["kinetic"][:row] < STILL_SHARE * rows["kinetic"][row])
+    still = np.flatnonzero(rows["kinetic"][:row] < STILL_FRACTION * rows["kinetic"][row])
     return {
         "block": block,
         "sets": sorted(name for name, members in specimen.sets.items() if block in members),

@@ -42,7 +42,7 @@ class AdaptiveLoading:
         self.model, self.dt, self.plan, self.guide = model, model.dt, plan, Predictor(model)
         still = Program(plan.dead_load, np.zeros(len(plan.dead_load)), plan.settle, 0, layers=plan.layers)
         self.settling = ScheduledLoading(model, still, max(1, rows // self.settings.settling_rows))
-        self.path = Path(plan.turns or (plan.displacement,))
+        self.path = Path(plan.reversals or (plan.displacement,))
         self.unit = min(plan.accuracy, self.settings.fine * (plan.accuracy / self.settings.fine) ** self.settings.blunt)
         if len(model.layout.members["affine"]) or len(model.layout.members["tets"]):
             self.unit *= self.settings.deformable
@@ -137,7 +137,7 @@ class AdaptiveLoading:
             self.wait(force, abs(terms["kinetic"]) <= self.settings.at_rest * max(stored, PARTED * self.most_stored))
         else:
             self.go_on(force, support, seen, terms)
-        if self.plan.turns and self.steps == self.settings.few_steps:
+        if self.plan.reversals and self.steps == self.settings.few_steps:
             self.target = min(self.target, self.path.goal / (CURVED * self.steps * self.dt))
         self.stored, self.broken, self.damped = stored, broken, terms["damping"]
 
@@ -183,7 +183,7 @@ class AdaptiveLoading:
         """Let the guide see where the drive has come to, and its force (N). Where the drive turns back, the stiffness
         is that of the last increment: that of all the way may be anything, as both ends pass through zero."""
         place, stiffness = self.path.place, None
-        if self.plan.turns:
+        if self.plan.reversals:
             self.farthest = max(self.farthest, abs(place))
             stiffness = max(abs((force - self.force) / (place - self.place)), self.most_force / self.farthest)
         self.place, self.force = place, force
@@ -197,13 +197,13 @@ class AdaptiveLoading:
     def towards_damage(self, used: float) -> float:
         """Factor of the speed while the contacts use a share `used` of their strength, which grows with the way. On the
         way back it falls before it grows: as fast, at most, as it fell."""
-        if self.plan.turns and used < self.used:
+        if self.plan.reversals and used < self.used:
             self.used = used - (self.used - used)
         left = self.made * max(1.0 - used, 0.0) / max(used - self.used, 1e-9)
         self.used = used
-        way = max(self.settings.approach * left, self.unit * self.path.moved)
+        travel = max(self.settings.approach * left, self.unit * self.path.moved)
         most = self.settings.rise if self.increments > self.settings.learning else 1.0
-        return float(np.clip(way / (self.steps * self.dt * self.target), self.settings.fall, most))
+        return float(np.clip(travel / (self.steps * self.dt * self.target), self.settings.fall, most))
 
     def through_damage(
         self, stored: float, broken: float, force: float, support: float, terms: dict[str, float]
@@ -224,18 +224,18 @@ class AdaptiveLoading:
         ends = abs(force - support) / self.most_force
         drag = abs(terms["damping"] - self.damped) / (self.most_force * self.made)
         self.looks.append((float(lag), self.made, float(drag), abs(force)))
-        shares = (
+        ratios = (
             lag / self.settings.lag,
             sway / self.settings.sway,
             ends / self.settings.ends,
             drag / self.settings.drag,
         )
-        excess = max(np.sqrt(brought), *(share / self.unit for share in shares))
+        excess = max(np.sqrt(brought), *(ratio / self.unit for ratio in ratios))
         return float(np.clip(1.0 / excess, self.settings.slower, self.settings.faster))
 
-    def shares(self) -> np.ndarray:
+    def load_factors(self) -> np.ndarray:
         """(L,) of the loads that come on in layers, now; no other load varies."""
-        return self.settling.shares()
+        return self.settling.load_factors()
 
     def columns(self) -> dict[str, float]:
         """Nothing more for a row to say."""
@@ -248,12 +248,12 @@ class AdaptiveLoading:
     def report(self) -> dict[str, float]:
         """What was asked and achieved after the first damage: lags over the work done, their mean over the way, and the
         share of the largest force that damping took where that force was reached; none if that was before the drive."""
-        lag, way, drag, force = np.array(self.looks or [(0.0, 1.0, 0.0, 0.0)]).T
+        lag, travel, drag, force = np.array(self.looks or [(0.0, 1.0, 0.0, 0.0)]).T
         peak = int(np.argmax(force))
         return {
             "accuracy": self.plan.accuracy,
             "increments": self.increments,
-            "mean_lag": float(lag @ way / max(way.sum(), 1e-300)),
+            "mean_lag": float(lag @ travel / max(travel.sum(), 1e-300)),
             "largest_lag": float(lag.max()),
             "drag_at_peak": float(drag[max(peak - 1, 0) : peak + 1].max()) if force[peak] > self.settled_force else 0.0,
         }
@@ -273,7 +273,7 @@ class AdaptiveLoading:
         """Go on from there."""
         load_attributes(self, REMEMBERED, state)
         load_attributes(self.path, Path.REMEMBERED, state["path"])
-        self.looks = [(lag, way, drag, force) for lag, way, drag, force in state["looks"].tolist()]
+        self.looks = [(lag, travel, drag, force) for lag, travel, drag, force in state["looks"].tolist()]
         self.events.restore(state["events"])
         self.settling.restore(state["settling"])
         self.guide.restore(state["guide"])

@@ -1,19 +1,19 @@
-"""Cycles of a drive that turns back: where each begins and ends, and what it spent, bore and left open."""
+"""Cycles of a drive that turns back: where each begins and ends, and what it dissipated, bore and left open."""
 
 from typing import Any
 
 import numpy as np
 
 HOME = 1e-9
-"""Share of the farthest way within which the drive counts as back at its start."""
+"""Fraction of the farthest travel within which the drive counts as back at its start."""
 TOUCH = 1e-4
 """The same for a place where the drive turns or ends: a step may just miss the start there."""
 AT_PEAK = 1e-3
 """On a plateau the place of the highest value is chance: the peak counts as reached within this share of it."""
-SPENT = ("fracture_mode_1", "fracture_mode_2", "friction")
+DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
 
 
-def goes_one_way(place: np.ndarray) -> bool:
+def only_rises(place: np.ndarray) -> bool:
     """Whether places (n,) of the drive only rise: then nothing is a cycle."""
     return bool(np.all(np.diff(place) >= 0.0))
 
@@ -36,32 +36,32 @@ def bounds(place: np.ndarray) -> list[float]:
 
 
 def table(rows: dict[str, np.ndarray], widest: np.ndarray) -> list[dict[str, Any]]:
-    """One entry a cycle, in SI; widest (n,) m, the widest opening at each row. Empty where the drive goes one way.
+    """One entry a cycle, in SI; widest (n,) m, the widest opening at each row. Empty where the drive never turns back.
 
-    Energies are differences between the cycle's ends (between rows in proportion), forces and ways those of its rows.
+    Energies are differences between the cycle's ends (between rows in proportion), the rest is of its rows.
     What dead loads do while they settle is in no cycle.
     """
     place, stress = rows["displacement"], rows["stress"]
-    if goes_one_way(place) or goes_one_way(-place):
+    if only_rises(place) or only_rises(-place):
         return []
     ends = bounds(place)
     found = []
     for begin, end in zip(ends[:-1], ends[1:], strict=True):
         inner = slice(int(np.ceil(begin)), int(np.floor(end)) + 1)
-        spent = {key: _between(rows[key], begin, end) for key in SPENT}
+        dissipated = {key: _between(rows[key], begin, end) for key in DISSIPATED}
         far, near_end = (pick(place[inner]) + inner.start for pick in (np.argmax, np.argmin))
-        way = float(place[far] - place[near_end])
+        travel = float(place[far] - place[near_end])
         found.append(
             {
                 "closed": bool(end < len(place) - 1 or _touching(place)[-1] == 0.0),
-                "dissipated_j": sum(spent.values()),
-                **{f"{key}_j": value for key, value in spent.items()},
+                "dissipated_j": sum(dissipated.values()),
+                **{f"{key}_j": value for key, value in dissipated.items()},
                 "external_work_j": _between(rows["external_work"], begin, end),
                 "highest_stress_pa": float(stress[inner].max()),
                 "lowest_stress_pa": float(stress[inner].min()),
                 "farthest_m": float(place[far]),
                 "farthest_back_m": float(place[near_end]),
-                "stiffness_pa_per_m": float(stress[far] - stress[near_end]) / way if way > 0.0 else None,
+                "stiffness_pa_per_m": float(stress[far] - stress[near_end]) / travel if travel > 0.0 else None,
                 "widest_opening_m": float(widest[inner].max()),
                 "opening_left_m": float(np.interp(end, np.arange(len(widest)), widest)),
             }
@@ -72,11 +72,11 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray) -> list[dict[str, Any
 def _touching(place: np.ndarray) -> np.ndarray:
     """Places (n,) of the drive; turns, stops there and the end are put on the start where they touch it."""
     near = TOUCH * float(np.abs(place).max())
-    way = np.sign(np.diff(place))
-    moving = np.flatnonzero(way)
+    direction = np.sign(np.diff(place))
+    moving = np.flatnonzero(direction)
     touching = np.zeros(len(place), dtype=bool)
     for before, after in zip(moving[:-1], moving[1:], strict=True):
-        touching[before + 1 : after + 1] = way[before] != way[after]
+        touching[before + 1 : after + 1] = direction[before] != direction[after]
     if len(moving):
         touching[moving[-1] + 1 :] = True
     return np.where(touching & (np.abs(place) <= near), 0.0, place)
@@ -105,6 +105,6 @@ def reached(peak: float) -> float:
 def at_peak(rows: dict[str, np.ndarray], values: np.ndarray, displacement: float) -> float:
     """A value (one a row) at the peak: between the rows round its displacement (m), or in the row of the peak
     where the drive turns back and passes the same place more than once."""
-    if goes_one_way(rows["displacement"]):
+    if only_rises(rows["displacement"]):
         return float(np.interp(displacement, rows["displacement"], values))
     return float(values[peak_row(rows)])

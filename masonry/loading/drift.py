@@ -26,7 +26,9 @@ class Drift:
         """Add the move since the last look."""
         now = {kind: place.copy() for kind, place in dofs(model).items()}
         if self.places is not None:
-            self.moved = {kind: self.fades * way + (now[kind] - self.places[kind]) for kind, way in self.moved.items()}
+            self.moved = {
+                kind: self.fades * motion + (now[kind] - self.places[kind]) for kind, motion in self.moved.items()
+            }
         self.places = now
 
     def brake(self, model: Model, before: list[np.ndarray], left: float) -> float:
@@ -49,7 +51,7 @@ class Drift:
             sum(float(np.sum(a * b)) for a, b in zip(along, moves, strict=True)) for moves in (ways, mean)
         )
         drifts = momentum / inertia
-        lost = [(left - 1.0) * (v - drifts * way) for v, way in zip(mean, ways, strict=True)]
+        lost = [(left - 1.0) * (v - drifts * motion) for v, motion in zip(mean, ways, strict=True)]
         for (_, body), change, blow, old in zip(bodies, lost, momenta(model, lost), earlier, strict=True):
             if isinstance(body, Turning):
                 body.momentum[...] += blow[:, 3:]

@@ -1,8 +1,8 @@
 """The branch behind the collapse: the factor of a load is led so that a gauge moves on steadily, near to equilibrium.
 
-The specimen falls as a mechanism m: s'' = g (factor - balance) for the gauge's way s. The gain is
+The specimen falls as a mechanism m: s'' = g (factor - balance) for the gauge's travel s. The gain is
 g = (c.m)(p.m) / (m.M m), with the gauge's weights c, the load p at a factor of 1 and the masses M; m is what fell. From
-the last rest on a servo gives the factor such that s follows a way that gathers pace evenly, s'' = a = aim * collapse
+the last rest on a servo gives the factor such that s grows at a constant acceleration, s'' = a = aim * collapse
 factor * g. So the factor exceeds equilibrium by the share `aim` of the collapse factor, and the branch takes the time
 root(2 far / a) = root(2 / aim) root(far / (g * collapse factor)), the second root being the time of the fall itself:
 half the error takes 1.4 times the steps.
@@ -25,14 +25,14 @@ from masonry.runtime.state import State, attributes, load_attributes
 
 REMEMBERED = (
     *("ends", "due", "look", "sense", "start", "gain", "rate", "swing", "scale", "most_steps", "steps", "rows"),
-    *("leaps", "leaping", "way", "speed", "target", "pace", "balance", "factor", "earlier", "damping"),
-    *("works", "work", "spent", "off", "worst", "near"),
+    *("leaps", "leaping", "travel", "speed", "target", "pace", "balance", "factor", "earlier", "damping"),
+    *("works", "work", "lost", "off", "worst", "near"),
 )
 UNTIL, ZERO, MOST, AWAY, TURNED, LATE = "until", "zero", "up_to", "runs away", "turned", "late"
 """How a branch ends: the gauge is where it was to be led to; the factor is 0; or the greatest that the scene allows;
 the gauge runs away although nothing pushes; a block has turned further than small displacement allows; it takes too
 long."""
-STAYS, OTHER_WAY, NOTHING = "stays", "other way", "nothing"
+STAYS, OTHER_DIRECTION, NOTHING = "stays", "other way", "nothing"
 """Why there is none: the collapse hardly moves the gauge, or moves it the other way; nothing resists the load."""
 
 
@@ -52,12 +52,12 @@ class Falling:
         self.until, self.ends, self.due = plan.control.until, "", False
         self.sense = self.start = self.gain = self.rate = self.swing = self.scale = 0.0
         self.look, self.most_steps, self.steps, self.rows, self.leaps = settings.longest, 0, 0, 0, 0
-        self.way = self.speed = self.target = self.pace = 0.0
+        self.travel = self.speed = self.target = self.pace = 0.0
         self.balance = self.factor = self.earlier = 0.0
         self.leaping, self.usual = False, model.damping
         self.damping = self.usual
         self.works = np.zeros(0)
-        self.work = self.spent = self.off = self.worst = self.near = 0.0
+        self.work = self.lost = self.off = self.worst = self.near = 0.0
         self.drift: Drift | None = None
 
     @property
@@ -113,7 +113,7 @@ class Falling:
         elif abs(moves) <= self.settings.moves * far:
             self.ends = STAYS
         elif self.gain <= 0.0:
-            self.ends = OTHER_WAY
+            self.ends = OTHER_DIRECTION
         else:
             self.set_out(mechanism, stands, falls)
         return self.led
@@ -140,7 +140,7 @@ class Falling:
         drifts = self.drift.brake(self.model, before, exp(-min(self.swing * passed, 1.0)))
         speed = drifts * self.sense * self.gauge.along(self.drift.moved)
         rises, self.speed = (speed - self.speed) / passed, speed
-        self.way = self.sense * (self.gauge.read(self.model) - self.start)
+        self.travel = self.sense * (self.gauge.read(self.model) - self.start)
         self.account(before)
         self.steer(rises, passed)
         self.ends = self.ended()
@@ -159,20 +159,20 @@ class Falling:
     def account(self, before: list[np.ndarray]) -> None:
         """Whether a row is due; and what damping and inertia took since the row before, for what the load did."""
         works, slope = works_of(self.model, dofs(self.model)), self.plan.slope(self.factor)
-        spent = energy.kinetic(self.model, before)
-        spent -= sum(float(body.work[:, 1].sum()) for _, body in energy.present(self.model))
+        lost = energy.kinetic(self.model, before)
+        lost -= sum(float(body.work[:, 1].sum()) for _, body in energy.present(self.model))
         if not len(self.works):
-            self.works, self.spent = works, spent
+            self.works, self.lost = works, lost
         self.work += float(slope @ (works - self.works)[-len(slope) :])
         self.works = works
-        row = int(self.way / self.far * self.settings.rows)
+        row = int(self.travel / self.far * self.settings.rows)
         self.due = row > self.rows
         if self.due:
-            self.off = (spent - self.spent) / max(abs(self.work) * self.scale, 1e-300)
-            self.rows, self.spent, self.work = row, spent, 0.0
+            self.off = (lost - self.lost) / max(abs(self.work) * self.scale, 1e-300)
+            self.rows, self.lost, self.work = row, lost, 0.0
             self.worst = max(self.worst, abs(self.off))
             if self.worst <= self.plan.accuracy:
-                self.near = self.start + self.sense * self.way
+                self.near = self.start + self.sense * self.travel
 
     def steer(self, rises: float, passed: float) -> None:
         """The factor at the end of the next look. `rises`: how much faster the gauge became (m/s2), by which the factor
@@ -182,13 +182,13 @@ class Falling:
         faster = most * float(np.clip(settings.rough - abs(self.off) / self.aim, -1.0, 1.0))
         self.pace = max(self.pace + faster * passed, min(self.pace, sqrt(most * row)))
         self.target += self.pace * passed
-        leaping = self.way > self.target + row and self.speed > settings.runs * self.pace
+        leaping = self.travel > self.target + row and self.speed > settings.runs * self.pace
         self.leaps += leaping and not self.leaping
         if leaping:
-            self.target = self.way - row
+            self.target = self.travel - row
         self.leaping = leaping
         self.damping = self.model.damping = self.usual if leaping else 0.0
-        lags = self.rate**2 * (self.target - self.way)
+        lags = self.rate**2 * (self.target - self.travel)
         found = 0.5 * (self.factor + self.earlier) + (settings.integral * lags - rises) / self.gain
         self.balance += self.rate * passed * (found - self.balance)
         pushes = faster + 2.0 * self.rate * (self.pace - self.speed) + lags
@@ -197,7 +197,7 @@ class Falling:
 
     def ended(self) -> str:
         """How the branch ends here, if it does."""
-        if self.way >= self.far:
+        if self.travel >= self.far:
             return UNTIL
         if self.factor <= 0.0 and not self.leaping and self.speed <= self.settings.runs * self.pace:
             return ZERO
@@ -209,7 +209,7 @@ class Falling:
 
     def progress(self, enclosed: int) -> int:
         """In thousandths: half for how far the collapse factor is enclosed, half for the share of the way."""
-        return 500 + int(499 * min(max(self.way / self.far, 0.0), 1.0)) if self.led else enclosed // 2
+        return 500 + int(499 * min(max(self.travel / self.far, 0.0), 1.0)) if self.led else enclosed // 2
 
     def found(self) -> dict[str, Any]:
         """How it went, in SI; up to the reading `near_to_m` all rows are as near to equilibrium as the accuracy

@@ -1,7 +1,7 @@
 """How a run advances, chunk by chunk: a load that grows until nothing balances it.
 
 Each trial raises the factor from one at which the specimen rests, and waits. Where it comes to rest again, the factor
-is borne. Where it gathers way, the model goes back to where it rested, and the next trial raises the factor by half as
+is borne. Where it accelerates, the model goes back to where it rested, and the next trial raises the factor by half as
 much. So the collapse factor is enclosed in one run, between the greatest that was borne and the least that was not.
 Where the scene names a gauge, that is then led on behind the collapse (falling.py).
 """
@@ -30,7 +30,7 @@ Arrays = dict[str, np.ndarray]
 
 
 REMEMBERED = (
-    *("phase", "factor", "target", "stands", "falls", "increment", "ways", "means", "calm", "slowest", "trials"),
+    *("phase", "factor", "target", "stands", "falls", "increment", "travels", "means", "calm", "slowest", "trials"),
     *("undecided", "looked", "travelled", "usual", "steps_of_trial", "falls_by_turning", "swayed"),
 )
 LEAST = 1e-9
@@ -74,7 +74,7 @@ class GrowingLoading:
         self.falls, self.increment = inf, min(settings.first, plan.most)
         self.rested: Arrays = {}
         self.places = [np.zeros(place.shape) for place in places(model, self.size)]
-        self.ways: list[float] = []
+        self.travels: list[float] = []
         self.means: list[float] = []
         self.calm = self.trials = self.undecided = self.looked = 0
         self.steps_of_trial = self.slowest = 0
@@ -82,10 +82,10 @@ class GrowingLoading:
         self.turned = self.falls_by_turning = False
         self.branch = None if gauge is None else Falling(model, plan, gauge)
 
-    def shares(self) -> np.ndarray:
+    def load_factors(self) -> np.ndarray:
         """(L + H,) of the loads that come on in layers, and of those that grow, now."""
-        growing = self.plan.shares(self.factor)
-        return np.concatenate([self.settling.shares()[: -len(growing)], growing])
+        growing = self.plan.load_factors(self.factor)
+        return np.concatenate([self.settling.load_factors()[: -len(growing)], growing])
 
     def columns(self) -> dict[str, float]:
         """What a row says besides."""
@@ -117,9 +117,9 @@ class GrowingLoading:
     def passing(self, factor: float, steps: int, row: bool = False) -> Chunk:
         """Some steps in which the factor goes to another one."""
         dead = np.full(steps + 1, float(self.plan.dead_load[-1]))
-        share = self.loads.pass_over(self.plan.shares(self.factor), self.plan.shares(factor), steps)
+        load_factor = self.loads.pass_over(self.plan.load_factors(self.factor), self.plan.load_factors(factor), steps)
         self.factor = factor
-        return Chunk(dead + share, np.zeros(steps + 1), row)
+        return Chunk(dead + load_factor, np.zeros(steps + 1), row)
 
     def keep(self) -> None:
         """The specimen rests here: trials begin from here."""
@@ -129,7 +129,7 @@ class GrowingLoading:
     def begin(self) -> None:
         """Set out for a higher factor."""
         self.target = min(self.stands + self.increment, self.plan.most)
-        self.phase, self.ways, self.means, self.calm, self.steps_of_trial = RISES, [], [], 0, 0
+        self.phase, self.travels, self.means, self.calm, self.steps_of_trial = RISES, [], [], 0, 0
         self.trials += 1
 
     def farthest(self) -> float:
@@ -175,7 +175,7 @@ class GrowingLoading:
         if self.phase in (DROPS, LEADS):
             self.phase = OVER
             return
-        self.give_way(turning=True)
+        self.fail(turning=True)
 
     @property
     def away(self) -> float:
@@ -183,26 +183,26 @@ class GrowingLoading:
         return max(self.settings.away * self.size, self.settings.usual * self.usual)
 
     def judge(self, before: list[np.ndarray]) -> None:
-        """Whether the specimen rests, gathers way, or has still to be waited for."""
+        """Whether the specimen rests, accelerates, or has still to be waited for."""
         now = energy.observe(self.model)
         kinetic, stored = abs(energy.kinetic(self.model, before)), now.elastic_blocks + now.elastic_contacts
         loose = unbalanced(self.model, before) > self.settings.at_rest * self.plan.accuracy
         rests = not loose and kinetic <= self.settings.still * stored
         self.calm = self.calm + 1 if rests else 0
-        self.ways.append(self.travelled)
+        self.travels.append(self.travelled)
         if self.calm >= self.settings.looks:
             self.bear()
-        elif self.travelled > self.away or self.gathers_way():
-            self.give_way()
+        elif self.travelled > self.away or self.accelerates():
+            self.fail()
         elif len(self.means) >= self.settings.patience:
             self.undecided += 1
-            self.give_way()
+            self.fail()
 
-    def gathers_way(self) -> bool:
+    def accelerates(self) -> bool:
         """Whether the specimen moves on as fast as before. Motion towards a rest decays, and swings average out."""
-        if len(self.ways) < self.window:
+        if len(self.travels) < self.window:
             return False
-        self.means, self.ways = [*self.means, float(np.mean(self.ways))], []
+        self.means, self.travels = [*self.means, float(np.mean(self.travels))], []
         third, odd = divmod(len(self.means), 3)
         if odd or len(self.means) < self.settings.gathers:
             return False
@@ -237,7 +237,7 @@ class GrowingLoading:
         """Whether the factor is enclosed as narrowly as was asked for."""
         return self.falls - self.stands <= max(self.plan.accuracy * self.falls, self.least)
 
-    def give_way(self, turning: bool = False) -> None:
+    def fail(self, turning: bool = False) -> None:
         """The factor is not borne: go back to where the specimen rested, or follow the fall from here."""
         if self.factor <= self.falls:
             self.falls, self.falls_by_turning = self.factor, turning
@@ -273,8 +273,8 @@ class GrowingLoading:
         borne = self.stands if self.stands > self.least else 0.0
         found = {"accuracy": self.plan.accuracy, "factor": borne, "trials": self.trials}
         found |= {"factor_falls": self.falls} if self.falls < inf else {}
-        ways = {"falls_by_turning": float(self.falls_by_turning), "swayed": self.swayed / self.size}
-        return found | {"undecided": self.undecided} | ways
+        motion = {"falls_by_turning": float(self.falls_by_turning), "swayed": self.swayed / self.size}
+        return found | {"undecided": self.undecided} | motion
 
     def mechanism(self) -> np.ndarray:
         """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""

@@ -39,11 +39,11 @@ class Predictor:
         self.last = [place.copy() for _, _, place in self.parts]
         self.displacement = self.kinetic = 0.0
         self.trust = 1.0
-        self.share, model.damping = AT_FIRST.share, AT_FIRST
+        self.half_c_dt, model.damping = AT_FIRST.half_c_dt, AT_FIRST
 
-    def _damp(self, share: float) -> None:
-        self.share = share
-        self.model.damping = Guided(share, LITTLE)
+    def _damp(self, half_c_dt: float) -> None:
+        self.half_c_dt = half_c_dt
+        self.model.damping = Guided(half_c_dt, LITTLE)
 
     def settle(self, displacement: float = 0.0) -> None:
         """The specimen is at rest with the drive at `displacement` (m, signed): what moved it was not the drive."""
@@ -76,13 +76,13 @@ class Predictor:
     def state(self) -> State:
         """Where all was at the end of the last increment, and the damping that followed; the field is the bodies'."""
         return {
-            **attributes(self, ("displacement", "kinetic", "share", "trust")),
+            **attributes(self, ("displacement", "kinetic", "half_c_dt", "trust")),
             "last": [last.copy() for last in self.last],
         }
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        load_attributes(self, ("displacement", "kinetic", "share", "trust"), state)
+        load_attributes(self, ("displacement", "kinetic", "half_c_dt", "trust"), state)
         for last, saved in zip(self.last, state["last"], strict=True):
             last[...] = saved
-        self._damp(self.share)
+        self._damp(self.half_c_dt)

@@ -67,15 +67,15 @@ class Rest:
             else:
                 self.events.calm(step)
             if speed != 0.0:
-                share = AFTERWARDS if self.learning else MEMORY
-                self.usual += share * (kinetic / speed**2 - self.usual)
+                weight = AFTERWARDS if self.learning else MEMORY
+                self.usual += weight * (kinetic / speed**2 - self.usual)
             self.learning = max(self.learning - 1, 0)
 
     def leaps(self, kinetic: float, expected: float) -> bool:
         """Whether so much kinetic energy (J) is a sudden crack where so much is expected; not before anything broke."""
         if self.learning or self.waited >= MOST or self.usual == 0.0:
             return False
-        return kinetic > max(JUMP * expected, LEAST * self.stored) and self.events.anything_spent()
+        return kinetic > max(JUMP * expected, LEAST * self.stored) and self.events.anything_dissipated()
 
     def hold(self, steps: int) -> None:
         """The drive has been held for so many steps, or (0) moves; its damping follows."""

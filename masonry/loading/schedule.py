@@ -70,28 +70,28 @@ def landmarks(places: np.ndarray) -> np.ndarray:
     start. Changes that are rounding count for nothing."""
     made = np.diff(places)
     moving = np.flatnonzero(np.abs(made) > STILL * float(np.abs(places).max()))
-    turned = np.flatnonzero(made[moving[1:]] * made[moving[:-1]] < 0.0)
+    reversal = np.flatnonzero(made[moving[1:]] * made[moving[:-1]] < 0.0)
     crossed = np.flatnonzero((places[1:] > 0.0) != (places[:-1] > 0.0))
-    return np.unique(np.concatenate([moving[turned + 1], moving[turned] + 1, crossed, crossed + 1]))
+    return np.unique(np.concatenate([moving[reversal + 1], moving[reversal] + 1, crossed, crossed + 1]))
 
 
-def passage(turns: tuple[float, ...], steps: int) -> np.ndarray:
-    """(steps,) m: from 0 through the turning points, at rest at each, by quintics; steps shared out by the ways."""
-    stops = np.array([0.0, *turns])
-    ways = np.abs(np.diff(stops))
-    at = np.round(np.concatenate([[0.0], np.cumsum(ways)]) / ways.sum() * (steps - 1))
+def passage(reversals: tuple[float, ...], steps: int) -> np.ndarray:
+    """(steps,) m: from 0 through the turning points, at rest at each, by quintics; steps shared out by the lengths."""
+    stops = np.array([0.0, *reversals])
+    lengths = np.abs(np.diff(stops))
+    at = np.round(np.concatenate([[0.0], np.cumsum(lengths)]) / lengths.sum() * (steps - 1))
     if np.any(np.diff(at) < 1.0):
         raise SceneError(
-            f"drive: {steps} steps are too few for {len(turns)} turning points; give more, or a lower rate"
+            f"drive: {steps} steps are too few for {len(reversals)} turning points; give more, or a lower rate"
         )
     k = np.arange(steps)
-    leg = np.minimum(np.searchsorted(at, k, side="right"), len(ways)) - 1
-    share = smooth((k - at[leg]) / (at[leg + 1] - at[leg]))
-    places: np.ndarray = (1.0 - share) * stops[leg] + share * stops[leg + 1]
+    leg = np.minimum(np.searchsorted(at, k, side="right"), len(lengths)) - 1
+    fraction = smooth((k - at[leg]) / (at[leg + 1] - at[leg]))
+    places: np.ndarray = (1.0 - fraction) * stops[leg] + fraction * stops[leg + 1]
     return places
 
 
-def steps_at(rate: float, dt: float, turns: tuple[float, ...]) -> int:
+def steps_at(rate: float, dt: float, reversals: tuple[float, ...]) -> int:
     """Steps of a passage whose greatest velocity is `rate` (m/s)."""
-    way = float(np.abs(np.diff(turns, prepend=0.0)).sum())
-    return 1 + ceil(min(FASTEST * way / (rate * dt), 1e18))
+    travel = float(np.abs(np.diff(reversals, prepend=0.0)).sum())
+    return 1 + ceil(min(FASTEST * travel / (rate * dt), 1e18))

@@ -41,10 +41,10 @@ class ScheduledLoading:
 
     def __init__(self, model: Model, program: Program, rows: int, rest: Rest | None = None) -> None:
         self.program, self.done, self.rest, self.speed = program, 0, rest, 0.0
-        shares, rises = program.shares, program.layers is None
+        load_factors, rises = program.load_factors, program.layers is None
         self.loads = None
-        if shares is not None:
-            self.loads = VaryingLoads(model, shares, program.settle if rises else 0, program.straight)
+        if load_factors is not None:
+            self.loads = VaryingLoads(model, load_factors, program.settle if rises else 0, program.straight)
         self.events = None if rest is None else rest.events
         self.every = max(1, program.steps // rows)
         self.last, self.still, self.most = program.steps, 0, 0.0
@@ -97,9 +97,9 @@ class ScheduledLoading:
             if self.done >= self.program.rest_from and self.still >= STILL_ROWS and self.most > 0.0:
                 self.last = self.row_due()
 
-    def shares(self) -> np.ndarray:
+    def load_factors(self) -> np.ndarray:
         """(H,) of the loads that vary, now."""
-        return np.zeros(0) if self.loads is None else self.loads.shares[:, self.done]
+        return np.zeros(0) if self.loads is None else self.loads.load_factors[:, self.done]
 
     def columns(self) -> dict[str, float]:
         """Nothing more for a row to say."""

@@ -21,7 +21,7 @@ class AdaptiveSettings:
     faster, slower     most and least change of the speed from then on
 
     Bounds on what an increment may bring:
-    stored, fracture   change of the stored energy, and energy spent on fracture, over the most that was stored
+    stored, fracture   change of the stored energy, and energy dissipated by fracture, over the most that was stored
     lag                energy by which the drive runs ahead, over the work of the drive
     sway               root of kinetic over stored energy
     ends, drag         difference between the forces of the two ends, and the force that damping takes on average (its

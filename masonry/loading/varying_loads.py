@@ -8,20 +8,20 @@ STRETCH = 200
 """Steps between two knots, at most."""
 
 
-def knots(shares: np.ndarray, settle: int, straight: float) -> np.ndarray:
-    """Steps, rising, between which each of shares (H, n + 1) is taken for straight: at most STRETCH apart, and at the
-    end of the settling; one apart where the shares bend too much from step to step.
+def knots(load_factors: np.ndarray, settle: int, straight: float) -> np.ndarray:
+    """Steps, rising, between which each row (H, n + 1) is taken for straight: at most STRETCH apart, and at the
+    end of the settling; one apart where the factors bend too much from step to step.
 
-    straight  of the largest share of a history: how far it may leave the straight line between two knots
+    straight  of the largest factor of a history: how far it may leave the straight line between two knots
     """
-    last = shares.shape[1] - 1
+    last = load_factors.shape[1] - 1
     at = np.unique(np.concatenate([[0], np.arange(settle, last, STRETCH), [last]]))
     while True:
         apart = np.zeros(last)
-        for share in shares:
-            most = float(np.abs(share).max()) or 1.0
-            line = np.interp(np.arange(last), at, share[at])
-            apart = np.maximum(apart, np.abs(share[:-1] - line) / most)
+        for load_factor in load_factors:
+            most = float(np.abs(load_factor).max()) or 1.0
+            line = np.interp(np.arange(last), at, load_factor[at])
+            apart = np.maximum(apart, np.abs(load_factor[:-1] - line) / most)
         bent = (np.maximum.reduceat(apart, at[:-1]) > straight) & (np.diff(at) > 1)
         if not bent.any():
             return at
@@ -39,7 +39,7 @@ def works_of(model: Model, moved: dict[str, np.ndarray]) -> np.ndarray:
 
 
 class SharedLoads:
-    """Loads that pass from some shares to others within a chunk, in proportion to its steps."""
+    """Loads that pass from some factors to others within a chunk, in proportion to its steps."""
 
     def __init__(self, model: Model, stay: int = 0) -> None:
         """So many of them, the first, may `stay`: they act in full and vary no more."""
@@ -56,8 +56,8 @@ class SharedLoads:
         return rest / max(sum(np.abs(each[:, :, :3]).sum(axis=(1, 2)) for _, _, each in self.parts).max(), 1e-300)
 
     def pass_over(self, begin: np.ndarray, end: np.ndarray, steps: int) -> np.ndarray:
-        """Set the loads of the bodies for so many steps from shares (H,) to others; returns (steps + 1,) what they add
-        to the shares of the dead load."""
+        """Set the loads of the bodies for so many steps from factors (H,) to others; returns (steps + 1,) what they add
+        to the factors of the dead load."""
         for body, rest, each in self.parts:
             body.load[...] = rest + np.tensordot(begin, each, 1)
             body.change[...] = np.tensordot(end - begin, each, 1)
@@ -65,18 +65,20 @@ class SharedLoads:
 
 
 class VaryingLoads(SharedLoads):
-    """Loads that pass from their shares at the start of a chunk to those at its end.
+    """Loads that pass from their factors at the start of a chunk to those at its end.
 
     Within a chunk each load changes in proportion to the steps, so the step itself needs no more than the loads at the
     start and their change, however many histories there are. A chunk ends at the next knot of the histories at the
     latest, and one that ends before, as a row is due, leaves the line from knot to knot as it is.
     """
 
-    def __init__(self, model: Model, shares: np.ndarray, settle: int, straight: float) -> None:
+    def __init__(self, model: Model, load_factors: np.ndarray, settle: int, straight: float) -> None:
         super().__init__(model)
-        self.settle, self.knots = settle, knots(shares, settle, straight)
-        steps = np.arange(shares.shape[1])
-        self.shares = np.array([np.interp(steps, self.knots, share[self.knots]) for share in shares])
+        self.settle, self.knots = settle, knots(load_factors, settle, straight)
+        steps = np.arange(load_factors.shape[1])
+        self.load_factors = np.array(
+            [np.interp(steps, self.knots, load_factor[self.knots]) for load_factor in load_factors]
+        )
 
     def latest(self, first: int) -> int:
         """The step at which a chunk from a step on ends at the latest."""
@@ -86,5 +88,5 @@ class VaryingLoads(SharedLoads):
     def apply(self, first: int, last: int, dead_load: np.ndarray) -> np.ndarray:
         """Set the loads of the bodies for a chunk of steps; returns its shares of the dead load, those of the change
         included."""
-        passed = self.pass_over(self.shares[:, first], self.shares[:, last], last - first)
+        passed = self.pass_over(self.load_factors[:, first], self.load_factors[:, last], last - first)
         return dead_load if first < self.settle else dead_load + passed

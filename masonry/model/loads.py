@@ -145,8 +145,8 @@ class Program:
         return len(self.speed) - 1
 
     @property
-    def shares(self) -> np.ndarray | None:
-        """(L + H, n + 1) share of each load that does not simply rise with the others, at each step."""
+    def load_factors(self) -> np.ndarray | None:
+        """(L + H, n + 1) factor of each load that does not simply rise with the others, at each step."""
         if self.layers is None:
             return self.varying
         stay = np.pad(self.layers, ((0, 0), (0, self.steps - self.settle)), mode="edge")
@@ -158,14 +158,14 @@ class Controlled:
     """A drive paced by its error (loading/adaptive.py): displacement (m, signed) and accuracy (0.01 is 1 %).
 
     dead_load  (settle + 1,) share of the dead load at each step before the drive starts; its last value stays
-    turns      places (m, signed) that the drive visits one after the other, in place of going to its displacement
+    reversals  places (m, signed) that the drive visits one after the other, in place of going to its displacement
     layers     as of Program
     """
 
     dead_load: np.ndarray
     displacement: float
     accuracy: float
-    turns: tuple[float, ...] = ()
+    reversals: tuple[float, ...] = ()
     layers: np.ndarray | None = None
 
     ramp = 0
@@ -187,7 +187,7 @@ class Growing:
     """A load whose factor grows until nothing balances it (loading/growing.py), to an accuracy, up to `most`.
 
     dead_load  (settle + 1,) share of the dead load at each step before it grows; its last value stays
-    tilts      whether the factor is the tangent of the angle by which gravity turns: two loads, see `shares`
+    tilts      whether the factor is the tangent of the angle by which gravity turns: two loads, see `load_factors`
     layers     as of Program
     """
 
@@ -204,8 +204,8 @@ class Growing:
     def settle(self) -> int:
         return len(self.dead_load) - 1
 
-    def shares(self, factor: float) -> np.ndarray:
-        """(H,) shares of the loads that vary: the factor; of a tilt that of the weight that turns, less 1, and that of
+    def load_factors(self, factor: float) -> np.ndarray:
+        """(H,) factors of the loads that vary: the factor; of a tilt that of the weight that turns, less 1, and that of
         the weight turned by a right angle, so that gravity keeps its size."""
         if not self.tilts:
             return np.array([factor])
@@ -221,9 +221,9 @@ class Growing:
 Plan = Program | Controlled | Growing
 
 
-def controlled(settle: int, displacement: float, accuracy: float, turns: tuple[float, ...] = ()) -> Controlled:
+def controlled(settle: int, displacement: float, accuracy: float, reversals: tuple[float, ...] = ()) -> Controlled:
     """Dead loads rise over the first half of `settle`; then the drive makes its way to an accuracy."""
-    return Controlled(rise(settle, settle), displacement, accuracy, turns)
+    return Controlled(rise(settle, settle), displacement, accuracy, reversals)
 
 
 def rise(settle: int, steps: int) -> np.ndarray:

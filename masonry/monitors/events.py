@@ -44,7 +44,7 @@ class Events:
         self.found.append(Event(self.step, step, self._damped() - self.damped, contact))
         self.going_on = True
 
-    def anything_spent(self) -> bool:
+    def anything_dissipated(self) -> bool:
         """Whether any contact has dissipated energy so far."""
         return bool(self.dissipated.any())
 

@@ -102,10 +102,10 @@ def found_anew(summary: dict[str, Any]) -> float:
 
 def not_at_rest(summary: dict[str, Any]) -> list[str]:
     """What speaks against dead loads that have settled."""
-    share, moving = (summary.get(f"{what}_after_settling") or 0.0 for what in ("unbalanced", "kinetic"))
-    if share > UNBALANCED or moving > STILL:
+    ratio, moving = (summary.get(f"{what}_after_settling") or 0.0 for what in ("unbalanced", "kinetic"))
+    if ratio > UNBALANCED or moving > STILL:
         return [
-            f"the dead loads had not come to rest ({share:.2g} of them unbalanced, kinetic energy {moving:.2g} of the "
+            f"the dead loads had not come to rest ({ratio:.2g} of them unbalanced, kinetic energy {moving:.2g} of the "
             "stored): raise settle.steps, or leave it out; if that does not help, the specimen cannot stand under them"
         ]
     falls = (summary.get("collapse_load") or {}).get("falls") is not None
@@ -197,9 +197,9 @@ def not_slow(summary: dict[str, Any], damping: float) -> list[str]:
     return doubts
 
 
-def percent(share: float, digits: int = 2) -> str:
-    """A share as a percentage, 0 where it is rounding."""
-    return f"{0.0 if -BELOW_0 < share < ROUNDING else 100 * share:.{digits}g} %"
+def percent(fraction: float, digits: int = 2) -> str:
+    """A fraction as a percentage, 0 where it is rounding."""
+    return f"{0.0 if -BELOW_0 < fraction < ROUNDING else 100 * fraction:.{digits}g} %"
 
 
 def moving_at_end(summary: dict[str, Any]) -> float:

@@ -173,7 +173,7 @@ class Loop:
 
     def load_factors(self) -> list[float]:
         """The factor of each dead load now."""
-        varying = self.loading.shares()
+        varying = self.loading.load_factors()
         loads = self.recording.surroundings.loads
         return [self.dead_load_factor * (1.0 if load.varies is None else float(varying[load.varies])) for load in loads]
 
