@@ -30,12 +30,12 @@ def share_out(request: CellRequest, volume: np.ndarray, depth: np.ndarray) -> np
 def _largest_remainders(total: int, volume: np.ndarray) -> np.ndarray:
     if total < len(volume):
         raise GeometryError(f"cells: total is {total}, but there are {len(volume)} units; nearest: {len(volume)}")
-    exact = total * volume / volume.sum()
-    counts = np.maximum(1, np.floor(exact * (1 + 1e-12))).astype(np.int64)
+    exact_count = total * volume / volume.sum()
+    counts = np.maximum(1, np.floor(exact_count * (1 + 1e-12))).astype(np.int64)
     while counts.sum() < total:
-        counts[np.argmax(np.round(exact - counts, 9))] += 1
+        counts[np.argmax(np.round(exact_count - counts, 9))] += 1
     while counts.sum() > total:  # units too small for one cell got one all the same
-        counts[np.argmax(np.where(counts > 1, np.round(counts - exact, 9), -np.inf))] -= 1
+        counts[np.argmax(np.where(counts > 1, np.round(counts - exact_count, 9), -np.inf))] -= 1
     return counts
 
 

@@ -19,11 +19,11 @@ def reflex(corners: np.ndarray, count: np.ndarray) -> np.ndarray:
     after = np.roll(corners, -1, axis=1) - corners
     last = np.take_along_axis(corners, np.maximum(count - 1, 0)[:, None, None], axis=1)
     before = corners - np.where((column == 0)[:, None], last, np.roll(corners, 1, axis=1))
-    rotation = np.einsum("nki,ni->nk", np.cross(before, after), normal)
+    bend = np.einsum("nki,ni->nk", np.cross(before, after), normal)
     size = np.linalg.norm(before, axis=2) * np.linalg.norm(after, axis=2)
     used = column < count[:, None]
-    angle = np.arctan2(rotation, np.einsum("nki,nki->nk", before, after))
-    return np.any((rotation < -STRAIGHT * size) & used, axis=1) | (np.sum(angle, axis=1, where=used) > 3 * np.pi)
+    angle = np.arctan2(bend, np.einsum("nki,nki->nk", before, after))
+    return np.any((bend < -STRAIGHT * size) & used, axis=1) | (np.sum(angle, axis=1, where=used) > 3 * np.pi)
 
 
 def triangles(corners: np.ndarray) -> np.ndarray:

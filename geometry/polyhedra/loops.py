@@ -58,8 +58,8 @@ def _chain(flat: Plane, edges: list[tuple[int, int]]) -> list[Loop]:
         leaving.setdefault(start, []).append(end)
     following = {}
     for start, end in edges:
-        rotation = [_clockwise(flat[start] - flat[end], flat[after] - flat[end]) for after in leaving[end]]
-        following[start, end] = (end, leaving[end][int(np.argmin(rotation))])
+        angles = [_clockwise(flat[start] - flat[end], flat[after] - flat[end]) for after in leaving[end]]
+        following[start, end] = (end, leaving[end][int(np.argmin(angles))])
     loops = []
     while following:
         edge = next(iter(following))

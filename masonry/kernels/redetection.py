@@ -237,7 +237,7 @@ def remember(pairs, points, motion, search, p):
 
 @bare
 def set_dashpot(pairs, rules, search, p, area):
-    """The dashpot of a patch (Pa s/m): its ratio of the critical damping of the two masses on the whole patch."""
+    """The dashpot of a patch (Pa s/m): its fraction of the critical damping of the two masses on the whole patch."""
     damping_ratio, kn = rules.dashpot[pairs.law[p]], rules.normal_stiffness[pairs.law[p]]
     pairs.dashpot[p] = 0.0
     if damping_ratio > 0.0 and area > 0.0:

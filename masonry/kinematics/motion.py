@@ -71,7 +71,7 @@ def _factor_times(array, at, like, factor):
 
 
 def dead_load(body, at, like, load_factor):
-    """The load on a dof at a factor of it; what the factor exceeds 1 by is that of the load that varies besides."""
+    """The load on a dof times its factor; what the factor exceeds 1 by is that of the load that varies besides."""
     if body.change is None:
         return factor_times(body.load, at, like, load_factor)
     return min(load_factor, 1.0) * take(body.load, at, like) + max(load_factor - 1.0, 0.0) * take(body.change, at, like)

@@ -230,7 +230,7 @@ def _given(q, inertia, free, momentum, w):
 
 @register_jitable
 def _moment_of_load(load, change, b, load_factor):
-    """Moment of the dead loads at a factor of them, as in motion.dead_load; 0 where there are none."""
+    """Moment of the dead loads times their factor, as in motion.dead_load; 0 where there are none."""
     if load is None:
         return 0.0, 0.0, 0.0
     if change is None:
