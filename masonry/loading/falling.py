@@ -42,8 +42,8 @@ class Falling:
     led     whether there is a branch, from the moment on that `begin` finds one
     look    steps from one look to the next     factor  at its end     row_due  whether a row is due then
     ends    how the branch has ended, or why there is none; "" as long as it goes on
-    off     share of the collapse factor that damping and inertia took since the row before: how far the factor of a row
-            is from equilibrium
+    off     fraction of the collapse factor that damping and inertia took since the row before: how far the factor of a
+            row is from equilibrium
     """
 
     def __init__(self, model: Model, plan: Growing, gauge: Gauge, settings: FallingSettings = FALLING) -> None:
@@ -79,7 +79,7 @@ class Falling:
         return self.settings.aim * self.plan.accuracy
 
     def learn(self, rested: Arrays, by: float) -> None:
-        """The specimen has come from one rest to another as the factor grew by so much: the first such way gives its
+        """The specimen has come from one rest to another as the factor grew by so much: the first such move gives its
         slowest swing (rad/s), by Rayleigh's quotient."""
         if self.swing == 0.0:
             moved = self.since(rested)
@@ -176,7 +176,7 @@ class Falling:
 
     def steer(self, rises: float, passed: float) -> None:
         """The factor at the end of the next look. `rises`: how much faster the gauge became (m/s2), by which the factor
-        was more than equilibrium needs. Where the specimen leaps ahead, the way goes on from there."""
+        was more than equilibrium needs. Where the specimen leaps ahead, the path goes on from there."""
         settings, row = self.settings, self.far / self.settings.rows
         most = min(self.aim * self.scale * self.gain, 2.0 * self.far * (self.rate / settings.least) ** 2)
         faster = most * float(np.clip(settings.rough - abs(self.off) / self.aim, -1.0, 1.0))
@@ -208,7 +208,7 @@ class Falling:
         return LATE if self.steps > self.most_steps else ""
 
     def progress(self, enclosed: int) -> int:
-        """In thousandths: half for how far the collapse factor is enclosed, half for the share of the way."""
+        """In thousandths: half for how far the collapse factor is enclosed, half for the fraction of the travel."""
         return 500 + int(499 * min(max(self.travel / self.far, 0.0), 1.0)) if self.led else enclosed // 2
 
     def found(self) -> dict[str, Any]:

@@ -29,7 +29,7 @@ def knots(load_factors: np.ndarray, settle: int, straight: float) -> np.ndarray:
 
 
 def works_of(model: Model, moved: dict[str, np.ndarray]) -> np.ndarray:
-    """(H,) J, what each load that varies does at a share of 1 as dofs (by kind, rows of each) move so far."""
+    """(H,) J, what each load that varies does at a load factor of 1 as dofs (by kind, rows of each) move so far."""
     return np.array(
         [
             sum(float(np.sum(load * moved[k])) for k, load in one.items() if load is not None and k in moved)

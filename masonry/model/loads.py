@@ -213,7 +213,7 @@ class Growing:
         return np.array([1.0 / whole - 1.0, factor / whole])
 
     def slope(self, factor: float) -> np.ndarray:
-        """(H,) by how much the shares change per unit of the factor."""
+        """(H,) by how much the load factors change per unit of the factor."""
         whole = float(np.hypot(1.0, factor))
         return np.array([-factor, 1.0]) / whole**3 if self.tilts else np.ones(1)
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.kinematics import deforming, deforming_tets
-from masonry.kinematics.dispatch import move, place
+from masonry.kinematics.dispatch import move, update_positions
 from masonry.kinematics.matrices import rotations
 from masonry.model.large.bodies import large
 from tests.kinematics import bricks
@@ -54,10 +54,10 @@ def inner_forces(model, kind: str) -> np.ndarray:
     """Forces of the block's own stiffness where it is now, without moving it."""
     body = getattr(model.bodies, kind)
     for loop, arguments in (
-        (place, (model.contacts.u,)),
+        (update_positions, (model.contacts.u,)),
         (move, (None, bricks.ALL_OF_IT, model.contacts.force, model.contacts.u)),
     ):
-        loop(None, body, 0.0 if loop is place else model.dt, *arguments)
+        loop(None, body, 0.0 if loop is update_positions else model.dt, *arguments)
     body.v[...] = 0.0
     return body.inner.copy()
 
