@@ -21,19 +21,19 @@ def branch_figure(result: "ResultData") -> Any:
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     heading(figure, result)
     found, rows = result.summary["collapse_load"], result.history.rows
-    led, way, factor = found["branch"], MILLI * rows[found["branch"]["gauge"]], rows[FACTOR]
+    led, reading, factor = found["branch"], MILLI * rows[found["branch"]["gauge"]], rows[FACTOR]
     grown = int(np.flatnonzero(rows["step"] <= rows["step"][-1] - led["steps"])[-1])  # the last rest
-    late = way[grown] > way.min() + 0.5 * np.ptp(way)
+    late = reading[grown] > reading.min() + 0.5 * np.ptp(reading)
     for axes in (curve, ledger):
         tidy(axes)
     curve.plot(
-        way[: grown + 1], factor[: grown + 1], "o-", color="#e07b00", markersize=3, linewidth=1.2, label="at rest"
+        reading[: grown + 1], factor[: grown + 1], "o-", color="#e07b00", markersize=3, linewidth=1.2, label="at rest"
     )
-    curve.plot(way[grown:], factor[grown:], color="#1f3b5c", linewidth=2.0, label="led on")
-    curve.plot(way[grown], found["borne"], "o", color="#b2182b", markersize=7, label="collapse")
+    curve.plot(reading[grown:], factor[grown:], color="#1f3b5c", linewidth=2.0, label="led on")
+    curve.plot(reading[grown], found["borne"], "o", color="#b2182b", markersize=7, label="collapse")
     curve.annotate(
         f"{found['borne']:.4g} is borne, {found['falls']:.4g} is not",
-        (way[grown], found["borne"]),
+        (reading[grown], found["borne"]),
         xytext=(-12 if late else 12, 6),
         ha="right" if late else "left",
         textcoords="offset points",
@@ -43,7 +43,7 @@ def branch_figure(result: "ResultData") -> Any:
     curve.margins(y=0.12)
     curve.axhline(0.0, color="0.6", linewidth=0.8)
     curve.set_ylabel("load factor [1]")
-    draw_ledger(ledger, rows, way)
+    draw_ledger(ledger, rows, reading)
     ledger.set_ylabel("energy [J]")
     ledger.set_xlabel(plain(f"{led['gauge']} [mm]"))
     for axes in (curve, ledger):

@@ -7,7 +7,7 @@ that what drifts steadily is not dragged.
 
 import numpy as np
 
-from masonry.kinematics.turning import Turning
+from masonry.loading.impulses import momenta, strike, velocities_of
 from masonry.loading.moved import Arrays, dofs
 from masonry.model.model import Model
 from masonry.monitors import energy
@@ -40,56 +40,17 @@ class Drift:
         step, one of them alone would make the impulse feed them.
         """
         bodies = energy.present(model)
-        earlier = [
-            np.concatenate([old[:, :3], over_inertia(body, old[:, 3:])], axis=1) if isinstance(body, Turning) else old
-            for (_, body), old in zip(bodies, before, strict=True)
-        ]
+        earlier = [velocities_of(body, kept) for (_, body), kept in zip(bodies, before, strict=True)]
         mean = [0.5 * (body.v + old) for (_, body), old in zip(bodies, earlier, strict=True)]
-        ways = [self.moved[kind] for kind, _ in bodies]
-        along = momenta(model, ways)
-        inertia, momentum = (
-            sum(float(np.sum(a * b)) for a, b in zip(along, moves, strict=True)) for moves in (ways, mean)
-        )
+        inertia = momentum = 0.0
+        for (kind, body), v in zip(bodies, mean, strict=True):
+            along = momenta(model, kind, body, self.moved[kind])
+            inertia, momentum = inertia + float(np.sum(along * self.moved[kind])), momentum + float(np.sum(along * v))
         drifts = momentum / inertia
-        lost = [(left - 1.0) * (v - drifts * motion) for v, motion in zip(mean, ways, strict=True)]
-        for (_, body), change, blow, old in zip(bodies, lost, momenta(model, lost), earlier, strict=True):
-            if isinstance(body, Turning):
-                body.momentum[...] += blow[:, 3:]
-            body.hold[...] += blow / model.dt
-            work = 0.5 * blow * old
-            if len(work) == len(body.work):
-                body.work[:, 1] += work.sum(axis=1)
-            else:
-                body.work[0, 1] += work.sum()  # nodes of tets are not told apart by block
-            body.v[...] += np.where(blow != 0.0, change, 0.0)
+        for (kind, body), v, old in zip(bodies, mean, earlier, strict=True):
+            strike(model, kind, body, (left - 1.0) * (v - drifts * self.moved[kind]), old)
         return drifts
 
     def state(self) -> State:
         """What it is made anew from."""
         return {"moved": self.moved, "fades": self.fades, "places": self.places}
-
-
-def momenta(model: Model, velocities: list[np.ndarray]) -> list[np.ndarray]:
-    """By kind, mass times velocity of all that is free; without turns, of blocks that turn as far as they like and are
-    held about some axes."""
-    found = []
-    for (kind, body), v in zip(energy.present(model), velocities, strict=True):
-        one = model.masses[kind] * v
-        if isinstance(body, Turning):
-            free = np.all(body.dt_over_mass[:, 3:] > 0.0, axis=1, keepdims=True)
-            q = principal(body)
-            own = np.einsum("bij,bj->bi", q, body.inertia * np.einsum("bji,bj->bi", q, v[:, 3:]))
-            one[:, 3:] = np.where(free, own, 0.0)
-        found.append(one)
-    return found
-
-
-def over_inertia(body: Turning, momentum: np.ndarray) -> np.ndarray:
-    """(B, 3) rad/s of angular momenta (B, 3), as the blocks stand now."""
-    q = principal(body)
-    return np.einsum("bij,bj->bi", q, np.einsum("bji,bj->bi", q, momentum) / body.inertia)
-
-
-def principal(body: Turning) -> np.ndarray:
-    """(B, 3, 3) principal axes as the blocks stand now, in columns."""
-    return body.frame if body.axes is None else body.frame @ body.axes

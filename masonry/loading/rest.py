@@ -6,6 +6,8 @@ beyond where it comes to rest, and breaks there as well. So all such runs share 
 
 import numpy as np
 
+from masonry.kinematics.turning import Turning
+from masonry.loading.impulses import strike, velocities_of
 from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.events import PARTED, Events
@@ -97,6 +99,9 @@ def brake(model: Model, before: list[np.ndarray], left: float) -> None:
     """Leave a share of each free velocity: an impulse, booked as a force of the damping in this step, so that the
     energy balance stays closed."""
     for (kind, body), old in zip(energy.present(model), before, strict=True):
+        if isinstance(body, Turning):
+            strike(model, kind, body, (left - 1.0) * body.v, velocities_of(body, old))
+            continue
         impulse = (left - 1.0) * model.masses[kind] * body.v / model.dt
         body.hold[...] += impulse
         body.work[:, 1] += 0.5 * model.dt * _by_block(impulse * old, len(body.work))

@@ -5,10 +5,12 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.laboratory.text import sudden_text
+from masonry.loading.impulses import momenta
 from masonry.loading.rest import brake
 from masonry.loading.scheduled import Chunk
 from masonry.monitors.energy import kinetic, ledger, observe, velocities
 from masonry.results.trust import trust
+from masonry.scene import load as load_scene
 from masonry.timeloop.compiled_step import advance_model, compile_for
 from tests.scenes import load
 from tests.timeloop.test_loop import couplet
@@ -85,3 +87,17 @@ def test_braking_leaves_its_share_of_the_velocities_and_keeps_the_balance_closed
         terms = ledger(model, observe(model), before)
         assert abs(terms["imbalance"]) < 1e-12 * max(abs(terms["external_work"]), 1e-12)
     assert terms["damping"] > 0.0
+
+
+def test_what_braking_takes_from_blocks_that_turn_is_what_it_books():
+    """Of momentum, turns included, a share is left, and of the kinetic energy; the rest is work of the damping."""
+    model = assemble(load_scene("block-rocking")).model
+    body = model.bodies.rigid
+    body.v[...] = np.where(body.dt_over_mass > 0.0, np.random.default_rng(0).normal(size=body.v.shape), 0.0)
+    body.momentum[...] = momenta(model, "rigid", body, body.v)[:, 3:]
+    before, booked = velocities(model), float(body.work[:, 1].sum())
+    energy = kinetic(model, before)
+    brake(model, before, 0.7)
+    assert energy > 1.0 and kinetic(model, before) == pytest.approx(0.7 * energy, rel=1e-14)
+    assert float(body.work[:, 1].sum()) - booked == pytest.approx(-0.3 * energy, rel=1e-14)
+    assert velocities(model)[0] == pytest.approx(0.7 * before[0], rel=1e-14)
