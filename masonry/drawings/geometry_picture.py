@@ -44,7 +44,7 @@ def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
 
 
 def camera_for(scene: Scene, specimen: Specimen, view: str | None) -> Camera:
-    """The camera of a view by its name, or the one that shows where the drive and a tilt lead."""
+    """The camera of a view by its name, or the one that shows along which the drive pushes and things lean."""
     if view is None:
         toward = camera_of("front", specimen).toward
         across = any(abs(toward @ direction) > 0.5 for direction in _directions(scene))
@@ -53,8 +53,11 @@ def camera_for(scene: Scene, specimen: Specimen, view: str | None) -> Camera:
 
 
 def _directions(scene: Scene) -> list[np.ndarray]:
-    """Unit vectors along which a scene's drive pushes and its tilt lets things lean."""
+    """Unit vectors along which a scene's drive pushes, its tilt lets things lean, and a turned specimen leans."""
     directions = [np.eye(3)[scene.drive.axis]] if scene.drive is not None else []
+    turned = getattr(scene.specimen, "turned", None)
+    if turned is not None and turned.about != "z":
+        directions.append(np.eye(3)[1 - "xy".index(turned.about)])
     if scene.gravity is not None and scene.gravity.tilt is not None:
         lean = np.cross(np.eye(3)["xyz".index(scene.gravity.tilt.about)], scene.gravity.vector)
         directions.append(lean / np.linalg.norm(lean))
