@@ -10,7 +10,6 @@ from masonry.assembly.specimens import blocks_from, is_outside, outside_specimen
 from masonry.errors import SceneError
 from masonry.scene import Scene
 from masonry.scene.tables.points import DENSITIES
-from masonry.scene.tables.specimen import Specimen
 from masonry.scene.tables.specimens.structures import Structure
 
 BLOCKS, CONTACT_POINTS, TETS = 5e5, 5e6, 5e6
@@ -26,7 +25,7 @@ def require_sane_size(scene: Scene) -> None:
     spec = scene.specimen
     blocks, volume = blocks_and_volume(spec)
     _require(blocks, BLOCKS, "blocks", _amount_key(spec))
-    _require_few_points(spec, blocks, volume)
+    _require_few_points(scene, blocks, volume)
     meshed = "tets" in scene.kinematics.values()
     if meshed and spec.mesh == "fan":
         _require(TETS_PER_FAN * blocks, TETS, "tets", "specimen.mesh")
@@ -72,11 +71,12 @@ def _blocks(table: Any, units: float, volume: float, depth: float) -> float:
     return float(cells.total or units * cells.per_unit)
 
 
-def _require_few_points(spec: Specimen, blocks: float, volume: float) -> None:
+def _require_few_points(scene: Scene, blocks: float, volume: float) -> None:
     """Three faces of each block lie in a joint."""
+    spec = scene.specimen
     key = next(key for key in DENSITIES if getattr(spec, key) is not None)
-    if spec.points_per_edge is not None:
-        x, y, z = spec.points_per_edge
+    if scene.points_per_edge is not None:
+        x, y, z = scene.points_per_edge
         points = x * y + y * z + z * x
     elif spec.points_per_face is not None:
         points = 3 * spec.points_per_face

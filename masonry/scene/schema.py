@@ -81,10 +81,14 @@ class SceneData(Table):
     def points_per_edge(self) -> PerAxis | None:
         """By axis; None where there are so many on a face, or so far apart. Points at the edges need four, as two alone
         make a joint three times as strong in bending as its elastic limit; four, 1.22 times."""
-        chosen = self.specimen.model_fields_set & set(DENSITIES)
-        if self.is_large and self.contact_points == "vertex" and not chosen:
+        if self.is_large and self.contact_points == "vertex" and not self.chooses_points:
             return PerAxis(4, 4, 4)
         return self.specimen.points_per_edge
+
+    @property
+    def chooses_points(self) -> bool:
+        """Whether the scene says how many contact points there are."""
+        return bool(self.specimen.model_fields_set & set(DENSITIES))
 
     @property
     def must_stand(self) -> bool:
@@ -123,13 +127,16 @@ class SceneData(Table):
     def resolved(self) -> dict[str, Any]:
         """The scene as plain values with SI units, defaults written out; loading it gives the same scene bit by bit.
 
-        What depends on the top-level law and confinement still names them, so both can be set anew.
+        What depends on the top-level law and confinement still names them, so both can be set anew; what depends on
+        `displacements` (the number of contact points, limits) is left out where the scene leaves it open.
         """
         data = self.model_dump(exclude_none=True, context={"law": self.law, "confinement": self.confinement})
-        if self.is_large:
-            for key in LIMITS:
+        if not self.chooses_points:
+            data["specimen"].pop("points_per_edge", None)
+        for key in LIMITS:
+            if self.is_large or key not in self.solver.model_fields_set:
                 del data["solver"][key]
-        else:
+        if not self.is_large:
             del data["displacements"]
         return {key: value for key, value in data.items() if value not in ((), {}) or key == "floor"}
 

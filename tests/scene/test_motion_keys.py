@@ -77,14 +77,16 @@ def test_what_a_scene_says_is_kept_in_si():
     assert (WHOLE["floor"].floor.level, WHOLE["floor"].floor.size) == (-1.0, (3.0, 2.0))
 
 
-def test_a_scene_that_names_none_of_them_is_written_as_before():
+def test_a_scene_that_names_none_of_them_is_written_without_them():
     written = to_toml(load("arch"))
     for word in ("displacements", "tilt", "motion", "floor", "turned", "until", "normal_dashpot"):
         assert word not in written
-    assert "duration" not in written and "rotation_limit" in written
+    assert "duration" not in written
 
 
-def test_a_large_scene_is_written_without_the_limits_of_small_ones():
+def test_limits_of_small_displacement_are_written_where_the_scene_gives_them():
+    assert "rotation_limit = 0.1" in to_toml(load("arch", {"solver.rotation_limit": 0.1}))
+    assert "rotation_limit" not in to_toml(load("arch"))
     assert "rotation_limit" not in to_toml(WHOLE["large"]) and "slip_limit" not in to_toml(WHOLE["large"])
 
 

@@ -102,3 +102,18 @@ def test_a_fan_needs_no_mesh_size():
     assert scene.specimen.mesh == "fan"
     mesh = assemble(scene).mesh
     assert np.count_nonzero(np.diff(mesh.tet_start)) == 100
+
+
+@pytest.mark.parametrize(
+    ("name", "displacements"),
+    [("couplet", "small"), ("couplet", "large"), ("wall-with-window", "large"), ("arch-tilted", "large")],
+)
+def test_a_scene_that_is_written_out_has_the_contact_points_of_the_one_that_ran(name, displacements, tmp_path):
+    """Results are resumed, and run again, from the scene.toml that stands in them."""
+    scene = load(name, {"displacements": displacements})
+    (tmp_path / "scene.toml").write_text(to_toml(scene), encoding="utf-8")
+    again = load(tmp_path / "scene.toml")
+    kept = ("contact_points", "points_per_edge", "must_stand", "grows", "turns_back", "is_controlled")
+    assert [getattr(again, key) for key in kept] == [getattr(scene, key) for key in kept]
+    assert load("couplet").with_(displacements="large").points_per_edge == (4, 4, 4)
+    assert scene.points_per_edge == 3 * (4 if displacements == "large" and scene.contact_points == "vertex" else 2,)
