@@ -71,7 +71,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
     driven = has_drive(summary)
     return [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
-        *([("load factor", factor_text(found))] if (found := summary.get("collapse_load")) else []),
+        *([("load factor", factor_text(summary))] if (found := summary.get("collapse_load")) else []),
         *([("past the collapse", [branch_text(led)])] if found and (led := found.get("branch")) else []),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *([("tilt of gravity", [tilt_text(summary["tilt_rad"], " at the end")])] if "tilt_rad" in summary else []),
@@ -159,12 +159,14 @@ def collapse_text(fallen: dict[str, Any]) -> str:
     return f"{what}; the fall began after {began['time_s']:.4g} s{drive}{tilt}"
 
 
-def factor_text(found: dict[str, Any]) -> list[str]:
+def factor_text(summary: dict[str, Any]) -> list[str]:
     """The factor at which the load that grows is borne no more, and who moves then."""
+    found = summary["collapse_load"]
     borne, falls, tilts = found["borne"], found["falls"], found["pattern"] == "tilt"
     angle = f", at {degrees(atan(borne)):.4g} deg" if tilts else ""
     if falls is None:
-        return [f"{borne:.6g} is borne{angle}: the load ends here (limit.up_to), and nothing has fallen"]
+        ends = "the run was interrupted here" if summary["interrupted"] else "the load ends here (limit.up_to)"
+        return [f"{borne:.6g} is borne{angle}: {ends}, and nothing has fallen"]
     sets, moving = ", ".join(found["sets"]), found["moving"]
     return [
         f"{borne:.6g} is borne{angle}, {falls:.6g} is not; found in {found['trials']} trials, to "

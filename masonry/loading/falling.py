@@ -21,6 +21,7 @@ from masonry.model.gauges import Gauge
 from masonry.model.loads import Growing
 from masonry.model.model import Model
 from masonry.monitors import energy
+from masonry.monitors.stability import smallest_block
 from masonry.runtime.state import State, attributes, load_attributes
 
 REMEMBERED = (
@@ -32,8 +33,9 @@ UNTIL, ZERO, MOST, AWAY, TURNED, LATE = "until", "zero", "up_to", "runs away", "
 """How a branch ends: the gauge is where it was to be led to; the factor is 0; or the greatest that the scene allows;
 the gauge runs away although nothing pushes; a block has turned further than small displacement allows; it takes too
 long."""
-STAYS, OTHER_DIRECTION, NOTHING = "stays", "other way", "nothing"
-"""Why there is none: the collapse hardly moves the gauge, or moves it the other way; nothing resists the load."""
+STAYS, OTHER_DIRECTION, NOTHING, PASSED = "stays", "other way", "nothing", "passed"
+"""Why there is none: the collapse hardly moves the gauge, or moves it the other way; nothing resists the load; at the
+last rest the gauge reads more than that to which it is to be led."""
 
 
 class Falling:
@@ -50,6 +52,7 @@ class Falling:
         assert plan.control is not None
         self.model, self.plan, self.gauge, self.settings = model, plan, gauge, settings
         self.until, self.ends, self.due = plan.control.until, "", False
+        self.size = max(float(np.ptp(model.layout.centroid, axis=0).max()), smallest_block(model))
         self.sense = self.start = self.gain = self.rate = self.swing = self.scale = 0.0
         self.look, self.most_steps, self.steps, self.rows, self.leaps = settings.longest, 0, 0, 0, 0
         self.travel = self.speed = self.target = self.pace = 0.0
@@ -72,6 +75,11 @@ class Falling:
     def far(self) -> float:
         """m, from where the gauge stood at the last rest to where it is led."""
         return abs(self.until - self.start)
+
+    @property
+    def span(self) -> float:
+        """m, the same, but no more than the specimen is large: what rows and the servo are measured by."""
+        return min(self.far, self.size)
 
     @property
     def aim(self) -> float:
@@ -110,6 +118,8 @@ class Falling:
         self.gain = moves * self.pushed(mechanism, stands) / max(self.inertia(mechanism), 1e-300)
         if stands <= 0.0:
             self.ends = NOTHING
+        elif self.start / self.until >= 1.0:
+            self.ends = PASSED
         elif abs(moves) <= self.settings.moves * far:
             self.ends = STAYS
         elif self.gain <= 0.0:
@@ -122,13 +132,13 @@ class Falling:
         """How quick the servo is: beside the fall as quick as it may be, but slow beside the swings of the specimen."""
         settings, dt = self.settings, self.model.dt
         self.scale, self.balance, self.factor, self.earlier = falls, stands, stands, stands
-        fall = sqrt(self.gain * falls / self.far)
+        fall = sqrt(self.gain * falls / self.span)
         self.swing = max(self.swing, fall)
         rate = min(settings.quick * fall, settings.slow * self.swing)
         often = min(settings.sampled / rate, settings.braked / self.swing)
         self.look = int(np.clip(often / dt, settings.shortest, settings.longest))
         self.rate = min(rate, settings.sampled / (self.look * dt))
-        self.most_steps = int(settings.patience * sqrt(2.0 / self.aim) / (fall * dt))
+        self.most_steps = int(settings.patience * sqrt(2.0 * self.far / (self.aim * self.span)) / (fall * dt))
         self.drift = Drift(mechanism, exp(-settings.memory * self.rate * self.look * dt))
 
     def feel(self, before: list[np.ndarray]) -> None:
@@ -165,7 +175,7 @@ class Falling:
             self.works, self.lost = works, lost
         self.work += float(slope @ (works - self.works)[-len(slope) :])
         self.works = works
-        row = int(self.travel / self.far * self.settings.rows)
+        row = int(self.travel / self.span * self.settings.rows)
         self.due = row > self.rows
         if self.due:
             self.off = (lost - self.lost) / max(abs(self.work) * self.scale, 1e-300)
@@ -177,8 +187,8 @@ class Falling:
     def steer(self, rises: float, passed: float) -> None:
         """The factor at the end of the next look. `rises`: how much faster the gauge became (m/s2), by which the factor
         was more than equilibrium needs. Where the specimen leaps ahead, the path goes on from there."""
-        settings, row = self.settings, self.far / self.settings.rows
-        most = min(self.aim * self.scale * self.gain, 2.0 * self.far * (self.rate / settings.least) ** 2)
+        settings, row = self.settings, self.span / self.settings.rows
+        most = min(self.aim * self.scale * self.gain, 2.0 * self.span * (self.rate / settings.least) ** 2)
         faster = most * float(np.clip(settings.rough - abs(self.off) / self.aim, -1.0, 1.0))
         self.pace = max(self.pace + faster * passed, min(self.pace, sqrt(most * row)))
         self.target += self.pace * passed

@@ -131,7 +131,7 @@ class FallingSettings:
                steadily, the gauge would else run ahead by as much as the servo is late
     runs       times the pace: a gauge that is faster leaps where it is ahead, and runs away where the factor is 0
     patience   times the steps that a branch takes where all goes well, after which it is given up
-    rows       of the whole branch
+    rows       of the whole branch, or, where the gauge is led further, of as far as the specimen is large
     """
 
     aim: float = 0.5

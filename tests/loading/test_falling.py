@@ -76,6 +76,7 @@ def test_a_block_that_turns_too_far_for_small_displacement_ends_the_branch():
         (lambda: led("-1 mm"), "other way", "moves gauge 'sway' away from limit.until"),
         (lambda: led("1 mm", direction="y"), "stays", "hardly moves gauge 'sway'"),
         (lambda: led("1 mm", friction=0.0), "nothing", "nothing resists it"),
+        (lambda: led("1e-4 mm"), "passed", "beyond limit.until"),
     ],
 )
 def test_a_gauge_that_cannot_be_led_leaves_the_collapse_as_it_is_and_says_why(scene, ends, words):
