@@ -4,7 +4,7 @@ import numpy as np
 
 from geometry.polyhedra.box_pairs import overlapping_boxes
 from masonry.assembly.assemble import Assembly
-from masonry.loading.settings import SETTINGS
+from masonry.loading.settings import FALLING, GROWING, SETTINGS
 from masonry.model.large.meeting import Large
 from masonry.model.loads import Controlled, Growing
 
@@ -18,10 +18,12 @@ LEG, WIDER = 3000, 200.0
 far on one side as the farthest place of all."""
 TRIALS, FEWEST_OF_TRIAL, ROWS_OF_GROWTH = 30, 2000, 150
 """Of a load that grows until it falls: trials, the steps of one at least, and rows."""
-STEPS_OF_BRANCH, ROWS_OF_BRANCH = 50_000, 200
-"""Of a gauge that is led on behind the collapse: from 1,000 steps to 300,000 in single cases."""
+STEPS_OF_BRANCH, ROWS_OF_BRANCH = 150_000, 200
+"""Of a gauge that is led on behind the collapse: from 3,000 steps to a million in single cases."""
 NANOSECONDS = {"contact": 13.0, "side": 4.0, "block": 60.0, "tet": 20.0, "node": 30.0, "step": 2000.0}
 """Rough cost of each part of a step on one 2.5 GHz core; `masonry check` says "about"."""
+LOOK = 3e5
+"""A look at a specimen whose load grows."""
 ROW, ROW_OF_CONTACT = 2.5e5, 400.0
 """The same for a row of the curve, and for each contact in it."""
 
@@ -30,8 +32,7 @@ def expected_steps(assembly: Assembly) -> int:
     """All steps of a fixed program; about how many there will be of a drive that is paced by its error."""
     plan = assembly.plan
     if isinstance(plan, Growing):
-        branch = 0 if plan.control is None else STEPS_OF_BRANCH
-        return plan.settle + TRIALS * max(plan.settle // 2, FEWEST_OF_TRIAL) + branch
+        return plan.settle + TRIALS * max(plan.settle // 2, FEWEST_OF_TRIAL) + _of_branch(plan)
     return plan.settle + round(_paced(assembly, plan)) if isinstance(plan, Controlled) else plan.steps
 
 
@@ -43,7 +44,11 @@ def expected_seconds(assembly: Assembly) -> float:
     blocks = len(m.layout.members["rigid"]) + 2 * len(m.layout.members["affine"])
     each = {"contact": len(m.group), "side": 2 * len(m.group), "block": blocks, "tet": tets, "node": nodes, "step": 1}
     step = sum(NANOSECONDS[key] * count for key, count in each.items())
-    return 1e-9 * (steps * step + expected_rows(assembly) * (ROW + ROW_OF_CONTACT * len(m.group)))
+    looks = 0.0
+    if isinstance(assembly.plan, Growing):
+        behind = _of_branch(assembly.plan)
+        looks = (steps - behind) / GROWING.look + behind / FALLING.longest
+    return 1e-9 * (steps * step + LOOK * looks + expected_rows(assembly) * (ROW + ROW_OF_CONTACT * len(m.group)))
 
 
 def candidates(large: Large) -> int:
@@ -72,6 +77,11 @@ def expected_rows(assembly: Assembly) -> int:
     return settling + round(
         _paced(assembly, plan) / (SETTINGS.few_steps if drive_prescribes_all(assembly) else SETTINGS.steps)
     )
+
+
+def _of_branch(plan: Growing) -> int:
+    """Steps behind the collapse."""
+    return 0 if plan.control is None else STEPS_OF_BRANCH
 
 
 def _paced(assembly: Assembly, plan: Controlled) -> float:

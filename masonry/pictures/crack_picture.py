@@ -23,6 +23,8 @@ VISIBLE = 0.04
 CLOSED = 0.0025
 """What joints give way elastically is drawn as at most this share of it, about the width of a line: else strain looks
 like cracks where it opens, and like a layer between the units where it closes."""
+LITTLE = 4.0
+"""How many times larger displacements are drawn at least, if they are: a hundredth of the size shows as it is."""
 KEY_WIDTH = 2.0
 """Inches of an entry of the legend."""
 Drawing = FlatDrawing | SolidDrawing
@@ -44,9 +46,11 @@ def frames_to_draw(result: "ResultData") -> list[tuple[str, Frame]]:
 
 def magnification(frame: Frame, size: float) -> float:
     """How many times displacements are drawn, to two digits, so that the largest shows and joints that are whole look
-    closed; never less than once, so that blocks that fell lie where they fell, and 1 where nothing moves."""
+    closed; 1 in place of less than LITTLE, so that blocks that fell lie where they fell, and what turned keeps its
+    shape, and where nothing moves."""
     largest = max(largest_move(frame), VISIBLE / CLOSED * elastic_move(frame))
-    return max(float(f"{VISIBLE * size / largest:.2g}"), 1.0) if largest > 1e-12 * size else 1.0
+    larger = float(f"{VISIBLE * size / largest:.2g}") if largest > 1e-12 * size else 1.0
+    return larger if larger >= LITTLE else 1.0
 
 
 def elastic_move(frame: Frame) -> float:
