@@ -48,7 +48,8 @@ def plan_of(scene: Scene, dt: float) -> Plan:
         control = None
         if scene.limit.control is not None and scene.limit.until is not None:
             control = Control(scene.limit.control, scene.limit.until)
-        growing = Growing(dead_load, scene.limit.accuracy, most, tilts, control=control)
+        reversals = scene.limit.history or ()
+        growing = Growing(dead_load, scene.limit.accuracy, most, tilts, control=control, reversals=reversals)
         return replace(growing, **in_layers(scene, growing))
     plan = _loading(scene, dt)
     plan = replace(plan, **in_layers(scene, plan))

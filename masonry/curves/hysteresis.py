@@ -1,13 +1,14 @@
-"""curve.png of a drive that turns back: the loops with their cycles told apart, the ledger, and each cycle's energy."""
+"""curve.png of a drive or a load that turns back: loops with their cycles told apart, ledger, each cycle's energy."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from masonry.curves.curve_axes import CurveAxes, curve_axes
+from masonry.curves.curve_axes import curve_axes
 from masonry.curves.ledger import LEDGER, draw_ledger
+from masonry.history import FACTOR
 from masonry.loading.cycles import bounds
-from masonry.pictures.style import MILLI, heading, tidy
+from masonry.pictures.style import MILLI, heading, plain, tidy
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -19,47 +20,72 @@ ROOM = 1.25
 """Height of the axes of the bars over the tallest one: two lines of words stand on it."""
 
 
+class Loops(NamedTuple):
+    """Values, one a row: what turns back, what it is drawn against, and upwards; with their labels, that of the way
+    to and fro, and the size of a unit of what turns back there."""
+
+    turning: np.ndarray
+    across: np.ndarray
+    up: np.ndarray
+    x: str
+    y: str
+    way: str
+    unit: float
+
+
+def loops_of(result: "ResultData") -> Loops:
+    """The loops of the drive; of a load that goes to and fro, those of its factor over a gauge."""
+    rows, grown = result.history.rows, result.summary.get("collapse_load") or {}
+    if "loops" in grown:
+        gauge, factor = grown["loops"]["gauge"], rows[FACTOR]
+        x, way = plain(f"{gauge} [mm]"), "way of the load factor, to and fro [1]"
+        return Loops(factor, MILLI * rows[gauge], factor, x, "load factor [1]", way, 1.0)
+    drawn = curve_axes(result)
+    y, way = f"{drawn.name} at the drive [{drawn.unit}]", "way of the drive, back and forth [mm]"
+    return Loops(rows["displacement"], drawn.across, rows["stress"] * drawn.factor, drawn.label, y, way, MILLI)
+
+
 def hysteresis_figure(result: "ResultData") -> Any:
-    """A figure of 1200 x 1080 pixels at 120 dpi: loops on top; ledger over the drive's way, and bars, below; their key
-    under both."""
+    """A figure of 1200 x 1080 pixels at 120 dpi: loops on top; ledger over the way to and fro, and bars, below; their
+    key under both."""
     from masonry.pictures.figure import ShownFigure
 
     figure = ShownFigure(figsize=(10, 9), layout="constrained")
     loops, ledger, bars = figure.subplot_mosaic([["loops", "loops"], ["ledger", "bars"]], height_ratios=[3, 2]).values()
     heading(figure, result)
-    rows, drawn = result.history.rows, curve_axes(result)
+    rows, drawn = result.history.rows, loops_of(result)
     for axes in (loops, ledger, bars):
         tidy(axes)
-    _draw_loops(loops, rows, drawn)
-    path = MILLI * np.concatenate([[0.0], np.cumsum(np.abs(np.diff(rows["displacement"])))])
+    _draw_loops(loops, drawn)
+    path = drawn.unit * np.concatenate([[0.0], np.cumsum(np.abs(np.diff(drawn.turning)))])
     draw_ledger(ledger, rows, path)
-    ledger.set_xlabel("way of the drive, back and forth [mm]")
+    ledger.set_xlabel(drawn.way)
     ledger.set_ylabel("energy [J]")
     figure.legend(*ledger.get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False, fontsize=9)
     _draw_bars(bars, result.summary["cycles"])
     return figure
 
 
-def _draw_loops(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes) -> None:
-    """Each cycle in a colour of its own, from light to dark; dots where the drive turns."""
+def _draw_loops(axes: Any, drawn: Loops) -> None:
+    """Each cycle in a colour of its own, from light to dark; dots at the turns."""
     from matplotlib import colormaps
 
-    ends = np.array(bounds(rows["displacement"]))
-    stress, count = rows["stress"] * drawn.factor, len(ends) - 1
+    ends = np.array(bounds(drawn.turning))
+    count = len(ends) - 1
     shown = set(np.linspace(0, count - 1, min(count, NAMED)).round().astype(int))
     for k in range(count):
         part = slice(int(np.floor(ends[k])), int(np.ceil(ends[k + 1])) + 1)
         colour = colormaps["viridis_r"](0.15 + 0.85 * (k + 1) / count)
         label = f"cycle {k + 1}" if k in shown else None
-        axes.plot(drawn.across[part], stress[part], color=colour, linewidth=1.6, label=label)
-    direction = np.sign(np.diff(rows["displacement"]))
+        axes.plot(drawn.across[part], drawn.up[part], color=colour, linewidth=1.6, label=label)
+    direction = np.sign(np.diff(drawn.turning))
     moving = np.flatnonzero(direction)
     reversals = moving[1:][direction[moving[1:]] != direction[moving[:-1]]]
-    axes.plot(drawn.across[reversals], stress[reversals], "o", color="#b2182b", markersize=4, label="turn")
+    axes.plot(drawn.across[reversals], drawn.up[reversals], "o", color="#b2182b", markersize=4, label="turn")
     axes.axhline(0.0, color="0.6", linewidth=0.8)
     axes.axvline(0.0, color="0.6", linewidth=0.8)
-    axes.set_xlabel(drawn.label)
-    axes.set_ylabel(f"{drawn.name} at the drive [{drawn.unit}]")
+    axes.set_xlabel(drawn.x)
+    axes.set_ylabel(drawn.y)
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
 
 

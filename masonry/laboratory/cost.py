@@ -16,8 +16,8 @@ the paper, with rigid blocks and others, at 0.1 to 5 %: from 0.4 times as many t
 LEG, WIDER = 3000, 200.0
 """Steps of each leg of a drive that turns back; and over the accuracy, for coming to places where it has not been, as
 far on one side as the farthest place of all."""
-TRIALS, FEWEST_OF_TRIAL, ROWS_OF_GROWTH = 30, 2000, 150
-"""Of a load that grows until it falls: trials, the steps of one at least, and rows."""
+TRIALS, FEWEST_OF_TRIAL, ROWS_OF_TRIAL = 30, 2000, 5
+"""Of a load that grows until it falls: trials, the steps of one at least, and rows of one, with the fall's."""
 STEPS_OF_BRANCH, ROWS_OF_BRANCH = 150_000, 200
 """Of a gauge that is led on behind the collapse: from 3,000 steps to a million in single cases."""
 NANOSECONDS = {"contact": 13.0, "side": 4.0, "block": 60.0, "tet": 20.0, "node": 30.0, "step": 2000.0}
@@ -32,7 +32,7 @@ def expected_steps(assembly: Assembly) -> int:
     """All steps of a fixed program; about how many there will be of a drive that is paced by its error."""
     plan = assembly.plan
     if isinstance(plan, Growing):
-        return plan.settle + TRIALS * max(plan.settle // 2, FEWEST_OF_TRIAL) + _of_branch(plan)
+        return plan.settle + _trials(plan) * max(plan.settle // 2, FEWEST_OF_TRIAL) + _of_branch(plan)
     return plan.settle + round(_paced(assembly, plan)) if isinstance(plan, Controlled) else plan.steps
 
 
@@ -70,13 +70,21 @@ def expected_rows(assembly: Assembly) -> int:
     """Rows of the curve: to an accuracy, each increment writes one."""
     plan, rows = assembly.plan, assembly.recording.rows
     if isinstance(plan, Growing):
-        return ROWS_OF_GROWTH + (0 if plan.control is None else ROWS_OF_BRANCH)
+        return ROWS_OF_TRIAL * _trials(plan) + (0 if plan.control is None else ROWS_OF_BRANCH)
     if not isinstance(plan, Controlled):
         return min(rows, plan.steps) + len(plan.marks)
     settling = min(max(1, rows // SETTINGS.settling_rows), plan.settle)
     return settling + round(
         _paced(assembly, plan) / (SETTINGS.few_steps if drive_prescribes_all(assembly) else SETTINGS.steps)
     )
+
+
+def _trials(plan: Growing) -> int:
+    """Trials of a load that grows until it falls, or the increments of one that goes to and fro."""
+    if not plan.reversals:
+        return TRIALS
+    way = sum(leg.length for leg in plan.legs)
+    return round(way / (min(GROWING.of_span * plan.accuracy, GROWING.widest) * plan.span))
 
 
 def _of_branch(plan: Growing) -> int:

@@ -104,7 +104,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "peak_force_n": outcome.peak_force,
         "lowest_stress_pa": lowest,
         "displacement_at_lowest_m": outcome.displacement_at_lowest,
-        "cycles": table(rows, observed["widest"]),
+        "cycles": table(rows, observed["widest"], scene.loops_over),
         **({"tilt_rad": float(rows[TILT][-1])} if TILT in rows else {}),
         "gauges": _readings(assembly, outcome),
         "reactions": _reactions(assembly, outcome),
@@ -197,8 +197,14 @@ def _collapse_load(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
             "sets": sorted(name for name, members in sets.items() if first in members),
             "moved": moved.tolist(),
             **({} if (led := outcome.found["branch"]) is None else {"branch": _branch(led, outcome.history.rows)}),
+            **({} if limit.history is None else {"loops": _loops(assembly.scene, limit.history, control)}),
         }
     }
+
+
+def _loops(scene: Scene, history: tuple[float, ...], control: dict[str, Any]) -> dict[str, Any]:
+    """The way of a load that goes to and fro, and on which leg of it the run ended."""
+    return {"gauge": scene.loops_over, "history": list(history), "leg": control["leg"]}
 
 
 def _branch(led: dict[str, Any], rows: dict[str, np.ndarray]) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from masonry.results.trust import BELOW_0, has_drive, percent, trust
 from masonry.runtime.progress import duration
 from masonry.runtime.tables import Rows, aligned, html_table
 
-FEW_CYCLES = 6
+FEW = 6
 TOLD = 0.1
 """Share of the work of the drive from which on the work of a dead load is printed."""
 
@@ -135,9 +135,9 @@ def stress_text(summary: dict[str, Any], key: str) -> str:
 
 def cycles_text(cycles: list[dict[str, Any]]) -> str:
     """How many cycles there were, what they dissipated, and what is left of the stiffness; the first few in figures."""
-    dissipated = ", ".join(f"{cycle['dissipated_j']:.3g}" for cycle in cycles[:FEW_CYCLES])
-    more = ", ..." if len(cycles) > FEW_CYCLES else ""
-    first, last = (cycles[k]["stiffness_pa_per_m"] for k in (0, -1))
+    dissipated = ", ".join(f"{cycle['dissipated_j']:.3g}" for cycle in cycles[:FEW])
+    more = ", ..." if len(cycles) > FEW else ""
+    first, last = (cycles[k].get("stiffness_pa_per_m") for k in (0, -1))
     left = f"; stiffness of the last over the first: {last / first:.2g}" if first and last and len(cycles) > 1 else ""
     return f"{len(cycles)}, dissipating {dissipated}{more} J{left}"
 
@@ -164,16 +164,28 @@ def factor_text(summary: dict[str, Any]) -> list[str]:
     found = summary["collapse_load"]
     borne, falls, tilts = found["borne"], found["falls"], found["pattern"] == "tilt"
     angle = f", at {degrees(atan(borne)):.4g} deg" if tilts else ""
+    loops = found.get("loops")
+    leg = leg_text(loops) if loops else ""
+    if falls is None and loops and not summary["interrupted"]:
+        points = [f"{factor:g}" for factor in loops["history"]]
+        return [f"borne on all of its way, through {', '.join(points[:FEW])}{', ...' * (len(points) > FEW)}"]
     if falls is None:
         ends = "the run was interrupted here" if summary["interrupted"] else "the load ends here (limit.up_to)"
-        return [f"{borne:.6g} is borne{angle}: {ends}, and nothing has fallen"]
+        return [f"{borne:.6g} is borne{leg}{angle}: {ends}, and nothing has fallen"]
     sets, moving = ", ".join(found["sets"]), found["moving"]
     return [
-        f"{borne:.6g} is borne{angle}, {falls:.6g} is not; found in {found['trials']} trials, to "
+        f"{borne:.6g} is borne{leg}{angle}, {falls:.6g} is not; found in {found['trials']} trials, to "
         f"{percent(found['accuracy'])}",
         f"{moving} of {len(found['moved'])} blocks move; block {found['first']}"
         + (f" of '{sets}' moves most" if sets else " moves most"),
     ]
+
+
+def leg_text(loops: dict[str, Any]) -> str:
+    """On which leg of a load that goes to and fro the run ended."""
+    history, leg = loops["history"], loops["leg"]
+    start = history[leg - 2] if leg > 1 else 0.0
+    return f" on leg {leg} of {len(history)}, from {start:g} to {history[leg - 1]:g}"
 
 
 def branch_text(led: dict[str, Any]) -> str:

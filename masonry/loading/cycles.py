@@ -1,11 +1,13 @@
-"""Cycles of a drive that turns back: where each begins and ends, and what it dissipated, bore and left open."""
+"""Cycles of a drive or a load that turns back: where each begins and ends, what it dissipated, bore and left open."""
 
 from typing import Any
 
 import numpy as np
 
+from masonry.history import FACTOR
+
 HOME = 1e-9
-"""Fraction of the farthest travel within which the drive counts as back at its start."""
+"""Fraction of the farthest travel within which the drive, or the factor of a load, counts as back at its start."""
 TOUCH = 1e-4
 """The same for a place where the drive turns or ends: a step may just miss the start there."""
 AT_PEAK = 1e-3
@@ -35,13 +37,14 @@ def bounds(place: np.ndarray) -> list[float]:
     return [float(out[0]), *map(float, crossings), float(len(place) - 1)]
 
 
-def table(rows: dict[str, np.ndarray], widest: np.ndarray) -> list[dict[str, Any]]:
-    """One entry a cycle, in SI; widest (n,) m, the widest opening at each row. Empty where the drive never turns back.
+def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = None) -> list[dict[str, Any]]:
+    """One entry a cycle, in SI; widest (n,) m, the widest opening at each row. Empty where nothing turns back.
 
+    Of the drive, or, where a load goes to and fro, of its factor, whose loops are those over a gauge, by its name.
     Energies are differences between the cycle's ends (between rows in proportion), the rest is of its rows.
     What dead loads do while they settle is in no cycle.
     """
-    place, stress = rows["displacement"], rows["stress"]
+    place = rows["displacement" if gauge is None else FACTOR]
     if only_rises(place) or only_rises(-place):
         return []
     ends = bounds(place)
@@ -49,24 +52,51 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray) -> list[dict[str, Any
     for begin, end in zip(ends[:-1], ends[1:], strict=True):
         inner = slice(int(np.ceil(begin)), int(np.floor(end)) + 1)
         dissipated = {key: _between(rows[key], begin, end) for key in DISSIPATED}
-        far, near_end = (pick(place[inner]) + inner.start for pick in (np.argmax, np.argmin))
-        travel = float(place[far] - place[near_end])
         found.append(
             {
                 "closed": bool(end < len(place) - 1 or _touching(place)[-1] == 0.0),
                 "dissipated_j": sum(dissipated.values()),
                 **{f"{key}_j": value for key, value in dissipated.items()},
                 "external_work_j": _between(rows["external_work"], begin, end),
-                "highest_stress_pa": float(stress[inner].max()),
-                "lowest_stress_pa": float(stress[inner].min()),
-                "farthest_m": float(place[far]),
-                "farthest_back_m": float(place[near_end]),
-                "stiffness_pa_per_m": float(stress[far] - stress[near_end]) / travel if travel > 0.0 else None,
+                **(
+                    _of_drive(place[inner], rows["stress"][inner])
+                    if gauge is None
+                    else _of_load(place[inner], rows[gauge][inner], _at(rows[gauge], end))
+                ),
                 "widest_opening_m": float(widest[inner].max()),
-                "opening_left_m": float(np.interp(end, np.arange(len(widest)), widest)),
+                "opening_left_m": _at(widest, end),
             }
         )
     return found
+
+
+def _of_drive(place: np.ndarray, stress: np.ndarray) -> dict[str, float | None]:
+    """What the drive met in the rows of a cycle."""
+    far, near = int(np.argmax(place)), int(np.argmin(place))
+    return {
+        "highest_stress_pa": float(stress.max()),
+        "lowest_stress_pa": float(stress.min()),
+        "farthest_m": float(place[far]),
+        "farthest_back_m": float(place[near]),
+        "stiffness_pa_per_m": _slope(stress[far] - stress[near], place[far] - place[near]),
+    }
+
+
+def _of_load(factor: np.ndarray, reading: np.ndarray, left: float) -> dict[str, float | None]:
+    """How a gauge read in the rows of a cycle of a load, and what is left of that at its end."""
+    most, least = int(np.argmax(factor)), int(np.argmin(factor))
+    return {
+        "highest_factor": float(factor[most]),
+        "lowest_factor": float(factor[least]),
+        "farthest_m": float(reading.max()),
+        "farthest_back_m": float(reading.min()),
+        "left_m": left,
+        "stiffness_per_m": _slope(factor[most] - factor[least], reading[most] - reading[least]),
+    }
+
+
+def _slope(rise: float, run: float) -> float | None:
+    return float(rise / run) if run != 0.0 else None
 
 
 def _touching(place: np.ndarray) -> np.ndarray:
@@ -84,8 +114,12 @@ def _touching(place: np.ndarray) -> np.ndarray:
 
 def _between(values: np.ndarray, begin: float, end: float) -> float:
     """By how much values grow between two rows, with fractions."""
-    at = np.interp([begin, end], np.arange(len(values)), values)
-    return float(at[1] - at[0])
+    return _at(values, end) - _at(values, begin)
+
+
+def _at(values: np.ndarray, row: float) -> float:
+    """A value at a row with a fraction."""
+    return float(np.interp(row, np.arange(len(values)), values))
 
 
 def peak_row(rows: dict[str, np.ndarray]) -> int:

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from masonry.loading.drift import Drift
-from masonry.loading.moved import Arrays, dofs, kept_dofs, reach
+from masonry.loading.moves.drift import Drift
+from masonry.loading.moves.moved import Arrays, dofs, kept_dofs, reach
 from masonry.loading.settings import FALLING, FallingSettings
 from masonry.loading.varying_loads import works_of
 from masonry.model.gauges import Gauge

@@ -2,18 +2,20 @@
 
 Each trial raises the factor from one at which the specimen rests, and waits. Where it comes to rest again, the factor
 is borne. Where it accelerates, the model goes back to where it rested, and the next trial raises the factor by half as
-much. So the collapse factor is enclosed in one run, between the greatest that was borne and the least that was not.
-Where the scene names a gauge, that is then led on behind the collapse (falling.py).
+much. So the collapse factor is enclosed in one run (enclosing.py), between the greatest that was borne and the least
+that was not. Where the scene names a gauge, that is then led on behind the collapse (falling.py). A load that goes to
+and fro is borne at each of its turning points, or ends where nothing balances it before.
 """
 
 from collections.abc import Callable
-from math import inf, log
 
 import numpy as np
 
 from masonry.history import FACTOR, OFF_BALANCE
+from masonry.loading.enclosing import Enclosing
 from masonry.loading.falling import Falling
-from masonry.loading.moved import places, reach, shares_of_blocks
+from masonry.loading.gathering import Gathering
+from masonry.loading.moves.moved import places, reach, shares_of_blocks
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.loading.settings import GROWING, GrowingSettings
 from masonry.loading.varying_loads import SharedLoads
@@ -30,21 +32,16 @@ Arrays = dict[str, np.ndarray]
 
 
 REMEMBERED = (
-    *("phase", "factor", "target", "stands", "falls", "increment", "travels", "means", "calm", "slowest", "trials"),
-    *("undecided", "looked", "travelled", "usual", "steps_of_trial", "falls_by_turning", "swayed"),
+    *("phase", "factor", "calm", "slowest", "undecided", "looked", "travelled", "usual"),
+    *("steps_of_trial", "falls_by_turning", "swayed"),
 )
-LEAST = 1e-9
-"""A factor that is nothing, where there is no other load to compare with."""
 SETTLES, RISES, WAITS, SHOWS, DROPS, LEADS, OVER = "settles", "rises", "waits", "shows", "drops", "leads", "over"
 """Phases: dead loads settle; the factor rises; a trial is watched; its rest is shown; the fall is followed, or a gauge
 is led on; the end."""
 
 
 class GrowingLoading:
-    """The chunks of a run whose load grows.
-
-    stands  the greatest factor at which the specimen came to rest     falls  the least at which it did not; inf if none
-    """
+    """The chunks of a run whose load grows."""
 
     events = None
 
@@ -68,16 +65,13 @@ class GrowingLoading:
         self.settling = ScheduledLoading(model, still, max(1, rows // 10))
         self.loads = SharedLoads(model, layers)
         self.size = smallest_block(model)
-        self.least = max(settings.at_rest * plan.accuracy * self.loads.rest_over_each(), LEAST)
+        least = settings.at_rest * plan.accuracy * self.loads.rest_over_each()
+        self.enclosing, self.gathering = Enclosing(plan, least, settings), Gathering(settings)
         self.fall = self.size * (settings.fall if model.large is None else settings.far)
-        self.phase, self.factor, self.target, self.stands = SETTLES, 0.0, 0.0, 0.0
-        self.falls, self.increment = inf, min(settings.first, plan.most)
+        self.phase, self.factor = SETTLES, 0.0
         self.rested: Arrays = {}
         self.places = [np.zeros(place.shape) for place in places(model, self.size)]
-        self.travels: list[float] = []
-        self.means: list[float] = []
-        self.calm = self.trials = self.undecided = self.looked = 0
-        self.steps_of_trial = self.slowest = 0
+        self.calm = self.undecided = self.looked = self.steps_of_trial = self.slowest = 0
         self.travelled = self.usual = self.swayed = 0.0
         self.turned = self.falls_by_turning = False
         self.branch = None if gauge is None else Falling(model, plan, gauge)
@@ -105,7 +99,7 @@ class GrowingLoading:
         if self.phase == LEADS and self.branch is not None:
             return self.passing(self.branch.factor, self.branch.look, self.branch.row_due)
         if self.phase == RISES:
-            return self.passing(self.target, self.window * self.settings.look)
+            return self.passing(self.enclosing.tried, self.window * self.settings.look)
         return self.passing(self.factor, self.settings.look, self.phase in (SHOWS, DROPS))
 
     @property
@@ -128,9 +122,9 @@ class GrowingLoading:
 
     def begin(self) -> None:
         """Set out for a higher factor."""
-        self.target = min(self.stands + self.increment, self.plan.most)
-        self.phase, self.travels, self.means, self.calm, self.steps_of_trial = RISES, [], [], 0, 0
-        self.trials += 1
+        self.enclosing.begin()
+        self.gathering.begin()
+        self.phase, self.calm, self.steps_of_trial = RISES, 0, 0
 
     def farthest(self) -> float:
         """m, how far anything has moved since the last rest."""
@@ -189,64 +183,43 @@ class GrowingLoading:
         loose = unbalanced(self.model, before) > self.settings.at_rest * self.plan.accuracy
         rests = not loose and kinetic <= self.settings.still * stored
         self.calm = self.calm + 1 if rests else 0
-        self.travels.append(self.travelled)
         if self.calm >= self.settings.looks:
             self.bear()
-        elif self.travelled > self.away or self.accelerates():
+        elif self.travelled > self.away or self.gathering.goes_on(self.travelled, self.window):
             self.fail()
-        elif len(self.means) >= self.settings.patience:
+        elif self.gathering.too_long:
             self.undecided += 1
             self.fail()
-
-    def accelerates(self) -> bool:
-        """Whether the specimen moves on as fast as before. Motion towards a rest decays, and swings average out."""
-        if len(self.travels) < self.window:
-            return False
-        self.means, self.travels = [*self.means, float(np.mean(self.travels))], []
-        third, odd = divmod(len(self.means), 3)
-        if odd or len(self.means) < self.settings.gathers:
-            return False
-        first, second, last = (self.means[k * third - 1] for k in (1, 2, 3))
-        return last - second >= max(second - first, self.settings.still_going * last)
 
     def bear(self) -> None:
         """The factor is borne: a row shows it, and the next trial goes on from here."""
         if self.branch is not None:
-            self.branch.learn(self.rested, self.factor - self.stands)
-        self.stands, self.slowest = self.factor, max(self.slowest, self.steps_of_trial)
+            self.branch.learn(self.rested, self.enclosing.target - self.enclosing.stands)
+        self.enclosing.bear()
+        self.slowest = max(self.slowest, self.steps_of_trial)
         self.usual = max(self.usual, self.travelled)
         self.swayed = max(map(reach, places(self.model, self.size)))
-        if self.stands >= self.falls:  # what was taken for a fall is borne after all, coming from nearer
-            self.falls, self.increment = inf, 0.5 * self.plan.accuracy * self.stands
-        if self.falls == inf:
-            self.increment = min(2.0 * self.increment, max(self.settings.first, self.settings.coarsest * self.stands))
         self.keep()
         self.phase = SHOWS
 
     def go_on(self) -> None:
         """The next trial, after a rest; where the factor is known, the one that follows the fall."""
-        if self.stands >= self.plan.most:
+        if self.enclosing.go_on():
+            self.begin()
+        else:
             self.phase = OVER
-            return
-        if self.falls < inf:
-            self.increment = (self.falls - self.stands) * (1.0 if self.found else 0.5)
-        self.begin()
-
-    @property
-    def found(self) -> bool:
-        """Whether the factor is enclosed as narrowly as was asked for."""
-        return self.falls - self.stands <= max(self.plan.accuracy * self.falls, self.least)
 
     def fail(self, turning: bool = False) -> None:
         """The factor is not borne: go back to where the specimen rested, or follow the fall from here."""
-        if self.factor <= self.falls:
-            self.falls, self.falls_by_turning = self.factor, turning
-        if self.found and (self.branch is None or not self.branch.begin(self.rested, self.stands, self.falls)):
+        if self.enclosing.fail():
+            self.falls_by_turning = turning
+        stands, falls = self.enclosing.stands, self.enclosing.falls
+        if self.enclosing.found and (self.branch is None or not self.branch.begin(self.rested, stands, falls)):
             self.phase, self.looked = DROPS, 0
             return
         self.restore_model(self.model, self.rested)
-        self.factor = self.stands
-        if self.found:
+        self.factor = self.enclosing.borne
+        if self.enclosing.found:
             self.phase = LEADS
         else:
             self.go_on()
@@ -258,23 +231,13 @@ class GrowingLoading:
         """How far the factor is known, in thousandths; where a gauge is to be led on, that is the first half."""
         if self.phase == OVER:
             return 1000, 1000
-        return self.enclosed() if self.branch is None else self.branch.progress(self.enclosed()), 1000
-
-    def enclosed(self) -> int:
-        """How far the factor is known, in thousandths."""
-        if self.falls == inf:
-            return 500 * self.trials // (self.trials + 20)
-        width = max((self.falls - self.stands) / max(self.plan.accuracy * self.falls, self.least), 1.0)
-        return 500 + int(450 / (1.0 + log(width)))
+        enclosed = self.enclosing.progress()
+        return enclosed if self.branch is None else self.branch.progress(enclosed), 1000
 
     def report(self) -> dict[str, float]:
-        """The interval, and how it was found; `factor_falls` is missing where nothing fell. A load that is less than
-        what may be unbalanced at a rest is none."""
-        borne = self.stands if self.stands > self.least else 0.0
-        found = {"accuracy": self.plan.accuracy, "factor": borne, "trials": self.trials}
-        found |= {"factor_falls": self.falls} if self.falls < inf else {}
+        """The interval, and how it was found."""
         motion = {"falls_by_turning": float(self.falls_by_turning), "swayed": self.swayed / self.size}
-        return found | {"undecided": self.undecided} | motion
+        return self.enclosing.report() | {"undecided": self.undecided} | motion
 
     def mechanism(self) -> np.ndarray:
         """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""
@@ -287,6 +250,8 @@ class GrowingLoading:
             "rested": self.rested,
             "places": [place.copy() for place in self.places],
             "settling": self.settling.state(),
+            "enclosing": self.enclosing.state(),
+            "gathering": self.gathering.state(),
             **({} if self.branch is None else {"branch": self.branch.state()}),
         }
 
@@ -295,5 +260,7 @@ class GrowingLoading:
         load_attributes(self, REMEMBERED, state)
         self.rested, self.places = state["rested"], state["places"]
         self.settling.restore(state["settling"])
+        self.enclosing.restore(state["enclosing"])
+        self.gathering.restore(state["gathering"])
         if self.branch is not None:
             self.branch.restore(state["branch"])

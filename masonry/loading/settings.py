@@ -79,7 +79,9 @@ class GrowingSettings:
     """What a load that grows goes by.
 
     first      the first increment of the factor: no round one, as what can only just bear a load hardly comes to rest
-    coarsest   greatest increment, over the factor that is borne
+    coarsest   greatest increment, over the factor that is borne; of a load that goes to and fro it is `of_span` times
+               the accuracy, over all that it goes through, and `widest` at most: with increments of 4, 2 and 1 % a dry
+               wall dissipated 2.2, 1.1 and 0.5 % too much
     look       steps between two looks
     window     looks of which the motion is averaged, at least
     at_rest    force that accelerates over all loads, over the accuracy, and `still`, kinetic over stored energy, below
@@ -95,6 +97,8 @@ class GrowingSettings:
 
     first: float = 0.0103
     coarsest: float = 0.125
+    of_span: float = 2.0
+    widest: float = 0.05
     look: int = 50
     window: int = 10
     at_rest: float = 1e-2

@@ -1,6 +1,8 @@
 """Drive, tractions and gravity on the dofs of the bodies; what is absent stays None."""
 
+import itertools
 from dataclasses import dataclass, field
+from functools import cached_property
 from math import ceil
 from typing import NamedTuple
 
@@ -182,11 +184,29 @@ class Control(NamedTuple):
     until: float
 
 
+class Leg(NamedTuple):
+    """A part of the way of a load's factor, from one value to another."""
+
+    start: float
+    end: float
+
+    @property
+    def length(self) -> float:
+        return abs(self.end - self.start)
+
+    def at(self, passed: float) -> float:
+        """The factor behind so much of the leg."""
+        if passed >= self.length:
+            return self.end
+        return self.start + (passed if self.end > self.start else -passed)
+
+
 @dataclass(frozen=True)
 class Growing:
     """A load whose factor grows until nothing balances it (loading/growing.py), to an accuracy, up to `most`.
 
     dead_load  (settle + 1,) share of the dead load at each step before it grows; its last value stays
+    reversals  factors to which the load goes one after the other, in place of growing up to `most`
     tilts      whether the factor is the tangent of the angle by which gravity turns: two loads, see `load_factors`
     layers     as of Program
     """
@@ -197,12 +217,24 @@ class Growing:
     tilts: bool = False
     layers: np.ndarray | None = None
     control: Control | None = None
+    reversals: tuple[float, ...] = ()
 
     ramp = 0
 
     @property
     def settle(self) -> int:
         return len(self.dead_load) - 1
+
+    @cached_property
+    def legs(self) -> tuple[Leg, ...]:
+        """The way of the factor."""
+        return tuple(itertools.starmap(Leg, itertools.pairwise((0.0, *(self.reversals or (self.most,))))))
+
+    @property
+    def span(self) -> float:
+        """From the least factor on the way to the greatest."""
+        ends = [leg.end for leg in self.legs]
+        return max(0.0, *ends) - min(0.0, *ends)
 
     def load_factors(self, factor: float) -> np.ndarray:
         """(H,) factors of the loads that vary: the factor; of a tilt that of the weight that turns, less 1, and that of

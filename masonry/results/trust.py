@@ -116,15 +116,16 @@ def not_at_rest(summary: dict[str, Any]) -> list[str]:
 
 
 def not_enclosed(grown: dict[str, Any]) -> list[str]:
-    """What speaks against the factor of a load that grew."""
-    if grown["falls"] is None:
+    """What speaks against the factor of a load that grew, or went to and fro."""
+    loops, falls = grown.get("loops"), grown["falls"] is not None
+    if not falls and loops is None:
         return ["nothing fell up to the factor at which the load ends, so this is no collapse load: raise limit.up_to"]
-    if grown["borne"] <= 0.0:
+    if grown["borne"] == 0.0 and falls and (loops is None or loops["leg"] == 1):
         return [
             "not the least part of the load was borne: nothing resists it, or the specimen hardly stands without it"
         ]
     doubts = []
-    if grown["undecided"]:
+    if falls and grown["undecided"]:
         doubts.append(
             f"in {grown['undecided']} trials the specimen neither came to rest nor gathered way in time, and was taken "
             "for one that falls: the factor may be larger"
@@ -136,8 +137,13 @@ def not_enclosed(grown: dict[str, Any]) -> list[str]:
         )
     if (swayed := grown.get("swayed_over_block") or 0.0) > SWAYED * grown["accuracy"]:
         doubts.append(
-            f"blocks moved by up to {swayed:.2g} of the smallest one before it fell, but the balance is that of the "
-            'shape as drawn, so the factor may be too large: displacements = "large" tells'
+            f"blocks moved by up to {swayed:.2g} of the smallest one"
+            + (
+                " before it fell, but the balance is that of the shape as drawn, so the factor may be too large: "
+                if falls
+                else ", but the balance is that of the shape as drawn: "
+            )
+            + 'displacements = "large" tells'
         )
     return doubts
 

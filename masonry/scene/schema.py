@@ -117,12 +117,21 @@ class SceneData(Table):
 
     @property
     def turns_back(self) -> bool:
-        """Whether the drive turns, or a traction that varies: contacts then soften over the plastic slip by default."""
+        """Whether the drive turns, or a load that varies: contacts then soften over the plastic slip by default."""
         loads = [path for traction in self.traction for path in traction.paths]
         if self.gravity is not None and self.gravity.tilt is None:
             loads += self.gravity.paths
         paths = [path.turning_points() for path in loads]
+        paths += [] if self.limit is None or self.limit.history is None else [self.limit.history]
         return any(len(path) > 1 for path in paths) or (self.drive is not None and len(self.drive.reversals) > 1)
+
+    @property
+    def loops_over(self) -> str | None:
+        """The gauge over which loops of a load that goes to and fro are drawn: that of the curve, else the first."""
+        if self.limit is None or self.limit.history is None:
+            return None
+        names = [gauge.name for gauge in self.gauge]
+        return self.curve.x if self.curve is not None and self.curve.x in names else names[0]
 
     def resolved(self) -> dict[str, Any]:
         """The scene as plain values with SI units, defaults written out; loading it gives the same scene bit by bit.
@@ -181,6 +190,8 @@ class SceneData(Table):
         if led is not None and led not in gauges:
             there = nearest(led, gauges) if gauges else "there is none: give the scene a table [[gauge]]"
             raise KeyedError("limit.control", f"'{led[:60]}' is no gauge; {there}")
+        if self.limit is not None and self.limit.history is not None and not gauges:
+            raise KeyedError("gauge", "missing; the loops of limit.history are drawn over one: give a table [[gauge]]")
 
     def _kinematics_have_what_they_need(self) -> None:
         if self.kinematics_of("floor") != "rigid" and self.is_floor("floor") and "floor" not in self.material:

@@ -7,7 +7,7 @@ from dataclasses import fields
 import numpy as np
 
 from masonry.errors import TurnedTooFar
-from masonry.history import LARGE_UNITS, UNITS, Frame
+from masonry.history import FACTOR, LARGE_UNITS, UNITS, Frame
 from masonry.kernels.step import reaction
 from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.cycles import reached
@@ -111,9 +111,12 @@ class Loop:
             progress(now, whole, f"step {self.done}, {self.state_of_the_run()}")
 
     def state_of_the_run(self) -> str:
-        """In a few words: the stress at the drive; without one, or before it moves, how far the loads have settled."""
+        """In a few words: the stress at the drive, or the factor of a load that grows; before, how far the loads have
+        settled."""
         if self.done <= self.settle:
             return f"{self.observed['unbalanced'][-1]:.2g} of the dead loads unbalanced"
+        if FACTOR in self.rows:
+            return f"load factor {self.rows[FACTOR][-1]:.4g}"
         return f"stress {self.rows['stress'][-1] / 1e6:.3f} MPa"
 
     def take_steps(self, done: int, chunk: Chunk) -> list[np.ndarray]:

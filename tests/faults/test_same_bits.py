@@ -30,6 +30,12 @@ LED = {
     "limit.until": "2 mm",
     "gauge": [{"name": "top", "at": "top course", "direction": "-x"}],
 }
+TO_AND_FRO = {
+    "settle.steps": 500,
+    "limit.accuracy": 0.05,
+    "limit.history": [0.02, -0.02, 0.03],
+    "gauge": LED["gauge"],
+}
 SCENES = {
     "rigid, steps": lambda: load(couplet("rigid", settle=400, pace="steps = 800", displacement="0.02 mm")),
     "tets, steps": lambda: load(couplet("tets", settle=400, pace="steps = 800", displacement="0.02 mm")),
@@ -46,6 +52,7 @@ SCENES = {
         "wall-tilted", {"settle.steps": 500, "limit.accuracy": 0.05, "limit.up_to": 0.03, "solver.rows": 30}
     ),
     "a wall whose top is led on behind the collapse": lambda: load_scene("wall-tilted", LED),
+    "a wall on ground that is tilted to and fro": lambda: load_scene("wall-tilted", TO_AND_FRO),
     "a blow after the settling": lambda: standing('["1 m/s", 0, 0]', 300).with_({"solver.rows": 30}),
     "a flight": lambda: flight(gravity=GRAVITY),
     "blocks that topple and are found anew": lambda: toppling(duration=0.4).with_({"solver.rows": 30}),

@@ -5,7 +5,7 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.laboratory.text import sudden_text
-from masonry.loading.impulses import momenta
+from masonry.loading.moves.impulses import momenta
 from masonry.loading.rest import brake
 from masonry.loading.scheduled import Chunk
 from masonry.monitors.energy import kinetic, ledger, observe, velocities

@@ -76,11 +76,25 @@ def read(value: Any, kind: str) -> Any:
         return _table(value, kind)
     if kind != "length":
         raise ValueError(f"must be {FORMS[kind]}")
-    places = tuple(convert(point, "length", f"point {k}", FARTHEST["length"]) for k, point in enumerate(value))
+    return _reversals(value, "length", "the drive")
+
+
+def read_factors(value: Any) -> Any:
+    """Factors to which a load goes, one after the other."""
+    if value is None:
+        return value
+    if not isinstance(value, (list, tuple)) or not 0 < len(value) <= MOST_POINTS:
+        raise ValueError(f"must be a list of the factors to which the load goes, [0.3, -0.3, 0], {MOST_POINTS} at most")
+    return _reversals(value, "number", "the load")
+
+
+def _reversals(points: Any, kind: str, what: str) -> tuple[float, ...]:
+    """The points to which something goes from 0, checked."""
+    places = tuple(convert(point, kind, f"point {k}", FARTHEST[kind]) for k, point in enumerate(points))
     for k, (before, after) in enumerate(zip((0.0, *places), places, strict=False)):
         if before == after:
             raise ValueError(
-                f"point {k}, {value[k]!r}, does not move the drive: it must differ from the one before (0 at the start)"
+                f"point {k}, {points[k]!r}, does not move {what}: it must differ from the one before (0 at the start)"
             )
     return places
 

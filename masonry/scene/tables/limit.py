@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import BeforeValidator, Field, PlainSerializer, model_validator
 
+from masonry.scene.tables.history import read_factors
 from masonry.scene.tables.loading import Accuracy, Selector
 from masonry.scene.tables.motion import Coordinate
 from masonry.scene.tables.types import Direction, Given, KeyedError, StressVector, Table
@@ -18,8 +19,8 @@ KEYS = {
 }
 """Keys of each pattern."""
 OPTIONAL = ("at",)
-OF_RUNS = ("accuracy", "up_to", "control", "until")
-"""Keys of runs that drive the load to collapse, and beyond it, with any pattern but "drive"."""
+OF_RUNS = ("accuracy", "up_to", "control", "until", "history")
+"""Keys of runs that drive the load to collapse, and beyond it, or to and fro, with any pattern but "drive"."""
 EXAMPLES = {
     "direction": 'direction = "x"',
     "about": 'about = "y"',
@@ -55,7 +56,8 @@ ForceVector = Annotated[Forces, BeforeValidator(_directions), PlainSerializer(_w
 class LimitLoad(Table):
     """The load that the factor multiplies, by its pattern: the weight in another direction, gravity turned about an
     axis, a force on blocks, a traction on a face, or what the drive pushes with. With an accuracy a run lets it grow
-    until nothing balances it, up to a factor at most; a gauge to control is then led on until it reads so much."""
+    until nothing balances it, up to a factor at most; a gauge to control is then led on until it reads so much. Or the
+    load goes to and fro, through the factors of a history."""
 
     pattern: Literal["weight", "tilt", "force", "traction", "drive"]
     direction: Direction | None = None
@@ -68,6 +70,7 @@ class LimitLoad(Table):
     up_to: Annotated[float, Given("number", "[1e-6, 1e6]")] | None = None
     control: Annotated[str, Field(max_length=60)] | None = None
     until: Annotated[float, Given("length", "[-1e5, 1e5]")] | None = None
+    history: Annotated[tuple[float, ...] | None, BeforeValidator(read_factors)] = None
 
     @model_validator(mode="after")
     def _has_its_keys(self) -> "LimitLoad":
@@ -86,6 +89,7 @@ class LimitLoad(Table):
         if self.accuracy is None and self.up_to is not None:
             raise KeyedError("up_to", "says where a run ends whose load grows: it needs accuracy = '1 %'")
         self._can_be_led()
+        self._can_turn_back()
         for key in ("force", "stress"):
             if getattr(self, key) is not None and not any(getattr(self, key)):
                 raise KeyedError(key, "is 0 in all directions; give one that is not")
@@ -99,3 +103,14 @@ class LimitLoad(Table):
             raise KeyedError("control", "is led on when the load has collapsed, in a run: it needs accuracy = '1 %'")
         if self.until == 0.0:
             raise KeyedError("until", "is 0: give the reading of the gauge to which it is to be led")
+
+    def _can_turn_back(self) -> None:
+        if self.history is None:
+            return
+        if self.accuracy is None:
+            raise KeyedError("history", "is the way of the load in a run: it needs accuracy = '1 %'")
+        for key in ("up_to", "control", "until"):
+            if getattr(self, key) is not None:
+                raise KeyedError(
+                    key, "belongs to a load that grows, and the history says where this one goes; leave it out"
+                )

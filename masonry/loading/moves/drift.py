@@ -7,8 +7,8 @@ that what drifts steadily is not dragged.
 
 import numpy as np
 
-from masonry.loading.impulses import momenta, strike, velocities_of
-from masonry.loading.moved import Arrays, dofs
+from masonry.loading.moves.impulses import momenta, strike, velocities_of
+from masonry.loading.moves.moved import Arrays, dofs
 from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.runtime.state import State

@@ -1,0 +1,119 @@
+"""The factor of a load that grows, enclosed: what was borne, what was not, and what is tried next.
+
+A load that goes to and fro makes its way leg by leg, from one of its turning points to the next, each leg as a load
+that grows.
+"""
+
+from math import inf, log
+
+from masonry.loading.settings import GrowingSettings
+from masonry.model.loads import Growing
+from masonry.runtime.state import State, attributes, load_attributes
+
+REMEMBERED = ("leg", "stands", "falls", "target", "increment", "greatest", "trials")
+LEAST = 1e-9
+"""A factor that is nothing, where there is no other load to compare with."""
+
+
+class Enclosing:
+    """How far a load has come on its way, and by how much it is raised.
+
+    leg     number of the present one; what follows are factors less that at its start, along it:
+    stands  the greatest that was borne     falls  the least that was not; inf if none     target  what is tried
+    """
+
+    def __init__(self, plan: Growing, least: float, settings: GrowingSettings) -> None:
+        """least: factor below which a load is none"""
+        self.plan, self.settings, self.least = plan, settings, max(least, LEAST)
+        self.leg = self.trials = 0
+        self.stands = self.target = self.greatest = 0.0
+        self.falls, self.increment = inf, min(self.longest, plan.legs[0].length)
+
+    @property
+    def borne(self) -> float:
+        """The factor that was borne last."""
+        return self.plan.legs[self.leg].at(self.stands)
+
+    @property
+    def tried(self) -> float:
+        """The factor that is tried."""
+        return self.plan.legs[self.leg].at(self.target)
+
+    @property
+    def fallen(self) -> float | None:
+        """The least factor that was not borne on this leg; None where there is none."""
+        return None if self.falls == inf else self.plan.legs[self.leg].at(self.falls)
+
+    @property
+    def longest(self) -> float:
+        """The longest increment: a fraction of what is borne, or, to and fro, of all that the load goes through."""
+        if self.plan.reversals:
+            return min(self.settings.of_span * self.plan.accuracy, self.settings.widest) * self.plan.span
+        return max(self.settings.first, self.settings.coarsest * self.stands)
+
+    @property
+    def found(self) -> bool:
+        """Whether the factor is enclosed as narrowly as was asked for."""
+        return self.falls - self.stands <= self.narrow
+
+    @property
+    def narrow(self) -> float:
+        """How narrowly that is: a share of the factor; of one that went to and fro, of the greatest that was borne."""
+        factor = max(abs(self.plan.legs[self.leg].at(self.falls)), self.greatest)
+        return max(self.plan.accuracy * factor, self.least)
+
+    def begin(self) -> None:
+        """Set out for a higher factor."""
+        self.target = min(self.stands + self.increment, self.plan.legs[self.leg].length)
+        self.trials += 1
+
+    def bear(self) -> None:
+        """What was tried is borne."""
+        self.stands = self.target
+        if self.stands >= self.falls:  # what was taken for a fall is borne after all, coming from nearer
+            self.falls, self.increment = inf, 0.5 * self.plan.accuracy * self.stands
+        if self.falls == inf:
+            self.increment = min(2.0 * self.increment, self.longest)
+
+    def fail(self) -> bool:
+        """What was tried is not borne; whether that is the least that was not."""
+        if self.target > self.falls:
+            return False
+        self.falls = self.target
+        return True
+
+    def go_on(self) -> bool:
+        """By how much to raise the factor from here, on this leg or the next; False where the load has come to its
+        end. Where the factor is known, what follows is the fall."""
+        if self.stands >= self.plan.legs[self.leg].length:
+            if self.leg + 1 == len(self.plan.legs):
+                return False
+            self.greatest = max(self.greatest, abs(self.borne))
+            self.leg, self.stands, self.falls, self.increment = self.leg + 1, 0.0, inf, self.longest
+        elif self.falls < inf:
+            self.increment = (self.falls - self.stands) * (1.0 if self.found else 0.5)
+        return True
+
+    def progress(self) -> int:
+        """How far the factor is known, in thousandths; to and fro, how far it has come."""
+        if self.plan.reversals:
+            done = sum(leg.length for leg in self.plan.legs[: self.leg]) + self.stands
+            return int(999 * done / sum(leg.length for leg in self.plan.legs))
+        if self.falls == inf:
+            return 500 * self.trials // (self.trials + 20)
+        return 500 + int(450 / (1.0 + log(max((self.falls - self.stands) / self.narrow, 1.0))))
+
+    def report(self) -> dict[str, float]:
+        """The interval, and how it was found; `factor_falls` is missing where nothing fell. A load that is less than
+        what may be unbalanced at a rest is none."""
+        borne = self.borne if abs(self.borne) > self.least else 0.0
+        found = {"accuracy": self.plan.accuracy, "factor": borne, "trials": self.trials, "leg": self.leg + 1}
+        return found if self.fallen is None else found | {"factor_falls": self.fallen}
+
+    def state(self) -> State:
+        """All that the next trial depends on."""
+        return attributes(self, REMEMBERED)
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        load_attributes(self, REMEMBERED, state)

@@ -1,0 +1,1 @@
+"""How far bodies have moved, steadily or not; impulses that brake them."""
