@@ -1,9 +1,12 @@
 """A load that goes to and fro from factor to factor: loops against closed forms, falls on either side, what it says."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import masonry
+import verification
 from masonry.curves.curve import curve_figure
 from masonry.errors import SceneError
 from masonry.laboratory.text import summary_text
@@ -12,65 +15,35 @@ from masonry.loading.settings import GROWING
 from masonry.model.loads import Growing
 from masonry.scene import load as load_scene
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
+from verification.cases.friction.beam_to_and_fro import FOOT, FORCE, SCENE, SLIDES, slip
 
-FRICTION, STIFFNESS, G = 0.5, 40e9, 9.81
-DRY = f'normal_stiffness = "100 GPa/m"\nshear_stiffness = "{STIFFNESS / 1e9} GPa/m"\ntan_friction_angle = {FRICTION}'
-
-
-def scene(boxes: list[str], limit: str, gauge: str, contact: str = DRY, law: str = "friction", **changes):
-    """Boxes under their weight, the first of them held; limit: lines of [limit]; gauge: the block that is watched."""
-    held = [f'on = "{name}"\nfix = "all"' for name in ("left", "right", "base") if any(f'"{name}"' in b for b in boxes)]
-    return load(
-        f'law = "{law}"\n'
-        + specimen(boxes, 0.004, more='contact_points = "vertex"')
-        + tables("material", {"units": MATERIAL})
-        + tables("contact", {"unit_unit": contact})
-        + listed("support", held)
-        + f'[gravity]\nz = "-{G} m/s^2"\n'
-        + listed("gauge", [f'name = "moves"\nat = "{gauge}"\ndirection = "x"'])
-        + f"[limit]\n{limit}",
-        **changes,
-    )
+SCENES = Path(verification.__file__).parent / "scenes"
 
 
-def beam(history: list[float], accuracy: str = "1 %", **changes):
-    """A beam on two dry feet that bear a third and two thirds of it, pushed along at their height."""
-    boxes = [
-        box("left", (-0.51, 0, -0.1), (0.02, 0.2, 0.1), "units", 0),
-        box("right", (0.24, 0, -0.1), (0.02, 0.2, 0.1), "units", 1),
-        box("beam", (-0.6, 0, 0), (1.2, 0.2, 0.2), "units", 2),
-    ]
-    push = 'pattern = "force"\non = "beam"\nforce = {x = "1 N"}\nat = ["0 m", "100 mm", "0 m"]'
-    return scene(boxes, f'{push}\naccuracy = "{accuracy}"\nhistory = {history}', "beam", **changes)
+def beam(history: list[float], **changes):
+    """A beam on two dry feet, pushed to and fro."""
+    changes = {key.replace("__", "."): value for key, value in changes.items()}
+    return masonry.run(load_scene(SCENES / f"{SCENE}.toml", {"limit.history": history, **changes}))
 
 
-WEIGHT = 1900.0 * G * 1.2 * 0.2 * 0.2
-YIELDS = FRICTION * WEIGHT / 3.0
-"""N, what the left foot bears; the right one bears twice as much."""
-FOOT = STIFFNESS * 0.02 * 0.2
-
-
-@pytest.mark.parametrize("accuracy", [0.02, 0.005])
-def test_two_feet_of_which_one_slides_make_the_loops_of_masing(accuracy):
-    force = 2.8 * YIELDS
-    result = masonry.run(beam([force, -force, force, -force, 0.0], f"{100 * accuracy} %"))
+def test_two_feet_of_which_one_slides_make_the_loops_of_masing():
+    result = beam([FORCE, -FORCE, FORCE, -FORCE, 0.0], limit__accuracy=0.02)
     first, second = result.summary["cycles"]
-    slid = 2.0 * (force - 2.0 * YIELDS) / FOOT  # in half a loop; the other foot alone is elastic then
-    assert first["dissipated_j"] == pytest.approx(1.5 * YIELDS * slid, rel=accuracy)
-    assert second["dissipated_j"] == pytest.approx(2.0 * YIELDS * slid, rel=accuracy)
-    assert first["farthest_m"] - first["farthest_back_m"] == pytest.approx(2.0 * (force - YIELDS) / FOOT, rel=1e-3)
-    assert second["left_m"] - first["left_m"] == pytest.approx(0.0, abs=1e-3 * slid)
-    assert result.summary["energy_imbalance"] < 1e-12 and result.summary["damping_over_external"] < accuracy
+    assert first["dissipated_j"] == pytest.approx(3.0 * SLIDES * slip(FORCE), rel=1e-3)
+    assert second["dissipated_j"] == pytest.approx(4.0 * SLIDES * slip(FORCE), rel=1e-3)
+    assert second["farthest_m"] - second["farthest_back_m"] == pytest.approx(2.0 * (FORCE - SLIDES) / FOOT, rel=1e-3)
+    assert first["left_m"] == pytest.approx(second["left_m"], abs=1e-3 * slip(FORCE))
+    assert result.summary["energy_imbalance"] < 1e-12 and result.summary["damping_over_external"] < 1e-3
 
 
 def test_below_the_strength_of_all_feet_nothing_is_dissipated_and_the_beam_comes_back():
-    force = 1.9 * YIELDS
-    result = masonry.run(beam([force, -force, 0.0]))
+    force = 1.9 * SLIDES
+    result = beam([force, -force, 0.0])
     (cycle,) = result.summary["cycles"]
     rows = result.history.rows
     assert cycle["dissipated_j"] == 0.0 and cycle["closed"]
     assert cycle["stiffness_per_m"] == pytest.approx(2.0 * FOOT, rel=1e-9)
-    begins = rows["moves"][int(np.flatnonzero(rows["load_factor"])[0]) - 1]
+    begins = rows["beam"][int(np.flatnonzero(rows["load_factor"])[0]) - 1]
     assert cycle["left_m"] == pytest.approx(begins, abs=1e-6 * force / FOOT)
 
 
@@ -83,7 +56,19 @@ def test_a_block_falls_on_the_leg_and_the_side_on_which_it_bears_less(displaceme
         box("head", (-0.03, 0, 0.2), (0.1, 0.2, 0.2), "units", 2),
     ]
     limit = 'pattern = "weight"\ndirection = "x"\naccuracy = "0.5 %"\nhistory = [0.15, -0.25, 0.15, -0.5]'
-    result = masonry.run(scene(boxes, limit, "head", DRY.replace("0.5", "0.9"), displacements=displacements))
+    dry = 'normal_stiffness = "100 GPa/m"\nshear_stiffness = "40 GPa/m"\ntan_friction_angle = 0.9'
+    scene = load(
+        'law = "friction"\n'
+        + specimen(boxes, 0.02, more='contact_points = "vertex"')
+        + tables("material", {"units": MATERIAL})
+        + tables("contact", {"unit_unit": dry})
+        + listed("support", ['on = "base"\nfix = "all"'])
+        + '[gravity]\nz = "-9.81 m/s^2"\n'
+        + listed("gauge", ['name = "moves"\nat = "head"\ndirection = "x"'])
+        + f"[limit]\n{limit}",
+        displacements=displacements,
+    )
+    result = masonry.run(scene)
     found, text = result.summary["collapse_load"], " ".join(summary_text(result.summary).split())
     assert found["loops"]["leg"] == 4 and found["falls"] < found["borne"] < -0.25
     assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(-0.3, rel=0.01)
@@ -108,15 +93,16 @@ def test_the_leg_of_a_fall_is_enclosed_to_a_share_of_the_greatest_factor_that_wa
 
 
 def test_loops_are_drawn_and_a_doubt_is_told_where_blocks_move_much():
-    soft = DRY.replace("100 GPa/m", "100 MPa/m").replace("40.0 GPa/m", "40 MPa/m")
-    result = masonry.run(beam([1.9 * YIELDS, -1.9 * YIELDS, 0.0], contact=soft))
+    force, group = 1.9 * SLIDES, "contact__unit_unit"
+    soft = {f"{group}__normal_stiffness": "100 MPa/m", f"{group}__shear_stiffness": "40 MPa/m"}
+    result = beam([force, -force, 0.0], **soft)
     text = " ".join(summary_text(result.summary).split())
-    assert f"borne on all of its way, through {1.9 * YIELDS:g}, {-1.9 * YIELDS:g}, 0" in text
+    assert f"borne on all of its way, through {force:g}, {-force:g}, 0" in text
     assert "but the balance is that of the shape as drawn" in text and "raise limit.up_to" not in text
     loops, ledger, _ = curve_figure(result).axes
-    assert (loops.get_xlabel(), loops.get_ylabel()) == ("moves [mm]", "load factor [1]")
+    assert (loops.get_xlabel(), loops.get_ylabel()) == ("beam [mm]", "load factor [1]")
     drawn = np.concatenate([line.get_ydata() for line in loops.get_lines() if len(line.get_ydata()) > 2])
-    assert drawn.max() == 1.9 * YIELDS and drawn.min() == -1.9 * YIELDS
+    assert drawn.max() == force and drawn.min() == -force
     assert "way of the load factor" in ledger.get_xlabel()
 
 
