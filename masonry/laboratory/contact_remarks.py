@@ -11,6 +11,7 @@ from masonry.laws.factory import properties_of
 from masonry.laws.state import JointProperties
 from masonry.monitors.energy import present
 from masonry.monitors.stability import smallest_block
+from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.scene.tables.contact import Contact
 from masonry.scene.tables.loading import Drive
 
@@ -18,6 +19,10 @@ REACH = 0.9
 """Share of the way from the middle of a joint to its corners from which on contact points count as at its edge."""
 LIFTED = 1e-3
 """Share of the largest opening or closing of all contacts from which on one is open."""
+FEW_ROWS, NEARLY_ALL = 5, 0.9
+"""Rows of points below which a joint that bends open is coarse; share of the torn area at which such joints decide."""
+ALIKE = 1e-6
+"""Share of the largest opening of a joint by which two of its points differ at most where they are in one row."""
 
 
 def contact_remarks(assembly: Assembly) -> list[str]:
@@ -51,14 +56,55 @@ def rocked_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
     return _of_rocking(assembly, rocked, "opened on one side and turn")
 
 
+def bent_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
+    """One line where nearly all joints that tore did so from one side, pressed on the other, in one of these frames,
+    and their points lie in few rows across: each row tears at once."""
+    joints, model = assembly.joints, assembly.model
+    glued = ~np.array([_is_dry(assembly, g) for g in range(len(model.group_names))])[model.group]
+    torn, bent, least = np.zeros(len(glued), dtype=bool), np.zeros(len(glued), dtype=bool), FEW_ROWS
+    for frame in frames:
+        tears, pressed = glued & (frame.damage_tension > LEAST_DAMAGE), frame.normal_stress < 0.0
+        if not tears.any():
+            continue
+        rows = _rows(joints, frame.opening)
+        bends = np.isin(joints.patch, joints.patch[tears]) & np.isin(joints.patch, joints.patch[pressed])
+        coarse = bends & (rows < FEW_ROWS)
+        torn, bent, least = torn | tears, bent | coarse, min(least, int(rows[coarse].min(initial=FEW_ROWS)))
+    if not bent.any() or joints.area[bent & torn].sum() < NEARLY_ALL * joints.area[torn].sum():
+        return []
+    return [
+        f"nearly all that tore are joints that bent open from one side, with {least} rows of contact points across, of "
+        "which each tears at once: the moment that they bear may be far off, with two rows of Gauss points from 0.6 to "
+        f"1.7 times what it is; take specimen.points_per_edge = {FEW_ROWS + 1} or more"
+    ]
+
+
+def _rows(joints: Joints, opening: np.ndarray) -> np.ndarray:
+    """(C,) how many different openings the points of the same joint face show."""
+    order = np.lexsort((opening, joints.patch))
+    patch, sorted_opening = joints.patch[order], opening[order]
+    most = np.zeros(len(joints.patch_start) - 1)
+    np.maximum.at(most, joints.patch, np.abs(opening))
+    begins = np.ones(len(patch), dtype=bool)
+    begins[1:] = (patch[1:] != patch[:-1]) | (np.diff(sorted_opening) > ALIKE * most[patch[1:]])
+    return np.bincount(patch, begins, len(most))[joints.patch]
+
+
+def _is_dry(assembly: Assembly, g: int) -> bool:
+    """Whether the joints of a contact group have no tension."""
+    law = assembly.scene.contact_of(assembly.model.group_names[g]).law
+    strength = assembly.model.groups.properties[g].tensile_strength
+    return law == "friction" or ("tensile_strength" in properties_of(law) and not np.any(strength))
+
+
 def _of_rocking(assembly: Assembly, which: np.ndarray, what: str) -> list[str]:
     """One line for each group with joints, among these contacts (C,), that neither pull nor have points at the edge."""
     model, found, reach = assembly.model, [], _reach(assembly.joints)
     for g, (name, joint) in enumerate(zip(model.group_names, model.groups.properties, strict=True)):
-        law = assembly.scene.contact_of(name).law
-        dry = law == "friction" or ("tensile_strength" in properties_of(law) and not np.any(joint.tensile_strength))
         mine = which & (model.group == g)
-        if not (dry and joint.tan_friction and mine.any()) or (least := float(reach[mine].min())) > REACH:
+        if not (_is_dry(assembly, g) and joint.tan_friction and mine.any()):
+            continue
+        if (least := float(reach[mine].min())) > REACH:
             continue
         found.append(
             f"contact.{name}: joints without tension {what} about their outermost contact points, which reach "

@@ -8,7 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
-from masonry.laboratory.contact_remarks import contact_remarks, rocked_remarks, rocking_remarks
+from masonry.laboratory.contact_remarks import bent_remarks, contact_remarks, rocked_remarks, rocking_remarks
 from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
 from masonry.laboratory.provenance import provenance_of
 from masonry.laboratory.quality import quality_lines
@@ -67,7 +67,8 @@ def run(
 def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     """What is kept of a run."""
     add_tilt(assembly, outcome)
-    remarks = [*warnings(assembly), *rocked_remarks(assembly, outcome.history.frames)]
+    frames = outcome.history.frames
+    remarks = [*warnings(assembly), *rocked_remarks(assembly, frames), *bent_remarks(assembly, frames)]
     remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", [])]
     return Result(
         summary={**summarise(assembly, outcome), "warnings": remarks},

@@ -67,7 +67,9 @@ class GrowingLoading:
         self.size = smallest_block(model)
         least = settings.at_rest * plan.accuracy * self.loads.rest_over_each()
         self.enclosing, self.gathering = Enclosing(plan, least, settings), Gathering(settings)
-        self.fall = self.size * (settings.fall if model.large is None else settings.far)
+        self.fall, self.most_looks = self.size * settings.fall, settings.fall_looks
+        if model.large is not None:
+            self.fall, self.most_looks = self.size * settings.far, settings.far_looks
         self.phase, self.factor = SETTLES, 0.0
         self.rested: Arrays = {}
         self.places = [np.zeros(place.shape) for place in places(model, self.size)]
@@ -153,7 +155,7 @@ class GrowingLoading:
             self.phase = self.phase if self.branch.goes_on(before) else OVER
         else:
             self.looked += 1
-            self.phase = OVER if self.travelled > self.fall or self.looked >= self.settings.fall_looks else DROPS
+            self.phase = OVER if self.travelled > self.fall or self.looked >= self.most_looks else DROPS
 
     def turned_too_far(self) -> bool:
         """A block has turned further than small displacement allows: whether this is no more than the end of a trial,

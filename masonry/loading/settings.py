@@ -91,8 +91,8 @@ class GrowingSettings:
     patience   averages after which a trial that neither rests nor gathers way counts as one that does not rest
     away       of the smallest block: motion since the last rest that is a fall in itself; `usual`, times the most that
                brought it to rest so far, where that is more
-    fall       of the smallest block: motion to which the fall is followed, `far` where blocks may turn as far as they
-               like; and `fall_looks`, looks that it may take
+    fall       of the smallest block: motion to which the fall is followed, and `fall_looks`, looks that it may take: it
+               shows who moves; `far` and `far_looks` where blocks may turn as far as they like
     """
 
     first: float = 0.0103
@@ -111,7 +111,8 @@ class GrowingSettings:
     usual: float = 10.0
     fall: float = 0.01
     far: float = 0.3
-    fall_looks: int = 2000
+    fall_looks: int = 200
+    far_looks: int = 2000
 
 
 GROWING = GrowingSettings()
