@@ -60,7 +60,7 @@ def bent_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
     """One line where nearly all joints that tore did so from one side, pressed on the other, in one of these frames,
     and their points lie in few rows across: each row tears at once."""
     joints, model = assembly.joints, assembly.model
-    glued = ~np.array([_is_dry(assembly, g) for g in range(len(model.group_names))])[model.group]
+    glued = ~np.array([_is_dry(assembly, g) for g in range(len(model.group_names))], dtype=bool)[model.group]
     torn, bent, least = np.zeros(len(glued), dtype=bool), np.zeros(len(glued), dtype=bool), FEW_ROWS
     for frame in frames:
         tears, pressed = glued & (frame.damage_tension > LEAST_DAMAGE), frame.normal_stress < 0.0
