@@ -43,7 +43,7 @@ def loops_of(result: "ResultData") -> Loops:
         gauge, rest = grown["loops"]["gauge"], before_a_fall(rows, grown["falls"])
         factor, x, way = rest[FACTOR], plain(f"{gauge} [mm]"), "way of the load factor, to and fro [1]"
         after = slice(len(factor) - 1, None)
-        fall = None if grown["falls"] is None else (MILLI * rows[gauge][after], rows[FACTOR][after])
+        fall = None if len(factor) == len(rows[FACTOR]) else (MILLI * rows[gauge][after], rows[FACTOR][after])
         return Loops(rest, factor, MILLI * rest[gauge], factor, x, "load factor [1]", way, 1.0, fall)
     drawn = curve_axes(result)
     y, way = f"{drawn.name} at the drive [{drawn.unit}]", "way of the drive, back and forth [mm]"

@@ -84,6 +84,7 @@ def test_a_fall_belongs_to_no_cycle_and_leaves_the_loops_large_in_the_picture():
     assert result.summary["energy_j"]["friction"] > 2.0 * last["dissipated_j"]
     assert result.summary["damping_over_external"] < 0.01
     loops, ledger, _ = curve_figure(result).axes
+    assert "fall" in loops.get_legend_handles_labels()[1]
     assert 1e3 * last["farthest_m"] < loops.get_xlim()[1] < 1.2e3 * last["farthest_m"]
     assert ledger.get_ylim()[1] < 1.2 * result.history.rows["external_work"][-2]
 
@@ -161,6 +162,7 @@ def test_loops_are_drawn_and_a_doubt_is_told_where_blocks_move_much():
     drawn = np.concatenate([line.get_ydata() for line in loops.get_lines() if len(line.get_ydata()) > 2])
     assert drawn.max() == 1.9 * YIELDS and drawn.min() == -1.9 * YIELDS
     assert "way of the load factor" in ledger.get_xlabel()
+    assert "fall" not in loops.get_legend_handles_labels()[1]
 
 
 TOP = [{"name": "top", "at": "top course", "direction": "x"}]
