@@ -87,8 +87,8 @@ def _draw_loops(axes: Any, drawn: Loops) -> None:
     moving = np.flatnonzero(direction)
     reversals = moving[1:][direction[moving[1:]] != direction[moving[:-1]]]
     axes.plot(drawn.across[reversals], drawn.up[reversals], "o", color="#b2182b", markersize=4, label="turn")
-    if drawn.fall is not None:  # it goes out of the picture, in which the loops are large
-        axes.set(xlim=axes.get_xlim(), ylim=axes.get_ylim())
+    axes.set(xlim=axes.get_xlim(), ylim=axes.get_ylim())  # loops fill the picture; a fall goes out of it
+    if drawn.fall is not None:
         axes.plot(*drawn.fall, "--", color="0.4", linewidth=1.2, label="fall")
     axes.axhline(0.0, color="0.6", linewidth=0.8)
     axes.axvline(0.0, color="0.6", linewidth=0.8)

@@ -165,6 +165,12 @@ def test_loops_are_drawn_and_a_doubt_is_told_where_blocks_move_much():
     assert "fall" not in loops.get_legend_handles_labels()[1]
 
 
+def test_loops_over_a_gauge_that_has_settled_fill_the_picture():
+    result = masonry.run(beam([1.9 * YIELDS, -1.9 * YIELDS, 0.0], gauge__0__direction="z"))
+    low, high = curve_figure(result).axes[0].get_xlim()
+    assert low < 1e3 * result.history.rows["moves"][-1] < high < 0.0
+
+
 TOP = [{"name": "top", "at": "top course", "direction": "x"}]
 
 
