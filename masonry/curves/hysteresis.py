@@ -7,7 +7,7 @@ import numpy as np
 from masonry.curves.curve_axes import curve_axes
 from masonry.curves.ledger import LEDGER, draw_ledger
 from masonry.history import FACTOR
-from masonry.loading.cycles import bounds
+from masonry.loading.cycles import before_a_fall, bounds
 from masonry.pictures.style import MILLI, heading, plain, tidy
 
 if TYPE_CHECKING:
@@ -21,9 +21,11 @@ ROOM = 1.25
 
 
 class Loops(NamedTuple):
-    """Values, one a row: what turns back, what it is drawn against, and upwards; with their labels, that of the way
-    to and fro, and the size of a unit of what turns back there."""
+    """Values, one of each of the rows: what turns back, what it is drawn against, and upwards; with their labels, that
+    of the way to and fro, and the size of a unit of what turns back there. Rows of a fall are not among them: across
+    and upwards, it begins at the last of them."""
 
+    rows: dict[str, np.ndarray]
     turning: np.ndarray
     across: np.ndarray
     up: np.ndarray
@@ -31,18 +33,21 @@ class Loops(NamedTuple):
     y: str
     way: str
     unit: float
+    fall: tuple[np.ndarray, np.ndarray] | None = None
 
 
 def loops_of(result: "ResultData") -> Loops:
     """The loops of the drive; of a load that goes to and fro, those of its factor over a gauge."""
     rows, grown = result.history.rows, result.summary.get("collapse_load") or {}
     if "loops" in grown:
-        gauge, factor = grown["loops"]["gauge"], rows[FACTOR]
-        x, way = plain(f"{gauge} [mm]"), "way of the load factor, to and fro [1]"
-        return Loops(factor, MILLI * rows[gauge], factor, x, "load factor [1]", way, 1.0)
+        gauge, rest = grown["loops"]["gauge"], before_a_fall(rows, grown["falls"])
+        factor, x, way = rest[FACTOR], plain(f"{gauge} [mm]"), "way of the load factor, to and fro [1]"
+        after = slice(len(factor) - 1, None)
+        fall = None if len(factor) == len(rows[FACTOR]) else (MILLI * rows[gauge][after], rows[FACTOR][after])
+        return Loops(rest, factor, MILLI * rest[gauge], factor, x, "load factor [1]", way, 1.0, fall)
     drawn = curve_axes(result)
     y, way = f"{drawn.name} at the drive [{drawn.unit}]", "way of the drive, back and forth [mm]"
-    return Loops(rows["displacement"], drawn.across, rows["stress"] * drawn.factor, drawn.label, y, way, MILLI)
+    return Loops(rows, rows["displacement"], drawn.across, rows["stress"] * drawn.factor, drawn.label, y, way, MILLI)
 
 
 def hysteresis_figure(result: "ResultData") -> Any:
@@ -53,12 +58,12 @@ def hysteresis_figure(result: "ResultData") -> Any:
     figure = ShownFigure(figsize=(10, 9), layout="constrained")
     loops, ledger, bars = figure.subplot_mosaic([["loops", "loops"], ["ledger", "bars"]], height_ratios=[3, 2]).values()
     heading(figure, result)
-    rows, drawn = result.history.rows, loops_of(result)
+    drawn = loops_of(result)
     for axes in (loops, ledger, bars):
         tidy(axes)
     _draw_loops(loops, drawn)
     path = drawn.unit * np.concatenate([[0.0], np.cumsum(np.abs(np.diff(drawn.turning)))])
-    draw_ledger(ledger, rows, path)
+    draw_ledger(ledger, drawn.rows, path)
     ledger.set_xlabel(drawn.way)
     ledger.set_ylabel("energy [J]")
     figure.legend(*ledger.get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False, fontsize=9)
@@ -67,7 +72,7 @@ def hysteresis_figure(result: "ResultData") -> Any:
 
 
 def _draw_loops(axes: Any, drawn: Loops) -> None:
-    """Each cycle in a colour of its own, from light to dark; dots at the turns."""
+    """Each cycle in a colour of its own, from light to dark; dots at the turns; the fall, if there is one."""
     from matplotlib import colormaps
 
     ends = np.array(bounds(drawn.turning))
@@ -82,6 +87,9 @@ def _draw_loops(axes: Any, drawn: Loops) -> None:
     moving = np.flatnonzero(direction)
     reversals = moving[1:][direction[moving[1:]] != direction[moving[:-1]]]
     axes.plot(drawn.across[reversals], drawn.up[reversals], "o", color="#b2182b", markersize=4, label="turn")
+    axes.set(xlim=axes.get_xlim(), ylim=axes.get_ylim())  # loops fill the picture; a fall goes out of it
+    if drawn.fall is not None:
+        axes.plot(*drawn.fall, "--", color="0.4", linewidth=1.2, label="fall")
     axes.axhline(0.0, color="0.6", linewidth=0.8)
     axes.axvline(0.0, color="0.6", linewidth=0.8)
     axes.set_xlabel(drawn.x)
@@ -101,6 +109,7 @@ def _draw_bars(axes: Any, cycles: list[dict[str, Any]]) -> None:
         words = f"{cycle['dissipated_j']:.3g}" + ("" if cycle["closed"] else "\nnot closed")
         axes.annotate(words, (number[k], base[k]), xytext=(0, 3), textcoords="offset points", ha="center", fontsize=9)
     axes.set_ylim(0.0, ROOM * float(base.max()) or 1.0)
+    axes.set_xlim(0.5, len(cycles) + 0.5)
     axes.set_xlabel("cycle")
-    axes.xaxis.get_major_locator().set_params(integer=True)
+    axes.xaxis.get_major_locator().set_params(integer=True, min_n_ticks=1)
     axes.set_ylabel("dissipated in the cycle [J]")

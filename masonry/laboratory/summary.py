@@ -14,7 +14,7 @@ from masonry.assembly.schedule import tilt_at
 from masonry.history import FACTOR, LARGE_UNITS, TILT, UNITS
 from masonry.jit.sources import source_hash
 from masonry.laboratory.provenance import own_sources
-from masonry.loading.cycles import DISSIPATED, at_peak, only_rises, table
+from masonry.loading.cycles import DISSIPATED, at_peak, before_a_fall, only_rises, table
 from masonry.model.loads import Controlled, Growing
 from masonry.monitors import events
 from masonry.monitors.energy import open_in_contacts
@@ -62,8 +62,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     after_settling = work_of_loads - outcome.found["work_of_loads_settling"]
     begun = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1  # the last row of the settling
     dissipated = sum(float(rows[key][-1]) for key in DISSIPATED)
-    driven = float(np.abs(rows["external_work"][begun:] - rows["external_work"][begun]).max(initial=0.0))
-    taken = float((rows["damping"] + rows["kinetic"])[-1] - (rows["damping"] + rows["kinetic"])[begun])
+    rest = before_a_fall(rows, outcome.control.get("factor_falls")) if scene.loops_over else rows
+    driven = float(np.abs(rest["external_work"][begun:] - rest["external_work"][begun]).max(initial=0.0))
+    taken = float((rest["damping"] + rest["kinetic"])[-1] - (rest["damping"] + rest["kinetic"])[begun])
     lost = dissipated + max(taken, 0.0)
     sudden = events.table(model, outcome.events, rows, max(SUDDEN * lost, ROUNDING * work))
     released = sum(event["released_j"] for event in sudden)
@@ -104,7 +105,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "peak_force_n": outcome.peak_force,
         "lowest_stress_pa": lowest,
         "displacement_at_lowest_m": outcome.displacement_at_lowest,
-        "cycles": table(rows, observed["widest"], scene.loops_over),
+        "cycles": table(rest, observed["widest"], scene.loops_over),
         **({"tilt_rad": float(rows[TILT][-1])} if TILT in rows else {}),
         "gauges": _readings(assembly, outcome),
         "reactions": _reactions(assembly, outcome),

@@ -37,6 +37,15 @@ def bounds(place: np.ndarray) -> list[float]:
     return [float(out[0]), *map(float, crossings), float(len(place) - 1)]
 
 
+def before_a_fall(rows: dict[str, np.ndarray], falls: float | None) -> dict[str, np.ndarray]:
+    """Rows up to the last one at which a load was borne, where it falls at a factor: how far a fall is followed is
+    chance."""
+    if falls is None:
+        return rows
+    borne = int(np.flatnonzero(rows[FACTOR] != falls)[-1]) + 1
+    return {key: values[:borne] for key, values in rows.items()}
+
+
 def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = None) -> list[dict[str, Any]]:
     """One entry a cycle, in SI; widest (n,) m, the widest opening at each row. Empty where nothing turns back.
 

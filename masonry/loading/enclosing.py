@@ -13,6 +13,8 @@ from masonry.runtime.state import State, attributes, load_attributes
 REMEMBERED = ("leg", "stands", "falls", "target", "increment", "greatest", "trials")
 LEAST = 1e-9
 """A factor that is nothing, where there is no other load to compare with."""
+SLIVER = 1e-6
+"""Share of an increment that is not left over at the end of a leg: it is but rounding of the sum of increments."""
 
 
 class Enclosing:
@@ -64,7 +66,10 @@ class Enclosing:
 
     def begin(self) -> None:
         """Set out for a higher factor."""
-        self.target = min(self.stands + self.increment, self.plan.legs[self.leg].length)
+        end = self.plan.legs[self.leg].length
+        self.target = self.stands + self.increment
+        if self.target > end - SLIVER * self.increment:
+            self.target = end
         self.trials += 1
 
     def bear(self) -> None:

@@ -77,6 +77,11 @@ def trust(summary: dict[str, Any]) -> str:
     damping = summary.get("damping_over_external") or 0.0
     if damping < -PUSHED and not dynamic:  # kinetic energy counts with it, which a slow run has little of
         doubts.append(f"damping added {percent(-damping)} of the work and removed none: ask for a smaller accuracy")
+    if grown and grown.get("loops") and damping > DAMPING:
+        doubts.append(
+            f"damping took {percent(damping)} of the work of the load before any fall: something cracked or slid "
+            "suddenly, and where it came to rest depends on how that is damped; `masonry sensitivity` shows by how much"
+        )
     control = summary.get("control") or {}
     if control.get("drag_at_peak", 0.0) > control.get("accuracy", 1.0):
         doubts.append(
