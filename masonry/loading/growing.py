@@ -16,6 +16,7 @@ from masonry.loading.enclosing import Enclosing
 from masonry.loading.falling import Falling
 from masonry.loading.gathering import Gathering
 from masonry.loading.moves.moved import places, reach, shares_of_blocks
+from masonry.loading.pace import Pace
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.loading.settings import GROWING, GrowingSettings
 from masonry.loading.varying_loads import SharedLoads
@@ -33,7 +34,7 @@ Arrays = dict[str, np.ndarray]
 
 REMEMBERED = (
     *("phase", "factor", "calm", "slowest", "undecided", "looked", "travelled", "usual"),
-    *("steps_of_trial", "falls_by_turning", "swayed"),
+    *("steps_of_trial", "risen", "falls_by_turning", "swayed"),
 )
 SETTLES, RISES, WAITS, SHOWS, DROPS, LEADS, OVER = "settles", "rises", "waits", "shows", "drops", "leads", "over"
 """Phases: dead loads settle; the factor rises; a trial is watched; its rest is shown; the fall is followed, or a gauge
@@ -72,8 +73,9 @@ class GrowingLoading:
             self.fall, self.most_looks = self.size * settings.far, settings.far_looks
         self.phase, self.factor = SETTLES, 0.0
         self.rested: Arrays = {}
+        self.pace, self.booked = Pace(plan.accuracy, settings), np.zeros(2)
         self.places = [np.zeros(place.shape) for place in places(model, self.size)]
-        self.calm = self.undecided = self.looked = self.steps_of_trial = self.slowest = 0
+        self.calm = self.undecided = self.looked = self.steps_of_trial = self.risen = self.slowest = 0
         self.travelled = self.usual = self.swayed = 0.0
         self.turned = self.falls_by_turning = False
         self.branch = None if gauge is None else Falling(model, plan, gauge)
@@ -101,7 +103,7 @@ class GrowingLoading:
         if self.phase == LEADS and self.branch is not None:
             return self.passing(self.branch.factor, self.branch.look, self.branch.row_due)
         if self.phase == RISES:
-            return self.passing(self.enclosing.tried, self.window * self.settings.look)
+            return self.passing(self.rising(), self.settings.look)
         return self.passing(self.factor, self.settings.look, self.phase in (SHOWS, DROPS))
 
     @property
@@ -119,14 +121,29 @@ class GrowingLoading:
 
     def keep(self) -> None:
         """The specimen rests here: trials begin from here."""
-        self.rested = self.state_of(self.model)
+        self.rested, self.booked = self.state_of(self.model), self.works()
         self.places = places(self.model, self.size)
 
     def begin(self) -> None:
         """Set out for a higher factor."""
         self.enclosing.begin()
         self.gathering.begin()
-        self.phase, self.calm, self.steps_of_trial = RISES, 0, 0
+        self.phase, self.calm, self.steps_of_trial, self.risen = RISES, 0, 0, 0
+
+    def rising(self) -> float:
+        """The factor behind the next look, on its way to the one that is tried."""
+        borne, tried, passed = self.enclosing.borne, self.enclosing.tried, (self.risen + 1) / self.looks_of_rise
+        return tried if passed >= 1.0 else borne + passed * (tried - borne)
+
+    @property
+    def looks_of_rise(self) -> int:
+        """Looks in which the factor rises to the one that is tried."""
+        return round(self.pace.slower * self.window)
+
+    def works(self) -> np.ndarray:
+        """J, the work of all loads so far, and what damping took."""
+        works = np.sum([body.work.sum(axis=0) for _, body in energy.present(self.model)], axis=0)
+        return np.array([works[2], -works[1]])
 
     def farthest(self) -> float:
         """m, how far anything has moved since the last rest."""
@@ -143,10 +160,10 @@ class GrowingLoading:
         if self.turned:
             self.end_by_turning()
             return
-        self.steps_of_trial += self.settings.look * (self.window if self.phase == RISES else 1)
+        self.steps_of_trial += self.settings.look
         self.travelled = self.farthest()
         if self.phase == RISES:
-            self.phase = WAITS
+            self.rise()
         elif self.phase == WAITS:
             self.judge(before)
         elif self.phase == SHOWS:
@@ -178,6 +195,14 @@ class GrowingLoading:
         """m: motion since the last rest that is a fall in itself."""
         return max(self.settings.away * self.size, self.settings.usual * self.usual)
 
+    def rise(self) -> None:
+        """The factor goes on, unless the specimen falls already."""
+        self.risen += 1
+        if self.travelled > self.away:
+            self.fail()
+        elif self.risen >= self.looks_of_rise:
+            self.phase = WAITS
+
     def judge(self, before: list[np.ndarray]) -> None:
         """Whether the specimen rests, accelerates, or has still to be waited for."""
         now = energy.observe(self.model)
@@ -198,6 +223,8 @@ class GrowingLoading:
         if self.branch is not None:
             self.branch.learn(self.rested, self.enclosing.target - self.enclosing.stands)
         self.enclosing.bear()
+        if self.plan.reversals:
+            self.pace.learn(*(self.works() - self.booked))
         self.slowest = max(self.slowest, self.steps_of_trial)
         self.usual = max(self.usual, self.travelled)
         self.swayed = max(map(reach, places(self.model, self.size)))
@@ -254,6 +281,8 @@ class GrowingLoading:
             "settling": self.settling.state(),
             "enclosing": self.enclosing.state(),
             "gathering": self.gathering.state(),
+            "pace": self.pace.state(),
+            "booked": self.booked,
             **({} if self.branch is None else {"branch": self.branch.state()}),
         }
 
@@ -264,5 +293,7 @@ class GrowingLoading:
         self.settling.restore(state["settling"])
         self.enclosing.restore(state["enclosing"])
         self.gathering.restore(state["gathering"])
+        self.pace.restore(state["pace"])
+        self.booked = state["booked"]
         if self.branch is not None:
             self.branch.restore(state["branch"])

@@ -82,6 +82,8 @@ class GrowingSettings:
     coarsest   greatest increment, over the factor that is borne; of a load that goes to and fro it is `of_span` times
                the accuracy, over all that it goes through, and `widest` at most: with increments of 4, 2 and 1 % a dry
                wall dissipated 2.2, 1.1 and 0.5 % too much
+    damped     times the accuracy: share of the work of such a load that damping may take; `slows` and `hastens`, most
+               and least change of its pace from one increment to the next; `slowest`, times by which one takes longer
     look       steps between two looks
     window     looks of which the motion is averaged, at least
     at_rest    force that accelerates over all loads, over the accuracy, and `still`, kinetic over stored energy, below
@@ -99,6 +101,10 @@ class GrowingSettings:
     coarsest: float = 0.125
     of_span: float = 2.0
     widest: float = 0.05
+    damped: float = 2.0
+    slows: float = 2.0
+    hastens: float = 0.7
+    slowest: float = 64.0
     look: int = 50
     window: int = 10
     at_rest: float = 1e-2

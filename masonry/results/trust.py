@@ -14,6 +14,8 @@ STILL = 1e-6
 displacements, and what slides or falls, be its load only a thousandth too large, has more."""
 RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
 """Limits: what sudden cracks release over all energy lost; over the external work, what damping gives, and takes."""
+PACED = 2.5
+"""Limit of what damping takes of the work of a load that goes to and fro, over the accuracy: its pace aims at less."""
 TAKEN = 0.02
 """Share by which a contact may take more energy of mode II than the area under its law's curve."""
 ANEW = 0.01
@@ -77,7 +79,7 @@ def trust(summary: dict[str, Any]) -> str:
     damping = summary.get("damping_over_external") or 0.0
     if damping < -PUSHED and not dynamic:  # kinetic energy counts with it, which a slow run has little of
         doubts.append(f"damping added {percent(-damping)} of the work and removed none: ask for a smaller accuracy")
-    if grown and grown.get("loops") and damping > DAMPING:
+    if grown and grown.get("loops") and damping > max(DAMPING, PACED * grown["accuracy"]):
         doubts.append(
             f"damping took {percent(damping)} of the work of the load before any fall: something cracked or slid "
             "suddenly, and where it came to rest depends on how that is damped; `masonry sensitivity` shows by how much"
