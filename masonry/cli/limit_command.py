@@ -1,6 +1,7 @@
 """`masonry limit`: the largest factor of a load that a scene bears, by limit analysis; pictures of how it fails.
 
-Exit codes: 0 found, 2 something wrong with the words or the scene, or it has no limit; nothing is written then.
+Exit codes: 0 found, 2 something wrong with the words or the scene, or it has no limit, 130 ended by Ctrl-C; nothing is
+written then.
 """
 
 import json
@@ -41,6 +42,7 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
     from masonry import scene
     from masonry.limit_analysis.analysis import Wishes, analyse
+    from masonry.limit_analysis.expected import LimitProgress
     from masonry.quantity import parse
     from masonry.runtime.folder import claimed, scene_name, writing
 
@@ -54,7 +56,9 @@ def main(arguments: list[str] | None = None) -> int:
         dilation=not words.no_dilation, strength=not words.no_strength, safety=words.safety, at=words.at,
         crushing=crushing, points=words.points, sides=words.linear or 0,
     )  # fmt: skip
-    result = analyse(scene.load(words.scene, words.overrides), wishes)
+    loaded = scene.load(words.scene, words.overrides)
+    with LimitProgress() as progress:
+        result = analyse(loaded, wishes, progress)
     print(json.dumps(result.as_data(), indent=1) if words.json else result)
     if words.json and words.out is None:
         return OK

@@ -9,10 +9,12 @@ from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
 from masonry.limit_analysis.contacts import POINTS, contacts_of, rises, sliding_fraction, strong_groups, touching
 from masonry.limit_analysis.data import set_of
+from masonry.limit_analysis.expected import LimitProgress, size_words
 from masonry.limit_analysis.loads import Loads, loads_of
 from masonry.limit_analysis.result import LimitResult
 from masonry.scene import Scene
 from masonry.statics.no_dilation import without_dilation
+from masonry.statics.plane import plane_of
 from masonry.statics.problem import Bodies, Contacts, Found
 from masonry.statics.safety import factor_of_safety
 from masonry.statics.solve import ANY, STANDS, UPWARD, Method, Range, largest_factor, method_word, standing
@@ -66,18 +68,23 @@ class Wishes:
             raise SceneError("--at is the load factor of --safety; add --safety")
 
 
-def analyse(scene: Scene, wishes: Wishes = Wishes()) -> LimitResult:
-    """Raises SceneError, in one sentence, for what cannot stand, what nothing loads, and what has no limit."""
+def analyse(scene: Scene, wishes: Wishes = Wishes(), progress: LimitProgress | None = None) -> LimitResult:
+    """The limit analysis of a scene; `progress` is told what it takes, and how far it is.
+
+    Raises SceneError, in one sentence, for what cannot stand, what nothing loads, and what has no limit.
+    """
     wishes.require_sense()
     specimen, joints = touching(scene, wishes.points)
     begun = perf_counter()
     contacts = contacts_of(scene, specimen, joints, wishes.strength, wishes.crushing)
     alone = wishes.safety and not wishes.at
     loads = loads_of(scene, specimen, joints, alone)
-    method = Method(wishes.plane, wishes.sides)
+    method = Method(wishes.plane, wishes.sides, None if progress is None else progress.tell)
     result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit, bound=BOUND)
     result.method = method_word(loads.bodies, contacts, method, cones=not wishes.dilation)
     result.points = _points_word(scene, wishes)
+    if progress is not None and plane_of(loads.bodies, contacts) is None:
+        progress.begin(size_words(contacts, method, wishes.dilation))
     result.remarks += _remarks(scene, specimen, joints, wishes)
     if wishes.safety:
         _set_safety(result, loads, contacts, method, wishes)

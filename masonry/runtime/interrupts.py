@@ -4,12 +4,15 @@ import contextlib
 import os
 import signal
 import threading
-from collections.abc import Iterator
-from typing import Any
+import time
+from collections.abc import Callable, Iterator
+from typing import Any, TypeVar
 
 from masonry.runtime.shell import ENDING
 
 SIGNALS = (signal.SIGINT, *ENDING)
+LOOK_SECONDS = 1.0
+Answer = TypeVar("Answer")
 
 
 class Interrupts:
@@ -49,3 +52,48 @@ def interruptible() -> Iterator[Interrupts]:
     finally:
         for number, handler in usual.items():
             signal.signal(number, handler)
+
+
+@contextlib.contextmanager
+def interrupt_afterwards() -> Iterator[list[int]]:
+    """Ctrl-C fills a list, which may be looked at meanwhile, and is raised as KeyboardInterrupt at the end.
+
+    Where somebody else looks after Ctrl-C, and outside the main thread, it stays so.
+    """
+    pressed: list[int] = []
+    usual = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or usual is not signal.default_int_handler:
+        yield pressed
+        return
+    signal.signal(signal.SIGINT, lambda number, frame: pressed.append(number))
+    try:
+        yield pressed
+    finally:
+        signal.signal(signal.SIGINT, usual)
+    if pressed:
+        raise KeyboardInterrupt
+
+
+def interruptible_wait(work: Callable[[], Answer], every: Callable[[float], None] | None = None) -> Answer:
+    """What a call comes to that does not hear Ctrl-C itself: it works in a thread, which is left alone on Ctrl-C.
+
+    every  is told the seconds so far, about once a second. Raises what the call raises.
+    """
+    found: list[Answer] = []
+    raised: list[BaseException] = []
+
+    def do() -> None:
+        try:
+            found.append(work())
+        except BaseException as error:
+            raised.append(error)
+
+    begun, working = time.monotonic(), threading.Thread(target=do, daemon=True)
+    working.start()
+    while working.is_alive():
+        working.join(LOOK_SECONDS)
+        if every is not None and working.is_alive():
+            every(time.monotonic() - begun)
+    if raised:
+        raise raised[0]
+    return found[0]

@@ -1,7 +1,7 @@
 """The largest load factor with true friction cones, by a second-order cone programme (Clarabel)."""
 
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
@@ -9,10 +9,11 @@ from scipy import sparse
 from masonry.errors import SceneError
 from masonry.statics.crushing import crushing_cones
 from masonry.statics.equilibrium import Equilibrium
+from masonry.statics.interior_point import Programme, Tell, clarabel_package, solved, true_gap
 from masonry.statics.problem import Contacts
 
-ACCURACY = 1e-10
-SOLVED, SLOW = ("Solved", "AlmostSolved"), ("InsufficientProgress", "NumericalError", "MaxIterations")
+SOLVED = ("Solved", "AlmostSolved")
+SLOW = ("InsufficientProgress", "NumericalError", "MaxIterations", "CallbackTerminated")
 GOOD_ENOUGH = 1e-6
 """Gap and residuals with which the end of a row of steps that came to a halt still counts."""
 INFEASIBLE = ("PrimalInfeasible", "AlmostPrimalInfeasible")
@@ -31,13 +32,14 @@ class Near(NamedTuple):
 
 
 def solve_cones(
-    forces: Equilibrium, contacts: Contacts, between: tuple[float, float], near: Near | None = None
-) -> tuple[str, np.ndarray, np.ndarray, float]:
+    forces: Equilibrium, contacts: Contacts, between: tuple[float, float], near: Near | None = None,
+    tell: Tell | None = None,
+) -> tuple[str, np.ndarray, np.ndarray, float]:  # fmt: skip
     """As solve_linear, but with cones; with `near` the status may be "no end" as well.
 
     Raises SceneError where Clarabel is not installed, or comes to no end.
     """
-    clarabel = _clarabel()
+    clarabel = clarabel_package()
     scale = 1.0 + len(forces.dead) / 6.0
     forces = _of_the_whole(forces, scale)
     groups, k = forces.tangent.shape[:2]
@@ -60,9 +62,6 @@ def solve_cones(
             parts.append(rows)
             sides.append(side)
             kinds += kind
-    settings = clarabel.DefaultSettings()
-    settings.verbose = False
-    settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = ACCURACY
     cost = np.zeros(unknowns)
     cost[-1] = -1.0
     square = sparse.csc_matrix((unknowns, unknowns))
@@ -71,13 +70,14 @@ def solve_cones(
         square = sparse.csc_matrix(sparse.diags(near.weight * size**2))
         cost = near.push * cost - near.weight * size * near.before
     matrix = sparse.csc_matrix(sparse.vstack(parts, format="csc"))
-    found = clarabel.DefaultSolver(square, cost, matrix, np.concatenate(sides), kinds, settings).solve()
+    programme = Programme(square, cost, matrix, np.concatenate(sides), kinds)
+    found = solved(programme, tell)
     status = str(found.status)
     gap = abs(found.obj_val - found.obj_val_dual) / max(1.0, abs(found.obj_val))
     if status in SOLVED or (status in SLOW and max(gap, found.r_prim, found.r_dual) < GOOD_ENOUGH):
         unknown = np.array(found.x)
         unknown[:-1] *= scale
-        return "solved", unknown, np.array(found.z[:equations]) / scale, float(gap)
+        return "solved", unknown, np.array(found.z[:equations]) / scale, true_gap(programme, found)
     if status in INFEASIBLE or status in UNBOUNDED:
         word = "infeasible" if status in INFEASIBLE else "unbounded"
         return word, np.zeros(unknowns), np.zeros(equations), 0.0
@@ -127,13 +127,3 @@ def _cones(forces: Equilibrium, contacts: Contacts, unknowns: int) -> tuple[spar
     offset = np.zeros((k + 1) * number)
     offset[:: k + 1] = np.bincount(forces.group, contacts.cohesion, groups)[chosen] / forces.force
     return sparse.csc_array((value, (row, column)), shape=((k + 1) * number, unknowns)), offset, number
-
-
-def _clarabel() -> Any:
-    try:
-        import clarabel
-    except ModuleNotFoundError:
-        raise SceneError(
-            "friction cones need the package clarabel: pip install clarabel; or take pyramids: --linear 16"
-        ) from None
-    return clarabel

@@ -9,7 +9,9 @@ import numpy as np
 from scipy import sparse
 from scipy.optimize import linprog
 
+from masonry.runtime.interrupts import interruptible_wait
 from masonry.statics.equilibrium import Equilibrium
+from masonry.statics.interior_point import Tell
 from masonry.statics.problem import Contacts
 
 EXACT = {"primal_feasibility_tolerance": 1e-9, "dual_feasibility_tolerance": 1e-9}
@@ -19,7 +21,7 @@ STATUS = {0: "solved", 2: "infeasible", 3: "unbounded"}
 
 
 def solve_linear(
-    forces: Equilibrium, contacts: Contacts, sides: int, between: tuple[float, float]
+    forces: Equilibrium, contacts: Contacts, sides: int, between: tuple[float, float], tell: Tell | None = None
 ) -> tuple[str, np.ndarray, np.ndarray, float]:
     """Status, unknowns (normal forces, shear forces, factor), velocities (R,) and gap; all without units.
 
@@ -36,7 +38,15 @@ def solve_linear(
     cost = np.zeros(len(low))
     cost[-1] = -1.0
     bounds = np.column_stack([low, high])
-    found = linprog(cost, upper, bound, matrix, -forces.dead, bounds, method=_method(forces), options=EXACT)
+
+    def optimise() -> Any:
+        return linprog(cost, upper, bound, matrix, -forces.dead, bounds, method=_method(forces), options=EXACT)
+
+    def every(seconds: float) -> None:
+        if tell is not None:
+            tell(0, f"linear programme (HiGHS), which does not say how far it is: {seconds:.0f} s")
+
+    found = optimise() if _is_little(forces) else interruptible_wait(optimise, every)
     status = _status(found, cost, upper, bound, matrix, -forces.dead, bounds)
     if status != "solved":
         return status, np.zeros(len(low)), np.zeros(len(forces.dead)), 0.0
@@ -50,7 +60,11 @@ def solve_linear(
 
 def _method(forces: Equilibrium) -> str:
     """The simplex method is the quickest for little, and by far the slowest for much."""
-    return "highs-ds" if len(forces.leader) * forces.tangent.shape[1] <= MUCH else "highs-ipm"
+    return "highs-ds" if _is_little(forces) else "highs-ipm"
+
+
+def _is_little(forces: Equilibrium) -> bool:
+    return len(forces.leader) * forces.tangent.shape[1] <= MUCH
 
 
 def _status(

@@ -140,7 +140,7 @@ class _LoadPath:
         """The forces at a factor of 1 where friction is great."""
         great = replace(self.flat, friction=GREAT * self.flat.friction)
         near = Near(np.zeros(len(self.weight)), self.weight, 0.0)
-        return solve_cones(self.forces, great, (self.unit, self.unit), near)[1]
+        return self.solve(great, (self.unit, self.unit), near)[1]
 
     def step(self, before: np.ndarray, pace: float) -> np.ndarray:
         """The forces when the load has moved on; pace: the less, the further."""
@@ -150,12 +150,12 @@ class _LoadPath:
         """Forces whose friction goes with their own normal forces."""
         near = Near(before, pace * self.weight, push)
         bounds = (between[0] * self.unit, between[1] * self.unit)
-        given = before if before.any() else solve_cones(self.forces, self.flat, bounds, near)[1]
+        given = before if before.any() else self.solve(self.flat, bounds, near)[1]
         last: tuple[np.ndarray, np.ndarray] | None = None
         for _ in range(tries):
-            status, after, _, _ = solve_cones(self.forces, self.cylinders(given), bounds, near)
+            status, after = self.solve(self.cylinders(given), bounds, near)
             if status != "solved":  # these cylinders are too narrow; the cones are not
-                status, after, _, _ = solve_cones(self.forces, self.flat, bounds, near)
+                status, after = self.solve(self.flat, bounds, near)
             if status != "solved":
                 return given
             off = (after - given)[: self.flat.count]
@@ -163,6 +163,10 @@ class _LoadPath:
                 break
             given, last = _secant(after, off, last), (after, off)
         return after
+
+    def solve(self, contacts: Contacts, bounds: Range, near: Near) -> tuple[str, np.ndarray]:
+        """Status and forces of one problem."""
+        return solve_cones(self.forces, contacts, bounds, near, self.method.tell)[:2]
 
     def cylinders(self, forces: np.ndarray) -> Contacts:
         """Contacts whose shear strength is what friction makes of these normal forces, and stays so."""

@@ -1,11 +1,12 @@
 """One limit analysis of bodies and contacts: in a plane where there is one, by planes or by cones."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from masonry.statics.cones import solve_cones
 from masonry.statics.equilibrium import Equilibrium, equilibrium
+from masonry.statics.interior_point import Tell
 from masonry.statics.linear import solve_linear
 from masonry.statics.plane import flattened, plane_of
 from masonry.statics.problem import Bodies, Contacts, Found
@@ -22,10 +23,12 @@ class Method:
 
     plane    whether a plane problem is solved in its plane
     sides    of the pyramids that stand for friction cones in space, 0 for cones
+    tell     is told how far a solve is; None: nobody is
     """
 
     plane: bool = True
     sides: int = 0
+    tell: Tell | None = field(default=None, compare=False)
 
 
 Range = tuple[float, float]
@@ -43,9 +46,9 @@ def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY,
     forces = equilibrium(bodies, flat, axis)
     bounds = (between[0] * forces.live_force / forces.force, between[1] * forces.live_force / forces.force)
     if sides:
-        status, unknown, velocity, gap = solve_linear(forces, flat, sides, bounds)
+        status, unknown, velocity, gap = solve_linear(forces, flat, sides, bounds, method.tell)
     else:
-        status, unknown, velocity, gap = solve_cones(forces, flat, bounds)
+        status, unknown, velocity, gap = solve_cones(forces, flat, bounds, tell=method.tell)
     return in_space(forces, contacts, flat, owner, status, unknown, velocity, gap)
 
 

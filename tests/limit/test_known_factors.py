@@ -130,3 +130,12 @@ def test_blocks_that_are_glued_move_as_one_and_glue_that_slides_bears_any_pull(m
     up = replace(bodies, live=-bodies.dead)
     assert largest_factor(up, sliding, method).status == "unbounded"
     assert largest_factor(bodies, sliding, method).factor == pytest.approx(0.0, abs=1e-7)
+
+
+@pytest.mark.parametrize("accuracy", [1e-3, 1e-5, 1e-7])
+def test_the_gap_that_is_told_is_no_less_than_the_error_of_a_solve_that_ends_early(accuracy, monkeypatch):
+    monkeypatch.setattr("masonry.statics.interior_point.ACCURACY", accuracy)
+    bodies, contacts = dry(wall(12, halves_below=True), [0], 0.65, live=(0.3, 1.0, 0.0))
+    found = largest_factor(bodies, contacts, CONES)
+    error = abs(found.factor - 0.1 / (0.175 * 12))
+    assert 1e-12 < error <= found.gap * max(1.0, found.factor) <= accuracy

@@ -1,0 +1,70 @@
+"""A limit analysis that takes long: it says so beforehand, shows how far it is, and ends on Ctrl-C."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from masonry.limit_analysis.expected import LONG, seconds_expected, size_words
+from masonry.runtime.interrupts import interruptible_wait
+from masonry.statics.solve import Method, largest_factor
+from tests.limit.blocks import CONES, PYRAMIDS, dry, wall
+
+RUBBLE = ("limit", "wall-three-leaf", "--set", "specimen.core.total=800")
+
+
+def test_each_iteration_is_told_with_a_gap_that_falls():
+    said: list[tuple[int, str]] = []
+    tells = replace(CONES, tell=lambda iterations, note: said.append((iterations, note)))
+    bodies, contacts = dry(wall(6, halves_below=True), [0], 0.65)
+    assert largest_factor(bodies, contacts, tells).factor == largest_factor(bodies, contacts, CONES).factor
+    assert [iterations for iterations, _ in said] == list(range(1, len(said) + 1))
+    gaps = [float(note.split()[1].rstrip(",")) for _, note in said]
+    assert gaps[-1] < 1e-9 < 1e-3 < max(gaps)
+
+
+def test_what_it_takes_is_said_beforehand_where_it_takes_long():
+    bodies, contacts = dry(wall(6, halves_below=True), [0], 0.65)
+    assert size_words(contacts, CONES, True) == ""
+    many = contacts.select(list(range(contacts.count)) * 200)
+    assert seconds_expected(many.count, 0) > LONG
+    words = size_words(many, CONES, True)
+    assert f"{many.count} contact points" in words and "GB" in words and "fewer blocks" in words
+    assert "without --linear" in size_words(many, PYRAMIDS, True)
+    assert "a hundred" in size_words(many, CONES, False)
+
+
+@pytest.mark.parametrize("sides", [0, 16])
+def test_a_plane_method_and_one_in_space_tell_alike(sides):
+    assert Method(sides=sides) == Method(sides=sides, tell=lambda iterations, note: None)
+
+
+def test_a_call_that_is_waited_for_hands_on_what_it_returns_and_raises():
+    assert interruptible_wait(lambda: 7) == 7
+    with pytest.raises(ZeroDivisionError):
+        interruptible_wait(lambda: 1 / 0)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+@pytest.mark.parametrize("words", [(), ("--linear", "16")])
+def test_ctrl_c_ends_a_long_one_within_seconds(words, tmp_path):
+    process = subprocess.Popen(
+        [sys.executable, "-m", "masonry", *RUBBLE, *words, "--out", str(tmp_path / "out")],
+        stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True, cwd=Path.cwd(), env=dict(os.environ),
+    )  # fmt: skip
+    said = ""
+    while "limit  " not in said:  # the sizes, or how far it is: it is at work
+        said += process.stderr.readline()
+    time.sleep(1.0)
+    process.send_signal(signal.SIGINT)
+    begun = time.monotonic()
+    said += process.communicate(timeout=60)[1]
+    assert time.monotonic() - begun < 5.0
+    assert process.returncode == 130 and said.rstrip().endswith("masonry: interrupted before there were results")
+    assert "Traceback" not in said and not (tmp_path / "out").exists()
