@@ -1,10 +1,5 @@
 """The compiled step of a model: made or loaded from the cache, and taken."""
 
-import contextlib
-import signal
-import threading
-from collections.abc import Iterator
-
 import numpy as np
 
 from masonry.jit.compiler import is_kept, kind_of, once
@@ -13,6 +8,7 @@ from masonry.loading.scheduled import Chunk
 from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.collision import compile_look
+from masonry.runtime.interrupts import interrupt_afterwards
 from masonry.timeloop.large_motion import advance_large
 
 
@@ -34,26 +30,6 @@ def _kind(model: Model, threads: int) -> str:
     """The name of all models that one compiled step serves."""
     parallel = True if threads > 1 else None
     return kind_of((parallel, model.damping, *model.step_arguments()))
-
-
-@contextlib.contextmanager
-def interrupt_afterwards() -> Iterator[None]:
-    """Ctrl-C waits for the compiler, which cannot be interrupted cleanly, and counts when it is done.
-
-    Where somebody else looks after Ctrl-C, it stays so.
-    """
-    usual = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or usual is not signal.default_int_handler:
-        yield
-        return
-    pressed: list[int] = []
-    signal.signal(signal.SIGINT, lambda number, frame: pressed.append(number))
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, usual)
-    if pressed:
-        raise KeyboardInterrupt
 
 
 def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:

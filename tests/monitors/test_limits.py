@@ -10,7 +10,7 @@ from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.pictures.style import plain
 from masonry.results.trust import trust
-from masonry.timeloop import compiled_step
+from masonry.runtime.interrupts import interrupt_afterwards
 
 
 @pytest.mark.parametrize(
@@ -45,7 +45,7 @@ def test_the_mismatch_of_the_two_ends_is_looked_for_at_the_peak_too():
 
 def test_ctrl_c_while_compiling_counts_when_the_compiler_is_done():
     done = []
-    with pytest.raises(KeyboardInterrupt), compiled_step.interrupt_afterwards():
+    with pytest.raises(KeyboardInterrupt), interrupt_afterwards():
         os.kill(os.getpid(), signal.SIGINT)
         done.append(True)
     assert done
