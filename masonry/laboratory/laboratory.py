@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 Progress = Callable[[int, int, str], None]
 
+BLOW = 1.2
+"""Peak over the highest row from which on it is a blow: rows of a slow test lie much closer."""
+
 
 def run(
     scene: Scene, threads: int = 1, progress: Progress | None = None, checkpointer: Checkpointer | None = None
@@ -69,7 +72,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     add_tilt(assembly, outcome)
     frames = outcome.history.frames
     remarks = [*warnings(assembly), *rocked_remarks(assembly, frames), *bent_remarks(assembly, frames)]
-    remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", [])]
+    remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", []), *_blow(assembly, outcome)]
     return Result(
         summary={**summarise(assembly, outcome), "warnings": remarks},
         history=outcome.history,
@@ -87,6 +90,19 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
         ],
         resultants=resultants(assembly.specimen.blocks, assembly.joints, outcome.standing),
     )
+
+
+def _blow(assembly: Assembly, outcome: Outcome) -> list[str]:
+    """Where the peak lies far above all rows: it is a blow, and no strength."""
+    rows, section = outcome.history.rows, assembly.specimen.section
+    after = rows["step"] >= assembly.plan.settle
+    highest = float(rows["stress"][after].max(initial=0.0))
+    if outcome.peak_force <= BLOW * highest * section or not outcome.displacement_at_peak:
+        return []
+    return [
+        f"the peak is a blow between two rows, of which the highest shows {1e-6 * highest:.4g} MPa: how hard things "
+        "strike depends on the stiffness of their contacts"
+    ]
 
 
 def check(scene: Scene) -> "Report":

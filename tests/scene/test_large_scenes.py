@@ -7,6 +7,7 @@ from geometry.polyhedra.measures import bounds, volumes
 from masonry.assembly.assemble import assemble
 from masonry.assembly.schedule import tilt_at
 from masonry.laboratory import laboratory
+from masonry.results.trust import trust
 from masonry.scene import load, packaged
 
 LARGE = [name for name in packaged() if load(name).is_large]
@@ -49,6 +50,13 @@ def test_it_runs_to_rest_and_falls_where_it_should(name):
     assert (summary["collapse"] is None) == (name == "block-rocking")
     if name != "block-rocking":
         assert kinetic[-1] <= 1e-8 * kinetic.max(), "it ends at rest"
+
+
+@pytest.mark.slow
+def test_a_peak_that_no_row_comes_near_is_told_as_a_blow():
+    result = laboratory.run(load("couplet-slid-off"))
+    assert result.summary["peak_stress_pa"] > 1.2 * result.history.rows["stress"].max()
+    assert "the peak is a blow between two rows" in trust(result.summary)
 
 
 def test_the_rocking_block_leans_on_one_edge_by_half_its_slenderness():
