@@ -60,11 +60,9 @@ def specimen_of(scene: Scene) -> Specimen:
 def as_turned(scene: Scene, points: np.ndarray) -> np.ndarray:
     """Points (n, 3) m of the specimen as it was built, where it stands in the scene."""
     rotation = scene.specimen.turned
-    return (
-        points
-        if rotation is None
-        else turned(points, np.eye(3)["xyz".index(rotation.about)], rotation.angle, rotation.through)
-    )
+    if rotation is None:
+        return points
+    return turned(points, np.eye(3)["xyz".index(rotation.about)], rotation.angle, rotation.through)
 
 
 def _specimen_of(scene: Scene) -> Specimen:

@@ -22,7 +22,7 @@ ROOM = 1.25
 
 class Loops(NamedTuple):
     """Values, one of each of the rows: what turns back, what it is drawn against, and upwards; with their labels, that
-    of the way to and fro, and the size of a unit of what turns back there. Rows of a fall are not among them: across
+    of the path to and fro, and the size of a unit of what turns back there. Rows of a fall are not among them: across
     and upwards, it begins at the last of them."""
 
     rows: dict[str, np.ndarray]
@@ -31,7 +31,7 @@ class Loops(NamedTuple):
     up: np.ndarray
     x: str
     y: str
-    way: str
+    path: str
     unit: float
     fall: tuple[np.ndarray, np.ndarray] | None = None
 
@@ -41,13 +41,13 @@ def loops_of(result: "ResultData") -> Loops:
     rows, grown = result.history.rows, result.summary.get("collapse_load") or {}
     if "loops" in grown:
         gauge, rest = grown["loops"]["gauge"], before_a_fall(rows, grown["falls"])
-        factor, x, way = rest[FACTOR], plain(f"{gauge} [mm]"), "way of the load factor, to and fro [1]"
+        factor, x, path = rest[FACTOR], plain(f"{gauge} [mm]"), "way of the load factor, to and fro [1]"
         after = slice(len(factor) - 1, None)
         fall = None if len(factor) == len(rows[FACTOR]) else (MILLI * rows[gauge][after], rows[FACTOR][after])
-        return Loops(rest, factor, MILLI * rest[gauge], factor, x, "load factor [1]", way, 1.0, fall)
+        return Loops(rest, factor, MILLI * rest[gauge], factor, x, "load factor [1]", path, 1.0, fall)
     drawn = curve_axes(result)
-    y, way = f"{drawn.name} at the drive [{drawn.unit}]", "way of the drive, back and forth [mm]"
-    return Loops(rows, rows["displacement"], drawn.across, rows["stress"] * drawn.factor, drawn.label, y, way, MILLI)
+    y, path = f"{drawn.name} at the drive [{drawn.unit}]", "way of the drive, back and forth [mm]"
+    return Loops(rows, rows["displacement"], drawn.across, rows["stress"] * drawn.factor, drawn.label, y, path, MILLI)
 
 
 def hysteresis_figure(result: "ResultData") -> Any:
@@ -64,7 +64,7 @@ def hysteresis_figure(result: "ResultData") -> Any:
     _draw_loops(loops, drawn)
     path = drawn.unit * np.concatenate([[0.0], np.cumsum(np.abs(np.diff(drawn.turning)))])
     draw_ledger(ledger, drawn.rows, path)
-    ledger.set_xlabel(drawn.way)
+    ledger.set_xlabel(drawn.path)
     ledger.set_ylabel("energy [J]")
     figure.legend(*ledger.get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False, fontsize=9)
     _draw_bars(bars, result.summary["cycles"])

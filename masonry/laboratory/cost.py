@@ -83,8 +83,8 @@ def _trials(plan: Growing) -> int:
     """Trials of a load that grows until it falls, or the increments of one that goes to and fro."""
     if not plan.reversals:
         return TRIALS
-    way = sum(leg.length for leg in plan.legs)
-    return round(way / (min(GROWING.of_span * plan.accuracy, GROWING.widest) * plan.span))
+    path = sum(leg.length for leg in plan.legs)
+    return round(path / (min(GROWING.of_span * plan.accuracy, GROWING.widest) * plan.span))
 
 
 def _of_branch(plan: Growing) -> int:

@@ -15,7 +15,7 @@ from masonry.history import FACTOR, OFF_BALANCE
 from masonry.loading.enclosing import Enclosing
 from masonry.loading.falling import Falling
 from masonry.loading.gathering import Gathering
-from masonry.loading.moves.moved import places, reach, shares_of_blocks
+from masonry.loading.moves.moved import places, reach, relative_travel
 from masonry.loading.pace import Pace
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.loading.settings import GROWING, GrowingSettings
@@ -270,7 +270,7 @@ class GrowingLoading:
 
     def mechanism(self) -> np.ndarray:
         """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""
-        return shares_of_blocks(self.model, self.moved())
+        return relative_travel(self.model, self.moved())
 
     def state(self) -> State:
         """All that the next chunk depends on."""

@@ -24,11 +24,11 @@ def dofs(model: Model) -> Arrays:
     return {kind: model.u[: len(body.v)] if kind == "tets" else body.q for kind, body in energy.present(model)}
 
 
-def shares_of_blocks(model: Model, moved: list[np.ndarray]) -> np.ndarray:
+def relative_travel(model: Model, moved: list[np.ndarray]) -> np.ndarray:
     """(B,) how far each block has moved, over the one that moved most; zeros where none did. moved: as of `places`."""
     layout, found = model.layout, np.zeros(model.blocks.count)
-    for (kind, _), way in zip(energy.present(model), moved, strict=True):
-        far = np.linalg.norm(way, axis=1)
+    for (kind, _), part in zip(energy.present(model), moved, strict=True):
+        far = np.linalg.norm(part, axis=1)
         if kind == "tets":
             assert layout.mesh is not None
             far = np.maximum.reduceat(far, layout.mesh.node_start[layout.members[kind]])
