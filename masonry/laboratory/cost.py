@@ -18,6 +18,8 @@ LEG, WIDER = 3000, 200.0
 far on one side as the farthest place of all."""
 TRIALS, FEWEST_OF_TRIAL, ROWS_OF_TRIAL = 30, 2000, 5
 """Of a load that grows until it falls: trials, the steps of one at least, and rows of one, with the fall's."""
+STEPS_OF_INCREMENT = 1500
+"""The same of one that goes to and fro: 400 to 4,500 in single cases."""
 STEPS_OF_BRANCH, ROWS_OF_BRANCH = 150_000, 200
 """Of a gauge that is led on behind the collapse: from 3,000 steps to a million in single cases."""
 NANOSECONDS = {"contact": 13.0, "side": 4.0, "block": 60.0, "tet": 20.0, "node": 30.0, "step": 2000.0}
@@ -32,7 +34,8 @@ def expected_steps(assembly: Assembly) -> int:
     """All steps of a fixed program; about how many there will be of a drive that is paced by its error."""
     plan = assembly.plan
     if isinstance(plan, Growing):
-        return plan.settle + _trials(plan) * max(plan.settle // 2, FEWEST_OF_TRIAL) + _of_branch(plan)
+        steps = STEPS_OF_INCREMENT if plan.reversals else max(plan.settle // 2, FEWEST_OF_TRIAL)
+        return plan.settle + _trials(plan) * steps + _of_branch(plan)
     return plan.settle + round(_paced(assembly, plan)) if isinstance(plan, Controlled) else plan.steps
 
 
