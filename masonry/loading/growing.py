@@ -104,7 +104,8 @@ class GrowingLoading:
             return self.passing(self.branch.factor, self.branch.look, self.branch.row_due)
         if self.phase == RISES:
             return self.passing(self.rising(), self.settings.look)
-        return self.passing(self.factor, self.settings.look, self.phase in (SHOWS, DROPS))
+        factor = self.enclosing.tried if self.phase == DROPS else self.factor  # it may fall before it is there
+        return self.passing(factor, self.settings.look, self.phase in (SHOWS, DROPS))
 
     @property
     def window(self) -> int:
