@@ -52,7 +52,7 @@ def rocked_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
     for frame in frames:
         pressed = frame.normal_stress < 0.0
         apart = frame.opening > LIFTED * float(np.abs(frame.opening).max(initial=0.0))
-        rocked |= np.isin(patch, patch[pressed]) & np.isin(patch, patch[apart])
+        rocked |= _in_joints_of(patch, pressed, apart)
     return _of_rocking(assembly, rocked, "opened on one side and turn")
 
 
@@ -67,8 +67,7 @@ def bent_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
         if not tears.any():
             continue
         rows = _rows(joints, frame.opening)
-        bends = np.isin(joints.patch, joints.patch[tears]) & np.isin(joints.patch, joints.patch[pressed])
-        coarse = bends & (rows < FEW_ROWS)
+        coarse = _in_joints_of(joints.patch, tears, pressed) & (rows < FEW_ROWS)
         torn, bent, least = torn | tears, bent | coarse, min(least, int(rows[coarse].min(initial=FEW_ROWS)))
     if not bent.any() or joints.area[bent & torn].sum() < NEARLY_ALL * joints.area[torn].sum():
         return []
@@ -77,6 +76,11 @@ def bent_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
         "which each tears at once: the moment that they bear may be far off, with two rows of Gauss points from 0.6 to "
         f"1.7 times what it is; take specimen.points_per_edge = {FEW_ROWS + 1} or more"
     ]
+
+
+def _in_joints_of(patch: np.ndarray, some: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """(C,) which contacts lie in joint faces that have points of both kinds."""
+    return np.isin(patch, patch[some]) & np.isin(patch, patch[others])
 
 
 def _rows(joints: Joints, opening: np.ndarray) -> np.ndarray:

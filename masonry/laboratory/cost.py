@@ -86,8 +86,7 @@ def _trials(plan: Growing) -> int:
     """Trials of a load that grows until it falls, or the increments of one that goes to and fro."""
     if not plan.reversals:
         return TRIALS
-    path = sum(leg.length for leg in plan.legs)
-    return round(path / (min(GROWING.of_span * plan.accuracy, GROWING.widest) * plan.span))
+    return round(plan.path / (GROWING.to_and_fro(plan.accuracy) * plan.span))
 
 
 def _of_branch(plan: Growing) -> int:

@@ -50,7 +50,7 @@ class Enclosing:
     def longest(self) -> float:
         """The longest increment: a fraction of what is borne, or, to and fro, of all that the load goes through."""
         if self.plan.reversals:
-            return min(self.settings.of_span * self.plan.accuracy, self.settings.widest) * self.plan.span
+            return self.settings.to_and_fro(self.plan.accuracy) * self.plan.span
         return max(self.settings.first, self.settings.coarsest * self.stands)
 
     @property
@@ -103,7 +103,7 @@ class Enclosing:
         """How far the factor is known, in thousandths; to and fro, how far it has come."""
         if self.plan.reversals:
             done = sum(leg.length for leg in self.plan.legs[: self.leg]) + self.stands
-            return int(999 * done / sum(leg.length for leg in self.plan.legs))
+            return int(999 * done / self.plan.path)
         if self.falls == inf:
             return 500 * self.trials // (self.trials + 20)
         return 500 + int(450 / (1.0 + log(max((self.falls - self.stands) / self.narrow, 1.0))))

@@ -73,7 +73,7 @@ class GrowingLoading:
             self.fall, self.most_looks = self.size * settings.far, settings.far_looks
         self.phase, self.factor = SETTLES, 0.0
         self.rested: Arrays = {}
-        self.pace, self.booked = Pace(plan.accuracy, settings), np.zeros(2)
+        self.pace, self.booked = Pace(plan.accuracy, settings), energy.works(model)
         self.places = [np.zeros(place.shape) for place in places(model, self.size)]
         self.calm = self.undecided = self.looked = self.steps_of_trial = self.risen = self.slowest = 0
         self.travelled = self.usual = self.swayed = 0.0
@@ -122,7 +122,7 @@ class GrowingLoading:
 
     def keep(self) -> None:
         """The specimen rests here: trials begin from here."""
-        self.rested, self.booked = self.state_of(self.model), self.works()
+        self.rested, self.booked = self.state_of(self.model), energy.works(self.model)
         self.places = places(self.model, self.size)
 
     def begin(self) -> None:
@@ -140,11 +140,6 @@ class GrowingLoading:
     def looks_of_rise(self) -> int:
         """Looks in which the factor rises to the one that is tried."""
         return round(self.pace.slower * self.window)
-
-    def works(self) -> np.ndarray:
-        """J, the work of all loads so far, and what damping took."""
-        works = np.sum([body.work.sum(axis=0) for _, body in energy.present(self.model)], axis=0)
-        return np.array([works[2], -works[1]])
 
     def farthest(self) -> float:
         """m, how far anything has moved since the last rest."""
@@ -225,7 +220,8 @@ class GrowingLoading:
             self.branch.learn(self.rested, self.enclosing.target - self.enclosing.stands)
         self.enclosing.bear()
         if self.plan.reversals:
-            self.pace.learn(*(self.works() - self.booked))
+            _, damped, work, *_ = energy.works(self.model) - self.booked
+            self.pace.learn(work, -damped)
         self.slowest = max(self.slowest, self.steps_of_trial)
         self.usual = max(self.usual, self.travelled)
         self.swayed = max(map(reach, places(self.model, self.size)))

@@ -120,6 +120,10 @@ class GrowingSettings:
     fall_looks: int = 200
     far_looks: int = 2000
 
+    def to_and_fro(self, accuracy: float) -> float:
+        """The longest increment of a load that goes to and fro, over all that its factor goes through."""
+        return min(self.of_span * accuracy, self.widest)
+
 
 GROWING = GrowingSettings()
 

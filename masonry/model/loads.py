@@ -1,8 +1,8 @@
 """Drive, tractions and gravity on the dofs of the bodies; what is absent stays None."""
 
-import itertools
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from math import ceil
 from typing import NamedTuple
 
@@ -228,13 +228,17 @@ class Growing:
     @cached_property
     def legs(self) -> tuple[Leg, ...]:
         """The way of the factor."""
-        return tuple(itertools.starmap(Leg, itertools.pairwise((0.0, *(self.reversals or (self.most,))))))
+        return tuple(Leg(start, end) for start, end in pairwise((0.0, *(self.reversals or (self.most,)))))
+
+    @property
+    def path(self) -> float:
+        """The length of all legs."""
+        return sum(leg.length for leg in self.legs)
 
     @property
     def span(self) -> float:
         """From the least factor on the way to the greatest."""
-        ends = [leg.end for leg in self.legs]
-        return max(0.0, *ends) - min(0.0, *ends)
+        return float(np.ptp([0.0, *(leg.end for leg in self.legs)]))
 
     def load_factors(self, factor: float) -> np.ndarray:
         """(H,) factors of the loads that vary: the factor; of a tilt that of the weight that turns, less 1, and that of

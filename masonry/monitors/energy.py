@@ -124,15 +124,21 @@ def present(model: Model) -> list[tuple[str, Any]]:
     return [(kind, body) for kind, body in zip(KINDS, model.bodies, strict=True) if body is not None]
 
 
+def works(model: Model) -> np.ndarray:
+    """J so far: work of the contacts, the damping and all loads on the bodies; and, in large displacement, what free
+    rotors lose and blocks that deform take up."""
+    return np.asarray(np.sum([body.work.sum(axis=0) for _, body in present(model)], axis=0))
+
+
 def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[str, float]:
     """All terms (J) at this moment, under the names of history.UNITS, and of LARGE_UNITS in large displacement."""
-    works = np.sum([body.work.sum(axis=0) for _, body in present(model)], axis=0)
-    contact_work, damping, external = -float(works[0]), -float(works[1]), float(works[2])
+    done = works(model)
+    contact_work, damping, external = -float(done[0]), -float(done[1]), float(done[2])
     dissipated = model.joints.area @ model.state.dissipated
     moving = kinetic(model, before)
     lines = {}
     if model.large is not None:  # work[:, 3]: lost by free rotors, and put into blocks that deform
-        lines = large_lines(model.large.near, float(works[3]) - view.elastic_blocks)
+        lines = large_lines(model.large.near, float(done[3]) - view.elastic_blocks)
     return {
         "external_work": external,
         "elastic_blocks": view.elastic_blocks,
