@@ -14,6 +14,7 @@ from masonry.assembly.schedule import tilt_at
 from masonry.history import FACTOR, LARGE_UNITS, TILT, UNITS
 from masonry.jit.sources import source_hash
 from masonry.laboratory.provenance import own_sources
+from masonry.laboratory.symmetry import symmetry_lost
 from masonry.loading.cycles import DISSIPATED, at_peak, before_a_fall, only_rises, table
 from masonry.model.loads import Controlled, Growing
 from masonry.monitors import events
@@ -127,6 +128,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "joints_opened_or_slid": _opened_or_slid(assembly),
         "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
+        "symmetry_lost": symmetry_lost(model.joints, outcome.history.frames),
         "rotation_max_rad": float(observed["rotation"].max()),
         "overlap_max": float(observed["overlap"].max()),
         "mode_2_over_law": outcome.found["mode_2_over_law"],

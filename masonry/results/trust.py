@@ -96,9 +96,20 @@ def trust(summary: dict[str, Any]) -> str:
         kind = rests(grown) if grown else kind
         return (
             f"{kind} and the energy balance closes: the numbers solve this model; whether the model describes the wall "
-            "depends on the scene's assumptions."
+            f"depends on the scene's assumptions.{uneven(summary)}"
         )
     return "with care: " + "; ".join(doubts) + "."
+
+
+def uneven(summary: dict[str, Any]) -> str:
+    """What is said of cracks that left the symmetry of the specimen: no doubt of this run, but of one that is alike."""
+    if not (axis := summary.get("symmetry_lost")):
+        return ""
+    return (
+        f" The cracks have left the symmetry of the specimen across {axis}: where two are alike, the pace decides which"
+        " one opens, and what is dissipated behind that may differ by several per cent; [scatter] decides as in a real"
+        " wall."
+    )
 
 
 def found_anew(summary: dict[str, Any]) -> float:
