@@ -223,7 +223,9 @@ class AdaptiveLoading:
         brought = max(change / self.settings.stored, fracture / self.settings.fracture, 1e-12) / unit
         ends = abs(force - support) / self.most_force
         drag = abs(terms["damping"] - self.damped) / (self.most_force * self.made)
-        self.looks.append((float(lag), self.made, float(drag), abs(force)))
+        freed = max(self.stored - stored - (broken - self.broken), 0.0)  # by a sudden crack, whose damping is no drag
+        own_drag = float(max(drag - freed / (self.most_force * self.made), 0.0))
+        self.looks.append((float(lag), self.made, own_drag, abs(force)))
         ratios = (
             lag / self.settings.lag,
             sway / self.settings.sway,

@@ -43,6 +43,15 @@ def test_a_sudden_crack_is_told_with_its_place_and_what_it_released():
     assert summary["final_stress_pa"] == pytest.approx(0.1733e6, rel=0.02), "the run ends at rest, after the crack"
 
 
+def test_what_damping_takes_from_a_sudden_crack_at_the_peak_is_no_drag_of_the_drive():
+    """With it, damping took 18 times the force at the peak."""
+    brittle = {"contact.unit_unit.law": "brittle", "drive.displacement": "0.03 mm"}
+    summary = result_of("wallette-mode-1", brittle).summary
+    first = summary["sudden_cracks"][0]
+    assert first["displacement_m"] == pytest.approx(summary["displacement_at_peak_m"], rel=0.05)
+    assert summary["control"]["drag_at_peak"] < 0.01
+
+
 def test_a_joint_without_tensile_strength_bounds_the_drive_before_any_fracture_energy_is_spent():
     """Peak of 400,000 steps: 0.0600 MPa. Unbounded, 1 % gave 0.0703."""
     summary = run("peel-without-tension")
