@@ -8,6 +8,8 @@ reference at the same place, so the springs are conservative and no couple is le
 
 from math import sqrt
 
+import numpy as np
+
 from masonry.detection.bare import bare, inlined
 from masonry.kernels.pair_search import FAR
 from masonry.kernels.planes import plane_of, turned
@@ -35,11 +37,10 @@ def press(near, dt):
         for i in range(6):
             push[b, i] = 0.0
     for p in range(pairs.number[0]):
-        s = slot[p]
-        if s < 0:
+        if slot[p] < 0:
             continue
-        own = points_of[p]
-        ref, other = body[p, 1 - own], body[p, own]
+        own, s = points_of[p], np.uint64(slot[p])
+        ref, other = np.uint64(body[p, 1 - own]), np.uint64(body[p, own])
         side = 1.0 if own == 1 else -1.0  # the normal points from side 0 to side 1
         n = turned(frame, ref, normal[p, 0], normal[p, 1], normal[p, 2])
         ox, oy, oz = (  # the sums of the places would lose digits far from the origin
@@ -90,7 +91,7 @@ def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, rotation, 
     d, along  m/s, of side 1 against side 0, and its part along the normal n     closing  m/s, rate of the gap (m)
     rotation  rad, of the two blocks in this step
     """
-    law, size = pairs.law[p], take(points.area, (s, k), four())
+    law, size = np.uint64(pairs.law[p]), take(points.area, (s, k), four())
     kn, ks, tan = rules.normal_stiffness[law], rules.shear_stiffness[law], rules.tan_friction[law]
     touches = (gap < 0.0) & below(points.held[s] - k, four())
     sigma = where(touches, kn * gap, 0.0)
@@ -110,7 +111,7 @@ def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, rotation, 
         return (sigma, sigma, sigma), sigma, sigma, lost
     held = turned_with(x, y, z, before, rotation, n)
     slip = dt * (d[0] - along * n[0]), dt * (d[1] - along * n[1]), dt * (d[2] - along * n[2])
-    t, taken = slide(held, slip, ks, -tan * sigma)
+    t, taken = slide(held, slip, ks, -tan * sigma, touches)
     x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
     put(points.shear, (s, 0, k), x)
     put(points.shear, (s, 1, k), y)
@@ -119,12 +120,12 @@ def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, rotation, 
 
 
 @inlined
-def slide(h, s, ks, most):
+def slide(h, s, ks, most, touches):
     """The shear traction (Pa), no more than `most`, after a slip s (m) from h; and what friction took (J/m2): what the
     trapezoid puts in, less what the springs then hold more."""
     tx, ty, tz = h[0] + ks * s[0], h[1] + ks * s[1], h[2] + ks * s[2]
     trial = tx * tx + ty * ty + tz * tz
-    slides = trial > most * most
+    slides = touches & (trial > most * most)
     if not any_lane(slides):
         return (tx, ty, tz), filled(0.0, trial)
     fraction = where(slides, most / sqrt(trial), 1.0)
@@ -145,6 +146,8 @@ def turned_with(x, y, z, before, rotation, n):
     along = x * n[0] + y * n[1] + z * n[2]
     x, y, z = x - along * n[0], y - along * n[1], z - along * n[2]
     after = x * x + y * y + z * z
+    if not any_lane(abs(after - before) > 1e-15 * before):
+        return x, y, z
     scale = where(after > 0.0, sqrt(before / after), 0.0)
     return scale * x, scale * y, scale * z
 
