@@ -19,6 +19,9 @@ FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
 """Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
 points that press changed, and by points that were born pressing."""
 
+ROUND_OFF = 1e-15
+"""Of a sum of three squares, after a few operations on each."""
+
 
 @bare
 def press(near, dt):
@@ -39,7 +42,7 @@ def press(near, dt):
     for p in range(pairs.number[0]):
         if slot[p] < 0:
             continue
-        own, s = points_of[p], np.uint64(slot[p])
+        own, s = points_of[p], np.uint64(slot[p])  # an index without a sign is not looked at for one
         ref, other = np.uint64(body[p, 1 - own]), np.uint64(body[p, own])
         side = 1.0 if own == 1 else -1.0  # the normal points from side 0 to side 1
         n = turned(frame, ref, normal[p, 0], normal[p, 1], normal[p, 2])
@@ -111,7 +114,7 @@ def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, rotation, 
         return (sigma, sigma, sigma), sigma, sigma, lost
     held = turned_with(x, y, z, before, rotation, n)
     slip = dt * (d[0] - along * n[0]), dt * (d[1] - along * n[1]), dt * (d[2] - along * n[2])
-    t, taken = slide(held, slip, ks, -tan * sigma, touches)
+    t, taken = slide(held, slip, ks, -tan * sigma)
     x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
     put(points.shear, (s, 0, k), x)
     put(points.shear, (s, 1, k), y)
@@ -120,12 +123,12 @@ def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, rotation, 
 
 
 @inlined
-def slide(h, s, ks, most, touches):
+def slide(h, s, ks, most):
     """The shear traction (Pa), no more than `most`, after a slip s (m) from h; and what friction took (J/m2): what the
     trapezoid puts in, less what the springs then hold more."""
     tx, ty, tz = h[0] + ks * s[0], h[1] + ks * s[1], h[2] + ks * s[2]
     trial = tx * tx + ty * ty + tz * tz
-    slides = touches & (trial > most * most)
+    slides = trial > most * most
     if not any_lane(slides):
         return (tx, ty, tz), filled(0.0, trial)
     fraction = where(slides, most / sqrt(trial), 1.0)
@@ -137,7 +140,10 @@ def slide(h, s, ks, most, touches):
 
 @inlined
 def turned_with(x, y, z, before, rotation, n):
-    """The shear traction of points, of norm^2 `before`, after a rotation (rad): in the plane, and of the same size."""
+    """The shear traction of points, of norm^2 `before`, after a rotation (rad): in the plane, and of the same size.
+
+    A rotation of less than some 1e-8 changes the size by no more than round-off does, and needs no root.
+    """
     x, y, z = (
         x + rotation[1] * z - rotation[2] * y,
         y + rotation[2] * x - rotation[0] * z,
@@ -146,7 +152,7 @@ def turned_with(x, y, z, before, rotation, n):
     along = x * n[0] + y * n[1] + z * n[2]
     x, y, z = x - along * n[0], y - along * n[1], z - along * n[2]
     after = x * x + y * y + z * z
-    if not any_lane(abs(after - before) > 1e-15 * before):
+    if not any_lane(abs(after - before) > ROUND_OFF * before):
         return x, y, z
     scale = where(after > 0.0, sqrt(before / after), 0.0)
     return scale * x, scale * y, scale * z

@@ -1,4 +1,5 @@
-"""Eight rows of an array at once: array[eight_rows(b), i] are eight lanes, number i of row b and of the seven below it.
+"""Eight rows of an array at once: array[eight_rows(b), i] are eight lanes, number i of row b and of the seven below it;
+of an array of numbers array[eight_rows(b)].
 
 So a formula that reads and writes array[b, i] serves one row or eight, by what b is. The last axis of the array has no
 gaps, as `take` of lanes has it.
@@ -33,9 +34,13 @@ def _eight_rows(first):
     return (lambda first: first) if PLAIN else (lambda first: Rows(first))
 
 
-def names_rows(at) -> bool:
-    """Whether an index of this type begins with eight rows."""
-    return isinstance(at, types.BaseTuple) and getattr(at.types[0], "instance_class", None) is Rows
+def names_rows(at):
+    """Whether an index of this type is or begins with eight rows."""
+    return _is_rows(at) or (isinstance(at, types.BaseTuple) and _is_rows(at.types[0]))
+
+
+def _is_rows(kind):
+    return getattr(kind, "instance_class", None) is Rows
 
 
 def load_column(context, builder, kind, array, at_kind, at):
@@ -54,12 +59,14 @@ def store_column(context, builder, kind, array, at_kind, at, value):
 
 def _pointers(context, builder, kind, array, at_kind, at):
     """Where the numbers lie."""
-    (rows, _), *middle, (last, last_kind) = unpacked(builder, at, at_kind)
-    first, nothing = builder.extract_value(rows, 0), (ir.Constant(WORD, 0), types.int32)
-    column = context.cast(builder, last, last_kind, types.intp)
+    (rows, _), *columns = [(at, at_kind)] if _is_rows(at_kind) else unpacked(builder, at, at_kind)
+    first, last = builder.extract_value(rows, 0), columns[-1:]
+    nothing = [(ir.Constant(WORD, 0), types.int32) for _ in last]
+    on = [context.cast(builder, *column, types.intp) for column in last]
     for lane in range(WIDTH):
         row = builder.add(first, first.type(lane)), types.int64
-        yield builder.gep(pointer_to(context, builder, kind, array, [row, *middle, nothing]), [column])
+        pointer = pointer_to(context, builder, kind, array, [row, *columns[:-1], *nothing])
+        yield builder.gep(pointer, on) if on else pointer
 
 
 @intrinsic
