@@ -76,6 +76,8 @@ class Rules(NamedTuple):
 class Motion(NamedTuple):
     """How B blocks stand and move: rigid ones, or with `dual` and what follows blocks of which some deform.
 
+    Rows of moved, v and push may have more room than numbers.
+
     centre  (B, 3) m, centroids of the undeformed shape     moved (B, 6) m, the first three: how far they are from there
     frame   (B, 3, 3) rotation from the start, or deformation gradient F
     v       (B, 6) velocity and spin about x, y, z

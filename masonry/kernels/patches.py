@@ -8,6 +8,8 @@ reference at the same place, so the springs are conservative and no couple is le
 
 from math import sqrt
 
+import numpy as np
+
 from masonry.detection.bare import bare, inlined
 from masonry.kernels.pair_search import FAR
 from masonry.kernels.planes import plane_of, turned
@@ -16,6 +18,9 @@ from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take
 FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
 """Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
 points that press changed, and by points that were born pressing."""
+
+ROUND_OFF = 1e-15
+"""Of a sum of three squares, after a few operations on each."""
 
 
 @bare
@@ -35,11 +40,10 @@ def press(near, dt):
         for i in range(6):
             push[b, i] = 0.0
     for p in range(pairs.number[0]):
-        s = slot[p]
-        if s < 0:
+        if slot[p] < 0:
             continue
-        own = points_of[p]
-        ref, other = body[p, 1 - own], body[p, own]
+        own, s = points_of[p], np.uint64(slot[p])  # an index without a sign is not looked at for one
+        ref, other = np.uint64(body[p, 1 - own]), np.uint64(body[p, own])
         side = 1.0 if own == 1 else -1.0  # the normal points from side 0 to side 1
         n = turned(frame, ref, normal[p, 0], normal[p, 1], normal[p, 2])
         ox, oy, oz = (  # the sums of the places would lose digits far from the origin
@@ -90,7 +94,7 @@ def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, rotation, 
     d, along  m/s, of side 1 against side 0, and its part along the normal n     closing  m/s, rate of the gap (m)
     rotation  rad, of the two blocks in this step
     """
-    law, size = pairs.law[p], take(points.area, (s, k), four())
+    law, size = np.uint64(pairs.law[p]), take(points.area, (s, k), four())
     kn, ks, tan = rules.normal_stiffness[law], rules.shear_stiffness[law], rules.tan_friction[law]
     touches = (gap < 0.0) & below(points.held[s] - k, four())
     sigma = where(touches, kn * gap, 0.0)
@@ -136,7 +140,10 @@ def slide(h, s, ks, most):
 
 @inlined
 def turned_with(x, y, z, before, rotation, n):
-    """The shear traction of points, of norm^2 `before`, after a rotation (rad): in the plane, and of the same size."""
+    """The shear traction of points, of norm^2 `before`, after a rotation (rad): in the plane, and of the same size.
+
+    A rotation of less than some 1e-8 changes the size by no more than round-off does, and needs no root.
+    """
     x, y, z = (
         x + rotation[1] * z - rotation[2] * y,
         y + rotation[2] * x - rotation[0] * z,
@@ -145,6 +152,8 @@ def turned_with(x, y, z, before, rotation, n):
     along = x * n[0] + y * n[1] + z * n[2]
     x, y, z = x - along * n[0], y - along * n[1], z - along * n[2]
     after = x * x + y * y + z * z
+    if not any_lane(abs(after - before) > ROUND_OFF * before):
+        return x, y, z
     scale = where(after > 0.0, sqrt(before / after), 0.0)
     return scale * x, scale * y, scale * z
 

@@ -7,12 +7,14 @@ the two largest travels since the last search exceed the skin.
 
 from math import sqrt
 
-from masonry.detection.bare import bare
+from masonry.detection.bare import bare, inlined
 from masonry.detection.narrow import FACE
 from masonry.kernels.pair_search import find_pairs
 from masonry.kernels.redetection import look
 from masonry.kernels.relative_motion import stays
 from masonry.kernels.slack import settle
+from masonry.kinematics.matrices import dot, vector_at
+from masonry.simd import EIGHT, eight_rows
 
 
 @bare
@@ -96,13 +98,21 @@ def on_stale_face(pairs, search, p):
 @bare
 def count_travel(motion, dt, strain=None):
     """Add to each block's travel what this step can add to it at most; strain as in Motion."""
-    v, travel, radius = motion.v, motion.travel, motion.radius
-    for b in range(len(travel)):
-        speed = sqrt(v[b, 0] ** 2 + v[b, 1] ** 2 + v[b, 2] ** 2)
-        spin = sqrt(v[b, 3] ** 2 + v[b, 4] ** 2 + v[b, 5] ** 2)
-        if strain is not None:
-            spin += strain[b]
-        travel[b] += (speed + spin * radius[b]) * dt
+    together = len(motion.travel) // EIGHT * EIGHT
+    for b in range(0, together, EIGHT):
+        travel_on(motion, eight_rows(b), dt, strain)
+    for b in range(together, len(motion.travel)):
+        travel_on(motion, b, dt, strain)
+
+
+@inlined
+def travel_on(motion, b, dt, strain):
+    """The same of block b, or of eight."""
+    velocity, spin = vector_at(motion.v, b, 0), vector_at(motion.v, b, 3)
+    rate = sqrt(dot(spin, spin))
+    if strain is not None:
+        rate += strain[b]
+    motion.travel[b] += (sqrt(dot(velocity, velocity)) + rate * motion.radius[b]) * dt
 
 
 @bare

@@ -7,7 +7,7 @@ a block that deforms, and not on its stretch, as the frames of contacts turn and
 
 from numba.extending import register_jitable
 
-from masonry.kinematics.matrices import scaled, vector_at
+from masonry.kinematics.matrices import scaled, vector_at, vector_or_zero
 from masonry.simd import numbers, pack, plus, take_row
 
 
@@ -59,17 +59,13 @@ def skew(couple):
 @register_jitable
 def patch_force(patches, b):
     """Force of the detected contacts on block b; 0 where there are none."""
-    if patches is None:
-        return 0.0, 0.0, 0.0
-    return vector_at(patches, b, 0)
+    return vector_or_zero(patches, b, 0)
 
 
 @register_jitable
 def patch_couple(patches, b):
     """Moment of the detected contacts about the centroid of block b; 0 where there are none."""
-    if patches is None:
-        return 0.0, 0.0, 0.0
-    return vector_at(patches, b, 3)
+    return vector_or_zero(patches, b, 3)
 
 
 @register_jitable

@@ -3,10 +3,11 @@
 from math import cos, sin, sqrt
 
 import numpy as np
-from numba.extending import register_jitable
+from numba.core import types
+from numba.extending import overload, register_jitable
 
 from masonry.jit.compiler import jit
-from masonry.simd import maximum
+from masonry.simd import any_lane, maximum, where
 
 SMALL_ANGLE_SQUARED = 0.01
 """rad2: below, five terms of the series are exact to round-off."""
@@ -77,6 +78,18 @@ def each(a, b):
 def vector_at(array, b, i):
     """array[b, i:i + 3] as a tuple."""
     return array[b, i], array[b, i + 1], array[b, i + 2]
+
+
+def vector_or_zero(array, b, i):
+    """`vector_at`; 0 where the array is absent."""
+    return (0.0, 0.0, 0.0) if array is None else vector_at(array, b, i)
+
+
+@overload(vector_or_zero)
+def _vector_or_zero(array, b, i):
+    if isinstance(array, types.Array):
+        return lambda array, b, i: vector_at(array, b, i)
+    return lambda array, b, i: (0.0, 0.0, 0.0)
 
 
 @register_jitable
@@ -174,12 +187,12 @@ def exponential(rotation):
     """The rotation by a vector of rad (Rodrigues)."""
     x, y, z = rotation
     square = x * x + y * y + z * z
-    if square < SMALL_ANGLE_SQUARED:
-        s = 1.0 + square * (SINE[0] + square * (SINE[1] + square * (SINE[2] + square * SINE[3])))
-        c = 0.5 + square * (COSINE[0] + square * (COSINE[1] + square * (COSINE[2] + square * COSINE[3])))
-    else:
+    s = 1.0 + square * (SINE[0] + square * (SINE[1] + square * (SINE[2] + square * SINE[3])))
+    c = 0.5 + square * (COSINE[0] + square * (COSINE[1] + square * (COSINE[2] + square * COSINE[3])))
+    large = square >= SMALL_ANGLE_SQUARED
+    if any_lane(large):
         angle = sqrt(square)
-        s, c = sin(angle) / angle, (1.0 - cos(angle)) / square
+        s, c = where(large, sin(angle) / angle, s), where(large, (1.0 - cos(angle)) / square, c)
     xy, xz, yz = c * x * y, c * x * z, c * y * z
     x2, y2, z2 = c * x * x, c * y * y, c * z * z
     return (

@@ -19,11 +19,9 @@ from masonry.jit.compiler import jit
 from masonry.kinematics.levers import axial, couple_apart, moments, patch_couple, patch_force
 from masonry.kinematics.matrices import (
     added,
-    cross,
     dot,
     each,
     exponential,
-    inverse,
     matrix_at,
     minus,
     product,
@@ -35,9 +33,11 @@ from masonry.kinematics.matrices import (
     transposed,
     transposed_times,
     vector_at,
+    vector_or_zero,
 )
 from masonry.kinematics.motion import advance, at_rest_or, resist
-from masonry.simd import pack, plus, put_row, where
+from masonry.kinematics.spins import free_axes, given_spin, inertia_now, mean_spin, principal_axes, spin_of
+from masonry.simd import EIGHT, eight, eight_rows, filled, pack, plus, put_row
 
 
 class Turning(NamedTuple):
@@ -81,138 +81,104 @@ class Turning(NamedTuple):
     patches: np.ndarray | None = None
 
 
-@register_jitable
-def _principal(axes, b, r):
-    """The principal axes of block b now, in columns."""
-    if axes is None:
-        return r
-    return product(r, matrix_at(axes, b))
-
-
-@register_jitable
-def _over_inertia(q, inertia, momentum):
-    """J^-1 momentum, with principal axes q."""
-    x, y, z = transposed_times(q, momentum)
-    return times(q, (x / inertia[0], y / inertia[1], z / inertia[2]))
-
-
-@register_jitable
-def _inertia_now(q, inertia):
-    """J."""
-    i, j, k = inertia
-    return product(
-        (q[0] * i, q[1] * j, q[2] * k, q[3] * i, q[4] * j, q[5] * k, q[6] * i, q[7] * j, q[8] * k), transposed(q)
-    )
-
-
-@register_jitable
-def _free(dt_over_mass):
-    """1 for each axis that a block turns about freely, 0 where that is prescribed, of its three paces."""
-    return (
-        where(dt_over_mass[0] > 0.0, 1.0, 0.0),
-        where(dt_over_mass[1] > 0.0, 1.0, 0.0),
-        where(dt_over_mass[2] > 0.0, 1.0, 0.0),
-    )
-
-
-@register_jitable
-def _held_spin(q, inertia, free, momentum, prescribed):
-    """w: prescribed where not free, elsewhere such that J w has the given momentum."""
-    j = _inertia_now(q, inertia)
-    x, y, z = free
-    rows = (
-        *(x * j[0] + (1.0 - x), x * j[1], x * j[2], y * j[3], y * j[4] + (1.0 - y), y * j[5]),
-        *(z * j[6], z * j[7], z * j[8] + (1.0 - z)),
-    )
-    held = 1.0 - x, 1.0 - y, 1.0 - z
-    return times(inverse(rows), added(each(free, momentum), each(held, prescribed)))
-
-
-@register_jitable
-def _spin(q, inertia, free, momentum, prescribed):
-    """Angular velocity w of a block."""
-    if free[0] + free[1] + free[2] == 3.0:
-        return _over_inertia(q, inertia, momentum)
-    return _held_spin(q, inertia, free, momentum, prescribed)
-
-
-@register_jitable
-def _mean_spin(r, axes, b, inertia, free, momentum, w, dt):
-    """w*: the angular velocity in the middle of the step, to second order."""
-    if free[0] + free[1] + free[2] == 3.0:
-        change = _over_inertia(_principal(axes, b, r), inertia, cross(momentum, w))
-        return added(w, scaled(0.5 * dt, change))
-    now = _held_spin(_principal(axes, b, r), inertia, free, momentum, w)
-    half = product(exponential(scaled(0.5 * dt, now)), r)
-    return _held_spin(_principal(axes, b, half), inertia, free, momentum, w)
-
-
 def update_positions(body, dt, u):
     """Move and turn every block with its velocities, and write the displacement of every contact point."""
-    q, v, arm, start, first, axes = body.q, body.v, body.arm, body.start, body.first_point, body.axes
-    frame, momentum, inertia, dt_over_mass = body.frame, body.momentum, body.inertia, body.dt_over_mass
-    for b in prange(len(q)):
-        r = matrix_at(frame, b)
-        free, moving = _free(vector_at(dt_over_mass, b, 3)), vector_at(v, b, 3)
-        w = _mean_spin(r, axes, b, vector_at(inertia, b, 0), free, vector_at(momentum, b, 0), moving, dt)
-        rotation = scaled(dt, w)
-        r = straightened(product(exponential(rotation), r))
-        put_matrix(frame, b, r)
-        put_vector(q, b, 0, added(vector_at(q, b, 0), scaled(dt, vector_at(v, b, 0))))
-        put_vector(q, b, 3, added(vector_at(q, b, 3), rotation))
-        moved = pack((q[b, 0], q[b, 1], q[b, 2], 0.0))
-        by_x, by_y = pack((r[0] - 1.0, r[3], r[6], 0.0)), pack((r[1], r[4] - 1.0, r[7], 0.0))
-        by_z = pack((r[2], r[5], r[8] - 1.0, 0.0))
-        for k in range(start[b], start[b + 1]):
-            put_row(u, first + k, plus(plus(plus(moved, arm[k, 0], by_x), arm[k, 1], by_y), arm[k, 2], by_z))
+    q, frame, arm, start, first = body.q, body.frame, body.arm, body.start, body.first_point
+    for g in prange(-(-len(q) // EIGHT)):
+        b, behind = EIGHT * g, min(EIGHT * g + EIGHT, len(q))
+        if behind == b + EIGHT:
+            _turn(body, eight_rows(b), dt)
+        else:
+            for k in range(b, behind):
+                _turn(body, k, dt)
+        for k in range(b, behind):
+            _place(q, frame, arm, start, first, k, u)
+
+
+@register_jitable(forceinline=True)
+def _turn(body, b, dt):
+    """Move and turn block b, or eight of them."""
+    q, v, frame, momentum, inertia = body.q, body.v, body.frame, body.momentum, body.inertia
+    r, free, moving = matrix_at(frame, b), free_axes(vector_at(body.dt_over_mass, b, 3)), vector_at(v, b, 3)
+    w = mean_spin(r, body.axes, b, vector_at(inertia, b, 0), free, vector_at(momentum, b, 0), moving, dt)
+    rotation = scaled(dt, w)
+    put_matrix(frame, b, straightened(product(exponential(rotation), r)))
+    put_vector(q, b, 0, added(vector_at(q, b, 0), scaled(dt, vector_at(v, b, 0))))
+    put_vector(q, b, 3, added(vector_at(q, b, 3), rotation))
+
+
+@register_jitable
+def _place(q, frame, arm, start, first, b, u):
+    """Write the displacements of the contact points of block b."""
+    moved, r = pack((q[b, 0], q[b, 1], q[b, 2], 0.0)), matrix_at(frame, b)
+    by_x, by_y = pack((r[0] - 1.0, r[3], r[6], 0.0)), pack((r[1], r[4] - 1.0, r[7], 0.0))
+    by_z = pack((r[2], r[5], r[8] - 1.0, 0.0))
+    for k in range(start[b], start[b + 1]):
+        put_row(u, first + k, plus(plus(plus(moved, arm[k, 0], by_x), arm[k, 1], by_y), arm[k, 2], by_z))
 
 
 def move(body, dt, damping, loading, force, u):
-    """Sum the forces and moments of each block, damp, book the work, and kick its momenta.
+    """Sum the forces and moments of each block, damp, book the work, and kick its momenta."""
+    start, count = body.start, len(body.q)
+    for g in prange(-(-count // EIGHT)):
+        b, behind = EIGHT * g, min(EIGHT * g + EIGHT, count)
+        if behind == b + EIGHT and start[b] == start[behind]:
+            nothing = eight(), eight(), eight()
+            _kick(body, eight_rows(b), nothing, nothing, dt, damping, loading)
+        else:
+            for k in range(b, behind):
+                own, moment = _of_contacts(body, force, k)
+                _kick(body, k, own, moment, dt, damping, loading)
+
+
+@register_jitable
+def _of_contacts(body, force, b):
+    """Force and moment of the contacts of block b."""
+    own, moment = moments(body.start, body.code, body.arm, force, b)
+    beside = couple_apart(body.apart, body.start, body.code, force, b)
+    return own, added(axial(product(moment, transposed(matrix_at(body.frame, b)))), beside)
+
+
+@register_jitable(forceinline=True)
+def _kick(body, b, own, moment, dt, damping, loading):
+    """Push block b, or eight of them, by the force and moment of their contacts and all that acts besides.
 
     With K = L(n-1/2) J(n)^-1 L(n+1/2) / 2 the works close to round-off: K gains dt/2 (M(n-1) w+ + M(n) w-), with w+ and
     w- of one momentum before and after the turn, and L (w- - w+) / 2, which is the rotor's.
     """
-    arm, start, code, frame, axes = body.arm, body.start, body.code, body.frame, body.axes
-    dt_over_mass, inertia = body.dt_over_mass, body.inertia
-    v, contact, reaction, momentum, guess = body.v, body.contact, body.hold, body.momentum, body.guess
-    dead, change, apart, patches, work = body.load, body.change, body.apart, body.patches, body.work
-    for b in prange(len(body.q)):
-        r = matrix_at(frame, b)
-        own, moment = moments(start, code, arm, force, b)
-        beside = couple_apart(apart, start, code, force, b)
-        moment = added(added(axial(product(moment, transposed(r))), beside), patch_couple(patches, b))
-        own = added(own, patch_force(patches, b))
-        done = 0.0, 0.0, 0.0
-        done = advance(body, (b, 0), own[0], 0.0, dt, damping, loading, done)
-        done = advance(body, (b, 1), own[1], 0.0, dt, damping, loading, done)
-        done = advance(body, (b, 2), own[2], 0.0, dt, damping, loading, done)
+    v, contact, reaction, momentum = body.v, body.contact, body.hold, body.momentum
+    moment = added(moment, patch_couple(body.patches, b))
+    own = added(own, patch_force(body.patches, b))
+    before, angular = vector_at(v, b, 3), vector_at(momentum, b, 0)
+    nothing = filled(0.0, own[0])
+    done = nothing, nothing, nothing
+    done = advance(body, (b, 0), own[0], 0.0, dt, damping, loading, done)
+    done = advance(body, (b, 1), own[1], 0.0, dt, damping, loading, done)
+    done = advance(body, (b, 2), own[2], 0.0, dt, damping, loading, done)
 
-        q, free, principal = _principal(axes, b, r), _free(vector_at(dt_over_mass, b, 3)), vector_at(inertia, b, 0)
-        before, angular = vector_at(v, b, 3), vector_at(momentum, b, 0)
-        w = _spin(q, principal, free, angular, before)
-        load, earlier = _moment_of_load(dead, change, b, loading[0]), _moment_of_load(dead, change, b, loading[1])
-        driving = each(free, added(moment, load))
-        damped = each(free, _damping(damping, _expected(guess, b, loading), principal, q, driving, w, dt))
-        hold = added(damped, minus(driving, added(moment, load)))
-        was = vector_at(reaction, b, 3)
-        push = added(driving, damped)
-        kicked = _rested(added(angular, scaled(dt, push)))
-        rotational_work = (
-            dot(moment, w) + dot(vector_at(contact, b, 3), before),
-            dot(damped, w) + dot(each(free, was), before),
-            dot(minus(hold, damped), w)
-            + dot(minus(was, each(free, was)), before)
-            + dot(load, w)
-            + dot(earlier, before),
-        )
-        loss = 0.5 * dot(angular, minus(before, w)) - 0.5 * dt * dot(push, _given(q, principal, free, angular, w))
-        after = _spin(q, principal, free, kicked, before)
-        put_vector(contact, b, 3, moment)
-        put_vector(reaction, b, 3, hold)
-        put_vector(momentum, b, 0, kicked)
-        put_vector(v, b, 3, added(before, each(free, minus(after, before))))
-        _keep(work, b, done, scaled(0.5 * dt, rotational_work), loss)
+    q, principal = principal_axes(body.axes, b, matrix_at(body.frame, b)), vector_at(body.inertia, b, 0)
+    free = free_axes(vector_at(body.dt_over_mass, b, 3))
+    w = spin_of(q, principal, free, angular, before)
+    load = _moment_of_load(body.load, body.change, b, loading[0])
+    earlier = _moment_of_load(body.load, body.change, b, loading[1])
+    driving = each(free, added(moment, load))
+    damped = each(free, _damping(damping, _expected(body.guess, b, loading), principal, q, driving, w, dt))
+    hold = added(damped, minus(driving, added(moment, load)))
+    was = vector_at(reaction, b, 3)
+    push = added(driving, damped)
+    kicked = _rested(added(angular, scaled(dt, push)))
+    rotational_work = (
+        dot(moment, w) + dot(vector_at(contact, b, 3), before),
+        dot(damped, w) + dot(each(free, was), before),
+        dot(minus(hold, damped), w) + dot(minus(was, each(free, was)), before) + dot(load, w) + dot(earlier, before),
+    )
+    loss = 0.5 * dot(angular, minus(before, w)) - 0.5 * dt * dot(push, given_spin(q, principal, free, angular, w))
+    after = spin_of(q, principal, free, kicked, before)
+    put_vector(contact, b, 3, moment)
+    put_vector(reaction, b, 3, hold)
+    put_vector(momentum, b, 0, kicked)
+    put_vector(v, b, 3, added(before, each(free, minus(after, before))))
+    _keep(body.work, b, done, scaled(0.5 * dt, rotational_work), loss)
 
 
 @register_jitable
@@ -221,23 +187,13 @@ def _rested(a):
 
 
 @register_jitable
-def _given(q, inertia, free, momentum, w):
-    """Less what w owes to prescribed turns about other axes; the kinetic energy of the free ones leaves that out."""
-    if free[0] + free[1] + free[2] == 3.0:
-        return 0.0, 0.0, 0.0
-    return minus(_held_spin(q, inertia, free, momentum, (0.0, 0.0, 0.0)), w)
-
-
-@register_jitable
 def _moment_of_load(load, change, b, load_factor):
     """Moment of the dead loads times their factor, as in motion.dead_load; 0 where there are none."""
-    if load is None:
-        return 0.0, 0.0, 0.0
     if change is None:
-        return scaled(load_factor, vector_at(load, b, 3))
+        return scaled(load_factor, vector_or_zero(load, b, 3))
     return added(
-        scaled(min(load_factor, 1.0), vector_at(load, b, 3)),
-        scaled(max(load_factor - 1.0, 0.0), vector_at(change, b, 3)),
+        scaled(min(load_factor, 1.0), vector_or_zero(load, b, 3)),
+        scaled(max(load_factor - 1.0, 0.0), vector_or_zero(change, b, 3)),
     )
 
 
@@ -246,8 +202,9 @@ def _damping(damping, expected, inertia, q, driving, w, dt):
     """Moment that damps, formed along the block's principal axes: so it is the same from wherever one looks, and each
     axis has its own inertia. It brakes the power of every axis, and so it does about the free ones alone.
     """
+    nothing = filled(0.0, w[0])
     if damping is None:
-        return 0.0, 0.0, 0.0
+        return nothing, nothing, nothing
     m, turning = transposed_times(q, driving), transposed_times(q, w)
     now, before = transposed_times(q, expected[0]), transposed_times(q, expected[1])
     braking = (
@@ -260,10 +217,8 @@ def _damping(damping, expected, inertia, q, driving, w, dt):
 
 @register_jitable
 def _expected(guess, b, loading):
-    """Angular velocities that block b is expected to have after this step and before."""
-    if guess is None:
-        return (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-    return scaled(loading[2], vector_at(guess, b, 3)), scaled(loading[3], vector_at(guess, b, 3))
+    """Angular velocities that block b is expected to have after this step and before; 0 where nothing is expected."""
+    return scaled(loading[2], vector_or_zero(guess, b, 3)), scaled(loading[3], vector_or_zero(guess, b, 3))
 
 
 @register_jitable
@@ -278,9 +233,9 @@ def _keep(work, b, done, rotational_work, loss):
 def spin(body):
     """Give every block the momentum that belongs to v, after v was set from outside; none about held axes."""
     for b in range(len(body.q)):
-        j = _inertia_now(_principal(body.axes, b, matrix_at(body.frame, b)), vector_at(body.inertia, b, 0))
+        j = inertia_now(principal_axes(body.axes, b, matrix_at(body.frame, b)), vector_at(body.inertia, b, 0))
         put_vector(
-            body.momentum, b, 0, each(_free(vector_at(body.dt_over_mass, b, 3)), times(j, vector_at(body.v, b, 3)))
+            body.momentum, b, 0, each(free_axes(vector_at(body.dt_over_mass, b, 3)), times(j, vector_at(body.v, b, 3)))
         )
 
 

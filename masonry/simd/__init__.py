@@ -7,6 +7,7 @@ kernels, compiled for numbers, do the same work.
 
 from masonry.simd import exponential  # noqa: F401  math.exp learns of lanes
 from masonry.simd.arithmetic import PLAIN
+from masonry.simd.columns import eight_rows
 from masonry.simd.gather import gather, gather_corners, put_rows, scatter, take_slopes
 from masonry.simd.load_store import EIGHT, FOUR, eight, four, local, or_zero, put, put_where, take, width_of
 from masonry.simd.rows import numbers, pack, part, plus, put_row, take_row
@@ -17,6 +18,7 @@ __all__ = [
     "EIGHT",
     "FOUR",
     "eight",
+    "eight_rows",
     "four",
     "width_of",
     "take",

@@ -144,4 +144,6 @@ def _by_llvm(function, name: str, count: int) -> None:
 
 _by_llvm(abs, "llvm.fabs", 1)
 _by_llvm(math.sqrt, "llvm.sqrt", 1)
+_by_llvm(math.sin, "llvm.sin", 1)
+_by_llvm(math.cos, "llvm.cos", 1)
 _by_llvm(operator.pow, "llvm.pow", 2)

@@ -5,7 +5,8 @@ from numba.core import types
 from numba.extending import intrinsic
 
 from masonry.simd.arithmetic import DOUBLE, WORD, Lanes
-from masonry.simd.load_store import load, pointer_to, store, unpacked
+from masonry.simd.load_store import load, store
+from masonry.simd.pointers import pointer_to, unpacked
 from masonry.simd.rows import in_row
 
 

@@ -5,24 +5,12 @@ from numba.core import cgutils, types
 from numba.extending import intrinsic, overload
 
 from masonry.simd.arithmetic import DOUBLE, PLAIN, WORD, Lanes
+from masonry.simd.columns import load_column, names_rows, store_column
+from masonry.simd.pointers import pointer_to, unpacked
 from masonry.simd.select import filled
 
 EIGHT, FOUR = (1, 1) if PLAIN else (8, 4)
 """Numbers that a kernel takes at a time: of eight tets or dofs, and of a row of four."""
-
-
-def pointer_to(context, builder, kind, value, indices):
-    """Where an element of an array lies; indices as typed values, never negative."""
-    array = context.make_array(kind)(context, builder, value)
-    words = [context.cast(builder, i, k, types.intp) for i, k in indices]
-    return cgutils.get_item_pointer(context, builder, kind, array, words, wraparound=False)
-
-
-def unpacked(builder, at, kind):
-    """The indices of an index, with their types."""
-    if isinstance(kind, types.BaseTuple):
-        return list(zip(cgutils.unpack_tuple(builder, at), kind.types, strict=True))
-    return [(at, kind)]
 
 
 def load(builder, pointer, width):
@@ -43,6 +31,8 @@ def take(context, array, at, like):
         return types.none(array, at, like), lambda context, builder, sig, args: context.get_dummy_value()
 
     def generate(context, builder, sig, args):
+        if names_rows(at):
+            return load_column(context, builder, array, args[0], at, args[1])
         pointer = pointer_to(context, builder, array, args[0], unpacked(builder, args[1], at))
         return load(builder, pointer, like.width) if isinstance(like, Lanes) else builder.load(pointer)
 
@@ -56,6 +46,9 @@ def put(context, array, at, value):
         return types.void(array, at, value), lambda context, builder, sig, args: context.get_dummy_value()
 
     def generate(context, builder, sig, args):
+        if names_rows(at):
+            store_column(context, builder, array, args[0], at, args[1], args[2])
+            return context.get_dummy_value()
         pointer = pointer_to(context, builder, array, args[0], unpacked(builder, args[1], at))
         if isinstance(value, Lanes):
             store(builder, args[2], pointer)

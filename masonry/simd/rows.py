@@ -7,7 +7,8 @@ from numba.core import types
 from numba.extending import intrinsic, overload
 
 from masonry.simd.arithmetic import DOUBLE, PLAIN, WORD, Lanes
-from masonry.simd.load_store import load, pointer_to, store
+from masonry.simd.load_store import load, store
+from masonry.simd.pointers import pointer_to
 
 BEHIND = 8
 """Zeros behind the last number (or row): eight at a time may be read, and rows written, past the last contact."""

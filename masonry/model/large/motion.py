@@ -5,7 +5,7 @@ import numpy as np
 from masonry.detection.tet_pieces import SurfaceTets, surface_tets
 from masonry.kernels.gathering import Members
 from masonry.kernels.patch_arrays import Motion
-from masonry.model.arrays import Bodies
+from masonry.model.arrays import Bodies, whole_rows
 from masonry.model.layout import KINDS, Layout, tet_gradients
 
 
@@ -20,7 +20,8 @@ def motion_of(
     """Motion of all bodies, and which block is of which kind where some deform; reach (N,) m, see Members."""
     rigid, centre = bodies.rigid, layout.centroid.copy()
     if len(layout.members["rigid"]) == len(layout.kind):
-        return Motion(centre, rigid.q, rigid.frame, rigid.v, rigid.patches, reach.copy(), np.zeros(len(reach))), None
+        rows = (whole_rows(rigid.q), rigid.frame, whole_rows(rigid.v), whole_rows(rigid.patches))
+        return Motion(centre, *rows, reach.copy(), np.zeros(len(reach))), None
     none = np.zeros((0, 4), dtype=np.int64), np.zeros((0, 4, 3)), np.zeros((0, 3))
     node, slope, own = none if tets is None else (tets.node.astype(np.int64), tets.slope, tets.centre)
     count = len(reach)
