@@ -16,7 +16,7 @@ the paper, with rigid blocks and others, at 0.1 to 5 %: from 0.4 times as many t
 LEG, WIDER = 3000, 200.0
 """Steps of each leg of a drive that turns back; and over the accuracy, for coming to places where it has not been, as
 far on one side as the farthest place of all."""
-TRIALS, FEWEST_OF_TRIAL, ROWS_OF_TRIAL = 30, 2000, 5
+TRIALS, FEWEST_OF_TRIAL, ROWS_OF_TRIAL = 20, 2000, 5
 """Of a load that grows until it falls: trials, the steps of one at least, and rows of one, with the fall's."""
 STEPS_OF_INCREMENT = 1500
 """The same of one that goes to and fro: 400 to 4,500 in single cases."""
@@ -34,7 +34,7 @@ def expected_steps(assembly: Assembly) -> int:
     """All steps of a fixed program; about how many there will be of a drive that is paced by its error."""
     plan = assembly.plan
     if isinstance(plan, Growing):
-        steps = STEPS_OF_INCREMENT if plan.reversals else max(plan.settle // 2, FEWEST_OF_TRIAL)
+        steps = STEPS_OF_INCREMENT if plan.reversals else max(plan.settle // 6, FEWEST_OF_TRIAL)
         return plan.settle + _trials(plan) * steps + _of_branch(plan)
     return plan.settle + round(_paced(assembly, plan)) if isinstance(plan, Controlled) else plan.steps
 

@@ -1,5 +1,6 @@
 """Cycles of a drive or a load that turns back: where each begins and ends, what it dissipated, bore and left open."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,8 @@ def bounds(place: np.ndarray) -> list[float]:
     """Rows, with fractions, at which cycles begin, and the last row; the first begins where the drive sets out.
 
     A cycle ends where the drive is back at its start, and leaves it the way it left it first. One that the run does
-    not end stays as the last. A turn at the start ends one too.
+    not end stays as the last. A turn at the start ends one too. Where the drive never comes back, cycles go from one
+    turn to the next of the same kind, behind the way to the first of them.
     """
     place = _touching(place)
     near = HOME * float(np.abs(place).max())
@@ -34,7 +36,18 @@ def bounds(place: np.ndarray) -> list[float]:
     x = place * np.sign(place[away[0]])
     out = np.flatnonzero((x[:-1] <= near) & (x[1:] > near))
     crossings = [k + max(-x[k], 0.0) / (x[k + 1] - min(x[k], 0.0)) for k in out[1:]]
-    return [float(out[0]), *map(float, crossings), float(len(place) - 1)]
+    returns = crossings if len(out) > 1 or x[-1] <= near else _turns(x)
+    return [float(out[0]), *map(float, returns), float(len(place) - 1)]
+
+
+def _turns(x: np.ndarray) -> list[int]:
+    """Rows at which places (n,) turn back, of those that leave their start upwards for good; none where there is but
+    one. Where they end at the place of the last such turn, that closes a cycle as well."""
+    direction = np.sign(np.diff(x))
+    moving = np.flatnonzero(direction)
+    tops = [int(after) for before, after in pairwise(moving) if direction[before] > 0.0 > direction[after]]
+    back = bool(tops) and abs(x[-1] - x[tops[-1]]) <= TOUCH * float(np.abs(x).max())
+    return tops if len(tops) > 1 or back else []
 
 
 def before_a_fall(rows: dict[str, np.ndarray], falls: float | None) -> dict[str, np.ndarray]:
@@ -56,14 +69,13 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = N
     place = rows["displacement" if gauge is None else FACTOR]
     if only_rises(place) or only_rises(-place):
         return []
-    ends = bounds(place)
-    found = []
+    ends, at, found = bounds(place), _touching(place), []
     for begin, end in zip(ends[:-1], ends[1:], strict=True):
         inner = slice(int(np.ceil(begin)), int(np.floor(end)) + 1)
         dissipated = {key: _between(rows[key], begin, end) for key in DISSIPATED}
         found.append(
             {
-                "closed": bool(end < len(place) - 1 or _touching(place)[-1] == 0.0),
+                "closed": bool(abs(_at(at, end) - _at(at, begin)) <= TOUCH * float(np.abs(at).max())),
                 "dissipated_j": sum(dissipated.values()),
                 **{f"{key}_j": value for key, value in dissipated.items()},
                 "external_work_j": _between(rows["external_work"], begin, end),

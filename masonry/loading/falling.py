@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from masonry.loading.moves.drift import Drift
-from masonry.loading.moves.moved import Arrays, dofs, kept_dofs, reach
+from masonry.loading.moves.moved import Arrays, dofs, kept_dofs, moved_since, reach
 from masonry.loading.settings import FALLING, FallingSettings
 from masonry.loading.varying_loads import works_of
 from masonry.model.gauges import Gauge
@@ -90,13 +90,8 @@ class Falling:
         """The specimen has come from one rest to another as the factor grew by so much: the first such move gives its
         slowest swing (rad/s), by Rayleigh's quotient."""
         if self.swing == 0.0:
-            moved = self.since(rested)
+            moved = moved_since(self.model, rested)
             self.swing = sqrt(by * max(self.pushed(moved, 0.0), 0.0) / max(self.inertia(moved), 1e-300))
-
-    def since(self, rested: Arrays) -> Arrays:
-        """How the specimen has moved since a rest."""
-        before = kept_dofs(self.model, rested)
-        return {kind: now - before[kind] for kind, now in dofs(self.model).items()}
 
     def pushed(self, moved: Arrays, factor: float) -> float:
         """J, the work of the load for each unit of the factor."""
@@ -110,7 +105,7 @@ class Falling:
     def begin(self, rested: Arrays, stands: float, falls: float) -> bool:
         """Whether the gauge can be led on from a rest, at a factor that was borne; how it has fallen since, at one that
         was not, is the mechanism. The specimen has then to be put back."""
-        mechanism = self.since(rested)
+        mechanism = moved_since(self.model, rested)
         self.start = self.gauge.along(kept_dofs(self.model, rested))
         self.sense = float(np.sign(self.until - self.start))
         moves = self.sense * self.gauge.along(mechanism)

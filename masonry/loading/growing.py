@@ -67,7 +67,7 @@ class GrowingLoading:
         self.loads = SharedLoads(model, layers)
         self.size = smallest_block(model)
         least = settings.at_rest * plan.accuracy * self.loads.rest_over_each()
-        self.enclosing, self.gathering = Enclosing(plan, least, settings), Gathering(settings)
+        self.enclosing, self.gathering = Enclosing(plan, least, settings), Gathering(model, settings)
         self.fall, self.most_looks = self.size * settings.fall, settings.fall_looks
         if model.large is not None:
             self.fall, self.most_looks = self.size * settings.far, settings.far_looks
@@ -109,9 +109,8 @@ class GrowingLoading:
 
     @property
     def window(self) -> int:
-        """Looks over which motion is averaged: a quarter of the time that the slowest rest took, or the settling."""
-        slowest = self.slowest or self.plan.settle
-        return max(self.settings.window, slowest // (4 * self.settings.look))
+        """Looks by which patience is measured: a quarter of the slowest rest, or of a quarter of the settling."""
+        return max(self.settings.window, max(self.slowest, self.plan.settle // 4) // (4 * self.settings.look))
 
     def passing(self, factor: float, steps: int, row: bool = False) -> Chunk:
         """Some steps in which the factor goes to another one."""
@@ -128,7 +127,7 @@ class GrowingLoading:
     def begin(self) -> None:
         """Set out for a higher factor."""
         self.enclosing.begin()
-        self.gathering.begin()
+        self.gathering.begin(self.window, self.usual)
         self.phase, self.calm, self.steps_of_trial, self.risen = RISES, 0, 0, 0
 
     def rising(self) -> float:
@@ -168,6 +167,7 @@ class GrowingLoading:
             self.phase = self.phase if self.branch.goes_on(before) else OVER
         else:
             self.looked += 1
+            self.gathering.brake(before)
             self.phase = OVER if self.travelled > self.fall or self.looked >= self.most_looks else DROPS
 
     def turned_too_far(self) -> bool:
@@ -208,7 +208,7 @@ class GrowingLoading:
         self.calm = self.calm + 1 if rests else 0
         if self.calm >= self.settings.looks:
             self.bear()
-        elif self.travelled > self.away or self.gathering.goes_on(self.travelled, self.window):
+        elif self.travelled > self.away or self.gathering.falls(before, self.rested, self.travelled):
             self.fail()
         elif self.gathering.too_long:
             self.undecided += 1
@@ -244,6 +244,7 @@ class GrowingLoading:
             self.phase, self.looked = DROPS, 0
             return
         self.restore_model(self.model, self.rested)
+        self.gathering.hold()
         self.factor = self.enclosing.borne
         if self.enclosing.found:
             self.phase = LEADS

@@ -88,9 +88,13 @@ class GrowingSettings:
     window     looks of which the motion is averaged, at least
     at_rest    force that accelerates over all loads, over the accuracy, and `still`, kinetic over stored energy, below
                which the specimen rests, in `looks` looks on end
-    gathers    averages, at least and by threes, after which the specimen gathers way where the last third of them has
-               taken it as far as the second, and by more than a share `still_going` of all its way since the last rest
-    patience   averages after which a trial that neither rests nor gathers way counts as one that does not rest
+    patient    windows after which a trial that does not rest is let go; then `little`, the most local damping; `left`,
+               the share of the swings that a look leaves; `memory`, looks over which the drift is averaged. Where no
+               local damping was left, blocks slid that stood in the mechanism; where 0.2 of the swings were left, the
+               drift was dragged again: half as many steps again
+    gathers    averages, at least and by threes, after which what was let go falls where the last third of them has
+               taken it `faster` times as far as the second, and `usual` times as far as any way to a rest
+    patience   windows after which a trial that neither rests nor falls counts as one that does not rest
     away       of the smallest block: motion since the last rest that is a fall in itself; `usual`, times the most that
                brought it to rest so far, where that is more
     fall       of the smallest block: motion to which the fall is followed, and `fall_looks`, looks that it may take: it
@@ -98,7 +102,7 @@ class GrowingSettings:
     """
 
     first: float = 0.0103
-    coarsest: float = 0.125
+    coarsest: float = 0.5
     of_span: float = 2.0
     widest: float = 0.05
     damped: float = 2.0
@@ -110,8 +114,12 @@ class GrowingSettings:
     at_rest: float = 1e-2
     still: float = 1e-8
     looks: int = 4
-    gathers: int = 12
-    still_going: float = 0.02
+    patient: float = 2.0
+    little: float = 0.1
+    left: float = 0.5
+    memory: float = 10.0
+    gathers: int = 6
+    faster: float = 1.2
     patience: int = 99
     away: float = 0.005
     usual: float = 10.0

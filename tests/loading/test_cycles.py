@@ -140,13 +140,26 @@ def test_a_pace_goes_on_from_what_it_remembers():
         ([0, 1, 0, 1, 0], [0, 2, 4]),
         ([0, -2, 2, -2, 4, 0], [0, 2.5, 5]),
         ([0, 1, -1, 1, 1], [0, 2.5, 4]),
-        ([0, 3, 2, 3, 2], [0, 4]),
         ([0, 2, 1e-5, 2, -1e-5, 2, 1e-5], [0, 2, 4, 6]),
-        ([0, 1e-5, 1e-3, 2, 1, 2], [0, 5]),
         ([0, 1, -1, 1e-5, -1, 1], [0, 4.5, 5]),
     ],
 )
 def test_a_cycle_ends_where_the_drive_leaves_its_start_the_way_it_left_it_first(places, wanted):
+    assert bounds(np.array(places, dtype=float)) == wanted
+
+
+@pytest.mark.parametrize(
+    ("places", "wanted"),
+    [
+        ([0, 3, 2, 3, 2], [0, 1, 3, 4]),
+        ([0, 1e-5, 1e-3, 2, 1, 2], [0, 3, 5]),
+        ([0, -2, -8, -8, -2, -8], [0, 3, 5]),
+        ([0, 5, 2, 9, 4, 12], [0, 1, 3, 5]),
+        ([0, 5, 2, 4], [0, 3]),
+        ([0, 8, 2, 8, 0], [0, 4]),
+    ],
+)
+def test_where_the_drive_never_comes_back_cycles_go_from_turn_to_turn(places, wanted):
     assert bounds(np.array(places, dtype=float)) == wanted
 
 

@@ -15,7 +15,7 @@ from masonry.laboratory.text import summary_text
 from masonry.loading import falling
 from masonry.scene import load as load_scene
 from tests.loading.test_growing import ACCURACY, block
-from tests.scenes import listed
+from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 
 SCENES = Path(verification.__file__).parent / "scenes"
 HALF, HIGH = 0.05, 0.1
@@ -68,6 +68,35 @@ def test_a_block_that_turns_too_far_for_small_displacement_ends_the_branch():
     assert result.summary["collapse_load"]["branch"]["ends"] == "turned"
     assert result.summary["rotation_max_rad"] <= 0.02
     assert "more than solver.rotation_limit where gauge 'sway' was at 1." in said(result)
+
+
+def test_a_gauge_that_is_stopped_on_its_way_ends_the_branch_late(monkeypatch):
+    """The block slides 0.5 mm and meets a stone that is held. With the patience that runs have, the load would press it
+    into the stone until the gauge is where it was to be led, or until the factor is at up_to."""
+    impatient = replace(falling.FALLING, patience=1.0)
+    monkeypatch.setattr(falling.Falling.__init__, "__defaults__", (impatient,))
+    boxes = [
+        box("base", (-0.5, 0, -0.1), (1.0, 0.2, 0.1), "units", 0),
+        box("block", (-0.1, 0, 0), (0.2, 0.2, 0.1), "units", 1),
+        box("stop", (0.1005, 0, 0), (0.1, 0.2, 0.1), "units", 2),
+    ]
+    dry = 'normal_stiffness = "30 GPa/m"\nshear_stiffness = "12 GPa/m"\ntan_friction_angle = 0.3\nnormal_dashpot = 0.5'
+    result = masonry.run(
+        load(
+            'law = "friction"\ndisplacements = "large"\n'
+            + specimen(boxes, 0.04, more='contact_points = "vertex"')
+            + tables("material", {"units": MATERIAL})
+            + tables("contact", {"unit_unit": dry})
+            + listed("support", ['on = "base"\nfix = "all"', 'on = "stop"\nfix = "all"'])
+            + '[gravity]\nz = "-9.81 m/s^2"\n'
+            + f'[limit]\n{SIDEWAYS}\naccuracy = "1 %"\ncontrol = "sway"\nuntil = "1 mm"\nup_to = 1e6\n'
+            + listed("gauge", ['name = "sway"\nat = "block"\ndirection = "x"'])
+        )
+    )
+    found = result.summary["collapse_load"]["branch"]
+    assert found["ends"] == "late" and found["reached_m"] == pytest.approx(0.5e-3, rel=0.05)
+    at = f"{1e3 * found['reached_m']:.4g} mm"
+    assert f"gauge 'sway' came no further than {at} in {found['steps']} steps" in said(result)
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,7 @@
 """A load that grows until nothing balances it: its factor against closed forms and limit analysis, and what it says."""
 
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +11,10 @@ import masonry
 import verification
 from masonry.errors import SceneError
 from masonry.laboratory.text import summary_text
+from masonry.loading.growing import GrowingLoading
+from masonry.loading.settings import GROWING
 from masonry.scene import load as load_scene
+from masonry.timeloop import timeloop
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 
 ACCURACY = 0.005
@@ -75,6 +80,10 @@ def test_wall_1_of_ferris_and_tin_loi_falls_in_one_run_by_the_mechanism_of_limit
     assert np.array_equal(moves, limit.moving)
 
 
+def test_wall_1_is_found_in_a_tenth_of_the_steps_that_nine_runs_of_bisection_take(wall):
+    assert wall.summary["steps"] <= 1_110_000 / 10
+
+
 def test_what_was_tried_and_taken_back_leaves_no_trace_in_the_ledger(wall):
     rows, summary = wall.history.rows, wall.summary
     assert summary["energy_imbalance"] < 1e-12
@@ -90,17 +99,28 @@ def test_twice_the_accuracy_moves_the_factor_by_less_than_it(wall):
     assert finer["borne"] == pytest.approx(wall.summary["collapse_load"]["borne"], rel=ACCURACY)
 
 
+DILATES = {
+    "law": "brittle",
+    "contact.unit_unit.tensile_strength": "0 Pa",
+    "contact.unit_unit.cohesion": "0 Pa",
+    "contact.unit_unit.tan_residual_friction_angle": 0.65,
+    "contact.unit_unit.dilation_angle": f"{float(np.degrees(np.arctan(0.65))) - 1e-9!r} deg",
+    "contact.unit_unit.dilation_cutoff": "0.1 m",
+}
+
+
 def test_dilation_as_large_as_friction_reaches_the_bound_of_limit_analysis():
-    dilates = {
-        "law": "brittle",
-        "contact.unit_unit.tensile_strength": "0 Pa",
-        "contact.unit_unit.cohesion": "0 Pa",
-        "contact.unit_unit.tan_residual_friction_angle": 0.65,
-        "contact.unit_unit.dilation_angle": f"{float(np.degrees(np.arctan(0.65))) - 1e-9!r} deg",
-        "contact.unit_unit.dilation_cutoff": "0.1 m",
-    }
-    found = collapse_load(load_scene("wall-tilted", dilates))
+    found = collapse_load(load_scene("wall-tilted", DILATES))
     assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(0.64286, rel=ACCURACY)
+
+
+@pytest.mark.parametrize("first", [0.0131, 0.0149])
+def test_what_creeps_for_long_below_its_collapse_comes_to_rest_once_it_is_let_go(first, monkeypatch):
+    """By these increments the wall comes to 0.6365, and creeps there for more than 25,000 steps where it is dragged."""
+    other = partial(GrowingLoading, settings=replace(GROWING, first=first))
+    monkeypatch.setattr(timeloop, "GrowingLoading", other)
+    found = collapse_load(load_scene("wall-tilted", DILATES))
+    assert found["borne"] <= 0.64286 <= found["falls"] and found["moving"] == 12
 
 
 @pytest.mark.slow

@@ -47,6 +47,20 @@ def test_below_the_strength_of_all_feet_nothing_is_dissipated_and_the_beam_comes
     assert cycle["left_m"] == pytest.approx(begins, abs=1e-6 * force / FOOT)
 
 
+def test_a_force_that_pulsates_makes_a_loop_of_masing_from_turn_to_turn():
+    """The weight of the beam pushes it back, as far as the force does at the most; so the left foot bears more."""
+    back, mass = 440.0, 2000.0 * 1.2 * 0.2 * 0.2
+    slides = SLIDES + 0.5 * back * 0.1 / 0.75
+    pulse = 4.0 * slides * (420.0 - 2.0 * slides) / FOOT
+    first = 2.0 * slides * (440.0 - 2.0 * slides) / FOOT
+    result = beam([880.0, 40.0, 880.0, 40.0, 880.0], limit__accuracy=0.02, gravity__x=f"{-back / mass} m/s^2")
+    cycles = result.summary["cycles"]
+    assert [cycle["closed"] for cycle in cycles] == [False, True, True]
+    assert [cycle["dissipated_j"] for cycle in cycles] == pytest.approx([first, pulse, pulse], rel=1e-3)
+    assert (cycles[1]["lowest_factor"], cycles[1]["highest_factor"]) == (40.0, 880.0)
+    assert cycles[1]["left_m"] == pytest.approx(cycles[2]["left_m"], abs=1e-3 * slip(FORCE))
+
+
 def test_a_fall_belongs_to_no_cycle_and_leaves_the_loops_large_in_the_picture():
     """Both feet slide at three times what the left one bears; how far the beam then slides is chance."""
     result = beam([1.9 * SLIDES, -1.9 * SLIDES, 3.8 * SLIDES])

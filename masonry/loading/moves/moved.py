@@ -24,6 +24,12 @@ def dofs(model: Model) -> Arrays:
     return {kind: model.u[: len(body.v)] if kind == "tets" else body.q for kind, body in energy.present(model)}
 
 
+def moved_since(model: Model, kept: Arrays) -> Arrays:
+    """How dofs have changed since a state that was kept."""
+    before = kept_dofs(model, kept)
+    return {kind: now - before[kind] for kind, now in dofs(model).items()}
+
+
 def relative_travel(model: Model, moved: list[np.ndarray]) -> np.ndarray:
     """(B,) how far each block has moved, over the one that moved most; zeros where none did. moved: as of `places`."""
     layout, found = model.layout, np.zeros(model.blocks.count)
