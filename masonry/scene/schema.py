@@ -154,8 +154,8 @@ class SceneData(Table):
         loads = self.has_dead_loads
         if self.settle is not None and not loads:
             raise KeyedError("settle", "there is no traction and no gravity to settle; leave this table out")
-        if self.drive is None and not loads and not self.motion:
-            raise KeyedError("drive", "missing; a scene needs a drive, a traction or gravity, or nothing happens")
+        if self.drive is None and not loads and not self.motion and not self.grows:
+            raise KeyedError("drive", "missing; without a drive, traction, gravity or load that grows nothing happens")
         if self.is_controlled and self.solver.masses == "real":
             raise KeyedError(
                 "solver.masses", "real masses move in real time; give drive.rate, or leave masses = 'scaled'"
