@@ -123,7 +123,6 @@ def test_what_creeps_for_long_below_its_collapse_comes_to_rest_once_it_is_let_go
     assert found["borne"] <= 0.64286 <= found["falls"] and found["moving"] == 12
 
 
-@pytest.mark.slow
 def test_a_wall_that_is_glued_falls_at_the_peak_of_the_wall_that_is_driven():
     """Nothing else loads it; the largest force of a drive is the most that the wall bears."""
     pull = {"pattern": "traction", "on": "right plate.x+", "stress": {"x": "0.1 MPa"}, "accuracy": "0.5 %"}
@@ -132,6 +131,7 @@ def test_a_wall_that_is_glued_falls_at_the_peak_of_the_wall_that_is_driven():
     assert 0.1e6 * found["borne"] < driven.summary["peak_stress_pa"] < 0.1e6 * found["falls"]
 
 
+@pytest.mark.slow
 def test_large_displacement_finds_the_factor_of_a_tilted_arch_as_well():
     for displacements in ("small", "large"):
         scene = load_scene(SCENES / "arch-of-oppenheim.toml", {"displacements": displacements})
