@@ -33,6 +33,11 @@ def contact_remarks(assembly: Assembly) -> list[str]:
         reads = "tensile_strength" in properties_of(given.law)
         if reads and joint.tensile_strength is not None and np.ndim(joint.tensile_strength) == 0:
             found += _of_tension(name, given, joint, smallest_block(model))
+        if given.dilation_angle and given.law == "friction":
+            found.append(
+                f"contact.{name}.dilation_angle: law 'friction' does not dilate; take law = \"brittle\" with a tensile "
+                "strength and a cohesion of 0 Pa, and give dilation_cutoff"
+            )
         if joint.tan_dilation is not None:
             found += _of_dilation(name, given, joint, travel_of(assembly.scene.drive))
     return found

@@ -53,6 +53,7 @@ def test_the_area_of_a_law_is_that_of_its_closed_form(name, compression):
             "dilation does not end within the drive's 1 mm",
         ),
         ({"dilation_angle": "2 deg"}, None),
+        ({"law": "friction", "dilation_angle": "2 deg"}, "law 'friction' does not dilate"),
     ],
 )
 def test_a_number_that_cannot_do_what_it_says_is_remarked(over, said):
