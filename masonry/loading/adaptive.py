@@ -222,10 +222,10 @@ class AdaptiveLoading:
         unit = max(self.unit, curve) if self.steps == self.settings.few_steps else self.unit
         brought = max(change / self.settings.stored, fracture / self.settings.fracture, 1e-12) / unit
         ends = abs(force - support) / self.most_force
-        drag = abs(terms["damping"] - self.damped) / (self.most_force * self.made)
+        taken, most_work = abs(terms["damping"] - self.damped), self.most_force * self.made
+        drag = taken / most_work
         freed = max(self.stored - stored - (broken - self.broken), 0.0)  # by a sudden crack, whose damping is no drag
-        own_drag = float(max(drag - freed / (self.most_force * self.made), 0.0))
-        self.looks.append((float(lag), self.made, own_drag, abs(force)))
+        self.looks.append((float(lag), self.made, float(max(taken - freed, 0.0) / most_work), abs(force)))
         ratios = (
             lag / self.settings.lag,
             sway / self.settings.sway,

@@ -16,6 +16,7 @@ from masonry.loading.settings import GROWING
 from masonry.scene import load as load_scene
 from masonry.timeloop import timeloop
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
+from verification.cases.friction.collapse_in_one_run import DILATES
 
 ACCURACY = 0.005
 SCENES = Path(verification.__file__).parent / "scenes"
@@ -97,16 +98,6 @@ def test_what_was_tried_and_taken_back_leaves_no_trace_in_the_ledger(wall):
 def test_twice_the_accuracy_moves_the_factor_by_less_than_it(wall):
     finer = masonry.run(load_scene("wall-tilted", {"limit.accuracy": 0.0025})).summary["collapse_load"]
     assert finer["borne"] == pytest.approx(wall.summary["collapse_load"]["borne"], rel=ACCURACY)
-
-
-DILATES = {
-    "law": "brittle",
-    "contact.unit_unit.tensile_strength": "0 Pa",
-    "contact.unit_unit.cohesion": "0 Pa",
-    "contact.unit_unit.tan_residual_friction_angle": 0.65,
-    "contact.unit_unit.dilation_angle": f"{float(np.degrees(np.arctan(0.65))) - 1e-9!r} deg",
-    "contact.unit_unit.dilation_cutoff": "0.1 m",
-}
 
 
 def test_dilation_as_large_as_friction_reaches_the_bound_of_limit_analysis():
