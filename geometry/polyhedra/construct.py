@@ -70,6 +70,24 @@ def concatenate(parts: Sequence[Blocks]) -> Blocks:
     )
 
 
+def selected(blocks: Blocks, which: np.ndarray) -> Blocks:
+    """The blocks numbered which, in that order, with the points that they stand on."""
+    counts = np.diff(blocks.block_face_start)[which]
+    _, faces = ranges(blocks.block_face_start[which], counts)
+    sizes = np.diff(blocks.face_start)[faces]
+    _, corners = ranges(blocks.face_start[faces], sizes)
+    points, number = np.unique(blocks.face_points[corners], return_inverse=True)
+    return replace(
+        blocks,
+        points=blocks.points[points],
+        face_start=np.concatenate([[0], np.cumsum(sizes)]),
+        face_points=number.reshape(-1),
+        block_face_start=np.concatenate([[0], np.cumsum(counts)]),
+        unit=blocks.unit[which],
+        group=blocks.group[which],
+    )
+
+
 def with_own_points(blocks: Blocks) -> Blocks:
     """The same blocks, each with its own copy of the points that it stands on; points of no block are left out."""
     owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))

@@ -7,9 +7,10 @@ import numpy as np
 
 from geometry.blocks import Blocks, GeometryError
 from geometry.polyhedra.box_pairs import overlapping_boxes
+from geometry.polyhedra.construct import selected
 from geometry.polyhedra.intersect import are_convex, share_space, solid
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids, volumes
-from geometry.polyhedra.polygons import areas_normals_centroids, pad
+from geometry.polyhedra.polygons import pad
 
 CHUNK = 4096
 
@@ -41,14 +42,20 @@ def overlapping_pairs(
     both = convex[pairs].all(axis=1)
     apart = np.zeros(len(pairs), dtype=bool)
     apart[both] = widest_gaps(blocks, pairs[both])[0] >= -depth[both]
-    for n in np.flatnonzero(~apart):
+    for n in np.flatnonzero(~apart).tolist():
         a, b = map(int, pairs[n])
-        if both[n]:
-            deep = _penetration(blocks, a, b) > depth[n]
-        else:
-            deep = share_space(solid(blocks, a), solid(blocks, b), float(depth[n]))
-        if deep:
+        if overlap(blocks, a, b, float(depth[n]), bool(both[n]))[0]:
             yield a, b
+
+
+def overlap(blocks: Blocks, a: int, b: int, depth: float, convex: bool) -> tuple[bool, np.ndarray | None]:
+    """Whether two blocks overlap by more than depth (m); if not, and both are convex, the axis that parts them best, a
+    unit vector (3,) from a to b.
+    """
+    if not convex:
+        return share_space(solid(blocks, a), solid(blocks, b), depth), None
+    shift, axis = _penetration(blocks, a, b)
+    return shift > depth, axis
 
 
 def _require_thick(blocks: Blocks, names: Sequence[str] | None, size: np.ndarray, depth: float) -> None:
@@ -70,13 +77,16 @@ def widest_gaps(blocks: Blocks, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarr
     widest, facing = np.full(len(pairs), -np.inf), np.zeros(len(pairs), dtype=np.int64)
     if len(pairs) == 0:
         return widest, facing
-    _, face_normal, face_centroid = face_areas_normals_centroids(blocks)
+    which, number = np.unique(pairs, return_inverse=True)
+    few, pairs = selected(blocks, which), number.reshape(-1, 2)
+    _, face_normal, face_centroid = face_areas_normals_centroids(few)
     faces = np.arange(len(face_normal))
-    face, _ = pad(faces[:, None], blocks.block_face_start, faces)
+    face, _ = pad(faces[:, None], few.block_face_start, faces)
     face = face[:, :, 0]
     normal = face_normal[face]
     offset = np.einsum("bfi,bfi->bf", normal, face_centroid[face])
-    corners, _ = pad(blocks.points, blocks.face_start[blocks.block_face_start], blocks.face_points)
+    corners, _ = pad(few.points, few.face_start[few.block_face_start], few.face_points)
+    face += (blocks.block_face_start[which] - few.block_face_start[:-1])[:, None]
     for begin in range(0, len(pairs), CHUNK):
         for a, b in (pairs[begin : begin + CHUNK].T, pairs[begin : begin + CHUNK, ::-1].T):
             gap = np.einsum("pfi,pki->pfk", normal[a], corners[b]).min(axis=2) - offset[a]
@@ -87,21 +97,31 @@ def widest_gaps(blocks: Blocks, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarr
     return widest, facing
 
 
-def _penetration(blocks: Blocks, a: int, b: int) -> float:
-    """Least shift (m) along any separating axis, face normals and crossed edges, that parts two convex blocks."""
-    corners, normals, edges = [], [], []
-    for block in (a, b):
-        faces = [blocks.face(f) for f in blocks.faces_of(block)]
-        corners.append(np.concatenate(faces))
-        normals.append(np.concatenate([areas_normals_centroids(face[None])[1] for face in faces]))
-        edges.append(np.concatenate([np.roll(face, -1, axis=0) - face for face in faces]))
-    crossed = np.cross(edges[0][:, None], edges[1][None]).reshape(-1, 3)
-    axes = np.concatenate([*normals, crossed])
+def _penetration(blocks: Blocks, a: int, b: int) -> tuple[float, np.ndarray]:
+    """Least shift (m) that parts two convex blocks along any separating axis, face normals and crossed edges; and that
+    axis (3,), from a to b.
+    """
+    (corners_a, edges_a), (corners_b, edges_b) = (_corners_and_edges(blocks, block) for block in (a, b))
+    normals = face_areas_normals_centroids(selected(blocks, np.array([a, b])))[1]
+    axes = np.concatenate([normals, np.cross(edges_a[:, None], edges_b[None]).reshape(-1, 3)])
     length = np.linalg.norm(axes, axis=1)
     good = length > 1e-12 * length.max()
     axes = axes[good] / length[good, None]
-    one, two = corners[0] @ axes.T, corners[1] @ axes.T
-    return float(np.min(np.minimum(one.max(axis=0) - two.min(axis=0), two.max(axis=0) - one.min(axis=0))))
+    one, two = corners_a @ axes.T, corners_b @ axes.T
+    forth, back = one.max(axis=0) - two.min(axis=0), two.max(axis=0) - one.min(axis=0)
+    shift = np.minimum(forth, back)
+    least = int(shift.argmin())
+    return float(shift[least]), axes[least] * (1.0 if forth[least] <= back[least] else -1.0)
+
+
+def _corners_and_edges(blocks: Blocks, block: int) -> tuple[np.ndarray, np.ndarray]:
+    """The corners (K, 3) m of a block, and its edges (E, 3) m as vectors, each once."""
+    faces = [blocks.face(f) for f in blocks.faces_of(block)]
+    corners, number = np.unique(np.concatenate(faces), axis=0, return_inverse=True)
+    number = number.reshape(-1)
+    after = np.concatenate([np.roll(n, -1) for n in np.split(number, np.cumsum([len(face) for face in faces])[:-1])])
+    low, high = np.unique(np.sort(np.stack([number, after]), axis=0), axis=1)
+    return corners, corners[high] - corners[low]
 
 
 def _message(

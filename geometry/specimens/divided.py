@@ -9,7 +9,7 @@ from geometry.cells.domain import Domain
 from geometry.cells.request import CellRequest
 from geometry.cells.targets import given_sites, share_out
 from geometry.checks import require_counts
-from geometry.polyhedra.construct import concatenate, from_faces
+from geometry.polyhedra.construct import concatenate, from_faces, selected
 from geometry.polyhedra.intersect import are_convex
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids, volumes
 from geometry.specimens.filling import plane_cells, space_cells
@@ -36,7 +36,7 @@ def divided(specimen: Specimen, filling: Filling, group: str = "units") -> Speci
         raise GeometryError(f"block {b} is not convex; only convex blocks can be divided: make its parts blocks each")
     if isinstance(filling, CellRequest) and not filling.space:
         _require_prisms(blocks, chosen)
-    one = _selected(blocks, chosen)
+    one = selected(blocks, chosen)
     reports: tuple[CellReport, ...] = ()
     if isinstance(filling, CellRequest):
         parts, report = _cells(one, filling, group)
@@ -49,7 +49,7 @@ def divided(specimen: Specimen, filling: Filling, group: str = "units") -> Speci
     parent = np.concatenate([others, chosen[parts.unit]])
     whole = replace(parts, unit=one.unit[parts.unit])
     if len(others):
-        whole = concatenate([_selected(blocks, others), whole])
+        whole = concatenate([selected(blocks, others), whole])
     sets = {name: np.flatnonzero(np.isin(parent, members)) for name, members in specimen.sets.items()}
     return replace(specimen, blocks=whole, sets=sets, cells=(*specimen.cells, *reports))
 
@@ -73,7 +73,7 @@ def _cells(blocks: Blocks, request: CellRequest, group: str) -> tuple[Blocks, Ce
 
 def _domain(blocks: Blocks, block: int) -> Domain:
     """A block as half-spaces, one for all faces in a plane."""
-    one = _selected(blocks, np.array([block]))
+    one = selected(blocks, np.array([block]))
     _, normal, centroid = face_areas_normals_centroids(one)
     offset, near = np.einsum("fi,fi->f", normal, centroid), SAME * extent(blocks)
     kept: list[int] = []
@@ -93,8 +93,3 @@ def _require_prisms(blocks: Blocks, which: np.ndarray) -> None:
             raise GeometryError(
                 f"block {b} is no prism along y, which plane cells need; cells of form = 'space' do not"
             )
-
-
-def _selected(blocks: Blocks, which: np.ndarray) -> Blocks:
-    faces = [[blocks.face(f) for f in blocks.faces_of(b)] for b in which.tolist()]
-    return from_faces(faces, blocks.unit[which].tolist(), blocks.group[which].tolist(), blocks.groups)

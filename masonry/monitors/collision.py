@@ -10,7 +10,7 @@ from geometry.jit_cache import compiled
 from geometry.polyhedra.box_pairs import overlapping_boxes
 from geometry.polyhedra.intersect import are_convex
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids
-from geometry.polyhedra.overlaps import overlapping_pairs, widest_gaps
+from geometry.polyhedra.overlaps import overlap, widest_gaps
 from masonry.errors import Stopped
 from masonry.model.model import Model
 from masonry.monitors.corners import Corners, moved
@@ -37,8 +37,8 @@ class Collision(Observer):
     crossing of joints, may come to lie on each other a little once joints slide: a doubt, and an end where it is deep.
 
     Candidates are the pairs whose boxes overlap once each is grown by how far its block may move; they are found anew
-    when a block has left its grown box. What a face parted at the last look, and still parts, is not looked at closely.
-    Where all blocks have joints with each other, nothing is done.
+    when a block has left its grown box. What an axis parted at the last look, normal to a face or across two edges, and
+    still parts, is not looked at closely. Where all blocks have joints with each other, nothing is done.
     """
 
     REMEMBERED = ("met", "words")
@@ -82,7 +82,7 @@ class Collision(Observer):
             depth += DEEPER * self.smaller * np.isin(self.codes, self.met)
         near = self._not_parted(place, gradient, depth)
         if len(near):
-            self._look_closely(step, near, depth[near])
+            self._look_closely(step, near, depth[near], gradient)
 
     def _find_candidates(self, reach: np.ndarray) -> None:
         """Pairs without a joint that can meet before a block has gone twice as far as now."""
@@ -91,7 +91,7 @@ class Collision(Observer):
         grown = self.grown[:, None]
         pairs = overlapping_boxes(self.low - grown, self.high + grown)
         self.pairs = pairs[~np.isin(pairs @ [blocks.count, 1], self.joined)]
-        self.face = np.zeros(len(self.pairs), dtype=np.int64)
+        self.one, self.axis = self.pairs[:, 0].copy(), np.zeros((len(self.pairs), 3))
         if len(self.pairs) and len(self.convex) == 0:
             self.convex = are_convex(blocks, FLAT * extent(blocks))
         gap = self._face_each_other(blocks, np.arange(len(self.pairs)))
@@ -101,34 +101,44 @@ class Collision(Observer):
 
     def _face_each_other(self, blocks: Blocks, which: np.ndarray) -> np.ndarray:
         """Find the face of either block that parts some candidates best; returns the gaps that they leave (m)."""
-        gap, self.face[which] = widest_gaps(blocks, self.pairs[which])
-        one = self.owner[self.face]
-        self.facing = one, self.pairs.sum(axis=1) - one, self.normal[self.face]
+        gap, face = widest_gaps(blocks, self.pairs[which])
+        self.one[which], self.axis[which] = self.owner[face], self.normal[face]
         return gap
 
     def _not_parted(self, place: np.ndarray, gradient: np.ndarray, depth: np.ndarray) -> np.ndarray:
-        """The candidates that neither the face between them, turned with its block, nor their boxes still part."""
-        near = np.flatnonzero(overlap_over_face(place, gradient, *self.facing) > depth)
+        """The candidates that neither the axis between them, turned with its block, nor their boxes still part."""
+        beyond = overlap_along(place, gradient, self.one, self.pairs.sum(axis=1) - self.one, self.axis)
+        near = np.flatnonzero(beyond > depth)
         a, b = place[self.pairs[near, 0]], place[self.pairs[near, 1]]
         boxes = np.minimum(a.max(axis=1), b.max(axis=1)) - np.maximum(a.min(axis=1), b.min(axis=1))
         return near[np.all(boxes > depth[near, None], axis=1)]
 
-    def _look_closely(self, step: int, near: np.ndarray, depth: np.ndarray) -> None:
-        """Stop if these candidates overlap, or make it a doubt; if not, find the face that parts them now."""
-        pairs, moved = self.pairs[near], self.corners.displaced()
-        for one, two in overlapping_pairs(moved, pairs, depth, self.convex):
-            low, high = (values[[one, two]] for values in bounds(moved))
-            place = ", ".join(f"{x:.4g}" for x in (low.max(axis=0) + high.min(axis=0)) / 2)
-            words = f"{self._name(one)} and {self._name(two)} meet around ({place}) m, where they have no joint"
-            code = one * self.blocks.count + two
-            if code in self.met or not self.touching[self.codes == code].all():
-                raise Stopped(
-                    f"step {step}: {words}; contacts are found once, before the run, so nothing would hold them apart: "
-                    "end the drive before, or let them touch from the beginning"
-                )
-            self.met = np.append(self.met, code)
-            self.words = self.words or f"{words}, from step {step} on"
-        self._face_each_other(moved, near)
+    def _look_closely(self, step: int, near: np.ndarray, depth: np.ndarray, gradient: np.ndarray) -> None:
+        """Stop if these candidates overlap, or make it a doubt; if not, find the axis that parts them now."""
+        moved, convex = self.corners.displaced(), self.convex[self.pairs[near]].all(axis=1)
+        gap = self._face_each_other(moved, near)
+        for k in np.flatnonzero(~convex | (gap < -depth)).tolist():
+            n = int(near[k])
+            one, two = self.pairs[n].tolist()
+            deep, axis = overlap(moved, one, two, float(depth[k]), bool(convex[k]))
+            if deep:
+                self._meet(step, n, moved)
+            elif axis is not None:
+                self.one[n], self.axis[n] = one, np.linalg.solve(np.eye(3) - gradient[one].T, axis)
+
+    def _meet(self, step: int, n: int, moved: Blocks) -> None:
+        """Stop, or make it a doubt where the two blocks touched from the beginning."""
+        one, two = self.pairs[n].tolist()
+        low, high = (values[[one, two]] for values in bounds(moved))
+        place = ", ".join(f"{x:.4g}" for x in (low.max(axis=0) + high.min(axis=0)) / 2)
+        words = f"{self._name(one)} and {self._name(two)} meet around ({place}) m, where they have no joint"
+        if self.codes[n] in self.met or not self.touching[n]:
+            raise Stopped(
+                f"step {step}: {words}; contacts are found once, before the run, so nothing would hold them apart: "
+                "end the drive before, or let them touch from the beginning"
+            )
+        self.met = np.append(self.met, self.codes[n])
+        self.words = self.words or f"{words}, from step {step} on"
 
     def _name(self, block: int) -> str:
         """What a scene calls a block: the smallest of its sets that holds it, with its number where that holds more."""
@@ -143,20 +153,20 @@ def compile_look() -> None:
     """Compile what a look needs, on one block."""
     place, gradient, one = np.zeros((1, 1, 3)), np.zeros((1, 3, 3)), np.zeros(1, dtype=np.int64)
     moved(place, place, np.zeros((1, 3)), gradient)
-    overlap_over_face(place, gradient, one, one, np.array([[0.0, 0.0, 1.0]]))
+    overlap_along(place, gradient, one, one, np.array([[0.0, 0.0, 1.0]]))
 
 
 @compiled
-def overlap_over_face(place, gradient, one, two, normal):
-    """(N,) m how far block two goes beyond a face of block one; below 0: it is as far away.
+def overlap_along(place, gradient, one, two, axis):
+    """(N,) m how far two blocks overlap along an axis from one to the other; below 0: they are as far apart.
 
     place     (B, K, 3) m, corners of all blocks
-    gradient  (B, 3, 3) of the displacement of block one, by which its face has turned
-    normal    (N, 3) of the face, outwards, as it was in the beginning
+    gradient  (B, 3, 3) of the displacement of block one, with which the axis has turned
+    axis      (N, 3) from one to two, as it was in the beginning: the normal of a face of block one, or across two edges
     """
     found = np.empty(len(one))
     for p in range(len(one)):
-        a, b, n, g = one[p], two[p], normal[p], gradient[one[p]]
+        a, b, n, g = one[p], two[p], axis[p], gradient[one[p]]
         x = n[0] - g[0, 0] * n[0] - g[1, 0] * n[1] - g[2, 0] * n[2]
         y = n[1] - g[0, 1] * n[0] - g[1, 1] * n[1] - g[2, 1] * n[2]
         z = n[2] - g[0, 2] * n[0] - g[1, 2] * n[1] - g[2, 2] * n[2]

@@ -6,6 +6,7 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from geometry.jit_cache import compiled
+from geometry.polyhedra.construct import with_own_points
 from geometry.polyhedra.polygons import pad
 from masonry.model.model import Model
 from masonry.monitors.frames import Frames
@@ -15,7 +16,7 @@ class Corners:
     """The corners of each block in the beginning, place (B, K, 3) m, and how far they have moved since."""
 
     def __init__(self, model: Model) -> None:
-        blocks = own_corners(model.blocks)
+        blocks = with_own_points(model.blocks)
         self.model = replace(model, blocks=blocks)
         self.frames = Frames(self.model)
         self.nearest = self.frames.nearest
@@ -71,15 +72,6 @@ def moved(place, arm, shift, gradient):
                 found[b, k, i] = place[b, k, i] + displacement
                 reach[b] = max(reach[b], abs(displacement))
     return found, reach
-
-
-def own_corners(blocks: Blocks) -> Blocks:
-    """The same blocks, none of which shares a corner with another."""
-    owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
-    used, place = np.unique(owner * len(blocks.points) + blocks.face_points, return_inverse=True)
-    if len(used) == len(np.unique(blocks.face_points)):
-        return blocks
-    return replace(blocks, points=blocks.points[used % len(blocks.points)], face_points=place.reshape(-1))
 
 
 def distinct(points: np.ndarray) -> np.ndarray:

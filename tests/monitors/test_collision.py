@@ -1,20 +1,20 @@
 """Blocks that had no joint and meet during a run stop it; nothing else does."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from geometry.polyhedra.construct import concatenate
 from geometry.polyhedra.intersect import are_convex
 from geometry.polyhedra.overlaps import overlapping_pairs, widest_gaps
 from geometry.specimens.boxes import boxes
+from masonry import write_blocks
 from masonry.assembly.assemble import assemble
 from masonry.cli.main import main
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
-from masonry.monitors.collision import Collision, overlap_over_face
-from masonry.monitors.corners import Corners, own_corners
+from masonry.monitors.collision import Collision, overlap_along
+from masonry.monitors.corners import Corners
 from masonry.monitors.energy import Seen
 from masonry.monitors.observer import View
 from masonry.results.trust import trust
@@ -149,17 +149,6 @@ def test_the_widest_gap_is_that_of_the_face_which_parts_two_blocks_best():
         assert np.ptp(blocks.face(int(face[0])), axis=0)[0] == 0.0  # a face across x
 
 
-def test_corners_that_blocks_share_are_parted():
-    blocks = boxes([(f"b{k}", (k, 0, 0), (1, 1, 1), "g", k, (1, 1, 1)) for k in range(2)], 1.0).blocks
-    points, number = np.unique(blocks.points, axis=0, return_inverse=True)
-    shared = replace(blocks, points=points, face_points=number.reshape(-1)[blocks.face_points])
-    own = own_corners(shared)
-    assert len(points) == 12 and len(own.points) == 16
-    for f in range(12):
-        np.testing.assert_array_equal(own.face(f), blocks.face(f))
-    assert own_corners(own) is own
-
-
 def test_blocks_that_touched_along_an_edge_lie_on_each_other_a_little_with_a_doubt_and_no_further():
     model = crossing()
     look = Collision(model, {"corner": np.array([3])})
@@ -210,6 +199,34 @@ def test_candidates_are_neighbours_and_a_face_that_turns_with_its_block_still_pa
     assert len(look._not_parted(place, gradient, np.array([1e-6]))) == 0
 
 
+@pytest.mark.parametrize("first", ["lower", "upper"])
+def test_crossed_edges_that_part_two_blocks_are_remembered_and_seen_to_meet_later(tmp_path, first):
+    """A roof below and one upside down across it above: no face parts the ridges, nor do the boxes of turned ones."""
+    roof = np.array([[-1, -0.2, -1], [1, -0.2, -1], [1, 0.2, -1], [-1, 0.2, -1], [-1, 0, 0], [1, 0, 0]]) / 10
+    faces = [[0, 3, 2, 1], [0, 1, 5, 4], [2, 3, 4, 5], [1, 2, 5], [3, 0, 4]]
+    turn = Rotation.from_rotvec([0.4, 0.7, 0.2]).as_matrix()
+    roofs = [roof @ turn.T, (roof[:, [1, 0, 2]] * (1, 1, -1)) @ turn.T][:: 1 if first == "lower" else -1]
+    path = write_blocks(tmp_path / "ridges.blocks.h5", [(points, faces) for points in roofs], names=["one", "other"])
+    model = assemble(
+        load(
+            f'kinematics = "rigid"\n[specimen]\nkind = "file"\npath = "{path}"\n'
+            + tables("material", {"units": MATERIAL})
+            + tables("contact", {"unit_unit": DRY})
+            + listed("support", ['on = "one"\nfix = "all"', 'on = "other"\nfix = ["y", "z"]'])
+            + '[drive]\non = "other"\ndirection = "x"\ndisplacement = "1 mm"\n'
+        )
+    ).model
+    look, away = Collision(model, {}), 1.0 if first == "lower" else -1.0
+    for gap in (1e-4, 2e-5):
+        model.bodies.rigid.q[1, :3] = turn @ (0.02, 0.03, away * gap)
+        look.look(model, shown(model), 1)
+        place, _, gradient = look.corners.now()
+        assert len(look._not_parted(place, gradient, np.array([1e-6]))) == 0 and look.words == ""
+    model.bodies.rigid.q[1, :3] = turn @ (0.02, 0.03, -away * 1e-3)
+    look.look(model, shown(model), 2)
+    assert "meet around" in look.words
+
+
 def test_the_overlap_over_a_face_is_the_least_shift_along_its_turned_normal_that_parts_two_blocks():
     rng = np.random.default_rng(4)
     corners = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
@@ -218,7 +235,7 @@ def test_the_overlap_over_a_face_is_the_least_shift_along_its_turned_normal_that
     normal = np.eye(3)[0] - turn.T @ np.eye(3)[0]
     normal /= np.linalg.norm(normal)
     gradient, one = np.stack([turn, np.zeros((3, 3))]), np.array([0])
-    (overlap,) = overlap_over_face(place, gradient, one, 1 - one, np.eye(3)[:1])
+    (overlap,) = overlap_along(place, gradient, one, 1 - one, np.eye(3)[:1])
     assert overlap > 0.1
     parted = place[1] + overlap * normal
     assert (parted @ normal).min() == pytest.approx((place[0] @ normal).max(), abs=1e-14)
