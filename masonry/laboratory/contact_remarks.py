@@ -39,7 +39,7 @@ def contact_remarks(assembly: Assembly) -> list[str]:
                 "strength and a cohesion of 0 Pa, and give dilation_cutoff"
             )
         if joint.tan_dilation is not None:
-            found += _of_dilation(name, given, joint, travel_of(assembly.scene.drive))
+            found += _of_dilation(name, given, joint, travel_of(assembly.scene.drive), model.large is not None)
     return found
 
 
@@ -166,8 +166,13 @@ def _of_tension(name: str, given: Contact, joint: JointProperties, block: float)
     return []
 
 
-def _of_dilation(name: str, given: Contact, joint: JointProperties, travel: float) -> list[str]:
-    """A dilation that does not end within the travel of the drive, though no end was given."""
+def _of_dilation(name: str, given: Contact, joint: JointProperties, travel: float, large: bool) -> list[str]:
+    """A dilation that ends before its given slip, or not within the travel of the drive, though no end was given."""
+    if large and given.law == "brittle":
+        return [
+            f"contact.{name}.dilation_angle: in large displacement faces that have lost their strength are found anew "
+            "where they touch, and do not dilate any more: what slides may fall too early"
+        ]
     end = float(np.max(joint.dilation_cutoff)) if joint.dilation_cutoff is not None else inf
     if given.dilation_cutoff is not None or end <= travel:
         return []

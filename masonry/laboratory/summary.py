@@ -36,8 +36,10 @@ MOVING = 0.05
 MOVED = 1e-12
 """Openings and slips (m) up to this one, far less than an atom, are but rounding."""
 ROUNDING = 1e-9
-"""Share of the external work below which what the laws dissipated is but rounding, and is held against this share; so
-is what sudden cracks released."""
+"""Share of the external work below which what sudden cracks released is but rounding."""
+LITTLE = 1e-2
+"""Share of the external work against which the bookings of the laws are held where they dissipated less: friction that
+dilates by its own angle dissipates nothing, however much slides."""
 
 
 def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
@@ -77,9 +79,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     standings, size = outcome.standing.values(), float(np.ptp(assembly.specimen.blocks.points, axis=0).max())
     last = {key: float(values[-1]) for key, values in rows.items()}
     torn = abs(open_in_contacts(last))
-    scale = (
-        max(abs(dissipated), ROUNDING * work) if model.large is None else moved
-    )  # what falls may dissipate next to nothing
+    scale = max(abs(dissipated), LITTLE * work) if model.large is None else moved  # what falls dissipates little
     laws = {name: scene.contact_of(name).law for name in model.group_names}
     kinematics = {g: scene.kinematics_of(g) for g in assembly.specimen.blocks.groups}
     return {
