@@ -23,7 +23,7 @@ from verification.scene_runs import run as run_scene
 
 ACCURACY = 0.005
 ARCH, WALL = "arch-of-oppenheim", "wall-tilted"
-WAITS = {"gravity.tilt": None, "solver": {}, "curve": None, "assumptions": {}}
+WAITS: dict[str, Any] = {"gravity.tilt": None, "solver": {}, "curve": None, "assumptions": {}}
 """Ground that tilts slowly in the scene tilts by trials."""
 
 
