@@ -113,8 +113,7 @@ def stay_open(permanent_opening, joint, history, e, held):
     """
     if permanent_opening is None:
         return history, filled(0.0, e)
-    kn = joint.normal_stiffness
-    sigma = kn * (e - permanent_opening)
+    kn, sigma = joint.normal_stiffness, joint.normal_stiffness * (e - permanent_opening)
     limit = shared(joint.combined, history.intact_s) * history.intact_n * joint.tensile_strength
     parted = where(sigma > limit, (sigma - limit) / kn, 0.0)
     energy = 0.5 * (minimum(sigma, held) + limit) * parted

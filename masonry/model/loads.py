@@ -241,8 +241,7 @@ class Growing:
         return float(np.ptp([0.0, *(leg.end for leg in self.legs)]))
 
     def load_factors(self, factor: float) -> np.ndarray:
-        """(H,) factors of the loads that vary: the factor; of a tilt that of the weight that turns, less 1, and that of
-        the weight turned by a right angle, so that gravity keeps its size."""
+        """(H,) factors of the loads that vary; of a tilt those of the weight less 1, and of it turned by 90 degrees."""
         if not self.tilts:
             return np.array([factor])
         whole = float(np.hypot(1.0, factor))

@@ -111,8 +111,7 @@ class Loop:
             progress(now, whole, f"step {self.done}, {self.state_of_the_run()}")
 
     def state_of_the_run(self) -> str:
-        """In a few words: the stress at the drive, or the factor of a load that grows; before, how far the loads have
-        settled."""
+        """In a few words: how far the loads have settled; then the stress at the drive, or the factor of a load."""
         if self.done <= self.settle:
             return f"{self.observed['unbalanced'][-1]:.2g} of the dead loads unbalanced"
         if FACTOR in self.rows:
