@@ -44,6 +44,7 @@ def dilating(tangent: float) -> dict[str, Any]:
     return {"law": "brittle", **{f"contact.unit_unit.{key}": value for key, value in contact.items()}}
 
 
+DILATES = dilating(0.65)
 EXACT: dict[str, tuple[str, dict[str, Any]]] = {
     "arch tilted": (ARCH, {}),
     "arch tilted, large displacement": (ARCH, {"displacements": "large"}),
@@ -53,7 +54,7 @@ EXACT: dict[str, tuple[str, dict[str, Any]]] = {
     ),
     "arch under a force at its crown": (ARCH, pattern(pattern="force", on="keystone", force={"z": "-1 kN"})),
     "wall tilted about its length": (WALL, pattern(pattern="tilt", about="x")),
-    "wall tilted, dilating by its friction": (WALL, dilating(0.65)),
+    "wall tilted, dilating by its friction": (WALL, DILATES),
     "stack of drums tilted": (
         "column-pushed",
         {**pattern(pattern="tilt", about="y"), "drive": None, "assumptions": {}},
