@@ -20,6 +20,7 @@ def test_corners_that_blocks_share_are_parted():
     assert len(shared.points) == 16 and len(own.points) == 24
     for f in range(18):
         np.testing.assert_array_equal(own.face(f), shared.face(f))
+    np.testing.assert_array_equal(with_own_points(own).points, own.points)
 
 
 def test_selected_blocks_are_the_same_blocks_in_the_order_asked_for():
