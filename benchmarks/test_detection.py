@@ -7,10 +7,10 @@ does at its clock. Times are the least of many rounds; gates are ratios to that.
 import numpy as np
 import pytest
 
-from masonry.detection.bare import bare
 from masonry.detection.broad import cells_of, near_pairs
 from masonry.detection.narrow import FACE, touch
 from masonry.detection.transfer import transfer
+from masonry.jit.compiler import jit
 from tests.detection.touching import Bodies, box_blocks, cells, turn
 from verification.reference_step.interleaved import in_turn, require
 
@@ -19,7 +19,7 @@ LINEAR = 1.4
 """How many times more a block of 50,000 may cost than one of 1,000."""
 
 
-@bare
+@jit
 def chain(count):
     """Multiplications and additions that wait for each other."""
     value = 1.0
@@ -28,7 +28,7 @@ def chain(count):
     return value
 
 
-@bare
+@jit
 def touching(pieces, turned, position, pairs, witness, axis, scratch, point, gap, area, feature, calls):
     """`touch` of all pairs, so many times, while the second bodies creep along."""
     count = 0
@@ -146,7 +146,7 @@ def test_a_patch_is_carried_over_within_a_few_clips(benchmark, figure, name):
     )
 
 
-@bare
+@jit
 def transfers(point, area, feature, tau, count, new_point, new_area, new_feature, new_tau, new_count, axis, scratch, n):
     """`transfer`, n times."""
     loss = 0.0

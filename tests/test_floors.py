@@ -13,10 +13,10 @@ OURS = ("geometry", "masonry", "verification", "tests", "benchmarks")
 FLOORS = (
     *("geometry.blocks", "geometry.checks", "geometry.jit_cache", "geometry.polyhedra", "geometry.cells"),
     *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.structures", "geometry.files", "geometry"),
-    *("masonry.errors", "masonry.quantity", "masonry.history", "masonry.plugins", "masonry.simd", "masonry.runtime"),
+    *("masonry.errors", "masonry.quantity", "masonry.history", "masonry.plugins", "masonry.jit", "masonry.simd"),
     *(
+        "masonry.runtime",
         "masonry.statics",
-        "masonry.jit",
         "masonry.detection",
         "masonry.laws",
         "masonry.kinematics",

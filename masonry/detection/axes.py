@@ -5,7 +5,7 @@ Everything is seen from the position of the first piece's body; d is the positio
 
 from math import sqrt
 
-from masonry.detection.bare import bare, inlined
+from masonry.jit.compiler import inlined, inner
 
 PARALLEL = 1e-6
 """Sine of the angle below which two edges have no axis of their own."""
@@ -85,7 +85,7 @@ def widest_face(
     return found, beyond, parted
 
 
-@bare
+@inner
 def arc_height(one, two, cosine):
     """The greatest n . q of the unit vectors n from n_1 to n_2, for n_1 . q, n_2 . q and n_1 . n_2."""
     alpha, beta = one - cosine * two, two - cosine * one
@@ -94,7 +94,7 @@ def arc_height(one, two, cosine):
     return max(one, two)
 
 
-@bare
+@inner
 def open_edges(edge, first, last, normal, offset, x, y, z, beyond, count, found):
     """Edges whose axes may part the pieces by more than `beyond`, for a point (x, y, z) of the other piece.
 
@@ -114,7 +114,7 @@ def open_edges(edge, first, last, normal, offset, x, y, z, beyond, count, found)
     return kept
 
 
-@bare
+@inner
 def edge_axis(edge, e, g, vertex, normal, dx, dy, dz):
     """Gap (m) and unit normal, from the first piece to the second, of two crossed edges whose arcs of normals cross.
 
@@ -148,6 +148,6 @@ def edge_axis(edge, e, g, vertex, normal, dx, dy, dz):
     return True, nx * x + ny * y + nz * z, nx, ny, nz
 
 
-@bare
+@inner
 def _along(normal, f, x, y, z):
     return normal[f, 0] * x + normal[f, 1] * y + normal[f, 2] * z

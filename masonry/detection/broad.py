@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.bare import bare
 from masonry.detection.pieces import Pieces
+from masonry.jit.compiler import inner, jit
 
 LARGE = 4.0
 """Times the mean extent along an axis: such boxes are tested against all others."""
@@ -48,7 +48,7 @@ def cells_for(pieces: Pieces, most_pairs: int) -> Cells:
     return cells_of(pieces.block[pieces.body], most_pairs)
 
 
-@bare
+@jit
 def write_boxes(pieces, turned, position, skin, cells):
     """Boxes round all pieces as they are placed, wider by half the skin (m) on every side."""
     low, high, vertex, vertex_start, body = cells.low, cells.high, turned.vertex, pieces.vertex_start, pieces.body
@@ -62,7 +62,7 @@ def write_boxes(pieces, turned, position, skin, cells):
             low[p, axis], high[p, axis] = position[b, axis] + least - half, position[b, axis] + most + half
 
 
-@bare
+@jit
 def near_pairs(cells, pairs):
     """Write the pairs i < j of boxes that overlap or touch into pairs (C, 2), sorted; returns their number.
 
@@ -81,7 +81,7 @@ def near_pairs(cells, pairs):
     return count
 
 
-@bare
+@inner
 def _mark_large(low, high, large):
     """large[i] = 1 for boxes that are longer along an axis than LARGE times the mean box."""
     for i in range(len(low)):
@@ -96,7 +96,7 @@ def _mark_large(low, high, large):
                 large[i] = 1
 
 
-@bare
+@inner
 def _lay_out(low, high, large, grid, most):
     """Origin and size of the cells into grid (3, 3), no smaller than any box in them; their number along x, y, z."""
     for axis in range(3):
@@ -123,7 +123,7 @@ def _lay_out(low, high, large, grid, most):
             grid[1, axis] *= 1.25
 
 
-@bare
+@inner
 def _sort_in(low, large, grid, nx, ny, nz, cell, start, order):
     """Cell (M, 3) of the low corner of each box that is not large, and these in order of cells.
 
@@ -148,7 +148,7 @@ def _sort_in(low, large, grid, nx, ny, nz, cell, start, order):
             order[start[c]] = i
 
 
-@bare
+@inner
 def _pairs_in_cells(low, high, owner, cell, start, order, nx, ny, nz, pairs, room):
     """Pairs within a cell and with half of its neighbours, so that each comes once; returns their number."""
     count = 0
@@ -169,7 +169,7 @@ def _pairs_in_cells(low, high, owner, cell, start, order, nx, ny, nz, pairs, roo
     return count
 
 
-@bare
+@inner
 def _pairs_of_large(low, high, owner, large, pairs, room, count):
     """Pairs of the large boxes with all others; returns the number of all pairs."""
     for i in range(len(low)):
@@ -180,7 +180,7 @@ def _pairs_of_large(low, high, owner, large, pairs, room, count):
     return count
 
 
-@bare
+@inner
 def _test(low, high, owner, i, j, pairs, room, count):
     """One more where the boxes i and j overlap; it is written where there is room."""
     if (
@@ -195,7 +195,7 @@ def _test(low, high, owner, i, j, pairs, room, count):
     return count
 
 
-@bare
+@inner
 def _sort_pairs(pairs, count, first, behind):
     """Pairs in the order of their first, then of their second: counted by the first, the few seconds by insertion."""
     m = len(first) - 1

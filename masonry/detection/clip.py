@@ -5,7 +5,7 @@ Polygons lie in the rows of u, v (2, K) m and label (2, K): label[k] is the name
 
 from math import inf
 
-from masonry.detection.bare import inlined
+from masonry.jit.compiler import inlined
 
 
 @inlined

@@ -2,11 +2,11 @@
 
 from math import inf, sqrt
 
-from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import area_and_centroid, cut_by
 from masonry.detection.corners import MERGED, merge, weigh
 from masonry.detection.features import CUT, corner_feature, crossing_feature, lone_feature
 from masonry.detection.overlap import heights, point_of
+from masonry.jit.compiler import inlined, inner
 
 
 @inlined
@@ -42,7 +42,7 @@ def polygon_points(
     return count
 
 
-@bare
+@inner
 def crossing_point(
     vertex, edge, first_a, first_b, ea, eb, dx, dy, dz, nx, ny, nz, apart, least, point, gap, area, feature
 ):  # fmt: skip
@@ -64,7 +64,7 @@ def crossing_point(
     return 1
 
 
-@bare
+@inner
 def corner_point(
     vertex, first, last, dx, dy, dz, nx, ny, nz, side, apart, least, face, point, gap, area, feature
 ):  # fmt: skip

@@ -5,8 +5,8 @@ t_k)/2. That reproduces area A and centroid of any convex polygon, and no a_k is
 x_(k+1)) has its centroid at (c + x_k + x_(k+1))/3, so that sum t_k (x_k + x_(k+1))/2 = (3 A c - A c)/2 = A c.
 """
 
-from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import area_and_centroid, clip
+from masonry.jit.compiler import inlined, inner
 
 MERGED = 1e-4
 """Of the root of the area: corners that are nearer to each other become one, at their middle weighted by area."""
@@ -24,7 +24,7 @@ def weigh(u, v, row, count, cu, cv, weight):
         before = after
 
 
-@bare
+@inner
 def merge(u, v, name, row, count, weight, near):
     """Corners of a polygon within `near` (m) of each other made one; area and first moment stay. Returns their number.
 
@@ -58,7 +58,7 @@ def merge(u, v, name, row, count, weight, near):
     return kept
 
 
-@bare
+@inner
 def _rotate(values, first, count):
     """The first `count` values begin with number `first`: reversed thrice."""
     _reverse(values, 0, first)
@@ -66,7 +66,7 @@ def _rotate(values, first, count):
     _reverse(values, 0, count)
 
 
-@bare
+@inner
 def _reverse(values, a, b):
     while b - a > 1:
         b -= 1
@@ -74,7 +74,7 @@ def _reverse(values, a, b):
         a += 1
 
 
-@bare
+@inner
 def _one(u, v, name, row, begin, end, weight, place):
     """Corners begin..end put together at `place` <= begin; returns 1."""
     total, mu, mv, least = 0.0, 0.0, 0.0, name[begin]
@@ -90,7 +90,7 @@ def _one(u, v, name, row, begin, end, weight, place):
     return 1
 
 
-@bare
+@inner
 def region(eu, ev, row, count, cu, cv, k):
     """What corner k of a patch stands for, counter-clockwise: corner, middle of the edge after it, centroid, middle
     of the edge before it. It is convex, as patches are. They are rows of eu, ev."""
@@ -101,13 +101,13 @@ def region(eu, ev, row, count, cu, cv, k):
     return ku, kv, au, av, cu, cv, bu, bv
 
 
-@bare
+@inner
 def region_area(q):
     """m2; 0 where it is turned inside out."""
     return max(0.5 * ((q[4] - q[0]) * (q[7] - q[3]) - (q[5] - q[1]) * (q[6] - q[2])), 0.0)
 
 
-@bare
+@inner
 def shared_area(a, b, u, v, label, height, wu, wv):
     """Area (m2) that a region of the old patch shares with one of the new patch."""
     if (

@@ -1,6 +1,6 @@
 """Names of contact points: whole numbers made of the edges that meet in them, so that they are found again exactly."""
 
-from masonry.detection.bare import bare
+from masonry.jit.compiler import inner
 
 MOST_FACES, MOST_CORNERS = 4096, 2047
 """Of one piece, and of one face."""
@@ -10,20 +10,20 @@ CROSSED, LONE = 1 << 60, 1 << 59
 """Added where two edges cross, and where a corner is in the other piece that no corner of an overlap of faces is."""
 
 
-@bare
+@inner
 def corner_feature(face_a, face_b, one, two):
     """A corner of the overlap of two faces (numbers within their pieces), where edges one and two meet."""
     low, high = min(one, two), max(one, two)
     return ((face_a * 4096 + face_b) * 4096 + low) * 4096 + high
 
 
-@bare
+@inner
 def crossing_feature(edge_a, edge_b):
     """Where two edges (numbers within their pieces) cross."""
     return CROSSED + edge_a * 1048576 + edge_b
 
 
-@bare
+@inner
 def lone_feature(face, corner, side):
     """A corner of one piece in a face of the other (numbers within their pieces); side: whose corner, 1 or -1."""
     return LONE + (face * 1048576 + corner) * 2 + (1 if side > 0.0 else 0)

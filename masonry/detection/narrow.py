@@ -13,11 +13,11 @@ turned round.
 from math import inf, sqrt
 
 from masonry.detection.axes import edge_axis, face_gap, most_facing, open_edges, widest_face
-from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import area_and_centroid
 from masonry.detection.contact_points import corner_point, crossing_point, polygon_points
 from masonry.detection.overlap import beside, common_plane, heights, overlap, point_of
 from masonry.detection.pieces import SNAP
+from masonry.jit.compiler import inlined, inner, jit
 
 NONE, FACE, EDGE = 0, 1, 2
 """Kinds: no contact; two faces, or a face and an edge or corner; two crossed edges."""
@@ -41,7 +41,7 @@ ROUND_OFF = 1e-9
 """Of the smaller radius: axes that are as good as each other."""
 
 
-@bare
+@jit
 def touch(
     pieces, turned, position, p, q, skin, reach, least, axis, witness, scratch, point, gap, area, feature
 ):  # fmt: skip
@@ -230,7 +230,7 @@ def _between(normal, fa, fb, lead):
     return blend, scale * nx, scale * ny, scale * nz
 
 
-@bare
+@inner
 def _crossed(
     a, b, dx, dy, dz, ax, ay, az, bx, by, bz, beyond, flat, overlaps, u, v, row, count, plane, wide,
     edge_start, edge, vertex, normal, offset, edges,
@@ -266,7 +266,7 @@ def _crossed(
     return ea, eb, beyond, ex, ey, ez
 
 
-@bare
+@inner
 def _deepest(u, v, row, count, plane, wide):
     """The middle of the corners of an overlap that are within a hair as deep as the deepest one, and that one's gap."""
     least = inf

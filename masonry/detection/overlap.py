@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.bare import bare, inlined
 from masonry.detection.clip import clip
 from masonry.detection.features import OTHER
 from masonry.detection.pieces import Pieces
+from masonry.jit.compiler import inlined, inner
 
 
 class Scratch(NamedTuple):
@@ -114,7 +114,7 @@ def overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, lab
     return clip(u, v, label, height, count, wu, wv, window, OTHER, snap)
 
 
-@bare
+@inner
 def beside(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane):
     """How far (m) faces fa and fb are apart along a line of the plane, at least: 0 where no edge of them parts them."""
     sx, sy, sz, tx, ty, tz = plane.sx, plane.sy, plane.sz, plane.tx, plane.ty, plane.tz

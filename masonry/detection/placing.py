@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.bare import bare
 from masonry.detection.pieces import Pieces
+from masonry.jit.compiler import inner, jit
 
 
 class Turned(NamedTuple):
@@ -27,7 +27,7 @@ def turned_of(pieces: Pieces) -> Turned:
     return Turned(pieces.vertex.copy(), pieces.centre.copy(), pieces.normal.copy(), offset)
 
 
-@bare
+@inner
 def cofactor(frame, out):
     """Cofactor matrix (3, 3) of a frame into out: a rotation is its own, normals turn with it."""
     for i in range(3):
@@ -37,7 +37,7 @@ def cofactor(frame, out):
             out[i, a] = frame[j, b] * frame[k, c] - frame[j, c] * frame[k, b]
 
 
-@bare
+@inner
 def update_piece(pieces, piece, frame, turned):
     """Write corners, centre, normals and offsets of one piece for the frame (3, 3) of its body into `turned`."""
     vertex, centre, normal, offset = turned.vertex, turned.centre, turned.normal, turned.offset
@@ -70,7 +70,7 @@ def update_piece(pieces, piece, frame, turned):
         offset[k] = nx * vertex[v, 0] + ny * vertex[v, 1] + nz * vertex[v, 2]
 
 
-@bare
+@jit
 def update_pieces(pieces, frame, turned):
     """`update_piece` of every piece; frame (N, 3, 3) of the bodies."""
     body = pieces.body

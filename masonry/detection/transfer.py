@@ -8,15 +8,15 @@ where the old patch is covered by the new one, and area that is new starts at 0.
 
 from math import cos, sin, sqrt
 
-from masonry.detection.bare import bare
 from masonry.detection.clip import area_and_centroid
 from masonry.detection.corners import region, region_area, shared_area
+from masonry.jit.compiler import inner, jit
 
 SAME = 1e-12
 """Of an area: points of one name and area are the same."""
 
 
-@bare
+@jit
 def turn_tractions(tau, count, n, axis, spin):
     """Turn tractions (K, 3) by the least rotation from n (3,) to axis (3,), then about it by spin (rad); norms stay."""
     vx, vy, vz = n[1] * axis[2] - n[2] * axis[1], n[2] * axis[0] - n[0] * axis[2], n[0] * axis[1] - n[1] * axis[0]
@@ -37,7 +37,7 @@ def turn_tractions(tau, count, n, axis, spin):
         tau[k, 2] = cosine * z + sine * (ax * y - ay * x) + along * az
 
 
-@bare
+@jit
 def transfer(
     point, area, feature, tau, count, new_point, new_area, new_feature, new_tau, new_count, axis, scratch
 ):  # fmt: skip
@@ -67,7 +67,7 @@ def transfer(
     return before - energy(new_area, new_tau, new_count)
 
 
-@bare
+@jit
 def energy(area, tau, count):
     """Sum area |tau|^2 / 2 of `count` points, Pa2 m2."""
     total = 0.0
@@ -76,7 +76,7 @@ def energy(area, tau, count):
     return total
 
 
-@bare
+@inner
 def _same(area, feature, count, new_area, new_feature, new_count):
     """Whether the new points have the names and areas of the old ones, in this order."""
     same = count == new_count
@@ -86,14 +86,14 @@ def _same(area, feature, count, new_area, new_feature, new_count):
     return same
 
 
-@bare
+@inner
 def _give(tau, i, new_tau, k, part):
     """An area (m2) of old point i goes to new point k."""
     for x in range(3):
         new_tau[k, x] += part * tau[i, x]
 
 
-@bare
+@inner
 def _by_regions(
     point, area, tau, count, new_point, new_area, new_tau, new_count, axis, u, v, label, height, wu, wv, eu, ev
 ):  # fmt: skip
@@ -124,7 +124,7 @@ def _by_regions(
     return True
 
 
-@bare
+@inner
 def _flatten(point, count, origin, axis, eu, ev, row):
     """Points in axes across the normal, from the first point of origin, into a row of eu, ev."""
     nx, ny, nz = axis[0], axis[1], axis[2]

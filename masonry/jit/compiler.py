@@ -60,6 +60,18 @@ OPTIONS = {"error_model": "numpy", "fastmath": {"contract"}, "no_cfunc_wrapper":
 """`contract` alone fuses multiply and add, and keeps NaN tests and the order of sums. Nobody calls these from C."""
 
 
+def _refuse_python(dispatcher: Any) -> None:
+    """End a call from Python in one message: Numba would jump to a wrapper that is not there."""
+
+    def refuse(*args: Any, **named: Any) -> None:
+        raise TypeError(
+            f"{dispatcher.__name__} is compiled into other functions; what Python calls is decorated by jit"
+        )
+
+    dispatcher._insert = lambda *args: None  # so no call finds what was compiled for others
+    dispatcher._compile_for_args = refuse
+
+
 def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any]:
     """A decorator that compiles, and keeps what it compiled in a folder of these sources."""
     decorate = numba.njit(**OPTIONS | options)
@@ -70,6 +82,8 @@ def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any
             dispatcher = decorate(function)
             if keep:
                 dispatcher._cache = CheckedCache(function)
+            if options.get("no_cpython_wrapper"):
+                _refuse_python(dispatcher)
             return dispatcher
         finally:
             numba.config.CACHE_DIR = REST or numba.config.CACHE_DIR
@@ -78,6 +92,14 @@ def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any
 
 
 jit = _kept(STEP, _nrt=False)
+"""For what Python calls. Who holds an array is not counted (`_nrt`), which would cost a pair of boxes half as long
+again: what is compiled may read and write arrays and views of them, but not make, return or keep one."""
+inner = _kept(STEP, _nrt=False, no_cpython_wrapper=True)
+"""For what other compiled functions alone call: a wrapper that takes dozens of arrays from Python costs more to compile
+than the function in it."""
+inlined = _kept(STEP, _nrt=False, no_cpython_wrapper=True, forceinline=True)
+"""The same for what is called in one place: an array is handed over as nine numbers, which costs as much as the work
+of a small function."""
 jit_parallel = _kept(f"{STEP}/threads", parallel=True) if STEP else _kept("", keep=False, parallel=True)
 """Numba's cache does not tell the two ways to compile one function apart: in one folder, whichever came first is served
 for both.

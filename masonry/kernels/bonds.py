@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.bare import bare
+from masonry.jit.compiler import inner
 
 
 class Bonds(NamedTuple):
@@ -34,7 +34,7 @@ class Bonds(NamedTuple):
     alive: np.ndarray
 
 
-@bare
+@inner
 def to_frames(bonds, ranges, local):
     """Write the displacement of side b against side a, in the frame of a, to row 1 + c of `local` (1 + C, 3).
 
@@ -52,7 +52,7 @@ def to_frames(bonds, ranges, local):
                 local[1 + c, i] = frames[f, 0, i] * x + frames[f, 1, i] * y + frames[f, 2, i] * z
 
 
-@bare
+@inner
 def from_frames(bonds, ranges, local):
     """Turn the forces (C, 3) of the law, in the frames of side a, to x, y, z."""
     frames, owner, force, alive = bonds.frames, bonds.owner, bonds.force, bonds.alive

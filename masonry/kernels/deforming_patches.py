@@ -6,13 +6,13 @@ of the reference at the foot of the point on the plane). So the normal force act
 its own line from the point, and the shear force at the point: no couple is left, and the springs are conservative.
 """
 
-from masonry.detection.bare import bare
+from masonry.jit.compiler import inner, jit
 from masonry.kernels.patches import DASHPOT, FRICTION, ease, places, respond
 from masonry.kernels.planes import into, plane_of, turned
 from masonry.simd import FOUR, filled, four, take, total
 
 
-@bare
+@jit
 def press_deforming(near, dt):
     """Forces and first moments of all points of all patches into motion.push (B, 12), as `press` does for rigid blocks.
 
@@ -83,7 +83,7 @@ def press_deforming(near, dt):
     account[DASHPOT] += total(damped)
 
 
-@bare
+@inner
 def add(push, b, sign, force, moments):
     """Add a force and its first moments, times a sign, to what block b is pushed by."""
     for i in range(3):
@@ -92,7 +92,7 @@ def add(push, b, sign, force, moments):
         push[b, 3 + i] += sign * moments[i]
 
 
-@bare
+@inner
 def add_moments(push, b, force, x, y, z):
     """Add first moments: a force times a lever."""
     for i in range(3):

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.bare import bare
+from masonry.jit.compiler import inner, jit
 from masonry.kinematics.levers import axial
 from masonry.kinematics.matrices import (
     inverse,
@@ -40,7 +40,7 @@ class Members(NamedTuple):
     slope: np.ndarray
 
 
-@bare
+@jit
 def gather_velocities(motion, members, rigid, affine, tets):
     """Velocities, spins, rates of F and of stretching of all bodies, and the radii that they have now."""
     v, rate, radius, reach = motion.v, motion.rate, motion.radius, members.reach
@@ -70,7 +70,7 @@ def gather_velocities(motion, members, rigid, affine, tets):
             radius[b] = longest(matrix_at(motion.frame, b)) * reach[b]
 
 
-@bare
+@jit
 def gather_places(motion, members, rigid, affine, tets, bonds):
     """Places, deformation gradients and their inverses of all bodies, and the rotations that the bonds turn with."""
     moved, frame, dual = motion.moved, motion.frame, motion.dual
@@ -106,7 +106,7 @@ def gather_places(motion, members, rigid, affine, tets, bonds):
                 put_matrix(bonds.frames, members.tets[k], nearest_rotation(matrix_at(tets.frame, k)))
 
 
-@bare
+@jit
 def hand_over(motion, members, rigid, affine, tets):
     """Give the bodies the forces of the patches: rigid blocks moments, affine ones first moments, nodes forces."""
     push = motion.push
@@ -138,13 +138,13 @@ def hand_over(motion, members, rigid, affine, tets):
                 tets.patches[n, 2] += m[6] * x + m[7] * y + m[8] * z
 
 
-@bare
+@inner
 def first_moments(push, b):
     """Those of a row of `push`."""
     return *vector_at(push, b, 3), *vector_at(push, b, 6), *vector_at(push, b, 9)
 
 
-@bare
+@inner
 def spread(members, t, values):
     """Mean (3) and gradient (9) over a tet of a field with values (., 3) at the nodes."""
     node, slope = members.node, members.slope
@@ -159,7 +159,7 @@ def spread(members, t, values):
     return (mx, my, mz), (a, b, c, d, e, f, g, h, i)
 
 
-@bare
+@inner
 def in_space(axes, k, v):
     """F' of an affine block, with derivatives along x, y, z."""
     h = v[k, 3], v[k, 4], v[k, 5], v[k, 6], v[k, 7], v[k, 8], v[k, 9], v[k, 10], v[k, 11]
@@ -168,7 +168,7 @@ def in_space(axes, k, v):
     return product(h, transposed(matrix_at(axes, k)))
 
 
-@bare
+@inner
 def stretching(motion, b, own):
     """Write the spin of block b and the norm of its rate of stretching, from its F'."""
     g = product(own, transposed(matrix_at(motion.dual, b)))
@@ -178,7 +178,7 @@ def stretching(motion, b, own):
     motion.strain[b] = sqrt(g[0] * g[0] + g[4] * g[4] + g[8] * g[8] + 0.5 * (p * p + q * q + r * r))
 
 
-@bare
+@inner
 def longest(f):
     """A bound on the stretch of any line, the same from wherever one looks: |F x|^2 <= 1 + norm of F^T F - 1."""
     c = product(transposed(f), f)

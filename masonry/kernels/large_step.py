@@ -3,7 +3,7 @@
 A scene of small displacement compiles nothing of this file.
 """
 
-from masonry.detection.bare import bare
+from masonry.jit.compiler import jit
 from masonry.kernels.bonds import from_frames, to_frames
 from masonry.kernels.deforming_patches import press_deforming
 from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
@@ -13,7 +13,7 @@ from masonry.kernels.step import pull, reaction, sweep_groups
 from masonry.kinematics.dispatch import move, update_positions
 
 
-@bare
+@jit
 def advance(
     first, steps, dt, damping, dead_load, speed, groups, contacts, bonds, bodies, drives, near, members, drive_force
 ):

@@ -3,8 +3,8 @@
 import numpy as np
 
 from masonry.detection import placing
-from masonry.detection.bare import bare
 from masonry.detection.broad import near_pairs, write_boxes
+from masonry.jit.compiler import inner, jit
 
 FAR = 1e30
 """m: farther than anything is, or moves."""
@@ -12,7 +12,7 @@ NEED_POINTS, NEED_PAIRS, TOO_DEEP = 1, 2, 3
 """Why a step was not taken: no free slot, no room for pairs, or a contact that was born with a deep overlap."""
 
 
-@bare
+@inner
 def find_pairs(near):
     """All pairs that may meet before the next search; what is known of those that were near before stays.
 
@@ -35,7 +35,7 @@ def find_pairs(near):
     return True
 
 
-@bare
+@jit
 def copy_pairs(pairs, before):
     """Keep what is known of all pairs."""
     before.number[0] = pairs.number[0]
@@ -43,7 +43,7 @@ def copy_pairs(pairs, before):
         copy_pair(pairs, p, before, p)
 
 
-@bare
+@inner
 def copy_pair(source, p, target, q):
     """Row q of the target becomes row p of the source."""
     for i in range(2):
@@ -60,7 +60,7 @@ def copy_pair(source, p, target, q):
     target.slack[q], target.gained[q] = source.slack[p], source.gained[p]
 
 
-@bare
+@inner
 def merge(pairs, before, points, body, block, search, count):
     """Write the sorted pairs that were found, with what is known of them; slots of those that are gone become free."""
     number, p, had = 0, 0, before.number[0]
@@ -92,7 +92,7 @@ def merge(pairs, before, points, body, block, search, count):
     pairs.number[0] = number
 
 
-@bare
+@inner
 def is_bonded(bonded, held, a, b, count):
     """Whether bonds hold two blocks together."""
     key = min(a, b) * count + max(a, b)
@@ -100,7 +100,7 @@ def is_bonded(bonded, held, a, b, count):
     return k < len(bonded) and bonded[k] == key and held[k]
 
 
-@bare
+@inner
 def release(points, s):
     """A slot is free again; nothing where a pair had none (-1)."""
     if s >= 0:

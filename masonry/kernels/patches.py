@@ -10,7 +10,7 @@ from math import sqrt
 
 import numpy as np
 
-from masonry.detection.bare import bare, inlined
+from masonry.jit.compiler import inlined, inner, jit
 from masonry.kernels.pair_search import FAR
 from masonry.kernels.planes import plane_of, turned
 from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take, total, where
@@ -23,7 +23,7 @@ ROUND_OFF = 1e-15
 """Of a sum of three squares, after a few operations on each."""
 
 
-@bare
+@jit
 def press(near, dt):
     """Forces and moments of all points of all patches into motion.push, from their gaps and the slip of this step.
 
@@ -158,7 +158,7 @@ def turned_with(x, y, z, before, rotation, n):
     return scale * x, scale * y, scale * z
 
 
-@bare
+@inner
 def add(push, b, side, fx, fy, fz, mx, my, mz):
     """Add a force and its moment, times a sign, to what a block is pushed by."""
     push[b, 0] += side * fx
@@ -169,7 +169,7 @@ def add(push, b, side, fx, fy, fz, mx, my, mz):
     push[b, 5] += side * mz
 
 
-@bare
+@jit
 def stored(pairs, points, rules, motion, p):
     """Elastic energies (J) of the points of a pair as they stand: normal, and shear."""
     pressed, sheared, s = 0.0, 0.0, pairs.slot[p]
@@ -183,7 +183,7 @@ def stored(pairs, points, rules, motion, p):
     return pressed, sheared
 
 
-@bare
+@inner
 def ease(pairs, points, motion, p):
     """Take back as much of the slack of a pair as its points have parted: then nothing presses."""
     least = FAR
@@ -193,7 +193,7 @@ def ease(pairs, points, motion, p):
         pairs.slack[p] = min(max(-least, 0.0), max(pairs.slack[p], 0.0))
 
 
-@bare
+@jit
 def gap_of(pairs, points, motion, p, k):
     """Gap (m) of a point now, below 0 where the blocks press."""
     own, s = pairs.points_of[p], pairs.slot[p]
@@ -209,7 +209,7 @@ def gap_of(pairs, points, motion, p, k):
     return (along - scale * points.level[s, k]) * (1.0 if own == 1 else -1.0)
 
 
-@bare
+@jit
 def stored_energy(near):
     """Elastic energy (J) of all patches."""
     energy = 0.0
@@ -219,7 +219,7 @@ def stored_energy(near):
     return energy
 
 
-@bare
+@jit
 def deepest(near, width):
     """How far points overlap at most, over the least width (B,) m of the thinner of their two blocks."""
     pairs, points, most = near.pairs, near.points, 0.0

@@ -2,10 +2,10 @@
 
 from math import sqrt
 
-from masonry.detection.bare import bare
+from masonry.jit.compiler import inner, jit
 
 
-@bare
+@inner
 def turned(frame, b, x, y, z):
     """A vector in the frame of a block, in space."""
     return (
@@ -15,7 +15,7 @@ def turned(frame, b, x, y, z):
     )
 
 
-@bare
+@jit
 def plane_of(frame, dual, b, x, y, z):
     """The unit normal in space of a plane that is fixed in block b, and the factor of its level there.
 
@@ -29,7 +29,7 @@ def plane_of(frame, dual, b, x, y, z):
     return scale * nx, scale * ny, scale * nz, scale
 
 
-@bare
+@inner
 def into(frame, dual, b, x, y, z):
     """A vector in space in the frame of a block: F^-1 times it."""
     back = frame if dual is None else dual

@@ -6,13 +6,13 @@ from typing import NamedTuple
 import numpy as np
 
 from masonry.detection import placing
-from masonry.detection.bare import bare
 from masonry.detection.broad import Cells
 from masonry.detection.narrow import FACE, NONE, touch
 from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
 from masonry.detection.transfer import transfer, turn_tractions
+from masonry.jit.compiler import inner
 from masonry.kernels.pair_search import FAR, NEED_POINTS, TOO_DEEP, release
 from masonry.kernels.patch_arrays import Motion, Pairs, Points, Rules
 from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, stored
@@ -90,7 +90,7 @@ class Near(NamedTuple):
     account: np.ndarray
 
 
-@bare
+@inner
 def look(near, p):
     """Where pair p touches now; its points take over what they remember. False without room."""
     pieces, pairs, points, motion, search = near.pieces, near.pairs, near.points, near.motion, near.search
@@ -128,7 +128,7 @@ def look(near, p):
     return renew(near, p, count, owner(pieces, pairs.piece[p, 0], pairs.piece[p, 1], blend))
 
 
-@bare
+@inner
 def owner(pieces, i, j, blend):
     """Which of two pieces the points belong to, 0 or 1: the one that meets a face of the other.
 
@@ -143,7 +143,7 @@ def owner(pieces, i, j, blend):
     return 1 if pieces.rank[i] <= pieces.rank[j] else 0
 
 
-@bare
+@inner
 def let_go(near, p):
     """A pair touches no more: its slot is free again, and what its points held is lost."""
     pairs, points, s = near.pairs, near.points, near.pairs.slot[p]
@@ -158,7 +158,7 @@ def let_go(near, p):
     pairs.slot[p] = -1
 
 
-@bare
+@inner
 def renew(near, p, count, own):
     """Give pair p the points that a look found; `own` is the side that they belong to. False where one is too deep."""
     pairs, points, motion, search = near.pairs, near.points, near.motion, near.search
@@ -218,7 +218,7 @@ def renew(near, p, count, own):
     return True
 
 
-@bare
+@inner
 def remember(pairs, points, motion, search, p):
     """Keep the places, names, areas, shear tractions and the normal of a patch; returns how many points it has."""
     s, own = pairs.slot[p], pairs.points_of[p]
@@ -235,7 +235,7 @@ def remember(pairs, points, motion, search, p):
     return points.held[s]
 
 
-@bare
+@inner
 def set_dashpot(pairs, rules, search, p, area):
     """The dashpot of a patch (Pa s/m): its fraction of the critical damping of the two masses on the whole patch."""
     damping_ratio, kn = rules.dashpot[pairs.law[p]], rules.normal_stiffness[pairs.law[p]]

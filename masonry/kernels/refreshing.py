@@ -7,8 +7,8 @@ the two largest travels since the last search exceed the skin.
 
 from math import sqrt
 
-from masonry.detection.bare import bare, inlined
 from masonry.detection.narrow import FACE
+from masonry.jit.compiler import inlined, inner, jit
 from masonry.kernels.pair_search import find_pairs
 from masonry.kernels.redetection import look
 from masonry.kernels.relative_motion import stays
@@ -17,7 +17,7 @@ from masonry.kinematics.matrices import dot, vector_at
 from masonry.simd import EIGHT, eight_rows
 
 
-@bare
+@jit
 def refresh(near, dt):
     """Count the travel of the coming step, and look at all pairs that it may change; False where it cannot be taken."""
     motion, search, pairs = near.motion, near.search, near.pairs
@@ -40,7 +40,7 @@ def refresh(near, dt):
     return True
 
 
-@bare
+@inner
 def call_others(near, p):
     """What shares a face of a moving block with pair p, or may soon, is to be looked at in the same step."""
     pairs, search = near.pairs, near.search
@@ -52,7 +52,7 @@ def call_others(near, p):
                 search.stale[pairs.witness[p, 1 + side]] = True
 
 
-@bare
+@inner
 def look_together(near):
     """Look at the patches of stale faces, and at pairs of stale blocks that nearly touch; False without room.
 
@@ -80,14 +80,14 @@ def look_together(near):
     return True
 
 
-@bare
+@inner
 def nearly_touches(pairs, block, search, p):
     """Whether the pair, which was apart, may touch after a small part of the skin, and one of its blocks is stale."""
     stale = search.stale_block[block[pairs.body[p, 0]]] or search.stale_block[block[pairs.body[p, 1]]]
     return stale and pairs.reach[p] <= 0.25 * search.skin[0]
 
 
-@bare
+@inner
 def on_stale_face(pairs, search, p):
     """Whether a patch lies on a stale face."""
     if pairs.witness[p, 0] != FACE:
@@ -95,7 +95,7 @@ def on_stale_face(pairs, search, p):
     return search.stale[pairs.witness[p, 1]] or search.stale[pairs.witness[p, 2]]
 
 
-@bare
+@jit
 def count_travel(motion, dt, strain=None):
     """Add to each block's travel what this step can add to it at most; strain as in Motion."""
     together = len(motion.travel) // EIGHT * EIGHT
@@ -115,7 +115,7 @@ def travel_on(motion, b, dt, strain):
     motion.travel[b] += (sqrt(dot(velocity, velocity)) + rate * motion.radius[b]) * dt
 
 
-@bare
+@jit
 def needs_search(travel, built, skin):
     """Whether two blocks may have come nearer to each other by the skin since the last search."""
     first = second = 0.0

@@ -6,7 +6,7 @@ to each other: before such a pair is looked at, the place of one in the frame of
 
 from math import sqrt
 
-from masonry.detection.bare import bare
+from masonry.jit.compiler import inner
 from masonry.kernels.pair_search import FAR
 from masonry.kernels.planes import into
 
@@ -16,7 +16,7 @@ STRETCH = 1.25
 """How much longer a length may be in space than in the frame of a block that deforms: it is squeezed to 0.8 of that."""
 
 
-@bare
+@inner
 def stays(near, p):
     """Whether a pair whose blocks have travelled far need not be looked at: then it says when to ask again."""
     pairs, travel = near.pairs, near.motion.travel
@@ -29,7 +29,7 @@ def stays(near, p):
     return True
 
 
-@bare
+@inner
 def keep_pose(pairs, motion, p):
     """Where one block of the pair stands in the frame of the other, now that it is looked at."""
     pose = pose_of(pairs, motion, p)
@@ -37,7 +37,7 @@ def keep_pose(pairs, motion, p):
         pairs.pose[p, i] = pose[i]
 
 
-@bare
+@inner
 def moved_apart(pairs, motion, p):
     """m, bound of how far any point of the smaller block has moved in the frame of the other one since then."""
     pose, moved, turned = pose_of(pairs, motion, p), 0.0, 0.0
@@ -49,7 +49,7 @@ def moved_apart(pairs, motion, p):
     return bound if motion.dual is None else STRETCH * bound
 
 
-@bare
+@inner
 def pose_of(pairs, motion, p):
     """Centroid of the smaller block, and its three axes, in the frame of the other one: twelve numbers."""
     a, b = pairs.body[p, 0], pairs.body[p, 1]

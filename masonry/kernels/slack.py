@@ -11,15 +11,15 @@ gains, where they share a face.
 
 from math import sqrt
 
-from masonry.detection.bare import bare
 from masonry.detection.narrow import FACE
+from masonry.jit.compiler import inner, jit
 from masonry.kernels.patches import NORMAL_GAINED, gap_of, stored
 
 ROUNDS = 60
 """Of Newton's method, at most: six are usual."""
 
 
-@bare
+@inner
 def settle(near):
     """Give slack to all pairs that gained normal energy in the looks of this step, as far as none on their faces lost
     as much."""
@@ -45,14 +45,14 @@ def settle(near):
         pairs.gained[lost[k]] = 0.0
 
 
-@bare
+@inner
 def shares_face(pairs, p, q):
     """Whether one of the two faces of patch p was one of pair q before the last look."""
     one, two = pairs.witness[p, 1], pairs.witness[p, 2]
     return pairs.face[q, 0] == one or pairs.face[q, 0] == two or pairs.face[q, 1] == one or pairs.face[q, 1] == two
 
 
-@bare
+@jit
 def hold(near, p, energy):
     """Give a pair the slack with which its points hold a normal energy (J), if any; returns what they hold then.
 

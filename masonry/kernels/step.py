@@ -3,9 +3,8 @@
 Compiled for exactly the types that a scene uses: an absent part is None and leaves no code behind.
 """
 
-from numba.extending import overload
-
-from masonry.jit.compiler import jit
+from masonry.jit.compiler import inner, jit
+from masonry.jit.extending import overload
 from masonry.kernels import contact
 from masonry.kinematics.dispatch import move, update_positions
 
@@ -51,7 +50,7 @@ def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, conta
         pull(tet_blocks, tet_drive, speed[n + 1])
 
 
-@jit
+@inner
 def pull(body, dofs, speed):
     """Set the velocity of the driven dofs."""
     if dofs is None:

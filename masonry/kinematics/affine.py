@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 from numba import prange
-from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit
+from masonry.jit.extending import register_jitable
 from masonry.kinematics.motion import advance, keep
 from masonry.simd import FOUR, four, numbers, pack, part, plus, put, put_row, take, take_row
 

@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 from numba import prange
-from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit
+from masonry.jit.extending import register_jitable
 from masonry.kinematics.levers import couple_apart, moments, patch_force, patch_moments, skew
 from masonry.kinematics.matrices import (
     added,

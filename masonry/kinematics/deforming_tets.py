@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 from numba import prange
-from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit
+from masonry.jit.extending import register_jitable
 from masonry.kinematics.deforming import keep_drawn
 from masonry.kinematics.levers import skew
 from masonry.kinematics.matrices import (

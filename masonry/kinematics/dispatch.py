@@ -2,9 +2,8 @@
 
 import sys
 
-from numba.extending import overload
-
 from masonry.jit.compiler import jit, jit_parallel
+from masonry.jit.extending import overload
 
 _compiled: dict = {}
 

@@ -5,8 +5,7 @@ the angular momentum of the pair is kept. What a force has beyond its material p
 a block that deforms, and not on its stretch, as the frames of contacts turn and do not stretch.
 """
 
-from numba.extending import register_jitable
-
+from masonry.jit.extending import register_jitable
 from masonry.kinematics.matrices import scaled, vector_at, vector_or_zero
 from masonry.simd import numbers, pack, plus, take_row
 

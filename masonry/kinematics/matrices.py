@@ -4,9 +4,9 @@ from math import cos, sin, sqrt
 
 import numpy as np
 from numba.core import types
-from numba.extending import overload, register_jitable
 
 from masonry.jit.compiler import jit
+from masonry.jit.extending import overload, register_jitable
 from masonry.simd import any_lane, maximum, where
 
 SMALL_ANGLE_SQUARED = 0.01

@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 from numba import types
-from numba.extending import overload, register_jitable
 
+from masonry.jit.extending import overload, register_jitable
 from masonry.simd import filled, put, take, total, where
 
 

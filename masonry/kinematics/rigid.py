@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 from numba import prange
-from numba.extending import register_jitable
 
+from masonry.jit.extending import register_jitable
 from masonry.kinematics.motion import advance, keep
 from masonry.simd import EIGHT, eight, numbers, pack, part, plus, put, put_row, take, take_row
 

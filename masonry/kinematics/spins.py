@@ -1,7 +1,6 @@
 """How fast blocks turn that have some angular momentum: of one block in numbers, of eight in lanes."""
 
-from numba.extending import register_jitable
-
+from masonry.jit.extending import register_jitable
 from masonry.kinematics.matrices import (
     added,
     cross,

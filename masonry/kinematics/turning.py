@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 import numpy as np
 from numba import prange
-from numba.extending import register_jitable
 
 from masonry.jit.compiler import jit
+from masonry.jit.extending import register_jitable
 from masonry.kinematics.levers import axial, couple_apart, moments, patch_couple, patch_force
 from masonry.kinematics.matrices import (
     added,

@@ -13,9 +13,9 @@ from typing import Any
 
 from numba import njit
 from numba.core.errors import NumbaError
-from numba.extending import overload, register_jitable
 
 from masonry.errors import SceneError
+from masonry.jit.extending import overload, register_jitable
 from masonry.jit.sources import is_ours
 from masonry.simd import any_lane, eight, filled, where
 

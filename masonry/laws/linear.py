@@ -2,8 +2,7 @@
 
 from typing import NamedTuple
 
-from numba.extending import register_jitable
-
+from masonry.jit.extending import register_jitable
 from masonry.laws.snap_back import Refusal, lost_in_shear, refuse_in_shear
 from masonry.simd import filled, maximum, where
 

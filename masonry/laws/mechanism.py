@@ -1,7 +1,6 @@
 """How a contact answers: the softening mechanism, unless the law's own file brings its own functions."""
 
-from numba.extending import overload
-
+from masonry.jit.extending import overload
 from masonry.laws import softening
 from masonry.laws.dispatch import beside
 

@@ -6,8 +6,7 @@ them. Sign: sigma > 0 is tension. History never heals: `intact_n`, `intact_s` on
 
 from math import inf
 
-from numba.extending import register_jitable
-
+from masonry.jit.extending import register_jitable
 from masonry.laws.dispatch import shear_intact, tension_area, tension_intact
 from masonry.laws.state import ContactHistory, StressUpdate, grown
 from masonry.simd import any_lane, filled, maximum, minimum, or_zero, where

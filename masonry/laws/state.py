@@ -4,8 +4,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numba import types
-from numba.extending import overload
 
+from masonry.jit.extending import overload
 from masonry.simd.rows import aligned
 
 TOUCHING = 1e-9

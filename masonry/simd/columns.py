@@ -10,8 +10,9 @@ from typing import NamedTuple
 
 from llvmlite import ir
 from numba.core import types
-from numba.extending import intrinsic, overload
+from numba.extending import intrinsic
 
+from masonry.jit.extending import overload
 from masonry.simd.arithmetic import DOUBLE, PLAIN, WORD, Lanes
 from masonry.simd.pointers import pointer_to, unpacked
 
@@ -19,9 +20,11 @@ WIDTH = 8
 
 
 class Rows(NamedTuple):
-    """Eight rows of an array, by the number of the first."""
+    """Eight rows of an array, by the number of the first: in a tuple, as Numba would take a tuple of one integer for
+    an index of its own, and which of the two comes first depends on what was compiled before.
+    """
 
-    first: int
+    first: tuple[int]
 
 
 def eight_rows(first):
@@ -31,7 +34,7 @@ def eight_rows(first):
 
 @overload(eight_rows)
 def _eight_rows(first):
-    return (lambda first: first) if PLAIN else (lambda first: Rows(first))
+    return (lambda first: first) if PLAIN else (lambda first: Rows((first,)))
 
 
 def names_rows(at):
@@ -60,7 +63,7 @@ def store_column(context, builder, kind, array, at_kind, at, value):
 def _pointers(context, builder, kind, array, at_kind, at):
     """Where the numbers lie."""
     (rows, _), *columns = [(at, at_kind)] if _is_rows(at_kind) else unpacked(builder, at, at_kind)
-    first, last = builder.extract_value(rows, 0), columns[-1:]
+    first, last = builder.extract_value(rows, [0, 0]), columns[-1:]
     nothing = [(ir.Constant(WORD, 0), types.int32) for _ in last]
     on = [context.cast(builder, *column, types.intp) for column in last]
     for lane in range(WIDTH):

@@ -6,8 +6,9 @@ The compiler has no vector library here; calling its exp lane by lane takes four
 import math
 
 from llvmlite import ir
-from numba.extending import intrinsic, overload
+from numba.extending import intrinsic
 
+from masonry.jit.extending import overload
 from masonry.simd.arithmetic import Lanes
 from masonry.simd.select import where
 

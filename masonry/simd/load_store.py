@@ -2,8 +2,9 @@
 
 from llvmlite import ir
 from numba.core import cgutils, types
-from numba.extending import intrinsic, overload
+from numba.extending import intrinsic
 
+from masonry.jit.extending import overload
 from masonry.simd.arithmetic import DOUBLE, PLAIN, WORD, Lanes
 from masonry.simd.columns import load_column, names_rows, store_column
 from masonry.simd.pointers import pointer_to, unpacked

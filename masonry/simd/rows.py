@@ -4,8 +4,9 @@ that begin on a boundary of 64 bytes, so that eight doubles side by side are one
 import numpy as np
 from llvmlite import ir
 from numba.core import types
-from numba.extending import intrinsic, overload
+from numba.extending import intrinsic
 
+from masonry.jit.extending import overload
 from masonry.simd.arithmetic import DOUBLE, PLAIN, WORD, Lanes
 from masonry.simd.load_store import load, store
 from masonry.simd.pointers import pointer_to

@@ -2,8 +2,9 @@
 
 from llvmlite import ir
 from numba.core import types
-from numba.extending import intrinsic, overload, register_jitable
+from numba.extending import intrinsic
 
+from masonry.jit.extending import overload, register_jitable
 from masonry.simd.arithmetic import WORD, Choice, Lanes, spread
 
 

@@ -73,3 +73,25 @@ def test_exp_of_lanes_is_exp_to_fourteen_digits_and_keeps_its_limits():
     wanted = np.exp(x)
     np.testing.assert_array_equal(y[:8], wanted[:8])
     assert np.abs(y[8:] / wanted[8:] - 1.0).max() < 1e-14
+
+
+EIGHT_NUMBERS = """
+import numba
+import numpy as np
+numba.njit(lambda x: x + 1)(1)  # from here on Numba's own rules come before those that follow
+from masonry.simd import eight_rows
+
+@numba.njit
+def double(numbers, at):
+    numbers[eight_rows(at)] = numbers[eight_rows(at)] + numbers[eight_rows(at)]
+
+numbers = np.arange(10.0)
+double(numbers, 1)
+print(numbers.astype(int).tolist())
+"""
+
+
+@pytest.mark.skipif(PLAIN, reason="without lanes it is one number")
+def test_eight_numbers_of_a_row_are_eight_whatever_was_compiled_before():
+    done = subprocess.run([sys.executable, "-c", EIGHT_NUMBERS], capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout) == [0, 2, 4, 6, 8, 10, 12, 14, 16, 9]
