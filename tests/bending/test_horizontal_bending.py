@@ -3,6 +3,7 @@
 from functools import cache
 
 import numpy as np
+import pytest
 
 from masonry import scene
 from masonry.laboratory import laboratory
@@ -16,20 +17,21 @@ def run(name: str) -> Result:
     return laboratory.run(scene.load(name))
 
 
-def test_the_flexural_strength_lies_between_the_weakest_brittle_and_the_weakest_plastic_way_by_hand():
-    for name, blocks in (("bending-0", 180 + 4), ("bending-025", 180 + 5)):
-        summary = run(name).summary
-        low, high = wall_of(scene.load(name)).bounds()
-        assert (summary["blocks"], summary["stopped"]) == (blocks, "")
-        assert low < summary["peak_stress_pa"] < high
-        assert summary["energy_imbalance"] < 1e-9
+PRESSED = pytest.param("bending-025", 180 + 5, "mixed", marks=pytest.mark.slow)
 
 
-def test_the_crack_goes_round_all_units_and_through_some_of_them_under_pressure_as_the_paper_found():
-    words = [flexural_crack(run(n), bending_spec(scene.load(n))).word for n in ("bending-0", "bending-025")]
-    assert words == ["stepped", "mixed"]
+@pytest.mark.parametrize(("name", "blocks", "word"), [("bending-0", 180 + 4, "stepped"), PRESSED])
+def test_the_flexural_strength_lies_between_the_weakest_brittle_and_the_weakest_plastic_way_by_hand(name, blocks, word):
+    """And the crack goes round all units, or through some of them under pressure, as the paper found."""
+    result = run(name)
+    low, high = wall_of(scene.load(name)).bounds()
+    assert (result.summary["blocks"], result.summary["stopped"]) == (blocks, "")
+    assert low < result.summary["peak_stress_pa"] < high
+    assert result.summary["energy_imbalance"] < 1e-9
+    assert flexural_crack(result, bending_spec(scene.load(name))).word == word
 
 
+@pytest.mark.slow
 def test_pre_compression_makes_the_wall_stronger():
     assert run("bending-025").summary["peak_stress_pa"] > 1.02 * run("bending-0").summary["peak_stress_pa"]
 
@@ -46,6 +48,7 @@ def test_the_crack_opens_on_the_side_of_the_support_rollers_between_the_loads():
     assert np.average(y, weights=joints.area[broken]) > 0.057
 
 
+@pytest.mark.slow
 def test_bed_joints_carry_the_pressure_from_the_top_to_the_plate():
     result = run("bending-025")
     frame, joints = result.history.frames[-1], result.joints

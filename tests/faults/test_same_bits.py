@@ -78,8 +78,8 @@ def after(chunks: int):
     return lambda: next(answers, True)
 
 
-SLOW = ("tets, steps", "affine, accuracy")
-"""Their kinds of step are compiled for nobody else; others have steps of tets, and an accuracy."""
+SLOW = ("tets, steps", "affine, accuracy", "turns beside a load that varies")
+"""Their kinds of step are compiled for nobody else; others have steps of tets, an accuracy, and a load that varies."""
 
 
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow if n in SLOW else ()) for n in SCENES])

@@ -83,7 +83,7 @@ def test_the_ledger_closes_where_one_turn_is_driven_and_others_are_free():
     assert body.v[0, 5] == 2.0
 
 
-@pytest.mark.parametrize("damping", [0.5, Guided(0.02, 0.1)])
+@pytest.mark.parametrize("damping", [pytest.param(0.5, marks=pytest.mark.slow), Guided(0.02, 0.1)])
 def test_damping_of_turns_is_the_same_from_wherever_one_looks(damping):
     dt, turned, guess = 1e-3, bricks.turn(0, 1.0) @ bricks.turn(2, 0.6), np.array([0.3, 0.2, -0.1])
     found = []

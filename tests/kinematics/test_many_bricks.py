@@ -63,7 +63,7 @@ def fly(body: Turning, force: np.ndarray, damping) -> np.ndarray:
     return u
 
 
-@pytest.mark.parametrize("damping", [None, 0.3, Guided(0.02, 0.1)])
+@pytest.mark.parametrize("damping", [None, pytest.param(0.3, marks=pytest.mark.slow), Guided(0.02, 0.1)])
 @pytest.mark.parametrize("sides", [(), (1, 11, 18)])
 def test_a_brick_among_others_moves_as_it_does_alone(sides, damping):
     body, force = many(sides), in_rows(np.random.default_rng(3).normal(scale=0.1, size=(len(HELD), 3)))

@@ -92,7 +92,7 @@ def test_sliding_makes_no_energy_even_where_dilation_is_as_steep_as_friction(nam
     assert np.all(np.diff(total) >= -1e-12 * total[-1])
 
 
-@pytest.mark.parametrize("name", LAWS)
+@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow if n != "exponential" else ()) for n in LAWS])
 def test_torn_faces_that_stand_open_do_not_dilate(name):
     parameters, joint = law(name, dilation_angle=PSI, dilation_cutoff=1.0, coupling="independent")
     state = contact(joint)

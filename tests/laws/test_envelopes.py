@@ -9,6 +9,14 @@ from verification.references.closed_forms import LAWS, Joint
 
 COMPRESSIONS = (0.0, 0.1e6, 0.5e6, 1.0e6)
 OPTIONS = [{}, {"coupling": "independent"}, {"unloading": "elastic"}]
+LAWS_AND_OPTIONS = [
+    pytest.param(
+        name, options, marks=pytest.mark.slow if options and name != "exponential" else (), id=f"{name}-{options}"
+    )
+    for name in [*LAWS, "elastic"]
+    for options in OPTIONS
+]
+"""Options are the mechanism's, which all laws share: by default one law has them, as every pair is compiled anew."""
 
 
 def pulled(name, *corners, most=0.05e-6, **changes):
@@ -22,8 +30,7 @@ def sheared(name, compression, *corners, most=0.1e-6, **changes):
     return walk(law(name, **changes), along([(x, 0.0, z) for x in (0.0, *corners)], most))
 
 
-@pytest.mark.parametrize("options", OPTIONS, ids=str)
-@pytest.mark.parametrize("name", [*LAWS, "elastic"])
+@pytest.mark.parametrize(("name", "options"), LAWS_AND_OPTIONS)
 def test_opening_follows_the_envelope_to_round_off(name, options):
     found = pulled(name, 60e-6, **options)
     wanted = closed_forms.tension(name, Joint(), found.path[:, 2])
@@ -31,9 +38,8 @@ def test_opening_follows_the_envelope_to_round_off(name, options):
     assert not found.tau.any()
 
 
-@pytest.mark.parametrize("options", OPTIONS, ids=str)
 @pytest.mark.parametrize("compression", COMPRESSIONS)
-@pytest.mark.parametrize("name", [*LAWS, "elastic"])
+@pytest.mark.parametrize(("name", "options"), LAWS_AND_OPTIONS)
 def test_slip_under_constant_compression_follows_the_envelope_to_round_off(name, compression, options):
     found = sheared(name, compression, 1e-3, **options)
     wanted = closed_forms.shear(name, Joint(), found.path[:, 0], compression)

@@ -130,7 +130,7 @@ def test_written_with_if_or_for_eight_at_once_or_in_python_a_law_does_the_same(n
     )
 
 
-@pytest.mark.parametrize("variable", ["displacement", "plastic"])
+@pytest.mark.parametrize("variable", ["displacement", pytest.param("plastic", marks=pytest.mark.slow)])
 @pytest.mark.parametrize("compression", [0.0, 1e6])
 def test_a_law_that_knows_its_curve_alone_goes_on_from_the_share_that_is_left(compression, variable):
     """Slid, let go, pressed otherwise, and slid back: as the law that says what is left of a share."""

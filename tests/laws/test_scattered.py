@@ -53,7 +53,7 @@ CASES = [
     ("linear", {}),
     ("polynomial", {}),
     ("exponential", {"dilation_angle": 0.05, "dilation_cutoff": 50e-6}),
-    (
+    pytest.param(
         "exponential",
         {
             "unloading": "elastic",
@@ -61,6 +61,7 @@ CASES = [
             "coupling": "independent",
             "residual_cohesion": 0.1e6,
         },
+        marks=pytest.mark.slow,
     ),
 ]
 """Options are the mechanism's, which all laws share: one law has them, as every pair is compiled anew."""

@@ -70,6 +70,7 @@ def test_a_block_that_turns_too_far_for_small_displacement_ends_the_branch():
     assert "more than solver.rotation_limit where gauge 'sway' was at 1." in said(result)
 
 
+@pytest.mark.slow
 def test_a_gauge_that_is_stopped_on_its_way_ends_the_branch_late(monkeypatch):
     """The block slides 0.5 mm and meets a stone that is held. With the patience that runs have, the load would press it
     into the stone until the gauge is where it was to be led, or until the factor is at up_to."""

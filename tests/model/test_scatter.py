@@ -43,6 +43,7 @@ def test_the_energy_balance_closes_and_the_laws_book_what_the_contacts_took():
     assert summary["scatter"]["unit_unit"]["cohesion"]["draws"] == 18
 
 
+@pytest.mark.slow
 def test_on_two_threads_a_run_gives_the_bits_of_one():
     changes = {**SMALL, "drive.steps": 2000, **scatter(0.2, "unit_unit", "within_units")}
     one, two = (run("wallette-mode-2", threads, **changes) for threads in (1, 2))

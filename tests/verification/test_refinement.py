@@ -139,6 +139,7 @@ def test_another_model_is_held_against_theory_and_the_loading_against_the_conver
     }
 
 
+@pytest.mark.slow
 def test_two_threads_give_the_bits_of_one():
     few = {"drive.steps": 400, "solver.rows": 20}
     one, two = (timed_run.run(eccentric_tension.SCENE, few | {"threads": n}) for n in (1, 2))

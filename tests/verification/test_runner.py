@@ -37,10 +37,13 @@ def test_an_error_of_the_code_says_where():
     assert "samples.py, line" in outcome.reason
 
 
-def test_a_process_that_dies_or_hangs_costs_its_own_case_only():
-    ends = runner.run([case(samples.dying), case(samples.endless), case(samples.holds)], 2, limit=10.0)
-    assert [o.status for o in ends] == ["ERROR", "ERROR", "PASS"]
-    assert "exit code 7" in ends[0].reason and "no result after 10 s" in ends[1].reason
+def test_a_process_that_dies_or_hangs_costs_its_own_case_only_and_leaves_no_file(tmp_path, monkeypatch):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    runs = samples.dying, samples.endless, samples.holds, samples.littering
+    dying, endless, holds, littering = runner.run([case(run) for run in runs], 2, limit=10.0)
+    assert [o.status for o in (dying, endless, holds, littering)] == ["ERROR", "ERROR", "PASS", "ERROR"]
+    assert "exit code 7" in dying.reason and "no result after 10 s" in endless.reason
+    assert str(tmp_path) in littering.reason and not list(tmp_path.iterdir())
 
 
 def test_a_value_that_is_not_a_number_does_not_hold():
@@ -104,10 +107,3 @@ def test_a_module_may_hold_several_cases_but_no_two_of_one_name(monkeypatch, tmp
 def test_rows_stand_in_the_order_of_the_catalogue():
     rows = ["A10", "2.2", "A9", "2.1", "A9b"]
     assert sorted(rows, key=catalogue._row) == ["2.1", "2.2", "A9", "A9b", "A10"]
-
-
-def test_workers_leave_nothing_in_the_temporary_directory(tmp_path, monkeypatch):
-    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
-    ends = runner.run([case(samples.littering), case(samples.endless)], 2, limit=8.0)
-    assert [end.status for end in ends] == ["ERROR", "ERROR"] and not list(tmp_path.iterdir())
-    assert str(tmp_path) in ends[0].reason
