@@ -12,8 +12,9 @@ from geometry.polyhedra.measures import extent, face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, clip, pad, tidy, unpad
 
 STEEP = 0.5
-"""Of a unit normal: the least component along an axis with which its face is looked at along this axis. One of every
-normal is above 0.57, and those of two faces that look at each other differ by less than 0.05."""
+"""Faces are searched along each coordinate axis: a face is in the search along an axis if its unit normal has at least
+this component there. Each unit normal has a component above 0.57 = 1/sqrt(3), and the normals of two faces that touch
+differ by less than 0.05, so both faces are in one search at least."""
 
 
 def find_joints(

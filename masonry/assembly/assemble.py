@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
-from geometry.joints import find as joint_search
+from geometry.joints.find import find_joints, stated_joints
 from geometry.joints.point_density import Density
 from geometry.meshes.fan_tets import within
 from geometry.polyhedra import overlaps
@@ -21,7 +21,7 @@ from masonry.assembly.schedule import plan_of
 from masonry.assembly.size_limits import require_sane_size
 from masonry.assembly.specimens import as_turned, blocks_from, is_outside, specimen_of
 from masonry.errors import SceneError, nearest
-from masonry.laws import factory as law_build
+from masonry.laws import factory
 from masonry.loading.predictor import LITTLE
 from masonry.model import loads, model
 from masonry.model.contact_groups import contact_group_name
@@ -71,7 +71,7 @@ def assemble(scene: Scene) -> Assembly:
     if scene.comes_in_layers:
         lay_in_layers(scene, blocks, layout, materials, conditions)
     given = {name: scene.contact_of(name).properties(scene.turns_back) for name in names}
-    laws = {name: law_build.build(name, given[name], compressions) for name in names}
+    laws = {name: factory.build(name, given[name], compressions) for name in names}
     drawn = _draws(scene, blocks, joints, names, group)
     laws |= {d.group: laws_of(d, given[d.group], compressions) for d in drawn}
     s = scene.solver
@@ -107,10 +107,10 @@ def joined(scene: Scene) -> tuple[Specimen, Joints]:
     specimen, spec = specimen_of(scene), scene.specimen
     points = scene.contact_points, scene.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
     if specimen.joints is not None:  # overlaps were looked at as these were laid
-        return specimen, joint_search.stated_joints(specimen.joints, Density(*points))
+        return specimen, stated_joints(specimen.joints, Density(*points))
     if spec.kind == "file" or is_outside(spec.kind):  # the others were looked at as they were built
         overlaps.check_overlaps(specimen.blocks)
-    return specimen, joint_search.find_joints(specimen.blocks, *points)
+    return specimen, find_joints(specimen.blocks, *points)
 
 
 def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None, Joints]:

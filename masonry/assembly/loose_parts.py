@@ -3,7 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Joints, Specimen
-from geometry.joints import find as joint_search
+from geometry.joints.find import connected
 from masonry.errors import SceneError
 from masonry.model.layout import KINDS, Layout
 from masonry.model.loads import Conditions
@@ -17,7 +17,7 @@ def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions:
 
     Raises SceneError naming a block of the part. `loaded`: whether there are dead loads at all.
     """
-    part = joint_search.connected(specimen.blocks, joints)
+    part = connected(specimen.blocks, joints)
     size = float(np.ptp(layout.centroid, axis=0).max() + np.cbrt(layout.volume.max()))
     for p in np.unique(part):
         member = part == p

@@ -8,7 +8,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints
 from masonry.errors import SceneError, nearest
-from masonry.laws import factory as law_build
+from masonry.laws import factory
 from masonry.laws.state import JointProperties
 from masonry.model.draws import PROPERTIES, correlated, lognormal, pairs_of, standard_normals
 from masonry.scene.tables.scatter import Scatter
@@ -73,7 +73,7 @@ def draw(scatter: Scatter, contact: Mapping[str, Any], group: str, blocks: Block
     contact  the scene's tables by group
     """
     scattered, law = scatter.groups[group], contact[group].law
-    read = law_build.properties_of(law)
+    read = factory.properties_of(law)
     for key in scattered.variations:
         if key not in read:
             raise SceneError(
@@ -91,13 +91,13 @@ def draw(scatter: Scatter, contact: Mapping[str, Any], group: str, blocks: Block
 def laws_of(drawn: Drawn, properties: Mapping[str, Any], compressions: Sequence[float]) -> tuple[Any, JointProperties]:
     """(parameters, joint) of a group with an array (c,) for each parameter that differs; raises SceneError.
 
-    properties, compressions  as for laws.build.build; the properties that are drawn give the mean
+    properties, compressions  as for laws.factory.build; the properties that are drawn give the mean
     """
     laws: list[tuple[Any, JointProperties]] = []
     for j in range(len(drawn.pairs)):
         own = {**properties, **{key: float(values[j]) for key, values in drawn.values.items()}}
         try:
-            laws.append(law_build.made(drawn.group, own, compressions))
+            laws.append(factory.made(drawn.group, own, compressions))
         except SceneError as error:
             raise SceneError(f"{error}, as [scatter.{drawn.group}] draws it for {drawn.words(j)}") from None
     _require_no_snap_back(drawn, properties, laws, compressions)
@@ -111,7 +111,7 @@ def _require_no_snap_back(
     """Raise SceneError for the draw that lacks most, if any snaps back."""
     refused = {}
     for j, (parameters, joint) in enumerate(laws):
-        found = law_build.refusal(parameters, joint, compressions)
+        found = factory.refusal(parameters, joint, compressions)
         if found is not None:
             given = drawn.values[found.key][j] if found.key in drawn.values else properties[found.key]
             refused[j] = found.least / given, given, found

@@ -1,1 +1,2 @@
-"""Loops only: contacts, motion, and `step.py`, Fig. 2 of the paper on one screen."""
+"""The compiled steps and their loops over contacts: `step.py` is Fig. 2 of the paper on one screen; `large_step.py` is
+the step in large displacement, with bonds, patches and the search for pairs of blocks that meet."""

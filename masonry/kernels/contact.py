@@ -4,7 +4,7 @@ from math import sqrt
 
 from numba import prange
 
-from masonry.jit.compiler import jit, jit_parallel
+from masonry.jit.compiler import inner, jit, jit_parallel
 from masonry.jit.extending import register_jitable
 from masonry.laws.dispatch import contacts_at_once
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
@@ -77,7 +77,7 @@ _sweep_serial = jit(_sweep)
 _sweep_parallel = jit_parallel(_sweep)
 
 
-@jit
+@inner
 def sweep(parallel, parameters, joint, state, first, last, sides, normal, area, u, force):
     """One contact group, as many contacts at a time as its law allows.
 

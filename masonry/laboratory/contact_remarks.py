@@ -9,6 +9,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.history import Frame
 from masonry.laws.factory import properties_of
 from masonry.laws.state import JointProperties
+from masonry.model.large.meeting import Large
 from masonry.monitors.energy import present
 from masonry.monitors.stability import smallest_block
 from masonry.results.dry_joints import LEAST_DAMAGE
@@ -39,7 +40,7 @@ def contact_remarks(assembly: Assembly) -> list[str]:
                 "strength and a cohesion of 0 Pa, and give dilation_cutoff"
             )
         if joint.tan_dilation is not None:
-            found += _of_dilation(name, given, joint, travel_of(assembly.scene.drive), model.large is not None)
+            found += _of_dilation(name, given, joint, travel_of(assembly.scene.drive), model.large)
     return found
 
 
@@ -166,14 +167,15 @@ def _of_tension(name: str, given: Contact, joint: JointProperties, block: float)
     return []
 
 
-def _of_dilation(name: str, given: Contact, joint: JointProperties, travel: float, large: bool) -> list[str]:
+def _of_dilation(name: str, given: Contact, joint: JointProperties, travel: float, large: Large | None) -> list[str]:
     """A dilation that ends before its given slip, or not within the travel of the drive, though no end was given."""
-    if large and given.law == "brittle":
-        return [
-            f"contact.{name}.dilation_angle: in large displacement faces that have lost their strength are found anew "
-            "where they touch, and do not dilate any more: what slides may fall too early"
-        ]
     end = float(np.max(joint.dilation_cutoff)) if joint.dilation_cutoff is not None else inf
+    if large is not None and (most := float(large.near.search.skin[0])) < end:
+        return [
+            f"contact.{name}: in large displacement faces without strength that have slid {1e3 * most:.3g} mm are "
+            "found anew where they touch, and dilate no more: what slides further may fall too early; give a "
+            "dilation_cutoff below that"
+        ]
     if given.dilation_cutoff is not None or end <= travel:
         return []
     return [

@@ -9,7 +9,7 @@ from masonry.kinematics.motion import Guided
 from masonry.laws.elastic import Elastic
 from masonry.laws.friction import Friction
 from masonry.laws.state import ContactState, JointProperties
-from masonry.model import stable_step as stiffness
+from masonry.model import stable_step
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
 from masonry.model.contact_groups import contact_groups
 from masonry.model.large.meeting import Large, Meetings, add_row_sums, bonds_of, near_of, pushed, without_sides
@@ -109,7 +109,7 @@ def build(
     names, group = contact_groups(blocks, joints)
     joint_properties = [laws[name][1] for name in names]
     sides = _side(layout, joints, "a"), _side(layout, joints, "b")
-    length = stiffness.lengths(
+    length = stable_step.lengths(
         layout, np.concatenate([joints.block_a, joints.block_b]), np.concatenate([s.arm for s in sides])
     )
     sides = _with_length(sides[0], length[joints.block_a]), _with_length(sides[1], length[joints.block_b])
@@ -120,12 +120,12 @@ def build(
     lame = _lame(blocks, layout, materials)
     sums = {kind: np.zeros_like(conditions.prescribed[kind], dtype=float) for kind in KINDS}
     if meetings is None:
-        stiffness.contact_row_sums(sums, sides, joints.normal, dilated, shear)
-        stiffness.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
-        stiffness.tet_row_sums(sums["tets"], layout, lame)
+        stable_step.contact_row_sums(sums, sides, joints.normal, dilated, shear)
+        stable_step.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
+        stable_step.tet_row_sums(sums["tets"], layout, lame)
     else:
         add_row_sums(sums, blocks, layout, sides, length, np.maximum(dilated, shear), meetings.stiffest, lame)
-    stiffness.unscale(sums, layout, length)
+    stable_step.unscale(sums, layout, length)
 
     density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
     real = real_masses(layout, density)
@@ -139,7 +139,7 @@ def build(
     first["affine"] = first["rigid"] + int(np.sum(forms == KINDS.index("rigid")))
     first["between"] = first["affine"] + int(np.sum(forms == KINDS.index("affine")))
     side_rows, ordered = number_sides(sides, first, rows)
-    u = in_rows(np.zeros((first["between"] + int(np.sum(forms == stiffness.BETWEEN)), 3)))
+    u = in_rows(np.zeros((first["between"] + int(np.sum(forms == stable_step.BETWEEN)), 3)))
     bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first, stepping.guided)
     state = initial_state(group, joint_properties)
     bounds = np.searchsorted(group, np.arange(len(names) + 1)).astype(np.uint32)
@@ -219,7 +219,7 @@ def _row_and_number(dofs: np.ndarray | None, kind: str) -> np.ndarray | None:
     return None if dofs is None else np.column_stack(np.divmod(dofs, DOFS[kind]))
 
 
-def _side(layout: Layout, joints: Joints, which: str) -> stiffness.Side:
+def _side(layout: Layout, joints: Joints, which: str) -> stable_step.Side:
     block, node, corner, fraction = (
         getattr(joints, f"{name}_{which}") for name in ("block", "node", "corner", "share")
     )
@@ -227,10 +227,10 @@ def _side(layout: Layout, joints: Joints, which: str) -> stiffness.Side:
     row = np.where(kind == KINDS.index("tets"), node, layout.local[block])
     axes = layout.axes[block]
     arm = np.einsum("cji,cj->ci", axes, joints.point - layout.centroid[block])
-    return stiffness.Side(kind, row, arm, axes, np.ones((len(block), 3)), corner, fraction)
+    return stable_step.Side(kind, row, arm, axes, np.ones((len(block), 3)), corner, fraction)
 
 
-def _with_length(side: stiffness.Side, length: np.ndarray) -> stiffness.Side:
+def _with_length(side: stable_step.Side, length: np.ndarray) -> stable_step.Side:
     return replace(side, length=length)
 
 
@@ -251,15 +251,15 @@ def _stepping(
     xi = stepping.damping
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
     if stepping.masses == "real":
-        bound, kind, row, i = stiffness.stable_step(sums, real, free, xi)
+        bound, kind, row, i = stable_step.stable_step(sums, real, free, xi)
         dt = stepping.step_fraction * bound
         if stepping.time_step == "equation-11":
-            dt = stiffness.equation_11(layout, real, kn, stepping.step_fraction)
+            dt = stable_step.equation_11(layout, real, kn, stepping.step_fraction)
         elif not isinstance(stepping.time_step, str):
             dt = stepping.time_step
         return real, dt, bound, layout.dof(kind, row, i) if kind else "nothing: nothing can move"
-    dt = stiffness.step_that_keeps_the_mass(sums, real, free, stepping.step_fraction, xi)
+    dt = stable_step.step_that_keeps_the_mass(sums, real, free, stepping.step_fraction, xi)
     if not isinstance(stepping.time_step, str):
         dt = stepping.time_step
-    masses = stiffness.scaled_masses(sums, dt, stepping.step_fraction, xi)
+    masses = stable_step.scaled_masses(sums, dt, stepping.step_fraction, xi)
     return masses, dt, dt / stepping.step_fraction, "every degree of freedom alike: masses are scaled to one bound"

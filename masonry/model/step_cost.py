@@ -20,7 +20,7 @@ class StepCost:
 def step_cost(
     layout: Layout, sums: dict[str, np.ndarray], real: dict[str, np.ndarray], free: dict[str, np.ndarray], scaled: bool
 ) -> StepCost | None:
-    """From row sums, real masses and free dofs by kind, as in stiffness.py; None where fewer than two blocks move.
+    """From row sums, real masses and free dofs by kind, as in stable_step.py; None where fewer than two blocks move.
 
     scaled: masses are scaled to one bound, so that the time step goes with the whole mass over the whole stiffness;
     otherwise the single worst dof sets it.

@@ -22,7 +22,7 @@ DOT, GONE, TO_COME = "#b2182b", "#1f3b5c", "#c3ccd6"
 class Movie:
     """A figure that shows one frame of a result after another.
 
-    view   as masonry.pictures.crack_picture.VIEWS
+    view   as masonry.pictures.camera.VIEWS
     times  by how much displacements are drawn larger; by default so that the largest of all frames shows
     Raises SceneError where there are no frames.
     """

@@ -10,8 +10,8 @@ MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-
 between the energy that the laws booked and the work that the contacts took up, what is unbalanced after settling, and
 how far contacts close over the size of their blocks."""
 STILL = 1e-6
-"""Limit of the kinetic over the stored energy after settling: what is left of a swing then is a thousandth of the
-displacements, and what slides or falls, be its load only a thousandth too large, has more."""
+"""Limit of the kinetic over the stored energy after settling. Below it a swing is less than a thousandth of the
+displacements; a specimen that slides or falls under a load only a thousandth too large is above it."""
 RELEASED, PUSHED, DAMPING = 0.01, 0.01, 0.02
 """Limits: what sudden cracks release over all energy lost; over the external work, what damping gives, and takes."""
 PACED = 2.5
@@ -26,8 +26,7 @@ SWAYED = 0.5
 """Share of the accuracy of a collapse factor by which blocks of the smallest one's size may move before it falls, in
 small displacement: a soft arch loses twice as much of its factor by it."""
 ROUNDING, BELOW_0 = 1e-11, 1e-5
-"""Shares of energy that are nothing: so little, and so little below 0, where no share of an energy is but by rounding
-of the steps."""
+"""Shares of energy that are shown as 0: smaller ones, and negative ones down to this (only rounding makes them)."""
 
 
 def trust(summary: dict[str, Any]) -> str:
@@ -236,6 +235,6 @@ def moving_at_end(summary: dict[str, Any]) -> float:
 
 
 def has_drive(summary: dict[str, Any]) -> bool:
-    """Whether something is driven: so where nothing else is known."""
+    """Whether the run has a drive; True where the summary has no reactions to tell."""
     end = (summary.get("reactions") or {}).get("end")
     return end is None or "drive" in end

@@ -1,7 +1,7 @@
 """Several numbers at once: a Numba type for the processor's vectors, so that one formula serves one number or eight.
 
 `Lanes` are 4 or 8 doubles that add, multiply and compare like one; `where` takes the place of `if`. With
-MASONRY_LANES=0 the functions of `memory.py` and `rows.py` hand out plain numbers one by one instead, and the same
+MASONRY_LANES=0 the functions of `load_store.py` and `rows.py` hand out plain numbers one by one instead, and the same
 kernels, compiled for numbers, do the same work.
 """
 

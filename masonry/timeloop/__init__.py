@@ -1,1 +1,1 @@
-"""The loop over the steps of a run: its recording, its checkpoints, its reactions."""
+"""The loop over the steps of a run: its rows, its checkpoints, bonds that retire."""

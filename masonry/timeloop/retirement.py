@@ -10,6 +10,7 @@ from masonry.kernels.planes import plane_of
 from masonry.kernels.redetection import Near
 from masonry.kernels.refreshing import refresh
 from masonry.kernels.slack import hold
+from masonry.laws.state import JointProperties
 from masonry.model.large.meeting import keys
 from masonry.model.model import Model
 from masonry.monitors.energy import stored_in_contacts
@@ -61,19 +62,29 @@ def retire(model: Model) -> None:
 
 
 def _broken(model: Model, alive: np.ndarray) -> np.ndarray:
-    """(C,) which of the bonds that hold have no strength left."""
+    """(C,) which of the bonds that hold have no strength left, and no dilation to come."""
     found = np.zeros(len(model.group), dtype=bool)
     for g, joint in enumerate(model.groups.properties):
         if joint.tensile_strength is None or np.any(joint.residual_cohesion or 0.0):
             continue
         own = slice(model.groups.bounds[g], model.groups.bounds[g + 1])
         tension, shear = model.state.intact_n[own], model.state.intact_s[own]
-        found[own] = (
-            tension * shear < STRENGTH_LEFT
-            if joint.combined is not None
-            else np.maximum(tension, shear) < STRENGTH_LEFT
-        )
+        left = tension * shear if joint.combined is not None else np.maximum(tension, shear)
+        found[own] = left < STRENGTH_LEFT
+        if joint.tan_dilation is not None:
+            found[own] &= _has_risen(model, own, joint)
     return found & alive
+
+
+def _has_risen(model: Model, own: slice, joint: JointProperties) -> np.ndarray:
+    """(n,) where faces do not dilate any more: they slid to the cut-off, or stood open wider than they rise by then.
+
+    Bonds stay where they were found, so what slides on past the skin is found anew and dilates no more.
+    """
+    assert model.large is not None and joint.dilation_cutoff is not None
+    end = np.minimum(joint.dilation_cutoff, model.large.near.search.skin[0])
+    slid, opened = model.state.plastic_slip[own] >= end, model.state.opening_max[own] > joint.tan_dilation * end
+    return np.asarray(slid | opened)
 
 
 def _carried(model: Model, key: np.ndarray, which: np.ndarray) -> dict[int, Carried]:
@@ -106,17 +117,22 @@ def _pairs_of(near: Near, wanted: Collection[int], count: int) -> dict[int, list
 
 def _hand_over(near: Near, which: list[int], left: Carried) -> None:
     """Give the points of the new patches of two blocks what their bonds carried: as much energy of pressure, by a slack
-    of their gaps, and as much shear force, spread as the pressure is. They hold no more energy of shear than the bonds
-    did; where friction bears less than that force, it begins to slide in the next step. Book what they hold."""
+    of their gaps, and as much shear force, spread as the pressure is. So faces that dilated stay apart as they slide on
+    under pressure. They hold no more energy of shear than the bonds did; where friction bears less than that, it
+    begins to slide in the next step. Book what they hold."""
     pairs, points, motion, rules = near.pairs, near.points, near.motion, near.rules
     held = {}
     for p in which:
         near.account[NORMAL_GAINED] -= stored(pairs, points, rules, motion, p)[0]
         pairs.slack[p] = 0.0
         held[p] = stored(pairs, points, rules, motion, p)[0]
-    whole = sum(held.values())
-    if whole <= 0.0:
+    if left.pressed == 0.0:
+        for p in which:
+            hold(near, p, 0.0)
         return
+    if sum(held.values()) == 0.0:  # faces that dilated are apart, and stand on each other's roughness
+        held = _pressed(near, which, left.pressed)
+    whole = sum(held.values())
     for p in which:
         near.account[NORMAL_GAINED] += hold(near, p, left.pressed * held[p] / whole)
     pressures = {p: pressures_of(near, p) for p in which}
@@ -135,9 +151,22 @@ def _hand_over(near: Near, which: list[int], left: Carried) -> None:
     near.account[SHEAR_LOST] -= less**2 * sheared
 
 
+def _pressed(near: Near, which: list[int], energy: float) -> dict[int, float]:
+    """Energies (J) of the pairs once they have a slack that presses all their points, about as hard as they held."""
+    gaps = np.concatenate([_gaps_of(near, p) for p in which])
+    areas = [near.points.area[near.pairs.slot[p], : near.points.held[near.pairs.slot[p]]].sum() for p in which]
+    kn = near.rules.normal_stiffness[near.pairs.law[which]]
+    near.pairs.slack[which] = -gaps.max(initial=0.0) - np.sqrt(2.0 * energy / (kn @ areas))
+    return {p: stored(near.pairs, near.points, near.rules, near.motion, p)[0] for p in which}
+
+
+def _gaps_of(near: Near, p: int) -> np.ndarray:
+    """(K,) m, gaps of the points of a pair, slack included."""
+    count = near.points.held[near.pairs.slot[p]]
+    return np.array([gap_of(near.pairs, near.points, near.motion, p, k) for k in range(count)]) + near.pairs.slack[p]
+
+
 def pressures_of(near: Near, p: int) -> np.ndarray:
     """(K,) Pa, how hard the points of a pair press."""
-    pairs, points = near.pairs, near.points
-    kn, count = near.rules.normal_stiffness[pairs.law[p]], points.held[pairs.slot[p]]
-    gaps = [gap_of(pairs, points, near.motion, p, k) + pairs.slack[p] for k in range(count)]
-    return kn * np.maximum(-np.array(gaps), 0.0)
+    kn = near.rules.normal_stiffness[near.pairs.law[p]]
+    return np.asarray(kn * np.maximum(-_gaps_of(near, p), 0.0))

@@ -1,6 +1,7 @@
 """Bonds that are broken retire: friction takes over where they were, and every joule of theirs is booked."""
 
 from functools import cache
+from math import radians, tan
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from masonry.timeloop import loop
 from masonry.timeloop.retirement import pressures_of
 
 WEIGHT = 1900.0 * 0.2 * 0.05 * 0.05 * 9.81
+ROUGH = {"dilation_angle": "5 deg", "dilation_cutoff": "0.3 mm"}
 SLID = {"drive.displacement": "30 mm", "solver.duration": "0.4 s", "solver.until": None, "drive.rate": "200 mm/s"}
 
 
@@ -86,3 +88,19 @@ def test_patches_hold_what_their_bonds_held_although_the_joint_has_become_smalle
     assert abs(change[NORMAL_GAINED] + change[BORN]) < 1e-12 * work
     assert max(abs(rows[key]).max() for key in ("redetection", "area")) < 1e-6 * work
     assert rows["stress"][-1] == pytest.approx(0.73 * 0.5e6, rel=3e-3)
+
+
+def test_what_has_dilated_stays_apart_as_it_slides_on_under_pressure():
+    """Dry and brittle: it rises by tan psi a slip, as in small displacement, less what the pressure closes."""
+    dry = {"law": "brittle", "tensile_strength": "0 Pa", "cohesion": "0 Pa"} | ROUGH
+    over = {f"contact.unit_unit.{key}": value for key, value in dry.items()} | {"displacements": "large"}
+    gauge = [{"name": "rise", "at": "top", "direction": "z"}]
+    result = laboratory.run(scene.load("couplet", over | {"gauge": gauge}))
+    rows, closed = result.history.rows, 0.5e6 / 150e9
+    late = rows["displacement"] > 0.4e-3
+    assert rows["rise"][late] == pytest.approx(np.full(late.sum(), tan(radians(5.0)) * 0.3e-3 - closed), rel=2e-3)
+    assert rows["stress"][late] == pytest.approx(np.full(late.sum(), 0.73 * 0.5e6), rel=1e-3)
+    begun = int(np.argmax(rows["redetection"] != 0.0))
+    assert 0.3e-3 < rows["displacement"][begun] < 0.4e-3, "bonds retire once they do not dilate any more"
+    lost = np.abs(rows["redetection"] - rows["area"]).max()
+    assert lost < 1e-5 * rows["external_work"].max()

@@ -17,12 +17,12 @@ CHOICES = (("secant", "elastic"), ("displacement", "plastic"), ("combined", "ind
 
 
 def combinations():
-    """Every law with every option. By default each of the 16 sets of options meets one law, and each law four sets in
-    which every option is both on and off; the mechanism is the same for all laws. The rest is slow to compile."""
+    """Every law with every option. By default eight of the 16 sets of options meet one law each, in which any three
+    options meet each other in all ways; the mechanism is the same for all laws. The rest is slow to compile."""
     for number, name in enumerate(LAWS):
         for p in product((0, 1), repeat=4):
             partner = (p[0] ^ p[1] ^ p[2]) + 2 * (p[1] ^ p[2] ^ p[3])
-            marks = () if partner == number else (pytest.mark.slow,)
+            marks = () if partner == number and sum(p) % 2 == 0 else (pytest.mark.slow,)
             options = {key: choice[k] for key, choice, k in zip(NAMES, CHOICES, p, strict=True)}
             words = [str(v) for v in options.values() if v != 0.0]
             yield pytest.param(name, options, id="-".join([name, *words]), marks=marks)

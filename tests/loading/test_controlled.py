@@ -36,6 +36,7 @@ def test_the_drive_makes_exactly_the_asked_displacement(kinematics, direction):
     assert result.summary["energy_imbalance"] < 1e-10, "the guide's forces are booked as any other"
 
 
+@pytest.mark.slow
 def test_a_drive_of_several_block_lengths_arrives_and_is_not_taken_for_an_instability():
     """Its increments keep below the share of a block in a step that the watch calls a leap."""
     tough = {

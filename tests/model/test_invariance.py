@@ -5,7 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from geometry.joints.find import find_joints
-from masonry.laws import factory as law_build
+from masonry.laws import factory
 from masonry.model.loads import Push
 from masonry.model.model import Stepping, sort_by_group
 from masonry.monitors.energy import present
@@ -22,7 +22,7 @@ MIXTURES = {
 TURN = Rotation.from_rotvec([0.7, -0.4, 1.1]).as_matrix()
 MIRROR = np.diag([-1.0, 1.0, 1.0])
 SHEAR = np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0.0, 0.15, 0.9]])
-SOFT = law_build.build(
+SOFT = factory.build(
     "unit_unit",
     {
         "law": "exponential",

@@ -40,7 +40,7 @@ def with_large_sums(monkeypatch) -> dict:
             seen.update(lame=lame)
             large_sums.tet_row_sums(sums, layout, lame, seen.get("stretch", 1.0))
 
-    monkeypatch.setattr(model, "stiffness", Sums())
+    monkeypatch.setattr(model, "stable_step", Sums())
     return seen
 
 

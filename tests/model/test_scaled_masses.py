@@ -54,21 +54,21 @@ def test_every_freedom_with_scaled_masses_sits_at_the_same_bound(kinds, fraction
 
 def own_bounds(kinds, damping: float) -> np.ndarray:
     """The bound that each dof alone would set with real masses: all others made ever so heavy."""
-    from masonry.model import stable_step as stiffness
+    from masonry.model import stable_step
 
     bounds = []
-    right = stiffness.stable_step
+    right = stable_step.stable_step
 
     def spy(sums, masses, free, xi):
         steps = {kind: 2.0 * np.sqrt(masses[kind] / sums[kind] / (1.0 + xi)) for kind in sums if len(sums[kind])}
         bounds.append(models.gather({kind: steps[kind] for kind in ("rigid", "affine", "tets") if kind in steps}))
         return right(sums, masses, free, xi)
 
-    stiffness.stable_step = spy
+    stable_step.stable_step = spy
     try:
         made(kinds, Stepping("real", damping=damping))
     finally:
-        stiffness.stable_step = right
+        stable_step.stable_step = right
     return bounds[0]
 
 

@@ -160,15 +160,8 @@ def test_the_energy_balance_closes(pair, damping):
     assert terms["elastic_contacts"] == pytest.approx(terms["contact_work"], rel=1e-9)
 
 
-@pytest.mark.parametrize(
-    "pair",
-    [
-        ("rigid", "tets"),
-        *(pytest.param(kinds, marks=pytest.mark.slow) for kinds in PAIRS if kinds != ("rigid", "tets")),
-    ],
-    indirect=True,
-    ids="-".join,
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("pair", PAIRS, indirect=True, ids="-".join)
 def test_two_threads_take_the_same_steps(pair):
     from masonry.kernels.step import advance
 

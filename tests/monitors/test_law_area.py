@@ -64,8 +64,10 @@ def test_a_number_that_cannot_do_what_it_says_is_remarked(over, said):
         assert len(found) == 1 and re.search(said, found[0])
 
 
-def test_a_joint_that_dilates_without_strength_is_remarked_in_large_displacement_alone():
-    over = {JOINT + "law": "brittle", JOINT + "dilation_angle": "2 deg", JOINT + "dilation_cutoff": "1 mm"}
+def test_a_joint_that_dilates_beyond_the_skin_is_remarked_in_large_displacement_alone():
+    over = {JOINT + "law": "brittle", JOINT + "dilation_angle": "2 deg", JOINT + "dilation_cutoff": "5 mm"}
     assert not laboratory.check(scene.load("couplet", over))["warnings"]
     (found,) = laboratory.check(scene.load("couplet", {**over, "displacements": "large"}))["warnings"]
-    assert "do not dilate any more" in found
+    assert "have slid 1.59 mm are found anew where they touch, and dilate no more" in found
+    within = {**over, JOINT + "dilation_cutoff": "1 mm", "displacements": "large"}
+    assert not laboratory.check(scene.load("couplet", within))["warnings"]

@@ -1,1 +1,1 @@
-"""The catalogue: one case a file; its docstring holds the formula, `CASE` the case."""
+"""The cases: one a file, whose docstring holds the formula, as CASE or CASES (see `verification/catalogue.py`)."""
