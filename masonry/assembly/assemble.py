@@ -9,6 +9,7 @@ from geometry.joints.find import find_joints, stated_joints
 from geometry.joints.point_density import Density
 from geometry.meshes.fan_tets import within
 from geometry.polyhedra import overlaps
+from geometry.specimens.numbered import mesh_by_place
 from geometry.specimens.placed import with_empty_blocks
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.contact_pairs import Pairs, meetings_of, pairs_of
@@ -83,10 +84,10 @@ def assemble(scene: Scene) -> Assembly:
             'solver.time_step = "equation-11" needs solver.masses = "real": scaled masses have one bound of their own'
         )
     meetings = None if pairs is None else meetings_of(pairs)
-    if meetings is not None and mesh is not None and meetings.rules.dashpot.any():
+    if mesh is not None and s.masses == "scaled" and meetings is not None and meetings.rules.dashpot.any():
         raise SceneError(
-            "normal_dashpot does not go with kinematics 'tets': the time step is not proven for it; leave it out, or "
-            "take affine blocks"
+            "normal_dashpot of blocks of kinematics 'tets' needs solver.masses = \"real\": the time step is not proven "
+            "for it with scaled masses, where solver.damping does the same"
         )
     built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings)
     plan = plan_of(scene, built.dt)
@@ -122,6 +123,7 @@ def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None
     if spec.kind == "file" and not spec.is_divided and (own := blocks_from(spec.path)[1]) is not None:
         from geometry.meshes.nonmatching import surface_joints
 
+        own = mesh_by_place(own, blocks_from(spec.path)[0].blocks) if scene.is_large else own
         own = with_empty_blocks(replace(own, nodes=as_turned(scene, own.nodes)), blocks)
         mesh = within(own, wanted)
         if np.all(wanted == (np.diff(mesh.tet_start) > 0)):

@@ -14,6 +14,7 @@ from geometry.cells.request import CellRequest
 from geometry.files.blocks_h5 import load_blocks
 from geometry.specimens.bending import bending
 from geometry.specimens.boxes import boxes
+from geometry.specimens.numbered import numbered_by_place
 from geometry.specimens.placed import on_floor, turned
 from geometry.specimens.stacked import couplet, prism
 from geometry.specimens.wallette import wallette
@@ -50,6 +51,7 @@ def specimen_of(scene: Scene) -> Specimen:
         _require_what_goes_with_gaps(scene, scene.specimen.is_divided)
     found = _specimen_of(scene)
     found = found if section is None else replace(found, section=section)
+    found = numbered_by_place(found) if scene.is_large else found
     if scene.specimen.turned is not None:
         stated = found.joints and replace(found.joints, points=as_turned(scene, found.joints.points))
         blocks = replace(found.blocks, points=as_turned(scene, found.blocks.points))

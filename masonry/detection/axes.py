@@ -66,18 +66,20 @@ def most_facing(normal, offset, inner, first, last, vertex, corner, corner_end, 
 
 @inlined
 def widest_face(
-    normal, offset, inner, face_first, face_last, vertex, first, last, dx, dy, dz, x, y, z, beyond
+    normal, offset, inner, face_first, face_last, vertex, first, last, dx, dy, dz, x, y, z, beyond, inside
 ):  # fmt: skip
     """The free face with the widest gap to corners first..last of the other piece, if that is more than `beyond`.
 
-    Returns it, its gap, and whether a face inside the body parts the pieces. (x, y, z) is a point of the other piece as
-    it stands: no gap is wider than this point is high, so that most faces are told by one product. -1 where none is.
+    Returns it, its gap, and whether a face inside the body parts the pieces, by a gap of more than `inside`. (x, y, z)
+    is a point of the other piece as it stands: no gap is wider than this point is high, so that most faces are told by
+    one product. -1 where none is.
     """
     found, parted = -1, False
     for f in range(face_first, face_last):
         bound = height(normal, offset, f, x, y, z)
         if inner[f]:
-            parted = parted or (bound > 0.0 and face_gap(normal, offset, f, vertex, first, last, dx, dy, dz) > 0.0)
+            gap = bound if bound <= inside else face_gap(normal, offset, f, vertex, first, last, dx, dy, dz)
+            parted = parted or gap > inside
         elif bound > beyond:
             gap = face_gap(normal, offset, f, vertex, first, last, dx, dy, dz)
             if gap > beyond:
@@ -146,6 +148,27 @@ def edge_axis(edge, e, g, vertex, normal, dx, dy, dz):
         vertex[r, 2] + dz - vertex[p, 2],
     )
     return True, nx * x + ny * y + nz * z, nx, ny, nz
+
+
+@inner
+def tets_are_apart(vertex, va, vb, dx, dy, dz, inside):
+    """Whether two tets are apart by more than `inside` (m, or overlap by less) across some pair of their edges.
+
+    va, vb  their first corners. Edges within the body count as well, which have no contacts of their own.
+    """
+    for i in range(va, va + 3):
+        for j in range(i + 1, va + 4):
+            ax, ay, az = vertex[j, 0] - vertex[i, 0], vertex[j, 1] - vertex[i, 1], vertex[j, 2] - vertex[i, 2]
+            for k in range(vb, vb + 3):
+                for m in range(k + 1, vb + 4):
+                    bx, by, bz = vertex[m, 0] - vertex[k, 0], vertex[m, 1] - vertex[k, 1], vertex[m, 2] - vertex[k, 2]
+                    nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+                    size, between = sqrt(nx * nx + ny * ny + nz * nz), nx * dx + ny * dy + nz * dz
+                    one = lowest(vertex, vb, vb + 4, nx, ny, nz) + lowest(vertex, va, va + 4, -nx, -ny, -nz) + between
+                    two = lowest(vertex, va, va + 4, nx, ny, nz) + lowest(vertex, vb, vb + 4, -nx, -ny, -nz) - between
+                    if max(one, two) > inside * size and size > 0.0:
+                        return True
+    return False
 
 
 @inner

@@ -12,7 +12,7 @@ turned round.
 
 from math import inf, sqrt
 
-from masonry.detection.axes import edge_axis, face_gap, most_facing, open_edges, widest_face
+from masonry.detection.axes import edge_axis, face_gap, most_facing, open_edges, tets_are_apart, widest_face
 from masonry.detection.clip import area_and_centroid
 from masonry.detection.contact_points import corner_point, crossing_point, polygon_points
 from masonry.detection.overlap import beside, common_plane, heights, overlap, point_of
@@ -105,9 +105,11 @@ def _ordered(
     ax, ay, az = centre[a, 0], centre[a, 1], centre[a, 2]
     bx, by, bz = centre[b, 0] + dx, centre[b, 1] + dy, centre[b, 2] + dz
     if known == EDGE or fa < 0 or fb < 0:
-        fa, gap_a, _ = widest_face(normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, -inf)
+        fa, gap_a, _ = widest_face(
+            normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, -inf, 0.0
+        )
         fb, gap_b, _ = widest_face(
-            normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, -inf
+            normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, -inf, 0.0
         )
         if fa < 0 or fb < 0:  # a piece in the middle of its body
             return NONE, 0, inf, 0.5, 0.0, -1, -1, 0.0, 0.0, 0.0
@@ -127,7 +129,7 @@ def _ordered(
             gap_a = face_gap(normal, offset, fa, vertex, vb, vb_end, dx, dy, dz)
             gap_b = face_gap(normal, offset, fb, vertex, va, va_end, -dx, -dy, -dz)
         wide = max(gap_a, gap_b)
-        if of_tets and not _face_each_other(normal, fa, fb):
+        if of_tets and _along(normal, fa, fb) >= -FACING:
             return NONE, 0, wide, 0.5, 0.0, fa, fb, 0.0, 0.0, 0.0
         blend, nx, ny, nz = _between(normal, fa, fb, (gap_a - gap_b) / (BLEND * small))
         if wide > skin:
@@ -139,12 +141,27 @@ def _ordered(
             low, high = heights(plane, cu, cv)
             ax, ay, az = point_of(plane, cu, cv, low)
             bx, by, bz = point_of(plane, cu, cv, high)
-        beyond = wide + HOLD * abs(wide) + tie
+        beyond, inside = wide + HOLD * abs(wide) + tie, min(0.5 * wide, 0.0)
         other, gap_a, parted = widest_face(
-            normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, beyond
+            normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, beyond, inside
         )
         another, gap_b, also = widest_face(
-            normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, gap_a
+            normal,
+            offset,
+            inner,
+            lb,
+            lb_end,
+            vertex,
+            va,
+            va_end,
+            -dx,
+            -dy,
+            -dz,
+            ax - dx,
+            ay - dy,
+            az - dz,
+            gap_a,
+            inside,
         )
         if parted or also:
             return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
@@ -184,6 +201,8 @@ def _ordered(
                 vertex, va, va_end, 0.0, 0.0, 0.0, nx, ny, nz, -1.0, depth, least, fb - lb, point, gap, area, feature
             )  # fmt: skip
         return FACE, 1, depth, blend, sqrt(least), fa, fb, nx, ny, nz
+    if of_tets and _along(normal, fa, fb) > -FLAT and tets_are_apart(vertex, va, vb, dx, dy, dz, inside):
+        return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
     count = polygon_points(
         u, v, label, row, count, full, plane, snap, reach, least, fa - la, fb - lb, weight, name,
         point, gap, area, feature,
@@ -213,10 +232,9 @@ def _pair_of(
 
 
 @inlined
-def _face_each_other(normal, fa, fb):
-    """Whether two faces look against each other."""
-    along = normal[fa, 0] * normal[fb, 0] + normal[fa, 1] * normal[fb, 1] + normal[fa, 2] * normal[fb, 2]
-    return along < -FACING
+def _along(normal, fa, fb):
+    """Cosine between the normals of two faces: -1 where they look against each other."""
+    return normal[fa, 0] * normal[fb, 0] + normal[fa, 1] * normal[fb, 1] + normal[fa, 2] * normal[fb, 2]
 
 
 @inlined

@@ -36,7 +36,8 @@ class Search(NamedTuple):
     bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;
              N pieces in all; held (K,) whether they still do
     moves    (B,) whether it can move
-    mass     (B,) kg, real     least (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
+    mass     (B,) kg, real; where some blocks are `meshed` kg/m2, behind a face of a cube of the block's volume
+    least    (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
     position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
     built    (B,) m, travel at the last search      skin (1,) m
     point, gap, area, feature  room for what one look finds
@@ -54,6 +55,7 @@ class Search(NamedTuple):
     held: np.ndarray
     moves: np.ndarray
     mass: np.ndarray
+    meshed: bool
     least: np.ndarray
     deep: np.ndarray
     position: np.ndarray
@@ -237,9 +239,12 @@ def remember(pairs, points, motion, search, p):
 
 @inner
 def set_dashpot(pairs, rules, search, p, area):
-    """The dashpot of a patch (Pa s/m): its fraction of the critical damping of the two masses on the whole patch."""
+    """The dashpot of a patch (Pa s/m): its fraction of the critical damping of the two masses on the whole patch.
+
+    Patches of a mesh are parts of a face, and the smaller the finer it is: there the masses behind its area count.
+    """
     damping_ratio, kn = rules.dashpot[pairs.law[p]], rules.normal_stiffness[pairs.law[p]]
     pairs.dashpot[p] = 0.0
     if damping_ratio > 0.0 and area > 0.0:
         a, b = search.mass[pairs.body[p, 0]], search.mass[pairs.body[p, 1]]
-        pairs.dashpot[p] = 2.0 * damping_ratio * sqrt(kn * (a * b / (a + b)) / area)
+        pairs.dashpot[p] = 2.0 * damping_ratio * sqrt(kn * (a * b / (a + b)) / (1.0 if search.meshed else area))

@@ -12,7 +12,18 @@ from masonry.laws.state import ContactState, JointProperties
 from masonry.model import stable_step
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
 from masonry.model.contact_groups import contact_groups
-from masonry.model.large.meeting import Large, Meetings, add_row_sums, bonds_of, near_of, pushed, without_sides
+from masonry.model.large.meeting import (
+    Large,
+    Meetings,
+    add_row_sums,
+    bonds_of,
+    face_row_sums,
+    near_of,
+    pushed,
+    without_sides,
+)
+from masonry.model.large.motion import masses_behind
+from masonry.model.large.stable_step import with_dashpots
 from masonry.model.layout import DOFS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.step_cost import StepCost, step_cost
@@ -129,8 +140,12 @@ def build(
 
     density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
     real = real_masses(layout, density)
-    if meetings is not None:
+    if meetings is not None and layout.mesh is None:
         stepping = replace(stepping, step_fraction=stepping.step_fraction * meetings.step_fraction)
+    elif meetings is not None and meetings.rules.dashpot.any():
+        rates = face_row_sums(blocks, layout, length, meetings.dashpots(masses_behind(layout, real)))
+        stable_step.unscale(rates, layout, length)
+        sums = with_dashpots(sums, rates, real, stepping.damping)
     masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, dilated)
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
     rows = {kind: layout.rows(kind) for kind in KINDS}

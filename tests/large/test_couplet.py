@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from masonry import scene
-from masonry.errors import SceneError
 from masonry.kernels import patches
 from masonry.laboratory import laboratory
 from masonry.monitors import collapse
@@ -73,12 +72,3 @@ def test_units_that_deform_give_the_curve_of_small_displacement_within_their_str
         assert large.summary[key] == pytest.approx(small.summary[key], rel=5.0 * strain), key
     assert large.summary["energy_imbalance"] < 1e-12
     assert large.summary["dissipation_mismatch"] < 1e-5
-
-
-def test_dashpots_between_meshed_blocks_are_refused_in_one_sentence():
-    with pytest.raises(SceneError, match="^normal_dashpot does not go with kinematics 'tets'"):
-        laboratory.run(
-            scene.load(
-                "couplet", {"displacements": "large", "kinematics": "tets", "contact.unit_unit.normal_dashpot": 0.5}
-            )
-        )

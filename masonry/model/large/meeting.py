@@ -22,9 +22,9 @@ from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.turning import Turning
 from masonry.model.arrays import Bodies, in_rows
 from masonry.model.large.bodies import deforming, deforming_tets, turning
-from masonry.model.large.motion import free_bodies, masses_of, motion_of, outer_tets, sizes_of
+from masonry.model.large.motion import free_bodies, masses_behind, masses_of, motion_of, outer_tets, sizes_of
 from masonry.model.large.stable_step import affine_row_sums, contact_row_sums, levers, tet_row_sums
-from masonry.model.layout import KINDS, Layout
+from masonry.model.layout import DOFS, KINDS, Layout
 from masonry.model.stable_step import Side
 
 SKIN = 0.02
@@ -51,6 +51,11 @@ class Meetings:
         damping_ratio = float(self.rules.dashpot.max(initial=0.0))
         return float(np.sqrt(1.0 + damping_ratio**2) - damping_ratio)
 
+    def dashpots(self, mass: np.ndarray) -> np.ndarray:
+        """(B,) Pa s/m, no less than any dashpot of blocks with a mass (B,) kg/m2 behind a face, whatever they meet."""
+        stiffest = float((self.rules.dashpot * np.sqrt(self.rules.normal_stiffness)).max(initial=0.0))
+        return 2.0 * stiffest * np.sqrt(mass)
+
 
 @dataclass(frozen=True)
 class Large:
@@ -76,24 +81,32 @@ def add_row_sums(
     """Row sums of the contacts of the undeformed shape, or of blocks whose faces all press, whichever are larger; and
     of the blocks' own stiffness.
 
-    stiffness (C,) N/m; stiffest, Pa/m, of all ways in which blocks meet. Every face counts with it over its whole area,
-    on blocks with levers like their own, or of another kind with the longest that there are; its corners have the area
-    of their share of the triangles between corners and centroid. A patch lies within the faces, and lumping a part of a
-    face at its corners gives no larger sum of a convex function of the place than lumping the whole face does.
+    stiffness (C,) N/m; stiffest, Pa/m, of all ways in which blocks meet.
     """
     contact_row_sums(sums, sides, stiffness)
-    corner, area, block, row = _face_corners(blocks, layout)
-    arm = np.einsum("cji,cj->ci", layout.axes[block], corner - layout.centroid[block])
-    one = Side(layout.kind[block], row, arm, layout.axes[block], length[block])
-    faces = {kind: np.zeros_like(values) for kind, values in sums.items()}
-    own = levers(one).sum(axis=1)
-    others = np.array([own[one.kind != k].max(initial=0.0) for k in range(len(KINDS))])[one.kind]
-    longer = 1.0 + 0.5 * np.maximum(others - own, 0.0) / (1.0 + own)
-    contact_row_sums(faces, (one, one), 0.5 * stiffest * area * longer)  # both sides add to the same block
-    for kind, values in faces.items():
+    for kind, values in face_row_sums(blocks, layout, length, np.full(blocks.count, stiffest)).items():
         np.maximum(sums[kind], values, out=sums[kind])
     affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
     tet_row_sums(sums["tets"], layout, lame)
+
+
+def face_row_sums(blocks: Blocks, layout: Layout, length: np.ndarray, per_area: np.ndarray) -> dict[str, np.ndarray]:
+    """Row sums of blocks whose faces all press; per_area (B,) stiffness or dashpot of each, over its area.
+
+    Every face counts over its whole area, on blocks with levers like their own, or of another kind with the longest
+    that there are; its corners have the area of their share of the triangles between corners and centroid. A patch lies
+    within the faces, and lumping a part of a face at its corners gives no larger sum of a convex function of the place
+    than lumping the whole face does.
+    """
+    corner, area, block, row = _face_corners(blocks, layout)
+    arm = np.einsum("cji,cj->ci", layout.axes[block], corner - layout.centroid[block])
+    one = Side(layout.kind[block], row, arm, layout.axes[block], length[block])
+    sums = {kind: np.zeros((layout.rows(kind), DOFS[kind])) for kind in KINDS}
+    own = levers(one).sum(axis=1)
+    others = np.array([own[one.kind != k].max(initial=0.0) for k in range(len(KINDS))])[one.kind]
+    longer = 1.0 + 0.5 * np.maximum(others - own, 0.0) / (1.0 + own)
+    contact_row_sums(sums, (one, one), 0.5 * per_area[block] * area * longer)  # both sides add to the same block
+    return sums
 
 
 def _face_corners(blocks: Blocks, layout: Layout) -> tuple[np.ndarray, ...]:
@@ -184,7 +197,8 @@ def near_of(
         bonded=keys(bonded, len(pieces.body)),
         held=np.ones(len(keys(bonded, len(pieces.body))), dtype=bool),
         moves=free_bodies(layout, bodies, tets),
-        mass=masses_of(layout, masses, pieces.block),
+        mass=masses_of(layout, masses, pieces.block) if tets is None else masses_behind(layout, masses)[pieces.block],
+        meshed=tets is not None,
         least=LEAST * size**2,
         deep=np.sqrt(LEAST * size[pieces.block] ** 2),
         position=np.zeros((count, 3)),

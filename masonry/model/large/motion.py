@@ -53,6 +53,11 @@ def masses_of(layout: Layout, masses: dict[str, np.ndarray], block: np.ndarray) 
     return np.asarray(found[block])
 
 
+def masses_behind(layout: Layout, masses: dict[str, np.ndarray]) -> np.ndarray:
+    """(B,) kg/m2 of all blocks, over a face of a cube of their volume: as much of a mass as a face has behind it."""
+    return masses_of(layout, masses, np.arange(len(layout.kind))) / np.cbrt(layout.volume) ** 2
+
+
 def free_bodies(layout: Layout, bodies: Bodies, tets: SurfaceTets | None) -> np.ndarray:
     """(N,) whether a body can move."""
     found = np.zeros(len(layout.kind), dtype=bool)
