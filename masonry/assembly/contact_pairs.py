@@ -15,6 +15,8 @@ from masonry.model.large.meeting import Meetings
 from masonry.scene import Scene
 
 NONE = -1
+SKIN = 0.02
+"""Of the mean size of a block, where the scene gives none."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +53,7 @@ def pairs_of(scene: Scene, blocks: Blocks, compressions: list[float]) -> Pairs:
     return Pairs(names, number, given, {name: factory.build(name, given[name], compressions) for name in names})
 
 
-def meetings_of(pairs: Pairs) -> Meetings:
+def meetings_of(pairs: Pairs, skin: float | None) -> Meetings:
     """What blocks do where they meet without a bond: stiffnesses, the friction that stays, and the dashpot."""
     numbers = []
     for name in pairs.names:
@@ -59,7 +61,8 @@ def meetings_of(pairs: Pairs) -> Meetings:
         friction = joint.tan_friction if joint.tan_residual_friction is None else joint.tan_residual_friction
         dashpot = pairs.properties[name].get("normal_dashpot") or 0.0
         numbers.append((joint.normal_stiffness, joint.shear_stiffness, friction or 0.0, dashpot))
-    return Meetings(Rules(*np.array(numbers, dtype=float).reshape(-1, len(Rules._fields)).T.copy()), pairs.number)
+    rules = Rules(*np.array(numbers, dtype=float).reshape(-1, len(Rules._fields)).T.copy())
+    return Meetings(rules, pairs.number, SKIN if skin is None else skin)
 
 
 def _names(blocks: Blocks) -> dict[tuple[int, int, int], str]:

@@ -95,6 +95,8 @@ def _large_only(scene: Any) -> None:
         raise KeyedError("contact.default", f"{only}; name the groups of contacts, such as [contact.unit_unit]")
     if scene.solver.until is not None:
         raise KeyedError("solver.until", f"{only}; a run of small displacements ends with its loading or its duration")
+    if scene.solver.skin is not None:
+        raise KeyedError("solver.skin", f"{only}; contacts of small displacements are never found anew")
 
 
 def _real_time(scene: Any) -> None:

@@ -20,7 +20,7 @@ from verification.fixtures.dry_blocks import DENSITY, G, block, box, leaning, re
 from verification.problem import Problem, Refinement, fractions
 from verification.scene_runs import Run
 
-STEP, STIFFNESS = "time step", "model: normal stiffness"
+STEP, STIFFNESS, SKIN = "time step", "model: normal stiffness", "skin"
 ZETA, SLOPE, FRICTION, SLID = 0.2, 20.0, 0.2, 0.2
 """Of the critical dashpot; deg; tan of the angle of friction; s."""
 SPIN = np.array([0.1, 10.0, 0.1])
@@ -76,6 +76,11 @@ def steps(**keys: Any) -> Refinement:
     return fractions(keys, 0.9, 0.45, 0.225, 0.1125)
 
 
+def skins() -> Refinement:
+    """Widths within which neighbours are found, each half of the one before, with a fine step: nothing may change."""
+    return {f"{share:g}": {"solver.skin": share, "solver.step_fraction": 0.1125} for share in (0.16, 0.08, 0.04, 0.02)}
+
+
 USUAL: dict[str, Any] = {"solver.rows": 20, "solver.frames": 2}
 BOUNCING = {
     "specimen.box": [slab(), box("block", (-0.05, -0.1, 0.02), (0.1, 0.2, 0.1), 1)],
@@ -104,7 +109,9 @@ PROBLEMS = (
         shipped=("", ""),
     ),
     Problem(
-        *("bounce", "A block that bounces on springs and dashpots", "dry-block", {STEP: steps()}, USUAL | BOUNCING),
+        *("bounce", "A block that bounces on springs and dashpots", "dry-block"),
+        {STEP: steps(), SKIN: skins()},
+        USUAL | BOUNCING,
         measure=kept,
         exact=lambda _: {"restitution": restitution(ZETA)},
         units={"restitution": "1"},
@@ -112,7 +119,7 @@ PROBLEMS = (
     ),
     Problem(
         *("slide", "A block that slides down a plane", "dry-block"),
-        {STEP: steps(), STIFFNESS: stiffnesses("unit_unit")},
+        {STEP: steps(), SKIN: skins(), STIFFNESS: stiffnesses("unit_unit")},
         USUAL | SLIDING,
         measure=lambda one: {"speed": float(np.sqrt(2.0 * at_the_end(one) / WEIGHT))},
         exact=slid,
@@ -121,7 +128,7 @@ PROBLEMS = (
     ),
     Problem(
         *("rocking", "A slender block that rocks about its edge", "block-rocking"),
-        {STEP: steps(), STIFFNESS: stiffnesses("floor_units")},
+        {STEP: steps(), SKIN: skins(), STIFFNESS: stiffnesses("floor_units")},
         USUAL | {"solver.duration": f"{ROCKED} s"},
         measure=lambda one: {"energy of motion": at_the_end(one)},
         exact=rocked,

@@ -17,7 +17,7 @@ from functools import cache
 import numpy as np
 from scipy.optimize import brentq
 
-from verification.problem import FEW_ROWS, Problem, pace
+from verification.problem import ACCURACY, FEW_ROWS, RATE, Problem, pace
 from verification.references.closed_forms import Joint, dissipated_in_tension, tension
 from verification.scene_runs import Run
 
@@ -68,6 +68,15 @@ PROBLEMS = (
         SCENE,
         KNOBS | {"contact points along the joint": POINTS},
         base=FEW_ROWS,
+        exact=exact,
+        kind="refined model",
+    ),
+    Problem(
+        "eccentric-joint-large",
+        "Joint pulled off its centre, in large displacement",
+        SCENE,
+        {knob: KNOBS[knob] for knob in (RATE, ACCURACY)} | {"contact points along the joint": POINTS},
+        base=FEW_ROWS | {"displacements": "large"},
         exact=exact,
         kind="refined model",
     ),

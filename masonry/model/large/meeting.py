@@ -27,18 +27,20 @@ from masonry.model.large.stable_step import affine_row_sums, contact_row_sums, l
 from masonry.model.layout import DOFS, KINDS, Layout
 from masonry.model.stable_step import Side
 
-SKIN = 0.02
-"""Of the mean size of a block: how far blocks may come nearer before all pairs are found anew."""
 LEAST = 1e-2
 """Of the area of a face of a cube of the block's volume: what a contact of two edges or a corner stands on."""
 
 
 @dataclass(frozen=True)
 class Meetings:
-    """How blocks meet: `rules`, and law_of (G, G, 2), which of them serves two groups, of two units (0) or of one."""
+    """How blocks meet: `rules`, and law_of (G, G, 2), which of them serves two groups, of two units (0) or of one.
+
+    skin  of the mean size of a block: how far blocks may come nearer before all pairs are found anew
+    """
 
     rules: Rules
     law_of: np.ndarray
+    skin: float
 
     @property
     def stiffest(self) -> float:
@@ -203,7 +205,7 @@ def near_of(
         deep=np.sqrt(LEAST * size[pieces.block] ** 2),
         position=np.zeros((count, 3)),
         built=np.full(count, -1e30),
-        skin=np.array([SKIN * size[: blocks.count].mean()]),
+        skin=np.array([meetings.skin * size[: blocks.count].mean()]),
         point=k[0],
         gap=k[1],
         area=k[2],

@@ -20,6 +20,7 @@ from masonry.scene.tables.types import (
     Length,
     Position,
     Rows,
+    Skin,
     Steps,
     StressVector,
     Table,
@@ -207,6 +208,7 @@ class Solver(Table):
     slip_limit: Annotated[float, BeforeValidator(_slip)] = 0.25
     duration: Duration | None = None
     until: Literal["rest"] | None = None
+    skin: Skin | None = None
     rows: Rows = 1000
     frames: Frames = 24
 
