@@ -51,7 +51,7 @@ def specimen_of(scene: Scene) -> Specimen:
         _require_what_goes_with_gaps(scene, scene.specimen.is_divided)
     found = _specimen_of(scene)
     found = found if section is None else replace(found, section=section)
-    found = numbered_by_place(found) if scene.is_large else found
+    found = numbered_by_place(found) if scene.is_large and scene.specimen.kind in ("file", "boxes") else found
     if scene.specimen.turned is not None:
         stated = found.joints and replace(found.joints, points=as_turned(scene, found.joints.points))
         blocks = replace(found.blocks, points=as_turned(scene, found.blocks.points))

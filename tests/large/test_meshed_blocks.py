@@ -6,8 +6,10 @@ from math import cos, radians, sin
 import numpy as np
 import pytest
 
+from masonry import scene as packaged
 from masonry.assembly.assemble import assemble
 from masonry.detection.tet_pieces import FACES
+from masonry.errors import SceneError
 from masonry.kernels.deforming_patches import press_deforming
 from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
 from masonry.kernels.patches import stored_energy
@@ -20,6 +22,7 @@ from tests.kinematics.bricks import turn
 from tests.large.made import DENSITY, G, leaning, slab
 from tests.large.test_deforming import advanced
 from tests.scenes import box, listed, load, specimen, tables
+from verification.fixtures.dry_blocks import restitution
 
 SLOPE = 25.0
 KINDS = '{default = "rigid", bricks = "affine", meshed = "tets"}'
@@ -27,14 +30,15 @@ GAUGES = "".join(f'[[gauge]]\nname = "{axis}"\nat = "block"\ndirection = "{axis}
 KN = 10e9
 
 
-def scene(boxes, gravity, duration, young="1 GPa", turned="", more="", held=True):
+def scene(boxes, gravity, duration, young="1 GPa", turned="", more="", held=True, zeta=0.0, mesh='mesh = "fan"'):
     """Rigid `units`, affine `bricks` and `meshed` blocks: all of this file is one compiled kind."""
     down = "\n".join(f'{axis} = "{part!r} m/s^2"' for axis, part in zip("xyz", map(float, gravity), strict=True))
     contact = 'normal_stiffness = "10 GPa/m"\nshear_stiffness = "5 GPa/m"\ntan_friction_angle = 0.3'
+    contact += f"\nnormal_dashpot = {zeta}" if zeta else ""
     material = f'density = "{DENSITY} kg/m^3"\nyoung_modulus = "{young}"\npoisson_ratio = 0.2'
     return load(
         f'displacements = "large"\nlaw = "friction"\nkinematics = {KINDS}\n'
-        + specimen(boxes, 0.01, more=f'mesh = "fan"\n{turned}')
+        + specimen(boxes, 0.01, mesh_size="50 mm", more=f"{mesh}\n{turned}")
         + tables("material", dict.fromkeys(("units", "bricks", "meshed"), material))
         + tables("contact", {"default": contact})
         + listed("support", ['on = "slab"\nfix = "all"'] if held else [])
@@ -232,3 +236,44 @@ def test_the_forces_on_nodes_are_the_derivatives_of_the_energy_that_is_stored():
                 ends.append(stored_energy(large.near))
                 model.u[n, i] -= step
             assert (ends[0] - ends[1]) / 2e-8 == pytest.approx(-force[n, i], rel=0, abs=1e-5 * size)
+
+
+EDGE, SLAB = 0.1, (0.5, 0.5, 0.05)
+
+
+def hit(zeta: float, mesh='mesh = "fan"', young="100 GPa", more="", twins=False):
+    """A meshed cube that flies at a held slab, or at a cube like itself, without weight; an affine block far away."""
+    other = box("slab", (0.0, 0.0, -SLAB[2]), SLAB, "units", 0)
+    if twins:
+        other = box("other", (0.2, 0.2, -EDGE), (EDGE,) * 3, "meshed", 0)
+    away = [box("away", (2.0, 0.0, 0.0), (0.1, 0.1, 0.1), "bricks", 2)]
+    away += [box("slab", (4.0, 0.0, 0.0), (0.1, 0.1, 0.1), "units", 3)] if twins else []
+    boxes = [other, box("block", (0.2, 0.2, 1e-4), (EDGE,) * 3, "meshed", 1), *away]
+    flies = '[[motion]]\non = "block"\nvelocity = [0, 0, "-1 m/s"]\n'
+    return scene(boxes, np.zeros(3), 1e-3, young, more=more + "\n" + flies, zeta=zeta, mesh=mesh)
+
+
+@pytest.mark.parametrize("mesh", ['mesh = "fan"', ""])
+@pytest.mark.parametrize("zeta", [0.1, 0.4])
+def test_a_stiff_cube_bounces_as_a_rigid_one_whatever_its_mesh(zeta, mesh):
+    """The masses behind a face of either block are in series."""
+    rows = laboratory.run(hit(zeta, mesh, more="step_fraction = 0.3")).history.rows
+    behind = EDGE, float(np.cbrt(np.prod(SLAB)))
+    of_the_cube = zeta * np.sqrt(behind[1] / (behind[0] + behind[1]))
+    assert np.abs(rows["imbalance"]).max() < 1e-11 * rows["kinetic"][0]
+    kept = np.sqrt(rows["kinetic"][-1] / rows["kinetic"][0])
+    assert kept == pytest.approx(restitution(of_the_cube), rel=0.006)
+
+
+@pytest.mark.parametrize("zeta", [0.3, 1.0])
+def test_the_proven_step_is_stable_with_dashpots_of_a_soft_mesh(zeta):
+    rows = laboratory.run(hit(zeta, "", "1 GPa", "step_fraction = 0.99", twins=True)).history.rows
+    energies = np.sum([rows[key] for key in ("kinetic", "elastic_blocks", "elastic_contacts")], axis=0)
+    assert np.all(np.diff(energies) < 1e-6 * rows["kinetic"][0])
+    assert rows["dashpot"][-1] > 0.1 * rows["kinetic"][0]
+
+
+def test_dashpots_of_meshed_blocks_with_scaled_masses_are_refused_in_one_sentence():
+    dashpot = {"displacements": "large", "kinematics": "tets", "contact.unit_unit.normal_dashpot": 0.5}
+    with pytest.raises(SceneError, match='^normal_dashpot of blocks of kinematics .* needs solver.masses = "real"'):
+        laboratory.run(packaged.load("couplet", dashpot))

@@ -94,7 +94,8 @@ def test_blocks_in_order_are_the_same_blocks():
 @pytest.mark.parametrize(
     ("kind", "meshed", "contact"),
     [
-        pytest.param("rigid", False, GLUED, id="glued cells that break apart"),
+        pytest.param("rigid", False, DRY, id="cells"),
+        pytest.param("rigid", False, GLUED, id="glued cells that break apart", marks=pytest.mark.slow),
         pytest.param("affine", False, GLUED, id="glued cells that deform", marks=pytest.mark.slow),
         pytest.param("tets", True, DRY, id="cells with meshes of the file", marks=pytest.mark.slow),
     ],
