@@ -3,10 +3,12 @@
 PYTHON is one that has `akantu` (pip install akantu), COMMAND starts Yade (apt-get install yade). One that is absent is
 left out, and the table says so. Rounds are taken in turn, on one thread each, and the least time of each counts.
 
-The items are alike, not the same. A tet is linear elastic everywhere. Figures of ours and of Yade are whole steps, over
-tets, contact points or bonds (of two spheres); a cohesive integration point of Akantu is a step with such elements less
-one without, on the same nodes. Nor is the damage the same: in these rounds half of Akantu's points soften and few of
-ours do, and Yade's bonds start whole and hardly move.
+The items are alike, not the same. A tet is linear elastic everywhere. Figures of ours and of Yade are whole steps,
+over tets, contact points, bonds (of two spheres) or pairs of blocks that touch; a cohesive integration point of
+Akantu is a step with such elements less one without, on the same nodes. Nor is the damage the same: in these rounds
+half of Akantu's points soften and few of ours do, and Yade's bonds start whole and hardly move. Yade finds the
+overlap of each pair of polyhedra at each step, we where it has moved: our wall that stands looks at none, and looks
+are a row of their own.
 """
 
 import argparse
@@ -17,11 +19,14 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.peers.worker import Absent, Worker
+from benchmarks.test_detection import CALLS, brick_pair, clipping
 from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.loading.scheduled import Chunk
 from masonry.timeloop import compiled_step
+from verification.reference_step import models
 from verification.reference_step.interleaved import in_turn
+from verification.scene_runs import assembled
 
 ROUNDS = 15
 
@@ -42,11 +47,23 @@ def stepper(name: str, overrides: list[str], steps: int) -> tuple[Callable[[], N
 
 def ours() -> dict[str, tuple[Callable[[], None], float]]:
     """Our rows: a call, and steps times items in it."""
+    bricks, looks = (
+        assembled("dry-wall", {"displacements": "large"}).model,
+        clipping(brick_pair(), np.array([[0, 1]]), True),
+    )
+    models.stepping(bricks, 3000)()
+    pairs = bricks.large.near.pairs
+    touching = int((pairs.slot[: pairs.number[0]] >= 0).sum())
     contacts, count, _ = stepper("wallette-mode-1", ["drive.rate=1 mm/s"], 200)
     blocks, _, tets = stepper("couplet", ["drive.steps=100", "kinematics=tets", "specimen.mesh_size=8 mm"], 100)
     return {
         f"masonry, whole step per tet, {tets} tets": (blocks, 100.0 * tets),
         f"masonry, whole step per contact point, {count} between rigid blocks": (contacts, 200.0 * count),
+        f"masonry, whole step per pair of bricks that stand, {touching} pairs": (
+            models.stepping(bricks, 20),
+            20.0 * touching,
+        ),
+        "masonry, one look at a pair of bricks": (looks, float(CALLS)),
     }
 
 
@@ -54,7 +71,8 @@ def peers(words: argparse.Namespace) -> tuple[dict[str, Worker], list[str]]:
     """Workers that run, and a sentence on each that does not."""
     wanted = {f"akantu {kind}": ([words.akantu], "worker_akantu.py", kind) for kind in ("tets", "loose", "cohesive")}
     wanted |= {
-        f"yade {kind}": ([words.yade, "-j1", "-x", "-n"], "worker_yade.py", kind) for kind in ("cohfrict", "jcfpm")
+        f"yade {kind}": ([words.yade, "-j1", "-x", "-n"], "worker_yade.py", kind)
+        for kind in ("cohfrict", "jcfpm", "polyhedra")
     }
     found, absent = {}, []
     for name, how in wanted.items():
@@ -71,7 +89,7 @@ def main() -> None:
     parser.add_argument("--yade", default=shutil.which("yade") or "yade", metavar="COMMAND", help="starts Yade")
     found, absent = peers(parser.parse_args())
     rows = ours()
-    steps = {name: 20 if name.startswith("akantu") else 300 for name in found}
+    steps = {name: 20 if name.startswith("akantu") else 300 for name in found} | {"yade polyhedra": 10}
     try:
         works = [work for work, _ in rows.values()]
         works += [lambda w=w, n=steps[name]: w.seconds(n) for name, w in found.items()]
@@ -90,8 +108,9 @@ def main() -> None:
         elif name == "akantu cohesive" and "akantu loose" in step:
             extra = (step[name] - step["akantu loose"]) / says["points"]
             print(f"{1e9 * extra:8.1f} ns  {version}, step with less step without, per point of {says['points']}")
-        elif "bonds" in says:
-            print(f"{1e9 * step[name] / says['bonds']:8.1f} ns  {version}, whole step per bond, {says['bonds']} bonds")
+        for item in ("bonds", "pairs"):
+            if item in says:
+                print(f"{1e9 * step[name] / says[item]:8.1f} ns  {version}, whole step, over {says[item]} {item}")
     print("\n".join(absent))
 
 

@@ -70,13 +70,14 @@ def widest_face(
 ):  # fmt: skip
     """The free face with the widest gap to corners first..last of the other piece, if that is more than `beyond`.
 
-    Returns it, its gap, and whether a face inside the body parts the pieces, by a gap of more than `inside`. (x, y, z)
-    is a point of the other piece as it stands: no gap is wider than this point is high, so that most faces are told by
-    one product. -1 where none is.
+    Returns it, its gap, whether a face inside the body parts the pieces, by a gap of more than `inside`, and whether an
+    edge may (open_edges). (x, y, z) is a point of the other piece as it stands: no gap is wider than this point is
+    high, so that most faces are told by one product. -1 where none is.
     """
-    found, parted = -1, False
+    found, parted, edges, least = -1, False, False, min(beyond, 0.0)
     for f in range(face_first, face_last):
         bound = height(normal, offset, f, x, y, z)
+        edges = edges or bound > least
         if inner[f]:
             gap = bound if bound <= inside else face_gap(normal, offset, f, vertex, first, last, dx, dy, dz)
             parted = parted or gap > inside
@@ -84,7 +85,7 @@ def widest_face(
             gap = face_gap(normal, offset, f, vertex, first, last, dx, dy, dz)
             if gap > beyond:
                 beyond, found = gap, f
-    return found, beyond, parted
+    return found, beyond, parted, edges
 
 
 @inner

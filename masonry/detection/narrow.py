@@ -105,10 +105,10 @@ def _ordered(
     ax, ay, az = centre[a, 0], centre[a, 1], centre[a, 2]
     bx, by, bz = centre[b, 0] + dx, centre[b, 1] + dy, centre[b, 2] + dz
     if known == EDGE or fa < 0 or fb < 0:
-        fa, gap_a, _ = widest_face(
+        fa, gap_a, _, _ = widest_face(
             normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, -inf, 0.0
         )
-        fb, gap_b, _ = widest_face(
+        fb, gap_b, _, _ = widest_face(
             normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, -inf, 0.0
         )
         if fa < 0 or fb < 0:  # a piece in the middle of its body
@@ -142,27 +142,13 @@ def _ordered(
             ax, ay, az = point_of(plane, cu, cv, low)
             bx, by, bz = point_of(plane, cu, cv, high)
         beyond, inside = wide + HOLD * abs(wide) + tie, min(0.5 * wide, 0.0)
-        other, gap_a, parted = widest_face(
+        other, gap_a, parted, edges_too = widest_face(
             normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, beyond, inside
         )
-        another, gap_b, also = widest_face(
-            normal,
-            offset,
-            inner,
-            lb,
-            lb_end,
-            vertex,
-            va,
-            va_end,
-            -dx,
-            -dy,
-            -dz,
-            ax - dx,
-            ay - dy,
-            az - dz,
-            gap_a,
+        another, gap_b, also, _ = widest_face(
+            normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, gap_a,
             inside,
-        )
+        )  # fmt: skip
         if parted or also:
             return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
         if another < 0 and other < 0:
@@ -173,11 +159,13 @@ def _ordered(
         )  # fmt: skip
     flat = FLAT_HELD if known == EDGE else FLAT
     if known == EDGE or full <= 0.0:  # edges that touch already, or that must, as the two faces do not
-        beyond = wide - HOLD * abs(wide) - tie
-    ea, eb, apart, ex, ey, ez = _crossed(
-        a, b, dx, dy, dz, ax, ay, az, bx, by, bz, beyond, flat, full > 0.0, u, v, row, count, plane, wide,
-        edge_start, edge, vertex, normal, offset, edges,
-    )  # fmt: skip
+        beyond, edges_too = wide - HOLD * abs(wide) - tie, True
+    ea, eb, apart, ex, ey, ez = -1, -1, beyond, 0.0, 0.0, 0.0
+    if edges_too:
+        ea, eb, apart, ex, ey, ez = _crossed(
+            a, b, dx, dy, dz, ax, ay, az, bx, by, bz, beyond, flat, full > 0.0, u, v, row, count, plane, wide,
+            edge_start, edge, vertex, normal, offset, edges,
+        )  # fmt: skip
     if ea >= 0 and apart > skin:
         return NONE, 0, apart, blend, 0.0, fa, fb, nx, ny, nz
     if ea >= 0:
