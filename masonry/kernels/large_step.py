@@ -8,7 +8,7 @@ from masonry.kernels.bonds import from_frames, to_frames
 from masonry.kernels.deforming_patches import press_deforming
 from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
 from masonry.kernels.patches import press
-from masonry.kernels.refreshing import refresh
+from masonry.kernels.refreshing import count_travel, refresh
 from masonry.kernels.step import pull, reaction, sweep_groups
 from masonry.kinematics.dispatch import move, update_positions
 
@@ -30,11 +30,15 @@ def advance(
     rigid_drive, affine_drive, tet_drive = drives
     if members is not None:
         gather_places(near.motion, members, rigid, affine, tets, bonds)
+    spare = 0.0  # m, how far two blocks may travel until pairs are to be looked at
     for k in range(steps):
         n = first + k
         if members is not None:
             gather_velocities(near.motion, members, rigid, affine, tets)
-        if not refresh(near, dt):
+        spare -= 2.0 * count_travel(near.motion, dt, near.motion.strain)
+        if spare <= 0.0:
+            spare = refresh(near)
+        if spare < 0.0:
             return k
         update_positions(None, rigid, dt, bonds.u)
         update_positions(None, affine, dt, bonds.u)

@@ -2,7 +2,8 @@
 
 A block's travel bounds how far any of its points has moved. A pair is looked at again when the travel of its two blocks
 exceeds a limit: 1 % of the patch, or what keeps them apart; unless they moved together. All pairs are found anew when
-the two largest travels since the last search exceed the skin.
+the two largest travels since the last search exceed the skin. Where nothing is near its limit, as in a wall that
+stands, no pair is asked for many steps.
 """
 
 from math import sqrt
@@ -14,30 +15,40 @@ from masonry.kernels.redetection import look
 from masonry.kernels.relative_motion import stays
 from masonry.kernels.slack import settle
 from masonry.kinematics.matrices import dot, vector_at
-from masonry.simd import EIGHT, eight_rows
+from masonry.simd import EIGHT, eight, eight_rows, filled, maximum, total
+
+ALMOST = 0.999
+"""Of the travel that is left: sums of many steps are rounded."""
 
 
 @jit
-def refresh(near, dt):
-    """Count the travel of the coming step, and look at all pairs that it may change; False where it cannot be taken."""
-    motion, search, pairs = near.motion, near.search, near.pairs
-    count_travel(motion, dt, motion.strain)
-    travel = motion.travel
-    if needs_search(travel, search.built, search.skin[0]) and not find_pairs(near):
-        return False
+def refresh(near):
+    """Look at all pairs that the travel so far may have changed.
+
+    Returns how far (m) any two blocks may travel, together, until that is to be asked again; below 0 where the step
+    cannot be taken.
+    """
+    search, pairs, travel = near.search, near.pairs, near.motion.travel
+    spare, looked = search.skin[0] - farthest(travel, search.built), False
+    if spare < 0.0:
+        if not find_pairs(near):
+            return -1.0
+        spare = search.skin[0]
     body, mark, limit = pairs.body, pairs.mark, pairs.limit
-    looked = False
     for p in range(pairs.number[0]):
-        if travel[body[p, 0]] + travel[body[p, 1]] - mark[p] > limit[p] and not stays(near, p):
+        moved = travel[body[p, 0]] + travel[body[p, 1]] - mark[p]
+        if moved > limit[p] and not stays(near, p):
             looked = True
             if not look(near, p):
-                return False
+                return -1.0
             call_others(near, p)
-    if looked and not look_together(near):
-        return False
-    if looked:
-        settle(near)
-    return True
+        spare = min(spare, limit[p] - moved)
+    if not looked:
+        return ALMOST * spare
+    if not look_together(near):
+        return -1.0
+    settle(near)
+    return 0.0
 
 
 @inner
@@ -97,12 +108,14 @@ def on_stale_face(pairs, search, p):
 
 @jit
 def count_travel(motion, dt, strain=None):
-    """Add to each block's travel what this step can add to it at most; strain as in Motion."""
-    together = len(motion.travel) // EIGHT * EIGHT
+    """Add to each block's travel what this step can add to it at most; strain as in Motion. Returns a bound (m) of what
+    it adds to any of them: up to eight times the most."""
+    together, most, last = len(motion.travel) // EIGHT * EIGHT, filled(0.0, eight()), 0.0
     for b in range(0, together, EIGHT):
-        travel_on(motion, eight_rows(b), dt, strain)
+        most = maximum(most, travel_on(motion, eight_rows(b), dt, strain))
     for b in range(together, len(motion.travel)):
-        travel_on(motion, b, dt, strain)
+        last = max(last, travel_on(motion, b, dt, strain))
+    return max(total(most), last)
 
 
 @inlined
@@ -112,12 +125,14 @@ def travel_on(motion, b, dt, strain):
     rate = sqrt(dot(spin, spin))
     if strain is not None:
         rate += strain[b]
-    motion.travel[b] += (sqrt(dot(velocity, velocity)) + rate * motion.radius[b]) * dt
+    step = (sqrt(dot(velocity, velocity)) + rate * motion.radius[b]) * dt
+    motion.travel[b] += step
+    return step
 
 
 @jit
-def needs_search(travel, built, skin):
-    """Whether two blocks may have come nearer to each other by the skin since the last search."""
+def farthest(travel, built):
+    """How much nearer (m) any two blocks may have come to each other since the last search."""
     first = second = 0.0
     for b in range(len(travel)):
         moved = travel[b] - built[b]
@@ -125,4 +140,4 @@ def needs_search(travel, built, skin):
             first, second = moved, first
         elif moved > second:
             second = moved
-    return first + second > skin
+    return first + second

@@ -55,7 +55,7 @@ def retire(model: Model) -> None:
     account[NORMAL_GAINED] -= before - stored_in_contacts(model) - sheared
     search.held[:] = np.isin(search.bonded, key[bonds.alive])
     search.built[:] = -np.inf
-    while not refresh(model.large.near, 0.0):
+    while refresh(model.large.near) < 0.0:
         make_room(model)
     for found, pairs in _pairs_of(model.large.near, left.keys(), count).items():
         _hand_over(model.large.near, pairs, left[found])

@@ -184,7 +184,7 @@ def test_an_even_pressure_gives_every_node_its_share_of_the_area_whatever_the_tw
     model.bodies.affine.q[:, 2] = 1e-3
     gather(model)
     large = model.large
-    assert refresh(large.near, 0.0)
+    assert refresh(large.near) >= 0.0
     press_deforming(large.near, 0.0)
     hand_over(large.near.motion, large.members, *model.bodies)
     force, own = tets.patches, mesh.nodes[:, 2] == 0.125
@@ -222,7 +222,7 @@ def test_the_forces_on_nodes_are_the_derivatives_of_the_energy_that_is_stored():
     model.u[:count] = nodes @ (turned - np.eye(3)).T + 1e-6 * rng.normal(size=(count, 3)) - [0.0, 0.0, 1e-5]
     gather(model)
     large = model.large
-    assert refresh(large.near, 0.0)
+    assert refresh(large.near) >= 0.0
     press_deforming(large.near, 0.0)
     hand_over(large.near.motion, large.members, *model.bodies)
     force, size = model.bodies.tets.patches.copy(), np.abs(model.bodies.tets.patches).max()
