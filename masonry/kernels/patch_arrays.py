@@ -18,8 +18,8 @@ class Pairs(NamedTuple):
     reach     (P,) m, how far they may move against each other until the next look
     pose      (P, 12) how they stood to each other at the last one (relative_motion.py)
     law       (P,) row of Rules    dashpot (P,) Pa s/m
-    slack     (P,) m, by which its points press less than they overlap: slack.py
-    gained    (P,) J, normal energy that the last look gave, until slack.py has settled it; 0 otherwise
+    slack     (P,) m, by which its points press less than they overlap, or more (below 0): slack.py
+    gained    (P,) J, normal energy that the last look gave or took, until slack.py has settled it; 0 otherwise
     face      (P, 2) its two faces before that look, -1 for edges
     """
 

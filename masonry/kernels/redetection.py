@@ -43,6 +43,7 @@ class Search(NamedTuple):
     point, gap, area, feature  room for what one look finds
     was_normal, was_point, shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was
     found    (F, 2) room for the pairs that a search finds
+    patches  (F,) room for how many patches lie on each face
     stale    (F,) faces whose patches are all looked at in this step; (B,) the same of blocks: refreshing.py
     stale_block
     flag     (4,) why no step was taken, the pair to blame; searches and looks so far
@@ -71,6 +72,7 @@ class Search(NamedTuple):
     was_area: np.ndarray
     was_feature: np.ndarray
     found: np.ndarray
+    patches: np.ndarray
     stale: np.ndarray
     stale_block: np.ndarray
     flag: np.ndarray

@@ -1,12 +1,13 @@
-"""Looking for contacts again gives no energy: a patch that would hold more after a look gets slack, and presses less.
+"""Looking for contacts again changes no normal energy: a patch gets slack, and presses as much less or more.
 
 A look measures the gaps of a patch from where its blocks are, and its areas from how they overlap. Where area comes
 under pressure, or two crossed edges become two faces, the springs would hold more than before, which nothing has paid:
-what falls would come off the ground faster than it came down. So gaps get a slack, the same for all points of the
-pair, with which the patch holds what it held. It is taken back as the blocks part (patches.ease).
+what falls would come off the ground faster than it came down. Where area goes they would hold less, as if something had
+taken it. So gaps get a slack, the same for all points of the pair, with which the patch holds what it held: above 0 it
+presses less, below 0 more. It is taken back as the blocks part (patches.ease).
 
 A block that slides over a seam takes area from one patch to another: what the first loses pays for what the second
-gains, where they share a face.
+gains, where they share a face. There the first gets no slack: the two would press unlike each other, which is felt.
 """
 
 from math import sqrt
@@ -22,7 +23,7 @@ ROUNDS = 60
 @inner
 def settle(near):
     """Give slack to all pairs that gained normal energy in the looks of this step, as far as none on their faces lost
-    as much."""
+    as much; and to patches that lost some, but not to others on their faces. What goes with a pair is lost."""
     pairs, lost, count = near.pairs, near.before.slot, 0  # `before` is free between two searches
     for p in range(pairs.number[0]):
         if pairs.gained[p] < 0.0:
@@ -37,12 +38,32 @@ def settle(near):
                 paid = min(pairs.gained[p], -pairs.gained[q])
                 pairs.gained[p] -= paid
                 pairs.gained[q] += paid
-        if pairs.gained[p] > 0.0:
+    if count > 0:
+        count_patches(pairs, near.search.patches)
+    for p in range(pairs.number[0]):
+        if pairs.gained[p] > 0.0 or (pairs.gained[p] < 0.0 and is_alone(pairs, near.search.patches, p)):
             holds = stored(pairs, near.points, near.rules, near.motion, p)[0]
             near.account[NORMAL_GAINED] += hold(near, p, holds - pairs.gained[p]) - holds
-            pairs.gained[p] = 0.0
-    for k in range(count):
-        pairs.gained[lost[k]] = 0.0
+        pairs.gained[p] = 0.0
+
+
+@inner
+def count_patches(pairs, patches):
+    """How many patches lie on each face, into patches (faces,)."""
+    patches[:] = 0
+    for p in range(pairs.number[0]):
+        if pairs.slot[p] >= 0 and pairs.witness[p, 0] == FACE:
+            patches[pairs.witness[p, 1]] += 1
+            patches[pairs.witness[p, 2]] += 1
+
+
+@inner
+def is_alone(pairs, patches, p):
+    """Whether a pair touches with the same two faces as before the last look, and nothing else touches these."""
+    one, two = pairs.witness[p, 1], pairs.witness[p, 2]
+    if pairs.slot[p] < 0 or pairs.witness[p, 0] != FACE or pairs.face[p, 0] != one or pairs.face[p, 1] != two:
+        return False
+    return patches[one] == 1 and patches[two] == 1
 
 
 @inner
@@ -56,7 +77,8 @@ def shares_face(pairs, p, q):
 def hold(near, p, energy):
     """Give a pair the slack with which its points hold a normal energy (J), if any; returns what they hold then.
 
-    The root of the energy is a convex function of the slack: Newton's method comes from the left, and stays there.
+    The root of the energy is a convex function of the slack: Newton's method comes from the left, and stays there; from
+    the right its first step goes there.
     """
     pairs, points, motion = near.pairs, near.points, near.motion
     s, kn = pairs.slot[p], near.rules.normal_stiffness[pairs.law[p]]

@@ -53,5 +53,6 @@ def test_contacts_that_are_found_anew_only_lose_energy():
     assert rows["dashpot"][-1] > 0.1 * work, "it hits the slab"
     lost = np.diff(rows["area"] + rows["redetection"])
     assert lost.min() > -1e-12 * work
-    assert 0.0 < rows["area"][-1] < 1e-4 * work
+    assert np.abs(rows["area"]).max() < 1e-12 * work, "what its one patch holds does not change as it gets smaller"
+    assert 0.0 < rows["redetection"][-1] < 1e-3 * work
     assert np.abs(rows["imbalance"]).max() < 1e-11 * work

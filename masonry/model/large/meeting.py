@@ -216,6 +216,7 @@ def near_of(
         was_area=np.zeros(most),
         was_feature=np.zeros(most, dtype=np.int64),
         found=np.zeros((room, 2), dtype=np.int64),
+        patches=np.zeros(len(pieces.normal), dtype=np.int64),
         stale=np.zeros(len(pieces.normal), dtype=bool),
         stale_block=np.zeros(count, dtype=bool),
         flag=np.zeros(4, dtype=np.int64),
