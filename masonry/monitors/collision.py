@@ -44,11 +44,11 @@ class Collision(Observer):
     REMEMBERED = ("met", "words")
 
     def __init__(self, model: Model, sets: Mapping[str, np.ndarray]) -> None:
-        blocks, joints, layout = model.blocks, model.joints, model.layout
+        blocks, layout = model.blocks, model.layout
         self.blocks, self.sets = blocks, sets
-        self.joined = np.unique(joints.block_a * blocks.count + joints.block_b)
+        self.joined = joined_pairs(model)
         self.words, self.met = "", np.zeros(0, dtype=np.int64)
-        self.alone = 2 * len(self.joined) == blocks.count * (blocks.count - 1)
+        self.alone = are_all_joined(self.joined, blocks)
         if self.alone:
             return
         self.low, self.high = bounds(blocks)
@@ -149,8 +149,20 @@ class Collision(Observer):
         return f"'{name}'" if holding[name] == 1 else f"block {block} of '{name}'"
 
 
-def compile_look() -> None:
-    """Compile what a look needs, on one block."""
+def joined_pairs(model: Model) -> np.ndarray:
+    """(P,) the pairs of blocks that have a joint: the number of one, times all blocks, plus the number of the other."""
+    return np.unique(model.joints.block_a * model.blocks.count + model.joints.block_b)
+
+
+def are_all_joined(pairs: np.ndarray, blocks: Blocks) -> bool:
+    """Whether every two blocks have a joint, so that none can meet another anew."""
+    return 2 * len(pairs) == blocks.count * (blocks.count - 1)
+
+
+def compile_look(model: Model) -> None:
+    """Compile what a look needs, on one block, if the model has blocks that can meet."""
+    if are_all_joined(joined_pairs(model), model.blocks):
+        return
     place, gradient, one = np.zeros((1, 1, 3)), np.zeros((1, 3, 3)), np.zeros(1, dtype=np.int64)
     moved(place, place, np.zeros((1, 3)), gradient)
     overlap_along(place, gradient, one, one, np.array([[0.0, 0.0, 1.0]]))

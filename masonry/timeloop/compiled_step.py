@@ -18,7 +18,7 @@ def compile_for(model: Model, threads: int) -> None:
         advance_model(model, Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
         energy.observe(model)
         if model.large is None:
-            compile_look()
+            compile_look(model)
 
 
 def is_compiled(model: Model, threads: int) -> bool:
