@@ -44,7 +44,7 @@ def press_deforming(near, dt):
         lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, nx, ny, nz))
         stretching, along = nx * lx + ny * ly + nz * lz, nx * ox + ny * oy + nz * oz
         slack, fx = pairs.slack[p], filled(0.0, four())
-        fy = fz = pressed = fx
+        fy = fz = pressed = taken = fx
         xx = xy = xz = yx = yy = yz = zx = zy = zz = filled(0.0, four())
         for k in range(0, count[s], FOUR):
             ax, ay, az = places(frame, other, points.material, s, k)
@@ -60,7 +60,7 @@ def press_deforming(near, dt):
                 *(pairs, points, rules, p, s, k, gap + slack),
                 *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), spin, dt),
             )
-            friction, damped, pressed = friction + slid, damped + lost, pressed + sigma * gap
+            friction, taken, pressed = friction + slid, taken + lost, pressed + sigma * gap
             gx, gy, gz = gx + sigma * nx, gy + sigma * ny, gz + sigma * nz
             fx, fy, fz = fx + gx, fy + gy, fz + gz
             xx, xy, xz = xx + gx * ax, xy + gx * ay, xz + gx * az
@@ -77,6 +77,8 @@ def press_deforming(near, dt):
         foot = -total(pressed)
         add_moments(push, ref, (foot * nx, foot * ny, foot * nz), nx, ny, nz)
         add(push, other, -1.0, force, moments)
+        if pairs.dashpot[p] > 0.0:
+            damped, pairs.damped[p] = damped + taken, pairs.damped[p] + total(taken)
         if slack != 0.0 and force[0] == 0.0 and force[1] == 0.0 and force[2] == 0.0:
             ease(pairs, points, motion, p)
     account[FRICTION] += total(friction)

@@ -57,7 +57,7 @@ def copy_pair(source, p, target, q):
         target.pose[q, i] = source.pose[p, i]
     target.mark[q], target.limit[q], target.reach[q] = source.mark[p], source.limit[p], source.reach[p]
     target.law[q], target.dashpot[q] = source.law[p], source.dashpot[p]
-    target.slack[q], target.gained[q] = source.slack[p], source.gained[p]
+    target.slack[q], target.gained[q], target.damped[q] = source.slack[p], source.gained[p], source.damped[p]
 
 
 @inner
@@ -81,7 +81,7 @@ def merge(pairs, before, points, body, block, search, count):
             pairs.piece[number, 0], pairs.piece[number, 1] = i, j
             pairs.body[number, 0], pairs.body[number, 1] = a, b
             pairs.slot[number], pairs.mark[number], pairs.limit[number] = -1, -FAR, 0.0
-            pairs.slack[number] = pairs.gained[number] = 0.0
+            pairs.slack[number] = pairs.gained[number] = pairs.damped[number] = 0.0
             pairs.law[number], pairs.dashpot[number] = search.law_of[search.group[a], search.group[b], one], 0.0
             for m in range(3):
                 pairs.axis[number, m], pairs.witness[number, m] = 0.0, -1

@@ -20,6 +20,7 @@ class Pairs(NamedTuple):
     law       (P,) row of Rules    dashpot (P,) Pa s/m
     slack     (P,) m, by which its points press less than they overlap, or more (below 0): slack.py
     gained    (P,) J, normal energy that the last look gave or took, until slack.py has settled it; 0 otherwise
+    damped    (P,) J, what its dashpot has dissipated since the two touch, less what it has paid: slack.py
     face      (P, 2) its two faces before that look, -1 for edges
     """
 
@@ -39,6 +40,7 @@ class Pairs(NamedTuple):
     dashpot: np.ndarray
     slack: np.ndarray
     gained: np.ndarray
+    damped: np.ndarray
     face: np.ndarray
 
 
@@ -121,6 +123,7 @@ def no_pairs(room: int) -> Pairs:
         dashpot=np.zeros(room),
         slack=np.zeros(room),
         gained=np.zeros(room),
+        damped=np.zeros(room),
         face=np.full(twice, -1, dtype=np.int64),
         **whole,
     )

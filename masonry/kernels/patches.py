@@ -59,6 +59,7 @@ def press(near, dt):
         wx, wy, wz, along = wx - rx, wy - ry, wz - rz, n[0] * ox + n[1] * oy + n[2] * oz
         slack, fx = pairs.slack[p], filled(0.0, four())
         fy = fz = qx = qy = qz = fx
+        taken = filled(0.0, four())
         for k in range(0, count[s], FOUR):
             ax, ay, az = places(frame, other, points.material, s, k)
             gap = side * (n[0] * ax + n[1] * ay + n[2] * az + along - take(points.level, (s, k), four()))
@@ -67,13 +68,15 @@ def press(near, dt):
             (gx, gy, gz), sigma, slid, lost = respond(
                 pairs, points, rules, p, s, k, gap + slack, d, rate, rate, n, rotation, dt
             )
-            friction, damped = friction + slid, damped + lost
+            friction, taken = friction + slid, taken + lost
             gx, gy, gz = gx + sigma * n[0], gy + sigma * n[1], gz + sigma * n[2]
             fx, fy, fz = fx + gx, fy + gy, fz + gz
             qx, qy, qz = qx + (ay * gz - az * gy), qy + (az * gx - ax * gz), qz + (ax * gy - ay * gx)
         fx, fy, fz, qx, qy, qz = total(fx), total(fy), total(fz), total(qx), total(qy), total(qz)
         add(push, ref, side, fx, fy, fz, qx + (oy * fz - oz * fy), qy + (oz * fx - ox * fz), qz + (ox * fy - oy * fx))
         add(push, other, -side, fx, fy, fz, qx, qy, qz)
+        if pairs.dashpot[p] > 0.0:
+            damped, pairs.damped[p] = damped + taken, pairs.damped[p] + total(taken)
         if slack != 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
             ease(pairs, points, motion, p)
     account[FRICTION] += total(friction)

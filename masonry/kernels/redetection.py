@@ -157,7 +157,7 @@ def let_go(near, p):
     near.account[SHEAR_LOST] += sheared
     near.account[NORMAL_GAINED] -= pressed
     pairs.gained[p] -= pressed
-    pairs.slack[p] = 0.0
+    pairs.slack[p] = pairs.damped[p] = 0.0
     release(points, s)
     pairs.slot[p] = -1
 

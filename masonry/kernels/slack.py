@@ -6,6 +6,10 @@ what falls would come off the ground faster than it came down. Where area goes t
 taken it. So gaps get a slack, the same for all points of the pair, with which the patch holds what it held: above 0 it
 presses less, below 0 more. It is taken back as the blocks part (patches.ease).
 
+Where the dashpot of the pair has dissipated as much, it pays for what the springs gain, and they get no slack: what has
+hit the ground with a corner comes to rest on it as on any spring, and not as deep as it hit. Energy does not grow: the
+work that the dashpot has taken is less, by what it has paid.
+
 A block that slides over a seam takes area from one patch to another: what the first loses pays for what the second
 gains, where they share a face. There the first gets no slack: the two would press unlike each other, which is felt.
 """
@@ -14,7 +18,7 @@ from math import sqrt
 
 from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inner, jit
-from masonry.kernels.patches import NORMAL_GAINED, gap_of, stored
+from masonry.kernels.patches import DASHPOT, NORMAL_GAINED, gap_of, stored
 
 ROUNDS = 60
 """Of Newton's method, at most: six are usual."""
@@ -43,7 +47,10 @@ def settle(near):
     for p in range(pairs.number[0]):
         if pairs.gained[p] > 0.0 or (pairs.gained[p] < 0.0 and is_alone(pairs, near.search.patches, p)):
             holds = stored(pairs, near.points, near.rules, near.motion, p)[0]
-            near.account[NORMAL_GAINED] += hold(near, p, holds - pairs.gained[p]) - holds
+            paid = max(0.0, min(pairs.damped[p], pairs.gained[p]))
+            near.account[NORMAL_GAINED] += hold(near, p, holds - pairs.gained[p] + paid) - holds - paid
+            near.account[DASHPOT] -= paid
+            pairs.damped[p] -= paid
         pairs.gained[p] = 0.0
 
 

@@ -1,10 +1,16 @@
 """Blocks that come fast: they do not pass through what is thin, and what enters deeply at once ends the run; what
 tumbles gets no energy from contacts that are found anew."""
 
+from math import sqrt
+
 import numpy as np
 import pytest
 
+from geometry.polyhedra.measures import bounds
+from masonry import scene
 from masonry.assembly.assemble import assemble
+from masonry.kernels.patches import DASHPOT, NORMAL_GAINED, deepest, stored_energy
+from masonry.kernels.refreshing import refresh
 from masonry.laboratory import laboratory
 from tests.large.made import DENSITY, G, dry, slab
 from tests.scenes import box
@@ -56,3 +62,36 @@ def test_contacts_that_are_found_anew_only_lose_energy():
     assert np.abs(rows["area"]).max() < 1e-12 * work, "what its one patch holds does not change as it gets smaller"
     assert 0.0 < rows["redetection"][-1] < 1e-3 * work
     assert np.abs(rows["imbalance"]).max() < 1e-11 * work
+
+
+@pytest.mark.parametrize("share", [0.0, 0.4, 3.0])
+def test_a_dashpot_pays_for_what_springs_gain_as_a_patch_grows_up_to_what_it_has_taken(share):
+    """A block that presses with half of its face comes to press with all of it, which doubles what its springs hold."""
+    block, depth = box("block", (0.45, -0.05, 0.0), (0.1, 0.1, 0.1), "units", 1), 1e-5
+    model = assemble(dry([slab(1.0), block])).model
+    near, rigid = model.large.near, model.bodies.rigid
+    rigid.q[1, 2] = -depth
+    assert refresh(near) >= 0.0
+    half = 0.5 * 1e10 * 0.005 * depth**2
+    assert stored_energy(near) == pytest.approx(half, rel=1e-9)
+    near.pairs.damped[0], taken = share * half, near.account[DASHPOT]
+    rigid.q[1, 0] -= 0.05
+    near.motion.travel[1] += 0.05
+    assert refresh(near) >= 0.0
+    paid = min(share, 1.0) * half
+    assert stored_energy(near) == pytest.approx(half + paid, rel=1e-9)
+    assert near.pairs.slack[0] == pytest.approx(depth - sqrt((half + paid) / (0.5 * 1e10 * 0.01)), abs=1e-9 * depth)
+    assert near.account[DASHPOT] == pytest.approx(taken - paid, abs=1e-9 * half)
+    assert near.account[NORMAL_GAINED] == pytest.approx(0.0, abs=1e-9 * half)
+    assert near.pairs.damped[0] == pytest.approx(share * half - paid, abs=1e-9 * half)
+
+
+@pytest.mark.slow
+def test_a_pile_of_200_cells_comes_to_rest_and_none_stays_in_another():
+    built = assemble(scene.load("rubble-pile"))
+    rows = laboratory.timeloop.run(built.model, built.plan, built.recording).history.rows
+    low, high = bounds(built.model.blocks)
+    assert rows["time"][-1] < 4.0, "it rests before the scene's end"
+    assert rows["kinetic"][-1] < 1e-6 * rows["external_work"][-1]
+    assert deepest(built.model.large.near, (high - low).min(axis=1)) < 1e-3
+    assert np.abs(rows["imbalance"]).max() < 1e-11 * rows["external_work"][-1]
