@@ -23,7 +23,8 @@ FLOORS = (
         "masonry.kernels",
         "masonry.model",
     ),
-    *("masonry.scene.tables", "masonry.scene", "masonry.monitors"),
+    *("masonry.scene.tables", "masonry.scene"),
+    *("masonry.monitors", "masonry.monitors.collisions"),
     *("masonry.loading.moves", "masonry.loading", "masonry.timeloop"),
     *(
         "masonry.results",

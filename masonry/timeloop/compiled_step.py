@@ -7,7 +7,7 @@ from masonry.kernels.step import advance
 from masonry.loading.scheduled import Chunk
 from masonry.model.model import Model
 from masonry.monitors import energy
-from masonry.monitors.collision import compile_look
+from masonry.monitors.collisions.collision import compile_look
 from masonry.runtime.interrupts import interrupt_afterwards
 from masonry.timeloop.large_motion import advance_large
 

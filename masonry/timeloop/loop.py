@@ -13,23 +13,17 @@ from masonry.loading.adaptive import AdaptiveLoading
 from masonry.loading.cycles import reached
 from masonry.loading.growing import GrowingLoading
 from masonry.loading.scheduled import Chunk, ScheduledLoading
-from masonry.model.large.stable_step import STRETCH
 from masonry.model.model import Model
 from masonry.model.motion import set_off
 from masonry.monitors import energy
-from masonry.monitors.collapse import Collapse, Deformation
-from masonry.monitors.collision import Collision
 from masonry.monitors.frames import Frames
-from masonry.monitors.mode_2_area import LawArea
 from masonry.monitors.observer import Observer, View
-from masonry.monitors.openings import Openings
-from masonry.monitors.reactions import Standing, WorkOfLoads
-from masonry.monitors.settling import Settling
-from masonry.monitors.slide import Slide
+from masonry.monitors.reactions import Standing
 from masonry.monitors.stability import Watch
 from masonry.runtime.state import State, attributes, load_attributes
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import advance_model
+from masonry.timeloop.observers import observers_of
 from masonry.timeloop.recording import Outcome, Recording
 from masonry.timeloop.retirement import retire
 
@@ -63,13 +57,7 @@ class Loop:
         self.rows: Columns = {key: [] for key in (*UNITS, *large, *loading.columns(), *gauges)}
         self.observed: Columns = {}
         self.watch = Watch(model, recording.rotation_limit)
-        self.observers: dict[str, Observer] = {  # those that may end the run first: others see only rows that are kept
-            "watch": self.watch,
-            **(small_limits(model, recording) if model.large is None else large_looks(model)),
-            "settling": Settling(),
-            "law_area": LawArea(model),
-            "work_of_loads": WorkOfLoads(recording.surroundings),
-        }
+        self.observers: dict[str, Observer] = {"watch": self.watch, **observers_of(model, recording)}
         self.loads_along = recording.surroundings.along(model.layout, recording.axis)
         self.camera = Frames(model)
         self.frames: list[Frame] = []
@@ -281,19 +269,3 @@ def append(columns: Columns, row: dict[str, float]) -> None:
 
 def _kept(kept: Frame | Standing) -> State:
     return {entry.name: getattr(kept, entry.name) for entry in fields(kept)}
-
-
-def large_looks(model: Model) -> dict[str, Observer]:
-    """What is looked at where blocks turn, fall and deform as far as they like."""
-    assert model.large is not None
-    deforms = {} if model.large.members is None else {"deformation": Deformation(STRETCH)}
-    return {"collapse": Collapse(model), **deforms}
-
-
-def small_limits(model: Model, recording: Recording) -> dict[str, Observer]:
-    """What ends a run, or is doubted, where contacts stay those of the undeformed shape."""
-    return {
-        "slide": Slide(model, recording.slip_limit),
-        "collision": Collision(model, recording.sets),
-        "openings": Openings(model),
-    }

@@ -13,8 +13,8 @@ from masonry.assembly.assemble import assemble
 from masonry.cli.main import main
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
-from masonry.monitors.collision import Collision, overlap_along
-from masonry.monitors.corners import Corners
+from masonry.monitors.collisions.collision import Collision, overlap_along
+from masonry.monitors.collisions.corners import Corners
 from masonry.monitors.energy import Seen
 from masonry.monitors.observer import View
 from masonry.results.trust import trust

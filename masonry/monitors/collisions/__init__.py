@@ -1,0 +1,1 @@
+"""Blocks without a joint that meet in small displacement."""

@@ -1,0 +1,39 @@
+"""What observes a run at its rows, by the names under which a checkpoint keeps it."""
+
+from masonry.model.large.stable_step import STRETCH
+from masonry.model.model import Model
+from masonry.monitors.collapse import Collapse, Deformation
+from masonry.monitors.collisions.collision import Collision
+from masonry.monitors.mode_2_area import LawArea
+from masonry.monitors.observer import Observer
+from masonry.monitors.openings import Openings
+from masonry.monitors.reactions import WorkOfLoads
+from masonry.monitors.settling import Settling
+from masonry.monitors.slide import Slide
+from masonry.timeloop.recording import Recording
+
+
+def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
+    """All observers of a run but the watch; those that may end it first, as others see only rows that are kept."""
+    return {
+        **(small_limits(model, recording) if model.large is None else large_looks(model)),
+        "settling": Settling(),
+        "law_area": LawArea(model),
+        "work_of_loads": WorkOfLoads(recording.surroundings),
+    }
+
+
+def large_looks(model: Model) -> dict[str, Observer]:
+    """What is looked at where blocks turn, fall and deform as far as they like."""
+    assert model.large is not None
+    deforms = {} if model.large.members is None else {"deformation": Deformation(STRETCH)}
+    return {"collapse": Collapse(model), **deforms}
+
+
+def small_limits(model: Model, recording: Recording) -> dict[str, Observer]:
+    """What ends a run, or is doubted, where contacts stay those of the undeformed shape."""
+    return {
+        "slide": Slide(model, recording.slip_limit),
+        "collision": Collision(model, recording.sets),
+        "openings": Openings(model),
+    }
