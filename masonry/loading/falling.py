@@ -106,9 +106,10 @@ class Falling:
         """Whether the gauge can be led on from a rest, at a factor that was borne; how it has fallen since, at one that
         was not, is the mechanism. The specimen has then to be put back."""
         mechanism = moved_since(self.model, rested)
-        self.start = self.gauge.along(kept_dofs(self.model, rested))
+        frame = rested["rigid.frame"] if self.gauge.turns(self.model) else None
+        self.start = self.gauge.reading(kept_dofs(self.model, rested), frame)
         self.sense = float(np.sign(self.until - self.start))
-        moves = self.sense * self.gauge.along(mechanism)
+        moves = self.sense * (self.gauge.read(self.model) - self.start)
         far = max(reach(one[:, :3]) for one in mechanism.values())
         self.gain = moves * self.pushed(mechanism, stands) / max(self.inertia(mechanism), 1e-300)
         if stands <= 0.0:

@@ -25,18 +25,36 @@ class Place:
 
 @dataclass(frozen=True)
 class Gauge:
-    """Name, and per kind of motion the rows, columns and weights of the dofs that add up to the reading."""
+    """Name, and per kind of motion the rows, columns and weights of the dofs that add up to the reading.
+
+    row, arm  (n,), (n, 3) m: of points of rigid blocks, the block, and the place from its centroid times its weight
+    axis      along which displacements are taken
+    """
 
     name: str
     terms: dict[str, tuple[np.ndarray, np.ndarray, np.ndarray]]
+    row: np.ndarray
+    arm: np.ndarray
+    axis: int
 
     def read(self, model: Model) -> float:
         """m, now."""
         kinds = [(kind, model.u if kind == "tets" else model.bodies[KINDS.index(kind)].q) for kind in self.terms]
-        return self.along(dict(kinds))
+        return self.reading(dict(kinds), model.bodies.rigid.frame if self.turns(model) else None)
+
+    def turns(self, model: Model) -> bool:
+        """Whether it looks at rigid blocks that turn as far as they like."""
+        return model.large is not None and len(self.row) > 0
+
+    def reading(self, moved: dict[str, np.ndarray], frame: np.ndarray | None = None) -> float:
+        """m, for dofs (rows, n) by kind of motion; frame (B, 3, 3): rotations of rigid blocks, where they are large."""
+        if frame is None:
+            return self.along(moved)
+        turned = float(np.einsum("nj,nj->", frame[self.row, self.axis] - np.eye(3)[self.axis], self.arm))
+        return turned + self.along(moved | {"rigid": np.where(np.arange(6) < 3, moved["rigid"], 0.0)})
 
     def along(self, moved: dict[str, np.ndarray]) -> float:
-        """m, for dofs (rows, n) by kind of motion."""
+        """m, for small changes of the dofs (rows, n) by kind of motion."""
         reading = 0.0
         for kind, (row, column, weight) in self.terms.items():
             reading += float(weight @ moved[kind][row, column])
@@ -52,21 +70,28 @@ def gauge(name: str, layout: Layout, at: Place, relative_to: Place | None, axis:
         row, column, weight = (np.concatenate([entry[k] for entry in found]) for k in range(3))
         if len(row):
             terms[kind] = row.astype(np.int64), column.astype(np.int64), weight
-    return Gauge(name, terms)
+    arms = [_arms(layout, "rigid", place, factor) for place, factor in parts]
+    block, arm, fraction = (np.concatenate([entry[k] for entry in arms]) for k in range(3))
+    return Gauge(name, terms, layout.local[block], fraction[:, None] * arm, axis)
+
+
+def _arms(layout: Layout, kind: str, place: Place, factor: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Blocks (n,) of one kind, places (n, 3) m from their centroids, and weights (n,) of the points of one place."""
+    own = np.flatnonzero(layout.kind[place.block] == KINDS.index(kind))
+    block = place.block[own]
+    return block, place.point[own] - layout.centroid[block], factor * place.fraction[own]
 
 
 def _terms(layout: Layout, kind: str, place: Place, axis: int, factor: float) -> tuple[np.ndarray, ...]:
     """Rows, columns and weights of one place in the dofs of one kind: u = t + turn x arm, or u = t + H arm."""
     if kind == "tets":
         return place.node, np.full(len(place.node), axis), factor * place.node_fraction
-    own = np.flatnonzero(layout.kind[place.block] == KINDS.index(kind))
-    block, fraction = place.block[own], factor * place.fraction[own]
-    arm = place.point[own] - layout.centroid[block]
+    block, arm, fraction = _arms(layout, kind, place, factor)
     if kind == "rigid":
         arm = np.cross(arm, np.eye(3)[axis])
     local_arm = np.einsum("nij,ni->nj", layout.axes[block], arm)
     first = 3 if kind == "rigid" else 3 + 3 * axis
     row = np.repeat(layout.local[block], 4)
-    column = np.tile([axis, first, first + 1, first + 2], len(own))
-    weight = fraction[:, None] * np.column_stack([np.ones(len(own)), local_arm])
+    column = np.tile([axis, first, first + 1, first + 2], len(block))
+    weight = fraction[:, None] * np.column_stack([np.ones(len(block)), local_arm])
     return row, column, weight.ravel()

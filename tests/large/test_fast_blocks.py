@@ -95,3 +95,14 @@ def test_a_pile_of_200_cells_comes_to_rest_and_none_stays_in_another():
     assert rows["kinetic"][-1] < 1e-6 * rows["external_work"][-1]
     assert deepest(built.model.large.near, (high - low).min(axis=1)) < 1e-3
     assert np.abs(rows["imbalance"]).max() < 1e-11 * rows["external_work"][-1]
+
+
+def test_gauges_follow_the_points_of_a_block_that_turns_by_a_right_angle():
+    spin, corner = '[[motion]]\non = "brick"\nspin = [0, 0, "5 rad/s"]\n', {"x": 0.1, "y": 0.05, "z": 1.03}
+    at = ", ".join(f'{axis} = "{value} m"' for axis, value in corner.items())
+    places = {"x of corner": (f"{{{at}}}", "x"), "y of corner": (f"{{{at}}}", "y"), "y of face": ('"brick.x+"', "y")}
+    gauges = "".join(f'[[gauge]]\nname = "{n}"\nat = {a}\ndirection = "{d}"\n' for n, (a, d) in places.items())
+    brick = box("brick", (-0.1, -0.05, 1.0), (0.2, 0.1, 0.06), "units", 1)
+    rows = laboratory.run(dry([slab(2.0), brick], duration=0.1 * np.pi, more=spin + gauges)).history.rows
+    found = [rows[name][-1] for name in places]
+    assert found == pytest.approx([-0.05 - 0.1, 0.1 - 0.05, 0.1], abs=1e-4 * 0.2)
