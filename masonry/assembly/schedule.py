@@ -62,7 +62,7 @@ def plan_of(scene: Scene, dt: float) -> Plan:
     if scene.motion and plan.settle:
         plan = replace(plan, marks=np.union1d(plan.marks, [plan.settle]))
     if scene.solver.duration is not None:
-        if not (np.isfinite(dt) or scene.is_large):
+        if not np.isfinite(dt):
             raise SceneError("solver.time_step: nothing here limits the time step; give one, for example '1e-5 s'")
         plan = _going_on(plan, ceil(min(scene.solver.duration / dt, 1e18)), dt)
     if scene.has_dead_loads and plan.settle == 0:  # the first half step of them is in the velocities: motion.begin
