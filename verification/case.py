@@ -14,9 +14,11 @@ KINDS = ("closed form", "limit analysis", "same discretisation", "refined model"
 """What a reference can be; an experiment is validation, not verification, and is not among them."""
 BOUND = "bound"
 """The kind of a check that the value is no larger than its reference: it holds or not, and is never near or loose."""
-ROUNDING = 1e-14
 LOOSE = 100.0
 """A check that passes with this factor to spare has a tolerance that would let a mistake through."""
+REST = 1e-8
+"""Of what rounding, and the motion that is left at rest, decide: they differ from processor to processor, so that a
+tolerance as tight as this may be passed by any factor."""
 SPREAD = 10.0
 """How many times the expected error a tolerance may be; what rounding alone decides, up to ROUNDS, may be more."""
 ROUNDS = 1e-11
@@ -81,8 +83,8 @@ class Check:
 
     @property
     def too_loose(self) -> bool:
-        """Passes by more than LOOSE times; what rounding alone decides is not asked for more."""
-        return not self.is_bound and self.holds and self.tolerance > LOOSE * max(abs(self.error), ROUNDING)
+        """Passes by more than LOOSE times; what rounding or rest decide is not asked for more."""
+        return not self.is_bound and self.holds and self.tolerance > max(LOOSE * abs(self.error), REST)
 
     @property
     def ill_set(self) -> bool:

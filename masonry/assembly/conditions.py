@@ -61,6 +61,8 @@ def conditions_of(
             conditions.varying.append(load)
     if scene.gravity is not None:
         density = density_of(blocks, materials)
+        if scene.floor is not None:  # it is where a specimen falls, and weighs nothing: its reaction is what it bears
+            density[specimen.sets[FLOOR]] = 0.0
         for name, (acceleration, path) in scene.gravity.parts.items():
             weight: dict[str, np.ndarray | None] = dict.fromkeys(KINDS)
             loads.add_gravity(layout, weight, density, acceleration)

@@ -87,7 +87,7 @@ def in_layers(scene: Scene, plan: Plan) -> dict[str, Any]:
 def _going_on(plan: Program, steps: int, dt: float) -> Program:
     """A plan that ends so many steps after the settling, if it would end before: all loads stay, the drive rests."""
     more = plan.settle + steps - plan.steps
-    require_few(plan.settle + steps, dt)
+    require_few(plan.settle + steps, dt, "solver.duration", "shorten it, or make the contacts softer")
     if more <= 0:
         return plan
     varying = None if plan.varying is None else np.pad(plan.varying, ((0, 0), (0, more)), mode="edge")

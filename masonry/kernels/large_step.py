@@ -35,9 +35,10 @@ def advance(
         n = first + k
         if members is not None:
             gather_velocities(near.motion, members, rigid, affine, tets)
-        spare -= 2.0 * count_travel(near.motion, dt, near.motion.strain)
+        step = 2.0 * count_travel(near.motion, dt, near.motion.strain)
+        spare -= step
         if spare <= 0.0:
-            spare = refresh(near)
+            spare = refresh(near, step)
         if spare < 0.0:
             return k
         update_positions(None, rigid, dt, bonds.u)

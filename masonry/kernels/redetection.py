@@ -241,12 +241,15 @@ def remember(pairs, points, motion, search, p):
 
 @inner
 def set_dashpot(pairs, rules, search, p, area):
-    """The dashpot of a patch (Pa s/m): its fraction of the critical damping of the two masses on the whole patch.
+    """The dashpot of a patch (Pa s/m): its fraction of the critical damping of the two masses on the whole patch, or of
+    the mass that moves where the other block is held.
 
     Patches of a mesh are parts of a face, and the smaller the finer it is: there the masses behind its area count.
     """
     damping_ratio, kn = rules.dashpot[pairs.law[p]], rules.normal_stiffness[pairs.law[p]]
     pairs.dashpot[p] = 0.0
     if damping_ratio > 0.0 and area > 0.0:
-        a, b = search.mass[pairs.body[p, 0]], search.mass[pairs.body[p, 1]]
-        pairs.dashpot[p] = 2.0 * damping_ratio * sqrt(kn * (a * b / (a + b)) / (1.0 if search.meshed else area))
+        a, b = pairs.body[p, 0], pairs.body[p, 1]
+        one, two = search.mass[a], search.mass[b]
+        hit = one * two / (one + two) if search.moves[a] and search.moves[b] else (one if search.moves[a] else two)
+        pairs.dashpot[p] = 2.0 * damping_ratio * sqrt(kn * hit / (1.0 if search.meshed else area))

@@ -2,8 +2,8 @@
 
 A block's travel bounds how far any of its points has moved. A pair is looked at again when the travel of its two blocks
 exceeds a limit: 1 % of the patch, or what keeps them apart; unless they moved together. All pairs are found anew when
-the two largest travels since the last search exceed the skin. Where nothing is near its limit, as in a wall that
-stands, no pair is asked for many steps.
+the two largest travels since the last search exceed the skin, which is as wide as two blocks travel in a step. Where
+nothing is near its limit, as in a wall that stands, no pair is asked for many steps.
 """
 
 from math import sqrt
@@ -22,15 +22,16 @@ ALMOST = 0.999
 
 
 @jit
-def refresh(near):
-    """Look at all pairs that the travel so far may have changed.
+def refresh(near, step=0.0):
+    """Look at all pairs that the travel so far may have changed; step (m): what two blocks travel at most in this step.
 
     Returns how far (m) any two blocks may travel, together, until that is to be asked again; below 0 where the step
     cannot be taken.
     """
     search, pairs, travel = near.search, near.pairs, near.motion.travel
+    widened = widen(search, step)
     spare, looked = search.skin[0] - farthest(travel, search.built), False
-    if spare < 0.0:
+    if widened or spare < 0.0:
         if not find_pairs(near):
             return -1.0
         spare = search.skin[0]
@@ -49,6 +50,19 @@ def refresh(near):
         return -1.0
     settle(near)
     return 0.0
+
+
+@inner
+def widen(search, step):
+    """Make the skin as wide as two blocks travel in one step, as what is farther is not looked for; whether it grew.
+    It is no wider than the largest block, at whose size a run is stopped."""
+    if step <= search.skin[0]:
+        return False
+    before = widest = search.skin[0]
+    for b in range(len(search.deep)):
+        widest = max(widest, 10.0 * search.deep[b])
+    search.skin[0] = min(step, widest)
+    return search.skin[0] > before
 
 
 @inner

@@ -112,7 +112,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "reactions": _reactions(assembly, outcome),
         "force_balance": open_by(standings, size),
         "motion_at_end": moved_by(outcome.standing["end"], standings, size) if "end" in outcome.standing else 0.0,
-        "work_of_drive_j": float(rows["external_work"][-1] - rows["external_work"][begun] - after_settling.sum()),
+        "work_of_drive_j": 0.0
+        if scene.drive is None
+        else float(rows["external_work"][-1] - rows["external_work"][begun] - after_settling.sum()),
         "work_of_loads_j": _work_of_loads(assembly, work_of_loads),
         "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),
         "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and dynamic.any() else 0.0,

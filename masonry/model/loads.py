@@ -266,12 +266,12 @@ def rise(settle: int, steps: int) -> np.ndarray:
     return smooth(np.arange(steps + 1) / (0.5 * settle)) if settle else np.zeros(steps + 1)
 
 
-def require_few(steps: float, dt: float) -> None:
-    """SceneError where a program would take more steps than anybody waits for."""
+def require_few(steps: float, dt: float, where: str = "drive", advice: str = "") -> None:
+    """SceneError where a program, that of a key of the scene, would take more steps than anybody waits for."""
     if steps > MOST_STEPS:
         raise SceneError(
-            f"drive: this would take {steps:.2g} steps of {dt:.3g} s; at most {MOST_STEPS:.0e} are allowed: "
-            "raise drive.rate, or give drive.steps"
+            f"{where}: this would take {steps:.2g} steps of {dt:.3g} s; at most {MOST_STEPS:.0e} are allowed: "
+            f"{advice or 'raise drive.rate, or give drive.steps'}"
         )
 
 

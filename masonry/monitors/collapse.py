@@ -39,7 +39,7 @@ class Collapse(Observer):
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         if self.block < 0:
-            drop = np.zeros(len(self.width))
+            drop, carried = np.zeros(len(self.width)), 0.0
             for kind, body in present(model):
                 if body.load is not None:
                     weight, moved = body.load[:, :3], model.u[: len(body.v)] if kind == "tets" else body.q[:, :3]
@@ -47,7 +47,10 @@ class Collapse(Observer):
                         weight, moved = self._of_nodes(model, weight), self._of_nodes(model, moved, mean=True)
                     down = weight / np.maximum(np.linalg.norm(weight, axis=1), 1e-300)[:, None]
                     drop[model.layout.members[kind]] = np.einsum("bi,bi->b", down, moved)
-            drop = np.where(self.free, drop / self.width, 0.0)
+                    if kind != "tets":  # what a drive or a support lets down, and what stands on it, has not fallen
+                        led = np.where(body.dt_over_mass[:, :3] == 0.0, down * moved, 0.0).sum(axis=1)
+                        carried = max(carried, float(led.max(initial=0.0)))
+            drop = np.where(self.free, (drop - carried) / self.width, 0.0)
             if drop.max(initial=0.0) > DROPPED:
                 self.block, self.step = int(drop.argmax()), step
                 self.energies = {key: value for key, value in view.terms.items() if key != "imbalance"}

@@ -12,8 +12,9 @@ from masonry.monitors.observer import Observer, View
 from masonry.monitors.snap_back import SnapBack
 from masonry.runtime.state import State
 
-LEAP = 1e-2
-"""A dof that moves by more than this share of the smallest block in one step is not a motion but an instability."""
+LEAP, LARGE_LEAP = 1e-2, 1e-1
+"""A dof that moves by more than this share of the smallest block in one step is not a motion but an instability; in
+large displacement it may be one, but what it meets is not told well."""
 RINGING = 100.0
 """Kinetic energy above this multiple of the external work is an instability: a stable step at 0.99 keeps below 50."""
 TORN_LEDGER = 0.2
@@ -31,6 +32,7 @@ class Watch(Observer):
         self.rotation = 0.0
         self.work = 0.0
         self.size = smallest_block(model)
+        self.leap = (LEAP if model.large is None else LARGE_LEAP) * self.size
         self.arm = np.array([1.0] * 3 + [self.size] * 9)
         self.affine = model.layout.members["affine"]
         self.tet_rotation = np.zeros((len(model.layout.members["tets"]), 3))
@@ -41,7 +43,7 @@ class Watch(Observer):
         for body in self.model.bodies:
             if body is not None:
                 speed = float((np.abs(body.v) * self.arm[: body.v.shape[1]]).max())
-                if not speed * self.model.dt <= LEAP * self.size:  # nor is it where a velocity is not a number
+                if not speed * self.model.dt <= self.leap:  # nor is it where a velocity is not a number
                     self._stop_unstable(step)
         self._check_rotation(step)
         self.snap_back.check(step)
@@ -84,7 +86,13 @@ class Watch(Observer):
             f"The time step is {model.dt:.4g} s; the proven bound is {model.bound:.4g} s (limited by "
             f'{model.limited_by}). Use time_step = "gershgorin" with step_fraction <= 1'
         )
-        if model.dt <= model.bound:
+        if model.dt <= model.bound and model.large is not None:
+            why = (
+                f"In large displacement nothing may move by more than {LARGE_LEAP:g} of the smallest block "
+                f"({self.size:.3g} m) in one step ({model.dt:.3g} s), that is {self.leap / model.dt:.4g} m/s. Where it "
+                "is to be as fast, take a smaller solver.time_step; where not, a velocity or a load is too large"
+            )
+        elif model.dt <= model.bound:
             why = (
                 "The time step is within its proven bound, so the drive is too fast (take more steps or a lower rate), "
                 "a load too large, or a contact too soft for this specimen"

@@ -18,8 +18,11 @@ PACED = 2.5
 """Limit of what damping takes of the work of a load that goes to and fro, over the accuracy: its pace aims at less."""
 TAKEN = 0.02
 """Share by which a contact may take more energy of mode II than the area under its law's curve."""
-ANEW = 0.01
-"""Share of the external work that contacts may gain or lose as they are found anew, in large displacement."""
+ANEW, MOST = 0.01, 1e6
+"""Share of the external work that contacts may gain or lose as they are found anew, in large displacement; and the
+largest one that is told."""
+BRAKED = 0.01
+"""Share of the external work that local damping may take from a motion in real time."""
 SLID = 0.2
 """Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
 SWAYED = 0.5
@@ -45,7 +48,7 @@ def trust(summary: dict[str, Any]) -> str:
     if mismatch > DISSIPATION:
         doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
     dynamic, grown = bool(summary.get("in_real_time")), summary.get("collapse_load")
-    doubts += [] if dynamic else not_at_rest(summary)
+    doubts += slowed(summary) if dynamic else not_at_rest(summary)
     if grown and not (summary.get("interrupted") and grown["falls"] is None):
         doubts += not_enclosed(grown) + not_led(grown)
     if (summary.get("force_balance") or 0.0) > IMBALANCE:
@@ -115,7 +118,20 @@ def found_anew(summary: dict[str, Any]) -> float:
     """What re-detection lost and changes of area gained or took, over the external work."""
     energies = summary.get("energy_j") or {}
     work = abs(energies.get("external_work") or 0.0)
-    return (abs(energies.get("area") or 0.0) + abs(energies.get("redetection") or 0.0)) / work if work > 0.0 else 0.0
+    changed = abs(energies.get("area") or 0.0) + abs(energies.get("redetection") or 0.0)
+    return min(changed / work, MOST) if work > 0.0 else 0.0
+
+
+def slowed(summary: dict[str, Any]) -> list[str]:
+    """What local damping took from a motion in real time."""
+    energies = summary.get("energy_j") or {}
+    work, taken = (abs(energies.get(key) or 0.0) for key in ("external_work", "damping"))
+    if taken <= BRAKED * work:
+        return []
+    return [
+        f"local damping took {percent(taken / work)} of the work: what moves in real time is slower than it should be; "
+        "set solver.damping = 0"
+    ]
 
 
 def not_at_rest(summary: dict[str, Any]) -> list[str]:

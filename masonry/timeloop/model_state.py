@@ -47,6 +47,7 @@ def large_arrays(model: Model) -> dict[str, np.ndarray | None]:
     found |= {"apart": large.bonds.apart, "bond_u": large.bonds.u, "bond_force": large.bonds.force}
     found |= {"area": model.contacts.area, "alive": large.bonds.alive}
     found |= {"travel": near.motion.travel, "built": near.search.built, "flag": near.search.flag}
+    found |= {"skin": near.search.skin}
     return found | {f"{name}.{k}": array for name in ("pairs", "points") for k, array in enumerate(parts[name])}
 
 

@@ -9,6 +9,7 @@ import pytest
 from geometry.polyhedra.measures import bounds
 from masonry import scene
 from masonry.assembly.assemble import assemble
+from masonry.errors import SceneError
 from masonry.kernels.patches import DASHPOT, NORMAL_GAINED, deepest, stored_energy
 from masonry.kernels.refreshing import refresh
 from masonry.laboratory import laboratory
@@ -106,3 +107,51 @@ def test_gauges_follow_the_points_of_a_block_that_turns_by_a_right_angle():
     rows = laboratory.run(dry([slab(2.0), brick], duration=0.1 * np.pi, more=spin + gauges)).history.rows
     found = [rows[name][-1] for name in places]
     assert found == pytest.approx([-0.05 - 0.1, 0.1 - 0.05, 0.1], abs=1e-4 * 0.2)
+
+
+def thrown(velocity: str, gap: float, size: float = 2.0, more: str = "", duration: float = 0.1):
+    """Rows of a cube of 0.1 m that is thrown from a gap (m) above the slab."""
+    cube = box("cube", (-0.05, -0.05, gap), (0.1, 0.1, 0.1), "units", 1)
+    motion = f'[[motion]]\non = "cube"\nvelocity = {velocity}\n[[gauge]]\nname = "x"\nat = "cube"\ndirection = "x"\n'
+    result = laboratory.run(dry([slab(size), cube], duration=duration, more=f"{more}\n{motion}"))
+    return result.history.rows, result.summary
+
+
+def test_a_block_may_fly_faster_than_a_hundredth_of_its_size_in_a_step():
+    rows, summary = thrown('["100 m/s", 0, "1 m/s"]', 0.5, duration=0.2)
+    assert 100.0 * summary["time_step_s"] > 0.01 * 0.1
+    assert not summary["stopped"]
+    assert rows["x"][-1] == pytest.approx(100.0 * rows["time"][-1], rel=1e-9)
+
+
+def test_how_far_neighbours_are_looked_for_changes_no_bit_of_an_impact():
+    first, *others = (thrown('[0, 0, "-20 m/s"]', 0.1, more=f"skin = {skin}")[0] for skin in (0.02, 1e-4, 0.1))
+    assert first["dashpot"][-1] > 1.0
+    for other in others:
+        assert all(np.array_equal(first[name], other[name]) for name in first)
+
+
+def test_how_heavy_a_held_block_is_changes_nothing_of_what_hits_it():
+    small, large = (thrown('[0, 0, "-2 m/s"]', 0.01, size)[0] for size in (0.12, 4.0))
+    assert small["kinetic"][-1] == pytest.approx(large["kinetic"][-1], rel=1e-9)
+    assert small["kinetic"][-1] < 0.5 * large["kinetic"][0]
+
+
+def test_a_floor_bears_the_weight_of_the_specimen_and_none_of_its_own():
+    shipped = scene.load("block-rocking", {"solver.duration": "0.01 s"})
+    result, weight = laboratory.run(shipped), float(assemble(shipped).model.masses["rigid"][0, 0]) * G
+    assert result.summary["reactions"]["end"]["gravity"]["force_n"][2] == pytest.approx(-weight, rel=1e-9)
+
+
+def test_what_stands_on_a_plate_that_a_drive_lets_down_has_not_fallen():
+    lowered = '[drive]\non = "slab"\ndirection = "-z"\ndisplacement = "0.3 m"\nrate = "0.5 m/s"\n'
+    held = ('on = "slab"\nfix = ["x", "y", "rotation"]',)
+    cube = box("cube", (-0.05, -0.05, 0.0), (0.1, 0.1, 0.1), "units", 1)
+    result = laboratory.run(dry([slab(1.0), cube], duration=0.7, supports=held, more=lowered))
+    assert result.history.rows["displacement"][-1] == pytest.approx(0.3)
+    assert result.summary["collapse"] is None
+
+
+def test_a_specimen_that_touches_nothing_is_asked_for_a_time_step():
+    with pytest.raises(SceneError, match="solver.time_step: nothing here limits the time step; give one"):
+        assemble(dry([box("cube", (0.0, 0.0, 0.0), (0.1, 0.1, 0.1), "units", 0)], supports=()))

@@ -59,12 +59,12 @@ def test_the_balance_closes_at_every_row_and_a_plane_rotor_loses_nothing():
 
 def test_what_contacts_take_up_is_known_and_what_is_not_falls_with_the_step():
     left = []
-    for fraction in (0.8, 0.4):
+    for fraction in (0.8, 0.2):
         rows, _ = rocking(fraction)
         terms = [{key: values[row] for key, values in rows.items()} for row in range(len(rows["time"]))]
         left.append(max(abs(open_in_contacts(term)) for term in terms) / np.abs(rows["external_work"]).max())
     assert left[0] < 1e-4
-    assert left[1] < 0.5 * left[0]
+    assert left[1] < 0.3 * left[0], "of first order, as impacts are"
 
 
 def test_two_steps_agree_on_what_dashpots_dissipate():
