@@ -88,6 +88,11 @@ def _going_on(plan: Program, steps: int, dt: float) -> Program:
     """A plan that ends so many steps after the settling, if it would end before: all loads stay, the drive rests."""
     more = plan.settle + steps - plan.steps
     require_few(plan.settle + steps, dt, "solver.duration", "shorten it, or make the contacts softer")
+    if more < -2:  # counts are rounded up
+        raise SceneError(
+            f"solver.duration: the drive and the histories of the scene take {(plan.steps - plan.settle) * dt:.6g} s "
+            f"after the settling, longer than {steps * dt:.6g} s: no run ends before them"
+        )
     if more <= 0:
         return plan
     varying = None if plan.varying is None else np.pad(plan.varying, ((0, 0), (0, more)), mode="edge")

@@ -18,9 +18,8 @@ PACED = 2.5
 """Limit of what damping takes of the work of a load that goes to and fro, over the accuracy: its pace aims at less."""
 TAKEN = 0.02
 """Share by which a contact may take more energy of mode II than the area under its law's curve."""
-ANEW, MOST = 0.01, 1e6
-"""Share of the external work that contacts may gain or lose as they are found anew, in large displacement; and the
-largest one that is told."""
+ANEW = 0.01
+"""Share of the external work that contacts may gain or lose as they are found anew, in large displacement."""
 BRAKED = 0.01
 """Share of the external work that local damping may take from a motion in real time."""
 SLID = 0.2
@@ -47,6 +46,7 @@ def trust(summary: dict[str, Any]) -> str:
     mismatch = summary.get("dissipation_mismatch") or 0.0
     if mismatch > DISSIPATION:
         doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
+    doubts += no_numbers(summary)
     dynamic, grown = bool(summary.get("in_real_time")), summary.get("collapse_load")
     doubts += slowed(summary) if dynamic else not_at_rest(summary)
     if grown and not (summary.get("interrupted") and grown["falls"] is None):
@@ -119,7 +119,14 @@ def found_anew(summary: dict[str, Any]) -> float:
     energies = summary.get("energy_j") or {}
     work = abs(energies.get("external_work") or 0.0)
     changed = abs(energies.get("area") or 0.0) + abs(energies.get("redetection") or 0.0)
-    return min(changed / work, MOST) if work > 0.0 else 0.0
+    return changed / work if work > 0.0 and math.isfinite(changed) else 0.0
+
+
+def no_numbers(summary: dict[str, Any]) -> list[str]:
+    """What is said of energies that are no numbers: beyond what floating point holds; None in a file."""
+    energies = (summary.get("energy_j") or {}).items()
+    lost = [name.replace("_", " ") for name, value in energies if value is None or not math.isfinite(value)]
+    return [f"there is no number of this energy: {', '.join(lost)}; look for a stiffness near 0"] if lost else []
 
 
 def slowed(summary: dict[str, Any]) -> list[str]:

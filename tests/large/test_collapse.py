@@ -48,6 +48,7 @@ def test_a_run_in_real_time_with_a_clean_ledger_is_trusted_and_an_open_one_is_no
         ("dissipation_mismatch", 0.1, "laws and contacts disagree"),
         ("overlap_max", 0.1, "normal stiffness is too low"),
         ("energy_j", {**tilted().summary["energy_j"], "damping": 1e3}, "set solver.damping = 0"),
+        ("energy_j", {**tilted().summary["energy_j"], "friction": None}, "no number of this energy: friction"),
     ):
         assert words in trust({**good, key: bad})
 

@@ -147,7 +147,7 @@ def test_what_stands_on_a_plate_that_a_drive_lets_down_has_not_fallen():
     lowered = '[drive]\non = "slab"\ndirection = "-z"\ndisplacement = "0.3 m"\nrate = "0.5 m/s"\n'
     held = ('on = "slab"\nfix = ["x", "y", "rotation"]',)
     cube = box("cube", (-0.05, -0.05, 0.0), (0.1, 0.1, 0.1), "units", 1)
-    result = laboratory.run(dry([slab(1.0), cube], duration=0.7, supports=held, more=lowered))
+    result = laboratory.run(dry([slab(1.0), cube], duration=0.8, supports=held, more=lowered))
     assert result.history.rows["displacement"][-1] == pytest.approx(0.3)
     assert result.summary["collapse"] is None
 
