@@ -200,7 +200,10 @@ def compiled(assembly: Assembly) -> list[str]:
     """What the step does contain."""
     m = assembly.model
     names = [f"{len(v)} {k} blocks" for k, v in m.layout.members.items() if len(v)]
-    laws = [f"{n}: {word_of(s)} law" for n, s in zip(m.group_names, m.groups.parameters, strict=True)]
+    laws = []
+    for g, (name, parameters) in enumerate(zip(m.group_names, m.groups.parameters, strict=True)):
+        patches = m.large is not None and g not in m.large.bonded
+        laws.append(f"{name}: {'friction in patches, found anew' if patches else f'{word_of(parameters)} law'}")
     return [*names, *laws, damping_text(m.damping), "energy ledger"]
 
 

@@ -99,11 +99,14 @@ class Loop:
             progress(now, whole, f"step {self.done}, {self.state_of_the_run()}")
 
     def state_of_the_run(self) -> str:
-        """In a few words: how far the loads have settled; then the stress at the drive, or the factor of a load."""
+        """In a few words: how far the loads have settled; then the stress at the drive, or the factor of a load; where
+        nothing is driven, the energy of motion."""
         if self.done <= self.settle:
             return f"{self.observed['unbalanced'][-1]:.2g} of the dead loads unbalanced"
         if FACTOR in self.rows:
             return f"load factor {self.rows[FACTOR][-1]:.4g}"
+        if not self.place and not self.rows["stress"][-1]:
+            return f"kinetic energy {self.rows['kinetic'][-1]:.3g} J"
         return f"stress {self.rows['stress'][-1] / 1e6:.3f} MPa"
 
     def take_steps(self, done: int, chunk: Chunk) -> list[np.ndarray]:
