@@ -9,6 +9,7 @@ from geometry.joints.find import find_joints, stated_joints
 from geometry.joints.point_density import Density
 from geometry.meshes.fan_tets import within
 from geometry.polyhedra import overlaps
+from geometry.polyhedra.construct import with_own_points
 from geometry.specimens.numbered import mesh_by_place
 from geometry.specimens.placed import with_empty_blocks
 from masonry.assembly.conditions import conditions_of
@@ -58,6 +59,9 @@ def assemble(scene: Scene) -> Assembly:
     compressions = sorted({0.0, scene.confinement or 0.0})
     pairs = pairs_of(scene, blocks, compressions) if scene.is_large else None
     mesh, joints = meshed(scene, blocks, joints)
+    if scene.is_large:  # cells of a unit share corners, and each goes its own way
+        blocks = with_own_points(blocks)
+        specimen = replace(specimen, blocks=blocks)
     kinds = {g: scene.kinematics_of(g) for g in blocks.groups}
     names, group, joints = model.sort_by_group(blocks, joints)
     materials = {g: material_of(scene, g) for g in blocks.groups}

@@ -155,3 +155,15 @@ def test_what_stands_on_a_plate_that_a_drive_lets_down_has_not_fallen():
 def test_a_specimen_that_touches_nothing_is_asked_for_a_time_step():
     with pytest.raises(SceneError, match="solver.time_step: nothing here limits the time step; give one"):
         assemble(dry([box("cube", (0.0, 0.0, 0.0), (0.1, 0.1, 0.1), "units", 0)], supports=()))
+
+
+def test_corners_that_cells_share_go_with_each_of_them():
+    made = scene.load("rubble-pile", {"solver.duration": "0.5 s", "specimen.cells.total": 30, "solver.frames": 2})
+    result = laboratory.run(made)
+    blocks, moved = result.specimen.blocks, result.history.frames[-1].corners
+    owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
+    for points in ([*set(blocks.face_points[owner == cell].tolist())] for cell in range(30)):
+        before, after = (
+            np.linalg.norm(x[points] - x[points[0]], axis=1) for x in (blocks.points, blocks.points + moved)
+        )
+        assert after == pytest.approx(before, abs=1e-12), "a rigid cell keeps its size"
