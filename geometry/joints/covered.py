@@ -16,7 +16,7 @@ FACING = 0.5
 
 
 def covered_fractions(blocks: Blocks, joints: Joints) -> np.ndarray:
-    """(F,) share of each face's area that lies in joints."""
+    """(F,) share of each face's area that lies in joints; 1 for a face without area (an edge of a floor)."""
     area, normal, centroid = face_areas_normals_centroids(blocks)
     polygon, count = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
     size, across, middle = areas_normals_centroids(polygon)
@@ -34,7 +34,7 @@ def covered_fractions(blocks: Blocks, joints: Joints) -> np.ndarray:
             away = np.abs(np.einsum("ni,ni->n", middle[j] - centroid[beside], normal[beside]))
             beside = beside[(normal[beside] @ outward >= FACING) & (away <= NEAR * np.sqrt(area[beside]))]
             _cover(blocks, beside, polygon[j, : count[j]], across[j], covered)
-    return covered / area
+    return np.divide(covered, area, out=np.ones_like(area), where=area > 0)
 
 
 def _cover(blocks: Blocks, faces: np.ndarray, polygon: np.ndarray, normal: np.ndarray, covered: np.ndarray) -> None:
