@@ -87,7 +87,7 @@ def assemble(scene: Scene) -> Assembly:
         raise SceneError(
             'solver.time_step = "equation-11" needs solver.masses = "real": scaled masses have one bound of their own'
         )
-    meetings = None if pairs is None else meetings_of(pairs, s.skin)
+    meetings = None if pairs is None else meetings_of(pairs, scene)
     if mesh is not None and s.masses == "scaled" and meetings is not None and meetings.rules.dashpot.any():
         raise SceneError(
             "normal_dashpot of blocks of kinematics 'tets' needs solver.masses = \"real\": the time step is not proven "

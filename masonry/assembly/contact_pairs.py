@@ -53,7 +53,7 @@ def pairs_of(scene: Scene, blocks: Blocks, compressions: list[float]) -> Pairs:
     return Pairs(names, number, given, {name: factory.build(name, given[name], compressions) for name in names})
 
 
-def meetings_of(pairs: Pairs, skin: float | None) -> Meetings:
+def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
     """What blocks do where they meet without a bond: stiffnesses, the friction that stays, and the dashpot."""
     numbers = []
     for name in pairs.names:
@@ -62,7 +62,8 @@ def meetings_of(pairs: Pairs, skin: float | None) -> Meetings:
         dashpot = pairs.properties[name].get("normal_dashpot") or 0.0
         numbers.append((joint.normal_stiffness, joint.shear_stiffness, friction or 0.0, dashpot))
     rules = Rules(*np.array(numbers, dtype=float).reshape(-1, len(Rules._fields)).T.copy())
-    return Meetings(rules, pairs.number, SKIN if skin is None else skin)
+    skin = scene.solver.skin
+    return Meetings(rules, pairs.number, SKIN if skin is None else skin, scene.specimen.patch_points == "spread")
 
 
 def _names(blocks: Blocks) -> dict[tuple[int, int, int], str]:

@@ -152,21 +152,22 @@ def edge_axis(edge, e, g, vertex, normal, dx, dy, dz):
 
 
 @inner
-def tets_are_apart(vertex, va, vb, dx, dy, dz, inside):
-    """Whether two tets are apart by more than `inside` (m, or overlap by less) across some pair of their edges.
+def are_apart(vertex, va, va_end, vb, vb_end, dx, dy, dz, inside):
+    """Whether two pieces are apart by more than `inside` (m, or overlap by less) across some pair of their edges.
 
-    va, vb  their first corners. Edges within the body count as well, which have no contacts of their own.
+    va..va_end, vb..vb_end  their corners. Any two corners count as an edge: so do those within the body, which have no
+    contacts of their own. What is no edge parts no more than edges do.
     """
-    for i in range(va, va + 3):
-        for j in range(i + 1, va + 4):
+    for i in range(va, va_end - 1):
+        for j in range(i + 1, va_end):
             ax, ay, az = vertex[j, 0] - vertex[i, 0], vertex[j, 1] - vertex[i, 1], vertex[j, 2] - vertex[i, 2]
-            for k in range(vb, vb + 3):
-                for m in range(k + 1, vb + 4):
+            for k in range(vb, vb_end - 1):
+                for m in range(k + 1, vb_end):
                     bx, by, bz = vertex[m, 0] - vertex[k, 0], vertex[m, 1] - vertex[k, 1], vertex[m, 2] - vertex[k, 2]
                     nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
                     size, between = sqrt(nx * nx + ny * ny + nz * nz), nx * dx + ny * dy + nz * dz
-                    one = lowest(vertex, vb, vb + 4, nx, ny, nz) + lowest(vertex, va, va + 4, -nx, -ny, -nz) + between
-                    two = lowest(vertex, va, va + 4, nx, ny, nz) + lowest(vertex, vb, vb + 4, -nx, -ny, -nz) - between
+                    one = lowest(vertex, vb, vb_end, nx, ny, nz) + lowest(vertex, va, va_end, -nx, -ny, -nz) + between
+                    two = lowest(vertex, va, va_end, nx, ny, nz) + lowest(vertex, vb, vb_end, -nx, -ny, -nz) - between
                     if max(one, two) > inside * size and size > 0.0:
                         return True
     return False

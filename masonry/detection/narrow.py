@@ -12,7 +12,7 @@ turned round.
 
 from math import inf, sqrt
 
-from masonry.detection.axes import edge_axis, face_gap, most_facing, open_edges, tets_are_apart, widest_face
+from masonry.detection.axes import are_apart, edge_axis, face_gap, most_facing, open_edges, widest_face
 from masonry.detection.clip import area_and_centroid
 from masonry.detection.contact_points import corner_point, crossing_point, polygon_points
 from masonry.detection.overlap import beside, common_plane, heights, overlap, point_of
@@ -189,7 +189,7 @@ def _ordered(
                 vertex, va, va_end, 0.0, 0.0, 0.0, nx, ny, nz, -1.0, depth, least, fb - lb, point, gap, area, feature
             )  # fmt: skip
         return FACE, 1, depth, blend, sqrt(least), fa, fb, nx, ny, nz
-    if of_tets and _along(normal, fa, fb) > -FLAT and tets_are_apart(vertex, va, vb, dx, dy, dz, inside):
+    if of_tets and _along(normal, fa, fb) > -FLAT and are_apart(vertex, va, va_end, vb, vb_end, dx, dy, dz, inside):
         return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
     count = polygon_points(
         u, v, label, row, count, full, plane, snap, reach, least, fa - la, fb - lb, weight, name,

@@ -1,15 +1,17 @@
 """Shear tractions carried from the points of a patch to those of the patch that it has become.
 
 Each point stands for the quarter of the patch beside it: between centroid, corner and the middles of its two edges,
-whose area is that of corners.py. Tractions are constant there, and go over by the areas that old and
-new regions share: the L2 projection. As a mean of what came, it cannot add to sum area |tau|^2 / (2 k_s); force is kept
-where the old patch is covered by the new one, and area that is new starts at 0.
+whose area is that of corners.py. Tractions are constant there, and go over by the areas that old and new regions share:
+the L2 projection. As a mean of what came, it cannot add to sum area |tau|^2 / (2 k_s); force is kept where the old
+patch is covered by the new one, and area that is new starts at 0. A point inside (spread.py) stands for the quarter of
+its corner, with its own share of the area: what corners hold goes to corners, what points inside hold to points inside.
 """
 
 from math import cos, sin, sqrt
 
 from masonry.detection.clip import area_and_centroid
 from masonry.detection.corners import region, region_area, shared_area
+from masonry.detection.spread import layers
 from masonry.jit.compiler import inner, jit
 
 SAME = 1e-12
@@ -53,8 +55,9 @@ def transfer(
         return before - energy(new_area, new_tau, new_count)
     for k in range(new_count):
         new_tau[k, 0] = new_tau[k, 1] = new_tau[k, 2] = 0.0
+    rounds = min(layers(feature, count), layers(new_feature, new_count))
     if not _by_regions(
-        point, area, tau, count, new_point, new_area, new_tau, new_count, axis,
+        point, area, tau, count // rounds, new_point, new_area, new_tau, new_count // rounds, rounds, axis,
         scratch.u, scratch.v, scratch.label, scratch.weight, scratch.wu, scratch.wv, scratch.edge_u, scratch.edge_v,
     ):  # fmt: skip
         for k in range(new_count):
@@ -95,9 +98,11 @@ def _give(tau, i, new_tau, k, part):
 
 @inner
 def _by_regions(
-    point, area, tau, count, new_point, new_area, new_tau, new_count, axis, u, v, label, height, wu, wv, eu, ev
+    point, area, tau, count, new_point, new_area, new_tau, new_count, rounds, axis,
+    u, v, label, height, wu, wv, eu, ev,
 ):  # fmt: skip
-    """Add the forces (N) that go over with the shared areas to new_tau; False where a patch has no area of its own."""
+    """Add the forces (N) that go over with the shared areas to new_tau; False where a patch has no area of its own.
+    count, new_count: of corners, in each round of points."""
     if count < 3 or new_count < 3:
         return False
     _flatten(new_point, new_count, new_point, axis, eu, ev, 1)
@@ -118,9 +123,10 @@ def _by_regions(
             theirs = region(eu, ev, 1, new_count, nu, nv, k)
             if region_area(theirs) > 0.0:
                 shared = shared_area(own, theirs, u, v, label, height, wu, wv)
-                if shared > 0.0:
-                    fraction = min(area[i] / region_area(own), new_area[k] / region_area(theirs))
-                    _give(tau, i, new_tau, k, shared * fraction)
+                for r in range(rounds if shared > 0.0 else 0):
+                    j, m = r * count + i, r * new_count + k
+                    fraction = min(area[j] / region_area(own), new_area[m] / region_area(theirs))
+                    _give(tau, j, new_tau, m, shared * fraction)
     return True
 
 

@@ -11,6 +11,7 @@ from masonry.detection.narrow import FACE, NONE, touch
 from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
+from masonry.detection.spread import spread
 from masonry.detection.transfer import transfer, turn_tractions
 from masonry.jit.compiler import inner
 from masonry.kernels.pair_search import FAR, NEED_POINTS, TOO_DEEP, release
@@ -40,6 +41,7 @@ class Search(NamedTuple):
     least    (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
     position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
     built    (B,) m, travel at the last search      skin (1,) m
+    spread   whether patches have points inside besides those at their corners
     point, gap, area, feature  room for what one look finds
     was_normal, was_point, shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was
     found    (F, 2) room for the pairs that a search finds
@@ -62,6 +64,7 @@ class Search(NamedTuple):
     position: np.ndarray
     built: np.ndarray
     skin: np.ndarray
+    spread: bool
     point: np.ndarray
     gap: np.ndarray
     area: np.ndarray
@@ -124,6 +127,8 @@ def look(near, p):
         pairs.limit[p] = pairs.reach[p] = reach
         let_go(near, p)
         return True
+    if search.spread and kind == FACE and count >= 3:
+        count = spread(search.point, search.gap, search.area, search.feature, count)
     pairs.limit[p] = pairs.reach[p] = MOVED * size
     if pairs.slot[p] < 0 and points.free[len(points.held)] == 0:
         search.flag[0], search.flag[1] = NEED_POINTS, p

@@ -22,6 +22,8 @@ LIFTED = 1e-3
 """Share of the largest opening or closing of all contacts from which on one is open."""
 FEW_ROWS, NEARLY_ALL = 5, 0.9
 """Rows of points below which a joint that bends open is coarse; share of the torn area at which such joints decide."""
+TURNED = 1e-3
+"""Rotation (rad) below which joints hardly open, so that what they do while they are closed decides."""
 ALIKE = 1e-6
 """Share of the largest opening of a joint by which two of its points differ at most where they are in one row."""
 
@@ -81,6 +83,21 @@ def bent_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
         f"nearly all that tore are joints that bent open from one side, with {least} rows of contact points across, of "
         "which each tears at once: the moment that they bear may be far off, with two rows of Gauss points from 0.6 to "
         f"1.7 times what it is; take specimen.points_per_edge = {FEW_ROWS + 1} or more"
+    ]
+
+
+def closed_remarks(assembly: Assembly, rotation: float | None) -> list[str]:
+    """One line where no block has turned by more than TURNED, and patches have points at their corners, which the scene
+    has not chosen; rotation (rad): the largest."""
+    chosen = assembly.scene.specimen.patch_points is not None
+    if assembly.model.large is None or chosen or not rotation or rotation > TURNED:
+        return []
+    if not any(_is_dry(assembly, g) for g in range(len(assembly.model.group_names))):
+        return []
+    return [
+        "no block turned by more than a thousandth, so that dry joints decide which stay closed: with points at their "
+        'corners alone these bend three times as stiff as their pressure does; take specimen.patch_points = "spread", '
+        'or say "corners" where that does not matter'
     ]
 
 

@@ -8,7 +8,13 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
-from masonry.laboratory.contact_remarks import bent_remarks, contact_remarks, rocked_remarks, rocking_remarks
+from masonry.laboratory.contact_remarks import (
+    bent_remarks,
+    closed_remarks,
+    contact_remarks,
+    rocked_remarks,
+    rocking_remarks,
+)
 from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
 from masonry.laboratory.provenance import provenance_of
 from masonry.laboratory.quality import quality_lines
@@ -72,9 +78,11 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     add_tilt(assembly, outcome)
     frames = outcome.history.frames
     remarks = [*warnings(assembly), *rocked_remarks(assembly, frames), *bent_remarks(assembly, frames)]
+    summary = summarise(assembly, outcome)
+    remarks += closed_remarks(assembly, summary["rotation_max_rad"])
     remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", []), *_blow(assembly, outcome)]
     return Result(
-        summary={**summarise(assembly, outcome), "warnings": remarks},
+        summary={**summary, "warnings": remarks},
         history=outcome.history,
         specimen=assembly.specimen,
         joints=assembly.joints,

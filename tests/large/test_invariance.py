@@ -53,6 +53,12 @@ def test_the_tall_block_hits_the_low_one():
     assert rows["dashpot"][late].max() > 10.0 * rows["dashpot"][~late].max()
 
 
+def test_blocks_with_points_inside_their_patches_may_be_numbered_backwards_and_differ_from_those_at_corners():
+    one, other = (laboratory.run(scene(order=k, turned='patch_points = "spread"')).history.rows for k in (1, -1))
+    assert all(one[key].tobytes() == other[key].tobytes() for key in one)
+    assert np.abs(one["imbalance"]).max() < 1e-12 and np.abs(one["kinetic"] - as_it_is()["kinetic"]).max() > 0.0
+
+
 def test_blocks_may_be_numbered_backwards_to_the_same_bits():
     rows = laboratory.run(scene(order=-1)).history.rows
     assert all(rows[key].tobytes() == as_it_is()[key].tobytes() for key in as_it_is())

@@ -15,13 +15,16 @@ SUPPORTS = (
 PUSH = '[drive]\non = "block"\ndirection = "x"\ndisplacement = "200 mm"\nrate = "1 m/s"\nramp = 0.1\n'
 
 
-def test_the_force_is_friction_times_weight_on_either_side_and_over_the_seam():
+@pytest.mark.parametrize("points", ["corners", "spread"])
+def test_the_force_is_friction_times_weight_on_either_side_and_over_the_seam(points):
     boxes = [
         box("slab", (-0.5, -0.2, -0.1), (0.5, 0.4, 0.1), "units", 0),
         box("slab beyond", (0.0, -0.2, -0.1), (0.5, 0.4, 0.1), "units", 1),
         box("block", (-0.15, -0.05, 0.0), (0.1, 0.1, 0.05), "units", 2),
     ]
-    result = laboratory.run(dry(boxes, 0.5, duration=0.4, settle=20000, supports=SUPPORTS, more=PUSH))
+    spread = f'patch_points = "{points}"'
+    scene = dry(boxes, 0.5, duration=0.4, turned=spread, settle=20000, supports=SUPPORTS, more=PUSH)
+    result = laboratory.run(scene)
     rows, limit = result.history.rows, 0.5 * DENSITY * 0.1 * 0.1 * 0.05 * G
     moving = (rows["displacement"] > 0.03) & (rows["displacement"] < 0.19)
     force = rows["force"][moving]

@@ -97,6 +97,7 @@ WRONG = {
     "dashpot": ({"dashpot": "normal_dashpot = 0.2"}, 'unit_unit.normal_dashpot: needs displacements = "large"'),
     "dashpot 0": ({"top": LARGE, "dashpot": "normal_dashpot = 0"}, "normal_dashpot must be in (0, 100]"),
     "default": ({"contact": "default"}, 'contact.default: needs displacements = "large"'),
+    "patches": ({"specimen": 'patch_points = "spread"'}, 'specimen.patch_points: needs displacements = "large"'),
     "until": ({"more": GRAVITY + REAL + 'until = "rest"\n'}, 'solver.until: needs displacements = "large"'),
     "until when": (
         {"top": LARGE, "more": GRAVITY + '[solver]\nuntil = "rest"\n'},

@@ -35,12 +35,14 @@ LEAST = 1e-2
 class Meetings:
     """How blocks meet: `rules`, and law_of (G, G, 2), which of them serves two groups, of two units (0) or of one.
 
-    skin  of the mean size of a block: how far blocks may come nearer before all pairs are found anew
+    skin    of the mean size of a block: how far blocks may come nearer before all pairs are found anew
+    spread  whether patches have points inside besides those at their corners
     """
 
     rules: Rules
     law_of: np.ndarray
     skin: float
+    spread: bool = False
 
     @property
     def stiffest(self) -> float:
@@ -190,7 +192,7 @@ def near_of(
     tets = outer_tets(layout)
     pieces = pieces_of(blocks, tets, None if layout.mesh is None else layout.mesh.nodes)
     count, size = len(pieces.block), sizes_of(layout, tets)
-    most, room = most_points(pieces), 8 * len(pieces.body) + 64
+    most, room = most_points(pieces) * (2 if meetings.spread else 1), 8 * len(pieces.body) + 64
     k = (np.zeros((most, 3)), np.zeros(most), np.zeros(most), np.zeros(most, dtype=np.int64))
     search = Search(
         group=blocks.group.astype(np.int64)[pieces.block],
@@ -206,6 +208,7 @@ def near_of(
         position=np.zeros((count, 3)),
         built=np.full(count, -1e30),
         skin=np.array([meetings.skin * size[: blocks.count].mean()]),
+        spread=meetings.spread,
         point=k[0],
         gap=k[1],
         area=k[2],

@@ -26,6 +26,7 @@ class SpecimenTable(Table):
     points_per_edge: PointsPerEdge = PerAxis()
     points_per_face: PointsPerFace | None = None
     contact_spacing: Length | None = None
+    patch_points: Literal["corners", "spread"] | None = None
     mesh: Literal["gmsh", "fan"] = "gmsh"
     mesh_size: Length | None = None
     turned: Turned | None = None

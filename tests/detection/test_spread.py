@@ -1,0 +1,98 @@
+"""Points inside a patch: they carry its area, its moments and its gaps, and pass on shear without gaining energy."""
+
+import numpy as np
+import pytest
+
+from masonry.detection.features import INNER
+from masonry.detection.spread import AT_CORNERS, spread
+from masonry.detection.transfer import transfer
+from tests.detection.test_history import SCRATCH, Patch, measure, random_polygon, square, tangent
+from tests.detection.touching import random_turn
+
+SLOPE = np.array([2e-4, -1e-4, 3e-4])
+
+
+class Spread(Patch):
+    """A patch with points inside; gaps are linear over it."""
+
+    def __init__(self, corners, way=None, scale: float = 1.0) -> None:
+        super().__init__(corners, way, scale)
+        n = len(self.area)
+        self.point = np.vstack([self.point, np.zeros((n, 3))])
+        self.gap = self.point @ SLOPE
+        self.area, self.feature = np.r_[self.area, np.zeros(n)], np.r_[self.feature, np.zeros(n, dtype=int)]
+        assert spread(self.point, self.gap, self.area, self.feature, n) == 2 * n
+
+
+def polar(corners) -> float:
+    """Second moment of a polygon about its centroid, by the corners of its triangles."""
+    centroid = measure(corners)[1]
+    a = corners - centroid
+    b = np.roll(a, -1, axis=0)
+    triangle = (a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) / 2
+    return float(triangle @ (a * a + a * b + b * b).sum(axis=1)) / 6
+
+
+def test_area_first_moment_and_polar_moment_are_those_of_the_polygon():
+    rng = np.random.default_rng(2)
+    for _ in range(300):
+        corners = random_polygon(rng)
+        area, centroid = measure(corners)
+        patch = Spread(corners, scale=1.7)
+        from_middle = patch.point[:, :2] - centroid
+        size = np.abs(from_middle).max()
+        assert patch.area.min() > 0.0 and patch.area.sum() == pytest.approx(1.7 * area, rel=1e-12)
+        assert patch.area @ from_middle == pytest.approx([0.0, 0.0], abs=1e-11 * area * size)
+        assert patch.area @ (from_middle**2).sum(axis=1) == pytest.approx(1.7 * polar(corners), rel=1e-9)
+
+
+@pytest.mark.parametrize("corners", [square(), square()[:3], square() @ np.array([[3.0, 0.4], [-0.2, 0.5]])])
+def test_of_triangles_and_parallelograms_the_moments_about_all_axes_are_exact(corners):
+    """A triangle (a, b, c) from its middle: A/12 sum r r^T; a parallelogram of edges e, f: A/12 (e e^T + f f^T)."""
+    area, centroid = measure(corners)
+    edges = corners - centroid if len(corners) == 3 else np.array([corners[1] - corners[0], corners[3] - corners[0]])
+    patch = Spread(corners)
+    arm = patch.point[:, :2] - centroid
+    assert (patch.area[:, None] * arm).T @ arm == pytest.approx(area / 12.0 * edges.T @ edges, rel=1e-12)
+
+
+def test_corners_keep_their_places_and_a_share_and_gaps_stay_linear():
+    patch = Spread(random_polygon(np.random.default_rng(3)))
+    n = len(patch.area) // 2
+    assert patch.area[:n] / (patch.area[:n] + patch.area[n:]) == pytest.approx(np.full(n, AT_CORNERS), rel=1e-12)
+    assert patch.gap == pytest.approx(patch.point @ SLOPE, abs=1e-16)
+    assert np.array_equal(patch.feature[n:], INNER + patch.feature[:n])
+
+
+def carried(old: Spread, tau, new: Spread):
+    """Tractions of the new points, and the loss."""
+    found = np.zeros((len(new.area), 3))
+    loss = transfer(
+        old.point, old.area, old.feature, tau, len(old.area),
+        new.point, new.area, new.feature + 100, found, len(new.area), new.axis, SCRATCH,
+    )  # fmt: skip
+    return found, loss
+
+
+def test_random_spread_patches_never_gain_energy_and_report_what_they_lose():
+    rng, lost = np.random.default_rng(4), []
+    for _ in range(300):
+        way, first = random_turn(rng), random_polygon(rng)
+        second = random_polygon(rng) if rng.random() < 0.5 else first + 0.02 * rng.normal(size=2)
+        old, new = (Spread(corners, way, rng.uniform(1, 3)) for corners in (first, second))
+        tau = tangent(rng, old)
+        found, loss = carried(old, tau, new)
+        before, after = (np.sum(a * np.sum(t**2, axis=1)) / 2 for a, t in ((old.area, tau), (new.area, found)))
+        assert after <= before * (1 + 1e-12) and loss == pytest.approx(before - after, abs=1e-12 * before)
+        lost.append(loss / before)
+    assert max(lost) > 0.99 and min(lost) < 0.3
+
+
+def test_an_even_traction_goes_over_whole_to_a_patch_within_and_corners_pass_nothing_inwards():
+    old, new = Spread(square()), Spread(0.5 * square() + 0.2)
+    even = np.tile([2.0, 1.0, 0.0], (8, 1))
+    found, _ = carried(old, even, new)
+    assert found == pytest.approx(even, rel=1e-12)
+    at_corners = even * (np.arange(8) < 4)[:, None]
+    found, _ = carried(old, at_corners, new)
+    assert found == pytest.approx(at_corners, rel=1e-12)
