@@ -223,6 +223,34 @@ def stored_energy(near):
 
 
 @jit
+def point_forces(near, block, place, force):
+    """Write the two blocks (K, 2), the place (K, 3) m, and the force (K, 3) N on the first block, of all points that
+    bear; returns how many there are, or would be with more room."""
+    pairs, points, motion, count = near.pairs, near.points, near.motion, 0
+    for p in range(pairs.number[0]):
+        s, own = pairs.slot[p], pairs.points_of[p]
+        ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
+        kn = near.rules.normal_stiffness[pairs.law[p]]
+        for k in range(points.held[s] if s >= 0 else 0):
+            gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
+            if gap >= 0.0:
+                continue
+            if count < len(block):
+                x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
+                n = plane_of(motion.frame, motion.dual, ref, x, y, z)
+                x, y, z = points.material[s, 0, k], points.material[s, 1, k], points.material[s, 2, k]
+                arm = turned(motion.frame, other, x, y, z)
+                sigma = kn * gap + (points.damper[s, k] if pairs.dashpot[p] > 0.0 else 0.0)
+                for i in range(3):
+                    place[count, i] = motion.centre[other, i] + motion.moved[other, i] + arm[i]
+                    force[count, i] = points.area[s, k] * (points.shear[s, i, k] + sigma * n[i])
+                for side in range(2):
+                    block[count, side] = near.pieces.block[pairs.body[p, side]]
+            count += 1
+    return count
+
+
+@jit
 def deepest(near, width):
     """How far points overlap at most, over the least width (B,) m of the thinner of their two blocks."""
     pairs, points, most = near.pairs, near.points, 0.0

@@ -22,8 +22,8 @@ LIFTED = 1e-3
 """Share of the largest opening or closing of all contacts from which on one is open."""
 FEW_ROWS, NEARLY_ALL = 5, 0.9
 """Rows of points below which a joint that bends open is coarse; share of the torn area at which such joints decide."""
-TURNED = 1e-3
-"""Rotation (rad) below which joints hardly open, so that what they do while they are closed decides."""
+STAYS = 1e-3
+"""Of the smallest block: where none has moved by more, joints hardly open, and what they do while closed decides."""
 ALIKE = 1e-6
 """Share of the largest opening of a joint by which two of its points differ at most where they are in one row."""
 
@@ -86,18 +86,19 @@ def bent_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
     ]
 
 
-def closed_remarks(assembly: Assembly, rotation: float | None) -> list[str]:
-    """One line where no block has turned by more than TURNED, and patches have points at their corners, which the scene
-    has not chosen; rotation (rad): the largest."""
-    chosen = assembly.scene.specimen.patch_points is not None
-    if assembly.model.large is None or chosen or not rotation or rotation > TURNED:
+def closed_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
+    """One line where no block has moved by more than STAYS in any of these frames, and patches have points at their
+    corners, which the scene has not chosen."""
+    model = assembly.model
+    if model.large is None or assembly.scene.specimen.patch_points is not None:
         return []
-    if not any(_is_dry(assembly, g) for g in range(len(assembly.model.group_names))):
+    farthest = max(float(np.abs(frame.corners).max(initial=0.0)) for frame in frames) if frames else 0.0
+    if farthest > STAYS * smallest_block(model) or not any(_is_dry(assembly, g) for g in range(len(model.group_names))):
         return []
     return [
-        "no block turned by more than a thousandth, so that dry joints decide which stay closed: with points at their "
-        'corners alone these bend three times as stiff as their pressure does; take specimen.patch_points = "spread", '
-        'or say "corners" where that does not matter'
+        "no block moved by more than a thousandth of its size, so that dry joints decide which stay closed: with "
+        "points at their corners alone these bend three times as stiff as their pressure does; take "
+        'specimen.patch_points = "spread", or say "corners" where that does not matter'
     ]
 
 

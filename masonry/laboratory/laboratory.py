@@ -78,11 +78,10 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     add_tilt(assembly, outcome)
     frames = outcome.history.frames
     remarks = [*warnings(assembly), *rocked_remarks(assembly, frames), *bent_remarks(assembly, frames)]
-    summary = summarise(assembly, outcome)
-    remarks += closed_remarks(assembly, summary["rotation_max_rad"])
+    remarks += closed_remarks(assembly, frames)
     remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", []), *_blow(assembly, outcome)]
     return Result(
-        summary={**summary, "warnings": remarks},
+        summary={**summarise(assembly, outcome), "warnings": remarks},
         history=outcome.history,
         specimen=assembly.specimen,
         joints=assembly.joints,

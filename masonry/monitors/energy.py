@@ -88,7 +88,7 @@ def _look_at_contacts(model: Model, seen: np.ndarray) -> float:
 def _look_at_parted_points(model: Model, bonds: Bonds, seen: np.ndarray) -> None:
     """How far the material points of joints without bonds have parted, in the frame of side a; they carry nothing."""
     gone, joints = ~bonds.alive, model.joints
-    a, b = (_moved(model, joints.point[gone], block[gone]) for block in (joints.block_a, joints.block_b))
+    a, b = (moved(model, joints.point[gone], block[gone]) for block in (joints.block_a, joints.block_b))
     parted = np.einsum("cji,cj->ci", bonds.frames[bonds.owner[gone]], b - a)
     normal = model.contacts.normal[gone]
     opening = np.einsum("ci,ci->c", parted, normal)
@@ -97,7 +97,7 @@ def _look_at_parted_points(model: Model, bonds: Bonds, seen: np.ndarray) -> None
     seen[2:, gone] = 0.0
 
 
-def _moved(model: Model, point: np.ndarray, block: np.ndarray) -> np.ndarray:
+def moved(model: Model, point: np.ndarray, block: np.ndarray) -> np.ndarray:
     """(K, 3) m, how far points (K, 3) of some blocks have moved; with the mean deformation of blocks of tets."""
     assert model.large is not None
     motion, arm = model.large.near.motion, point - model.layout.centroid[block]

@@ -7,6 +7,7 @@ from masonry.history import Frame
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
 from masonry.monitors.energy import Observation
+from masonry.monitors.joint_forces import forces_on_blocks
 
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 """xx yy zz yz xz xy"""
@@ -30,13 +31,18 @@ class Frames:
         self.sides = np.concatenate([joints.block_a, joints.block_b])
         self.to_point = (np.concatenate([joints.point, joints.point]) - layout.centroid[self.sides]).T.copy()
 
-    def take(self, view: Observation, step: int, displacement: float) -> Frame:
-        """The specimen now."""
+    def take(self, view: Observation, force: np.ndarray, step: int, displacement: float) -> Frame:
+        """The specimen now; force (C, 3) N of the contacts on their side a (JointForces)."""
         model, seen = self.model, view.seen
         tets = model.bodies.tets
-        stress = view.stress.copy()
-        if model.bodies.rigid is not None and model.large is None:
+        stress, sigma, tau = view.stress.copy(), seen.sigma.copy(), seen.tau.copy()
+        if model.bodies.rigid is not None:
             stress[model.layout.members["rigid"]] = self.contact_stress()
+        if model.large is not None:
+            gone, joints = ~model.large.bonds.alive, model.joints
+            along = np.einsum("ci,ci->c", force, joints.normal)
+            across = np.linalg.norm(force - along[:, None] * joints.normal, axis=1)
+            sigma[gone], tau[gone] = (along / joints.area)[gone], (across / joints.area)[gone]
         return Frame(
             step=step,
             time=step * model.dt,
@@ -45,8 +51,8 @@ class Frames:
             nodes=model.u[: len(tets.v)].copy() if tets is not None else np.zeros((0, 3)),
             opening=seen.opening.copy(),
             slip=seen.slip.copy(),
-            normal_stress=seen.sigma.copy(),
-            shear_stress=seen.tau.copy(),
+            normal_stress=sigma,
+            shear_stress=tau,
             damage_tension=1.0 - model.state.intact_n,
             damage_shear=1.0 - model.state.intact_s,
             stress=stress,
@@ -88,8 +94,12 @@ class Frames:
         layout, which = self.model.layout, self.model.layout.members["rigid"]
         free = np.zeros(layout.volume.shape)
         free[which[(self.model.bodies.rigid.dt_over_mass > 0.0).all(axis=1)]] = 1.0
-        force, arm = np.concatenate([self.model.contacts.force, -self.model.contacts.force]).T.copy(), self.to_point
-        sums = [0.5 * np.bincount(self.sides, force[i] * arm[j] + force[j] * arm[i], len(free)) for i, j in PAIRS]
+        if self.model.large is None:
+            sides, arm = self.sides, self.to_point
+            force = np.concatenate([self.model.contacts.force, -self.model.contacts.force]).T.copy()
+        else:
+            sides, force, arm = forces_on_blocks(self.model)
+        sums = [0.5 * np.bincount(sides, force[i] * arm[j] + force[j] * arm[i], len(free)) for i, j in PAIRS]
         stress: np.ndarray = np.stack(sums, axis=1)[which] * (free / layout.volume)[which, None]
         return stress
 

@@ -63,9 +63,16 @@ class Surroundings:
             self.loads.append(Outer(name, _parts(load), *varies))
 
     def standing(
-        self, model: Model, before: list[np.ndarray], step: int, displacement: float, load_factors: list[float]
+        self,
+        model: Model,
+        before: list[np.ndarray],
+        force: np.ndarray,
+        step: int,
+        displacement: float,
+        load_factors: list[float],
     ) -> Standing:
-        """The forces now; `before`: velocities one step earlier; `load_factors` of the loads that act."""
+        """The forces now; `before`: velocities one step earlier; force (C, 3) N of the contacts on their side a;
+        `load_factors` of the loads that act."""
         layout = model.layout
         bodies, large = dict(present(model)), large_bodies(model)
         held = np.zeros((len(self.holds), 6))
@@ -73,7 +80,7 @@ class Surroundings:
             for kind, (rows, mask) in one.parts.items():
                 held[k] += resultant(layout, kind, rows, mask * bodies[kind].hold[rows], large.get(kind))
         loads = self.resultants(layout, load_factors, large)
-        return Standing(step, displacement, held, loads, *of_motion(model, before), acting(model))
+        return Standing(step, displacement, held, loads, *of_motion(model, before), force)
 
     def resultants(self, layout: Layout, load_factors: list[float], large: dict[str, Any] | None = None) -> np.ndarray:
         """(L, 6) of the loads at their factors; where blocks are now that turn as far as they like (large_bodies)."""
@@ -125,11 +132,6 @@ def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.nd
         damping += resultant(model.layout, kind, rows, np.where(body.dt_over_mass > 0.0, body.hold, 0.0), large)
         inertia -= resultant(model.layout, kind, rows, gained / model.dt, large)
     return damping, inertia
-
-
-def acting(model: Model) -> np.ndarray:
-    """(C, 3) N, the forces of the contacts on their side a."""
-    return (model.contacts.force if model.large is None else model.large.bonds.force).copy()
 
 
 def large_bodies(model: Model) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from masonry.model.model import Model
 from masonry.model.motion import set_off
 from masonry.monitors import energy
 from masonry.monitors.frames import Frames
+from masonry.monitors.joint_forces import JointForces
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.reactions import Standing
 from masonry.monitors.stability import Watch
@@ -59,7 +60,7 @@ class Loop:
         self.watch = Watch(model, recording.rotation_limit)
         self.observers: dict[str, Observer] = {"watch": self.watch, **observers_of(model, recording)}
         self.loads_along = recording.surroundings.along(model.layout, recording.axis)
-        self.camera = Frames(model)
+        self.camera, self.joint_forces = Frames(model), JointForces(model)
         self.frames: list[Frame] = []
         self.near_peak: list[tuple[float, Frame, Standing]] = []
         self.heights = np.zeros((0, 2))
@@ -191,9 +192,9 @@ class Loop:
         self.loading.look(row["stress"] * force, row["support_stress"] * force, now.seen, terms)
         higher = row["stress"] > self.highest_row and step >= max(self.settle, 1)
         if frame_due or higher:
-            place = row["displacement"]
-            standing = self.recording.surroundings.standing(model, before, step, place, load_factors)
-            frame = self.camera.take(now, step, place)
+            place, borne = row["displacement"], self.joint_forces.take()
+            standing = self.recording.surroundings.standing(model, before, borne, step, place, load_factors)
+            frame = self.camera.take(now, borne, step, place)
             if frame_due:
                 self.frames.append(frame)
                 self.outcome.standing["end"] = standing
