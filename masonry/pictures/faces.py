@@ -11,15 +11,19 @@ from masonry.pictures.hidden_surfaces import Piece
 
 UNIT_EDGE, CELL_EDGE = "#3a362f", "#9a9386"
 CLEAR = (0.0, 0.0, 0.0, 0.0)
+LAMP = np.array([0.2, -0.75, 0.6])
+"""From where light falls on what is seen obliquely; what is seen along an axis has no shade."""
 
 
 class FaceDrawing:
     """What is added later is drawn over what was added before."""
 
-    def __init__(self, blocks: Blocks, camera: Camera) -> None:
+    def __init__(self, blocks: Blocks, camera: Camera, lamp: np.ndarray | None = None) -> None:
         from matplotlib.colors import to_rgb
 
-        self.camera = camera
+        self.camera, self.lamp = camera, lamp
+        if lamp is None and not camera.along_an_axis:
+            self.lamp = LAMP
         self._colours = [np.array(to_rgb(c)) for c in group_colours(blocks.groups)]
         self._group = blocks.group[blocks.face_block()]
         self._edges = [(*to_rgb(colour), 1.0) for colour in (CELL_EDGE, UNIT_EDGE)]
@@ -31,9 +35,10 @@ class FaceDrawing:
     def add_piece(self, piece: Piece) -> None:
         """A face or a part of one, lit from the front, with its own edges."""
         flat = self.camera.project(piece.corners)
-        across = np.cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0])
-        slant = float(across @ (0.2, -0.75, 0.6) / np.linalg.norm(across))
-        light = 1.0 if self.camera.along_an_axis else 0.78 + 0.22 * slant
+        light = 1.0
+        if self.lamp is not None:
+            across = np.cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0])
+            light = 0.78 + 0.22 * float(across @ self.lamp / np.linalg.norm(across))
         fill = (*np.clip(self._colours[self._group[piece.face]] * light, 0, 1), 1.0)
         self._add(np.vstack([flat, flat[:1]]), fill, fill, 0.4)
         after = np.roll(flat, -1, axis=0)

@@ -55,11 +55,7 @@ class SolidDrawing:
 
     def cracks(self, frame: Frame) -> JointCracks:
         """The contacts to draw."""
-        frame = as_it_stands(self.result, frame)
-        dry = moved_undamaged(self.result, frame)
-        c = np.flatnonzero((frame.damage > LEAST_DAMAGE) | dry)
-        parted = np.hypot(np.maximum(frame.opening[c], 0.0), frame.slip[c])
-        return JointCracks(c, frame.damage[c], frame.damage_tension[c] >= frame.damage_shear[c], parted, dry[c])
+        return joint_cracks(self.result, frame)
 
     def draw(self, axes: Any, frame: Frame, cracks: JointCracks, times: float, scale: float) -> None:
         """Draw a frame with displacements `times` larger, and its cracks; `scale` is the opening (m) of full width."""
@@ -68,19 +64,11 @@ class SolidDrawing:
         owner, corner = ranges(self.start[cracks.contact], np.diff(self.start)[cracks.contact])
         first, second = field.sides(self.result.joints, cracks.contact[owner], self.tile[corner])
         moved = self.tile[corner] + 0.5 * times * (first + second)
-        colours, wide = crack_colours(cracks.damage, cracks.tension_led, cracks.dry), widths(cracks.opening, scale)
+        colours = crack_colours(cracks.damage, cracks.tension_led, cracks.dry)
         starts = np.searchsorted(owner, np.arange(len(cracks.contact) + 1))
-        order = np.argsort(cracks.damage, kind="stable").tolist()
-        for k in order:
+        for k in np.argsort(cracks.damage, kind="stable").tolist():
             faces.add_polygon(moved[starts[k] : starts[k + 1]], colours[k])
-        lines: dict[int, list[tuple[np.ndarray, Any, float]]] = {}
-        for k in order:
-            part = moved[starts[k] : starts[k + 1]]
-            begin = int(self.start[cracks.contact[k]])
-            for side in range(len(part)):
-                if self.after[begin + side] >= 0:
-                    ends = part[[side, (side + 1) % len(part)]]
-                    lines.setdefault(int(self.after[begin + side]), []).append((ends, colours[k], float(wide[k])))
+        lines = crack_edges(cracks, moved, starts, self.after[corner], scale)
         for number, piece in enumerate(self._moved(field, times)):
             faces.add_piece(piece)
             for line in lines.get(number, ()):
@@ -95,6 +83,34 @@ class SolidDrawing:
         moved = corners + times * field.at(block, corners, np.full(len(block), -1))
         parts = np.split(moved, np.cumsum(sizes)[:-1])
         return [replace(piece, corners=part) for piece, part in zip(self.pieces, parts, strict=True)]
+
+
+def joint_cracks(result: "ResultData", frame: Frame) -> JointCracks:
+    """The contacts of a frame that are damaged, or have moved for good without damage."""
+    frame = as_it_stands(result, frame)
+    dry = moved_undamaged(result, frame)
+    c = np.flatnonzero((frame.damage > LEAST_DAMAGE) | dry)
+    parted = np.hypot(np.maximum(frame.opening[c], 0.0), frame.slip[c])
+    return JointCracks(c, frame.damage[c], frame.damage_tension[c] >= frame.damage_shear[c], parted, dry[c])
+
+
+def crack_edges(
+    cracks: JointCracks, moved: np.ndarray, starts: np.ndarray, after: np.ndarray, scale: float
+) -> dict[int, list[tuple[np.ndarray, Any, float]]]:
+    """Ends, colour and width of the edges that are drawn after a piece, by its number.
+
+    moved   (n, 3) m, the displaced corners of the tiles of all cracks; starts  where those of each crack begin
+    after   (n,) the piece that the edge from each corner is drawn after, -1 for none
+    """
+    colours, wide = crack_colours(cracks.damage, cracks.tension_led, cracks.dry), widths(cracks.opening, scale)
+    lines: dict[int, list[tuple[np.ndarray, Any, float]]] = {}
+    for k in np.argsort(cracks.damage, kind="stable").tolist():
+        part, piece = moved[starts[k] : starts[k + 1]], after[starts[k] : starts[k + 1]].tolist()
+        for side in range(len(part)):
+            if piece[side] >= 0:
+                ends = part[[side, (side + 1) % len(part)]]
+                lines.setdefault(piece[side], []).append((ends, colours[k], float(wide[k])))
+    return lines
 
 
 def _last_beside(blocks: Blocks, pieces: list[Piece], width: float) -> np.ndarray:
@@ -121,18 +137,33 @@ def edges_on_faces(
     last   (F,) the last piece of each face in the order of drawing, -1 where none is seen
     width  m, how far from a face counts as on it
     """
+    return last_piece(last, len(tile), *faces_beside(blocks, joints, start, tile, width))
+
+
+def last_piece(last: np.ndarray, edges: int, edge: np.ndarray, face: np.ndarray) -> np.ndarray:
+    """(E,) the last piece of all faces (n,) that an edge (n,) is on, -1 where none is seen."""
+    after = np.full(edges, -1)
+    np.maximum.at(after, edge, last[face])
+    return after
+
+
+def faces_beside(
+    blocks: Blocks, joints: Joints, start: np.ndarray, tile: np.ndarray, width: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Edges of tiles (n,) and faces of their two blocks (n,) on which they come out, within width (m)."""
     sides = np.diff(start)
     contact = np.repeat(np.arange(len(sides)), sides)
     following = np.arange(1, len(tile) + 1)
     following[start[1:] - 1] = start[:-1]
     _, normal, middle = face_areas_normals_centroids(blocks)
-    after = np.full(len(tile), -1)
+    found = []
     for block in (joints.block_a[contact], joints.block_b[contact]):
         first, count = blocks.block_face_start[block], np.diff(blocks.block_face_start)[block]
         edge, face = ranges(first, count)
-        seen = (last[face] >= 0) & (np.abs(np.einsum("ni,ni->n", normal[face], joints.normal[contact[edge]])) < ALONG)
-        edge, face = edge[seen], face[seen]
+        other = np.abs(np.einsum("ni,ni->n", normal[face], joints.normal[contact[edge]])) < ALONG
+        edge, face = edge[other], face[other]
         heights = [np.abs(np.einsum("ni,ni->n", tile[e] - middle[face], normal[face])) for e in (edge, following[edge])]
         on = np.maximum(*heights) <= width
-        np.maximum.at(after, edge[on], last[face[on]])
-    return after
+        found.append((edge[on], face[on]))
+    edges, faces = zip(*found, strict=True)
+    return np.concatenate(edges), np.concatenate(faces)
