@@ -10,7 +10,7 @@ from pathlib import Path
 from masonry.errors import SceneError, visible
 from masonry.runtime.shell import OK, Parser
 
-VIEWS = ("front", "back", "iso")
+VIEWS = ("front", "back", "side", "iso")
 
 
 def parser() -> Parser:
@@ -22,7 +22,9 @@ def parser() -> Parser:
     words.add_argument("source", metavar="DIR|SCENE", help="a folder of results; with --geometry a scene")
     words.add_argument("--out", type=Path, metavar="FILE.png", help="default DIR/STEP-VIEW.png or SCENE-geometry.png")
     words.add_argument(
-        "--view", choices=VIEWS, help="default front; of a scene: front or iso, by where its drive moves"
+        "--view",
+        choices=VIEWS,
+        help="default front, or side where it falls that way; of a scene: front or iso, by where its drive moves",
     )
     results = words.add_argument_group("of a folder of results")
     results.add_argument(
@@ -71,8 +73,8 @@ def _require_fitting(words: argparse.Namespace) -> None:
         for name, given in (("--step", words.step), ("--scale", words.scale)):
             if given is not None:
                 raise SceneError(f"{name} is for a folder of results; --geometry draws a scene before it is run")
-        if words.view == "back":
-            raise SceneError("--view back is for a folder of results; --geometry draws front or iso")
+        if words.view in ("back", "side"):
+            raise SceneError(f"--view {words.view} is for a folder of results; --geometry draws front or iso")
         return
     if not is_folder:
         raise SceneError(
@@ -94,9 +96,11 @@ def _of_scene(words: argparse.Namespace) -> tuple[Path, str]:
 
 def _of_results(words: argparse.Namespace) -> tuple[Path, str]:
     from masonry.laboratory.result import load_result
+    from masonry.pictures.camera import usual_view
     from masonry.pictures.frame_picture import draw_frame
 
-    step, view = words.step or "peak", words.view or "front"
+    result, step = load_result(words.source), words.step or "peak"
+    view = words.view or usual_view(result)
     name = re.sub(r"[^\w.+]+", "-", re.sub(r"^\s*-", "minus ", step)).strip("-")
     out = words.out or Path(words.source) / f"{name}-{view}.png"
-    return out, draw_frame(load_result(words.source), out, step, view, words.scale)
+    return out, draw_frame(result, out, step, view, words.scale)

@@ -7,8 +7,17 @@ import numpy as np
 from masonry.curves.curve_axes import curve_axes
 from masonry.errors import SceneError
 from masonry.pictures.camera import box_of
-from masonry.pictures.crack_picture import draw_keys, drawing_of, frame_axes, largest_move, magnification, panel_title
+from masonry.pictures.crack_picture import (
+    draw_keys,
+    drawing_of,
+    frame_axes,
+    largest_move,
+    magnification,
+    panel_title,
+    thrusts_of,
+)
 from masonry.pictures.crack_style import kinds_of, scale_of
+from masonry.pictures.large.scale_bar import draw_scale_bar
 from masonry.pictures.style import plain
 
 if TYPE_CHECKING:
@@ -22,12 +31,12 @@ DOT, GONE, TO_COME = "#b2182b", "#1f3b5c", "#c3ccd6"
 class Movie:
     """A figure that shows one frame of a result after another.
 
-    view   as masonry.pictures.camera.VIEWS
+    view   as masonry.pictures.camera.VIEWS; by default that which shows how it falls, else the front
     times  by how much displacements are drawn larger; by default so that the largest of all frames shows
     Raises SceneError where there are no frames.
     """
 
-    def __init__(self, result: "ResultData", view: str = "front", times: float | None = None) -> None:
+    def __init__(self, result: "ResultData", view: str | None = None, times: float | None = None) -> None:
         frames = result.history.frames
         if not frames:
             raise SceneError("this result has no frames: its run ended before there was one; there is nothing to draw")
@@ -46,6 +55,8 @@ class Movie:
         self.panel.clear()
         self.drawing.draw(self.panel, frame, self.cracks[number], self.times, self.scale)
         frame_axes(self.panel, self.limits)
+        if self.result.is_large:
+            draw_scale_bar(self.panel)
         name = f"frame {number + 1} of {len(self.frames)}"
         self.panel.set_title(panel_title(self.result, name, frame, self.times), fontsize=11)
         rows = self.result.history.rows
@@ -70,7 +81,8 @@ class Movie:
         FigureCanvasAgg(figure)
         figure.suptitle(plain(self.result.title), fontsize=13, wrap=True)
         self._draw_curve(curve)
-        draw_keys(figure, [self.panel], [self.drawing], self.scale, kinds_of(self.cracks))
+        thrusts = thrusts_of(self.drawing, self.frames)
+        draw_keys(figure, [self.panel], [self.drawing], self.scale, kinds_of(self.cracks), thrusts)
         self.draw(len(self.frames) - 1)
         if (engine := figure.get_layout_engine()) is not None:
             engine.execute(figure)

@@ -26,14 +26,14 @@ def write_movie(
     result: "ResultData",
     path: Path | str,
     fps: int = 6,
-    view: str = "front",
+    view: str | None = None,
     times: float | None = None,
     progress: Callable[[int, int, str], None] | None = None,
 ) -> Path:
     """Write a .gif or .mp4 of all frames, whole or not at all; returns the path.
 
     fps       frames a second, 1 to 60
-    view      "front", "back" or "iso"
+    view      "front", "back", "side" or "iso"; by default that which shows how it falls, else the front
     times     by how much displacements are drawn larger
     progress  called with (frames done, frames, a word)
 

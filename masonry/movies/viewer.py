@@ -34,7 +34,7 @@ def show(
     field       "opening", "slip", "damage", "damage_tension", "damage_shear", or "mode": damage, red where tension
                 leads and blue where shear does
     scale       by how much displacements are drawn larger; by default so that they show
-    view        "iso", "front" or "back"
+    view        "iso", "front", "back" or "side"
     screenshot  a .png file to write in place of a window; needs no display
     everywhere  colour the joints that are not damaged as well
 

@@ -1,18 +1,25 @@
-"""Cameras: parallel projections of a specimen from the front, from behind, or from the front, the right and above."""
+"""Cameras: parallel projections of a specimen from the front, from behind, from the side, or from the front, the right
+and above."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from geometry.blocks import Blocks, Specimen
 from geometry.specimens.placed import FLOOR
 
-VIEWS = ("front", "back", "iso")
+if TYPE_CHECKING:
+    from masonry.results.data import ResultData
+
+VIEWS = ("front", "back", "side", "iso")
 UPRIGHT = ("arch", "vault", "dome", "wall", "multi-leaf")
 """Shapes of specimens that are seen along y however deep they are."""
 AZIMUTH, ELEVATION = np.radians(-55.0), np.radians(25.0)
 """From where "iso" looks, as matplotlib counts these angles."""
+FALLS = 0.1
+"""Share of the size of a specimen: what moves by more falls."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +45,22 @@ def camera_of(view: str, specimen: Specimen, moved: Sequence[np.ndarray] = ()) -
     """The camera of one of VIEWS for a specimen (a floor aside), whose corners move by (P, 3) m each."""
     points, shape = specimen.blocks.points[above_floor(specimen.blocks)], specimen.shape
     right = along_floor(specimen.blocks, moved)
-    return {"front": front_view, "back": back_view, "iso": iso_view}[view](points, shape, right)
+    views = {"front": front_view, "back": back_view, "side": side_view, "iso": iso_view}
+    return views[view](points, shape, right)
+
+
+def usual_view(result: "ResultData") -> str:
+    """The view of a result where none is asked for: the side, where in large displacement it falls along what the front
+    looks along; else the front."""
+    if not result.is_large:
+        return "front"
+    blocks, moved = result.specimen.blocks, [frame.corners for frame in result.history.frames]
+    front = camera_of("front", result.specimen, moved)
+    own = above_floor(blocks)
+    farthest = np.max([np.abs(corners[own]).max(axis=0) for corners in moved], axis=0, initial=0.0)
+    level = farthest * [1.0, 1.0, 0.0]
+    along, across = (float(level @ np.abs(direction)) for direction in (front.right, front.toward))
+    return "side" if across > max(FALLS * front.size, 2.0 * along) else "front"
 
 
 def along_floor(blocks: Blocks, moved: Sequence[np.ndarray] = ()) -> int | None:
@@ -96,6 +118,13 @@ def back_view(points: np.ndarray, shape: str = "", right: int | None = None) -> 
     """The same plane from behind: coordinates grow to the left."""
     front = front_view(points, shape, right)
     return replace(front, right=-front.right, toward=-front.toward)
+
+
+def side_view(points: np.ndarray, shape: str = "", right: int | None = None) -> Camera:
+    """Along the other level axis than the front looks along, z upwards: it shows what falls out of the front."""
+    front = front_view(points, shape, right)
+    across, up = np.eye(3)[[0 if front.right[1] else 1, 2]]
+    return Camera(across, up, np.cross(across, up), front.size)
 
 
 def iso_view(points: np.ndarray, shape: str = "", right: int | None = None) -> Camera:

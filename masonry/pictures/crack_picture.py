@@ -7,11 +7,14 @@ import numpy as np
 
 from geometry.specimens.placed import FLOOR
 from masonry.history import Frame
-from masonry.pictures.camera import box_of
+from masonry.pictures.camera import box_of, usual_view
 from masonry.pictures.crack_style import crack_keys, draw_scales, kinds_of, scale_of
 from masonry.pictures.front import FlatDrawing, group_colours
+from masonry.pictures.large.drawing import MovedDrawing
+from masonry.pictures.large.scale_bar import draw_scale_bar
 from masonry.pictures.oblique import SolidDrawing
 from masonry.pictures.style import MEGA, MILLI, plain
+from masonry.pictures.thrust_line import ThrustLine
 from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.results.frames import at_peak, without_noise
 
@@ -27,11 +30,14 @@ LITTLE = 4.0
 """How many times larger displacements are drawn at least, if they are: a hundredth of the size shows as it is."""
 KEY_WIDTH = 2.0
 """Inches of an entry of the legend."""
-Drawing = FlatDrawing | SolidDrawing
+Drawing = FlatDrawing | SolidDrawing | MovedDrawing
 
 
-def drawing_of(result: "ResultData", view: str = "front") -> Drawing:
-    """What draws a result in one of VIEWS."""
+def drawing_of(result: "ResultData", view: str | None = None) -> Drawing:
+    """What draws a result in one of VIEWS, by default in its usual one."""
+    view = view or usual_view(result)
+    if result.is_large:
+        return MovedDrawing(result, view)
     return SolidDrawing(result) if view == "iso" else FlatDrawing(result, view)
 
 
@@ -68,18 +74,22 @@ def largest_move(frame: Frame) -> float:
 def cracks_figure(result: "ResultData") -> Any:
     """A figure of one panel a frame, side by side, or one above the other for long specimens."""
     panels = frames_to_draw(result)
-    beside = _ratio(FlatDrawing(result)) > 0.3
+    beside = _ratio(drawing_of(result)) > 0.3
     figure = gallery([(name, result, frame) for name, frame in panels], 2 if beside else 1)
     figure.suptitle(plain(result.title), fontsize=13, wrap=True)
     return figure
 
 
 def gallery(
-    panels: "Sequence[tuple[str, ResultData, Frame]]", columns: int = 2, view: str = "front", times: float | None = None
+    panels: "Sequence[tuple[str, ResultData, Frame]]",
+    columns: int = 2,
+    view: str | None = None,
+    times: float | None = None,
 ) -> Any:
     """A figure of panels in rows: (name, result, one of its frames) each, with one key and one scale to them all.
 
-    view   "front", "back" as the tension face of a wall in bending, or "iso" from the front, the right and above
+    view   "front", "back" as the tension face of a wall in bending, "side", or "iso" from the front, the right and
+           above; by default that which shows how it falls, else the front
     times  by how much displacements are drawn larger; by default so that they show, panel by panel
     """
     from masonry.pictures.figure import ShownFigure
@@ -105,9 +115,14 @@ def gallery(
         larger = magnification(frame, drawing.camera.size) if times is None else times
         drawing.draw(one, frame, lines, larger, scale)
         frame_axes(one, _box(drawing))
+        if result.is_large:
+            draw_scale_bar(one)
         title = panel_title(result, name, frame, larger, narrow=columns > 2)
         one.set_title(title, fontsize=10 if columns > 2 else 11)
-    draw_keys(figure, axes, shown, scale, kinds_of(cracks))
+    thrusts = [
+        line for drawing, (_, _, frame) in zip(shown, panels, strict=True) for line in thrusts_of(drawing, [frame])
+    ]
+    draw_keys(figure, axes, shown, scale, kinds_of(cracks), thrusts)
     return figure
 
 
@@ -172,8 +187,21 @@ def travelled_fraction(rows: dict[str, np.ndarray], frame: Frame) -> float:
     return float(np.interp(frame.step, rows["step"], travel) / travel[-1]) if travel[-1] > 0.0 else 1.0
 
 
-def draw_keys(figure: Any, axes: list[Any], drawings: Sequence[Drawing], scale: float, kinds: Sequence[str]) -> None:
-    """Colour bars of damage, and a legend of groups, crack kinds and openings, and the thrust line; of what occurs."""
+def thrusts_of(drawing: Drawing, frames: Sequence[Frame]) -> list[ThrustLine]:
+    """The thrust line of a drawing, where one of the frames has any of it."""
+    line = None if isinstance(drawing, SolidDrawing) else drawing.thrust
+    return [line] if line is not None and any(line.acts(drawing.result, frame) for frame in frames) else []
+
+
+def draw_keys(
+    figure: Any,
+    axes: list[Any],
+    drawings: Sequence[Drawing],
+    scale: float,
+    kinds: Sequence[str],
+    thrusts: Sequence[ThrustLine],
+) -> None:
+    """Colour bars of damage, and a legend of groups, crack kinds and openings, and thrust lines; of what occurs."""
     from matplotlib.patches import Patch
 
     draw_scales(figure, axes, kinds)
@@ -183,9 +211,6 @@ def draw_keys(figure: Any, axes: list[Any], drawings: Sequence[Drawing], scale: 
         colours |= {name: colour for g, (name, colour) in enumerate(shown) if g in blocks.group}
     keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
     keys += crack_keys(scale, kinds)
-    lines = {
-        line.in_a_row: line.key() for drawing in drawings if (line := getattr(drawing, "thrust", None)) is not None
-    }
-    keys += lines.values()
+    keys += {line.in_a_row: line.key() for line in thrusts}.values()
     columns = -(-len(keys) // -(-len(keys) // max(int(figure.get_figwidth() / KEY_WIDTH), 1)))
     figure.legend(handles=keys, loc="outside lower center", ncols=columns, frameon=False, fontsize=10)

@@ -18,13 +18,13 @@ def draw_frame(
     result: "ResultData",
     path: Path | str,
     step: str | int | float = "peak",
-    view: str = "front",
+    view: str | None = None,
     times: float | None = None,
 ) -> str:
     """Write the picture (.png) of the frame nearest to `step`, whole or not at all.
 
     step   as masonry.results.frames.choose takes it
-    view   "front", "back" or "iso"
+    view   "front", "back", "side" or "iso"; by default that which shows how it falls, else the front
     times  by how much displacements are drawn larger; by default so that they show
 
     Returns a sentence where the frame is not just the one that was asked for, else nothing. Raises SceneError for what
@@ -33,7 +33,7 @@ def draw_frame(
     path = Path(path)
     if path.suffix != ".png":
         raise SceneError(f"'{path}': the picture is a .png file; nearest: '{path.stem or 'picture'}.png'")
-    if view not in VIEWS:
+    if view is not None and view not in VIEWS:
         raise SceneError(f"view '{view}'; {nearest(view, VIEWS)}")
     chosen = choose(result, step)
     figure = gallery([(chosen.name, result, chosen.frame)], 1, view, times)

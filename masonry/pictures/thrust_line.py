@@ -11,6 +11,7 @@ import numpy as np
 from masonry.history import Frame
 from masonry.pictures.camera import Camera
 from masonry.pictures.crack_lines import EDGE_ON
+from masonry.pictures.large.nearness import reach
 from masonry.results.deformation import Corners, Deformation
 from masonry.results.joint_resultants import UnitJoints, unit_joints
 
@@ -27,11 +28,13 @@ ROW, WALL = 3, 120
 
 @dataclass(frozen=True)
 class ThrustLine:
-    """The joints between units in the order of drawing, and whether a line joins them."""
+    """The joints between units in the order of drawing, whether a line joins them, and how far apart (m) the two
+    sides of each contact (C,) may be."""
 
     joints: UnitJoints
     order: np.ndarray
     in_a_row: bool
+    reach: np.ndarray
 
     def forces(self, result: "ResultData", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
         """Normal force (J,) N, below 0 where it presses, and its place (J, 3) m before loading, of each joint in
@@ -47,14 +50,20 @@ class ThrustLine:
         return along[self.order], place[self.order]
 
     def displaced(self, result: "ResultData", frame: Frame, times: float) -> np.ndarray:
-        """(J, 3) m: the places midway between the two sides of their joints, displacements `times` larger."""
+        """(J, 3) m: the places midway between the two sides of their joints, displacements `times` larger; not a
+        number where the joint does not press or has parted."""
         _, place = self.forces(result, frame)
         field = Deformation(Corners(result.specimen.blocks), frame)
         shown = np.flatnonzero(np.isfinite(place[:, 0]))
         nearest = np.array([self._nearest(result, int(k), place[k]) for k in shown], dtype=np.int64)
         first, second = field.sides(result.joints, nearest, place[shown])
         place[shown] += 0.5 * times * (first + second)
+        place[shown[np.linalg.norm(first - second, axis=1) > self.reach[nearest]]] = np.nan
         return place
+
+    def acts(self, result: "ResultData", frame: Frame) -> bool:
+        """Whether there is anything to draw in a frame."""
+        return bool(np.isfinite(self.displaced(result, frame, 1.0)).any())
 
     def _nearest(self, result: "ResultData", k: int, place: np.ndarray) -> int:
         """The contact of joint k that is nearest to a place (3,) m."""
@@ -81,10 +90,10 @@ def thrust_line(result: "ResultData", camera: Camera) -> ThrustLine | None:
         return None
     joints = unit_joints(result.specimen.blocks, result.joints)
     if (row := row_of(joints.units)) is not None:
-        return ThrustLine(joints, row, True) if len(row) >= ROW else None
+        return ThrustLine(joints, row, True, reach(result)) if len(row) >= ROW else None
     first = joints.contact[joints.start[:-1]]
     shown = np.flatnonzero(np.abs(result.joints.normal[first] @ camera.toward) < EDGE_ON)
-    return ThrustLine(joints, shown, False) if 0 < len(shown) <= WALL else None
+    return ThrustLine(joints, shown, False, reach(result)) if 0 < len(shown) <= WALL else None
 
 
 def row_of(units: np.ndarray) -> np.ndarray | None:

@@ -62,6 +62,11 @@ class ResultData:
             return {}
 
     @property
+    def is_large(self) -> bool:
+        """Whether it was run in large displacement, in which blocks turn, part and meet anew."""
+        return bool(self.scene_table.get("displacements") == "large")
+
+    @property
     def has_drive(self) -> bool:
         """Whether something is driven; where nothing is, there are reactions and gauges, but no curve and no peak."""
         return has_drive(self.summary)

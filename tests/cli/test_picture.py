@@ -48,6 +48,7 @@ def test_the_command_writes_a_picture_and_says_where(tmp_path, capsys, view):
         (["--geometry", "--out", "wall.jpg"], "wall.jpg.*a .png file; nearest: 'wall.png'"),
         (["--geometry", "--out", "no/such/folder/wall.png"], "cannot write.*No such file"),
         (["--geometry", "--view", "back"], "--view back is for a folder of results"),
+        (["--geometry", "--view", "side"], "--view side is for a folder of results"),
         ([], "--geometry"),
         (["--geometry", "--set", "drive.on=left"], "drive.on = 'left' selects nothing"),
     ],

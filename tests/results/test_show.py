@@ -90,7 +90,7 @@ def test_a_screenshot_shows_red_and_blue_joints_at_the_end_and_none_at_the_start
 def test_what_cannot_be_shown_is_refused_in_one_message(tmp_path, monkeypatch):
     for words, says in (
         ({"field": "opening_"}, "field 'opening_'.*did you mean 'opening'"),
-        ({"view": "top"}, "view 'top'; known here: back, front, iso"),
+        ({"view": "top"}, "view 'top'; known here: back, front, iso, side"),
         ({"screenshot": "wall.jpg"}, "nearest: 'wall.png'"),
         ({"step": "peek"}, "did you mean 'peak'"),
     ):

@@ -1,0 +1,117 @@
+"""Blocks that have moved far, from any side: what is seen of them, farthest first, is found anew in every frame."""
+
+from dataclasses import fields, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from geometry.joints.tributary_areas import tiles
+from geometry.polyhedra.indexing import ranges
+from geometry.polyhedra.measures import face_areas_normals_centroids
+from geometry.polyhedra.polygons import pad
+from masonry.history import Frame
+from masonry.pictures.camera import Camera, camera_of
+from masonry.pictures.faces import FaceDrawing
+from masonry.pictures.hidden_surfaces import Piece
+from masonry.pictures.large.depth_order import farthest_first
+from masonry.pictures.large.edges import Continued, continued
+from masonry.pictures.large.nearness import reach
+from masonry.pictures.oblique import JointCracks, crack_edges, faces_beside, joint_cracks, last_piece
+from masonry.pictures.thrust_line import ThrustLine, thrust_line
+from masonry.results.deformation import Corners, Deformation
+
+if TYPE_CHECKING:
+    from masonry.results.data import ResultData
+
+EDGE_ON = 1e-3
+"""Faces whose normal makes a smaller cosine with the line of sight are not seen."""
+GRAZED = 0.1
+"""On faces whose normal makes a smaller one no crack is drawn: it would look like an edge."""
+
+
+class MovedDrawing:
+    """Draws the frames of one result of large displacement."""
+
+    def __init__(self, result: "ResultData", view: str) -> None:
+        blocks, joints = result.specimen.blocks, result.joints
+        self.result = result
+        self.camera = camera_of(view, result.specimen, [frame.corners for frame in result.history.frames])
+        self.thrust: ThrustLine | None = thrust_line(result, self.camera) if view != "iso" else None
+        self.shape, self.edges, self.reach = Corners(blocks), continued(blocks), reach(result)
+        self.start, self.tile = tiles(joints)
+        self.beside = faces_beside(blocks, joints, self.start, self.tile, 1e-6 * self.camera.size)
+
+    def cracks(self, frame: Frame) -> JointCracks:
+        """The contacts to draw: those whose two sides are still near, and come out on a face toward the viewer."""
+        cracks = joint_cracks(self.result, frame)
+        point = self.result.joints.point[cracks.contact]
+        first, second = Deformation(self.shape, frame).sides(self.result.joints, cracks.contact, point)
+        near = np.linalg.norm(first - second, axis=1) <= self.reach[cracks.contact]
+        blocks = self.moved(frame, 1.0)
+        after = self._after(blocks, _toward(blocks, self.camera))
+        comes_out = np.maximum.reduceat(after, self.start[:-1]) >= 0 if len(after) else near
+        shown = near & comes_out[cracks.contact]
+        return JointCracks(**{entry.name: getattr(cracks, entry.name)[shown] for entry in fields(cracks)})
+
+    def moved(self, frame: Frame, times: float) -> Blocks:
+        """The blocks of a frame, displacements `times` larger."""
+        blocks = self.result.specimen.blocks
+        return replace(blocks, points=blocks.points + times * frame.corners)
+
+    def draw(self, axes: Any, frame: Frame, cracks: JointCracks, times: float, scale: float) -> None:
+        """Draw a frame with displacements `times` larger, its cracks and its thrust line; `scale` is the opening (m)
+        of full width."""
+        joints, blocks = self.result.joints, self.moved(frame, times)
+        pieces = seen_pieces(blocks, self.camera, self.edges)
+        after = self._after(blocks, np.array([piece.face for piece in pieces], dtype=np.int64))
+        owner, corner = ranges(self.start[cracks.contact], np.diff(self.start)[cracks.contact])
+        first, second = Deformation(self.shape, frame).sides(joints, cracks.contact[owner], self.tile[corner])
+        places = self.tile[corner] + 0.5 * times * (first + second)
+        starts = np.searchsorted(owner, np.arange(len(cracks.contact) + 1))
+        lines = crack_edges(cracks, places, starts, after[corner], scale)
+        faces = FaceDrawing(blocks, self.camera, lamp_of(self.camera))
+        for number, piece in enumerate(pieces):
+            faces.add_piece(piece)
+            for line in lines.get(number, ()):
+                faces.add_line(*line)
+        faces.draw(axes)
+        if self.thrust is not None:
+            self.thrust.draw(axes, self.result, frame, self.camera, times)
+
+    def _after(self, blocks: Blocks, seen: np.ndarray) -> np.ndarray:
+        """(E,) for each edge of a tile the place in `seen`, faces (n,) in the order of drawing, of the last that it
+        comes out on; -1 where there is none."""
+        normal = face_areas_normals_centroids(blocks)[1]
+        rank = np.full(len(normal), -1)
+        rank[seen] = np.arange(len(seen))
+        rank[normal @ self.camera.toward < GRAZED] = -1
+        return last_piece(rank, len(self.tile), *self.beside)
+
+
+def seen_pieces(blocks: Blocks, camera: Camera, edges: Continued) -> list[Piece]:
+    """The faces toward the viewer of blocks that have moved, whole and farthest first."""
+    seen = _toward(blocks, camera)
+    if len(seen) == 0:
+        return []
+    sides = np.diff(blocks.face_start)[seen]
+    start = np.concatenate([[0], np.cumsum(sides)])
+    index = ranges(blocks.face_start[seen], sides)[1]
+    order = farthest_first(pad(blocks.points, start, blocks.face_points[index])[0], camera)
+    unit, block = edges.kinds(blocks)
+    pieces = []
+    for face in seen[order].tolist():
+        own = slice(blocks.face_start[face], blocks.face_start[face + 1])
+        pieces.append(Piece(face, blocks.points[blocks.face_points[own]], unit[own], block[own]))
+    return pieces
+
+
+def _toward(blocks: Blocks, camera: Camera) -> np.ndarray:
+    """Numbers of the faces that look toward the viewer."""
+    area, normal, _ = face_areas_normals_centroids(blocks)
+    return np.flatnonzero((area > 0.0) & (normal @ camera.toward > EDGE_ON))
+
+
+def lamp_of(camera: Camera) -> np.ndarray:
+    """From where light falls: over the left shoulder of the viewer, so that what turned has a shade from any side."""
+    return np.asarray(0.91 * camera.toward - 0.27 * camera.right + 0.23 * camera.up)

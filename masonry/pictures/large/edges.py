@@ -1,0 +1,70 @@
+"""The edges of blocks that move apart: where the face beyond an edge goes on, and whether it still does."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from geometry.polyhedra.indexing import ranges
+from geometry.polyhedra.measures import face_areas_normals_centroids, volumes
+from masonry.pictures.hidden_surfaces import BENT, SAME_PLANE
+
+PARTED = 0.02
+"""Share of the size of a block: two edges that are farther apart do not go on in one another."""
+
+
+@dataclass(frozen=True)
+class Continued:
+    """The edges beyond which another face of the same unit goes on in the same plane before loading.
+
+    An edge is numbered by its first corner in `Blocks.face_points`.
+
+    following  (E,) the corner at the other end of each edge
+    edge       (n,) an edge that goes on
+    beyond     (n,) the same edge as part of the face beyond it
+    inner      (n,) whether both faces belong to one block
+    reach      (n,) m, how far apart the two may be and still count as one
+    """
+
+    following: np.ndarray
+    edge: np.ndarray
+    beyond: np.ndarray
+    inner: np.ndarray
+    reach: np.ndarray
+
+    def kinds(self, blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
+        """Of the edges (E,) of the same blocks, moved: which bound a unit or what is left of it, and which a block."""
+        corner = blocks.points[blocks.face_points]
+        middle = 0.5 * (corner + corner[self.following])
+        together = np.linalg.norm(middle[self.edge] - middle[self.beyond], axis=1) <= self.reach
+        unit, block = np.ones(len(corner), dtype=bool), np.ones(len(corner), dtype=bool)
+        unit[self.edge[together]] = False
+        block[self.edge[self.inner]] = False
+        return unit, block
+
+
+def continued(blocks: Blocks) -> Continued:
+    """The edges of blocks before loading that go on: in the same plane, or in one block with hardly a bend, as on the
+    facets of a curved surface."""
+    sides = np.diff(blocks.face_start)
+    face = np.repeat(np.arange(len(sides)), sides)
+    following = np.arange(1, len(face) + 1)
+    following[blocks.face_start[1:] - 1] = blocks.face_start[:-1]
+    block = blocks.face_block()[face]
+    size = float(np.ptp(blocks.points, axis=0).max())
+    place = np.round(blocks.points[blocks.face_points] / (1e-6 * size)).astype(np.int64)
+    corner = np.unique(place, axis=0, return_inverse=True)[1].ravel()
+    ends = np.sort(np.stack([corner, corner[following]], axis=1), axis=1)
+    key = np.unique(np.column_stack([ends, blocks.unit[block], blocks.group[block]]), axis=0, return_inverse=True)[1]
+    order = np.argsort(key.ravel(), kind="stable")
+    number = np.bincount(key.ravel())
+    start = np.cumsum(number) - number
+    own, other = ranges(start[key.ravel()], number[key.ravel()])
+    other = order[other]
+    inner = block[own] == block[other]
+    normal = face_areas_normals_centroids(blocks)[1]
+    cosine = np.einsum("ni,ni->n", normal[face[own]], normal[face[other]])
+    on = (own != other) & (cosine > np.where(inner, BENT, SAME_PLANE))
+    own, other, inner = own[on], other[on], inner[on]
+    width = np.cbrt(volumes(blocks))
+    return Continued(following, own, other, inner, PARTED * np.minimum(width[block[own]], width[block[other]]))
