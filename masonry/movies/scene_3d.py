@@ -122,7 +122,9 @@ class Viewer:
         return 0.0, shown.factor * largest or 1.0
 
     def _outer(self) -> np.ndarray:
-        """Faces that no joint covers wholly."""
+        """Faces that no joint covers wholly; in large displacement, where joints open, all."""
+        if self.result.is_large:
+            return np.arange(len(self.result.specimen.blocks.face_start) - 1)
         return np.flatnonzero(covered_fractions(self.result.specimen.blocks, self.result.joints) < 1 - 1e-6)
 
     def _outer_faces(self) -> np.ndarray:

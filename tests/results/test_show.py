@@ -76,6 +76,13 @@ def test_the_outlines_are_those_of_units_not_of_the_cells_in_them():
     assert set(level) == {1.0, 3.0}, "only where a half unit ends"
 
 
+def test_in_large_displacement_faces_in_joints_are_there_for_when_the_joints_open():
+    result = sample()
+    whole = Viewer(Plotter(), result, "slip").walls.n_cells
+    result.scene_toml += 'displacements = "large"\n'
+    assert Viewer(Plotter(), result, "slip").walls.n_cells == 6 * result.specimen.blocks.count > whole
+
+
 @pytest.mark.parametrize("view", ["iso", "front", "back"])
 def test_a_screenshot_shows_red_and_blue_joints_at_the_end_and_none_at_the_start(tmp_path, view):
     for step, cracked in (("last", True), ("first", False)):
