@@ -189,8 +189,9 @@ def travelled_fraction(rows: dict[str, np.ndarray], frame: Frame) -> float:
 
 def thrusts_of(drawing: Drawing, frames: Sequence[Frame]) -> list[ThrustLine]:
     """The thrust line of a drawing, where one of the frames has any of it."""
-    line = None if isinstance(drawing, SolidDrawing) else drawing.thrust
-    return [line] if line is not None and any(line.acts(drawing.result, frame) for frame in frames) else []
+    if isinstance(drawing, SolidDrawing) or drawing.thrust is None:
+        return []
+    return [drawing.thrust] if any(np.isfinite(drawing.forces_at(frame, 1.0)).any() for frame in frames) else []
 
 
 def draw_keys(

@@ -47,7 +47,11 @@ class FlatDrawing:
         _draw_blocks(axes, blocks, self.outlines, self.camera.project(blocks.points + times * frame.corners))
         draw_cracks(axes, self.result, cracks, frame, self.camera, times, scale)
         if self.thrust is not None:
-            self.thrust.draw(axes, self.result, frame, self.camera, times)
+            self.thrust.draw(axes, self.camera.project(self.forces_at(frame, times)))
+
+    def forces_at(self, frame: Frame, times: float) -> np.ndarray:
+        """(J, 3) m, where the thrust line or its marks are drawn; not a number where nothing is."""
+        return np.zeros((0, 3)) if self.thrust is None else self.thrust.displaced(self.result, frame, times)
 
 
 def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -> None:

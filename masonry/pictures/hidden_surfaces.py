@@ -55,15 +55,23 @@ def visible_pieces(blocks: Blocks, joints: Joints, camera: Camera) -> list[Piece
 
 def hidden(point: np.ndarray, pieces: list[Piece], camera: Camera, width: float) -> bool:
     """Whether a point (3,) lies more than width (m) behind a piece as seen by the viewer."""
+    return bool(behind(point[None], pieces, camera, width).any())
+
+
+def behind(points: np.ndarray, pieces: list[Piece], camera: Camera, width: float = 0.0) -> np.ndarray:
+    """(n, N) whether a point (n, 3) lies more than width (m) behind a piece (N) as seen by the viewer."""
     corners, _ = pad(*_joined(pieces))
     _, normal, middle = areas_normals_centroids(corners)
     edge = np.roll(corners, -1, axis=1) - corners
-    along = ((middle - point) * normal).sum(axis=1) / (normal @ camera.toward)
-    reached = point + along[:, None] * camera.toward
-    inside = np.einsum(
-        "nki,nki->nk", np.cross(edge, reached[:, None] - corners), np.broadcast_to(normal[:, None], corners.shape)
-    )
-    return bool(np.any((along > width) & np.all(inside >= -1e-12, axis=1)))
+    found = np.zeros((len(points), len(pieces)), dtype=bool)
+    for n, point in enumerate(points):
+        along = ((middle - point) * normal).sum(axis=1) / (normal @ camera.toward)
+        reached = point + along[:, None] * camera.toward
+        inside = np.einsum(
+            "nki,nki->nk", np.cross(edge, reached[:, None] - corners), np.broadcast_to(normal[:, None], corners.shape)
+        )
+        found[n] = (along > width) & np.all(inside >= -1e-12, axis=1)
+    return found
 
 
 def _joined(pieces: list[Piece]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -61,19 +61,14 @@ class ThrustLine:
         place[shown[np.linalg.norm(first - second, axis=1) > self.reach[nearest]]] = np.nan
         return place
 
-    def acts(self, result: "ResultData", frame: Frame) -> bool:
-        """Whether there is anything to draw in a frame."""
-        return bool(np.isfinite(self.displaced(result, frame, 1.0)).any())
-
     def _nearest(self, result: "ResultData", k: int, place: np.ndarray) -> int:
         """The contact of joint k that is nearest to a place (3,) m."""
         joint = self.order[k]
         contact = self.joints.contact[self.joints.start[joint] : self.joints.start[joint + 1]]
         return int(contact[np.argmin(np.linalg.norm(result.joints.point[contact] - place, axis=1))])
 
-    def draw(self, axes: Any, result: "ResultData", frame: Frame, camera: Camera, times: float) -> None:
-        """Draw the line, broken where a joint does not press, or the marks."""
-        flat = camera.project(self.displaced(result, frame, times))
+    def draw(self, axes: Any, flat: np.ndarray) -> None:
+        """Draw the line through places (J, 2), broken where one is not a number, or the marks."""
         axes.plot(*flat.T, "o-" if self.in_a_row else "o", color=COLOUR, lw=WIDTH, ms=MARK, zorder=4.0)
 
     def key(self) -> Any:

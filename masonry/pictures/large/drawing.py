@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.blocks import Blocks
+from geometry.joints.covered import covered_fractions
+from geometry.joints.find import patch_faces
 from geometry.joints.tributary_areas import tiles
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
@@ -13,7 +15,7 @@ from geometry.polyhedra.polygons import pad
 from masonry.history import Frame
 from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import FaceDrawing
-from masonry.pictures.hidden_surfaces import Piece
+from masonry.pictures.hidden_surfaces import COVERED, Piece, behind
 from masonry.pictures.large.depth_order import farthest_first
 from masonry.pictures.large.edges import Continued, continued
 from masonry.pictures.large.nearness import reach
@@ -26,6 +28,8 @@ if TYPE_CHECKING:
 
 EDGE_ON = 1e-3
 """Faces whose normal makes a smaller cosine with the line of sight are not seen."""
+CLOSED = 0.01
+"""Share of the reach of a joint up to which its two sides are drawn as one."""
 GRAZED = 0.1
 """On faces whose normal makes a smaller one no crack is drawn: it would look like an edge."""
 
@@ -39,15 +43,15 @@ class MovedDrawing:
         self.camera = camera_of(view, result.specimen, [frame.corners for frame in result.history.frames])
         self.thrust: ThrustLine | None = thrust_line(result, self.camera) if view != "iso" else None
         self.shape, self.edges, self.reach = Corners(blocks), continued(blocks), reach(result)
+        self.covered = covered_fractions(blocks, joints) >= COVERED
+        self.faces = patch_faces(blocks, joints)[joints.patch]
         self.start, self.tile = tiles(joints)
         self.beside = faces_beside(blocks, joints, self.start, self.tile, 1e-6 * self.camera.size)
 
     def cracks(self, frame: Frame) -> JointCracks:
         """The contacts to draw: those whose two sides are still near, and come out on a face toward the viewer."""
         cracks = joint_cracks(self.result, frame)
-        point = self.result.joints.point[cracks.contact]
-        first, second = Deformation(self.shape, frame).sides(self.result.joints, cracks.contact, point)
-        near = np.linalg.norm(first - second, axis=1) <= self.reach[cracks.contact]
+        near = (self._gaps(frame) <= self.reach)[cracks.contact]
         blocks = self.moved(frame, 1.0)
         after = self._after(blocks, _toward(blocks, self.camera))
         comes_out = np.maximum.reduceat(after, self.start[:-1]) >= 0 if len(after) else near
@@ -63,7 +67,7 @@ class MovedDrawing:
         """Draw a frame with displacements `times` larger, its cracks and its thrust line; `scale` is the opening (m)
         of full width."""
         joints, blocks = self.result.joints, self.moved(frame, times)
-        pieces = seen_pieces(blocks, self.camera, self.edges)
+        pieces = self.pieces(frame, times)
         after = self._after(blocks, np.array([piece.face for piece in pieces], dtype=np.int64))
         owner, corner = ranges(self.start[cracks.contact], np.diff(self.start)[cracks.contact])
         first, second = Deformation(self.shape, frame).sides(joints, cracks.contact[owner], self.tile[corner])
@@ -77,7 +81,36 @@ class MovedDrawing:
                 faces.add_line(*line)
         faces.draw(axes)
         if self.thrust is not None:
-            self.thrust.draw(axes, self.result, frame, self.camera, times)
+            self.thrust.draw(axes, self.camera.project(self._uncovered(frame, times, pieces)))
+
+    def forces_at(self, frame: Frame, times: float) -> np.ndarray:
+        """(J, 3) m, where the thrust line or its marks are drawn; not a number where nothing is."""
+        return self._uncovered(frame, times, self.pieces(frame, times))
+
+    def pieces(self, frame: Frame, times: float) -> list[Piece]:
+        """The faces to draw, farthest first: those toward the viewer but for those in joints that are closed."""
+        is_open = self.faces[times * self._gaps(frame) > CLOSED * self.reach]
+        hidden = self.covered.copy()
+        hidden[is_open[is_open >= 0]] = False
+        return seen_pieces(self.moved(frame, times), self.camera, self.edges, hidden)
+
+    def _gaps(self, frame: Frame) -> np.ndarray:
+        """(C,) m, how far apart the two sides of each contact are."""
+        joints = self.result.joints
+        first, second = Deformation(self.shape, frame).sides(joints, np.arange(len(joints.area)), joints.point)
+        return np.asarray(np.linalg.norm(first - second, axis=1))
+
+    def _uncovered(self, frame: Frame, times: float, pieces: list[Piece]) -> np.ndarray:
+        """(J, 3) m, the places of the thrust line without those that other units than their own two hide."""
+        if self.thrust is None:
+            return np.zeros((0, 3))
+        place = self.thrust.displaced(self.result, frame, times)
+        if pieces and len(place):
+            blocks = self.result.specimen.blocks
+            unit = blocks.unit[blocks.face_block()[[piece.face for piece in pieces]]]
+            others = (self.thrust.joints.units[self.thrust.order][:, :, None] != unit).all(axis=1)
+            place[(behind(place, pieces, self.camera) & others).any(axis=1)] = np.nan
+        return place
 
     def _after(self, blocks: Blocks, seen: np.ndarray) -> np.ndarray:
         """(E,) for each edge of a tile the place in `seen`, faces (n,) in the order of drawing, of the last that it
@@ -89,9 +122,11 @@ class MovedDrawing:
         return last_piece(rank, len(self.tile), *self.beside)
 
 
-def seen_pieces(blocks: Blocks, camera: Camera, edges: Continued) -> list[Piece]:
-    """The faces toward the viewer of blocks that have moved, whole and farthest first."""
+def seen_pieces(blocks: Blocks, camera: Camera, edges: Continued, hidden: np.ndarray | None = None) -> list[Piece]:
+    """The faces toward the viewer of blocks that have moved, whole and farthest first, without the hidden ones (F,)."""
     seen = _toward(blocks, camera)
+    if hidden is not None:
+        seen = seen[~hidden[seen]]
     if len(seen) == 0:
         return []
     sides = np.diff(blocks.face_start)[seen]
