@@ -19,7 +19,7 @@ from masonry.loading.cycles import DISSIPATED, at_peak, before_a_fall, only_rise
 from masonry.model.loads import Controlled, Growing
 from masonry.monitors import events
 from masonry.monitors.energy import open_in_contacts
-from masonry.monitors.reactions import balance, moved_by, open_by
+from masonry.monitors.reactions import balance, moved_by, open_by, rounded
 from masonry.results.joint_resultants import unit_joints
 from masonry.scene import Scene
 from masonry.timeloop.recording import Outcome
@@ -110,7 +110,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         **({"tilt_rad": float(rows[TILT][-1])} if TILT in rows else {}),
         "gauges": _readings(assembly, outcome),
         "reactions": _reactions(assembly, outcome),
-        "force_balance": open_by(standings, size),
+        "force_balance": open_by(standings, size, rounded(model, float(rows["kinetic"].max()))),
         "motion_at_end": moved_by(outcome.standing["end"], standings, size) if "end" in outcome.standing else 0.0,
         "work_of_drive_j": 0.0
         if scene.drive is None

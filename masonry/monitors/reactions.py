@@ -2,6 +2,7 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass
+from math import sqrt
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,8 @@ from masonry.monitors.energy import present
 from masonry.monitors.observer import Observer, View
 
 FORCE, MOMENT = slice(0, 3), slice(3, 6)
+ROUNDED = 1e-6
+"""Of the momentum over a time step: forces below are measured by it. Rounding makes 1e-16 of it."""
 Parts = dict[str, tuple[np.ndarray, np.ndarray]]
 """Per kind: rows of its dofs (n,), and for each the shares or loads of its dofs (n, dofs)."""
 
@@ -211,13 +214,23 @@ def balance(holds: tuple[tuple[str, str], ...], loads: tuple[str, ...], standing
     return found
 
 
-def open_by(standings: Collection[Standing], size: float) -> float:
+def open_by(standings: Collection[Standing], size: float, least: float = 0.0) -> float:
     """What is left of the sum of all forces, or of all moments over the size (m) of the specimen, as a share.
 
     Its measure is the largest force of all the moments in time that are given: one that has fallen to nothing by the
-    end tells nothing of rounding.
+    end tells nothing of rounding. Where that is below `least` (N), as on what flies freely, it is `least`.
     """
-    return max((_largest(_all(one).sum(axis=0), size) for one in standings), default=0.0) / _scale(standings, size)
+    left = max((_largest(_all(one).sum(axis=0), size) for one in standings), default=0.0)
+    return left / max(_scale(standings, size), least)
+
+
+def rounded(model: Model, kinetic: float) -> float:
+    """N, in large displacement: forces below tell of the rounding of velocities alone; 0 where displacements are small.
+    kinetic: the largest energy (J)."""
+    if model.large is None:
+        return 0.0
+    mass = sum(float(of_kind[:, 0].sum()) for of_kind in model.masses.values())
+    return ROUNDED * sqrt(2.0 * mass * max(kinetic, 0.0)) / model.dt
 
 
 def moved_by(standing: Standing, standings: Collection[Standing], size: float) -> float:
