@@ -67,6 +67,11 @@ class ResultData:
         return has_drive(self.summary)
 
     @property
+    def in_real_time(self) -> bool:
+        """Whether masses are real and displacements large, so that the run is a motion in time."""
+        return bool(self.summary.get("in_real_time"))
+
+    @property
     def curve(self) -> "DataFrame | Table":
         """The rows, one a moment, in SI units (`curve.attrs["units"]`): `curve["displacement"]`, `curve["stress"]`,
         gauges, energies. A table of pandas where that is installed, else a small one of the same columns.
