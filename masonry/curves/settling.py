@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from masonry.curves.curve_axes import tilt_axis
+from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.history import FACTOR, LARGE_UNITS, OFF_BALANCE, TILT, UNITS
 from masonry.pictures.style import MILLI, heading, plain, tidy
@@ -40,6 +42,7 @@ def settling_figure(result: "ResultData") -> Any:
         shown = lines if len(lines) <= MOST else [*lines[:MOST], f"and {len(lines) - MOST} more in summary.json"]
         words = ["reactions at the end, along x, y, z", *shown]
         moved.set_title("\n".join(map(plain, words)), fontsize=10, loc="left")
+    mark_fall([moved, ledger], result, over)
     draw_ledger(ledger, rows, over(rows["step"]))
     ledger.set_ylabel("energy [J]")
     ledger.set_xlabel(label)
@@ -54,8 +57,10 @@ def across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], st
     rows, asked = result.history.rows, result.scene_table.get("curve", {})
     if FACTOR in rows:
         return lambda steps: np.interp(steps, rows["step"], rows[FACTOR]), "load factor [1]"
-    if TILT in rows and isinstance(asked, dict) and asked.get("x") == TILT:
-        return lambda steps: np.degrees(np.interp(steps, rows["step"], rows[TILT])), "tilt of gravity [deg]"
+    tilts = TILT in rows and isinstance(asked, dict) and asked.get("x") == TILT
+    if tilts and result.summary.get("collapse") is None:  # a fall takes no tilt, but time
+        sign, label = tilt_axis(rows)
+        return lambda steps: sign * np.degrees(np.interp(steps, rows["step"], rows[TILT])), label
     if result.in_real_time:
         return lambda steps: np.interp(steps, rows["step"], rows["time"]), "time from the first step [s]"
     return lambda steps: steps, "step"

@@ -31,6 +31,34 @@ def test_a_motion_in_real_time_is_drawn_over_the_time_and_its_titles_say_it():
     assert title == "at the peak: displacement 0.04 mm, stress 0.19 MPa\nafter 0.02 s, drawn at true scale"
 
 
+def tilted(sign):
+    """A motion under gravity that is turned by up to 0.4 rad in half of its time."""
+    result = falling()
+    rows = result.history.rows
+    rows["tilt_of_gravity"] = sign * np.minimum(0.8 * rows["step"] / 1000.0, 0.4)
+    result.scene_toml = '[curve]\nx = "tilt_of_gravity"\n'
+    return result
+
+
+@pytest.mark.parametrize(("sign", "label"), [(1.0, "tilt of gravity [deg]"), (-1.0, "tilt of gravity, times -1 [deg]")])
+def test_a_tilt_is_drawn_to_the_right_whichever_way_gravity_turns(sign, label):
+    moved, ledger = tilted(sign).plot().axes
+    across = moved.get_lines()[0].get_xdata()
+    assert ledger.get_xlabel() == label and across[0] == 0.0 and across[-1] == pytest.approx(np.degrees(0.4))
+
+
+def test_what_fell_under_a_tilt_is_drawn_over_the_time_with_its_fall_marked():
+    result = tilted(-1.0)
+    began = {"step": 300, "time_s": 0.03, "displacement_m": 0.0, "tilt_rad": -0.24}
+    result.summary["collapse"] = {"step": 600, "began": began}
+    moved, ledger = result.plot().axes
+    assert ledger.get_xlabel() == "time from the first step [s]"
+    marks = {line.get_label(): line.get_xdata()[0] for line in moved.get_lines()[1:]}
+    assert marks == {"the fall begins, at -13.75 deg": pytest.approx(0.03), "a block has fallen": pytest.approx(0.06)}
+    ((path, _, _),) = Movie(result).moving
+    assert path.across[-1] == pytest.approx(0.1)
+
+
 @pytest.mark.parametrize(("make", "when"), [(falling, "after 0.02 s"), (resting, "step 200")])
 def test_a_title_says_nothing_twice(make, when):
     result = make()
