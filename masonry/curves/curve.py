@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.curves.curve_axes import CurveAxes, curve_axes
+from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.loading.cycles import peak_row
 from masonry.pictures.style import heading, tidy
@@ -44,16 +45,21 @@ def curve_figure(result: "ResultData") -> Any:
     drawn = curve_axes(result)
     curve.set_ylabel(f"{drawn.name} [{drawn.unit}]")
     ledger.set_xlabel(drawn.label)
-    _draw_curve(curve, rows, drawn, *result.peak)
+    _draw_curve(curve, result, drawn)
+    blow = (result.summary.get("collapse") or {}).get("blow_pa")
+    later = f"\nlater blows to {blow * drawn.factor:.4g} {drawn.unit}" if blow else ""
+    mark_fall([curve, ledger], result, lambda steps: np.interp(steps, rows["step"], drawn.across), later, begins=False)
     draw_ledger(ledger, rows, drawn.across)
     for axes in (curve, ledger):
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
     return figure
 
 
-def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_at: float, peak: float) -> None:
+def _draw_curve(axes: Any, result: "ResultData", drawn: CurveAxes) -> None:
+    """The curve with its peak and its end; what falls and hits the drive goes out of the picture."""
+    rows, stood = result.history.rows, result.standing_rows
     displacement, unit = drawn.across, drawn.unit
-    peak_at, peak = drawn.place(rows, peak_at), peak * drawn.factor
+    peak_at, peak = drawn.place(stood, result.peak.displacement), result.peak.stress * drawn.factor
     stress, support = rows["stress"] * drawn.factor, rows["support_stress"] * drawn.factor
     axes.plot(displacement, stress, color="#1f3b5c", linewidth=2.0, label="at the drive")
     axes.plot(displacement, support, "--", color="#e07b00", linewidth=1.0, label="at the support")
@@ -71,7 +77,11 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_a
         fontsize=11,
     )
     axes.margins(y=0.12)
-    if peak_row(rows) < len(stress) - 1:
+    if len(stood["step"]) < len(stress):
+        shown = np.concatenate([part[: len(stood["step"])] for part in (stress, support)] + [stress[-1:], [peak]])
+        room = 0.12 * float(np.ptp(shown))
+        axes.set_ylim(float(shown.min()) - room, float(shown.max()) + room)
+    if peak_row(stood) < len(stress) - 1:
         right = displacement[-1] >= displacement.mean()
         axes.annotate(
             f"at the end {without_noise(float(stress[-1]), stress):.3g} {unit}",

@@ -8,6 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
+from masonry.laboratory.collapse import standing_rows
 from masonry.laboratory.contact_remarks import bent_remarks, contact_remarks, rocked_remarks, rocking_remarks
 from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
 from masonry.laboratory.provenance import provenance_of
@@ -94,7 +95,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
 
 def _blow(assembly: Assembly, outcome: Outcome) -> list[str]:
     """Where the peak lies far above all rows: it is a blow, and no strength."""
-    rows, section = outcome.history.rows, assembly.specimen.section
+    rows, section = standing_rows(outcome), assembly.specimen.section
     after = rows["step"] >= assembly.plan.settle
     highest = float(rows["stress"][after].max(initial=0.0))
     if outcome.peak_force <= BLOW * highest * section or not outcome.displacement_at_peak:

@@ -75,7 +75,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         *([("past the collapse", [branch_text(led)])] if found and (led := found.get("branch")) else []),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *([("tilt of gravity", [tilt_text(summary["tilt_rad"], " at the end")])] if "tilt_rad" in summary else []),
-        *([("collapse", [collapse_text(fallen)])] if (fallen := summary.get("collapse")) else []),
+        *([("collapse", [collapse_text(summary)])] if summary.get("collapse") else []),
         *((name, [gauge_text(readings, driven)]) for name, readings in (summary.get("gauges") or {}).items()),
         *([("work of dead loads", [words])] if driven and (words := loads_text(summary)) else []),
         ("energy balance", [f"open by {_number(summary, 'energy_imbalance', 1.0, 'of the external work')}"]),
@@ -147,8 +147,14 @@ def tilt_text(tilt: float, when: str = "") -> str:
     return f"{degrees(tilt):.4g} deg{when}, tangent {tan(tilt):.4g}"
 
 
-def collapse_text(fallen: dict[str, Any]) -> str:
-    """Which block fell first, when, and when and at what its fall began."""
+def collapse_text(summary: dict[str, Any]) -> str:
+    """Which block fell first, when, and when and at what its fall began; and how hard it hit the drive later."""
+    fallen = summary["collapse"]
+    blow = stress_text({**summary, **fallen}, "blow_pa") if fallen.get("blow_pa") else ""
+    return f"{_first_to_fall(fallen)}" + (f"; later, blocks that fell hit the drive with up to {blow}" if blow else "")
+
+
+def _first_to_fall(fallen: dict[str, Any]) -> str:
     sets, at = ", ".join(fallen["sets"]), ", ".join(f"{x:.4g}" for x in fallen["at_m"])
     what = f"block {fallen['block']} ({sets}), first at ({at}) m, is the first to fall, after {fallen['time_s']:.4g} s"
     if (began := fallen["began"]) is None:

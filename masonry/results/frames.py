@@ -71,7 +71,7 @@ def moment(result: "ResultData", frame: Frame) -> str:
 
 def at_peak(result: "ResultData") -> Frame:
     """The frame nearest to the row of the peak (cycles.peak_row); the last one without rows or without a drive."""
-    rows, frames = result.history.rows, result.history.frames
+    rows, frames = result.standing_rows, result.history.frames
     if not (len(rows.get("stress", ())) and result.has_drive):
         return frames[-1]
     return _nearest(frames, rows["step"][peak_row(rows)])
