@@ -7,6 +7,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.history import TILT
 from masonry.loading.cycles import before_a_collapse
+from masonry.model.loads import Program
 from masonry.timeloop.recording import Outcome
 
 STILL_FRACTION = 1e-4
@@ -33,8 +34,8 @@ def _collapse(assembly: Assembly, outcome: Outcome) -> dict[str, Any] | None:
         "block": block,
         "sets": sorted(name for name, members in specimen.sets.items() if block in members),
         "at_m": assembly.model.layout.centroid[block].tolist(),
-        **_moment(rows, row),
-        "began": _moment(rows, int(still[-1])) if len(still) else None,
+        **_moment(assembly, rows, row),
+        "began": _moment(assembly, rows, int(still[-1])) if len(still) else None,
         "blow_pa": outcome.blow / specimen.section if outcome.blow > outcome.peak_force else None,
         "energy_j": energies,
     }
@@ -46,8 +47,23 @@ def standing_rows(outcome: Outcome) -> dict[str, np.ndarray]:
     return before_a_collapse(outcome.history.rows, None if fallen is None else fallen[1])
 
 
-def _moment(rows: dict[str, np.ndarray], row: int) -> dict[str, float]:
-    """When, and at which drive and tilt."""
+def _moment(assembly: Assembly, rows: dict[str, np.ndarray], row: int) -> dict[str, Any]:
+    """When, and at which drive, tilt and shares of loads that have a history."""
     keys = {"time": "time_s", "displacement": "displacement_m", "force": "force_n", TILT: "tilt_rad"}
     numbers = {name: float(rows[key][row]) for key, name in keys.items() if key in rows}
-    return {"step": int(rows["step"][row]), **numbers}
+    step = int(rows["step"][row])
+    return {"step": step, **numbers, **({"loads": loads} if (loads := _varying(assembly, step)) else {})}
+
+
+def _varying(assembly: Assembly, step: int) -> dict[str, float]:
+    """By load that has a history: its share at a step. A tilt of gravity is told as such."""
+    plan = assembly.plan
+    if not isinstance(plan, Program) or plan.load_factors is None:
+        return {}
+    tilts = assembly.scene.gravity is not None and assembly.scene.gravity.tilt is not None
+    layers = 0 if plan.layers is None else len(plan.layers)
+    return {
+        load.name: float(plan.load_factors[load.varies, step])
+        for load in assembly.recording.surroundings.loads
+        if load.varies is not None and load.varies >= layers and not (tilts and load.name.startswith("gravity"))
+    }

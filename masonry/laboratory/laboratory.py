@@ -152,11 +152,17 @@ def meeting_text(assembly: Assembly) -> str:
     large = assembly.model.large
     if large is None:
         return ""
+    count, held = candidates(large), int(large.near.search.held.sum())
+    bonded = f" ({held} that bonds hold {_are(held)} left out)" if held else ""
     return (
-        f"{candidates(large)} pairs of {len(large.near.pieces.body)} convex pieces are near enough to be looked at; "
-        "they are found anew when two blocks may have come nearer by the skin of "
+        f"{count} pair{'s' * (count != 1)} of {len(large.near.pieces.body)} convex pieces {_are(count)} near enough to "
+        f"be looked at{bonded}; neighbours are found anew when two blocks may have come nearer by the skin of "
         f"{1e3 * large.near.search.skin[0]:.3g} mm"
     )
+
+
+def _are(count: int) -> str:
+    return "is" if count == 1 else "are"
 
 
 def scatter_lines(assembly: Assembly) -> list[str]:

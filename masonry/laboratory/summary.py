@@ -68,7 +68,10 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     dissipated = sum(float(rows[key][-1]) for key in DISSIPATED)
     rest = before_a_fall(rows, outcome.control.get("factor_falls")) if scene.loops_over else rows
     driven = float(np.abs(rest["external_work"][begun:] - rest["external_work"][begun]).max(initial=0.0))
-    taken = float((rest["damping"] + rest["kinetic"])[-1] - (rest["damping"] + rest["kinetic"])[begun])
+    in_real_time = model.large is not None and not model.scaled
+    braked = rest["damping"] if in_real_time else rest["damping"] + rest["kinetic"]  # what moves will not be damped
+    taken = float(braked[-1] - braked[begun])
+    settles = model.large is None or plan.settle > 0
     lost = dissipated + max(taken, 0.0)
     sudden = events.table(model, outcome.events, rows, max(SUDDEN * lost, ROUNDING * work))
     released = sum(event["released_j"] for event in sudden)
@@ -123,8 +126,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "energy_j": {key: float(rows[key][-1]) for key in (*ENERGY_TERMS, *LARGE_UNITS) if key in rows},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / moved) if moved > 0 else 0.0,
         "dissipation_mismatch": torn / scale if (dissipated or model.large is not None) and scale > 0.0 else 0.0,
-        "unbalanced_after_settling": float(observed["unbalanced"][-1]),
-        "kinetic_after_settling": float(observed["still_moving"][-1]),
+        "unbalanced_after_settling": float(observed["unbalanced"][-1]) if settles else None,
+        "kinetic_after_settling": float(observed["still_moving"][-1]) if settles else None,
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
         "released_over_dissipated": released / lost if sudden and lost > 0.0 else 0.0,

@@ -108,7 +108,7 @@ class Loop:
             return f"load factor {self.rows[FACTOR][-1]:.4g}"
         if not self.place and not self.rows["stress"][-1]:
             return f"kinetic energy {self.rows['kinetic'][-1]:.3g} J"
-        return f"stress {self.rows['stress'][-1] / 1e6:.3f} MPa"
+        return f"stress {self.rows['stress'][-1] / 1e6:.3g} MPa"
 
     def take_steps(self, done: int, chunk: Chunk) -> list[np.ndarray]:
         """The steps of a chunk, and a look whether they can be trusted; returns the velocities before the last."""

@@ -14,10 +14,18 @@ from masonry.results.store import read
 FAST = {"settle.steps": 8000, "drive.rate": "200 mm/s", "solver.duration": "2 s", "solver.rows": 8000}
 
 
+NOTES: list[str] = []
+
+
 @cache
 def slid_off():
     """A unit that bears 0.11 MPa, slides, and hits the drive with 0.55 MPa as it comes off."""
-    return masonry.run(masonry.load("couplet-slid-off", FAST))
+    return masonry.run(masonry.load("couplet-slid-off", FAST), progress=lambda now, whole, note: NOTES.append(note))
+
+
+def test_the_progress_tells_a_stress_with_three_digits():
+    last = slid_off().history.rows["stress"][-1]
+    assert NOTES[-1].endswith(f"stress {1e-6 * last:.3g} MPa") and "0.000 MPa" not in NOTES[-1]
 
 
 def test_the_peak_is_that_of_the_joint_and_the_blow_of_the_fall_is_told_apart():
