@@ -59,6 +59,22 @@ def test_what_fell_under_a_tilt_is_drawn_over_the_time_with_its_fall_marked():
     assert path.across[-1] == pytest.approx(0.1)
 
 
+@pytest.mark.parametrize(("share", "drawn"), [(0.1, True), (1e-5, False)])
+def test_what_large_displacement_loses_leaves_no_gap_in_the_ledger(share, drawn):
+    result = falling()
+    rows = result.history.rows
+    work = rows["external_work"]
+    rows |= {"area": 0.5 * share * work, "redetection": 0.5 * share * work, "rotor": 0.0 * work, "dashpot": 0.2 * work}
+    kept = 1.0 - 0.2 - share
+    for name in ("elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "friction", "damping"):
+        rows[name] = kept * rows[name]
+    ledger = result.plot().axes[1]
+    labels = [text.get_text() for text in ledger.get_legend().get_texts()]
+    assert "dashpots" in labels and ("contacts found anew, turning" in labels) == drawn
+    top = max(area.get_paths()[0].vertices[:, 1].max() for area in ledger.collections)
+    assert top == pytest.approx(work.max(), rel=2e-5)
+
+
 @pytest.mark.parametrize(("make", "when"), [(falling, "after 0.02 s"), (resting, "step 200")])
 def test_a_title_says_nothing_twice(make, when):
     result = make()
