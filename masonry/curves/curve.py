@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from masonry.curves.curve_axes import CurveAxes, curve_axes
+from masonry.curves.curve_axes import CurveAxes, curve_axes, without_blows
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.loading.cycles import peak_row
@@ -77,10 +77,8 @@ def _draw_curve(axes: Any, result: "ResultData", drawn: CurveAxes) -> None:
         fontsize=11,
     )
     axes.margins(y=0.12)
-    if len(stood["step"]) < len(stress):
-        shown = np.concatenate([part[: len(stood["step"])] for part in (stress, support)] + [stress[-1:], [peak]])
-        room = 0.12 * float(np.ptp(shown))
-        axes.set_ylim(float(shown.min()) - room, float(shown.max()) + room)
+    if (limits := without_blows(result, stress, support, np.full_like(stress, peak))) is not None:
+        axes.set_ylim(*limits)
     if peak_row(stood) < len(stress) - 1:
         right = displacement[-1] >= displacement.mean()
         axes.annotate(

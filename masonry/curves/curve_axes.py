@@ -46,6 +46,17 @@ def curve_axes(result: "ResultData") -> CurveAxes:
     return CurveAxes(rows[across] * 1e3, f"{across} [mm]", name, unit, factor)
 
 
+def without_blows(result: "ResultData", *lines: np.ndarray) -> tuple[float, float] | None:
+    """Limits upwards that show lines (n,), one value a row, until a block had fallen, and their ends: blows that come
+    later go out of the picture. None where nothing falls."""
+    count = len(result.standing_rows["step"])
+    if all(count == len(line) for line in lines):
+        return None
+    shown = np.concatenate([np.append(line[:count], line[-1]) for line in lines])
+    room = 0.12 * float(np.ptp(shown))
+    return float(shown.min()) - room, float(shown.max()) + room
+
+
 def tilt_axis(rows: dict[str, np.ndarray]) -> tuple[float, str]:
     """The sign with which the tilt is drawn across, so that time runs to the right, and its label."""
     return (1.0, "tilt of gravity [deg]") if rows[TILT][-1] >= 0.0 else (-1.0, "tilt of gravity, times -1 [deg]")

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from masonry.curves.curve_axes import curve_axes
+from masonry.curves.curve_axes import curve_axes, without_blows
 from masonry.curves.settling import COLOURS, across, movements
 from masonry.errors import SceneError
 from masonry.pictures.camera import box_of
@@ -106,6 +106,8 @@ class Movie:
             axes.legend(loc="best", frameon=False, fontsize=10)
         axes.set(xlabel=right, ylabel=up)
         axes.margins(y=0.08)
+        if self.result.has_drive and (limits := without_blows(self.result, paths[0].up)) is not None:
+            axes.set_ylim(*limits)
 
 
 def paths_of(result: "ResultData") -> tuple[list[Path], str, str]:

@@ -61,7 +61,8 @@ def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
         f"no frame was kept at '{step}'; the nearest of {len(frames)} is drawn: {', '.join(words)} "
         "(a run keeps more with --set solver.frames=100)"
     )
-    return Chosen(frame, f"{name}, the nearest kept to {step}", note)
+    asked = f"step {step}" if result.in_real_time and str(step).strip().isdecimal() else step
+    return Chosen(frame, f"{name}, the nearest kept to {asked}", note)
 
 
 def moment(result: "ResultData", frame: Frame) -> str:

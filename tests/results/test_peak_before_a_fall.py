@@ -8,6 +8,7 @@ import pytest
 import masonry
 from masonry.laboratory.text import summary_text
 from masonry.loading.cycles import at_peak
+from masonry.movies.movie import Movie
 from masonry.pictures.crack_picture import frames_to_draw
 from masonry.results.store import read
 
@@ -48,6 +49,7 @@ def test_curve_and_pictures_show_the_same_peak(tmp_path):
     place, height = 1e3 * result.peak.displacement, 1e-6 * result.peak.stress
     assert (dot.get_xdata()[0], dot.get_ydata()[0]) == pytest.approx((place, height), rel=1e-12)
     assert curve.get_ylim()[1] < 1.5 * height, "blows go out of the picture"
+    assert Movie(result).figure.axes[1].get_ylim()[1] < 1.5 * height, "out of movies as well"
     (marked,) = [line for line in curve.get_lines() if line.get_label().startswith("a block has fallen")]
     assert marked.get_xdata()[0] == pytest.approx(1e3 * result.summary["collapse"]["displacement_m"], rel=1e-12)
     (name, frame), _ = frames_to_draw(result)

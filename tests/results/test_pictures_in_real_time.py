@@ -89,6 +89,7 @@ def test_a_title_says_nothing_twice(make, when):
         ("20 ms", 200, "after 0.02 s"),
         ("200", 200, "after 0.02 s"),
         ("0.07 s", 1000, "after 0.1 s, the nearest kept to 0.07 s"),
+        ("900", 1000, "after 0.1 s, the nearest kept to step 900"),
     ],
 )
 def test_a_run_in_real_time_may_be_asked_for_a_time(step, found, name):
