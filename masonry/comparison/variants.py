@@ -57,7 +57,9 @@ def pace(assembly: Assembly) -> list[Variant]:
             Variant("pace", f"constant rate, {steps} steps", {"drive.steps": steps}),
         ]
     if drive.rate is not None:
-        return [Variant("pace", "half the rate", {"drive.rate": f"{drive.rate / 2!r} m/s"})]
+        given = scene.solver.duration
+        longer = {} if given is None else {"solver.duration": f"{2 * given!r} s"}  # no run ends before its drive
+        return [Variant("pace", "half the rate", {"drive.rate": f"{drive.rate / 2!r} m/s", **longer})]
     if drive.steps is not None:
         return [Variant("pace", f"twice the steps, {2 * drive.steps}", {"drive.steps": 2 * drive.steps})]
     if scene.solver.masses == "real":  # the times of its history are those of the motion

@@ -62,6 +62,9 @@ def test_the_floor_of_a_scene_stays_what_it_is():
     names = [variant.name for variant in variants(assemble(scene))]
     assert names[:3] == ["as it is", "half the rate", "coupling independent"]
     assert settings(scene, "softening") == [{"contact.unit_unit.softening_variable": "plastic"}]  # friction has none
+    (slower,) = settings(scene, "pace")
+    assert slower == {"drive.rate": "0.05 m/s", "solver.duration": "10.0 s"}
+    assert assemble(scene.with_(slower)).plan.steps > assemble(scene).plan.steps, "or it would be refused"
     deformable = {"material.units.young_modulus": "16.7 GPa", "material.units.poisson_ratio": 0.15}
     assert settings(scene.with_(deformable), "kinematics") == [{"kinematics.units": "affine"}]
 
