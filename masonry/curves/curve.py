@@ -77,14 +77,15 @@ def _draw_curve(axes: Any, result: "ResultData", drawn: CurveAxes) -> None:
         fontsize=11,
     )
     axes.margins(y=0.12)
-    if (limits := without_blows(result, stress, support, np.full_like(stress, peak))) is not None:
+    limits = without_blows(result, stress, support, np.full_like(stress, peak))
+    if limits is not None:
         axes.set_ylim(*limits)
     if peak_row(stood) < len(stress) - 1:
         right = displacement[-1] >= displacement.mean()
         axes.annotate(
             f"at the end {without_noise(float(stress[-1]), stress):.3g} {unit}",
             (displacement[-1], stress[-1]),
-            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 and not late else -38),
+            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 and (limits is not None or not late) else -38),
             textcoords="offset points",
             ha="right" if right else "left",
             color="0.25",
