@@ -30,8 +30,8 @@ def parser() -> Parser:
     results.add_argument(
         "--step",
         metavar="STEP",
-        help="peak (default), lowest stress: lowest, last, first, number of a step, or displacement: '0.05 mm'; "
-        "a negative one with an equals sign: --step=-0.05mm",
+        help="peak (default), lowest stress: lowest, last, first, number of a step, displacement: '0.05 mm', or time "
+        "of a run in real time: '1.2 s'; a negative displacement with an equals sign: --step=-0.05mm",
     )
     results.add_argument("--scale", type=scale, metavar="N", help="displacements drawn N times (default: so they show)")
     scenes = words.add_argument_group("of a scene")

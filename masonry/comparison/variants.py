@@ -57,7 +57,9 @@ def pace(assembly: Assembly) -> list[Variant]:
             Variant("pace", f"constant rate, {steps} steps", {"drive.steps": steps}),
         ]
     if drive.rate is not None:
-        return [Variant("pace", "half the rate", {"drive.rate": f"{drive.rate / 2!r} m/s"})]
+        given = scene.solver.duration
+        longer = {} if given is None else {"solver.duration": f"{2 * given!r} s"}  # no run ends before its drive
+        return [Variant("pace", "half the rate", {"drive.rate": f"{drive.rate / 2!r} m/s", **longer})]
     if drive.steps is not None:
         return [Variant("pace", f"twice the steps, {2 * drive.steps}", {"drive.steps": 2 * drive.steps})]
     if scene.solver.masses == "real":  # the times of its history are those of the motion
@@ -86,7 +88,7 @@ def unloading(assembly: Assembly) -> list[Variant]:
 def softening(assembly: Assembly) -> list[Variant]:
     """Softening in shear over total slip, or over accumulated plastic slip."""
     words = {"displacement": "over total slip", "plastic": "over plastic slip"}
-    return _options(assembly, "softening", "softening_variable", words, (), ("brittle",))
+    return _options(assembly, "softening", "softening_variable", words, (), ("brittle", "friction"))
 
 
 def _options(
@@ -123,14 +125,15 @@ def kinematics(assembly: Assembly) -> list[Variant]:
 
 
 def _loose_groups(assembly: Assembly) -> list[str]:
-    """Groups of blocks of which not all are held or driven; all groups where there is no other."""
+    """Groups of blocks of which not all are held or driven; all groups where there is no other. A floor is held."""
     scene, specimen = assembly.scene, assembly.specimen
     blocks = specimen.blocks
     held = np.zeros(blocks.count, dtype=bool)
     for name in [s.on for s in scene.support] + ([scene.drive.on] if scene.drive else []):
         held[specimen.sets.get(name, np.zeros(0, dtype=np.int64))] = True
-    loose = [name for g, name in enumerate(blocks.groups) if not held[blocks.group == g].all()]
-    return loose or list(blocks.groups)
+    groups = [(g, name) for g, name in enumerate(blocks.groups) if not scene.is_floor(name)]
+    loose = [name for g, name in groups if not held[blocks.group == g].all()]
+    return loose or [name for _, name in groups]
 
 
 def plates(assembly: Assembly) -> list[Variant]:

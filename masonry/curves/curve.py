@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from masonry.curves.curve_axes import CurveAxes, curve_axes
+from masonry.curves.curve_axes import CurveAxes, curve_axes, without_blows
+from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.loading.cycles import peak_row
 from masonry.pictures.style import heading, tidy
@@ -44,16 +45,21 @@ def curve_figure(result: "ResultData") -> Any:
     drawn = curve_axes(result)
     curve.set_ylabel(f"{drawn.name} [{drawn.unit}]")
     ledger.set_xlabel(drawn.label)
-    _draw_curve(curve, rows, drawn, *result.peak)
+    _draw_curve(curve, result, drawn)
+    blow = (result.summary.get("collapse") or {}).get("blow_pa")
+    later = f"\nlater blows to {blow * drawn.factor:.4g} {drawn.unit}" if blow else ""
+    mark_fall([curve, ledger], result, lambda steps: np.interp(steps, rows["step"], drawn.across), later, begins=False)
     draw_ledger(ledger, rows, drawn.across)
     for axes in (curve, ledger):
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
     return figure
 
 
-def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_at: float, peak: float) -> None:
+def _draw_curve(axes: Any, result: "ResultData", drawn: CurveAxes) -> None:
+    """The curve with its peak and its end; what falls and hits the drive goes out of the picture."""
+    rows, stood = result.history.rows, result.standing_rows
     displacement, unit = drawn.across, drawn.unit
-    peak_at, peak = drawn.place(rows, peak_at), peak * drawn.factor
+    peak_at, peak = drawn.place(stood, result.peak.displacement), result.peak.stress * drawn.factor
     stress, support = rows["stress"] * drawn.factor, rows["support_stress"] * drawn.factor
     axes.plot(displacement, stress, color="#1f3b5c", linewidth=2.0, label="at the drive")
     axes.plot(displacement, support, "--", color="#e07b00", linewidth=1.0, label="at the support")
@@ -71,12 +77,15 @@ def _draw_curve(axes: Any, rows: dict[str, np.ndarray], drawn: CurveAxes, peak_a
         fontsize=11,
     )
     axes.margins(y=0.12)
-    if peak_row(rows) < len(stress) - 1:
+    limits = without_blows(result, stress, support, np.full_like(stress, peak))
+    if limits is not None:
+        axes.set_ylim(*limits)
+    if peak_row(stood) < len(stress) - 1:
         right = displacement[-1] >= displacement.mean()
         axes.annotate(
             f"at the end {without_noise(float(stress[-1]), stress):.3g} {unit}",
             (displacement[-1], stress[-1]),
-            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 and not late else -38),
+            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 and (limits is not None or not late) else -38),
             textcoords="offset points",
             ha="right" if right else "left",
             color="0.25",

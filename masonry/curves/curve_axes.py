@@ -26,8 +26,8 @@ class CurveAxes:
     factor: float
 
     def place(self, rows: dict[str, np.ndarray], displacement: float) -> float:
-        """Where a displacement (m) of the drive lies across."""
-        return at_peak(rows, self.across, displacement)
+        """Where the displacement (m) of the drive at the peak of some rows, the first of all, lies across."""
+        return at_peak(rows, self.across[: len(rows["step"])], displacement)
 
 
 def curve_axes(result: "ResultData") -> CurveAxes:
@@ -41,8 +41,25 @@ def curve_axes(result: "ResultData") -> CurveAxes:
     if not rows["displacement"].any() and across == "displacement":
         return CurveAxes(rows["time"], "time [s]", name, unit, factor)
     if across == TILT:
-        return CurveAxes(np.degrees(rows[TILT]), "tilt of gravity [deg]", name, unit, factor)
+        sign, label = tilt_axis(rows)
+        return CurveAxes(sign * np.degrees(rows[TILT]), label, name, unit, factor)
     return CurveAxes(rows[across] * 1e3, f"{across} [mm]", name, unit, factor)
+
+
+def without_blows(result: "ResultData", *lines: np.ndarray) -> tuple[float, float] | None:
+    """Limits upwards that show lines (n,), one value a row, until a block had fallen, and their ends: blows that come
+    later go out of the picture. None where nothing falls."""
+    count = len(result.standing_rows["step"])
+    if all(count == len(line) for line in lines):
+        return None
+    shown = np.concatenate([np.append(line[:count], line[-1]) for line in lines])
+    room = 0.12 * float(np.ptp(shown))
+    return float(shown.min()) - room, float(shown.max()) + room
+
+
+def tilt_axis(rows: dict[str, np.ndarray]) -> tuple[float, str]:
+    """The sign with which the tilt is drawn across, so that time runs to the right, and its label."""
+    return (1.0, "tilt of gravity [deg]") if rows[TILT][-1] >= 0.0 else (-1.0, "tilt of gravity, times -1 [deg]")
 
 
 def _curve_table(result: "ResultData") -> dict[str, object]:

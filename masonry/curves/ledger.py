@@ -15,11 +15,20 @@ LEDGER = {
     "kinetic": ("kinetic", "#78c679"),
 }
 """The terms that together make up the external work: label and colour."""
+ANEW, FOUND_ANEW = ("contacts found anew, turning", "#a6761d"), ("area", "redetection", "rotor")
+"""Columns that are drawn as one: what large displacement loses as contacts are found anew, and as blocks turn."""
+SHOWS = 1e-3
+"""Share of the external work from which on they are."""
 
 
 def draw_ledger(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray) -> None:
     """Stacked areas of the terms that there are; one that is clearly negative somewhere is drawn as a line."""
     terms = {name: rows[name] for name in LEDGER if name in rows and rows[name].any()}
+    if all(name in rows for name in FOUND_ANEW):
+        lost = np.sum([rows[name] for name in FOUND_ANEW], axis=0)
+        if np.abs(lost).max(initial=0.0) >= SHOWS * np.abs(rows["external_work"]).max(initial=0.0) > 0.0:
+            terms[ANEW[0]] = lost
+    key = {**LEDGER, ANEW[0]: ANEW}
     size = max((float(np.abs(values).max()) for values in terms.values()), default=0.0)
     floor = -1e-3 * size
     stacked = [name for name, values in terms.items() if values.min() >= floor]
@@ -27,14 +36,14 @@ def draw_ledger(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray
         areas = axes.stackplot(
             displacement,
             [np.maximum(terms[name], 0.0) for name in stacked],
-            colors=[LEDGER[name][1] for name in stacked],
-            labels=[LEDGER[name][0] for name in stacked],
+            colors=[key[name][1] for name in stacked],
+            labels=[key[name][0] for name in stacked],
         )
         for area in areas:
             area.set_linewidth(0.0)
     for name in terms:
         if name not in stacked:
-            label, colour = LEDGER[name]
+            label, colour = key[name]
             axes.plot(displacement, terms[name], ":", color=colour, linewidth=2.0, label=f"{label} (not stacked)")
     if "external_work" in rows:
         axes.plot(displacement, rows["external_work"], color="black", linewidth=1.4, label="external work")

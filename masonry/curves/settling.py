@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from masonry.curves.curve_axes import tilt_axis
+from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.history import FACTOR, LARGE_UNITS, OFF_BALANCE, TILT, UNITS
 from masonry.pictures.style import MILLI, heading, plain, tidy
@@ -22,8 +24,8 @@ COLOURS = ("#1f3b5c", "#e07b00", "#2f7d5b", "#8856a7")
 
 
 def settling_figure(result: "ResultData") -> Any:
-    """A figure of 1200 x 960 pixels at 120 dpi, over the steps: displacements, with the reactions at the end below
-    them, and the energy ledger."""
+    """A figure of 1200 x 960 pixels at 120 dpi, over the steps, or the time: displacements, with the reactions at the
+    end above them, and the energy ledger."""
     from masonry.pictures.figure import ShownFigure
 
     figure = ShownFigure(figsize=(10, 8), layout="constrained")
@@ -32,7 +34,7 @@ def settling_figure(result: "ResultData") -> Any:
     rows = result.history.rows
     for axes in (moved, ledger):
         tidy(axes)
-    over, label = _across(result)
+    over, label = across(result)
     for (name, (steps, path)), colour in zip(movements(result).items(), 9 * COLOURS, strict=False):
         moved.plot(over(steps), MILLI * path, color=colour, linewidth=2.0, label=plain(name))
     moved.set_ylabel("displacement [mm]")
@@ -40,6 +42,7 @@ def settling_figure(result: "ResultData") -> Any:
         shown = lines if len(lines) <= MOST else [*lines[:MOST], f"and {len(lines) - MOST} more in summary.json"]
         words = ["reactions at the end, along x, y, z", *shown]
         moved.set_title("\n".join(map(plain, words)), fontsize=10, loc="left")
+    mark_fall([moved, ledger], result, over)
     draw_ledger(ledger, rows, over(rows["step"]))
     ledger.set_ylabel("energy [J]")
     ledger.set_xlabel(label)
@@ -48,14 +51,18 @@ def settling_figure(result: "ResultData") -> Any:
     return figure
 
 
-def _across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], str]:
+def across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], str]:
     """What is drawn over what: from steps (n,) to values, and their label: the factor of a load that grows, or the tilt
-    of gravity where the scene asks."""
+    of gravity where the scene asks; else the time from the first step in a run in real time, and the step in others."""
     rows, asked = result.history.rows, result.scene_table.get("curve", {})
     if FACTOR in rows:
         return lambda steps: np.interp(steps, rows["step"], rows[FACTOR]), "load factor [1]"
-    if TILT in rows and isinstance(asked, dict) and asked.get("x") == TILT:
-        return lambda steps: np.degrees(np.interp(steps, rows["step"], rows[TILT])), "tilt of gravity [deg]"
+    tilts = TILT in rows and isinstance(asked, dict) and asked.get("x") == TILT
+    if tilts and result.summary.get("collapse") is None:  # a fall takes no tilt, but time
+        sign, label = tilt_axis(rows)
+        return lambda steps: sign * np.degrees(np.interp(steps, rows["step"], rows[TILT])), label
+    if result.in_real_time:
+        return lambda steps: np.interp(steps, rows["step"], rows["time"]), "time from the first step [s]"
     return lambda steps: steps, "step"
 
 

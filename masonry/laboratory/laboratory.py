@@ -8,6 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
+from masonry.laboratory.collapse import standing_rows
 from masonry.laboratory.contact_remarks import (
     bent_remarks,
     closed_remarks,
@@ -101,7 +102,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
 
 def _blow(assembly: Assembly, outcome: Outcome) -> list[str]:
     """Where the peak lies far above all rows: it is a blow, and no strength."""
-    rows, section = outcome.history.rows, assembly.specimen.section
+    rows, section = standing_rows(outcome), assembly.specimen.section
     after = rows["step"] >= assembly.plan.settle
     highest = float(rows["stress"][after].max(initial=0.0))
     if outcome.peak_force <= BLOW * highest * section or not outcome.displacement_at_peak:
@@ -158,11 +159,17 @@ def meeting_text(assembly: Assembly) -> str:
     large = assembly.model.large
     if large is None:
         return ""
+    count, held = candidates(large), int(large.near.search.held.sum())
+    bonded = f" ({held} that bonds hold {_are(held)} left out)" if held else ""
     return (
-        f"{candidates(large)} pairs of {len(large.near.pieces.body)} convex pieces are near enough to be looked at; "
-        "they are found anew when two blocks may have come nearer by the skin of "
+        f"{count} pair{'s' * (count != 1)} of {len(large.near.pieces.body)} convex pieces {_are(count)} near enough to "
+        f"be looked at{bonded}; neighbours are found anew when two blocks may have come nearer by the skin of "
         f"{1e3 * large.near.search.skin[0]:.3g} mm"
     )
+
+
+def _are(count: int) -> str:
+    return "is" if count == 1 else "are"
 
 
 def scatter_lines(assembly: Assembly) -> list[str]:

@@ -13,6 +13,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import tilt_at
 from masonry.history import FACTOR, LARGE_UNITS, TILT, UNITS
 from masonry.jit.sources import source_hash
+from masonry.laboratory.collapse import of_large, standing_rows
 from masonry.laboratory.provenance import own_sources
 from masonry.laboratory.symmetry import symmetry_lost
 from masonry.loading.cycles import DISSIPATED, at_peak, before_a_fall, only_rises, table
@@ -29,8 +30,6 @@ BROKEN, DAMAGED = 0.95, 0.05
 SUDDEN = 1e-3
 """Share of all energy lost, by cracks, friction and damping, from which on what a sudden crack released is told."""
 
-STILL_FRACTION = 1e-4
-"""Of the kinetic energy when the first block has fallen: with less, the fall has not begun."""
 MOVING = 0.05
 """Of the block that moves most: from which on a block belongs to the mechanism."""
 MOVED = 1e-12
@@ -51,7 +50,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     scene, model, rows = assembly.scene, assembly.model, outcome.history.rows
     plan = assembly.plan
     settled = rows["step"] > plan.settle
-    at_peak = rows["step"][settled][int(np.argmax(rows["stress"][settled]))] if settled.any() else 0
+    stood = standing_rows(outcome)
+    loaded = stood["step"] > plan.settle
+    at_peak = stood["step"][loaded][int(np.argmax(stood["stress"][loaded]))] if loaded.any() else 0
     after = settled & (rows["step"] >= min(plan.settle + plan.ramp, at_peak))
     peak = outcome.peak_force / assembly.specimen.section
     lowest = outcome.lowest_force / assembly.specimen.section
@@ -67,7 +68,10 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     dissipated = sum(float(rows[key][-1]) for key in DISSIPATED)
     rest = before_a_fall(rows, outcome.control.get("factor_falls")) if scene.loops_over else rows
     driven = float(np.abs(rest["external_work"][begun:] - rest["external_work"][begun]).max(initial=0.0))
-    taken = float((rest["damping"] + rest["kinetic"])[-1] - (rest["damping"] + rest["kinetic"])[begun])
+    in_real_time = model.large is not None and not model.scaled
+    braked = rest["damping"] if in_real_time else rest["damping"] + rest["kinetic"]  # what moves will not be damped
+    taken = float(braked[-1] - braked[begun])
+    settles = model.large is None or plan.settle > 0
     lost = dissipated + max(taken, 0.0)
     sudden = events.table(model, outcome.events, rows, max(SUDDEN * lost, ROUNDING * work))
     released = sum(event["released_j"] for event in sudden)
@@ -122,8 +126,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "energy_j": {key: float(rows[key][-1]) for key in (*ENERGY_TERMS, *LARGE_UNITS) if key in rows},
         "energy_imbalance": float(np.abs(rows["imbalance"]).max() / moved) if moved > 0 else 0.0,
         "dissipation_mismatch": torn / scale if (dissipated or model.large is not None) and scale > 0.0 else 0.0,
-        "unbalanced_after_settling": float(observed["unbalanced"][-1]),
-        "kinetic_after_settling": float(observed["still_moving"][-1]),
+        "unbalanced_after_settling": float(observed["unbalanced"][-1]) if settles else None,
+        "kinetic_after_settling": float(observed["still_moving"][-1]) if settles else None,
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
         "released_over_dissipated": released / lost if sudden and lost > 0.0 else 0.0,
@@ -136,7 +140,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "mode_2_over_law": outcome.found["mode_2_over_law"],
         "slip_max": float(observed["slip"].max()),
         "met": outcome.found.get("met", ""),
-        **({} if model.large is None else _of_large(assembly, outcome)),
+        **({} if model.large is None else of_large(assembly, outcome)),
         **(_collapse_load(assembly, outcome) if isinstance(plan, Growing) else {}),
         "slip_limit": scene.solver.slip_limit,
         "section_m2": assembly.specimen.section,
@@ -153,32 +157,6 @@ def add_tilt(assembly: Assembly, outcome: Outcome) -> None:
     tilt = tilt_at(assembly.scene, assembly.plan, rows["step"])
     if tilt is not None:
         rows[TILT] = tilt
-
-
-def _of_large(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
-    """Whether the run is one in real time, with the masses as they are; and what fell."""
-    return {"in_real_time": not assembly.model.scaled, "collapse": _collapse(assembly, outcome)}
-
-
-def _collapse(assembly: Assembly, outcome: Outcome) -> dict[str, Any] | None:
-    """The first block to fall: its number, set and place at the start; time, drive and force when it had; energies.
-
-    `began` says the same of when the fall began: the last row before at which all was as good as still; None without.
-    """
-    if outcome.found["collapse"] is None:
-        return None
-    block, step, energies = outcome.found["collapse"]
-    rows, specimen = outcome.history.rows, assembly.specimen
-    row = int(np.searchsorted(rows["step"], step))
-    still = np.flatnonzero(rows["kinetic"][:row] < STILL_FRACTION * rows["kinetic"][row])
-    return {
-        "block": block,
-        "sets": sorted(name for name, members in specimen.sets.items() if block in members),
-        "at_m": assembly.model.layout.centroid[block].tolist(),
-        **_moment(rows, row),
-        "began": _moment(rows, int(still[-1])) if len(still) else None,
-        "energy_j": energies,
-    }
 
 
 def _collapse_load(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
@@ -217,13 +195,6 @@ def _branch(led: dict[str, Any], rows: dict[str, np.ndarray]) -> dict[str, Any]:
     return led | {"reached_m": float(rows[led["gauge"]][-1]), "factor_at_end": float(rows[FACTOR][-1])}
 
 
-def _moment(rows: dict[str, np.ndarray], row: int) -> dict[str, float]:
-    """When, and at which drive and tilt."""
-    keys = {"time": "time_s", "displacement": "displacement_m", "force": "force_n", TILT: "tilt_rad"}
-    numbers = {name: float(rows[key][row]) for key, name in keys.items() if key in rows}
-    return {"step": int(rows["step"][row]), **numbers}
-
-
 def _sources(scene: Scene) -> str:
     """Hash of our sources; behind a plus that of other packages, where the scene has a law or a specimen of them."""
     own = own_sources((contact.law for contact in scene.contact.values()), scene.specimen.kind)
@@ -232,11 +203,11 @@ def _sources(scene: Scene) -> str:
 
 def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, dict[str, float]]:
     """By gauge: m at the peak (between the rows before and after it) and at the end."""
-    rows, peak = outcome.history.rows, outcome.displacement_at_peak
+    stood, peak = standing_rows(outcome), outcome.displacement_at_peak
     return {
         gauge.name: {
-            "at_peak_m": at_peak(rows, rows[gauge.name], peak),
-            "final_m": float(rows[gauge.name][-1]),
+            "at_peak_m": at_peak(stood, stood[gauge.name], peak),
+            "final_m": float(outcome.history.rows[gauge.name][-1]),
         }
         for gauge in assembly.recording.gauges
     }

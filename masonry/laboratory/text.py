@@ -4,6 +4,9 @@ from math import atan, degrees, tan
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from masonry.results.frames import without_noise
 from masonry.results.reactions import reaction_lines
 from masonry.results.trust import BELOW_0, has_drive, percent, trust
 from masonry.runtime.progress import duration
@@ -75,7 +78,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         *([("past the collapse", [branch_text(led)])] if found and (led := found.get("branch")) else []),
         *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
         *([("tilt of gravity", [tilt_text(summary["tilt_rad"], " at the end")])] if "tilt_rad" in summary else []),
-        *([("collapse", [collapse_text(fallen)])] if (fallen := summary.get("collapse")) else []),
+        *([("collapse", [collapse_text(summary)])] if summary.get("collapse") else []),
         *((name, [gauge_text(readings, driven)]) for name, readings in (summary.get("gauges") or {}).items()),
         *([("work of dead loads", [words])] if driven and (words := loads_text(summary)) else []),
         ("energy balance", [f"open by {_number(summary, 'energy_imbalance', 1.0, 'of the external work')}"]),
@@ -102,8 +105,9 @@ def _slow_rows(summary: dict[str, Any]) -> Rows:
 
 def balance_text(summary: dict[str, Any]) -> str:
     """How well forces and moments add up to nothing, and how far the specimen is from rest."""
+    what = "inertia makes" if (summary.get("energy_j") or {}).get("damping") == 0.0 else "damping and inertia make"
     return (
-        f"open by {summary['force_balance']:.2g} of the largest force; at the end damping and inertia make "
+        f"open by {summary['force_balance']:.2g} of the largest force; at the end {what} "
         f"{summary['motion_at_end']:.2g} of it"
     )
 
@@ -117,9 +121,11 @@ def _peak_rows(summary: dict[str, Any]) -> Rows:
 
 
 def _rest_rows(summary: dict[str, Any]) -> Rows:
-    """Of a scene without a drive: how far the dead loads have settled, and what the supports bear at the end."""
+    """Of a scene without a drive: how far the dead loads have settled, if they do, and what the supports bear at the
+    end."""
+    left = [_number(summary, "unbalanced_after_settling", 1.0, "of the dead loads still unbalanced")]
     return [
-        ("settling", [_number(summary, "unbalanced_after_settling", 1.0, "of the dead loads still unbalanced")]),
+        *([] if summary.get("unbalanced_after_settling") is None else [("settling", left)]),
         ("reactions x, y, z", reaction_lines(summary) or ["no supports"]),
     ]
 
@@ -147,16 +153,25 @@ def tilt_text(tilt: float, when: str = "") -> str:
     return f"{degrees(tilt):.4g} deg{when}, tangent {tan(tilt):.4g}"
 
 
-def collapse_text(fallen: dict[str, Any]) -> str:
-    """Which block fell first, when, and when and at what its fall began."""
-    sets, at = ", ".join(fallen["sets"]), ", ".join(f"{x:.4g}" for x in fallen["at_m"])
-    what = f"block {fallen['block']} ({sets}), first at ({at}) m, is the first to fall, after {fallen['time_s']:.4g} s"
+def collapse_text(summary: dict[str, Any]) -> str:
+    """Which block fell first, when, and when and at what its fall began; and how hard it hit the drive later."""
+    fallen = summary["collapse"]
+    blow = stress_text({**summary, **fallen}, "blow_pa") if fallen.get("blow_pa") else ""
+    return f"{_first_to_fall(fallen)}" + (f"; later, blocks that fell hit the drive with up to {blow}" if blow else "")
+
+
+def _first_to_fall(fallen: dict[str, Any]) -> str:
+    sets, place = ", ".join(fallen["sets"]), np.array(fallen["at_m"])
+    at = ", ".join(f"{without_noise(x, place):.4g}" for x in place)
+    what = f"block {fallen['block']} ({sets}), at ({at}) m at the start, is the first to fall, after "
+    what += f"{fallen['time_s']:.4g} s"
     if (began := fallen["began"]) is None:
         return what
-    late = "; it bears less: a fall takes a while to begin"
+    late = "; it falls at a smaller tilt already, as gravity turned on while the fall gathered way"
     tilt = f", with gravity turned by {tilt_text(began['tilt_rad'])}{late}" if "tilt_rad" in began else ""
     drive = f", with the drive at {1e3 * began['displacement_m']:.4g} mm" if began["displacement_m"] else ""
-    return f"{what}; the fall began after {began['time_s']:.4g} s{drive}{tilt}"
+    loads = "".join(f", with {name} at {share:.4g} of its value" for name, share in began.get("loads", {}).items())
+    return f"{what}; the fall began after {began['time_s']:.4g} s{drive}{loads}{tilt}"
 
 
 def factor_text(summary: dict[str, Any]) -> list[str]:

@@ -59,6 +59,15 @@ def before_a_fall(rows: dict[str, np.ndarray], falls: float | None) -> dict[str,
     return {key: values[:borne] for key, values in rows.items()}
 
 
+def before_a_collapse(rows: dict[str, np.ndarray], step: float | None) -> dict[str, np.ndarray]:
+    """Rows up to the step at which the first block had fallen, where one has: what hits the drive later is no
+    strength."""
+    if step is None or "step" not in rows:
+        return rows
+    standing = rows["step"] <= step
+    return {key: values[standing] for key, values in rows.items()}
+
+
 def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = None) -> list[dict[str, Any]]:
     """One entry a cycle, in SI; widest (n,) m, the widest opening at each row. Empty where nothing turns back.
 
@@ -160,6 +169,7 @@ def reached(peak: float) -> float:
 def at_peak(rows: dict[str, np.ndarray], values: np.ndarray, displacement: float) -> float:
     """A value (one a row) at the peak: between the rows round its displacement (m), or in the row of the peak
     where the drive turns back and passes the same place more than once."""
-    if only_rises(rows["displacement"]):
-        return float(np.interp(displacement, rows["displacement"], values))
+    for sign in (1.0, -1.0):
+        if only_rises(place := sign * rows["displacement"]):
+            return float(np.interp(sign * displacement, place, values))
     return float(values[peak_row(rows)])

@@ -1,10 +1,11 @@
 """A movie of a run: its cracks beside its curve with a dot on it, frame by frame, in scales that stay the same."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from masonry.curves.curve_axes import curve_axes
+from masonry.curves.curve_axes import curve_axes, without_blows
+from masonry.curves.settling import COLOURS, across, movements
 from masonry.errors import SceneError
 from masonry.pictures.camera import box_of
 from masonry.pictures.crack_picture import (
@@ -18,14 +19,23 @@ from masonry.pictures.crack_picture import (
 )
 from masonry.pictures.crack_style import kinds_of, scale_of
 from masonry.pictures.large.scale_bar import draw_scale_bar
-from masonry.pictures.style import plain
+from masonry.pictures.style import MILLI, plain
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
 FLAT = 0.35
 """Specimens whose height is a smaller share of their width stand above the curve, not beside it."""
-DOT, GONE, TO_COME = "#b2182b", "#1f3b5c", "#c3ccd6"
+DOT, TO_COME = "#b2182b", "#c3ccd6"
+
+
+class Path(NamedTuple):
+    """One line of the curve: a name, and its places at some steps, in the units of the axes."""
+
+    name: str
+    steps: np.ndarray
+    across: np.ndarray
+    up: np.ndarray
 
 
 class Movie:
@@ -59,11 +69,10 @@ class Movie:
             draw_scale_bar(self.panel)
         name = f"frame {number + 1} of {len(self.frames)}"
         self.panel.set_title(panel_title(self.result, name, frame, self.times), fontsize=11)
-        rows = self.result.history.rows
-        if self.dot is not None:
-            gone = int(np.searchsorted(rows["step"], frame.step, side="right"))
-            self.gone.set_data(self.across[:gone], self.up[:gone])
-            self.dot.set_data([self.across[gone - 1]], [self.up[gone - 1]])
+        for path, passed, dot in self.moving:
+            gone = int(np.searchsorted(path.steps, frame.step, side="right"))
+            passed.set_data(path.across[:gone], path.up[:gone])
+            dot.set_data([path.across[gone - 1]], [path.up[gone - 1]])
 
     def _figure(self) -> Any:
         """The figure as it stays: title, keys, curve and layout; the panel of cracks is drawn frame by frame."""
@@ -91,8 +100,7 @@ class Movie:
 
     def _draw_curve(self, axes: Any) -> None:
         """The whole curve, pale, and what moves over it."""
-        self.dot: Any = None
-        self.gone: Any = None
+        self.moving: list[tuple[Path, Any, Any]] = []
         rows = self.result.history.rows
         axes.grid(color="0.9", linewidth=0.8)
         axes.set_axisbelow(True)
@@ -100,10 +108,28 @@ class Movie:
         if not len(rows.get("displacement", ())):
             axes.text(0.5, 0.5, "no rows were recorded", transform=axes.transAxes, ha="center")
             return
-        drawn = curve_axes(self.result)
-        self.across, self.up = drawn.across, rows["stress"] * drawn.factor
-        axes.plot(self.across, self.up, color=TO_COME, linewidth=2.0)
-        (self.gone,) = axes.plot([], [], color=GONE, linewidth=2.0)
-        (self.dot,) = axes.plot([], [], "o", color=DOT, markersize=8)
-        axes.set(xlabel=drawn.label, ylabel=f"{drawn.name} [{drawn.unit}]")
+        paths, right, up = paths_of(self.result)
+        for path, colour in zip(paths, 9 * COLOURS, strict=False):
+            axes.plot(path.across, path.up, color=TO_COME, linewidth=2.0)
+            (passed,) = axes.plot([], [], color=colour, linewidth=2.0, label=plain(path.name))
+            (dot,) = axes.plot([], [], "o", color=DOT, markersize=8)
+            self.moving.append((path, passed, dot))
+        if not self.result.has_drive:
+            axes.legend(loc="best", frameon=False, fontsize=10)
+        axes.set(xlabel=right, ylabel=up)
         axes.margins(y=0.08)
+        if self.result.has_drive and (limits := without_blows(self.result, paths[0].up)) is not None:
+            axes.set_ylim(*limits)
+
+
+def paths_of(result: "ResultData") -> tuple[list[Path], str, str]:
+    """The lines of the curve of a result, with the labels across and upwards: of the drive; without one, of all that
+    curve.png shows moving."""
+    rows = result.history.rows
+    if result.has_drive:
+        drawn = curve_axes(result)
+        line = Path("at the drive", rows["step"], drawn.across, rows["stress"] * drawn.factor)
+        return [line], drawn.label, f"{drawn.name} [{drawn.unit}]"
+    over, label = across(result)
+    moved = movements(result).items()
+    return [Path(name, steps, over(steps), MILLI * path) for name, (steps, path) in moved], label, "displacement [mm]"

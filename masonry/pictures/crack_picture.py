@@ -16,7 +16,7 @@ from masonry.pictures.oblique import SolidDrawing
 from masonry.pictures.style import MEGA, MILLI, plain
 from masonry.pictures.thrust_line import ThrustLine
 from masonry.results.dry_joints import LEAST_DAMAGE
-from masonry.results.frames import at_peak, without_noise
+from masonry.results.frames import at_peak, moment, without_noise
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -156,20 +156,23 @@ def _ratio(drawing: Drawing) -> float:
 
 
 def panel_title(result: "ResultData", name: str, frame: Frame, times: float, narrow: bool = False) -> str:
-    """Name, displacement, stress, share of the way, and by how much displacements are drawn larger.
+    """Name, displacement, stress, share of the way, and by how much displacements are drawn larger; the time in place
+    of the share where a run is one in real time, the time or the step alone where nothing is driven.
 
     narrow panels take one more line, without the share; a long name has a line to itself
     """
     between = "\n" if narrow or len(name) > 30 else " "
-    rows = result.history.rows
+    rows, when = result.history.rows, moment(result, frame)
     if not result.has_drive:
-        return f"{name}:{between}step {frame.step}\n{_drawn(times)}"
+        return f"{name if when in name else f'{name}:{between}{when}'}\n{_drawn(times)}"
     displacements = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))
     words = f"{name}:{between}displacement {without_noise(frame.displacement, displacements) * MILLI:.4g} mm"
     if len(rows.get("stress", ())):
         stress = without_noise(float(np.interp(frame.step, rows["step"], rows["stress"])), rows["stress"])
         words += f", stress {stress * MEGA:.3g} MPa"
-        words += "\n" if narrow else f"\n{100 * travelled_fraction(rows, frame):.3g} % of the way, "
+        share = "" if narrow else f"{100 * travelled_fraction(rows, frame):.3g} % of the way, "
+        share = share if not result.in_real_time else "" if when in name else f"{when}, "
+        words += f"\n{share}"
     else:
         words += "\n"
     return f"{words}{_drawn(times)}"

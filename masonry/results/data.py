@@ -8,7 +8,7 @@ import numpy as np
 from geometry.blocks import Joints, Specimen, TetMesh
 from masonry.errors import SceneError
 from masonry.history import History
-from masonry.loading.cycles import peak_row
+from masonry.loading.cycles import before_a_collapse, peak_row
 from masonry.results.table import Table, table_of
 from masonry.results.trust import has_drive, trust
 from masonry.runtime.finite import finite_rows, is_finite, without_nan
@@ -72,6 +72,11 @@ class ResultData:
         return has_drive(self.summary)
 
     @property
+    def in_real_time(self) -> bool:
+        """Whether masses are real and displacements large, so that the run is a motion in time."""
+        return bool(self.summary.get("in_real_time"))
+
+    @property
     def curve(self) -> "DataFrame | Table":
         """The rows, one a moment, in SI units (`curve.attrs["units"]`): `curve["displacement"]`, `curve["stress"]`,
         gauges, energies. A table of pandas where that is installed, else a small one of the same columns.
@@ -80,12 +85,19 @@ class ResultData:
 
     @property
     def peak(self) -> Peak:
-        """`peak.stress` (Pa) and `peak.displacement` (m) of the drive: the largest of all steps, not of the rows."""
+        """`peak.stress` (Pa) and `peak.displacement` (m) of the drive: the largest of all steps, not of rows, before
+        a block had fallen."""
         at, stress = (self.summary.get(key) for key in ("displacement_at_peak_m", "peak_stress_pa"))
         if isinstance(at, float) and isinstance(stress, float):
             return Peak(at, stress)
-        row = peak_row(self.history.rows)
-        return Peak(float(self.history.rows["displacement"][row]), float(self.history.rows["stress"][row]))
+        rows = self.standing_rows
+        row = peak_row(rows)
+        return Peak(float(rows["displacement"][row]), float(rows["stress"][row]))
+
+    @property
+    def standing_rows(self) -> dict[str, np.ndarray]:
+        """The rows at which no block had fallen, and that at which the first one had; all where none falls."""
+        return before_a_collapse(self.history.rows, (self.summary.get("collapse") or {}).get("step"))
 
     @property
     def energies(self) -> dict[str, float]:

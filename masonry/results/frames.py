@@ -30,11 +30,12 @@ class Chosen:
 def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
     """The frame nearest to what is asked.
 
-    step  "peak", "lowest" (the lowest stress, of a drive that turns back), "last", "first", a number of a step, or a
-          displacement of the drive: text with a unit ("0.05 mm"), or a float in m. Of several frames at a displacement
-          the first is meant.
+    step  "peak", "lowest" (the lowest stress, of a drive that turns back), "last", "first", a number of a step, a
+          displacement of the drive: text with a unit ("0.05 mm"), or a float in m; or, of a run in real time, a time
+          from the first step: text with a unit ("1.2 s"). Of several frames at a displacement the first is meant.
 
-    Raises SceneError for other words, where there are no frames, and for "lowest" where no stress was below zero.
+    Raises SceneError for other words, where there are no frames, for "lowest" where no stress was below zero, for a
+    displacement where nothing is driven, and for a time where the run is not one in real time.
     """
     frames = result.history.frames
     if not frames:
@@ -47,22 +48,31 @@ def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
         return _at_peak(result)
     if step == "lowest":
         return _at_lowest(result)
-    wanted, of_frames, exact = _measure(step, frames)
+    wanted, of_frames, exact = _measure(step, result)
     chosen = int(np.argmin(np.abs(of_frames - wanted)))
     frame = frames[chosen]
+    name = moment(result, frame) if result.in_real_time else f"at step {frame.step}"
     if abs(of_frames[chosen] - wanted) <= exact:
-        return Chosen(frame, f"at step {frame.step}")
+        return Chosen(frame, name)
     moved = np.array([kept.displacement for kept in frames])
+    words = [f"step {frame.step}", *([moment(result, frame)] if result.in_real_time else [])]
+    words += [f"displacement {without_noise(frame.displacement, moved) * 1e3:.4g} mm"] if result.has_drive else []
     note = (
-        f"no frame was kept at '{step}'; the nearest of {len(frames)} is drawn: step {frame.step}, displacement "
-        f"{without_noise(frame.displacement, moved) * 1e3:.4g} mm (a run keeps more with --set solver.frames=100)"
+        f"no frame was kept at '{step}'; the nearest of {len(frames)} is drawn: {', '.join(words)} "
+        "(a run keeps more with --set solver.frames=100)"
     )
-    return Chosen(frame, f"at step {frame.step}, the nearest kept to {step}", note)
+    asked = f"step {step}" if result.in_real_time and str(step).strip().isdecimal() else step
+    return Chosen(frame, f"{name}, the nearest kept to {asked}", note)
+
+
+def moment(result: "ResultData", frame: Frame) -> str:
+    """When a frame was taken, in words: the time from the first step in a run in real time, else the step."""
+    return f"after {frame.time:.4g} s" if result.in_real_time else f"step {frame.step}"
 
 
 def at_peak(result: "ResultData") -> Frame:
     """The frame nearest to the row of the peak (cycles.peak_row); the last one without rows or without a drive."""
-    rows, frames = result.history.rows, result.history.frames
+    rows, frames = result.standing_rows, result.history.frames
     if not (len(rows.get("stress", ())) and result.has_drive):
         return frames[-1]
     return _nearest(frames, rows["step"][peak_row(rows)])
@@ -100,25 +110,42 @@ def _at_lowest(result: "ResultData") -> Chosen:
     )
 
 
-def _measure(step: str | int | float, frames: list[Frame]) -> tuple[float, np.ndarray, float]:
+def _measure(step: str | int | float, result: "ResultData") -> tuple[float, np.ndarray, float]:
     """What is asked for, the same of each frame, and how near to it is as good as there."""
-    text = str(step).strip()
+    text, frames = str(step).strip(), result.history.frames
     if text.isdecimal():
         return float(text), np.array([frame.step for frame in frames], dtype=float), 0.0
-    at = step if isinstance(step, float) and math.isfinite(step) else _length(text)
+    if (time := _quantity(text, "time")) is not None:
+        if not result.in_real_time:
+            raise SceneError(f"step '{text}': this run is not in real time, so it has no times; {_allowed(result)}")
+        return time, np.array([frame.time for frame in frames]), 1e-3 * abs(time)
+    at = step if isinstance(step, float) and math.isfinite(step) else _quantity(text, "length")
+    if at is None:
+        raise SceneError(f"step '{text}': {_allowed(result)}{did_you_mean(text, WORDS)}")
+    if not result.has_drive:
+        raise SceneError(
+            f"step '{text}': nothing is driven in this run, so no frame has a displacement of the drive; "
+            f"{_allowed(result)}"
+        )
     return at, np.array([frame.displacement for frame in frames]), 1e-6 * max(abs(at), 1e-12)
 
 
-def _length(text: str) -> float:
+def _quantity(text: str, kind: str) -> float | None:
+    """A text as a quantity of a kind, in SI; None where it is none."""
     from masonry.quantity import convert
 
     try:
-        return convert(text, "length", "step", "[-1e5, 1e5]")
+        return convert(text, kind, "step", "[-1e5, 1e5]")
     except ValueError:
-        hint = did_you_mean(text, WORDS)
-        raise SceneError(
-            f"step '{text}': {', '.join(WORDS)}, the number of a step, or a displacement such as '0.05 mm'{hint}"
-        ) from None
+        return None
+
+
+def _allowed(result: "ResultData") -> str:
+    """What may be asked for, in words."""
+    found = [*WORDS, "the number of a step"]
+    found += ["a displacement such as '0.05 mm'"] if result.has_drive else []
+    found += ["a time such as '1.2 s'"] if result.in_real_time else []
+    return f"{', '.join(found[:-1])}, or {found[-1]}"
 
 
 def without_noise(value: float, values: np.ndarray) -> float:

@@ -45,7 +45,10 @@ def trust(summary: dict[str, Any]) -> str:
         doubts.append(f"the energy balance is open by {abs(imbalance):.2g} (should be under {IMBALANCE:g})")
     mismatch = summary.get("dissipation_mismatch") or 0.0
     if mismatch > DISSIPATION:
-        doubts.append(f"laws and contacts disagree on the dissipated energy by {mismatch:.2g}: take smaller steps")
+        doubts.append(
+            f"laws and contacts disagree on the dissipated energy by {percent(mismatch, 3)} (should be under "
+            f"{percent(DISSIPATION)}): take smaller steps"
+        )
     doubts += no_numbers(summary)
     dynamic, grown = bool(summary.get("in_real_time")), summary.get("collapse_load")
     doubts += slowed(summary) if dynamic else not_at_rest(summary)

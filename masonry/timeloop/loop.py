@@ -16,6 +16,7 @@ from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.model.model import Model
 from masonry.model.motion import set_off
 from masonry.monitors import energy
+from masonry.monitors.collapse import Collapse
 from masonry.monitors.frames import Frames
 from masonry.monitors.joint_forces import JointForces
 from masonry.monitors.observer import Observer, View
@@ -28,7 +29,7 @@ from masonry.timeloop.observers import observers_of
 from masonry.timeloop.recording import Outcome, Recording
 from masonry.timeloop.retirement import retire
 
-FOUND = ("peak_force", "displacement_at_peak", "lowest_force", "displacement_at_lowest", "steps", "log")
+FOUND = ("peak_force", "displacement_at_peak", "blow", "lowest_force", "displacement_at_lowest", "steps", "log")
 """What an outcome has besides the history before the run is over."""
 REMEMBERED = ("place", "done", "frames_done", "highest_row", "dead_load_factor", "heights")
 ALIKE = 1e-4
@@ -108,7 +109,7 @@ class Loop:
             return f"load factor {self.rows[FACTOR][-1]:.4g}"
         if not self.place and not self.rows["stress"][-1]:
             return f"kinetic energy {self.rows['kinetic'][-1]:.3g} J"
-        return f"stress {self.rows['stress'][-1] / 1e6:.3f} MPa"
+        return f"stress {self.rows['stress'][-1] / 1e6:.3g} MPa"
 
     def take_steps(self, done: int, chunk: Chunk) -> list[np.ndarray]:
         """The steps of a chunk, and a look whether they can be trusted; returns the velocities before the last."""
@@ -132,13 +133,15 @@ class Loop:
 
     def find_peak(self, path: np.ndarray, drive_force: np.ndarray, begins: bool) -> None:
         """The peak, and the lowest force, are looked for at every step from the last one of the settling on, where it
-        `begins`, not only at rows."""
+        `begins`, not only at rows. Once a block has fallen there is no peak any more: what falls hits the drive."""
         force = drive_force * self.recording.sign
         if begins:
             self.outcome.peak_force = float(force[0])
             self.heights = np.array([[force[0], path[0]]])
         k, low = int(np.argmax(force)), int(np.argmin(force))
-        if force[k] > self.outcome.peak_force:
+        if self.has_fallen:
+            self.outcome.blow = max(self.outcome.blow, float(force[k]))
+        elif force[k] > self.outcome.peak_force:
             self.rise(force[: k + 1], path[: k + 1])
         if force[low] < self.outcome.lowest_force:
             self.outcome.lowest_force = float(force[low])
@@ -171,6 +174,12 @@ class Loop:
         loads = self.recording.surroundings.loads
         return [self.dead_load_factor * (1.0 if load.varies is None else float(varying[load.varies])) for load in loads]
 
+    @property
+    def has_fallen(self) -> bool:
+        """Whether a block has fallen, as far as rows have shown."""
+        collapse = self.observers.get("collapse")
+        return isinstance(collapse, Collapse) and collapse.block >= 0
+
     def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
         """What the specimen shows now, in a row; and a frame where one is due, or the force is the highest so far."""
         model, load_factors, now = self.model, self.load_factors(), energy.observe(self.model)
@@ -178,6 +187,7 @@ class Loop:
         settling, rotation = step <= self.settle, self.watch.rotation
         view = View(now.seen, terms, before, load_factors, settling, rotation, now.least, now.longest)
         observed: dict[str, float] = {}
+        stood = not self.has_fallen
         for observer in self.observers.values():
             observed |= observer.look(model, view, step)
         row = {
@@ -190,7 +200,7 @@ class Loop:
         append(self.observed, observed)
         force = self.recording.section * self.recording.sign
         self.loading.look(row["stress"] * force, row["support_stress"] * force, now.seen, terms)
-        higher = row["stress"] > self.highest_row and step >= max(self.settle, 1)
+        higher = stood and row["stress"] > self.highest_row and step >= max(self.settle, 1)
         if frame_due or higher:
             place, borne = row["displacement"], self.joint_forces.take()
             standing = self.recording.surroundings.standing(model, before, borne, step, place, load_factors)

@@ -14,14 +14,16 @@ from masonry.monitors.reactions import Standing, Surroundings
 
 @dataclass
 class Outcome:
-    """What the loop found besides the rows: the peak seen at any step, and the lowest force; the times; what observers
-    said at each row and of the whole run, by their names for it; the sudden cracks; the forces from outside and of the
-    contacts at the frames of the peak and of the end.
+    """What the loop found besides the rows: the peak seen at any step before a block had fallen, the largest force
+    after that (`blow`), and the lowest force; the times; what observers said at each row and of the whole run, by their
+    names for it; the sudden cracks; the forces from outside and of the contacts at the frames of the peak and of the
+    end.
     """
 
     history: History
     peak_force: float = 0.0
     displacement_at_peak: float = 0.0
+    blow: float = 0.0
     lowest_force: float = 0.0
     displacement_at_lowest: float = 0.0
     seconds_run: float = 0.0

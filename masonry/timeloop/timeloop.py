@@ -86,9 +86,11 @@ def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None
 
 
 def compiling_text(model: Model) -> str:
-    """What is compiled: the kinds of blocks and the laws that are in it."""
+    """What is compiled: the kinds of blocks and the laws that are in it, of what may meet friction."""
     blocks = " and ".join(kind for kind, members in model.layout.members.items() if len(members))
-    laws = ", ".join(dict.fromkeys(word_of(parameters) for parameters in model.groups.parameters))
+    large, all_laws = model.large, [word_of(parameters) for parameters in model.groups.parameters]
+    words = all_laws if large is None else [*(all_laws[g] for g in large.bonded), "friction"]
+    laws = ", ".join(dict.fromkeys(words))
     return f"compiling the step for {blocks} blocks, law {laws or 'none'} (once for all such scenes, half a minute)"
 
 

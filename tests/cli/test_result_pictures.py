@@ -171,6 +171,7 @@ def test_a_crack_comes_out_on_the_front_and_on_top_where_its_joint_ends():
         (["picture", "{run}", "--geometry"], "is a folder.*scene.toml --geometry"),
         (["picture", "{run}", "--set", "law=linear"], "--set changes a scene"),
         (["picture", "{run}", "--step", "peek"], "step 'peek'.*did you mean 'peak'"),
+        (["picture", "{run}", "--step", "2 s"], "step '2 s': this run is not in real time"),
         (["picture", "{run}", "--scale", "-3"], "'-3' is not a number from 0"),
         (["picture", "{run}", "--view", "top"], "invalid choice: 'top'"),
         (["picture", "{run}", "--out", "wall.svg"], "a .png file; nearest: 'wall.png'"),
@@ -198,7 +199,8 @@ def test_a_movie_has_every_frame_and_keeps_its_scales(tmp_path):
     for number in range(3):
         movie.draw(number)
         limits.append((movie.panel.get_xlim(), movie.panel.get_ylim()))
-        places.append((movie.dot.get_xdata()[0], movie.dot.get_ydata()[0]))
+        ((_, _, dot),) = movie.moving
+        places.append((dot.get_xdata()[0], dot.get_ydata()[0]))
     assert limits[0] == limits[1] == limits[2]
     np.testing.assert_allclose(places, [(0.0, 0.0), (0.04, 0.19), (0.2, 0.19 * np.exp(-3.2))])
     assert "1 of 3" not in movie.panel.get_title() and "3 of 3: displacement 0.2 mm" in movie.panel.get_title()

@@ -57,6 +57,18 @@ def test_kinematics_change_where_blocks_are_free_and_only_to_what_the_scene_has_
     ]
 
 
+def test_the_floor_of_a_scene_stays_what_it_is():
+    scene = load("couplet-slid-off")
+    names = [variant.name for variant in variants(assemble(scene))]
+    assert names[:3] == ["as it is", "half the rate", "coupling independent"]
+    assert settings(scene, "softening") == [{"contact.unit_unit.softening_variable": "plastic"}]  # friction has none
+    (slower,) = settings(scene, "pace")
+    assert slower == {"drive.rate": "0.05 m/s", "solver.duration": "10.0 s"}
+    assert assemble(scene.with_(slower)).plan.steps > assemble(scene).plan.steps, "or it would be refused"
+    deformable = {"material.units.young_modulus": "16.7 GPa", "material.units.poisson_ratio": 0.15}
+    assert settings(scene.with_(deformable), "kinematics") == [{"kinematics.units": "affine"}]
+
+
 def test_plates_turn_or_do_not_where_they_are_rigid_and_not_held_altogether():
     assert settings(load("wallette-mode-1"), "plates") == [{"support.1.fix": ["y"]}]
     hinged = load("wallette-mode-1", {"support.1.fix": ["y"]})

@@ -1,0 +1,69 @@
+"""What fell in large displacement, when, and at which drive, tilt and loads."""
+
+from typing import Any
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.history import TILT
+from masonry.loading.cycles import before_a_collapse
+from masonry.model.loads import Program
+from masonry.timeloop.recording import Outcome
+
+STILL_FRACTION = 1e-4
+"""Of the kinetic energy when the first block has fallen: with less, the fall has not begun."""
+
+
+def of_large(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
+    """Whether the run is one in real time, with the masses as they are; and what fell."""
+    return {"in_real_time": not assembly.model.scaled, "collapse": _collapse(assembly, outcome)}
+
+
+def _collapse(assembly: Assembly, outcome: Outcome) -> dict[str, Any] | None:
+    """The first block to fall: its number, set and place at the start; time, drive and force when it had; energies.
+
+    `began` says the same of when the fall began: the last row before at which all was as good as still; None without.
+    """
+    if outcome.found["collapse"] is None:
+        return None
+    block, step, energies = outcome.found["collapse"]
+    rows, specimen = outcome.history.rows, assembly.specimen
+    row = int(np.searchsorted(rows["step"], step))
+    still = np.flatnonzero(rows["kinetic"][:row] < STILL_FRACTION * rows["kinetic"][row])
+    return {
+        "block": block,
+        "sets": sorted(name for name, members in specimen.sets.items() if block in members),
+        "at_m": assembly.model.layout.centroid[block].tolist(),
+        **_moment(assembly, rows, row),
+        "began": _moment(assembly, rows, int(still[-1])) if len(still) else None,
+        "blow_pa": outcome.blow / specimen.section if outcome.blow > outcome.peak_force else None,
+        "energy_j": energies,
+    }
+
+
+def standing_rows(outcome: Outcome) -> dict[str, np.ndarray]:
+    """The rows at which no block had fallen, and that at which the first one had."""
+    fallen = outcome.found.get("collapse")
+    return before_a_collapse(outcome.history.rows, None if fallen is None else fallen[1])
+
+
+def _moment(assembly: Assembly, rows: dict[str, np.ndarray], row: int) -> dict[str, Any]:
+    """When, and at which drive, tilt and shares of loads that have a history."""
+    keys = {"time": "time_s", "displacement": "displacement_m", "force": "force_n", TILT: "tilt_rad"}
+    numbers = {name: float(rows[key][row]) for key, name in keys.items() if key in rows}
+    step = int(rows["step"][row])
+    return {"step": step, **numbers, **({"loads": loads} if (loads := _varying(assembly, step)) else {})}
+
+
+def _varying(assembly: Assembly, step: int) -> dict[str, float]:
+    """By load that has a history: its share at a step. A tilt of gravity is told as such."""
+    plan = assembly.plan
+    if not isinstance(plan, Program) or plan.load_factors is None:
+        return {}
+    tilts = assembly.scene.gravity is not None and assembly.scene.gravity.tilt is not None
+    layers = 0 if plan.layers is None else len(plan.layers)
+    return {
+        load.name: float(plan.load_factors[load.varies, step])
+        for load in assembly.recording.surroundings.loads
+        if load.varies is not None and load.varies >= layers and not (tilts and load.name.startswith("gravity"))
+    }

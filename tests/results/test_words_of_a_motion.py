@@ -1,0 +1,71 @@
+"""What is printed of a motion in real time: nothing of what it has not, and no riddles."""
+
+from functools import cache
+
+import pytest
+
+import masonry
+from masonry.assembly.assemble import assemble
+from masonry.laboratory import laboratory
+from masonry.laboratory.text import check_text, collapse_text, summary_text
+from masonry.timeloop.timeloop import compiling_text
+from tests.large.made import dry, slab
+from tests.scenes import box
+
+BEGAN = {"step": 1, "time_s": 0.5, "displacement_m": 0.0}
+FALLEN = {"block": 3, "sets": ["keystone"], "at_m": [-2.776e-17, 0.15, 0.98], "time_s": 1.0, "began": BEGAN}
+
+
+def in_a_line(text):
+    return " ".join(text.split())
+
+
+@cache
+def rocking():
+    return masonry.run(masonry.load("block-rocking", {"solver.duration": "0.05 s"}))
+
+
+def test_where_nothing_settles_and_nothing_is_damped_neither_is_told():
+    summary, text = rocking().summary, in_a_line(summary_text(rocking().summary))
+    assert summary["unbalanced_after_settling"] is None and summary["kinetic_after_settling"] is None
+    assert summary["damping_over_external"] == 0.0
+    assert "settling" not in text and "at the end inertia makes" in text and "damping" not in text
+    damped = {**summary, "energy_j": {**summary["energy_j"], "damping": 1e-6}}
+    assert "at the end damping and inertia make" in in_a_line(summary_text(damped))
+
+
+def test_a_collapse_is_told_with_its_place_at_the_start_and_no_rounding():
+    text = collapse_text({"collapse": FALLEN})
+    assert (
+        text == "block 3 (keystone), at (0, 0.15, 0.98) m at the start, is the first to fall, after 1 s; the fall "
+        "began after 0.5 s"
+    )
+    tilted = collapse_text({"collapse": {**FALLEN, "began": {**BEGAN, "tilt_rad": 0.37}}})
+    assert tilted.endswith("it falls at a smaller tilt already, as gravity turned on while the fall gathered way")
+
+
+def test_a_load_with_a_history_is_told_when_the_fall_begins():
+    block = box("block", (0.05, -0.05, 0.0), (0.1, 0.1, 0.1), "units", 1)
+    push = '[[traction]]\non = "block.x-"\nstress = {x = "2 kPa"}\nhistory = [["0 s", 0], ["0.3 s", 1]]\n'
+    result = laboratory.run(dry([slab(0.4), block], 0.3, duration=0.8, more=push, settle=2000))
+    fallen = result.summary["collapse"]
+    after = fallen["began"]["time_s"] - 2000 * result.summary["time_step_s"]
+    assert fallen["began"]["loads"] == {"traction.0": pytest.approx(after / 0.3, rel=1e-3)}
+    assert fallen["loads"] == {"traction.0": 1.0}
+    share = f"{fallen['began']['loads']['traction.0']:.4g}"
+    assert f"with traction.0 at {share} of its value" in in_a_line(summary_text(result.summary))
+
+
+@pytest.mark.parametrize(
+    ("scene", "law", "meet"),
+    [
+        ("block-rocking", "law friction", "1 pair of 2 convex pieces is near enough to be looked at; "),
+        ("couplet-slid-off", "law exponential, friction", "(1 that bonds hold is left out)"),
+        ("wall-pushed-over", "law exponential, friction", "(66 that bonds hold are left out)"),
+    ],
+)
+def test_laws_and_pairs_are_told_as_they_act(scene, law, meet):
+    loaded = masonry.load(scene)
+    words = compiling_text(assemble(loaded).model).partition("blocks, ")[2].partition(" (")[0]
+    assert words == law
+    assert meet in in_a_line(check_text(laboratory.check(loaded)))
