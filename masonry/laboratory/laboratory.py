@@ -17,6 +17,7 @@ from masonry.laboratory.contact_remarks import (
     rocking_remarks,
 )
 from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
+from masonry.laboratory.mesh_remarks import mesh_remarks
 from masonry.laboratory.provenance import provenance_of
 from masonry.laboratory.quality import quality_lines
 from masonry.laboratory.result import Result
@@ -228,31 +229,13 @@ def damping_text(damping: float | Guided | None) -> str:
     return f"local damping {damping:g}" if damping else "no damping"
 
 
-LOCKING = 0.3
-"""Poisson's ratio up to which constant-strain tets are hardly stiffer than at 0."""
-LOCKED = (
-    (0.3, (0.113, 0.169, 0.036)),
-    (0.4, (0.131, 0.22, 0.107)),
-    (0.45, (0.157, 0.304, 0.229)),
-    (0.49, (0.213, 0.722, 0.922)),
-    (0.499, (0.242, 2.92, 6.53)),
-    (0.4999, (0.236, 10.3, 58.9)),
-)
-"""Poisson's ratio, and by how much tets, four across, are too stiff there: a cube in shear, a cantilever four times as
-long as high in bending, a cube pressed between rough stiff plates; against quadratic tets on the same mesh."""
-
-
 def warnings(assembly: Assembly) -> list[str]:
     """What the user should know before running."""
     found = []
     m = assembly.model
     if m.dt > m.bound * (1 + 1e-12):
         found.append(f"the time step {m.dt:.3g} s is above the proven bound {m.bound:.3g} s: the run may be stopped")
-    for name, material in assembly.scene.material.items():
-        nu = material.poisson_ratio
-        if nu is not None and nu > LOCKING and assembly.scene.kinematics_of(name) == "tets":
-            found.append(f"material.{name}: constant-strain tets lock at a Poisson ratio of {nu:g}: {locking_text(nu)}")
-    return [*found, *contact_remarks(assembly), *_placeholders(assembly.scene)]
+    return [*found, *mesh_remarks(assembly), *contact_remarks(assembly), *_placeholders(assembly.scene)]
 
 
 def _placeholders(scene: Scene) -> list[str]:
@@ -264,13 +247,3 @@ def _placeholders(scene: Scene) -> list[str]:
         f"placeholders that `masonry import` made up: {', '.join(keys)}; put in your own, and take their lines out of "
         "[assumptions]"
     ]
-
-
-def locking_text(nu: float) -> str:
-    """By how much tets are too stiff at a Poisson ratio: the figures of the next one in the table."""
-    shear, bending, pressed = next((excess for ratio, excess in LOCKED if ratio >= nu), LOCKED[-1][1])
-    times = [f"{100 * x:.0f} %" if x < 2.0 else f"{1 + x:.0f} times" for x in (shear, bending, pressed)]
-    return (
-        f"four across, they are too stiff by up to {times[0]} in shear, {times[1]} in bending, {times[2]} pressed "
-        "between plates; affine blocks do not lock"
-    )

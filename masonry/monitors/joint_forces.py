@@ -7,7 +7,6 @@ patch, as far as the contacts reach.
 """
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from masonry.kernels.patches import point_forces
 from masonry.kernels.redetection import Near
@@ -30,6 +29,8 @@ class JointForces:
         pair = np.column_stack([joints.block_a, joints.block_b])
         if model.large is None or not len(pair):
             return
+        from scipy.spatial import cKDTree
+
         kinds = np.column_stack([pair, np.rint(joints.normal / SAME_DIRECTION)])
         self.joint = np.unique(kinds, axis=0, return_inverse=True)[1].ravel()
         self.pairs, which = np.unique(pair @ [model.blocks.count, 1], return_inverse=True)
