@@ -6,9 +6,11 @@ import sys
 import pytest
 
 from geometry.blocks import GeometryError
+from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
-from tests.scenes import load
+from tests.large.made import dry
+from tests.scenes import box, load
 
 GOOD = """kinematics = {default = "rigid", soft = "affine"}
 confinement = "0.5 MPa"
@@ -145,3 +147,8 @@ def test_a_support_may_hold_turns_where_the_drive_takes_a_face():
     )
     text = text.replace(SUPPORT_LOW, SUPPORT_LOW + '[[support]]\non = "top"\nfix = ["rotation"]\n')
     assert laboratory.check(load(text))["blocks"] == 2
+
+
+def test_a_specimen_that_touches_nothing_is_asked_for_a_time_step():
+    with pytest.raises(SceneError, match="solver.time_step: nothing here limits the time step; give one"):
+        assemble(dry([box("cube", (0.0, 0.0, 0.0), (0.1, 0.1, 0.1), "units", 0)], supports=()))

@@ -10,7 +10,7 @@ from masonry import scene
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import summary_text
 from masonry.results.trust import trust
-from tests.large.made import G, dry, leaning
+from tests.large.made import G, dry, leaning, slab
 from tests.scenes import box, tables
 
 SETTINGS = {"settle.steps": 8000, "gravity.tilt.duration": "4 s", "solver.duration": "4.5 s", "solver.rows": 600}
@@ -71,3 +71,12 @@ def test_a_block_that_slides_off_the_floor_is_told_and_falls_on():
 
     stays = laboratory.run(dry([block], 1.0, leaning(40.0), 0.5, supports=(), more=met[1.0]))
     assert not any("left the floor" in words for words in stays.summary["warnings"])
+
+
+def test_what_stands_on_a_plate_that_a_drive_lets_down_has_not_fallen():
+    lowered = '[drive]\non = "slab"\ndirection = "-z"\ndisplacement = "0.3 m"\nrate = "0.5 m/s"\n'
+    held = ('on = "slab"\nfix = ["x", "y", "rotation"]',)
+    cube = box("cube", (-0.05, -0.05, 0.0), (0.1, 0.1, 0.1), "units", 1)
+    result = laboratory.run(dry([slab(1.0), cube], duration=0.8, supports=held, more=lowered))
+    assert result.history.rows["displacement"][-1] == pytest.approx(0.3)
+    assert result.summary["collapse"] is None

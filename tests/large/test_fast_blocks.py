@@ -9,7 +9,6 @@ import pytest
 from geometry.polyhedra.measures import bounds
 from masonry import scene
 from masonry.assembly.assemble import assemble
-from masonry.errors import SceneError
 from masonry.kernels.patches import DASHPOT, NORMAL_GAINED, deepest, stored_energy
 from masonry.kernels.refreshing import refresh
 from masonry.laboratory import laboratory
@@ -98,17 +97,6 @@ def test_a_pile_of_200_cells_comes_to_rest_and_none_stays_in_another():
     assert np.abs(rows["imbalance"]).max() < 1e-11 * rows["external_work"][-1]
 
 
-def test_gauges_follow_the_points_of_a_block_that_turns_by_a_right_angle():
-    spin, corner = '[[motion]]\non = "brick"\nspin = [0, 0, "5 rad/s"]\n', {"x": 0.1, "y": 0.05, "z": 1.03}
-    at = ", ".join(f'{axis} = "{value} m"' for axis, value in corner.items())
-    places = {"x of corner": (f"{{{at}}}", "x"), "y of corner": (f"{{{at}}}", "y"), "y of face": ('"brick.x+"', "y")}
-    gauges = "".join(f'[[gauge]]\nname = "{n}"\nat = {a}\ndirection = "{d}"\n' for n, (a, d) in places.items())
-    brick = box("brick", (-0.1, -0.05, 1.0), (0.2, 0.1, 0.06), "units", 1)
-    rows = laboratory.run(dry([slab(2.0), brick], duration=0.1 * np.pi, more=spin + gauges)).history.rows
-    found = [rows[name][-1] for name in places]
-    assert found == pytest.approx([-0.05 - 0.1, 0.1 - 0.05, 0.1], abs=1e-4 * 0.2)
-
-
 def thrown(velocity: str, gap: float, size: float = 2.0, more: str = "", duration: float = 0.1):
     """Rows of a cube of 0.1 m that is thrown from a gap (m) above the slab."""
     cube = box("cube", (-0.05, -0.05, gap), (0.1, 0.1, 0.1), "units", 1)
@@ -135,35 +123,3 @@ def test_how_heavy_a_held_block_is_changes_nothing_of_what_hits_it():
     small, large = (thrown('[0, 0, "-2 m/s"]', 0.01, size)[0] for size in (0.12, 4.0))
     assert small["kinetic"][-1] == pytest.approx(large["kinetic"][-1], rel=1e-9)
     assert small["kinetic"][-1] < 0.5 * large["kinetic"][0]
-
-
-def test_a_floor_bears_the_weight_of_the_specimen_and_none_of_its_own():
-    shipped = scene.load("block-rocking", {"solver.duration": "0.01 s"})
-    result, weight = laboratory.run(shipped), float(assemble(shipped).model.masses["rigid"][0, 0]) * G
-    assert result.summary["reactions"]["end"]["gravity"]["force_n"][2] == pytest.approx(-weight, rel=1e-9)
-
-
-def test_what_stands_on_a_plate_that_a_drive_lets_down_has_not_fallen():
-    lowered = '[drive]\non = "slab"\ndirection = "-z"\ndisplacement = "0.3 m"\nrate = "0.5 m/s"\n'
-    held = ('on = "slab"\nfix = ["x", "y", "rotation"]',)
-    cube = box("cube", (-0.05, -0.05, 0.0), (0.1, 0.1, 0.1), "units", 1)
-    result = laboratory.run(dry([slab(1.0), cube], duration=0.8, supports=held, more=lowered))
-    assert result.history.rows["displacement"][-1] == pytest.approx(0.3)
-    assert result.summary["collapse"] is None
-
-
-def test_a_specimen_that_touches_nothing_is_asked_for_a_time_step():
-    with pytest.raises(SceneError, match="solver.time_step: nothing here limits the time step; give one"):
-        assemble(dry([box("cube", (0.0, 0.0, 0.0), (0.1, 0.1, 0.1), "units", 0)], supports=()))
-
-
-def test_corners_that_cells_share_go_with_each_of_them():
-    made = scene.load("rubble-pile", {"solver.duration": "0.5 s", "specimen.cells.total": 30, "solver.frames": 2})
-    result = laboratory.run(made)
-    blocks, moved = result.specimen.blocks, result.history.frames[-1].corners
-    owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
-    for points in ([*set(blocks.face_points[owner == cell].tolist())] for cell in range(30)):
-        before, after = (
-            np.linalg.norm(x[points] - x[points[0]], axis=1) for x in (blocks.points, blocks.points + moved)
-        )
-        assert after == pytest.approx(before, abs=1e-12), "a rigid cell keeps its size"

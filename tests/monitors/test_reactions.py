@@ -5,8 +5,11 @@ import re
 import numpy as np
 import pytest
 
+from masonry import scene
+from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
 from masonry.monitors.reactions import Standing, moved_by, open_by
+from tests.large.made import G, dry
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 from verification.fixtures.scene_text import loaded
 from verification.scene_runs import result_of, text_of
@@ -138,3 +141,19 @@ def test_forces_that_are_but_rounding_at_the_end_are_measured_by_those_of_the_pe
     assert open_by([peak, end], 1.0) == pytest.approx(1e-3) and moved_by(end, [peak, end], 1.0) < 1e-18
     assert moved_by(peak, [peak], 0.5) == pytest.approx(1e-3), "moments count over the size: 4 kN here"
     assert open_by([], 1.0) == 0.0
+
+
+def test_a_floor_bears_the_weight_of_the_specimen_and_none_of_its_own():
+    shipped = scene.load("block-rocking", {"solver.duration": "0.01 s"})
+    result, weight = laboratory.run(shipped), float(assemble(shipped).model.masses["rigid"][0, 0]) * G
+    assert result.summary["reactions"]["end"]["gravity"]["force_n"][2] == pytest.approx(-weight, rel=1e-9)
+
+
+def test_rounding_of_what_flies_freely_is_not_measured_by_itself():
+    """A cube that deforms and spins without weight and supports: all that acts on it is rounding."""
+    spin = '[[motion]]\non = "cube"\nspin = ["10 rad/s", "20 rad/s", "30 rad/s"]\n'
+    cube = box("cube", (0.0, 0.0, 0.0), (0.2, 0.2, 0.2), "units", 0)
+    made = dry([cube], duration=0.1, more=spin, supports=())
+    elastic = {"young_modulus": "1 GPa", "poisson_ratio": 0.2, "density": "2000 kg/m^3"}
+    made = made.with_({"kinematics": "affine", "material.units": elastic, "gravity": None, "settle": None})
+    assert laboratory.run(made).summary["force_balance"] < 1e-9

@@ -8,8 +8,9 @@ import pytest
 from masonry import scene
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
+from tests.large.made import dry, slab
 from tests.model.test_bending import ARM, BEAM, HEIGHT, INSET, LENGTH, NORMAL, ROLLER, SHEAR, SPAN, STRIP, THICKNESS
-from tests.scenes import load
+from tests.scenes import box, load
 
 DEFLECTION = """
 [[gauge]]
@@ -161,3 +162,14 @@ def test_a_scene_without_gauges_has_no_more_columns_and_the_same_numbers():
     again = laboratory.run(scene.load("couplet", gauged)).history.rows
     assert set(again) - set(rows) == {"top"}
     assert all(np.array_equal(rows[name], again[name]) for name in rows)
+
+
+def test_gauges_follow_the_points_of_a_block_that_turns_by_a_right_angle():
+    spin, corner = '[[motion]]\non = "brick"\nspin = [0, 0, "5 rad/s"]\n', {"x": 0.1, "y": 0.05, "z": 1.03}
+    at = ", ".join(f'{axis} = "{value} m"' for axis, value in corner.items())
+    places = {"x of corner": (f"{{{at}}}", "x"), "y of corner": (f"{{{at}}}", "y"), "y of face": ('"brick.x+"', "y")}
+    gauges = "".join(f'[[gauge]]\nname = "{n}"\nat = {a}\ndirection = "{d}"\n' for n, (a, d) in places.items())
+    brick = box("brick", (-0.1, -0.05, 1.0), (0.2, 0.1, 0.06), "units", 1)
+    rows = laboratory.run(dry([slab(2.0), brick], duration=0.1 * np.pi, more=spin + gauges)).history.rows
+    found = [rows[name][-1] for name in places]
+    assert found == pytest.approx([-0.05 - 0.1, 0.1 - 0.05, 0.1], abs=1e-4 * 0.2)
