@@ -223,9 +223,9 @@ def stored_energy(near):
 
 
 @jit
-def point_forces(near, block, place, force):
-    """Write the two blocks (K, 2), the place (K, 3) m, and the force (K, 3) N on the first block, of all points that
-    bear; returns how many there are, or would be with more room."""
+def point_forces(near, block, body, place, force, normal):
+    """Write the two blocks and bodies (K, 2), the place (K, 3) m, the force (K, 3) N on the first, and the normal
+    (K, 3) from it to the second, of all points that bear; returns how many there are, or would be with more room."""
     pairs, points, motion, count = near.pairs, near.points, near.motion, 0
     for p in range(pairs.number[0]):
         s, own = pairs.slot[p], pairs.points_of[p]
@@ -244,7 +244,9 @@ def point_forces(near, block, place, force):
                 for i in range(3):
                     place[count, i] = motion.centre[other, i] + motion.moved[other, i] + arm[i]
                     force[count, i] = points.area[s, k] * (points.shear[s, i, k] + sigma * n[i])
+                    normal[count, i] = n[i]
                 for side in range(2):
+                    body[count, side] = pairs.body[p, side]
                     block[count, side] = near.pieces.block[pairs.body[p, side]]
             count += 1
     return count

@@ -87,8 +87,12 @@ def _look_at_contacts(model: Model, seen: np.ndarray) -> float:
 
 def _look_at_parted_points(model: Model, bonds: Bonds, seen: np.ndarray) -> None:
     """How far the material points of joints without bonds have parted, in the frame of side a; they carry nothing."""
+    assert model.large is not None
     gone, joints = ~bonds.alive, model.joints
-    a, b = (moved(model, joints.point[gone], block[gone]) for block in (joints.block_a, joints.block_b))
+    if model.large.members is None:
+        a, b = (moved(model, joints.point[gone], block[gone]) for block in (joints.block_a, joints.block_b))
+    else:  # points of blocks that deform move with them at every step
+        a, b = bonds.u[bonds.rows[gone].T.astype(np.int64)]
     parted = np.einsum("cji,cj->ci", bonds.frames[bonds.owner[gone]], b - a)
     normal = model.contacts.normal[gone]
     opening = np.einsum("ci,ci->c", parted, normal)
@@ -98,7 +102,7 @@ def _look_at_parted_points(model: Model, bonds: Bonds, seen: np.ndarray) -> None
 
 
 def moved(model: Model, point: np.ndarray, block: np.ndarray) -> np.ndarray:
-    """(K, 3) m, how far points (K, 3) of some blocks have moved; with the mean deformation of blocks of tets."""
+    """(K, 3) m, how far points (K, 3) of some rigid or affine blocks have moved."""
     assert model.large is not None
     motion, arm = model.large.near.motion, point - model.layout.centroid[block]
     return np.asarray(motion.moved[block, :3] + np.einsum("kij,kj->ki", motion.frame[block], arm) - arm)

@@ -1,10 +1,12 @@
 """What the joints of the undeformed shape bear: forces of their contacts, and of the patches that take their place.
 
-In large displacement the points of a patch are not those of the joint. What patches between two blocks bear goes to the
-contacts of their joint: its normal force and moments by a stress that is linear over what is pressed, as if the joint
-were elastic and did not pull; its shear force evenly over that. So force and place of the normal force are those of the
-patch, as far as the contacts reach.
+In large displacement the points of a patch are not those of the joint. What patches between two units bear in the
+plane of a joint goes to its contacts: normal force and moments by a stress that is linear over what is pressed, as if
+the joint were elastic and did not pull; shear force and the moment about the normal as on a rigid plate. So force and
+moment are those of the patch, as far as the contacts reach. Between blocks of one unit each pair is looked at alone.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,10 +17,23 @@ from masonry.monitors.energy import moved
 
 ROUNDS = 20
 """Of leaving out contacts that would pull, at most."""
-SAME_DIRECTION = 1e-3
-"""Normals of one pair of blocks that differ by less belong to one joint."""
+SAME_DIRECTION, SAME_PLANE = 1e-3, 1e-5
+"""Normals, and places of a plane over the size of the specimen, that differ by less belong to one joint."""
+ALIGNED = 0.7
+"""Least cosine between the normals of a patch and of the joint that it takes the place of."""
 ROUND_OFF = 1e-9
-"""Of the mean stress of a joint, and of the largest second moment of its area."""
+"""Of the mean stress of a joint, and of the square of its polar moment."""
+
+
+class Points(NamedTuple):
+    """Points that bear: the two blocks and bodies (K, 2), place (K, 3) m, force on the first (K, 3) N, and normal
+    (K, 3) from the first to the second."""
+
+    block: np.ndarray
+    body: np.ndarray
+    place: np.ndarray
+    force: np.ndarray
+    normal: np.ndarray
 
 
 class JointForces:
@@ -26,19 +41,28 @@ class JointForces:
 
     def __init__(self, model: Model) -> None:
         self.model, joints = model, model.joints
-        pair = np.column_stack([joints.block_a, joints.block_b])
-        if model.large is None or not len(pair):
+        if model.large is None or not len(joints.area):
             return
         from scipy.spatial import cKDTree
 
-        kinds = np.column_stack([pair, np.rint(joints.normal / SAME_DIRECTION)])
-        self.joint = np.unique(kinds, axis=0, return_inverse=True)[1].ravel()
-        self.pairs, which = np.unique(pair @ [model.blocks.count, 1], return_inverse=True)
-        self.apart = 10.0 * float(np.ptp(model.blocks.points, axis=0).max())  # other pairs are out of reach
-        self.nearest = cKDTree(np.column_stack([joints.point, self.apart * which.ravel()]))
+        pair = np.column_stack([joints.block_a, joints.block_b])
+        key, self.sign = self._sides(pair)
+        self.normal = self.sign[:, None] * joints.normal
+        self.size = float(np.ptp(model.blocks.points, axis=0).max())
+        level = np.einsum("ci,ci->c", self.normal, joints.point) / (SAME_PLANE * self.size)
+        kinds = np.column_stack([key, np.rint(self.normal / SAME_DIRECTION), np.rint(level)])
+        first, self.joint = np.unique(kinds, axis=0, return_index=True, return_inverse=True)[1:]
+        self.joint = self.joint.ravel()
+        self.across = self.normal[first]
+        least = np.eye(3)[np.abs(self.across).argmin(axis=1)]
+        along = np.cross(self.across, least)
+        self.along = along / np.linalg.norm(along, axis=1, keepdims=True)
+        self.beside = np.cross(self.across, self.along)
+        self.pairs, which = np.unique(key, return_inverse=True)
+        self.nearest = cKDTree(self._place(joints.point, which.ravel(), self.normal))
 
     def take(self) -> np.ndarray:
-        """(C, 3) N on side a; in large displacement turned back with side a."""
+        """(C, 3) N on side a; in large displacement turned back with the block on the side of the lower unit."""
         model = self.model
         force: np.ndarray = model.contacts.force.copy()
         if model.large is None:
@@ -49,94 +73,122 @@ class JointForces:
             self._of_patches(gone, force)
         return force
 
+    def _sides(self, pair: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """(K,) a number of what meets in pairs of blocks (K, 2), two units or two blocks of one; and 1.0, or -1.0
+        where the first block belongs to the unit of the higher number."""
+        unit, count = self.model.blocks.unit[pair].astype(np.int64), self.model.blocks.count
+        within = unit[:, 0] == unit[:, 1]
+        what = np.where(within[:, None], pair, unit)
+        most = max(count, int(self.model.blocks.unit.max()) + 1)
+        key = (what.min(axis=1) * most + what.max(axis=1)) * 2 + within
+        return key, np.where(what[:, 0] <= what[:, 1], 1.0, -1.0)
+
+    def _place(self, point: np.ndarray, which: np.ndarray, normal: np.ndarray) -> np.ndarray:
+        """Places, pairs (K,) and normals in one space, in which another pair is out of reach, and a normal far off."""
+        return np.column_stack([point / self.size, 100.0 * which, normal])
+
     def _of_patches(self, gone: np.ndarray, force: np.ndarray) -> None:
         """Add what patches bear to the forces (C, 3) of contacts that are gone."""
-        contact, place, acts = self._on_joints(gone)
-        joints, count = self.model.joints, int(self.joint.max()) + 1
-        if not len(contact):
+        joint, place, acts = self._on_joints(gone)
+        if not len(joint):
             return
-        joint = self.joint[contact]
-        normal = np.einsum("ki,ki->k", acts, joints.normal[contact])
-        across = _sums(joint, acts - normal[:, None] * joints.normal[contact], count)
-        sigma = self._stress(gone, joint, normal, place, count)
-        pressed = np.where(sigma < 0.0, joints.area, 0.0)
-        area = np.bincount(self.joint, pressed, count)
-        share = pressed / np.maximum(area, 1e-300)[self.joint]
-        force += (joints.area * sigma)[:, None] * joints.normal + share[:, None] * across[self.joint]
+        joints, count = self.model.joints, len(self.across)
+        along = np.einsum("ki,ki->k", acts, self.across[joint])
+        sigma = self._stress(gone, joint, along, place)
+        mean = np.bincount(joint, along, count) / np.maximum(np.bincount(self.joint, joints.area, count), 1e-300)
+        area = np.where(sigma < ROUND_OFF * mean[self.joint], joints.area, 0.0)
+        arm, middle, (one, _, two) = self._about_middle(area)
+        turning = np.einsum("ki,ki->k", np.cross(place - middle[joint], acts), self.across[joint])
+        spin = np.bincount(joint, turning, count) / np.maximum(one + two, 1e-300)
+        beside = (acts - along[:, None] * self.across[joint]).T
+        pressed = np.maximum(np.bincount(self.joint, area, count), 1e-300)
+        shear = np.column_stack([np.bincount(joint, part, count) / pressed for part in beside])
+        traction = shear[self.joint] + spin[self.joint, None] * np.cross(self.across[self.joint], arm)
+        force += self.sign[:, None] * (joints.area[:, None] * sigma[:, None] * self.normal + area[:, None] * traction)
 
     def _on_joints(self, gone: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Of all points of patches between blocks that have a joint: the contact that is nearest (K,), the place
-        (K, 3) m and the force (K, 3) N on its side a, turned back with that block."""
+        """Of all points of patches in the plane of a joint: its number (K,), the place (K, 3) m and the force (K, 3) N
+        on the side of the lower unit, turned back with the block there."""
         model = self.model
         assert model.large is not None
-        near, frames, centroid = model.large.near, model.large.bonds.frames, model.layout.centroid
-        block, where, acts = _points(near)
-        swapped = block[:, 0] > block[:, 1]
-        block[swapped], acts[swapped] = block[swapped, ::-1], -acts[swapped]
-        pair = block @ [model.blocks.count, 1]
-        which = np.searchsorted(self.pairs, pair)
-        has = self.pairs[np.minimum(which, len(self.pairs) - 1)] == pair
-        a, which, where, acts = block[has, 0], which[has], where[has], acts[has]
-        place = where - centroid[a] - near.motion.moved[a, :3]
-        place = centroid[a] + np.einsum("kij,kj->ki", np.linalg.inv(near.motion.frame[a]), place)
-        contact = self.nearest.query(np.column_stack([place, self.apart * which]))[1]
-        acts = np.einsum("kji,kj->ki", frames[a], acts)
-        free = gone[contact]
-        return contact[free], place[free], acts[free]
+        near, found = model.large.near, _points(model.large.near)
+        key, sign = self._sides(found.block)
+        which = np.minimum(np.searchsorted(self.pairs, key), len(self.pairs) - 1)
+        row, low = np.arange(len(key)), (sign < 0.0).astype(int)
+        block, body = found.block[row, low], found.body[row, low]
+        motion = near.motion
+        undo = (motion.frame if motion.dual is None else motion.dual)[body]  # transposed
+        place = found.place - motion.centre[body] - motion.moved[body, :3]
+        place = motion.centre[body] + np.einsum("kji,kj->ki", undo, place)
+        back = sign[:, None, None] * model.large.bonds.frames[block].transpose(0, 2, 1)
+        acts, normal = (np.einsum("kij,kj->ki", back, vector) for vector in (found.force, found.normal))
+        contact = self.nearest.query(self._place(place, which, normal))[1]
+        aligned = np.einsum("ki,ki->k", normal, self.normal[contact]) > ALIGNED
+        chosen = (self.pairs[which] == key) & gone[contact] & aligned
+        return self.joint[contact[chosen]], place[chosen], acts[chosen]
 
-    def _stress(
-        self, gone: np.ndarray, joint: np.ndarray, normal: np.ndarray, place: np.ndarray, count: int
-    ) -> np.ndarray:
-        """(C,) Pa, linear over the pressed contacts of each joint, with the forces normal (K,) N at places (K, 3) m."""
-        joints = self.model.joints
-        thrust = np.bincount(joint, normal, count)
-        bears = thrust < 0.0
-        centre = _sums(joint, normal[:, None] * place, count) / np.where(bears, thrust, 1.0)[:, None]
-        area = np.where(gone & bears[self.joint], joints.area, 0.0)
+    def _stress(self, gone: np.ndarray, joint: np.ndarray, along: np.ndarray, place: np.ndarray) -> np.ndarray:
+        """(C,) Pa, linear over the pressed contacts of each joint, with the forces along (K,) N at places (K, 3) m."""
+        joints, count = self.model.joints, len(self.across)
+        thrust = np.bincount(joint, along, count)
+        bears = np.where(thrust < 0.0, thrust, 1.0)
+        centre = np.column_stack([np.bincount(joint, along * x, count) / bears for x in place.T])
+        area = np.where(gone & (thrust < 0.0)[self.joint], joints.area, 0.0)
         sigma = np.zeros(len(area))
         for _ in range(ROUNDS):
-            whole = np.maximum(np.bincount(self.joint, area, count), 1e-300)
-            middle = _sums(self.joint, area[:, None] * joints.point, count) / whole[:, None]
-            arm = joints.point - middle[self.joint]
-            second = _sums(self.joint, area[:, None, None] * arm[:, :, None] * arm[:, None, :], count)
-            slope = np.einsum("jik,jk->ji", np.linalg.pinv(second, rcond=ROUND_OFF, hermitian=True), centre - middle)
-            mean = (thrust / whole)[self.joint]
-            sigma = np.where(area > 0.0, mean + thrust[self.joint] * np.einsum("ci,ci->c", slope[self.joint], arm), 0.0)
-            pulls = (area > 0.0) & (sigma > ROUND_OFF * np.abs(mean))
-            left = np.bincount(self.joint, np.where(pulls, 0.0, area), count)
-            pulls &= left[self.joint] > 0.0
+            arm, middle, second = self._about_middle(area)
+            off = centre - middle
+            slope = self._slope(*second, *(np.einsum("ji,ji->j", off, axis) for axis in (self.along, self.beside)))
+            mean = thrust / np.maximum(np.bincount(self.joint, area, count), 1e-300)
+            linear = mean[self.joint] + thrust[self.joint] * np.einsum("ci,ci->c", slope[self.joint], arm)
+            sigma = np.where(area > 0.0, linear, 0.0)
+            pulls = (area > 0.0) & (sigma > -ROUND_OFF * mean[self.joint])
+            pulls &= (np.bincount(self.joint, np.where(pulls, 0.0, area), count) > 0.0)[self.joint]
             if not pulls.any():
                 break
             area[pulls] = 0.0
         return np.minimum(sigma, 0.0)
 
+    def _about_middle(
+        self, area: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, tuple[np.ndarray, np.ndarray, np.ndarray]]:
+        """Of areas (C,) of contacts: their arms (C, 3) from the middle of their joint, the middles (J, 3), and the
+        second moments (J,) along both axes of the joint, and between them."""
+        count, point = len(self.across), self.model.joints.point
+        whole = np.maximum(np.bincount(self.joint, area, count), 1e-300)
+        middle = np.column_stack([np.bincount(self.joint, area * x, count) for x in point.T]) / whole[:, None]
+        arm = point - middle[self.joint]
+        s, t = (np.einsum("ci,ci->c", arm, axis[self.joint]) for axis in (self.along, self.beside))
+        moments = (np.bincount(self.joint, area * x * y, count) for x, y in ((s, s), (s, t), (t, t)))
+        return arm, middle, tuple(moments)  # type: ignore[return-value]
+
+    def _slope(self, ss: np.ndarray, st: np.ndarray, tt: np.ndarray, s: np.ndarray, t: np.ndarray) -> np.ndarray:
+        """(J, 3) the inverse of the second moments times (s, t); where contacts lie in a row, along it, and else 0."""
+        trace, determinant = ss + tt, ss * tt - st * st
+        flat = determinant > ROUND_OFF * trace**2
+        d, square = np.where(flat, determinant, 1.0), np.maximum(trace, 1e-150) ** 2
+        one = np.where(flat, (tt * s - st * t) / d, (ss * s + st * t) / square)
+        two = np.where(flat, (ss * t - st * s) / d, (st * s + tt * t) / square)
+        return np.asarray(one[:, None] * self.along + two[:, None] * self.beside)
+
 
 def forces_on_blocks(model: Model) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """All that acts between blocks now, in large displacement: the block (K,), the force (3, K) N on it, and its arm
-    (3, K) m from the centroid, along x, y and z."""
+    (3, K) m from the centroid, along x, y and z; of blocks of tets from where that was."""
     assert model.large is not None
     bonds, joints, layout = model.large.bonds, model.joints, model.layout
-    block, place, force = _points(model.large.near)
-    whole = bonds.alive
+    found, whole = _points(model.large.near), bonds.alive
     pair = np.column_stack([joints.block_a, joints.block_b])[whole]
-    block, force = np.concatenate([block, pair]), np.concatenate([force, bonds.force[whole]])
-    place = np.concatenate([place, joints.point[whole] + moved(model, joints.point[whole], pair[:, 1])])
+    block, force = np.concatenate([found.block, pair]), np.concatenate([found.force, bonds.force[whole]])
+    place = np.concatenate([found.place, joints.point[whole] + moved(model, joints.point[whole], pair[:, 1])])
     now = layout.centroid + model.large.near.motion.moved[: len(layout.centroid), :3]
     sides = block.T.ravel()
     arm = np.concatenate([place, place]) - now[sides]
     return sides, np.concatenate([force, -force]).T.copy(), arm.T.copy()
 
 
-def _points(near: Near) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Blocks (K, 2), place (K, 3) m and force (K, 3) N on the first block of all points that bear."""
+def _points(near: Near) -> Points:
     room = int(near.points.held.sum())
-    block, place, force = np.zeros((room, 2), dtype=np.int64), np.zeros((room, 3)), np.zeros((room, 3))
-    count = point_forces(near, block, place, force)
-    return block[:count], place[:count], force[:count]
-
-
-def _sums(which: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
-    """Sums of rows (K, ...) by a number (K,): (count, ...)."""
-    found = np.zeros((count, *values.shape[1:]))
-    np.add.at(found, which, values)
-    return found
+    numbers, vectors = np.zeros((2, room, 2), dtype=np.int64), np.zeros((3, room, 3))
+    count = point_forces(near, *numbers, *vectors)
+    return Points(*numbers[:, :count], *vectors[:, :count])
