@@ -23,7 +23,7 @@ SCENE, HALF, HIGH, DEPTH = "dry-block", 0.05, 0.1, 0.2
 WIDE, STIFFNESS, FRICTION, SPIN, WHILE = 2.0 * HALF, 1e10, 0.5, 20.0, 0.02
 """m; Pa/m; tan of the angle of friction; rad/s; s."""
 CLOSED, OPEN = 0.1, 0.25
-"""Eccentricity over the width of the joint."""
+"""Eccentricity over the width of the joint, of which a quarter is open at the second one."""
 RESTING: Settings = {
     "specimen.box": block(HALF, HIGH),
     "contact.unit_unit.tan_friction_angle": 2.0,
