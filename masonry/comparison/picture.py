@@ -10,7 +10,11 @@ from masonry.laboratory.result import load_result
 from masonry.pictures.style import plain, tidy
 
 COLOURS = dict(
-    zip(KINDS, ("#17becf", "#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#e377c2", "#8c564b", "#ff7f0e"), strict=True)
+    zip(
+        KINDS,
+        ("#17becf", "#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#e377c2", "#8c564b", "#ff7f0e", "#bcbd22"),
+        strict=True,
+    )
 )
 """A colour for each kind of variant; several of a kind differ by their dashes."""
 DASHES = ("-", "--", ":", "-.")

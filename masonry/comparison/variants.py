@@ -178,6 +178,15 @@ def cells(assembly: Assembly) -> list[Variant]:
     return found
 
 
+def patches(assembly: Assembly) -> list[Variant]:
+    """Points of dry contacts spread over their patches, or at the corners alone, in large displacement."""
+    large, spread = assembly.model.large, assembly.scene.specimen.patch_points == "spread"
+    if large is None or 0 < len(assembly.model.group_names) == len(large.bonded):
+        return []
+    other, words = ("corners", "at their corners") if spread else ("spread", "spread")
+    return [Variant("patches", f"points of patches {words}", {"specimen.patch_points": other})]
+
+
 def _is_plane_grid(divisions: tuple[int, ...] | None) -> bool:
     """Whether units are cut in the plane x-z, and nowhere else."""
     if divisions is None or max(divisions) == 1:
@@ -199,6 +208,7 @@ KINDS: dict[str, Callable[[Assembly], list[Variant]]] = {
     "softening": softening,
     "plates": plates,
     "cells": cells,
+    "patches": patches,
 }
 SLOW = ("kinematics", "cells")
 """Kinds that `quick` leaves out, besides the second variant of each other: they cost several times the base."""

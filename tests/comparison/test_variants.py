@@ -19,9 +19,17 @@ def test_every_variant_of_a_wallette_is_named_once_and_its_scene_takes_it():
     chosen = variants(assemble(scene))
     assert chosen[0].name == "as it is" and chosen[0].settings == {}
     assert len({variant.name for variant in chosen}) == len(chosen) == 11
-    assert {variant.kind for variant in chosen[1:]} == set(KINDS)
+    assert {variant.kind for variant in chosen[1:]} == set(KINDS) - {"patches"}
     for variant in chosen[1:]:
         assert scene.with_(variant.settings) != scene
+
+
+def test_points_of_patches_are_varied_where_dry_contacts_are_found_anew():
+    other = {"specimen.patch_points": "corners"}
+    assert settings(load("arch-tilted"), "patches") == [{"specimen.patch_points": "spread"}]
+    assert settings(load("arch-tilted", {"specimen.patch_points": "spread"}), "patches") == [other]
+    assert settings(load("block-rocking"), "patches") == [{"specimen.patch_points": "spread"}], "it meets a floor"
+    assert settings(load("arch"), "patches") == []
 
 
 def test_a_drive_to_an_accuracy_gets_a_finer_one_and_a_constant_rate():
