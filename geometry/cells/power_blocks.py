@@ -4,6 +4,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, GeometryError
 from geometry.cells.power import Power
+from geometry.polyhedra.indexing import following
 
 
 def to_blocks(power: Power, unit: np.ndarray, groups: tuple[str, ...] = ("units",)) -> Blocks:
@@ -42,7 +43,7 @@ def loops_of_cells(power: Power) -> tuple[np.ndarray, np.ndarray]:
 
 def edges(power: Power) -> np.ndarray:
     """(E, 2) vertex numbers, ascending, of every edge once."""
-    begin, end = power.face_points, power.face_points[_following(power)]
+    begin, end = power.face_points, power.face_points[following(power.face_start)]
     key = np.unique(np.minimum(begin, end) * len(power.vertices) + np.maximum(begin, end))
     return np.stack([key // len(power.vertices), key % len(power.vertices)], axis=1)
 
@@ -58,7 +59,7 @@ def face_vectors(power: Power) -> np.ndarray:
     origin = power.vertices[power.face_points[power.face_start[:-1]]]
     corner = np.diff(power.face_start)
     a = power.vertices[power.face_points] - np.repeat(origin, corner, axis=0)
-    b = power.vertices[power.face_points[_following(power)]] - np.repeat(origin, corner, axis=0)
+    b = power.vertices[power.face_points[following(power.face_start)]] - np.repeat(origin, corner, axis=0)
     return np.asarray(np.add.reduceat(np.cross(a, b), power.face_start[:-1]) / 2)
 
 
@@ -73,10 +74,3 @@ def cell_volumes(power: Power) -> np.ndarray:
     other = power.other[inside]
     of_other = np.einsum("fi,fi->f", vector[inside], begin[inside] - origin[other]) / 3
     return np.bincount(power.cell, of_cell, power.count) - np.bincount(other, of_other, power.count)
-
-
-def _following(power: Power) -> np.ndarray:
-    """(c,) for every corner of every face, where in face_points the next one of the loop is."""
-    after = np.arange(1, len(power.face_points) + 1)
-    after[power.face_start[1:] - 1] = power.face_start[:-1]
-    return after

@@ -8,3 +8,10 @@ def ranges(start: np.ndarray, count: np.ndarray) -> tuple[np.ndarray, np.ndarray
     owner = np.repeat(np.arange(len(count)), count)
     before = np.cumsum(count) - count
     return owner, np.arange(len(owner)) - before[owner] + np.asarray(start)[owner]
+
+
+def following(start: np.ndarray) -> np.ndarray:
+    """(c,) of the entries of rings, which begin at start (n + 1,): where the next one of the same ring is."""
+    after = np.arange(1, int(start[-1]) + 1)
+    after[start[1:] - 1] = start[:-1]
+    return after

@@ -3,8 +3,11 @@
 import numpy as np
 
 from geometry.blocks import Blocks
-from geometry.polyhedra.indexing import ranges
+from geometry.polyhedra.indexing import following, ranges
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
+
+SAME_PLACE = 1e-6
+"""Of the extent: corners that are nearer are at one place."""
 
 
 def _tets(blocks: Blocks, origin: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -71,3 +74,13 @@ def extent(blocks: Blocks) -> float:
     """Longest side of the box round all blocks, m: what relative tolerances refer to."""
     corners = blocks.points[blocks.face_points]
     return float(np.max(np.ptp(corners, axis=0))) if len(corners) else 1.0
+
+
+def edges_by_place(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Of each edge of a face, numbered by its first corner in face_points: the face (E,), the corner at its other end
+    (E,), and both ends (E, 2) as numbers of places, the lower first: corners that nearly coincide are one place."""
+    face = np.repeat(np.arange(len(blocks.face_start) - 1), np.diff(blocks.face_start))
+    other = following(blocks.face_start)
+    place = np.round(blocks.points[blocks.face_points] / (SAME_PLACE * extent(blocks))).astype(np.int64)
+    corner = np.unique(place, axis=0, return_inverse=True)[1].ravel()
+    return face, other, np.sort(np.column_stack([corner, corner[other]]), axis=1)

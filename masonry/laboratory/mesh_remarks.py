@@ -5,7 +5,7 @@ from math import acos, degrees
 import numpy as np
 
 from geometry.blocks import Blocks, TetMesh
-from geometry.polyhedra.measures import face_areas_normals_centroids
+from geometry.polyhedra.measures import edges_by_place, face_areas_normals_centroids
 from masonry.assembly.assemble import Assembly
 from masonry.model.layout import tet_volumes
 
@@ -23,8 +23,6 @@ LOCKED = (
 long as high in bending, a cube pressed between rough stiff plates; against quadratic tets on the same mesh."""
 HEAVY = 0.05
 """Share by which the rotational inertia of a meshed block may be too large before that is told."""
-SAME_PLACE = 1e-6
-"""Of the size of the specimen: corners that are nearer are one."""
 SHARP = 36.0
 """deg: faces of tets touch what faces them within 72 deg (detection/narrow.py), so that sharper edges touch nothing."""
 
@@ -73,13 +71,8 @@ def inertia_excess(mesh: TetMesh, centroid: np.ndarray) -> np.ndarray:
 def sharpest_edge(blocks: Blocks, which: np.ndarray) -> tuple[int, float]:
     """The block, of those in which (B,), with the sharpest edge that sticks out, and the angle there in degrees."""
     _, normal, centre = face_areas_normals_centroids(blocks)
-    owner, size = blocks.face_block(), np.diff(blocks.face_start)
-    face = np.repeat(np.arange(len(size)), size)
-    following = np.arange(1, len(face) + 1)
-    following[blocks.face_start[1:] - 1] = blocks.face_start[:-1]
-    place = np.round(blocks.points[blocks.face_points] / (SAME_PLACE * float(np.ptp(blocks.points, axis=0).max())))
-    corner = np.unique(place, axis=0, return_inverse=True)[1].ravel()
-    ends = np.sort(np.column_stack([corner, corner[following]]), axis=1)
+    owner = blocks.face_block()
+    face, _, ends = edges_by_place(blocks)
     keys = np.column_stack([owner[face], ends])
     order = np.lexsort(keys.T)
     same = np.flatnonzero(np.all(keys[order[1:]] == keys[order[:-1]], axis=1))

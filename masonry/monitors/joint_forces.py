@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from geometry.polyhedra.measures import extent
 from masonry.kernels.patches import point_forces
 from masonry.kernels.redetection import Near
 from masonry.model.model import Model
@@ -48,7 +49,7 @@ class JointForces:
         pair = np.column_stack([joints.block_a, joints.block_b])
         key, self.sign = self._sides(pair)
         self.normal = self.sign[:, None] * joints.normal
-        self.size = float(np.ptp(model.blocks.points, axis=0).max())
+        self.size = extent(model.blocks)
         level = np.einsum("ci,ci->c", self.normal, joints.point) / (SAME_PLANE * self.size)
         kinds = np.column_stack([key, np.rint(self.normal / SAME_DIRECTION), np.rint(level)])
         first, self.joint = np.unique(kinds, axis=0, return_index=True, return_inverse=True)[1:]

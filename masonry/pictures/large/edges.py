@@ -6,7 +6,7 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from geometry.polyhedra.indexing import ranges
-from geometry.polyhedra.measures import face_areas_normals_centroids, volumes
+from geometry.polyhedra.measures import edges_by_place, face_areas_normals_centroids, volumes
 from masonry.pictures.hidden_surfaces import BENT, SAME_PLANE
 
 PARTED = 0.02
@@ -46,15 +46,8 @@ class Continued:
 def continued(blocks: Blocks) -> Continued:
     """The edges of blocks before loading that go on: in the same plane, or in one block with hardly a bend, as on the
     facets of a curved surface."""
-    sides = np.diff(blocks.face_start)
-    face = np.repeat(np.arange(len(sides)), sides)
-    following = np.arange(1, len(face) + 1)
-    following[blocks.face_start[1:] - 1] = blocks.face_start[:-1]
+    face, following, ends = edges_by_place(blocks)
     block = blocks.face_block()[face]
-    size = float(np.ptp(blocks.points, axis=0).max())
-    place = np.round(blocks.points[blocks.face_points] / (1e-6 * size)).astype(np.int64)
-    corner = np.unique(place, axis=0, return_inverse=True)[1].ravel()
-    ends = np.sort(np.stack([corner, corner[following]], axis=1), axis=1)
     key = np.unique(np.column_stack([ends, blocks.unit[block], blocks.group[block]]), axis=0, return_inverse=True)[1]
     order = np.argsort(key.ravel(), kind="stable")
     number = np.bincount(key.ravel())
