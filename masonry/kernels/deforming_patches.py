@@ -7,9 +7,10 @@ its own line from the point, and the shear force at the point: no couple is left
 """
 
 from masonry.jit.compiler import inner, jit
-from masonry.kernels.patches import DASHPOT, FRICTION, ease, places, respond
+from masonry.kernels.patch_arrays import LEVEL
+from masonry.kernels.patches import DASHPOT, FRICTION, ease, joint_of, numbers, places, respond
 from masonry.kernels.planes import into, plane_of, turned
-from masonry.simd import FOUR, filled, four, take, total
+from masonry.simd import FOUR, below, filled, four, total
 
 
 @jit
@@ -23,6 +24,7 @@ def press_deforming(near, dt):
     dual, rate = motion.dual, motion.rate
     body, slot, points_of, normal, count = pairs.body, pairs.slot, pairs.points_of, pairs.normal, points.held
     friction = damped = filled(0.0, four())
+    parted = False
     for b in range(len(push)):
         for i in range(12):
             push[b, i] = 0.0
@@ -32,7 +34,6 @@ def press_deforming(near, dt):
             continue
         own = points_of[p]
         ref, other = body[p, 1 - own], body[p, own]
-        side = 1.0 if own == 1 else -1.0  # the normal points from side 0 to side 1
         nx, ny, nz, scale = plane_of(frame, dual, ref, normal[p, 0], normal[p, 1], normal[p, 2])
         ox, oy, oz = (  # the sums of the places would lose digits far from the origin
             (centre[other, 0] - centre[ref, 0]) + (moved[other, 0] - moved[ref, 0]),
@@ -43,21 +44,21 @@ def press_deforming(near, dt):
         spin = half * (v[ref, 3] + v[other, 3]), half * (v[ref, 4] + v[other, 4]), half * (v[ref, 5] + v[other, 5])
         lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, nx, ny, nz))
         stretching, along = nx * lx + ny * ly + nz * lz, nx * ox + ny * oy + nz * oz
-        slack, fx = pairs.slack[p], filled(0.0, four())
-        fy = fz = pressed = taken = fx
+        slack, dashpot, held, joint = pairs.slack[p], pairs.dashpot[p], count[s], joint_of(rules, pairs.law[p])
+        fx = fy = fz = pressed = taken = filled(0.0, four())
         xx = xy = xz = yx = yy = yz = zx = zy = zz = filled(0.0, four())
-        for k in range(0, count[s], FOUR):
-            ax, ay, az = places(frame, other, points.material, s, k)
-            gap = side * (nx * ax + ny * ay + nz * az + along - scale * take(points.level, (s, k), four()))
-            # velocity of side 1 against side 0 at the points
+        for k in range(0, held, FOUR):
+            ax, ay, az = places(frame, other, points, s, k)
+            gap = nx * ax + ny * ay + nz * az + along - scale * numbers(points, s, k, LEVEL)
+            # velocity of the other block against the reference at the points
             lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, ax + ox, ay + oy, az + oz))
-            dx, dy, dz = places(rate, other, points.material, s, k)
-            dx = side * (dx + (v[other, 0] - v[ref, 0]) - lx)
-            dy = side * (dy + (v[other, 1] - v[ref, 1]) - ly)
-            dz = side * (dz + (v[other, 2] - v[ref, 2]) - lz)
+            dx, dy, dz = places(rate, other, points, s, k)
+            dx = dx + (v[other, 0] - v[ref, 0]) - lx
+            dy = dy + (v[other, 1] - v[ref, 1]) - ly
+            dz = dz + (v[other, 2] - v[ref, 2]) - lz
             speed = dx * nx + dy * ny + dz * nz
             (gx, gy, gz), sigma, slid, lost = respond(
-                *(pairs, points, rules, p, s, k, gap + slack),
+                *(points, joint, dashpot, s, k, below(held - k, four()), gap + slack),
                 *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), spin, dt),
             )
             friction, taken, pressed = friction + slid, taken + lost, pressed + sigma * gap
@@ -66,23 +67,24 @@ def press_deforming(near, dt):
             xx, xy, xz = xx + gx * ax, xy + gx * ay, xz + gx * az
             yx, yy, yz = yx + gy * ax, yy + gy * ay, yz + gy * az
             zx, zy, zz = zx + gz * ax, zy + gz * ay, zz + gz * az
-        force = side * total(fx), side * total(fy), side * total(fz)
+        force = total(fx), total(fy), total(fz)
         moments = (
-            *(side * total(xx), side * total(xy), side * total(xz)),
-            *(side * total(yx), side * total(yy), side * total(yz)),
-            *(side * total(zx), side * total(zy), side * total(zz)),
+            *(total(xx), total(xy), total(xz)),
+            *(total(yx), total(yy), total(yz)),
+            *(total(zx), total(zy), total(zz)),
         )
         add(push, ref, 1.0, force, moments)
         add_moments(push, ref, force, ox, oy, oz)
         foot = -total(pressed)
         add_moments(push, ref, (foot * nx, foot * ny, foot * nz), nx, ny, nz)
         add(push, other, -1.0, force, moments)
-        if pairs.dashpot[p] > 0.0:
+        if dashpot > 0.0:
             damped, pairs.damped[p] = damped + taken, pairs.damped[p] + total(taken)
-        if slack != 0.0 and force[0] == 0.0 and force[1] == 0.0 and force[2] == 0.0:
-            ease(pairs, points, motion, p)
+        parted = parted or (slack != 0.0 and force[0] == 0.0 and force[1] == 0.0 and force[2] == 0.0)
     account[FRICTION] += total(friction)
     account[DASHPOT] += total(damped)
+    if parted:
+        ease(pairs, points, motion)
 
 
 @inner

@@ -4,6 +4,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from masonry.jit.compiler import inner
+from masonry.simd import FOUR
+
+PLACE, LEVEL, AREA, SHEAR = 0, 3, 4, 5
+"""Rows of Points.quads."""
+
 
 class Pairs(NamedTuple):
     """Pairs of convex pieces that are near to each other, sorted; there is room for more than there are.
@@ -12,8 +18,9 @@ class Pairs(NamedTuple):
     piece     (P, 2) numbers of the pieces, the lower first     body  (P, 2) their blocks
     slot      (P,) where its points are kept; -1 where the two are apart
     points_of (P,) which side the points belong to (0, 1); the plane is fixed in the other one, the reference
-    normal    (P, 3) of the plane, from side 0 to side 1, in the frame of the reference
-    axis      (P, 3) the same at the last look, in space     witness (P, 3) of that look (detection/narrow.py)
+    normal    (P, 3) of the plane, out of the reference, in its frame
+    axis      (P, 3) the same at the last look, from side 0 to side 1, in space
+    witness   (P, 3) of that look (detection/narrow.py)
     mark      (P,) m, travel of both blocks at the last look     limit  (P,) m, that after which it is looked at again
     reach     (P,) m, how far they may move against each other until the next look
     pose      (P, 12) how they stood to each other at the last one (relative_motion.py)
@@ -48,20 +55,19 @@ class Points(NamedTuple):
     """Points of the pairs that touch, or nearly: S slots of up to K points, a multiple of four; which slots are free.
 
     held     (S,) points of a slot
-    material (S, 3, K) m, from the centroid of the block that they belong to, in its frame
-    level    (S, K) m, of the plane that the point meets, along the normal from the centroid of the reference
-    area     (S, K) m2       feature (S, K) names
-    shear    (S, 3, K) Pa, elastic shear traction on side 0, in space
+    quads    (S, K / 4, 8, 4) what each step needs of four points, side by side in the processor's cache; in rows from
+             PLACE   m, x, y, z from the centroid of the block that they belong to, in its frame
+             LEVEL   m, of the plane that the point meets, along the normal from the centroid of the reference
+             AREA    m2
+             SHEAR   Pa, x, y, z of the elastic shear traction on the reference, in space
+    feature  (S, K) names
     damper   (S, K) Pa, stress of the dashpot at the last step
     free     (S + 1,) the last number is how many slots are free, the first ones which
     """
 
     held: np.ndarray
-    material: np.ndarray
-    level: np.ndarray
-    area: np.ndarray
+    quads: np.ndarray
     feature: np.ndarray
-    shear: np.ndarray
     damper: np.ndarray
     free: np.ndarray
 
@@ -103,6 +109,31 @@ class Motion(NamedTuple):
     strain: np.ndarray | None = None
 
 
+@inner
+def number_of(points, s, k, row):
+    """A number of point k of slot s."""
+    return points.quads[s, k // FOUR, row, k % FOUR]
+
+
+@inner
+def vector_of(points, s, k, row):
+    """Three numbers of point k of slot s, from a row on."""
+    return number_of(points, s, k, row), number_of(points, s, k, row + 1), number_of(points, s, k, row + 2)
+
+
+@inner
+def put_vector_of(points, s, k, row, vector):
+    """Write three numbers of point k of slot s, from a row on."""
+    for i in range(3):
+        points.quads[s, k // FOUR, row + i, k % FOUR] = vector[i]
+
+
+@inner
+def outward(own):
+    """1 where the normal out of the reference points from side 0 to side 1: where the points are those of side 1."""
+    return 1.0 if own == 1 else -1.0
+
+
 def no_pairs(room: int) -> Pairs:
     """Room for so many pairs, and none in it."""
     numbers, twice, vectors = (room,), (room, 2), (room, 3)
@@ -132,14 +163,10 @@ def no_pairs(room: int) -> Pairs:
 def no_points(room: int, most: int) -> Points:
     """Room for the points of so many pairs, `most` each, and none in it."""
     most = -(-most // 4) * 4
-    one, three = (room, most), (room, 3, most)
     return Points(
         held=np.zeros(room, dtype=np.int64),
-        material=np.zeros(three),
-        level=np.zeros(one),
-        area=np.zeros(one),
-        feature=np.zeros(one, dtype=np.int64),
-        shear=np.zeros(three),
-        damper=np.zeros(one),
+        quads=np.zeros((room, most // FOUR, 8, FOUR)),
+        feature=np.zeros((room, most), dtype=np.int64),
+        damper=np.zeros((room, most)),
         free=np.append(np.arange(room)[::-1], room).astype(np.int64),
     )

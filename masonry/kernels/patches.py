@@ -12,6 +12,7 @@ import numpy as np
 
 from masonry.jit.compiler import inlined, inner, jit
 from masonry.kernels.pair_search import FAR
+from masonry.kernels.patch_arrays import AREA, LEVEL, PLACE, SHEAR, number_of, outward, vector_of
 from masonry.kernels.planes import plane_of, turned
 from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take, total, where
 
@@ -29,13 +30,14 @@ def press(near, dt):
 
     near is what redetection.Near says; its account gets what friction and the dashpots dissipate. Four points of a
     patch are computed at a time: with a their places from the centroid of the block that they belong to, o from the
-    centroid of the reference to that one, and v, w velocities and spins, side 1 moves against side 0 at a by
-    +-(v - v_ref - w_ref x o + (w - w_ref) x a), and the moment on the reference is that on the other and o x force.
+    centroid of the reference to that one, and v, w velocities and spins, the other block moves against the reference
+    at a by v - v_ref - w_ref x o + (w - w_ref) x a, and the moment on the reference is that on the other and o x force.
     """
     pairs, points, rules, motion, account = near.pairs, near.points, near.rules, near.motion, near.account
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
     body, slot, points_of, normal, count = pairs.body, pairs.slot, pairs.points_of, pairs.normal, points.held
     friction = damped = filled(0.0, four())
+    parted = False
     for b in range(len(push)):
         for i in range(6):
             push[b, i] = 0.0
@@ -44,7 +46,6 @@ def press(near, dt):
             continue
         own, s = points_of[p], np.uint64(slot[p])  # an index without a sign is not looked at for one
         ref, other = np.uint64(body[p, 1 - own]), np.uint64(body[p, own])
-        side = 1.0 if own == 1 else -1.0  # the normal points from side 0 to side 1
         n = turned(frame, ref, normal[p, 0], normal[p, 1], normal[p, 2])
         ox, oy, oz = (  # the sums of the places would lose digits far from the origin
             (centre[other, 0] - centre[ref, 0]) + (moved[other, 0] - moved[ref, 0]),
@@ -57,108 +58,124 @@ def press(near, dt):
         uz = v[other, 2] - v[ref, 2] - rx * oy + ry * ox
         rotation = 0.5 * dt * (rx + wx), 0.5 * dt * (ry + wy), 0.5 * dt * (rz + wz)
         wx, wy, wz, along = wx - rx, wy - ry, wz - rz, n[0] * ox + n[1] * oy + n[2] * oz
-        slack, fx = pairs.slack[p], filled(0.0, four())
-        fy = fz = qx = qy = qz = fx
-        taken = filled(0.0, four())
-        for k in range(0, count[s], FOUR):
-            ax, ay, az = places(frame, other, points.material, s, k)
-            gap = side * (n[0] * ax + n[1] * ay + n[2] * az + along - take(points.level, (s, k), four()))
-            d = side * (ux + wy * az - wz * ay), side * (uy + wz * ax - wx * az), side * (uz + wx * ay - wy * ax)
+        slack, dashpot, held, joint = pairs.slack[p], pairs.dashpot[p], count[s], joint_of(rules, pairs.law[p])
+        fx = fy = fz = qx = qy = qz = taken = filled(0.0, four())
+        for k in range(0, held, FOUR):
+            ax, ay, az = places(frame, other, points, s, k)
+            gap = n[0] * ax + n[1] * ay + n[2] * az + along - numbers(points, s, k, LEVEL)
+            d = ux + wy * az - wz * ay, uy + wz * ax - wx * az, uz + wx * ay - wy * ax
             rate = d[0] * n[0] + d[1] * n[1] + d[2] * n[2]
+            there = below(held - k, four())
             (gx, gy, gz), sigma, slid, lost = respond(
-                pairs, points, rules, p, s, k, gap + slack, d, rate, rate, n, rotation, dt
+                points, joint, dashpot, s, k, there, gap + slack, d, rate, rate, n, rotation, dt
             )
             friction, taken = friction + slid, taken + lost
             gx, gy, gz = gx + sigma * n[0], gy + sigma * n[1], gz + sigma * n[2]
             fx, fy, fz = fx + gx, fy + gy, fz + gz
             qx, qy, qz = qx + (ay * gz - az * gy), qy + (az * gx - ax * gz), qz + (ax * gy - ay * gx)
         fx, fy, fz, qx, qy, qz = total(fx), total(fy), total(fz), total(qx), total(qy), total(qz)
-        add(push, ref, side, fx, fy, fz, qx + (oy * fz - oz * fy), qy + (oz * fx - ox * fz), qz + (ox * fy - oy * fx))
-        add(push, other, -side, fx, fy, fz, qx, qy, qz)
-        if pairs.dashpot[p] > 0.0:
+        add(push, ref, 1.0, fx, fy, fz, qx + (oy * fz - oz * fy), qy + (oz * fx - ox * fz), qz + (ox * fy - oy * fx))
+        add(push, other, -1.0, fx, fy, fz, qx, qy, qz)
+        if dashpot > 0.0:
             damped, pairs.damped[p] = damped + taken, pairs.damped[p] + total(taken)
-        if slack != 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
-            ease(pairs, points, motion, p)
+        parted = parted or (slack != 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0)
     account[FRICTION] += total(friction)
     account[DASHPOT] += total(damped)
+    if parted:
+        ease(pairs, points, motion)
 
 
 @inlined
-def places(frame, b, material, s, k):
+def joint_of(rules, law):
+    """Normal and shear stiffness (Pa/m) and tangent of friction of a row of rules."""
+    row = np.uint64(law)
+    return rules.normal_stiffness[row], rules.shear_stiffness[row], rules.tan_friction[row]
+
+
+@inlined
+def numbers(points, s, k, row):
+    """A number of four points of a slot, from point k on."""
+    return take(points.quads, (s, k // FOUR, row, 0), four())
+
+
+@inlined
+def places(frame, b, points, s, k):
     """x, y, z in space of four points of a slot, from the centroid of the block that they belong to."""
-    x, y, z = take(material, (s, 0, k), four()), take(material, (s, 1, k), four()), take(material, (s, 2, k), four())
+    x, y, z = numbers(points, s, k, PLACE), numbers(points, s, k, PLACE + 1), numbers(points, s, k, PLACE + 2)
     return turned(frame, b, x, y, z)
 
 
 @inlined
-def respond(pairs, points, rules, p, s, k, gap, d, along, closing, n, rotation, dt):
+def respond(points, joint, dashpot, s, k, there, gap, d, along, closing, n, rotation, dt):
     """What four points of a patch bear: shear (3) and normal force (N), and what friction and dashpot took (J).
 
-    d, along  m/s, of side 1 against side 0, and its part along the normal n     closing  m/s, rate of the gap (m)
-    rotation  rad, of the two blocks in this step
+    joint     as `joint_of`; dashpot Pa s/m     there  which of the four there are
+    d, along  m/s, of the other block against the reference, and its part along the normal n
+    closing   m/s, rate of the gap (m)     rotation  rad, of the two blocks in this step
     """
-    law, size = np.uint64(pairs.law[p]), take(points.area, (s, k), four())
-    kn, ks, tan = rules.normal_stiffness[law], rules.shear_stiffness[law], rules.tan_friction[law]
-    touches = (gap < 0.0) & below(points.held[s] - k, four())
+    (kn, ks, tan), size = joint, numbers(points, s, k, AREA)
+    touches = (gap < 0.0) & there
     sigma = where(touches, kn * gap, 0.0)
     lost = filled(0.0, gap)
-    if pairs.dashpot[p] > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
-        now = where(touches, minimum(pairs.dashpot[p] * closing, -sigma), 0.0)
+    if dashpot > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
+        now = where(touches, minimum(dashpot * closing, -sigma), 0.0)
         lost = 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four()))
         put(points.damper, (s, k), now)
         sigma = sigma + now
-    x, y, z = (
-        take(points.shear, (s, 0, k), size),
-        take(points.shear, (s, 1, k), size),
-        take(points.shear, (s, 2, k), size),
-    )
-    before = x * x + y * y + z * z
+    held = numbers(points, s, k, SHEAR), numbers(points, s, k, SHEAR + 1), numbers(points, s, k, SHEAR + 2)
+    before = held[0] * held[0] + held[1] * held[1] + held[2] * held[2]
     if not any_lane(touches | (before > 0.0)):
         return (sigma, sigma, sigma), sigma, sigma, lost
-    held = turned_with(x, y, z, before, rotation, n)
-    slip = dt * (d[0] - along * n[0]), dt * (d[1] - along * n[1]), dt * (d[2] - along * n[2])
-    t, taken = slide(held, slip, ks, -tan * sigma)
+    held, out = turned_with(held, before, rotation, n)
+    t, taken = slide(held, out, d, along, n, dt, ks, -tan * sigma)
     x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
-    put(points.shear, (s, 0, k), x)
-    put(points.shear, (s, 1, k), y)
-    put(points.shear, (s, 2, k), z)
+    put(points.quads, (s, k // FOUR, SHEAR, 0), x)
+    put(points.quads, (s, k // FOUR, SHEAR + 1, 0), y)
+    put(points.quads, (s, k // FOUR, SHEAR + 2, 0), z)
     return (size * x, size * y, size * z), size * sigma, size * taken, lost
 
 
 @inlined
-def slide(h, s, ks, most):
-    """The shear traction (Pa), no more than `most`, after a slip s (m) from h; and what friction took (J/m2): what the
-    trapezoid puts in, less what the springs then hold more."""
-    tx, ty, tz = h[0] + ks * s[0], h[1] + ks * s[1], h[2] + ks * s[2]
+def turned_with(t, before, rotation, n):
+    """The shear traction of points, of norm^2 `before`, after a rotation (rad), and what of it is out of the plane:
+    without that it has the same size.
+
+    A rotation of less than some 1e-8 changes the size by no more than round-off does, and needs no root.
+    """
+    x, y, z = (
+        t[0] + rotation[1] * t[2] - rotation[2] * t[1],
+        t[1] + rotation[2] * t[0] - rotation[0] * t[2],
+        t[2] + rotation[0] * t[1] - rotation[1] * t[0],
+    )
+    out = x * n[0] + y * n[1] + z * n[2]
+    after = x * x + y * y + z * z - out * out
+    if not any_lane(abs(after - before) > ROUND_OFF * before):
+        return (x, y, z), out
+    scale = where(after > 0.0, sqrt(before / after), 0.0)
+    return (scale * x, scale * y, scale * z), scale * out
+
+
+@inlined
+def slide(h, out, d, along, n, dt, ks, most):
+    """The shear traction (Pa), no more than `most`, after a step with velocity d (m/s), and what friction took (J/m2):
+    what the trapezoid puts in, less what the springs then hold more.
+
+    h, out  Pa, the traction before, and its part along n that is not one of shear; along  m/s, that of d
+    """
+    stiff = dt * ks
+    lift = out + stiff * along
+    tx, ty, tz = h[0] + stiff * d[0] - lift * n[0], h[1] + stiff * d[1] - lift * n[1], h[2] + stiff * d[2] - lift * n[2]
     trial = tx * tx + ty * ty + tz * tz
     slides = trial > most * most
     if not any_lane(slides):
         return (tx, ty, tz), filled(0.0, trial)
     fraction = where(slides, most / sqrt(trial), 1.0)
     tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
-    put_in = (h[0] + tx) * s[0] + (h[1] + ty) * s[1] + (h[2] + tz) * s[2]
-    held = (most * most - h[0] * h[0] - h[1] * h[1] - h[2] * h[2]) / ks
+    sx, sy, sz = dt * (d[0] - along * n[0]), dt * (d[1] - along * n[1]), dt * (d[2] - along * n[2])
+    x, y, z = h[0] - out * n[0], h[1] - out * n[1], h[2] - out * n[2]
+    put_in = (x + tx) * sx + (y + ty) * sy + (z + tz) * sz
+    held = (most * most - x * x - y * y - z * z) / ks
     return (tx, ty, tz), where(slides, 0.5 * (put_in - held), 0.0)
-
-
-@inlined
-def turned_with(x, y, z, before, rotation, n):
-    """The shear traction of points, of norm^2 `before`, after a rotation (rad): in the plane, and of the same size.
-
-    A rotation of less than some 1e-8 changes the size by no more than round-off does, and needs no root.
-    """
-    x, y, z = (
-        x + rotation[1] * z - rotation[2] * y,
-        y + rotation[2] * x - rotation[0] * z,
-        z + rotation[0] * y - rotation[1] * x,
-    )
-    along = x * n[0] + y * n[1] + z * n[2]
-    x, y, z = x - along * n[0], y - along * n[1], z - along * n[2]
-    after = x * x + y * y + z * z
-    if not any_lane(abs(after - before) > ROUND_OFF * before):
-        return x, y, z
-    scale = where(after > 0.0, sqrt(before / after), 0.0)
-    return scale * x, scale * y, scale * z
 
 
 @inner
@@ -180,20 +197,23 @@ def stored(pairs, points, rules, motion, p):
     for k in range(points.held[s] if s >= 0 else 0):
         gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
         if gap < 0.0:
-            x, y, z = points.shear[s, 0, k], points.shear[s, 1, k], points.shear[s, 2, k]
-            pressed += 0.5 * points.area[s, k] * kn * gap * gap
-            sheared += 0.5 * points.area[s, k] * (x * x + y * y + z * z) / ks
+            (x, y, z), area = vector_of(points, s, k, SHEAR), number_of(points, s, k, AREA)
+            pressed += 0.5 * area * kn * gap * gap
+            sheared += 0.5 * area * (x * x + y * y + z * z) / ks
     return pressed, sheared
 
 
 @inner
-def ease(pairs, points, motion, p):
-    """Take back as much of the slack of a pair as its points have parted: then nothing presses."""
-    least = FAR
-    for k in range(points.held[pairs.slot[p]]):
-        least = min(least, gap_of(pairs, points, motion, p, k))
-    if least + pairs.slack[p] >= 0.0:
-        pairs.slack[p] = min(max(-least, 0.0), max(pairs.slack[p], 0.0))
+def ease(pairs, points, motion):
+    """Take back as much of the slack of each pair of which nothing presses as its points have parted."""
+    for p in range(pairs.number[0]):
+        if pairs.slot[p] < 0 or pairs.slack[p] == 0.0:
+            continue
+        least = FAR
+        for k in range(points.held[pairs.slot[p]]):
+            least = min(least, gap_of(pairs, points, motion, p, k))
+        if least + pairs.slack[p] >= 0.0:
+            pairs.slack[p] = min(max(-least, 0.0), max(pairs.slack[p], 0.0))
 
 
 @jit
@@ -204,12 +224,13 @@ def gap_of(pairs, points, motion, p, k):
     x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
     nx, ny, nz, scale = plane_of(motion.frame, motion.dual, ref, x, y, z)
     n = nx, ny, nz
-    a = turned(motion.frame, other, points.material[s, 0, k], points.material[s, 1, k], points.material[s, 2, k])
+    x, y, z = vector_of(points, s, k, PLACE)
+    a = turned(motion.frame, other, x, y, z)
     along = 0.0
     for i in range(3):
         between = (motion.centre[other, i] - motion.centre[ref, i]) + (motion.moved[other, i] - motion.moved[ref, i])
         along += n[i] * (a[i] + between)
-    return (along - scale * points.level[s, k]) * (1.0 if own == 1 else -1.0)
+    return along - scale * number_of(points, s, k, LEVEL)
 
 
 @jit
@@ -238,13 +259,14 @@ def point_forces(near, block, body, place, force, normal):
             if count < len(block):
                 x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
                 n = plane_of(motion.frame, motion.dual, ref, x, y, z)
-                x, y, z = points.material[s, 0, k], points.material[s, 1, k], points.material[s, 2, k]
+                x, y, z = vector_of(points, s, k, PLACE)
                 arm = turned(motion.frame, other, x, y, z)
                 sigma = kn * gap + (points.damper[s, k] if pairs.dashpot[p] > 0.0 else 0.0)
+                shear, side = vector_of(points, s, k, SHEAR), outward(own)
                 for i in range(3):
                     place[count, i] = motion.centre[other, i] + motion.moved[other, i] + arm[i]
-                    force[count, i] = points.area[s, k] * (points.shear[s, i, k] + sigma * n[i])
-                    normal[count, i] = n[i]
+                    force[count, i] = side * number_of(points, s, k, AREA) * (shear[i] + sigma * n[i])
+                    normal[count, i] = side * n[i]
                 for side in range(2):
                     body[count, side] = pairs.body[p, side]
                     block[count, side] = near.pieces.block[pairs.body[p, side]]

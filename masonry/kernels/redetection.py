@@ -15,10 +15,25 @@ from masonry.detection.spread import spread
 from masonry.detection.transfer import transfer, turn_tractions
 from masonry.jit.compiler import inner
 from masonry.kernels.pair_search import FAR, NEED_POINTS, TOO_DEEP, release
-from masonry.kernels.patch_arrays import Motion, Pairs, Points, Rules
+from masonry.kernels.patch_arrays import (
+    AREA,
+    LEVEL,
+    PLACE,
+    SHEAR,
+    Motion,
+    Pairs,
+    Points,
+    Rules,
+    number_of,
+    outward,
+    put_vector_of,
+    vector_of,
+)
 from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, stored
 from masonry.kernels.planes import into, plane_of, turned
 from masonry.kernels.relative_motion import keep_pose
+from masonry.kinematics.matrices import vector_at
+from masonry.simd import FOUR
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
@@ -42,8 +57,8 @@ class Search(NamedTuple):
     position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
     built    (B,) m, travel at the last search      skin (1,) m
     spread   whether patches have points inside besides those at their corners
-    point, gap, area, feature  room for what one look finds
-    was_normal, was_point, shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was
+    point, gap, area, feature, shear  room for what one look finds: (K, 3) m, m, m2, names, and (K, 3) Pa on side 0
+    was_normal, was_point, was_shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was
     found    (F, 2) room for the pairs that a search finds
     patches  (F,) room for how many patches lie on each face
     stale    (F,) faces whose patches are all looked at in this step; (B,) the same of blocks: refreshing.py
@@ -69,9 +84,10 @@ class Search(NamedTuple):
     gap: np.ndarray
     area: np.ndarray
     feature: np.ndarray
+    shear: np.ndarray
     was_normal: np.ndarray
     was_point: np.ndarray
-    shear: np.ndarray
+    was_shear: np.ndarray
     was_area: np.ndarray
     was_feature: np.ndarray
     found: np.ndarray
@@ -181,11 +197,11 @@ def renew(near, p, count, own):
     else:
         had = remember(pairs, points, motion, search, p)
     ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
-    side = 1.0 if own == 1 else -1.0
-    axis, frame, position = pairs.axis[p], motion.frame, search.position
+    side, axis, frame, position = outward(own), pairs.axis[p], motion.frame, search.position
     pairs.points_of[p] = own
     for i in range(3):  # F^T n, whatever the frame
-        pairs.normal[p, i] = frame[ref, 0, i] * axis[0] + frame[ref, 1, i] * axis[1] + frame[ref, 2, i] * axis[2]
+        along = frame[ref, 0, i] * axis[0] + frame[ref, 1, i] * axis[1] + frame[ref, 2, i] * axis[2]
+        pairs.normal[p, i] = side * along
     total = deepest = 0.0
     for k in range(count):
         deepest = min(deepest, search.gap[k])
@@ -195,25 +211,23 @@ def renew(near, p, count, own):
             along += axis[i] * (search.point[k, i] - position[ref, i])
         x, y = search.point[k, 0] - position[other, 0], search.point[k, 1] - position[other, 1]
         z = search.point[k, 2] - position[other, 2]
-        points.material[s, 0, k], points.material[s, 1, k], points.material[s, 2, k] = into(
-            frame, motion.dual, other, x, y, z
-        )
-        points.level[s, k] = along - side * gap
-        points.area[s, k] = search.area[k]
+        put_vector_of(points, s, k, PLACE, into(frame, motion.dual, other, x, y, z))
+        points.quads[s, k // FOUR, LEVEL, k % FOUR] = side * along - gap
+        points.quads[s, k // FOUR, AREA, k % FOUR] = search.area[k]
         points.feature[s, k] = search.feature[k]
         if k >= had or search.was_feature[k] != search.feature[k]:
             points.damper[s, k] = 0.0
         total += search.area[k]
     points.held[s] = count
     if had > 0:
-        turn_tractions(search.shear, had, search.was_normal, axis, 0.0)
+        turn_tractions(search.was_shear, had, search.was_normal, axis, 0.0)
         transfer(
-            *(search.was_point, search.was_area, search.was_feature, search.shear, had),
-            *(search.point, search.area, search.feature, points.shear[s].T, count, axis, near.scratch),
+            *(search.was_point, search.was_area, search.was_feature, search.was_shear, had),
+            *(search.point, search.area, search.feature, search.shear, count, axis, near.scratch),
         )
-    else:
-        for k in range(count):
-            points.shear[s, 0, k] = points.shear[s, 1, k] = points.shear[s, 2, k] = 0.0
+    for k in range(count):
+        x, y, z = vector_at(search.shear, k, 0) if had > 0 else (0.0, 0.0, 0.0)
+        put_vector_of(points, s, k, SHEAR, (side * x, side * y, side * z))
     set_dashpot(pairs, near.rules, search, p, total)
     if had == 0 and -deepest > BORN_DEEP * min(search.deep[ref], search.deep[other]):
         search.flag[0], search.flag[1] = TOO_DEEP, p
@@ -234,13 +248,15 @@ def remember(pairs, points, motion, search, p):
     ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
     x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
     n = plane_of(motion.frame, motion.dual, ref, x, y, z)
-    search.was_normal[0], search.was_normal[1], search.was_normal[2] = n[0], n[1], n[2]
+    for i in range(3):
+        search.was_normal[i] = outward(own) * n[i]
     for k in range(points.held[s]):
-        arm = turned(motion.frame, other, points.material[s, 0, k], points.material[s, 1, k], points.material[s, 2, k])
+        x, y, z = vector_of(points, s, k, PLACE)
+        arm, shear = turned(motion.frame, other, x, y, z), vector_of(points, s, k, SHEAR)
         for i in range(3):
             search.was_point[k, i] = search.position[other, i] + arm[i]
-            search.shear[k, i] = points.shear[s, i, k]
-        search.was_area[k], search.was_feature[k] = points.area[s, k], points.feature[s, k]
+            search.was_shear[k, i] = outward(own) * shear[i]
+        search.was_area[k], search.was_feature[k] = number_of(points, s, k, AREA), points.feature[s, k]
     return points.held[s]
 
 

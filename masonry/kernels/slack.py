@@ -18,6 +18,7 @@ from math import sqrt
 
 from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inner, jit
+from masonry.kernels.patch_arrays import AREA, number_of
 from masonry.kernels.patches import DASHPOT, NORMAL_GAINED, gap_of, stored
 
 ROUNDS = 60
@@ -95,8 +96,8 @@ def hold(near, p, energy):
         for k in range(points.held[s]):
             gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
             if gap < 0.0:
-                twice += points.area[s, k] * kn * gap * gap
-                force -= points.area[s, k] * kn * gap
+                twice += number_of(points, s, k, AREA) * kn * gap * gap
+                force -= number_of(points, s, k, AREA) * kn * gap
                 deepest = min(deepest, gap)
         root = sqrt(0.5 * twice)
         if force == 0.0:

@@ -58,7 +58,7 @@ def make_room_for(model: Model, saved: dict[str, np.ndarray]) -> None:
     if pairs != len(near.pairs.slot):
         near = _holding(near, no_pairs(pairs))
     if points != len(near.points.held):
-        near = near._replace(points=no_points(points, near.points.area.shape[1]))
+        near = near._replace(points=no_points(points, near.points.feature.shape[1]))
     model.large = replace(model.large, near=near)
 
 
@@ -81,7 +81,7 @@ def _holding(near: Near, pairs: Pairs) -> Near:
 
 def _with_points(near: Near, room: int) -> Near:
     """All slots that there were are taken, or are filled later."""
-    had, most = near.points.area.shape
+    had, most = near.points.feature.shape
     points = no_points(room, most)
     for old, new in zip(near.points[:-1], points[:-1], strict=True):
         new[:had] = old

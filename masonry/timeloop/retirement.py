@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from masonry.kernels.patch_arrays import AREA, SHEAR
 from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of, stored
 from masonry.kernels.planes import plane_of
 from masonry.kernels.redetection import Near
@@ -14,6 +15,7 @@ from masonry.laws.state import JointProperties
 from masonry.model.large.meeting import keys
 from masonry.model.model import Model
 from masonry.monitors.energy import stored_in_contacts
+from masonry.simd import FOUR
 from masonry.timeloop.large_motion import make_room
 
 STRENGTH_LEFT = 1e-3
@@ -136,25 +138,27 @@ def _hand_over(near: Near, which: list[int], left: Carried) -> None:
     for p in which:
         near.account[NORMAL_GAINED] += hold(near, p, left.pressed * held[p] / whole)
     pressures = {p: pressures_of(near, p) for p in which}
-    areas = {p: points.area[pairs.slot[p], : len(pressures[p])] for p in which}
+    areas = {p: areas_of(near, p) for p in which}
     thrust = sum(float(areas[p] @ pressures[p]) for p in which)
     sheared, tractions = 0.0, {}
     for p in which:
-        a, b = near.pieces.block[pairs.body[p]]
-        n = np.array(plane_of(motion.frame, motion.dual, pairs.body[p, 1 - pairs.points_of[p]], *pairs.normal[p])[:3])
-        shear_over_thrust = (left.force - (left.force @ n) * n) * (1.0 if a < b else -1.0) / thrust  # on side 0
+        ref, other = pairs.body[p, 1 - pairs.points_of[p]], pairs.body[p, pairs.points_of[p]]
+        n = np.array(plane_of(motion.frame, motion.dual, ref, *pairs.normal[p])[:3])
+        on_the_reference = 1.0 if near.pieces.block[ref] < near.pieces.block[other] else -1.0
+        shear_over_thrust = on_the_reference * (left.force - (left.force @ n) * n) / thrust
         tractions[p] = shear_over_thrust[:, None] * pressures[p]
         sheared += float(areas[p] @ np.sum(tractions[p] ** 2, axis=0)) / (2.0 * rules.shear_stiffness[pairs.law[p]])
     less = min(1.0, np.sqrt(left.sheared / sheared)) if sheared > 0.0 else 0.0
     for p in which:
-        points.shear[pairs.slot[p], :, : len(pressures[p])] = less * tractions[p]
+        k = np.arange(len(pressures[p]))
+        points.quads[pairs.slot[p], k // FOUR, SHEAR:, k % FOUR] = less * tractions[p].T
     near.account[SHEAR_LOST] -= less**2 * sheared
 
 
 def _pressed(near: Near, which: list[int], energy: float) -> dict[int, float]:
     """Energies (J) of the pairs once they have a slack that presses all their points, about as hard as they held."""
     gaps = np.concatenate([_gaps_of(near, p) for p in which])
-    areas = [near.points.area[near.pairs.slot[p], : near.points.held[near.pairs.slot[p]]].sum() for p in which]
+    areas = [areas_of(near, p).sum() for p in which]
     kn = near.rules.normal_stiffness[near.pairs.law[which]]
     near.pairs.slack[which] = -gaps.max(initial=0.0) - np.sqrt(2.0 * energy / (kn @ areas))
     return {p: stored(near.pairs, near.points, near.rules, near.motion, p)[0] for p in which}
@@ -170,3 +174,9 @@ def pressures_of(near: Near, p: int) -> np.ndarray:
     """(K,) Pa, how hard the points of a pair press."""
     kn = near.rules.normal_stiffness[near.pairs.law[p]]
     return np.asarray(kn * np.maximum(-_gaps_of(near, p), 0.0))
+
+
+def areas_of(near: Near, p: int) -> np.ndarray:
+    """(K,) m2, of the points of a pair."""
+    s = near.pairs.slot[p]
+    return near.points.quads[s, :, AREA].ravel()[: near.points.held[s]]

@@ -13,9 +13,10 @@ STEPS = 100_000
 def turn(steps, t, rotation, n):
     x, y, z = t[0], t[1], t[2]
     for _ in range(steps):
-        x, y, z = turned_with(
-            x, y, z, x * x + y * y + z * z, (rotation[0], rotation[1], rotation[2]), (n[0], n[1], n[2])
+        (x, y, z), out = turned_with(
+            (x, y, z), x * x + y * y + z * z, (rotation[0], rotation[1], rotation[2]), (n[0], n[1], n[2])
         )
+        x, y, z = x - out * n[0], y - out * n[1], z - out * n[2]
     t[0], t[1], t[2] = x, y, z
 
 

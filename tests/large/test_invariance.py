@@ -88,7 +88,7 @@ def test_two_threads_give_the_bits_of_one():
 def test_a_model_whose_points_outgrow_their_room_gets_more_and_goes_on(monkeypatch):
     built, more = assemble(scene()), []
     near = built.model.large.near
-    room = no_points(1, near.points.area.shape[1])
+    room = no_points(1, near.points.feature.shape[1])
     object.__setattr__(built.model.large, "near", near._replace(points=room))
     usual = large_motion.make_room
     monkeypatch.setattr(large_motion, "make_room", lambda model: more.append(usual(model)))

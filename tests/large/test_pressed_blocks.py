@@ -6,9 +6,11 @@ import pytest
 from masonry.assembly.assemble import assemble
 from masonry.kernels.deforming_patches import press_deforming
 from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
+from masonry.kernels.patch_arrays import SHEAR
 from masonry.kernels.patches import stored_energy
 from masonry.kernels.refreshing import refresh
 from masonry.kinematics import deforming
+from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
 from tests.large.test_deforming import on_a_slope
 
@@ -96,7 +98,8 @@ def test_forces_and_first_moments_are_the_derivatives_of_the_energy_that_is_stor
 def test_the_forces_leave_no_couple_and_both_bodies_are_given_theirs():
     model = pressed(turn(1, 0.3))
     near, (rigid, affine, _) = model.large.near, model.bodies
-    near.points.shear[0, :, :4] = 1e5 * np.array([[1.0], [0.5], [0.2]])
+    for k in range(4):
+        near.points.quads[0, k // FOUR, SHEAR:, k % FOUR] = 1.0e5, 0.5e5, 0.2e5
     push = pushes(model)
     hand_over(near.motion, model.large.members, rigid, affine, None)
     place = near.motion.centre + near.motion.moved

@@ -11,7 +11,7 @@ from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST
 from masonry.laboratory import laboratory
 from masonry.monitors.energy import open_in_contacts
 from masonry.timeloop import loop
-from masonry.timeloop.retirement import pressures_of
+from masonry.timeloop.retirement import areas_of, pressures_of
 
 WEIGHT = 1900.0 * 0.2 * 0.05 * 0.05 * 9.81
 ROUGH = {"dilation_angle": "5 deg", "dilation_cutoff": "0.3 mm"}
@@ -76,8 +76,7 @@ def press_of(model) -> float:
     held = range(int(near.pairs.number[0]))
     pressed = 0.0
     for p in (p for p in held if near.pairs.slot[p] >= 0):
-        pressures = pressures_of(near, p)
-        pressed += float(near.points.area[near.pairs.slot[p], : len(pressures)] @ pressures)
+        pressed += float(areas_of(near, p) @ pressures_of(near, p))
     return pressed / (0.5e6 * 0.2 * 0.05)
 
 

@@ -6,6 +6,9 @@
      |_____________|___________|
 
 Reference: Coulomb. Codes that keep points by number, or count a shared edge twice, show ripples of force here.
+
+Held upright and pushed beyond the edge, the block bears (mu W)^2 / (2 k_s A) of shear energy on an area A that gets
+smaller. What leaves with dA is 1 / A of it, whatever the step: (mu W)^2 / (2 k_s) (1 / A_end - 1 / A_start) in all.
 """
 
 import numpy as np
@@ -57,6 +60,7 @@ def run() -> Findings:
     lost = float(rows["redetection"][-1] + abs(rows["area"][-1]))
     findings.at_most("lost at re-detection and by areas, over friction", "1", lost / float(rows["friction"][-1]), 1e-6,
                      "points pass on what they hold")  # fmt: skip
+    leave_with_area(findings, limit)
     free = {"specimen.box": boxes(0.1), "support": supports(), **KNOBS}
     rows = findings.note("over the edge", result_of(SCENE, free)).history.rows
     tipped = np.flatnonzero(rows["z"] < -1e-3 * SIZE[2])
@@ -66,6 +70,23 @@ def run() -> Findings:
     findings.plot("A block pushed over an edge", "way (mm)", "force over weight (1)",
                   Line("run", rows["displacement"] * 1e3, rows["force"] / limit * FRICTION))  # fmt: skip
     return findings
+
+
+def leave_with_area(findings: Findings, limit: float) -> None:
+    """What is lost of the shear energy as the block slides off the edge upright, with two steps and two stiffnesses."""
+    drive = {"on": "block", "direction": "x", "displacement": "180 mm", "rate": "0.5 m/s", "ramp": 0.1}
+    upright = {"specimen.box": boxes(0.1), "support": supports("y", "rotation"), **KNOBS, "drive": drive}
+    for word, ks, fraction in (("", 5.0, 0.8), (", half the step", 5.0, 0.4), (", a tenth of k", 0.5, 0.8)):
+        knobs = {f"contact.unit_unit.{key}_stiffness": f"{k} GPa/m" for key, k in (("normal", 2.0 * ks), ("shear", ks))}
+        run_of = result_of(SCENE, upright | knobs | {"solver.step_fraction": fraction})
+        rows = findings.note(f"off the edge{word}", run_of).history.rows
+        left = SIZE[1] * (EDGE - 0.1 + 0.5 * SIZE[0] - float(rows["displacement"][-1]))
+        known = limit**2 / (2e9 * ks) * (1.0 / left - 1.0 / (SIZE[0] * SIZE[1]))
+        lost, normal = float(rows["redetection"][-1]), abs(float(rows["area"][-1]))
+        findings.check(f"shear energy that leaves with the area{word}", "J", lost, known, "closed form", 1e-2, 5e-3,
+                       "patches are cut anew at each hundredth of their size")  # fmt: skip
+        findings.at_most(f"normal energy that does{word}", "J", normal, 1e-9 * known,
+                         "a patch that is alone holds what it held")  # fmt: skip
 
 
 CASE = Case(
