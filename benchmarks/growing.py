@@ -9,6 +9,7 @@ from masonry import scene
 from masonry.assembly.assemble import Assembly
 from masonry.loading.scheduled import Chunk
 from masonry.timeloop import compiled_step
+from verification.scene_runs import FOLDER
 
 STEPS = 20_000
 """Steps of the run that set-up and output are compared with."""
@@ -39,8 +40,24 @@ class Wall:
         return scene.load("wallette-mode-1", [*asked, *more])
 
 
+@dataclass(frozen=True)
+class Fall:
+    """A dry wall of so many courses and bricks a course that falls 1 mm on a floor."""
+
+    courses: int
+    units: int
+
+    def scene(self) -> scene.Scene:
+        size = {"specimen.courses": self.courses, "specimen.units_per_course": self.units}
+        return scene.load(
+            str(FOLDER / "dry-wall-let-go.toml"), size | {"floor.size": [f"{0.22 * self.units + 2} m", "2 m"]}
+        )
+
+
 def items(assembly: Assembly) -> int:
-    """Contact points between rigid blocks, or tets: what the cost of a step grows with."""
+    """Contact points between rigid blocks, or tets, or blocks that fall: what the cost of a step grows with."""
+    if assembly.model.large is not None:
+        return assembly.specimen.blocks.count
     return len(assembly.model.group) if assembly.mesh is None else len(assembly.mesh.tets)
 
 

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
-from geometry.polyhedra.polygons import areas_normals_centroids
+from geometry.polyhedra.indexing import following
+from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.detection.broad import cells_for
 from masonry.detection.overlap import most_points, scratch_of
 from masonry.detection.pieces import pieces_of
@@ -119,14 +120,14 @@ def _face_corners(blocks: Blocks, layout: Layout) -> tuple[np.ndarray, ...]:
     Of meshed blocks the corners of the triangles at their surface: a patch lies in one triangle of each, so it gives no
     node more than its third of a triangle.
     """
-    parts = []
-    owner = blocks.face_block()
-    for f in np.flatnonzero(layout.kind[owner] != KINDS.index("tets")):
-        face = blocks.face(int(f))
-        centre = areas_normals_centroids(face[None])[2][0]
-        triangle = 0.5 * np.linalg.norm(np.cross(face - centre, np.roll(face, -1, axis=0) - centre), axis=1)
-        own = np.full(len(face), owner[f])
-        parts.append((face, 0.5 * (triangle + np.roll(triangle, 1)), own, layout.local[own]))
+    corner, after = blocks.points[blocks.face_points], following(blocks.face_start)
+    face = np.repeat(np.arange(len(blocks.face_start) - 1), np.diff(blocks.face_start))
+    arm = corner - face_areas_normals_centroids(blocks)[2][face]
+    triangle, area = 0.5 * np.linalg.norm(np.cross(arm, arm[after]), axis=1), np.empty(len(corner))
+    area[after] = 0.5 * (triangle[after] + triangle)
+    owner = blocks.face_block()[face]
+    plain = layout.kind[owner] != KINDS.index("tets")
+    parts = [(corner[plain], area[plain], owner[plain], layout.local[owner[plain]])]
     tets = outer_tets(layout)
     if tets is not None:
         assert layout.mesh is not None
