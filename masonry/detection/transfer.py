@@ -14,16 +14,24 @@ from masonry.detection.corners import region, region_area, shared_area
 from masonry.detection.spread import layers
 from masonry.jit.compiler import inner, jit
 
+TURNED_OVER = -0.5
+"""Cosine between two normals that are 120 degrees apart."""
 SAME = 1e-12
 """Of an area: points of one name and area are the same."""
 
 
 @jit
 def turn_tractions(tau, count, n, axis, spin):
-    """Turn tractions (K, 3) by the least rotation from n (3,) to axis (3,), then about it by spin (rad); norms stay."""
+    """Turn tractions (K, 3) by the least rotation from n (3,) to axis (3,), then about it by spin (rad); norms stay.
+
+    Where the normal has turned over, two blocks meet from another side: tractions begin anew, at 0.
+    """
     vx, vy, vz = n[1] * axis[2] - n[2] * axis[1], n[2] * axis[0] - n[0] * axis[2], n[0] * axis[1] - n[1] * axis[0]
     c = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]
-    fraction = 1.0 / max(1.0 + c, 1e-300)
+    if c < TURNED_OVER:
+        tau[:count] = 0.0
+        return
+    fraction = 1.0 / (1.0 + c)
     ax, ay, az, cosine, sine = axis[0], axis[1], axis[2], cos(spin), sin(spin)
     for k in range(count):
         x, y, z = tau[k, 0], tau[k, 1], tau[k, 2]

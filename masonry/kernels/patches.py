@@ -276,11 +276,13 @@ def point_forces(near, block, body, place, force, normal):
 
 @jit
 def deepest(near, width):
-    """How far points overlap at most, over the least width (B,) m of the thinner of their two blocks."""
-    pairs, points, most = near.pairs, near.points, 0.0
+    """How far points overlap at most, over the least width (B,) m of the thinner of their two blocks; and the pair."""
+    pairs, points, most, which = near.pairs, near.points, 0.0, -1
     for p in range(pairs.number[0]):
         s = pairs.slot[p]
         for k in range(points.held[s] if s >= 0 else 0):
             gap = gap_of(pairs, points, near.motion, p, k)
-            most = max(most, -gap / min(width[pairs.body[p, 0]], width[pairs.body[p, 1]]))
-    return most
+            overlap = -gap / min(width[pairs.body[p, 0]], width[pairs.body[p, 1]])
+            if overlap > most:
+                most, which = overlap, p
+    return most, which

@@ -6,6 +6,7 @@ import numpy as np
 
 from geometry.polyhedra.measures import bounds
 from geometry.specimens.placed import FLOOR
+from masonry.errors import Stopped
 from masonry.kernels.patches import deepest
 from masonry.model.model import Model
 from masonry.monitors.energy import present
@@ -13,6 +14,9 @@ from masonry.monitors.observer import Observer, View
 
 DROPPED = 0.5
 """Of its least width: how far a block has gone down, along its weight, when it counts as fallen."""
+
+THROUGH = 0.5
+"""Of the least width of the thinner of two blocks: an overlap at which one has as far to go forward as back."""
 
 SQUEEZED = 0.8
 """Least det F: below about that St Venant-Kirchhoff softens under pressure, and a block may turn inside out."""
@@ -56,9 +60,21 @@ class Collapse(Observer):
                 self.energies = {key: value for key, value in view.terms.items() if key != "imbalance"}
         if self.underside > -np.inf:
             self._look_below(model, step)
+        return {"widest": float(view.seen.opening.max(initial=0.0)), "overlap": self._overlap(model, step), "slip": 0.0}
+
+    def _overlap(self, model: Model, step: int) -> float:
+        """The deepest overlap of two blocks, over the least width of the thinner one. Raises Stopped above a half."""
         assert model.large is not None
-        overlap = deepest(model.large.near, self.width[model.large.near.pieces.block])
-        return {"widest": float(view.seen.opening.max(initial=0.0)), "overlap": float(overlap), "slip": 0.0}
+        near = model.large.near
+        overlap, pair = deepest(near, self.width[near.pieces.block])
+        if overlap > THROUGH:
+            one, two = near.pieces.block[near.pairs.body[pair]]
+            raise Stopped(
+                f"step {step}: blocks {one} and {two} overlap by {overlap:.2g} of the width of the thinner one; beyond "
+                "half of it one leaves the other on the far side. The normal stiffness of their contact is too low for "
+                "their speed or load"
+            )
+        return float(overlap)
 
     def _look_below(self, model: Model, step: int) -> None:
         height = model.layout.centroid[:, 2].copy()

@@ -137,5 +137,13 @@ def test_tractions_turn_with_the_normal_and_keep_their_norm():
         assert np.allclose(tau, before @ (turn(*(spin * new)) @ way @ tilt @ way.T).T, atol=1e-13)
 
 
+def test_tractions_begin_anew_where_the_normal_turns_over():
+    """What has gone through another block meets it from its far side: no rotation from n to -n is the least."""
+    for tilt in (0.0, 1e-9, 0.1):
+        tau = np.array([[3.0, 4.0, 0.0], [1.0, 0.0, 0.0]])
+        turn_tractions(tau, 2, UP, -turn(tilt, 0.0, 0.0) @ UP, 0.0)
+        assert np.array_equal(tau, np.zeros((2, 3)))
+
+
 def test_the_energy_is_that_of_the_tractions():
     assert energy(np.array([2.0, 1.0]), np.array([[3.0, 0, 0], [0, 4, 0]]), 2) == 17.0
