@@ -2,7 +2,7 @@
 fall 1 mm on a floor, in large displacement: `python -m benchmarks.giants`.
 
 Each in a process of its own, whose largest resident memory is read at its end; a million tets must fit in 8 GB, and
-what falls in 4 GB. Too long for `make bench`: some minutes, and 2 to 3 GB.
+what falls in 4 GB. Too long for `make bench`: some minutes, and up to 3 GB.
 """
 
 import resource

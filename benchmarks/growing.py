@@ -1,4 +1,4 @@
-"""Wallettes of growing size, rigid or filled with tets, and what each size costs: set-up, step, output."""
+"""Wallettes of growing size, rigid or filled with tets, and dry walls that fall: what each size costs."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

@@ -8,7 +8,7 @@ its own line from the point, and the shear force at the point: no couple is left
 
 from masonry.jit.compiler import inner, jit
 from masonry.kernels.patch_arrays import LEVEL
-from masonry.kernels.patches import DASHPOT, FRICTION, ease, joint_of, numbers, places, respond
+from masonry.kernels.patches import DASHPOT, FRICTION, ease, four_of, joint_of, places, respond
 from masonry.kernels.planes import into, plane_of, turned
 from masonry.simd import FOUR, below, filled, four, total
 
@@ -49,7 +49,7 @@ def press_deforming(near, dt):
         xx = xy = xz = yx = yy = yz = zx = zy = zz = filled(0.0, four())
         for k in range(0, held, FOUR):
             ax, ay, az = places(frame, other, points, s, k)
-            gap = nx * ax + ny * ay + nz * az + along - scale * numbers(points, s, k, LEVEL)
+            gap = nx * ax + ny * ay + nz * az + along - scale * four_of(points, s, k, LEVEL)
             # velocity of the other block against the reference at the points
             lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, ax + ox, ay + oy, az + oz))
             dx, dy, dz = places(rate, other, points, s, k)

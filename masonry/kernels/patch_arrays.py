@@ -19,7 +19,7 @@ class Pairs(NamedTuple):
     slot      (P,) where its points are kept; -1 where the two are apart
     points_of (P,) which side the points belong to (0, 1); the plane is fixed in the other one, the reference
     normal    (P, 3) of the plane, out of the reference, in its frame
-    axis      (P, 3) the same at the last look, from side 0 to side 1, in space
+    axis      (P, 3) that of the last look, from side 0 to side 1, in space
     witness   (P, 3) of that look (detection/narrow.py)
     mark      (P,) m, travel of both blocks at the last look     limit  (P,) m, that after which it is looked at again
     reach     (P,) m, how far they may move against each other until the next look
@@ -55,7 +55,7 @@ class Points(NamedTuple):
     """Points of the pairs that touch, or nearly: S slots of up to K points, a multiple of four; which slots are free.
 
     held     (S,) points of a slot
-    quads    (S, K / 4, 8, 4) what each step needs of four points, side by side in the processor's cache; in rows from
+    quads    (S, K / FOUR, 8, FOUR) what each step needs of four points, side by side in memory; in rows from
              PLACE   m, x, y, z from the centroid of the block that they belong to, in its frame
              LEVEL   m, of the plane that the point meets, along the normal from the centroid of the reference
              AREA    m2
@@ -122,10 +122,16 @@ def vector_of(points, s, k, row):
 
 
 @inner
+def put_number_of(points, s, k, row, value):
+    """Write a number of point k of slot s."""
+    points.quads[s, k // FOUR, row, k % FOUR] = value
+
+
+@inner
 def put_vector_of(points, s, k, row, vector):
     """Write three numbers of point k of slot s, from a row on."""
     for i in range(3):
-        points.quads[s, k // FOUR, row + i, k % FOUR] = vector[i]
+        put_number_of(points, s, k, row + i, vector[i])
 
 
 @inner

@@ -62,7 +62,7 @@ def press(near, dt):
         fx = fy = fz = qx = qy = qz = taken = filled(0.0, four())
         for k in range(0, held, FOUR):
             ax, ay, az = places(frame, other, points, s, k)
-            gap = n[0] * ax + n[1] * ay + n[2] * az + along - numbers(points, s, k, LEVEL)
+            gap = n[0] * ax + n[1] * ay + n[2] * az + along - four_of(points, s, k, LEVEL)
             d = ux + wy * az - wz * ay, uy + wz * ax - wx * az, uz + wx * ay - wy * ax
             rate = d[0] * n[0] + d[1] * n[1] + d[2] * n[2]
             there = below(held - k, four())
@@ -93,7 +93,7 @@ def joint_of(rules, law):
 
 
 @inlined
-def numbers(points, s, k, row):
+def four_of(points, s, k, row):
     """A number of four points of a slot, from point k on."""
     return take(points.quads, (s, k // FOUR, row, 0), four())
 
@@ -101,7 +101,7 @@ def numbers(points, s, k, row):
 @inlined
 def places(frame, b, points, s, k):
     """x, y, z in space of four points of a slot, from the centroid of the block that they belong to."""
-    x, y, z = numbers(points, s, k, PLACE), numbers(points, s, k, PLACE + 1), numbers(points, s, k, PLACE + 2)
+    x, y, z = four_of(points, s, k, PLACE), four_of(points, s, k, PLACE + 1), four_of(points, s, k, PLACE + 2)
     return turned(frame, b, x, y, z)
 
 
@@ -113,16 +113,16 @@ def respond(points, joint, dashpot, s, k, there, gap, d, along, closing, n, rota
     d, along  m/s, of the other block against the reference, and its part along the normal n
     closing   m/s, rate of the gap (m)     rotation  rad, of the two blocks in this step
     """
-    (kn, ks, tan), size = joint, numbers(points, s, k, AREA)
+    (kn, ks, tan), size = joint, four_of(points, s, k, AREA)
     touches = (gap < 0.0) & there
     sigma = where(touches, kn * gap, 0.0)
     lost = filled(0.0, gap)
     if dashpot > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
         now = where(touches, minimum(dashpot * closing, -sigma), 0.0)
-        lost = 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four()))
+        lost = where(there, 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four())), 0.0)
         put(points.damper, (s, k), now)
         sigma = sigma + now
-    held = numbers(points, s, k, SHEAR), numbers(points, s, k, SHEAR + 1), numbers(points, s, k, SHEAR + 2)
+    held = four_of(points, s, k, SHEAR), four_of(points, s, k, SHEAR + 1), four_of(points, s, k, SHEAR + 2)
     before = held[0] * held[0] + held[1] * held[1] + held[2] * held[2]
     if not any_lane(touches | (before > 0.0)):
         return (sigma, sigma, sigma), sigma, sigma, lost
@@ -212,6 +212,8 @@ def ease(pairs, points, motion):
         least = FAR
         for k in range(points.held[pairs.slot[p]]):
             least = min(least, gap_of(pairs, points, motion, p, k))
+            if least + pairs.slack[p] < 0.0:
+                break
         if least + pairs.slack[p] >= 0.0:
             pairs.slack[p] = min(max(-least, 0.0), max(pairs.slack[p], 0.0))
 
@@ -262,11 +264,11 @@ def point_forces(near, block, body, place, force, normal):
                 x, y, z = vector_of(points, s, k, PLACE)
                 arm = turned(motion.frame, other, x, y, z)
                 sigma = kn * gap + (points.damper[s, k] if pairs.dashpot[p] > 0.0 else 0.0)
-                shear, side = vector_of(points, s, k, SHEAR), outward(own)
+                shear, sign = vector_of(points, s, k, SHEAR), outward(own)
                 for i in range(3):
                     place[count, i] = motion.centre[other, i] + motion.moved[other, i] + arm[i]
-                    force[count, i] = side * number_of(points, s, k, AREA) * (shear[i] + sigma * n[i])
-                    normal[count, i] = side * n[i]
+                    force[count, i] = sign * number_of(points, s, k, AREA) * (shear[i] + sigma * n[i])
+                    normal[count, i] = sign * n[i]
                 for side in range(2):
                     body[count, side] = pairs.body[p, side]
                     block[count, side] = near.pieces.block[pairs.body[p, side]]

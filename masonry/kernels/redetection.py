@@ -26,6 +26,7 @@ from masonry.kernels.patch_arrays import (
     Rules,
     number_of,
     outward,
+    put_number_of,
     put_vector_of,
     vector_of,
 )
@@ -33,7 +34,6 @@ from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, stored
 from masonry.kernels.planes import into, plane_of, turned
 from masonry.kernels.relative_motion import keep_pose
 from masonry.kinematics.matrices import vector_at
-from masonry.simd import FOUR
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
@@ -212,8 +212,8 @@ def renew(near, p, count, own):
         x, y = search.point[k, 0] - position[other, 0], search.point[k, 1] - position[other, 1]
         z = search.point[k, 2] - position[other, 2]
         put_vector_of(points, s, k, PLACE, into(frame, motion.dual, other, x, y, z))
-        points.quads[s, k // FOUR, LEVEL, k % FOUR] = side * along - gap
-        points.quads[s, k // FOUR, AREA, k % FOUR] = search.area[k]
+        put_number_of(points, s, k, LEVEL, side * along - gap)
+        put_number_of(points, s, k, AREA, search.area[k])
         points.feature[s, k] = search.feature[k]
         if k >= had or search.was_feature[k] != search.feature[k]:
             points.damper[s, k] = 0.0
