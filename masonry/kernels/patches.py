@@ -119,7 +119,7 @@ def respond(points, joint, dashpot, s, k, there, gap, d, along, closing, n, rota
     lost = filled(0.0, gap)
     if dashpot > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
         now = where(touches, minimum(dashpot * closing, -sigma), 0.0)
-        lost = where(there, 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four())), 0.0)
+        lost = 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four()))
         put(points.damper, (s, k), now)
         sigma = sigma + now
     held = four_of(points, s, k, SHEAR), four_of(points, s, k, SHEAR + 1), four_of(points, s, k, SHEAR + 2)

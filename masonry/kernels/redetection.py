@@ -34,6 +34,7 @@ from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, stored
 from masonry.kernels.planes import into, plane_of, turned
 from masonry.kernels.relative_motion import keep_pose
 from masonry.kinematics.matrices import vector_at
+from masonry.simd import FOUR
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
@@ -225,9 +226,11 @@ def renew(near, p, count, own):
             *(search.was_point, search.was_area, search.was_feature, search.was_shear, had),
             *(search.point, search.area, search.feature, search.shear, count, axis, near.scratch),
         )
-    for k in range(count):
-        x, y, z = vector_at(search.shear, k, 0) if had > 0 else (0.0, 0.0, 0.0)
+    for k in range(-(-count // FOUR) * FOUR):
+        x, y, z = vector_at(search.shear, k, 0) if had > 0 and k < count else (0.0, 0.0, 0.0)
         put_vector_of(points, s, k, SHEAR, (side * x, side * y, side * z))
+        if k >= count:  # beside the points: whatever was there has been lost already, and is not to count again
+            points.damper[s, k] = 0.0
     set_dashpot(pairs, near.rules, search, p, total)
     if had == 0 and -deepest > BORN_DEEP * min(search.deep[ref], search.deep[other]):
         search.flag[0], search.flag[1] = TOO_DEEP, p
