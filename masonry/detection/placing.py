@@ -8,6 +8,9 @@ import numpy as np
 from masonry.detection.pieces import Pieces
 from masonry.jit.compiler import inner, jit
 
+ALIKE = 1e-6
+"""Of their size: difference of two blocks that are as large as each other."""
+
 
 class Turned(NamedTuple):
     """Corners (V, 3) and centres (P, 3), m from the position of their body, turned; normals (F, 3) and offsets (F,):
@@ -76,3 +79,18 @@ def update_pieces(pieces, frame, turned):
     body = pieces.body
     for piece in range(len(body)):
         update_piece(pieces, piece, frame[body[piece]], turned)
+
+
+@inner
+def owner(pieces, i, j, blend):
+    """Which of two pieces the points belong to, 0 or 1: the one that meets a face of the other.
+
+    Where they lie face on face it is the smaller one, or of two alike the first by its rank: a choice that neither
+    their numbers nor rounding changes.
+    """
+    if abs(blend - 0.5) > 0.25:
+        return 1 if blend > 0.5 else 0
+    one, two = pieces.radius[i], pieces.radius[j]
+    if abs(one - two) > ALIKE * (one + two):
+        return 1 if two < one else 0
+    return 1 if pieces.rank[i] <= pieces.rank[j] else 0

@@ -10,7 +10,7 @@ from masonry.detection.broad import Cells
 from masonry.detection.narrow import FACE, NONE, touch
 from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
-from masonry.detection.placing import Turned
+from masonry.detection.placing import Turned, owner
 from masonry.detection.spread import spread
 from masonry.detection.transfer import transfer, turn_tractions
 from masonry.jit.compiler import inner
@@ -30,18 +30,18 @@ from masonry.kernels.patch_arrays import (
     put_vector_of,
     vector_of,
 )
-from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, stored
+from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, gap_of, stored
 from masonry.kernels.planes import into, plane_of, turned
 from masonry.kernels.relative_motion import keep_pose
-from masonry.kinematics.matrices import vector_at
+from masonry.kinematics.matrices import dot, minus, vector_at
 from masonry.simd import FOUR
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
 SIDEWAYS = 0.01
 """Of the skin: travel of two triangles that lie beside each other after which they are looked at again, at least."""
-ALIKE = 1e-6
-"""Of their size: difference of two blocks that are as large as each other."""
+SLIVER = 1e-3
+"""Of the radius of a piece: a narrower patch may be there only because blocks press."""
 BORN_DEEP = 0.1
 """Of the side of a contact of edges, itself a tenth of a block's: the overlap at which a contact may not begin."""
 
@@ -155,21 +155,6 @@ def look(near, p):
 
 
 @inner
-def owner(pieces, i, j, blend):
-    """Which of two pieces the points belong to, 0 or 1: the one that meets a face of the other.
-
-    Where they lie face on face it is the smaller one, or of two alike the first by its rank: a choice that neither
-    their numbers nor rounding changes.
-    """
-    if abs(blend - 0.5) > 0.25:
-        return 1 if blend > 0.5 else 0
-    one, two = pieces.radius[i], pieces.radius[j]
-    if abs(one - two) > ALIKE * (one + two):
-        return 1 if two < one else 0
-    return 1 if pieces.rank[i] <= pieces.rank[j] else 0
-
-
-@inner
 def let_go(near, p):
     """A pair touches no more: its slot is free again, and what its points held is lost."""
     pairs, points, s = near.pairs, near.points, near.pairs.slot[p]
@@ -232,6 +217,8 @@ def renew(near, p, count, own):
         if k >= count:  # beside the points: whatever was there has been lost already, and is not to count again
             points.damper[s, k] = 0.0
     set_dashpot(pairs, near.rules, search, p, total)
+    if pairs.dashpot[p] > 0.0 and only_sunk(near, p, count, total):
+        pairs.dashpot[p] = 0.0
     if had == 0 and -deepest > BORN_DEEP * min(search.deep[ref], search.deep[other]):
         search.flag[0], search.flag[1] = TOO_DEEP, p
         return False
@@ -242,6 +229,28 @@ def renew(near, p, count, own):
     near.account[SHEAR_LOST] += sheared - now_sheared
     near.account[NORMAL_GAINED if had > 0 else BORN] += now_pressed - pressed
     return True
+
+
+@inner
+def only_sunk(near, p, count, total):
+    """Whether a patch (total, m2) is so narrow that there would be none if its blocks did not press on others.
+
+    A block that slides over a seam is sunk into the first slab by what its springs give way. By that much its edge
+    meets the side of the next slab, for a step or some; a dashpot there would be felt as a blow.
+    """
+    pairs, point, longest = near.pairs, near.search.point, 0.0
+    for k in range(count):
+        apart = minus(vector_at(point, k, 0), vector_at(point, 0, 0))
+        longest = max(longest, sqrt(dot(apart, apart)))
+    a, b, i, j = pairs.body[p, 0], pairs.body[p, 1], pairs.piece[p, 0], pairs.piece[p, 1]
+    if total > SLIVER * min(near.pieces.radius[i], near.pieces.radius[j]) * longest:
+        return False
+    for q in range(pairs.number[0]):
+        if q != p and (pairs.body[q, 0] in (a, b) or pairs.body[q, 1] in (a, b)):
+            for k in range(near.points.held[pairs.slot[q]] if pairs.slot[q] >= 0 else 0):
+                if total <= -2.0 * gap_of(pairs, near.points, near.motion, q, k) * longest:
+                    return True
+    return False
 
 
 @inner

@@ -36,3 +36,19 @@ def test_the_force_is_friction_times_weight_on_either_side_and_over_the_seam(poi
     assert 0.0 <= rows["redetection"][-1] < 1e-6 * rows["friction"][-1]
     assert abs(rows["area"][-1]) < 1e-8 * rows["friction"][-1]
     assert result.summary["energy_imbalance"] < 1e-12
+
+
+@pytest.mark.parametrize(("pressure", "speed"), [(0.0, "0.5 m/s"), (1e5, "0.5 m/s"), (1e5, "0.05 m/s")])
+def test_the_edge_of_a_sunk_block_gives_the_next_slab_no_blow_between_two_rows(pressure, speed):
+    """Pressed by p, it is sunk by p / k_n into the first slab, and no dashpot feels that its edge meets the second."""
+    boxes = [
+        box("slab", (-0.5, -0.2, -0.1), (0.5, 0.4, 0.1), "units", 0),
+        box("slab beyond", (0.0, -0.2, -0.1), (0.5, 0.4, 0.1), "units", 1),
+        box("block", (-0.105, -0.05, 0.0), (0.1, 0.1, 0.05), "units", 2),
+    ]
+    drive = f'[drive]\non = "block"\ndirection = "x"\ndisplacement = "10 mm"\nrate = "{speed}"\nramp = 0.1\n'
+    load = f'[[traction]]\non = "block.z+"\nstress = {{z = "-{pressure} Pa"}}\n' if pressure else ""
+    result = laboratory.run(dry(boxes, 0.5, duration=0.3, settle=20000, supports=SUPPORTS, more=drive + load))
+    limit = 0.5 * (DENSITY * 0.05 * G + pressure) * 0.1 * 0.1
+    assert result.summary["peak_force_n"] == pytest.approx(limit, rel=5e-4)
+    assert result.history.rows["displacement"][-1] == pytest.approx(0.01, rel=1e-4)
