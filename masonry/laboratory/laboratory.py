@@ -23,6 +23,7 @@ from masonry.laboratory.quality import quality_lines
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
 from masonry.laboratory.summary import add_tilt, cells_text, summarise
+from masonry.laboratory.twist_remarks import twist_remarks
 from masonry.laws.dispatch import word_of
 from masonry.results.joint_resultants import resultants
 from masonry.scene import Scene, to_toml
@@ -80,7 +81,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     add_tilt(assembly, outcome)
     frames = outcome.history.frames
     remarks = [*warnings(assembly), *rocked_remarks(assembly, frames), *bent_remarks(assembly, frames)]
-    remarks += closed_remarks(assembly, frames)
+    remarks += [*closed_remarks(assembly, frames), *twist_remarks(assembly, outcome)]
     remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", []), *_blow(assembly, outcome)]
     return Result(
         summary={**summarise(assembly, outcome), "warnings": remarks},

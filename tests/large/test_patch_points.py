@@ -7,7 +7,7 @@ import pytest
 import masonry
 from masonry.laboratory import laboratory
 from masonry.results.trust import trust
-from tests.large.made import DENSITY, dry, leaning, slab
+from tests.large.made import DENSITY, G, dry, leaning, slab
 from tests.scenes import box, load
 
 WORD = "three times as stiff"
@@ -33,6 +33,30 @@ def test_a_closed_joint_bends_as_its_pressure_does_only_with_points_inside(point
 
 def test_a_block_that_topples_is_not_judged_by_its_closed_joint():
     assert WORD not in trust(leant("", slope=35.0))
+
+
+def thrown(points: str, how: str):
+    """A block that is thrown over a slab, or spun upon it."""
+    boxes = [slab(2.0), box("block", (-0.1, -0.1, 0.0), (0.2, 0.2, 0.1), "units", 1)]
+    given = f'patch_points = "{points}"' if points else ""
+    return laboratory.run(dry(boxes, duration=0.3, turned=given, more=f'[[motion]]\non = "block"\n{how}\n'))
+
+
+@pytest.mark.parametrize(("points", "lever"), [("", 2.0**0.5 / 2.0), ("spread", 0.3826)])
+def test_a_block_that_turns_on_its_bed_is_slowed_by_its_points_and_trust_says_so(points, lever):
+    """Corners have a lever of half the diagonal, an even pressure 0.3826 of the side."""
+    side = 0.2
+    result = thrown(points, 'spin = ["0 rad/s", "0 rad/s", "5 rad/s"]')
+    rows, slowed = result.history.rows, 0.6 * G * lever * side / (side**2 / 6.0)
+    energy = 0.5 * DENSITY * side**2 * 0.1 * side**2 / 6.0 * (5.0 - slowed * rows["time"]) ** 2
+    early = (rows["time"] > 0.0) & (rows["time"] < 0.5 * 5.0 / slowed)
+    assert early.sum() > 5
+    assert rows["kinetic"][early] == pytest.approx(energy[early], abs=1e-2 * energy.max())
+    assert ("turned on their beds" in result.trust) == (points == "")
+
+
+def test_a_block_that_slides_straight_is_not_said_to_turn():
+    assert "turned on" not in thrown("", 'velocity = ["1 m/s", "0.3 m/s", "0 m/s"]').trust
 
 
 def turned_square(side: float, low: float, high: float, angle: float) -> tuple[np.ndarray, list[list[int]]]:
