@@ -38,11 +38,8 @@ def test_the_force_is_friction_times_weight_on_either_side_and_over_the_seam(poi
     assert result.summary["energy_imbalance"] < 1e-12
 
 
-@pytest.mark.parametrize(
-    ("pressure", "speed", "springs"),
-    [(0.0, "0.5 m/s", 5e-4), (1e5, "0.5 m/s", 5e-4), (1e5, "0.05 m/s", 5e-4), (1e6, "0.5 m/s", 3e-3)],
-)
-def test_the_edge_of_a_sunk_block_gives_the_next_slab_no_blow_between_two_rows(pressure, speed, springs):
+@pytest.mark.parametrize(("pressure", "speed"), [(0.0, "0.5 m/s"), (1e5, "0.5 m/s"), (1e5, "0.05 m/s")])
+def test_the_edge_of_a_sunk_block_gives_the_next_slab_no_blow_between_two_rows(pressure, speed):
     """Pressed by p it is sunk by p / k_n in the first slab; its edge meets the second with springs, but no dashpot."""
     boxes = [
         box("slab", (-0.5, -0.2, -0.1), (0.5, 0.4, 0.1), "units", 0),
@@ -53,5 +50,5 @@ def test_the_edge_of_a_sunk_block_gives_the_next_slab_no_blow_between_two_rows(p
     load = f'[[traction]]\non = "block.z+"\nstress = {{z = "-{pressure} Pa"}}\n' if pressure else ""
     result = laboratory.run(dry(boxes, 0.5, duration=0.3, settle=20000, supports=SUPPORTS, more=drive + load))
     limit = 0.5 * (DENSITY * 0.05 * G + pressure) * 0.1 * 0.1
-    assert result.summary["peak_force_n"] == pytest.approx(limit, rel=springs)
+    assert result.summary["peak_force_n"] == pytest.approx(limit, rel=5e-4)
     assert result.history.rows["displacement"][-1] == pytest.approx(0.01, rel=1e-4)
