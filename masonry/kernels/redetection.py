@@ -42,7 +42,7 @@ SIDEWAYS = 0.01
 """Of the skin: travel of two triangles that lie beside each other after which they are looked at again, at least."""
 SLIVER = 1e-3
 """Of the radius of a piece: a narrower patch may be there only because blocks press. Ten times that takes dashpots from
-rubble that hits, which then comes to rest with twice the overlap."""
+rubble that hits, which then comes to rest ten times as deep."""
 BORN_DEEP = 0.1
 """Of the side of a contact of edges, itself a tenth of a block's: the overlap at which a contact may not begin."""
 
