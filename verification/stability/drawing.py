@@ -21,13 +21,15 @@ LEAST, MOST = 1e-16, 1.0
 """Errors at which the bar of a cell is empty and full; its length goes with the logarithm."""
 WIDE, HIGH = 0.66, 0.5
 """Inches of a cell."""
+TWO_KEYS = 4.8
+"""Inches of a picture that has room for two of MEANINGS side by side."""
 
 
 def heat_map(grid: Grid, outcomes: list[Outcome]) -> Figure:
     """One grid: cells in the colour of their status, with the error written and drawn."""
     rows, columns = grid.rows, grid.columns
     margin = 0.35 + 0.085 * max(map(len, rows))
-    size = margin + WIDE * max(len(columns), 5), 1.35 + HIGH * len(rows)
+    size = margin + WIDE * max(len(columns), 5), 1.65 + HIGH * len(rows)
     figure = Figure(figsize=size, layout="constrained")
     axes = figure.subplots()
     for outcome in outcomes:
@@ -45,7 +47,9 @@ def heat_map(grid: Grid, outcomes: list[Outcome]) -> Figure:
         for k in KINDS
         if k in seen
     ]
-    figure.legend(handles=keys, loc="outside lower left", ncols=2, frameon=False, fontsize=7)
+    figure.legend(
+        handles=keys, loc="outside lower left", ncols=2 if size[0] > TWO_KEYS else 1, frameon=False, fontsize=7
+    )
     return figure
 
 

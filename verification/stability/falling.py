@@ -36,7 +36,7 @@ def impacts(full: bool) -> Grid:
             }
             through = speed * period > 1.0  # it would enter the slab by more than its size
             cells[f"{speed:g}", f"{kn:.0e}"] = Cell(SCENE, knobs, kept, ("STOPPED",) if through else SOUND)
-    note = "At 100 m/s and below 1e10 Pa/m the block enters the slab by more than 1 % of its size."
+    note = "What enters the slab by more than 1 % of the block is told; by more than a half, it ends the run."
     return Grid("A block that hits a slab", "speed [m/s]", "kn [Pa/m]", cells, note=note)
 
 
