@@ -24,7 +24,8 @@ def _first_corners(blocks: Blocks) -> np.ndarray:
     return blocks.points[blocks.face_points[blocks.face_start[blocks.block_face_start[:-1]]]]
 
 
-def _sum_by_block(blocks: Blocks, block: np.ndarray, values: np.ndarray) -> np.ndarray:
+def sum_by_block(blocks: Blocks, block: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """(B, ...) sums of values (n, ...) over those that belong to each block; block (n,)."""
     columns = values.reshape(len(values), -1).T
     total = np.stack([np.bincount(block, column, blocks.count) for column in columns], axis=1)
     return total.reshape(blocks.count, *values.shape[1:])
@@ -33,7 +34,7 @@ def _sum_by_block(blocks: Blocks, block: np.ndarray, values: np.ndarray) -> np.n
 def volumes(blocks: Blocks) -> np.ndarray:
     """(B,) m3."""
     block, _, volume = _tets(blocks, _first_corners(blocks))
-    return _sum_by_block(blocks, block, volume)
+    return sum_by_block(blocks, block, volume)
 
 
 def centroids(blocks: Blocks) -> np.ndarray:
@@ -44,8 +45,8 @@ def centroids(blocks: Blocks) -> np.ndarray:
 def _volumes_centroids(blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
     origin = _first_corners(blocks)
     block, arm, part = _tets(blocks, origin)
-    moment = _sum_by_block(blocks, block, part[:, None] * arm.sum(axis=1) / 4)
-    volume = _sum_by_block(blocks, block, part)
+    moment = sum_by_block(blocks, block, part[:, None] * arm.sum(axis=1) / 4)
+    volume = sum_by_block(blocks, block, part)
     return volume, origin + moment / volume[:, None]
 
 
@@ -55,7 +56,7 @@ def moments(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     block, arm, part = _tets(blocks, centroid)
     total = arm.sum(axis=1)
     outer = np.einsum("tci,tcj->tij", arm, arm) + np.einsum("ti,tj->tij", total, total)
-    return volume, centroid, _sum_by_block(blocks, block, part[:, None, None] * outer / 20)
+    return volume, centroid, sum_by_block(blocks, block, part[:, None, None] * outer / 20)
 
 
 def face_areas_normals_centroids(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

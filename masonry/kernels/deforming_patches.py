@@ -69,10 +69,8 @@ def press_deforming(near, dt):
             zx, zy, zz = zx + gz * ax, zy + gz * ay, zz + gz * az
         force = total(fx), total(fy), total(fz)
         moments = (
-            *(total(xx), total(xy), total(xz)),
-            *(total(yx), total(yy), total(yz)),
-            *(total(zx), total(zy), total(zz)),
-        )
+            total(xx), total(xy), total(xz), total(yx), total(yy), total(yz), total(zx), total(zy), total(zz),
+        )  # fmt: skip
         add(push, ref, 1.0, force, moments)
         add_moments(push, ref, force, ox, oy, oz)
         foot = -total(pressed)

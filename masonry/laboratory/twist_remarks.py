@@ -3,6 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Blocks
+from geometry.polyhedra.measures import sum_by_block
 from masonry.assembly.assemble import Assembly
 from masonry.history import Frame
 from masonry.monitors.frames import block_of_points
@@ -47,14 +48,19 @@ def turns_and_slides(assembly: Assembly, frames: list[Frame]) -> tuple[float, fl
     lever = np.bincount(face, joints.area * np.linalg.norm(joints.point - middle[face], axis=1), count) / area
     a, b, n = joints.block_a[first], joints.block_b[first], joints.normal[first]
     dry = ~large.bonds.alive[first]
+    blocks = assembly.specimen.blocks
+    corner, centre, weight = corner_weights(blocks)
+    number = np.bincount(corner, minlength=blocks.count)[:, None]
     turn, before = np.zeros(count), None
     turned = slid = 0.0
     for frame in frames:
-        place, gradient = motions(assembly.specimen.blocks, frame.corners)
+        moved = sum_by_block(blocks, corner, frame.corners) / number
+        gradient = np.eye(3) + sum_by_block(blocks, corner, np.einsum("pi,pj->pij", frame.corners, weight))
+        place_a, place_b = (
+            centre[one] + moved[one] + np.einsum("fij,fj->fi", gradient[one], middle - centre[one]) for one in (a, b)
+        )
         back = np.linalg.inv(gradient[a])
-        angle = back @ gradient[b]
-        apart = _at(place, gradient, b, middle) - _at(place, gradient, a, middle)
-        apart = np.einsum("fij,fj->fi", back, apart)
+        angle, apart = back @ gradient[b], np.einsum("fij,fj->fi", back, place_b - place_a)
         thrust = np.where(dry, np.maximum(-np.bincount(face, joints.area * frame.normal_stress, count), 0.0), 0.0)
         if before is not None:
             spin = angle @ np.linalg.inv(before[0])
@@ -71,22 +77,12 @@ def turns_and_slides(assembly: Assembly, frames: list[Frame]) -> tuple[float, fl
     return turned, slid, float(np.abs(turn).max(initial=0.0))
 
 
-def motions(blocks: Blocks, moved: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Centres of the corners of each block, at first and now, (B, 2, 3) m, and the gradient (B, 3, 3) of its motion."""
+def corner_weights(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The block of each corner (P,), the middle (B, 3) m of the corners of each block, and weights (P, 3) 1/m: the sum
+    of moved x weight over the corners of a block is the gradient of its displacement that fits best."""
     block = block_of_points(blocks)
     number = np.bincount(block, minlength=blocks.count)[:, None]
-
-    def sums(values: np.ndarray) -> np.ndarray:
-        flat = values.reshape(len(values), -1)
-        return np.column_stack([np.bincount(block, x, blocks.count) for x in flat.T])
-
-    was, now = sums(blocks.points) / number, sums(blocks.points + moved) / number
-    x, y = blocks.points - was[block], blocks.points + moved - now[block]
-    over = sums(np.einsum("pi,pj->pij", x, x)).reshape(-1, 3, 3)
-    across = sums(np.einsum("pi,pj->pij", y, x)).reshape(-1, 3, 3)
-    return np.stack([was, now], axis=1), across @ np.linalg.inv(over)
-
-
-def _at(place: np.ndarray, gradient: np.ndarray, block: np.ndarray, point: np.ndarray) -> np.ndarray:
-    """Where points (F, 3) m of these blocks (F,) are now."""
-    return place[block, 1] + np.einsum("fij,fj->fi", gradient[block], point - place[block, 0])
+    middle = sum_by_block(blocks, block, blocks.points) / number
+    arm = blocks.points - middle[block]
+    second = sum_by_block(blocks, block, np.einsum("pi,pj->pij", arm, arm))
+    return block, middle, np.einsum("pij,pj->pi", np.linalg.inv(second)[block], arm)
