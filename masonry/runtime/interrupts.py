@@ -3,6 +3,7 @@
 import contextlib
 import os
 import signal
+import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -30,8 +31,10 @@ class Interrupts:
         return 128 + (self.number or signal.SIGINT)
 
     def hear(self, number: int, frame: Any) -> None:
-        """A signal came. Raises KeyboardInterrupt if it is not the first."""
+        """A signal came. Raises KeyboardInterrupt if it is not the first; what that leaves half made (a file that is
+        written) says nothing of it."""
         if self.number:
+            sys.unraisablehook = lambda _: None
             raise KeyboardInterrupt
         self.number = number
         with contextlib.suppress(OSError):
@@ -46,10 +49,11 @@ def interruptible() -> Iterator[Interrupts]:
         yield interrupts
         return
     heard = [number for number in SIGNALS if number == signal.SIGINT or signal.getsignal(number) != signal.SIG_IGN]
-    usual = {number: signal.signal(number, interrupts.hear) for number in heard}
+    usual, told = {number: signal.signal(number, interrupts.hear) for number in heard}, sys.unraisablehook
     try:
         yield interrupts
     finally:
+        sys.unraisablehook = told
         for number, handler in usual.items():
             signal.signal(number, handler)
 

@@ -2,6 +2,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 
 import pytest
@@ -65,6 +67,26 @@ def test_a_second_ctrl_c_ends_at_once_with_what_was_written_before(tmp_path):
     assert process.end() == 130
     assert "ended at once; resume with: masonry resume out" in process.said and "Traceback" not in process.said
     assert not (tmp_path / "out" / "cracks.png").exists() and states(tmp_path / "out")
+
+
+HALF_MADE = """
+import os, signal, zipfile
+from masonry.runtime.interrupts import interruptible
+with interruptible():
+    os.kill(os.getpid(), signal.SIGINT)
+    half = zipfile.ZipFile.__new__(zipfile.ZipFile)
+    half.fp = 1
+    try:
+        os.kill(os.getpid(), signal.SIGINT)
+    except KeyboardInterrupt:
+        del half
+"""
+
+
+def test_a_file_that_a_second_ctrl_c_leaves_half_made_shows_no_traceback():
+    done = subprocess.run([sys.executable, "-c", HALF_MADE], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0
+    assert done.stderr == "masonry: ending after the present steps; once more ends it at once\n"
 
 
 def test_outside_the_main_thread_signals_stay_as_they_are():
