@@ -37,7 +37,8 @@ def touching(pieces, turned, position, pairs, witness, axis, scratch, point, gap
             p, q = pairs[m, 0], pairs[m, 1]
             position[pieces.body[q], 0] += 1e-12
             count += touch(
-                pieces, turned, position, p, q, 0.004, 0.004, 1e-4, axis, witness[m], scratch, point, gap, area, feature
+                *(pieces, turned, position, p, q, 0.004, 0.004, 1e-4, False),
+                *(axis, witness[m], scratch, point, gap, area, feature),
             )[1]
     return count
 

@@ -43,7 +43,7 @@ ROUND_OFF = 1e-9
 
 @jit
 def touch(
-    pieces, turned, position, p, q, skin, reach, least, axis, witness, scratch, point, gap, area, feature
+    pieces, turned, position, p, q, skin, reach, least, kept, axis, witness, scratch, point, gap, area, feature
 ):  # fmt: skip
     """Where pieces p and q touch. Returns (kind, count, separation, blend, size).
 
@@ -51,6 +51,7 @@ def touch(
     skin             m: beyond this gap there is no contact, and no more is looked at
     reach            m: the overlap is cut where the gap is wider than this
     least            m2: area of crossed edges, and the least one that a cut overlap keeps
+    kept             whether they touch with the two faces of `witness` or not at all, whatever parts them more
     axis             (3,) written: n from p to q
     witness          (3,) kind and faces or edges of the last call, which speed up this one; -1 at first; written
     point, gap, area, feature  (K, 3) m, (K,) m, (K,) m2, (K,): written; K >= most_points(pieces)
@@ -58,8 +59,8 @@ def touch(
     blend            weight of p's normal in n
     size             m, root of the area of the overlap: what motions are compared with; a tenth of that where n lies
                      between two normals, since a tilt may soon turn it to one of them; and so small that what was
-                     cut away cannot close before the pair is clipped anew. Without contact, of tets: how far the
-                     two faces are apart sideways, 0 where that is not known
+                     cut away cannot close before the pair is clipped anew. Without contact, of tets or kept faces:
+                     how far they are apart sideways, 0 where that is not known
     """
     rank = pieces.rank
     body = pieces.body
@@ -70,7 +71,7 @@ def touch(
     i, j = body[a], body[b]
     dx, dy, dz = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1], position[j, 2] - position[i, 2]
     kind, count, separation, blend, size, fa, fb, nx, ny, nz = _ordered(
-        a, b, dx, dy, dz, skin, reach, least, witness[0], wa, wb,
+        a, b, dx, dy, dz, skin, reach, least, kept, witness[0], wa, wb,
         pieces.vertex_start, pieces.face_start, pieces.loop_start, pieces.loop, pieces.inner,
         pieces.edge_start, pieces.edge, pieces.radius, pieces.snap,
         turned.vertex, turned.centre, turned.normal, turned.offset,
@@ -92,7 +93,7 @@ def touch(
 
 @inlined
 def _ordered(
-    a, b, dx, dy, dz, skin, reach, least, known, fa, fb,
+    a, b, dx, dy, dz, skin, reach, least, kept, known, fa, fb,
     vertex_start, face_start, loop_start, loop, inner, edge_start, edge, radius, snaps, vertex, centre, normal, offset,
     u, v, label, wu, wv, weight, name, edges, point, gap, area, feature,
 ):  # fmt: skip
@@ -137,6 +138,9 @@ def _ordered(
         plane = common_plane(vertex, loop, loop_start, normal, offset, fa, fb, dx, dy, dz, nx, ny, nz)
         row, count = overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, label, weight, wu, wv)
         full, cu, cv = area_and_centroid(u, v, row, count) if count >= 3 else (0.0, 0.0, 0.0)
+        if kept:
+            beyond, edges_too = wide, False
+            break
         if full > 0.0:
             low, high = heights(plane, cu, cv)
             ax, ay, az = point_of(plane, cu, cv, low)
@@ -158,7 +162,7 @@ def _ordered(
             another < 0, False,
         )  # fmt: skip
     flat = FLAT_HELD if known == EDGE else FLAT
-    if known == EDGE or full <= 0.0:  # edges that touch already, or that must, as the two faces do not
+    if not kept and (known == EDGE or full <= 0.0):  # edges that touch already, or that must, as the two faces do not
         beyond, edges_too = wide - HOLD * abs(wide) - tie, True
     ea, eb, apart, ex, ey, ez = -1, -1, beyond, 0.0, 0.0, 0.0
     if edges_too:
@@ -177,8 +181,8 @@ def _ordered(
             return EDGE, found, apart, 0.5, sqrt(least), ea, eb, ex, ey, ez
     if full <= 0.0:
         depth = max(wide, apart) if ea >= 0 else wide
-        if depth >= 0.0 or of_tets:  # a corner of a mesh belongs to several tets
-            lateral = beside(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane) if of_tets else 0.0
+        if depth >= 0.0 or of_tets or kept:  # a corner of a mesh belongs to several tets
+            lateral = beside(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane) if of_tets or kept else 0.0
             return NONE, 0, depth, blend, lateral, fa, fb, nx, ny, nz
         if blend >= 0.5:
             corner_point(

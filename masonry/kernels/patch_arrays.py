@@ -4,6 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from masonry.detection.broad import Cells
+from masonry.detection.overlap import Scratch
+from masonry.detection.pieces import Pieces
+from masonry.detection.placing import Turned
 from masonry.jit.compiler import inner
 from masonry.simd import FOUR
 
@@ -107,6 +111,74 @@ class Motion(NamedTuple):
     dual: np.ndarray | None = None
     rate: np.ndarray | None = None
     strain: np.ndarray | None = None
+
+
+class Search(NamedTuple):
+    """What looking for contacts needs.
+
+    group, unit (B,) of each block      law_of (G, G, 2) row of Rules for two groups, of two units or of one
+    bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;
+             N pieces in all; held (K,) whether they still do
+    moves    (B,) whether it can move
+    mass     (B,) kg, real; where some blocks are `meshed` kg/m2, behind a face of a cube of the block's volume
+    least    (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
+    position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
+    built    (B,) m, travel at the last search      skin (1,) m
+    spread   whether patches have points inside besides those at their corners
+    point, gap, area, feature, shear  room for what one look finds: (K, 3) m, m, m2, names, and (K, 3) Pa on side 0
+    was_normal, was_point, was_shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was
+    found    (F, 2) room for the pairs that a search finds
+    patches  (F,) room for how many patches lie on each face
+    stale    (F,) faces whose patches are all looked at in this step; (B,) the same of blocks: refreshing.py
+    stale_block
+    flag     (4,) why no step was taken, the pair to blame; searches and looks so far
+    """
+
+    group: np.ndarray
+    unit: np.ndarray
+    law_of: np.ndarray
+    bonded: np.ndarray
+    held: np.ndarray
+    moves: np.ndarray
+    mass: np.ndarray
+    meshed: bool
+    least: np.ndarray
+    deep: np.ndarray
+    position: np.ndarray
+    built: np.ndarray
+    skin: np.ndarray
+    spread: bool
+    point: np.ndarray
+    gap: np.ndarray
+    area: np.ndarray
+    feature: np.ndarray
+    shear: np.ndarray
+    was_normal: np.ndarray
+    was_point: np.ndarray
+    was_shear: np.ndarray
+    was_area: np.ndarray
+    was_feature: np.ndarray
+    found: np.ndarray
+    patches: np.ndarray
+    stale: np.ndarray
+    stale_block: np.ndarray
+    flag: np.ndarray
+
+
+class Near(NamedTuple):
+    """All of what blocks meet; `before` is room for the pairs of the last search; account (5,) J."""
+
+    pieces: Pieces
+    turned: Turned
+    cells: Cells
+    pairs: Pairs
+    before: Pairs
+    points: Points
+    rules: Rules
+    motion: Motion
+    search: Search
+    scratch: Scratch
+    account: np.ndarray
 
 
 @inner

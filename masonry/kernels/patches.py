@@ -28,7 +28,7 @@ ROUND_OFF = 1e-15
 def press(near, dt):
     """Forces and moments of all points of all patches into motion.push, from their gaps and the slip of this step.
 
-    near is what redetection.Near says; its account gets what friction and the dashpots dissipate. Four points of a
+    near is what patch_arrays.Near says; its account gets what friction and the dashpots dissipate. Four points of a
     patch are computed at a time: with a their places from the centroid of the block that they belong to, o from the
     centroid of the reference to that one, and v, w velocities and spins, the other block moves against the reference
     at a by v - v_ref - w_ref x o + (w - w_ref) x a, and the moment on the reference is that on the other and o x force.

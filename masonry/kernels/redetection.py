@@ -1,16 +1,11 @@
 """Looking for contacts again: where a pair touches, and what its points remember; refreshing.py says when."""
 
 from math import sqrt
-from typing import NamedTuple
-
-import numpy as np
 
 from masonry.detection import placing
-from masonry.detection.broad import Cells
+from masonry.detection.axes import height
 from masonry.detection.narrow import FACE, NONE, touch
-from masonry.detection.overlap import Scratch
-from masonry.detection.pieces import Pieces
-from masonry.detection.placing import Turned, owner
+from masonry.detection.placing import owner
 from masonry.detection.spread import spread
 from masonry.detection.transfer import transfer, turn_tractions
 from masonry.jit.compiler import inner
@@ -20,10 +15,6 @@ from masonry.kernels.patch_arrays import (
     LEVEL,
     PLACE,
     SHEAR,
-    Motion,
-    Pairs,
-    Points,
-    Rules,
     number_of,
     outward,
     put_number_of,
@@ -40,79 +31,15 @@ MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
 SIDEWAYS = 0.01
 """Of the skin: travel of two triangles that lie beside each other after which they are looked at again, at least."""
-SLIVER = 1e-3
-"""Of the radius of a piece: a narrower patch may be there only because blocks press. Ten times that takes dashpots from
-rubble that hits, which then comes to rest ten times as deep."""
+NARROW = 0.02
+"""Of the radius of a piece: a narrower patch may be there only because blocks press, and is asked whether it is."""
+SUNK = 2.0
+"""Of the depth of a patch: a narrow one that lies within it along a face is due to that depth. Twice, as a slab that
+bears is pressed down as well, beside others."""
+LEVEL_WITH, ACROSS = 0.995, 0.5
+"""Cosines: of the angle between faces that lie level; of that between two patches of which one may be sunk."""
 BORN_DEEP = 0.1
 """Of the side of a contact of edges, itself a tenth of a block's: the overlap at which a contact may not begin."""
-
-
-class Search(NamedTuple):
-    """What looking for contacts needs.
-
-    group, unit (B,) of each block      law_of (G, G, 2) row of Rules for two groups, of two units or of one
-    bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;
-             N pieces in all; held (K,) whether they still do
-    moves    (B,) whether it can move
-    mass     (B,) kg, real; where some blocks are `meshed` kg/m2, behind a face of a cube of the block's volume
-    least    (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
-    position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
-    built    (B,) m, travel at the last search      skin (1,) m
-    spread   whether patches have points inside besides those at their corners
-    point, gap, area, feature, shear  room for what one look finds: (K, 3) m, m, m2, names, and (K, 3) Pa on side 0
-    was_normal, was_point, was_shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was
-    found    (F, 2) room for the pairs that a search finds
-    patches  (F,) room for how many patches lie on each face
-    stale    (F,) faces whose patches are all looked at in this step; (B,) the same of blocks: refreshing.py
-    stale_block
-    flag     (4,) why no step was taken, the pair to blame; searches and looks so far
-    """
-
-    group: np.ndarray
-    unit: np.ndarray
-    law_of: np.ndarray
-    bonded: np.ndarray
-    held: np.ndarray
-    moves: np.ndarray
-    mass: np.ndarray
-    meshed: bool
-    least: np.ndarray
-    deep: np.ndarray
-    position: np.ndarray
-    built: np.ndarray
-    skin: np.ndarray
-    spread: bool
-    point: np.ndarray
-    gap: np.ndarray
-    area: np.ndarray
-    feature: np.ndarray
-    shear: np.ndarray
-    was_normal: np.ndarray
-    was_point: np.ndarray
-    was_shear: np.ndarray
-    was_area: np.ndarray
-    was_feature: np.ndarray
-    found: np.ndarray
-    patches: np.ndarray
-    stale: np.ndarray
-    stale_block: np.ndarray
-    flag: np.ndarray
-
-
-class Near(NamedTuple):
-    """All of what blocks meet; `before` is room for the pairs of the last search; account (5,) J."""
-
-    pieces: Pieces
-    turned: Turned
-    cells: Cells
-    pairs: Pairs
-    before: Pairs
-    points: Points
-    rules: Rules
-    motion: Motion
-    search: Search
-    scratch: Scratch
-    account: np.ndarray
 
 
 @inner
@@ -132,15 +59,20 @@ def look(near, p):
     skin, least, axis = search.skin[0], min(search.least[a], search.least[b]), pairs.axis[p]
     search.flag[3] += 1
     # FAR: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks.
-    kind, count, separation, blend, size = touch(
-        *(pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], skin, FAR, least),
-        *(axis, pairs.witness[p], near.scratch, search.point, search.gap, search.area, search.feature),
-    )
+    of_tets, kept = pieces.block[a] != a or pieces.block[b] != b, False
+    while True:
+        kind, count, separation, blend, size = touch(
+            *(pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], skin, FAR, least, kept),
+            *(axis, pairs.witness[p], near.scratch, search.point, search.gap, search.area, search.feature),
+        )
+        if kept or of_tets or kind != FACE or count < 3 or not is_sunk(near, p, count):
+            break
+        kept = True
     pairs.mark[p] = motion.travel[a] + motion.travel[b]
     keep_pose(pairs, motion, p)
     if kind == NONE:
         reach = max(separation - 0.5 * skin, 0.25 * skin)
-        if pieces.block[a] != a or pieces.block[b] != b:  # of tets inner faces part nothing: they may meet at once
+        if of_tets or kept:  # inner faces of tets part nothing, nor do sunk ones: they may meet at once
             reach = max(separation - 0.5 * skin, size, SIDEWAYS * skin)
         pairs.limit[p] = pairs.reach[p] = reach
         let_go(near, p)
@@ -218,8 +150,6 @@ def renew(near, p, count, own):
         if k >= count:  # beside the points: whatever was there has been lost already, and is not to count again
             points.damper[s, k] = 0.0
     set_dashpot(pairs, near.rules, search, p, total)
-    if pairs.dashpot[p] > 0.0 and only_sunk(near, p, count, total):
-        pairs.dashpot[p] = 0.0
     if had == 0 and -deepest > BORN_DEEP * min(search.deep[ref], search.deep[other]):
         search.flag[0], search.flag[1] = TOO_DEEP, p
         return False
@@ -233,25 +163,63 @@ def renew(near, p, count, own):
 
 
 @inner
-def only_sunk(near, p, count, total):
-    """Whether a patch (total, m2) is so narrow that there would be none if its blocks did not press on others.
+def is_sunk(near, p, count):
+    """Whether a patch is there only because a block of it presses on another; `witness` then names the right faces.
 
     A block that slides over a seam is sunk into the first slab by what its springs give way. By that much its edge
-    meets the side of the next slab, for a step or some; a dashpot there would be felt as a blow.
+    meets the side of the next slab, where nothing stands out to be hit: the two touch with the faces that lie level.
     """
-    pairs, point, longest = near.pairs, near.search.point, 0.0
+    pairs, point, total, longest = near.pairs, near.search.point, 0.0, 0.0
     for k in range(count):
         apart = minus(vector_at(point, k, 0), vector_at(point, 0, 0))
-        longest = max(longest, sqrt(dot(apart, apart)))
-    a, b, i, j = pairs.body[p, 0], pairs.body[p, 1], pairs.piece[p, 0], pairs.piece[p, 1]
-    if total > SLIVER * min(near.pieces.radius[i], near.pieces.radius[j]) * longest:
+        total, longest = total + near.search.area[k], max(longest, sqrt(dot(apart, apart)))
+    i, j = pairs.piece[p, 0], pairs.piece[p, 1]
+    if total >= NARROW * min(near.pieces.radius[i], near.pieces.radius[j]) * longest:
         return False
+    depth, side, n = bed_of(near, p)
+    turned, position = near.turned, near.search.position
+    one, along = face_along(near, pairs.piece[p, side], n)
+    two, against = face_along(near, pairs.piece[p, 1 - side], (-n[0], -n[1], -n[2]))
+    if depth == 0.0 or min(along, against) < LEVEL_WITH:
+        return False
+    for k in range(count):
+        x, y, z = minus(vector_at(point, k, 0), vector_at(position, pairs.body[p, side], 0))
+        if height(turned.normal, turned.offset, one, x, y, z) < -SUNK * depth:
+            return False
+    pairs.witness[p, 1 + side], pairs.witness[p, 2 - side] = one, two
+    return True
+
+
+@inner
+def bed_of(near, p):
+    """The patch that is deepest of those on the blocks of patch p and across it: its depth (m), whose, 0 or 1, and the
+    normal out of that block. Depth 0 without any."""
+    pairs, axis, deep, side, out = near.pairs, vector_at(near.pairs.axis, p, 0), 0.0, 0, (0.0, 0.0, 0.0)
+    a, b = pairs.body[p, 0], pairs.body[p, 1]
     for q in range(pairs.number[0]):
-        if q != p and (pairs.body[q, 0] in (a, b) or pairs.body[q, 1] in (a, b)):
-            for k in range(near.points.held[pairs.slot[q]] if pairs.slot[q] >= 0 else 0):
-                if total <= -2.0 * gap_of(pairs, near.points, near.motion, q, k) * longest:
-                    return True
-    return False
+        c, d = pairs.body[q, 0], pairs.body[q, 1]
+        if pairs.slot[q] < 0 or q == p or (a not in (c, d) and b not in (c, d)):
+            continue
+        n = vector_at(pairs.axis, q, 0)
+        if abs(dot(n, axis)) > ACROSS:
+            continue
+        for k in range(near.points.held[pairs.slot[q]]):
+            depth = -gap_of(pairs, near.points, near.motion, q, k)
+            if depth > deep:
+                deep, side = depth, 0 if a in (c, d) else 1
+                out = n if pairs.body[p, side] == c else (-n[0], -n[1], -n[2])
+    return deep, side, out
+
+
+@inner
+def face_along(near, piece, n):
+    """The free face of a piece that looks most along n, and the cosine between both."""
+    normal, face_start, found, most = near.turned.normal, near.pieces.face_start, -1, -2.0
+    for f in range(face_start[piece], face_start[piece + 1]):
+        along = dot(vector_at(normal, f, 0), n)
+        if along > most and not near.pieces.inner[f]:
+            found, most = f, along
+    return found, most
 
 
 @inner

@@ -75,6 +75,8 @@ def call_others(near, p):
             search.stale_block[near.pieces.block[block]] = True
             if pairs.slot[p] >= 0 and pairs.witness[p, 0] == FACE:
                 search.stale[pairs.witness[p, 1 + side]] = True
+            elif pairs.face[p, side] >= 0:  # what it leaves goes to others
+                search.stale[pairs.face[p, side]] = True
 
 
 @inner

@@ -12,8 +12,8 @@ import numpy as np
 
 from masonry.kernels import contact, patches
 from masonry.kernels.bonds import Bonds
+from masonry.kernels.patch_arrays import Near
 from masonry.kernels.patches import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
-from masonry.kernels.redetection import Near
 from masonry.kinematics import affine, deforming, deforming_tets, tets, turning
 from masonry.model.layout import KINDS
 from masonry.model.model import Model

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.polyhedra.measures import extent
+from masonry.kernels.patch_arrays import Near
 from masonry.kernels.patches import point_forces
-from masonry.kernels.redetection import Near
 from masonry.model.model import Model
 from masonry.monitors.energy import moved
 

@@ -5,10 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.kernels.patch_arrays import AREA, SHEAR
+from masonry.kernels.patch_arrays import AREA, SHEAR, Near
 from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of, stored
 from masonry.kernels.planes import plane_of
-from masonry.kernels.redetection import Near
 from masonry.kernels.refreshing import refresh
 from masonry.kernels.slack import hold
 from masonry.laws.state import JointProperties

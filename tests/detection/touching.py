@@ -62,7 +62,7 @@ class Bodies:
         axis, witness = np.zeros(3), np.array([-1, -1, -1]) if witness is None else witness.copy()
         point, gap, area, feature = np.zeros((k, 3)), np.zeros(k), np.zeros(k), np.zeros(k, dtype=np.int64)
         kind, count, separation, blend, size = touch(
-            self.pieces, self.turned, self.position, p, q, skin, reach, least, axis, witness, self.scratch,
+            self.pieces, self.turned, self.position, p, q, skin, reach, least, False, axis, witness, self.scratch,
             point, gap, area, feature,
         )  # fmt: skip
         found = point[:count], gap[:count], area[:count], feature[:count]

@@ -17,8 +17,7 @@ from masonry.detection.placing import turned_of
 from masonry.detection.tet_pieces import FACES
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
-from masonry.kernels.patch_arrays import Rules, no_pairs, no_points
-from masonry.kernels.redetection import Near, Search
+from masonry.kernels.patch_arrays import Near, Rules, Search, no_pairs, no_points
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.turning import Turning
 from masonry.model.arrays import Bodies, in_rows
