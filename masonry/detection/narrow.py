@@ -145,7 +145,10 @@ def _ordered(
             low, high = heights(plane, cu, cv)
             ax, ay, az = point_of(plane, cu, cv, low)
             bx, by, bz = point_of(plane, cu, cv, high)
-        beyond, inside = wide + HOLD * abs(wide) + tie, min(0.5 * wide, 0.0)
+        hold = HOLD * abs(wide)
+        if wide < 0.0 and (full <= 0.0 or _deepest(u, v, row, count, plane, wide)[2] > wide + hold):
+            hold = 0.0  # what is deepest lies beside these two faces
+        beyond, inside = wide + hold + tie, min(0.5 * wide, 0.0)
         other, gap_a, parted, edges_too = widest_face(
             normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, beyond, inside
         )

@@ -1,6 +1,6 @@
 """Looking for contacts again: where a pair touches, and what its points remember; refreshing.py says when."""
 
-from math import sqrt
+from math import inf, sqrt
 
 from masonry.detection import placing
 from masonry.detection.axes import height
@@ -177,17 +177,24 @@ def is_sunk(near, p, count):
     if total >= NARROW * min(near.pieces.radius[i], near.pieces.radius[j]) * longest:
         return False
     depth, side, n = bed_of(near, p)
-    turned, position = near.turned, near.search.position
     one, along = face_along(near, pairs.piece[p, side], n)
     two, against = face_along(near, pairs.piece[p, 1 - side], (-n[0], -n[1], -n[2]))
     if depth == 0.0 or min(along, against) < LEVEL_WITH:
         return False
-    for k in range(count):
-        x, y, z = minus(vector_at(point, k, 0), vector_at(position, pairs.body[p, side], 0))
-        if height(turned.normal, turned.offset, one, x, y, z) < -SUNK * depth:
-            return False
+    if min(lowest_on(near, p, side, one, count), lowest_on(near, p, 1 - side, two, count)) < -SUNK * depth:
+        return False
     pairs.witness[p, 1 + side], pairs.witness[p, 2 - side] = one, two
     return True
+
+
+@inner
+def lowest_on(near, p, side, face, count):
+    """Height (m) above a face of one block of patch p, the lowest of its points."""
+    turned, position, least = near.turned, vector_at(near.search.position, near.pairs.body[p, side], 0), inf
+    for k in range(count):
+        x, y, z = minus(vector_at(near.search.point, k, 0), position)
+        least = min(least, height(turned.normal, turned.offset, face, x, y, z))
+    return least
 
 
 @inner
