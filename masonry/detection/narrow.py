@@ -29,6 +29,8 @@ BETWEEN = 0.1
 """Of the size of a patch: what motions are compared with while n lies between two normals."""
 HOLD = 0.1
 """Of the gap or depth: by how much another axis must be better before it takes the place of the present one."""
+MISSED = 0.5
+"""Of the depth: where the overlap of two faces is nowhere deeper than that, their axis is not held."""
 HOLD_FACING = 0.02
 """Cosine by which another face must look more against n."""
 FACING = 0.3
@@ -146,7 +148,7 @@ def _ordered(
             ax, ay, az = point_of(plane, cu, cv, low)
             bx, by, bz = point_of(plane, cu, cv, high)
         hold = HOLD * abs(wide)
-        if wide < 0.0 and (full <= 0.0 or _deepest(u, v, row, count, plane, wide)[2] > wide + hold):
+        if wide < 0.0 and (full <= 0.0 or _deepest(u, v, row, count, plane, wide)[2] > MISSED * wide):
             hold = 0.0  # what is deepest lies beside these two faces
         beyond, inside = wide + hold + tie, min(0.5 * wide, 0.0)
         other, gap_a, parted, edges_too = widest_face(
