@@ -10,7 +10,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints
 from geometry.joints.tributary_areas import tiles
-from geometry.polyhedra.indexing import ranges
+from geometry.polyhedra.indexing import following, ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.history import Frame
 from masonry.pictures.camera import iso_view
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 ALONG = 0.9
 """A face whose normal makes a larger cosine with that of a joint is the joint's own, not one that it comes out on."""
+AT_ONCE = 500_000
+"""Edges of tiles whose faces are looked for together: of all at once a wall of 50,000 bricks would need gigabytes."""
 
 
 @dataclass(frozen=True)
@@ -151,19 +153,18 @@ def faces_beside(
     blocks: Blocks, joints: Joints, start: np.ndarray, tile: np.ndarray, width: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Edges of tiles (n,) and faces of their two blocks (n,) on which they come out, within width (m)."""
-    sides = np.diff(start)
-    contact = np.repeat(np.arange(len(sides)), sides)
-    following = np.arange(1, len(tile) + 1)
-    following[start[1:] - 1] = start[:-1]
+    contact, after = np.repeat(np.arange(len(start) - 1), np.diff(start)), following(start)
+    faces = np.diff(blocks.block_face_start)
     _, normal, middle = face_areas_normals_centroids(blocks)
     found = []
-    for block in (joints.block_a[contact], joints.block_b[contact]):
-        first, count = blocks.block_face_start[block], np.diff(blocks.block_face_start)[block]
-        edge, face = ranges(first, count)
-        other = np.abs(np.einsum("ni,ni->n", normal[face], joints.normal[contact[edge]])) < ALONG
-        edge, face = edge[other], face[other]
-        heights = [np.abs(np.einsum("ni,ni->n", tile[e] - middle[face], normal[face])) for e in (edge, following[edge])]
-        on = np.maximum(*heights) <= width
-        found.append((edge[on], face[on]))
-    edges, faces = zip(*found, strict=True)
-    return np.concatenate(edges), np.concatenate(faces)
+    for some in np.split(np.arange(len(tile)), range(AT_ONCE, len(tile), AT_ONCE)):
+        for block in (joints.block_a[contact[some]], joints.block_b[contact[some]]):
+            k, face = ranges(blocks.block_face_start[block], faces[block])
+            edge = some[k]
+            other = np.abs(np.einsum("ni,ni->n", normal[face], joints.normal[contact[edge]])) < ALONG
+            edge, face = edge[other], face[other]
+            ends = [np.abs(np.einsum("ni,ni->n", tile[e] - middle[face], normal[face])) for e in (edge, after[edge])]
+            on = np.maximum(*ends) <= width
+            found.append((edge[on], face[on]))
+    edges, beside = zip(*found, strict=True)
+    return np.concatenate(edges), np.concatenate(beside)

@@ -49,7 +49,9 @@ class Deformation:
         corner, fraction  (n, 3) tet nodes round the point where its first is not -1, and their shape functions
         """
         arm = point - self._centre[block]
-        displacement = self._shift[block] + np.einsum("nij,nj->ni", self._gradient[block], arm)
+        displacement = self._shift[block]
+        for i in range(3):  # one by one: nine numbers for every point are much
+            displacement[:, i] += np.einsum("nj,nj->n", self._gradient[block, i], arm)
         meshed = node >= 0
         displacement[meshed] = self._nodes[node[meshed]]
         if corner is not None and fraction is not None:
