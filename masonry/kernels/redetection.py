@@ -1,9 +1,8 @@
 """Looking for contacts again: where a pair touches, and what its points remember; refreshing.py says when."""
 
-from math import inf, sqrt
+from math import sqrt
 
 from masonry.detection import placing
-from masonry.detection.axes import height
 from masonry.detection.narrow import FACE, NONE, touch
 from masonry.detection.placing import owner
 from masonry.detection.spread import spread
@@ -21,23 +20,17 @@ from masonry.kernels.patch_arrays import (
     put_vector_of,
     vector_of,
 )
-from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, gap_of, stored
-from masonry.kernels.planes import into, plane_of, turned
+from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, stored
 from masonry.kernels.relative_motion import keep_pose
-from masonry.kinematics.matrices import dot, minus, vector_at
+from masonry.kernels.sunk_edges import is_as_deep_beside, is_sunk, place
+from masonry.kinematics.matrices import vector_at
+from masonry.kinematics.planes import into, plane_of, turned
 from masonry.simd import FOUR
 
 MOVED = 0.01
 """Of the size of a patch: travel of its two blocks after which it is looked at again."""
 SIDEWAYS = 0.01
 """Of the skin: travel of two triangles that lie beside each other after which they are looked at again, at least."""
-NARROW = 0.02
-"""Of the radius of a piece: a narrower patch may be there only because blocks press, and is asked whether it is."""
-SUNK = 2.0
-"""Of the depth of a patch: a narrow one that lies within it along a face is due to that depth. Twice, as a slab that
-bears is pressed down as well, beside others."""
-LEVEL_WITH, ACROSS = 0.995, 0.5
-"""Cosines: of the angle between faces that lie level; of that between two patches of which one may be sunk."""
 BORN_DEEP = 0.1
 """Of the side of a contact of edges, itself a tenth of a block's: the overlap at which a contact may not begin."""
 
@@ -50,9 +43,8 @@ def look(near, p):
     for side in range(2):
         block = pairs.body[p, side]
         placing.update_piece(pieces, pairs.piece[p, side], motion.frame[block], near.turned)
-    for i in range(3):  # from the first block, so that it is the same everywhere in space
-        search.position[a, i] = 0.0
-        search.position[b, i] = (motion.centre[b, i] - motion.centre[a, i]) + (motion.moved[b, i] - motion.moved[a, i])
+    place(near, a, a)
+    place(near, a, b)
     pairs.face[p, 0] = pairs.face[p, 1] = -1
     if pairs.witness[p, 0] == FACE:
         pairs.face[p, 0], pairs.face[p, 1] = pairs.witness[p, 1], pairs.witness[p, 2]
@@ -65,7 +57,7 @@ def look(near, p):
             *(pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], skin, FAR, least, kept),
             *(axis, pairs.witness[p], near.scratch, search.point, search.gap, search.area, search.feature),
         )
-        if kept or of_tets or kind != FACE or count < 3 or not is_sunk(near, p, count):
+        if kept or of_tets or kind == NONE or not is_sunk(near, p, count):
             break
         kept = True
     pairs.mark[p] = motion.travel[a] + motion.travel[b]
@@ -150,7 +142,8 @@ def renew(near, p, count, own):
         if k >= count:  # beside the points: whatever was there has been lost already, and is not to count again
             points.damper[s, k] = 0.0
     set_dashpot(pairs, near.rules, search, p, total)
-    if had == 0 and -deepest > BORN_DEEP * min(search.deep[ref], search.deep[other]):
+    deep = BORN_DEEP * min(search.deep[ref], search.deep[other])
+    if had == 0 and -deepest > deep and not is_as_deep_beside(near, p, -deepest):
         search.flag[0], search.flag[1] = TOO_DEEP, p
         return False
     pairs.slack[p] = min(pairs.slack[p], 0.0)  # what a patch took over from bonds stays
@@ -160,73 +153,6 @@ def renew(near, p, count, own):
     near.account[SHEAR_LOST] += sheared - now_sheared
     near.account[NORMAL_GAINED if had > 0 else BORN] += now_pressed - pressed
     return True
-
-
-@inner
-def is_sunk(near, p, count):
-    """Whether a patch is there only because a block of it presses on another; `witness` then names the right faces.
-
-    A block that slides over a seam is sunk into the first slab by what its springs give way. By that much its edge
-    meets the side of the next slab, where nothing stands out to be hit: the two touch with the faces that lie level.
-    """
-    pairs, point, total, longest = near.pairs, near.search.point, 0.0, 0.0
-    for k in range(count):
-        apart = minus(vector_at(point, k, 0), vector_at(point, 0, 0))
-        total, longest = total + near.search.area[k], max(longest, sqrt(dot(apart, apart)))
-    i, j = pairs.piece[p, 0], pairs.piece[p, 1]
-    if total >= NARROW * min(near.pieces.radius[i], near.pieces.radius[j]) * longest:
-        return False
-    depth, side, n = bed_of(near, p)
-    one, along = face_along(near, pairs.piece[p, side], n)
-    two, against = face_along(near, pairs.piece[p, 1 - side], (-n[0], -n[1], -n[2]))
-    if depth == 0.0 or min(along, against) < LEVEL_WITH:
-        return False
-    if min(lowest_on(near, p, side, one, count), lowest_on(near, p, 1 - side, two, count)) < -SUNK * depth:
-        return False
-    pairs.witness[p, 1 + side], pairs.witness[p, 2 - side] = one, two
-    return True
-
-
-@inner
-def lowest_on(near, p, side, face, count):
-    """Height (m) above a face of one block of patch p, the lowest of its points."""
-    turned, position, least = near.turned, vector_at(near.search.position, near.pairs.body[p, side], 0), inf
-    for k in range(count):
-        x, y, z = minus(vector_at(near.search.point, k, 0), position)
-        least = min(least, height(turned.normal, turned.offset, face, x, y, z))
-    return least
-
-
-@inner
-def bed_of(near, p):
-    """The patch that is deepest of those on the blocks of patch p and across it: its depth (m), whose, 0 or 1, and the
-    normal out of that block. Depth 0 without any."""
-    pairs, axis, deep, side, out = near.pairs, vector_at(near.pairs.axis, p, 0), 0.0, 0, (0.0, 0.0, 0.0)
-    a, b = pairs.body[p, 0], pairs.body[p, 1]
-    for q in range(pairs.number[0]):
-        c, d = pairs.body[q, 0], pairs.body[q, 1]
-        if pairs.slot[q] < 0 or q == p or (a not in (c, d) and b not in (c, d)):
-            continue
-        n = vector_at(pairs.axis, q, 0)
-        if abs(dot(n, axis)) > ACROSS:
-            continue
-        for k in range(near.points.held[pairs.slot[q]]):
-            depth = -gap_of(pairs, near.points, near.motion, q, k)
-            if depth > deep:
-                deep, side = depth, 0 if a in (c, d) else 1
-                out = n if pairs.body[p, side] == c else (-n[0], -n[1], -n[2])
-    return deep, side, out
-
-
-@inner
-def face_along(near, piece, n):
-    """The free face of a piece that looks most along n, and the cosine between both."""
-    normal, face_start, found, most = near.turned.normal, near.pieces.face_start, -1, -2.0
-    for f in range(face_start[piece], face_start[piece + 1]):
-        along = dot(vector_at(normal, f, 0), n)
-        if along > most and not near.pieces.inner[f]:
-            found, most = f, along
-    return found, most
 
 
 @inner

@@ -8,7 +8,7 @@ from math import sqrt
 
 from masonry.jit.compiler import inner
 from masonry.kernels.pair_search import FAR
-from masonry.kernels.planes import into
+from masonry.kinematics.planes import into
 
 LEFT = 0.25
 """Of what a pair may move between two looks: with less of it left the pair is looked at."""

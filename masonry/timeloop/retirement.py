@@ -7,9 +7,9 @@ import numpy as np
 
 from masonry.kernels.patch_arrays import AREA, SHEAR, Near
 from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of, stored
-from masonry.kernels.planes import plane_of
 from masonry.kernels.refreshing import refresh
 from masonry.kernels.slack import hold
+from masonry.kinematics.planes import plane_of
 from masonry.laws.state import JointProperties
 from masonry.model.large.meeting import keys
 from masonry.model.model import Model

@@ -20,11 +20,12 @@ def dry(
     supports: tuple[str, ...] = ('on = "slab"\nfix = "all"',),
     settle: int = 0,
     rows: int = 200,
+    stiff: str = STIFF,
 ) -> Scene:
     """Boxes under a weight along `gravity` (m/s2); the one called slab is held."""
     down = "\n".join(f'{axis} = "{part!r} m/s^2"' for axis, part in zip("xyz", gravity, strict=True))
     contact = (
-        f'normal_stiffness = "{STIFF}"\nshear_stiffness = "5 GPa/m"\ntan_friction_angle = {friction}\n'
+        f'normal_stiffness = "{stiff}"\nshear_stiffness = "5 GPa/m"\ntan_friction_angle = {friction}\n'
         "normal_dashpot = 0.5"
     )
     return load(
