@@ -21,12 +21,13 @@ LEVEL_WITH = 0.995
 def is_as_deep_beside(near, p, depth):
     """Whether another patch on a face of patch p is at least half as deep: what slides over a seam brings its depth."""
     pairs = near.pairs
-    for q in range(pairs.number[0]):
-        faces = pairs.witness[q, 1], pairs.witness[q, 2]
-        if q != p and pairs.slot[q] >= 0 and (pairs.witness[p, 1] in faces or pairs.witness[p, 2] in faces):
+    for q in range(pairs.number[0] if pairs.witness[p, 0] == FACE else 0):
+        if q == p or pairs.slot[q] < 0 or pairs.witness[q, 0] != FACE:
+            continue
+        if pairs.witness[p, 1] in pairs.witness[q, 1:] or pairs.witness[p, 2] in pairs.witness[q, 1:]:
             for k in range(near.points.held[pairs.slot[q]]):
-                if pairs.witness[q, 0] == FACE and -gap_of(pairs, near.points, near.motion, q, k) >= 0.5 * depth:
-                    return pairs.witness[p, 0] == FACE
+                if -gap_of(pairs, near.points, near.motion, q, k) >= 0.5 * depth:
+                    return True
     return False
 
 
