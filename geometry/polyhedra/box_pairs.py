@@ -4,6 +4,9 @@ import numpy as np
 
 from geometry.polyhedra.indexing import ranges
 
+MOST_CELLS = 10_000
+"""Of one box: one that covers more, as the floor under a tower does, is compared with all others instead."""
+
 
 def overlapping_boxes(low: np.ndarray, high: np.ndarray) -> np.ndarray:
     """Pairs (N, 2), first < second, of the boxes low..high (B, D) that overlap or touch; sorted.
@@ -19,6 +22,9 @@ def overlapping_boxes(low: np.ndarray, high: np.ndarray) -> np.ndarray:
     size[size <= 0] = 1.0
     first = np.floor((low - origin) / size).astype(np.int64)
     covered = np.floor((high - origin) / size).astype(np.int64) - first + 1
+    large = covered.astype(float).prod(axis=1) > MOST_CELLS
+    if large.any():
+        return _beside_large(low, high, large)
     box, number = ranges(np.zeros(len(low), dtype=np.int64), covered.prod(axis=1))
     cells = []
     key = np.zeros(len(box), dtype=np.int64)
@@ -40,3 +46,14 @@ def overlapping_boxes(low: np.ndarray, high: np.ndarray) -> np.ndarray:
     i, j = box[one], box[two]
     pair = np.sort(np.minimum(i, j) * len(low) + np.maximum(i, j))
     return np.stack(np.divmod(pair, len(low)), axis=1)
+
+
+def _beside_large(low: np.ndarray, high: np.ndarray, large: np.ndarray) -> np.ndarray:
+    """The same where some boxes (B,) are much larger than the others."""
+    rest = np.flatnonzero(~large)
+    pairs = [rest[overlapping_boxes(low[rest], high[rest])]]
+    for k in np.flatnonzero(large):
+        other = np.flatnonzero(((low <= high[k]) & (low[k] <= high)).all(axis=1) & (~large | (np.arange(len(low)) > k)))
+        pairs.append(np.sort(np.column_stack([np.full(len(other), k), other]), axis=1))
+    every = np.concatenate(pairs)
+    return every[np.lexsort(every.T[::-1])]

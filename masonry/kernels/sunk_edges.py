@@ -64,9 +64,10 @@ def is_sunk(near, p, count):
 
 @inner
 def is_narrow(near, p, count):
-    """Whether a patch is so narrow that is_sunk is asked; of an edge or a corner only where a block has pieces."""
+    """Whether a patch is so narrow that is_sunk is asked, or that its corners are two; one only where a block has
+    pieces."""
     pieces, point, total, longest = near.pieces, near.search.point, 0.0, 0.0
-    if count < 3:
+    if count == 1:
         start, a, b = pieces.piece_start, near.pairs.body[p, 0], near.pairs.body[p, 1]
         return max(start[a + 1] - start[a], start[b + 1] - start[b]) > 1
     for k in range(count):

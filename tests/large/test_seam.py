@@ -63,6 +63,12 @@ def test_no_step_at_which_an_edge_passes_the_seam_gives_a_blow(pressure, speed):
     assert result.history.rows["displacement"][-1] == pytest.approx(0.12, rel=1e-4)
 
 
+def test_an_edge_that_is_hardly_sunk_gives_no_blow_either():
+    """By p / k_n = 1e-9 m: the corners of its narrow overlap are two."""
+    result, limit = over_the_seam(0.0, stiff="1000 GPa/m")
+    assert result.summary["peak_force_n"] == pytest.approx(limit, rel=1e-6)
+
+
 def test_soft_springs_do_not_stop_a_block_at_the_seam():
     """It is sunk by a hundredth of its size as its contact with the next slab begins: nothing was born in it."""
     result, limit = over_the_seam(1e5, stiff="0.1 GPa/m")

@@ -90,3 +90,15 @@ def test_the_sweep_finds_just_the_pairs_that_meet(seed, count, dimensions):
         if np.all(low[i] <= high[j]) and np.all(low[j] <= high[i])
     ]
     assert [tuple(pair) for pair in overlapping_boxes(low, high)] == expected
+
+
+@pytest.mark.parametrize("most", [1e-3, 1.0, 50.0])
+def test_boxes_far_larger_than_the_others_are_found_with_all_that_they_meet(most):
+    """Two floors under and beside many small boxes, which cover millions of cells as large as these."""
+    rng = np.random.default_rng(1)
+    low = rng.random((300, 3))
+    high = low + 0.02 * rng.random((300, 3))
+    low[[7, 250]], high[[7, 250]] = (-most, -most, 0.3), (most, most, 0.4)
+    i, j = np.triu_indices(300, 1)
+    meets = ((low[i] <= high[j]) & (low[j] <= high[i])).all(axis=1)
+    assert np.array_equal(overlapping_boxes(low, high), np.column_stack([i, j])[meets])
