@@ -14,6 +14,8 @@ FLOOR = "floor"
 """The name of the floor: of its group and of its set."""
 MARGIN, THICKNESS = 2.0, 0.25
 """Of the specimen's longest side: how far a floor reaches beyond it on each side, and how thick it is."""
+BELOW = 1e-9
+"""Of that side: by how much blocks may be lower than the floor, as numbers are rounded."""
 
 
 def rotation(axis: Sequence[float], angle: float) -> np.ndarray:
@@ -48,6 +50,11 @@ def on_floor(
     low, high = corners.min(axis=0), corners.max(axis=0)
     longest = float((high - low).max())
     top = float(low[2]) if level is None else level
+    if top > low[2] + BELOW * longest:
+        raise GeometryError(
+            f"floor.level: {top:.6g} m is above the lowest corner of the specimen, at z = {low[2]:.6g} m; no block may "
+            f"reach below the floor: allowed is {low[2]:.6g} m or less, or leave it out"
+        )
     thick = THICKNESS * longest if thickness is None else thickness
     extent = high[:2] - low[:2] + 2.0 * MARGIN * longest if size is None else np.asarray(size, dtype=float)
     require_lengths("floor", {"size along x": extent[0], "size along y": extent[1], "thickness": thick})

@@ -50,7 +50,8 @@ def test_a_floor_lies_where_it_is_asked_for():
 
 
 def test_a_floor_within_the_specimen_or_a_second_one_is_refused():
-    with pytest.raises(GeometryError, match="overlap"):
-        on_floor(BLOCK, 0.1)
+    for level in (0.1, 10.0):
+        with pytest.raises(GeometryError, match=rf"floor.level: {level:g} m is above the lowest corner .* allowed is"):
+            on_floor(BLOCK, level)
     with pytest.raises(GeometryError, match="group or a set 'floor' already"):
         on_floor(on_floor(BLOCK))
