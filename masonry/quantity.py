@@ -91,7 +91,7 @@ def convert(value: Any, kind: str, name: str, allowed: str = "(-inf, inf)") -> f
         raise ValueError(f"{_short(value)} has no unit; {need}")
     if not math.isfinite(si):
         raise ValueError(f"{_short(value)} is not a finite number; {need}")
-    _check(si, value, name, allowed)
+    _check(si, value, name, allowed, KINDS[kind].unit)
     return si
 
 
@@ -183,10 +183,12 @@ def _interval(allowed: str) -> tuple[bool, float, float, bool, str]:
     return left == "(", float(low) * factor, float(high) * factor, right == ")", words
 
 
-def _check(si: float, value: Any, name: str, allowed: str) -> None:
+def _check(si: float, value: Any, name: str, allowed: str, unit: str) -> None:
+    """`unit` is that of an interval which names none, and has bounds other than 0 and inf."""
     above, low, high, below, words = _interval(allowed)
     if si < low or si > high or (above and si == low) or (below and si == high):
-        raise ValueError(f"{_short(value)} is out of range; {name} must be {words}")
+        names = f" {unit}" if unit and allowed[-1] in ")]" and {low, high} - {0.0, math.inf} else ""
+        raise ValueError(f"{_short(value)} is out of range; {name} must be {words}{names}")
 
 
 def is_interval(text: str) -> bool:

@@ -13,6 +13,9 @@ from masonry.timeloop.recording import Outcome
 STILL_FRACTION = 1e-4
 """Of the kinetic energy when the first block has fallen: with less, the fall has not begun."""
 
+RESTS = 1e-6
+"""Of the largest kinetic energy: with less, what ran until rest but for a last swing is not told."""
+
 
 def of_large(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     """Whether the run is one in real time, with the masses as they are; and what fell."""
@@ -45,6 +48,17 @@ def standing_rows(outcome: Outcome) -> dict[str, np.ndarray]:
     """The rows at which no block had fallen, and that at which the first one had."""
     fallen = outcome.found.get("collapse")
     return before_a_collapse(outcome.history.rows, None if fallen is None else fallen[1])
+
+
+def unrest(assembly: Assembly, outcome: Outcome) -> list[str]:
+    """One line where a run that was to end at rest came to the end of its duration before."""
+    kinetic = outcome.history.rows["kinetic"]
+    if assembly.scene.solver.until is None or kinetic[-1] <= RESTS * kinetic.max():
+        return []
+    return [
+        f"when the run ended not all was at rest, as solver.until asks: {kinetic[-1] / kinetic.max():.2g} of the "
+        "largest kinetic energy is left; give a longer solver.duration, or a normal_dashpot to what hits and rocks"
+    ]
 
 
 def _moment(assembly: Assembly, rows: dict[str, np.ndarray], row: int) -> dict[str, Any]:

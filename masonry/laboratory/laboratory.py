@@ -8,7 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
-from masonry.laboratory.collapse import standing_rows
+from masonry.laboratory.collapse import standing_rows, unrest
 from masonry.laboratory.contact_remarks import (
     bent_remarks,
     closed_remarks,
@@ -83,6 +83,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     remarks = [*warnings(assembly), *rocked_remarks(assembly, frames), *bent_remarks(assembly, frames)]
     remarks += [*closed_remarks(assembly, frames), *twist_remarks(assembly, outcome)]
     remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", []), *_blow(assembly, outcome)]
+    remarks += unrest(assembly, outcome)
     return Result(
         summary={**summarise(assembly, outcome), "warnings": remarks},
         history=outcome.history,

@@ -138,7 +138,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "rotation_max_rad": float(observed["rotation"].max()),
         "overlap_max": float(observed["overlap"].max()),
         "mode_2_over_law": outcome.found["mode_2_over_law"],
-        "slip_max": float(observed["slip"].max()),
+        "slip_max": float(observed["slip"].max()) if "slip" in observed else 0.0,
         "met": outcome.found.get("met", ""),
         **({} if model.large is None else of_large(assembly, outcome)),
         **(_collapse_load(assembly, outcome) if isinstance(plan, Growing) else {}),
@@ -248,9 +248,12 @@ def _joined(words: dict[str, str]) -> str:
     return " + ".join(sorted(set(words.values())))
 
 
-def _opened_or_slid(assembly: Assembly) -> int:
-    """Joints between units of which a contact has opened beyond its elastic limit, or slid, at any time."""
-    state = assembly.model.state
+def _opened_or_slid(assembly: Assembly) -> int | None:
+    """Joints between units of which a contact has opened beyond its elastic limit, or slid, at any time; None where
+    some are patches from the start, which do not remember it."""
+    state, large = assembly.model.state, assembly.model.large
+    if large is not None and len(large.bonded) < len(assembly.model.group_names):
+        return None
     if state.opening_max is None:
         return 0
     opened = (state.intact_n < 1.0) & (state.opening_max > MOVED)

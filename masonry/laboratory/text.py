@@ -232,9 +232,9 @@ def accuracy_text(summary: dict[str, Any]) -> str:
     asked = f"{100 * control['accuracy']:g} % asked for"
     damping = damping_words(summary["damping_over_external"])
     if not any((summary.get("energy_j") or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
-        moved = summary.get("joints_opened_or_slid") or 0
-        what = "no contact was damaged" if not moved else f"{moved} joint{'s'[: moved > 1]} opened or slid"
-        return f"{asked}; {what}; {damping}"
+        moved = summary.get("joints_opened_or_slid", 0)
+        what = f"{moved} joint{'s'[: moved > 1]} opened or slid; " if moved else "no contact was damaged; "
+        return f"{asked}; {'' if moved is None else what}{damping}"
     return (
         f"{asked}; after the first damage the drive did {percent(control['mean_lag'])} of its work too early on "
         f"average, {percent(control['largest_lag'])} at most, as it ran ahead of the specimen; {damping}"

@@ -2,11 +2,9 @@
 
 import numpy as np
 
-from geometry.blocks import Blocks
-from geometry.polyhedra.measures import sum_by_block
 from masonry.assembly.assemble import Assembly
 from masonry.history import Frame
-from masonry.monitors.frames import block_of_points
+from masonry.results.deformation import Corners, Deformation
 from masonry.timeloop.recording import Outcome
 
 TURNED = 0.01
@@ -47,20 +45,16 @@ def turns_and_slides(assembly: Assembly, frames: list[Frame]) -> tuple[float, fl
     middle = np.column_stack([np.bincount(face, joints.area * x, count) for x in joints.point.T]) / area[:, None]
     lever = np.bincount(face, joints.area * np.linalg.norm(joints.point - middle[face], axis=1), count) / area
     a, b, n = joints.block_a[first], joints.block_b[first], joints.normal[first]
-    dry = ~large.bonds.alive[first]
-    blocks = assembly.specimen.blocks
-    corner, centre, weight = corner_weights(blocks)
-    number = np.bincount(corner, minlength=blocks.count)[:, None]
+    dry, no_node = ~large.bonds.alive[first], np.full(count, -1)
+    shape = Corners(assembly.specimen.blocks)
     turn, before = np.zeros(count), None
     turned = slid = 0.0
     for frame in frames:
-        moved = sum_by_block(blocks, corner, frame.corners) / number
-        gradient = np.eye(3) + sum_by_block(blocks, corner, np.einsum("pi,pj->pij", frame.corners, weight))
-        place_a, place_b = (
-            centre[one] + moved[one] + np.einsum("fij,fj->fi", gradient[one], middle - centre[one]) for one in (a, b)
-        )
-        back = np.linalg.inv(gradient[a])
-        angle, apart = back @ gradient[b], np.einsum("fij,fj->fi", back, place_b - place_a)
+        field = Deformation(shape, frame)
+        turned_by = np.eye(3) + field.gradient
+        back = np.linalg.inv(turned_by[a])
+        moved_a, moved_b = (field.at(one, middle, no_node) for one in (a, b))
+        angle, apart = back @ turned_by[b], np.einsum("fij,fj->fi", back, moved_b - moved_a)
         thrust = np.where(dry, np.maximum(-np.bincount(face, joints.area * frame.normal_stress, count), 0.0), 0.0)
         if before is not None:
             spin = angle @ np.linalg.inv(before[0])
@@ -75,14 +69,3 @@ def turns_and_slides(assembly: Assembly, frames: list[Frame]) -> tuple[float, fl
             slid += float(np.sum(force * np.linalg.norm(way, axis=1)))
         before = angle, apart, thrust
     return turned, slid, float(np.abs(turn).max(initial=0.0))
-
-
-def corner_weights(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The block of each corner (P,), the middle (B, 3) m of the corners of each block, and weights (P, 3) 1/m: the sum
-    of moved x weight over the corners of a block is the gradient of its displacement that fits best."""
-    block = block_of_points(blocks)
-    number = np.bincount(block, minlength=blocks.count)[:, None]
-    middle = sum_by_block(blocks, block, blocks.points) / number
-    arm = blocks.points - middle[block]
-    second = sum_by_block(blocks, block, np.einsum("pi,pj->pij", arm, arm))
-    return block, middle, np.einsum("pij,pj->pi", np.linalg.inv(second)[block], arm)

@@ -90,6 +90,11 @@ class Model:
         where = ", ".join(f"{x:.4g}" for x in self.joints.point[c])
         return f"contact {c} ({self.group_names[self.group[c]]}) of blocks {a} and {b} at ({where}) m"
 
+    def two_blocks(self, a: int, b: int) -> str:
+        """Two blocks in words, and their groups, of which one may be the floor."""
+        one, two = (self.blocks.groups[self.blocks.group[block]] for block in (a, b))
+        return f"blocks {a} and {b} ({one} and {two})"
+
 
 def sort_by_group(blocks: Blocks, joints: Joints) -> tuple[tuple[str, ...], np.ndarray, Joints]:
     """Names of the contact groups, the (C,) group of each contact, and the joints, sorted by group."""

@@ -60,7 +60,7 @@ class Collapse(Observer):
                 self.energies = {key: value for key, value in view.terms.items() if key != "imbalance"}
         if self.underside > -np.inf:
             self._look_below(model, step)
-        return {"widest": float(view.seen.opening.max(initial=0.0)), "overlap": self._overlap(model, step), "slip": 0.0}
+        return {"widest": float(view.seen.opening.max(initial=0.0)), "overlap": self._overlap(model, step)}
 
     def _overlap(self, model: Model, step: int) -> float:
         """The deepest overlap of two blocks, over the least width of the thinner one. Raises Stopped above a half."""
@@ -68,9 +68,9 @@ class Collapse(Observer):
         near = model.large.near
         overlap, pair = deepest(near, self.width[near.pieces.block])
         if overlap > THROUGH:
-            one, two = near.pieces.block[near.pairs.body[pair]]
+            both = model.two_blocks(*near.pieces.block[near.pairs.body[pair]])
             raise Stopped(
-                f"step {step}: blocks {one} and {two} overlap by {overlap:.2g} of the width of the thinner one; beyond "
+                f"step {step}: {both} overlap by {overlap:.2g} of the width of the thinner one; beyond "
                 "half of it one leaves the other on the far side. The normal stiffness of their contact is too low for "
                 "their speed or load"
             )

@@ -3,6 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
+from geometry.polyhedra.measures import sum_by_block
 from masonry.history import Frame
 
 
@@ -10,7 +11,7 @@ class Corners:
     """What the fits of all frames share: the corners of each block, their mean, and the inverse of their spread."""
 
     def __init__(self, blocks: Blocks) -> None:
-        self.corner = blocks.face_points
+        self.blocks, self.corner = blocks, blocks.face_points
         self.owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
         self.number = np.maximum(np.bincount(self.owner, minlength=blocks.count), 1)[:, None]
         self.centre = self.sum(blocks.points[self.corner]) / self.number
@@ -19,21 +20,22 @@ class Corners:
 
     def sum(self, values: np.ndarray) -> np.ndarray:
         """Sum over the corners (n, ...) of each block: (B, ...)."""
-        columns = values.reshape(len(values), -1).T
-        total = np.stack([np.bincount(self.owner, column, len(self.number)) for column in columns], axis=1)
-        return total.reshape(len(self.number), *values.shape[1:])
+        return sum_by_block(self.blocks, self.owner, values)
 
 
 class Deformation:
     """The displacement field of one frame: per block the affine map that fits its corners (exact for rigid and affine
-    blocks), and the node's own displacement where a point sits on a tet node."""
+    blocks), and the node's own displacement where a point sits on a tet node.
+
+    gradient  (B, 3, 3) of the displacement of each block
+    """
 
     def __init__(self, corners: Corners, frame: Frame) -> None:
         moved = frame.corners[corners.corner]
         self._centre = corners.centre
         self._shift = corners.sum(moved) / corners.number
         spread = moved - self._shift[corners.owner]
-        self._gradient = corners.sum(spread[:, :, None] * corners.arm[:, None, :]) @ corners.inverse
+        self.gradient = corners.sum(spread[:, :, None] * corners.arm[:, None, :]) @ corners.inverse
         self._nodes = frame.nodes
 
     def at(
@@ -51,7 +53,7 @@ class Deformation:
         arm = point - self._centre[block]
         displacement = self._shift[block]
         for i in range(3):  # one by one: nine numbers for every point are much
-            displacement[:, i] += np.einsum("nj,nj->n", self._gradient[block, i], arm)
+            displacement[:, i] += np.einsum("nj,nj->n", self.gradient[block, i], arm)
         meshed = node >= 0
         displacement[meshed] = self._nodes[node[meshed]]
         if corner is not None and fraction is not None:

@@ -65,9 +65,10 @@ def titles() -> dict[str, str]:
     return {name: str(toml_of(text, name).get("title", "")) for name, text in texts.items()}
 
 
-def read(scene: str | Path, depth: int = 0, typed: str | None = None) -> Source:
+def read(scene: str | Path, above: tuple[str, ...] = (), typed: str | None = None) -> Source:
     """The raw scene of a path or of a packaged name, on top of its `base` if it names one. Raises SceneError.
 
+    above  the scenes of which this one is the base, the base of the base and so on
     typed  what a message may suggest to add to, where that is not the path itself
     """
     known = packaged()
@@ -79,7 +80,7 @@ def read(scene: str | Path, depth: int = 0, typed: str | None = None) -> Source:
     _anchor(source.raw, file)
     base = source.raw.pop("base", None)
     if base is not None:
-        source.base = _below(source, base, file, depth)
+        source.base = _below(source, base, file, (*above, name))
         source.raw = overlay({key: value for key, value in source.base.raw.items() if key != "name"}, source.raw)
     return source
 
@@ -92,16 +93,18 @@ def _anchor(raw: dict[str, Any], file: Traversable) -> None:
         specimen["path"] = str(file.absolute().parent / path)
 
 
-def _below(source: Source, base: Any, file: Traversable, depth: int) -> Source:
+def _below(source: Source, base: Any, file: Traversable, above: tuple[str, ...]) -> Source:
     """The scene that `base` names: a packaged one, or a file beside this one."""
     where = f"{source.place(('base',))}: base"
     if not isinstance(base, str) or not base:
         raise SceneError(f"{where}: must be the name of a packaged scene or a file, not {base!r:.60}")
-    if depth >= DEEPEST:
+    if len(above) > DEEPEST:
         raise SceneError(f"{where}: more than {DEEPEST} scenes are based on each other; is one its own base?")
-    beside = file.parent if isinstance(file, Path) else Path()
+    below = base if base in packaged() else (file.parent if isinstance(file, Path) else Path()) / base
+    if str(below) in above:
+        raise SceneError(f"{where}: {below} is this scene, or is based on it")
     try:
-        return read(base if base in packaged() else beside / base, depth + 1, base)
+        return read(below, above, base)
     except SceneError as error:
         raise error.within(where) from None
 
@@ -133,4 +136,4 @@ def _nearest(file: Traversable, name: str, known: dict[str, Traversable], typed:
     if isinstance(file, Path) and file.name and file.with_name(f"{file.name}.toml").is_file():
         return f"{typed}.toml"
     stem = re.split(r"[/\\]", name[-200:])[-1].removesuffix(".toml")
-    return closest(stem, known)
+    return closest(stem, known, 0.5)

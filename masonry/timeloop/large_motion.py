@@ -34,9 +34,9 @@ def make_room(model: Model) -> None:
     assert model.large is not None
     near, why, pair = model.large.near, *model.large.near.search.flag[:2]
     if why == TOO_DEEP:
-        a, b = near.pieces.block[near.pairs.body[pair]]
+        both = model.two_blocks(*near.pieces.block[near.pairs.body[pair]])
         raise Stopped(
-            f"blocks {a} and {b} overlap at once by more than a hundredth of a block: they overlapped from the start, "
+            f"{both} overlap at once by more than a hundredth of a block: they overlapped from the start, "
             'turned about contact points inside of their joint (contact_points = "gauss"), or are too fast for the '
             "time step"
         )

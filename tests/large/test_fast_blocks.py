@@ -43,7 +43,7 @@ def test_a_contact_that_begins_with_a_deep_overlap_ends_the_run_with_both_blocks
     built = assemble(shot(1.0))
     built.model.bodies.rigid.q[1, 2] = -0.053
     outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
-    assert outcome.stopped.startswith("blocks 0 and 1 overlap at once by more than a hundredth")
+    assert outcome.stopped.startswith("blocks 0 and 1 (units and units) overlap at once by more than a hundredth")
     assert outcome.steps < 10
 
 
@@ -55,7 +55,7 @@ def test_what_would_leave_a_block_on_its_far_side_ends_the_run_with_both_blocks_
     assert built.model.large is not None
     built.model.large.near.rules.normal_stiffness[:] *= 1e-4
     outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
-    assert "blocks 0 and 1 overlap by 0.5" in outcome.stopped and "far side" in outcome.stopped
+    assert "blocks 0 and 1 (units and units) overlap by 0.5" in outcome.stopped and "far side" in outcome.stopped
     assert all(np.isfinite(rows).all() for rows in outcome.history.rows.values())
 
 

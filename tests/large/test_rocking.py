@@ -9,12 +9,20 @@ import pytest
 from masonry import scene
 from masonry.laboratory import laboratory
 from masonry.monitors.energy import open_in_contacts
+from masonry.results.trust import trust
 
 HALF, HIGH, G = 0.125, 0.5, 9.81
 MASS = 2000.0 * 0.25 * 0.5 * 1.0
 IMPACTS = (0.34917, 0.91745, 1.39964)
 BETWEEN = (0.2, 0.6, 1.15, 1.55)
 """s: once before each impact and after the last, when the block is in the middle of a swing."""
+
+FLAT = {
+    "specimen.turned": None,
+    "specimen.box": [{"name": "block", "origin": ["0 m", "0 m", "0 m"], "size": ["1 m", "0.5 m", "0.1 m"]}],
+}
+FLAT |= {"solver.until": "rest", "solver.damping": 0.5}
+"""The block as a slab that lies on the floor: its weight lets it swing, and damping brings it to rest."""
 
 
 @cache
@@ -38,6 +46,15 @@ def test_it_hits_the_floor_at_the_times_of_housner():
     swings = np.interp(BETWEEN, time, energy)
     halfway = 0.5 * (swings[1:] + swings[:-1])
     assert [time[energy > limit][-1] for limit in halfway] == pytest.approx(IMPACTS, rel=0.01)
+
+
+def test_a_run_that_was_to_end_at_rest_and_did_not_says_so():
+    still_rocks = {"solver.duration": "1 s", "solver.until": "rest"}
+    told = laboratory.run(scene.load("block-rocking", still_rocks)).summary
+    assert "not all was at rest, as solver.until asks" in trust(told) and "longer solver.duration" in trust(told)
+    lying = laboratory.run(scene.load("block-rocking", {**FLAT, "solver.duration": "2 s"})).summary
+    assert lying["steps"] * lying["time_step_s"] < 1.9 and "at rest, as" not in trust(lying)
+    assert lying["joints_opened_or_slid"] is None, "patches do not remember that they slid, which is not 0"
 
 
 def test_each_impact_keeps_the_share_of_the_spin_that_two_corner_points_give():

@@ -58,6 +58,15 @@ def test_beyond_a_fifth_of_the_limit_the_slip_is_a_doubt():
     assert "slid" not in trust(slid("11 mm", **{"solver.slip_limit": 0.5}))
 
 
+@pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
+def test_bonds_of_large_displacement_keep_place_and_area_as_well(kinematics):
+    stays = {"displacements": "large", "kinematics": kinematics, "contact.unit_unit.residual_cohesion": "0.05 MPa"}
+    summary = slid("11 mm", **stays)
+    assert summary["slip_max"] == pytest.approx(11 / 200, rel=1e-4)
+    assert "contacts slid by up to 0.055 of their joints" in trust(summary)
+    assert slid("11 mm", displacements="large")["slip_max"] < 0.05, "patches, which took over, move with the blocks"
+
+
 def test_a_roller_may_slide_as_far_as_it_likes():
     smooth = {"tensile_strength": "0 Pa", "cohesion": "0 Pa", "tan_friction_angle": 0, "residual_cohesion": "0 Pa"}
     smooth |= {"tan_residual_friction_angle": 0, "fracture_energy_mode_2_slope": "0 N/m/MPa"}

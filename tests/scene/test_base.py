@@ -147,7 +147,7 @@ def test_a_file_that_lacks_only_its_ending_is_the_nearest(tmp_path, monkeypatch)
             "here/own.toml, line 1: base: no scene 'here/cuplet': no such file; did you mean 'couplet'",
         ),
         ("base = 5", "here/own.toml, line 1: base: must be the name of a packaged scene or a file, not 5"),
-        ('base = "own.toml"', "is one its own base?"),
+        ('base = "own.toml"', "own.toml is this scene, or is based on it"),
         (
             'base = "couplet"\n[drive]\nstpes = 5',
             "here/own.toml, line 3: drive.stpes: unknown key; did you mean 'steps'",
