@@ -7,14 +7,12 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.history import TILT
 from masonry.loading.cycles import before_a_collapse
+from masonry.loading.scheduled import STILL
 from masonry.model.loads import Program
 from masonry.timeloop.recording import Outcome
 
 STILL_FRACTION = 1e-4
 """Of the kinetic energy when the first block has fallen: with less, the fall has not begun."""
-
-RESTS = 1e-6
-"""Of the largest kinetic energy: with less, what ran until rest but for a last swing is not told."""
 
 
 def of_large(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
@@ -53,7 +51,7 @@ def standing_rows(outcome: Outcome) -> dict[str, np.ndarray]:
 def unrest(assembly: Assembly, outcome: Outcome) -> list[str]:
     """One line where a run that was to end at rest came to the end of its duration before."""
     kinetic = outcome.history.rows["kinetic"]
-    if assembly.scene.solver.until is None or kinetic[-1] <= RESTS * kinetic.max():
+    if assembly.scene.solver.until is None or kinetic[-1] <= STILL * kinetic.max():
         return []
     return [
         f"when the run ended not all was at rest, as solver.until asks: {kinetic[-1] / kinetic.max():.2g} of the "

@@ -66,7 +66,7 @@ def rocked_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
 
 def bent_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
     """One line where nearly all joints that tore did so from one side, pressed on the other, in one of these frames,
-    and their points lie in few rows across: each row tears at once."""
+    and their points lie in few rows across: each row tears at once. One that opens alike everywhere has one row."""
     joints, model = assembly.joints, assembly.model
     glued = ~np.array([_is_dry(assembly, g) for g in range(len(model.group_names))], dtype=bool)[model.group]
     torn, bent, least = np.zeros(len(glued), dtype=bool), np.zeros(len(glued), dtype=bool), FEW_ROWS
@@ -75,7 +75,7 @@ def bent_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
         if not tears.any():
             continue
         rows = _rows(joints, frame.opening)
-        coarse = _in_joints_of(joints.patch, tears, pressed) & (rows < FEW_ROWS)
+        coarse = _in_joints_of(joints.patch, tears, pressed) & (rows > 1) & (rows < FEW_ROWS)
         torn, bent, least = torn | tears, bent | coarse, min(least, int(rows[coarse].min(initial=FEW_ROWS)))
     if not bent.any() or joints.area[bent & torn].sum() < NEARLY_ALL * joints.area[torn].sum():
         return []

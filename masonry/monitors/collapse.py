@@ -11,6 +11,7 @@ from masonry.kernels.patches import deepest
 from masonry.model.model import Model
 from masonry.monitors.energy import present
 from masonry.monitors.observer import Observer, View
+from masonry.monitors.openings import thinner
 
 DROPPED = 0.5
 """Of its least width: how far a block has gone down, along its weight, when it counts as fallen."""
@@ -34,6 +35,7 @@ class Collapse(Observer):
         self.energies: dict[str, float] = {}
         low, high = bounds(model.blocks)
         self.width = (high - low).min(axis=1)
+        self.extent = thinner(model)
         floor = np.array([group == FLOOR for group in model.blocks.groups])[model.blocks.group]
         self.underside = low[floor, 2].min(initial=np.inf) if floor.any() else -np.inf
         self.free = np.zeros(model.blocks.count, dtype=bool)
@@ -42,6 +44,7 @@ class Collapse(Observer):
             self.free[model.layout.members[kind]] = free if kind != "tets" else self._of_nodes(model, free) > 0.0
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
+        assert model.large is not None
         if self.block < 0:
             drop, carried = np.zeros(len(self.width)), 0.0
             for kind, body in present(model):
@@ -60,7 +63,10 @@ class Collapse(Observer):
                 self.energies = {key: value for key, value in view.terms.items() if key != "imbalance"}
         if self.underside > -np.inf:
             self._look_below(model, step)
-        return {"widest": float(view.seen.opening.max(initial=0.0)), "overlap": self._overlap(model, step)}
+        opening = view.seen.opening
+        closed = np.where(model.large.bonds.alive, -opening / self.extent, 0.0).max(initial=0.0)
+        overlap = max(self._overlap(model, step), float(closed))
+        return {"widest": float(opening.max(initial=0.0)), "overlap": overlap}
 
     def _overlap(self, model: Model, step: int) -> float:
         """The deepest overlap of two blocks, over the least width of the thinner one. Raises Stopped above a half."""

@@ -12,10 +12,7 @@ class Openings(Observer):
     along its normal."""
 
     def __init__(self, model: Model) -> None:
-        low, high = measures.bounds(model.blocks)
-        joints, along = model.joints, np.abs(model.joints.normal)
-        extents = [((high - low)[b] * along).sum(axis=1) for b in (joints.block_a, joints.block_b)]
-        self.extent = np.minimum(*extents)
+        self.extent = thinner(model)
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         opening = view.seen.opening
@@ -23,3 +20,10 @@ class Openings(Observer):
             "widest": float(opening.max(initial=0.0)),
             "overlap": float((-opening / self.extent).max(initial=0.0)),
         }
+
+
+def thinner(model: Model) -> np.ndarray:
+    """(C,) m, the extent of the thinner of the two blocks of each contact, along its normal."""
+    low, high = measures.bounds(model.blocks)
+    joints, along = model.joints, np.abs(model.joints.normal)
+    return np.minimum(*(((high - low)[b] * along).sum(axis=1) for b in (joints.block_a, joints.block_b)))

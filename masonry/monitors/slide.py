@@ -1,5 +1,6 @@
 """How far contacts slide over their faces: they keep their place and area, which is an error as large as that share."""
 
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -20,17 +21,18 @@ class Slide(Observer):
 
     The joint of two units is all of their faces that look the same way, however many blocks they are cut into; within a
     unit, where a joint is cut at random, it is the smaller of the two blocks. Extents are those of a rectangle round
-    the joint. Rollers, contacts that never carry any shear, may slide as far as they like.
+    the joint. Rollers, contacts that never carry any shear, may slide as far as they like, but where blocks may turn
+    and fall: there they would hold what has slid off.
     """
 
     REMEMBERED = ("largest",)
 
-    def __init__(self, model: Model, limit: float) -> None:
+    def __init__(self, model: Model, limit: float = inf) -> None:
         self.limit = limit
         self.largest = 0.0
         self.axes, self.extent = joint_extents(model.blocks, model.joints)
         self.least = self.extent.min(axis=1, initial=np.inf)
-        sticks = [not is_roller(joint) for joint in model.groups.properties]
+        sticks = [model.large is not None or not is_roller(joint) for joint in model.groups.properties]
         self.sticking = np.where(np.array(sticks, dtype=bool)[model.group], self.least, np.nan)  # nan: never further
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:

@@ -71,7 +71,10 @@ def trust(summary: dict[str, Any]) -> str:
             "the law where it is your own"
         )
     if (slip := summary.get("slip_max") or 0.0) > SLID * (summary.get("slip_limit") or math.inf):
-        doubts.append(f"contacts slid by up to {slip:.2g} of their joints, but keep the areas that they had at first")
+        bonds = "; blocks held by such bonds do not meet elsewhere" if "in_real_time" in summary else ""
+        doubts.append(
+            f"contacts slid by up to {slip:.2g} of their joints, but keep the areas that they had at first{bonds}"
+        )
     if summary.get("met"):
         doubts.append(f"{summary['met']}: nothing holds them apart")
     doubts += summary.get("warnings") or []

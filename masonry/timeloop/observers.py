@@ -1,7 +1,5 @@
 """What observes a run at its rows, by the names under which a checkpoint keeps it."""
 
-import math
-
 from masonry.model.large.stable_step import STRETCH
 from masonry.model.model import Model
 from masonry.monitors.collapse import Collapse, Deformation
@@ -28,7 +26,7 @@ def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
 def large_looks(model: Model) -> dict[str, Observer]:
     """What is looked at where blocks turn, fall and deform as far as they like; bonds alone keep place and area."""
     assert model.large is not None
-    slide = {"slide": Slide(model, math.inf)} if model.large.bonded else {}
+    slide = {"slide": Slide(model)} if model.large.bonded else {}
     deforms = {} if model.large.members is None else {"deformation": Deformation(STRETCH)}
     return {**slide, "collapse": Collapse(model), **deforms}
 

@@ -72,6 +72,18 @@ def test_a_roller_may_slide_as_far_as_it_likes():
     smooth |= {"tan_residual_friction_angle": 0, "fracture_energy_mode_2_slope": "0 N/m/MPa"}
     roller = {f"contact.unit_unit.{key}": value for key, value in smooth.items()} | {"law": "brittle"}
     assert slid("100 mm", **roller)["slip_max"] == 0.0
+    summary = slid("100 mm", **roller, displacements="large")
+    assert summary["slip_max"] == pytest.approx(0.5, rel=1e-4), "there what is held should have fallen"
+    assert "do not meet elsewhere" in trust(summary)
+
+
+@pytest.mark.parametrize("displacements", ["small", "large"])
+def test_bonds_that_close_by_a_part_of_a_block_are_a_doubt(displacements):
+    soft = {f"contact.unit_unit.{key}": "1 GPa/m" for key in ("normal_stiffness", "shear_stiffness")}
+    pressed = {"displacements": displacements, "law": "elastic", "drive.direction": "-z", "confinement": "0 MPa"}
+    summary = slid("10 mm", **soft, **pressed)
+    assert summary["overlap_max"] == pytest.approx(10 / 50, rel=1e-3)  # a unit is 50 mm high
+    assert "normal stiffness is too low" in trust(summary)
 
 
 def test_what_is_apart_touches_nothing_and_does_not_count():

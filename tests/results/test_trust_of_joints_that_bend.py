@@ -38,3 +38,10 @@ def test_few_rows_of_points_change_the_answer_and_a_run_with_them_says_so():
 def test_joints_that_are_pulled_as_a_whole_or_cells_that_crack_need_no_such_word(scene):
     changes = {} if scene == "couplet" else {"specimen.divisions": [4, 2], "drive.accuracy": 0.02}
     assert "rows of contact points" not in trust(laboratory.run(load(scene, changes)).summary)
+
+
+def test_a_joint_that_is_pulled_open_evenly_and_shut_again_has_not_bent():
+    pulled = {"drive.direction": "z", "drive.displacement": None, "drive.history": ["0.5 mm", "-0.01 mm"]}
+    summary = laboratory.run(load("couplet", {**pulled, "confinement": "0 MPa", "drive.accuracy": "5 %"})).summary
+    assert summary["broken_area_m2"]["unit_unit"] > 0.0 > summary["lowest_stress_pa"]
+    assert "rows of contact points" not in trust(summary)
