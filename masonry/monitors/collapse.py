@@ -35,7 +35,7 @@ class Collapse(Observer):
         self.energies: dict[str, float] = {}
         low, high = bounds(model.blocks)
         self.width = (high - low).min(axis=1)
-        self.extent = thinner(model)
+        self.extent = thinner(model) if model.large is not None and model.large.bonded else np.zeros(0)
         floor = np.array([group == FLOOR for group in model.blocks.groups])[model.blocks.group]
         self.underside = low[floor, 2].min(initial=np.inf) if floor.any() else -np.inf
         self.free = np.zeros(model.blocks.count, dtype=bool)
@@ -63,9 +63,10 @@ class Collapse(Observer):
                 self.energies = {key: value for key, value in view.terms.items() if key != "imbalance"}
         if self.underside > -np.inf:
             self._look_below(model, step)
-        opening = view.seen.opening
-        closed = np.where(model.large.bonds.alive, -opening / self.extent, 0.0).max(initial=0.0)
-        overlap = max(self._overlap(model, step), float(closed))
+        opening, overlap = view.seen.opening, self._overlap(model, step)
+        if model.large.bonded:
+            closed = np.where(model.large.bonds.alive, -opening / self.extent, 0.0)
+            overlap = max(overlap, float(closed.max(initial=0.0)))
         return {"widest": float(opening.max(initial=0.0)), "overlap": overlap}
 
     def _overlap(self, model: Model, step: int) -> float:
