@@ -54,14 +54,17 @@ def pairs_of(scene: Scene, blocks: Blocks, compressions: list[float]) -> Pairs:
 
 
 def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
-    """What blocks do where they meet without a bond: stiffnesses, the friction that stays, and the dashpot."""
+    """What blocks do where they meet without a bond: stiffnesses, dashpot, and the friction and cohesion that stay."""
     numbers = []
     for name in pairs.names:
         joint = pairs.laws[name][1]
         friction = joint.tan_friction if joint.tan_residual_friction is None else joint.tan_residual_friction
         dashpot = pairs.properties[name].get("normal_dashpot") or 0.0
-        numbers.append((joint.normal_stiffness, joint.shear_stiffness, friction or 0.0, dashpot))
-    rules = Rules(*np.array(numbers, dtype=float).reshape(-1, len(Rules._fields)).T.copy())
+        cohesion = joint.residual_cohesion or 0.0
+        shear = joint.shear_stiffness or joint.normal_stiffness  # of a roller, which friction 0 makes of it as well
+        numbers.append((joint.normal_stiffness, shear, friction or 0.0, dashpot, cohesion))
+    kn, ks, tan, damping, left = np.array(numbers, dtype=float).reshape(-1, len(Rules._fields)).T.copy()
+    rules = Rules(kn, ks, tan, damping, left if left.any() else None)
     skin = scene.solver.skin
     return Meetings(rules, pairs.number, SKIN if skin is None else skin, scene.specimen.patch_points == "spread")
 

@@ -7,8 +7,8 @@ its own line from the point, and the shear force at the point: no couple is left
 """
 
 from masonry.jit.compiler import inner, jit
-from masonry.kernels.patch_arrays import LEVEL
-from masonry.kernels.patches import DASHPOT, FRICTION, ease, four_of, joint_of, places, respond
+from masonry.kernels.patch_arrays import LEVEL, joint_of
+from masonry.kernels.patches import DASHPOT, FRICTION, ease, four_of, places, respond
 from masonry.kinematics.planes import into, plane_of, turned
 from masonry.simd import FOUR, below, filled, four, total
 

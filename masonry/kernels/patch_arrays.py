@@ -8,7 +8,7 @@ from masonry.detection.broad import Cells
 from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
-from masonry.jit.compiler import inner
+from masonry.jit.compiler import inlined, inner
 from masonry.simd import FOUR
 
 PLACE, LEVEL, AREA, SHEAR = 0, 3, 4, 5
@@ -77,12 +77,14 @@ class Points(NamedTuple):
 
 
 class Rules(NamedTuple):
-    """What two groups of blocks do where they meet, (R,) each: Pa/m, Pa/m, tangent, share of critical damping."""
+    """What two groups of blocks do where they meet, (R,) each: Pa/m, Pa/m, tangent, share of critical damping, and the
+    residual cohesion (Pa) of faces that touch; None where no table has any."""
 
     normal_stiffness: np.ndarray
     shear_stiffness: np.ndarray
     tan_friction: np.ndarray
     dashpot: np.ndarray
+    cohesion: np.ndarray | None = None
 
 
 class Motion(NamedTuple):
@@ -204,6 +206,22 @@ def put_vector_of(points, s, k, row, vector):
     """Write three numbers of point k of slot s, from a row on."""
     for i in range(3):
         put_number_of(points, s, k, row + i, vector[i])
+
+
+@inlined
+def joint_of(rules, law):
+    """Normal and shear stiffness (Pa/m), tangent of friction, and cohesion (Pa) or None, of a row of rules."""
+    row = np.uint64(law)
+    kn, ks, tan = rules.normal_stiffness[row], rules.shear_stiffness[row], rules.tan_friction[row]
+    return kn, ks, tan, row_of(rules.cohesion, row)
+
+
+@inlined
+def row_of(numbers, row):
+    """A number of an array, or None where there is no array."""
+    if numbers is None:
+        return None
+    return numbers[row]
 
 
 @inner

@@ -12,7 +12,7 @@ import numpy as np
 
 from masonry.jit.compiler import inlined, inner, jit
 from masonry.kernels.pair_search import FAR
-from masonry.kernels.patch_arrays import AREA, LEVEL, PLACE, SHEAR, number_of, outward, vector_of
+from masonry.kernels.patch_arrays import AREA, LEVEL, PLACE, SHEAR, joint_of, number_of, outward, vector_of
 from masonry.kinematics.planes import plane_of, turned
 from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take, total, where
 
@@ -86,13 +86,6 @@ def press(near, dt):
 
 
 @inlined
-def joint_of(rules, law):
-    """Normal and shear stiffness (Pa/m) and tangent of friction of a row of rules."""
-    row = np.uint64(law)
-    return rules.normal_stiffness[row], rules.shear_stiffness[row], rules.tan_friction[row]
-
-
-@inlined
 def four_of(points, s, k, row):
     """A number of four points of a slot, from point k on."""
     return take(points.quads, (s, k // FOUR, row, 0), four())
@@ -113,7 +106,7 @@ def respond(points, joint, dashpot, s, k, there, gap, d, along, closing, n, rota
     d, along  m/s, of the other block against the reference, and its part along the normal n
     closing   m/s, rate of the gap (m)     rotation  rad, of the two blocks in this step
     """
-    (kn, ks, tan), size = joint, four_of(points, s, k, AREA)
+    (kn, ks, tan, cohesion), size = joint, four_of(points, s, k, AREA)
     touches = (gap < 0.0) & there
     sigma = where(touches, kn * gap, 0.0)
     lost = filled(0.0, gap)
@@ -127,12 +120,20 @@ def respond(points, joint, dashpot, s, k, there, gap, d, along, closing, n, rota
     if not any_lane(touches | (before > 0.0)):
         return (sigma, sigma, sigma), sigma, sigma, lost
     held, out = turned_with(held, before, rotation, n)
-    t, taken = slide(held, out, d, along, n, dt, ks, -tan * sigma)
+    t, taken = slide(held, out, d, along, n, dt, ks, strength(cohesion, tan, sigma, touches))
     x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
     put(points.quads, (s, k // FOUR, SHEAR, 0), x)
     put(points.quads, (s, k // FOUR, SHEAR + 1, 0), y)
     put(points.quads, (s, k // FOUR, SHEAR + 2, 0), z)
     return (size * x, size * y, size * z), size * sigma, size * taken, lost
+
+
+@inlined
+def strength(cohesion, tan, sigma, touches):
+    """The most shear (Pa) that points bear; those that part lose all of theirs to friction."""
+    if cohesion is None:
+        return -tan * sigma
+    return where(touches, cohesion - tan * sigma, 0.0)
 
 
 @inlined

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from geometry.joints.extents import joint_extents
 from masonry.kernels.patch_arrays import AREA, SHEAR, Near
 from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of, stored
 from masonry.kernels.refreshing import refresh
@@ -21,6 +22,11 @@ STRENGTH_LEFT = 1e-3
 """Share of its strength that a broken bond has left, at most: at seven softening lengths of the exponential law."""
 
 
+HINGE = 0.1
+"""rad: two blocks that turned by more against each other about a cracked joint, of which nothing is in tension, meet
+like others: what is left of the joint would not let them touch elsewhere."""
+
+
 class Carried(NamedTuple):
     """What the bonds of two blocks carry: force (3,) N on the first one; J that they hold by pressure and by shear."""
 
@@ -32,17 +38,17 @@ class Carried(NamedTuple):
 def retire(model: Model) -> None:
     """Let the bonds between two blocks go once all of them are broken; patches take over what they carry.
 
-    A joint with residual cohesion keeps its bonds, since patches have none. What the bonds dissipated is final. What
-    their springs hold is booked as lost, and what the new points hold as gained: no less, but where the shear of
-    bonds that stick was spread otherwise than their pressure.
+    What the bonds dissipated is final. What their springs hold is booked as lost, and what the new points hold as
+    gained: no less, but where the shear of bonds that stick was spread otherwise than their pressure.
     """
     assert model.large is not None
     bonds, search, account = model.large.bonds, model.large.near.search, model.large.near.account
-    broken = _broken(model, bonds.alive)
+    broken = bonds.alive & (_broken(model) | _slid_past(model, bonds.alive))
     if not broken.any():
         return
     joints, count = model.joints, len(model.large.near.pieces.body)
     key = joints.block_a * count + joints.block_b
+    broken |= bonds.alive & _hinges(model) & np.isin(key, key[broken])
     going = np.flatnonzero(broken & ~np.isin(key, key[bonds.alive & ~broken]))
     if len(going) == 0:
         return
@@ -62,19 +68,39 @@ def retire(model: Model) -> None:
         _hand_over(model.large.near, pairs, left[found])
 
 
-def _broken(model: Model, alive: np.ndarray) -> np.ndarray:
-    """(C,) which of the bonds that hold have no strength left, and no dilation to come."""
+def _broken(model: Model) -> np.ndarray:
+    """(C,) which bonds have no strength left beyond that of patches, or never had any, and no dilation to come."""
     found = np.zeros(len(model.group), dtype=bool)
     for g, joint in enumerate(model.groups.properties):
-        if joint.tensile_strength is None or np.any(joint.residual_cohesion or 0.0):
+        if joint.tensile_strength is None:
             continue
         own = slice(model.groups.bounds[g], model.groups.bounds[g + 1])
         tension, shear = model.state.intact_n[own], model.state.intact_s[own]
-        left = tension * shear if joint.combined is not None else np.maximum(tension, shear)
-        found[own] = left < STRENGTH_LEFT
+        pulled, sheared = joint.tensile_strength > 0.0, _softens_in_shear(joint)
+        both = tension * shear if joint.combined is not None else np.maximum(tension * pulled, shear * sheared)
+        found[own] = (both < STRENGTH_LEFT) | ~(pulled | sheared)
         if joint.tan_dilation is not None:
             found[own] &= _has_risen(model, own, joint)
-    return found & alive
+    return found
+
+
+def _softens_in_shear(joint: JointProperties) -> np.ndarray:
+    """Whether contacts that slid bear less shear than those that did not."""
+    cohesion, friction = joint.residual_cohesion, joint.tan_residual_friction
+    assert joint.cohesion is not None and joint.tan_friction is not None
+    assert cohesion is not None and friction is not None
+    return np.asarray((joint.cohesion > cohesion) | (joint.tan_friction > friction))
+
+
+def _slid_past(model: Model, alive: np.ndarray) -> np.ndarray:
+    """(C,) which bonds slid so far that nothing of one side of their joint faces the other any more."""
+    assert model.large is not None
+    u, normal = model.contacts.u[1:], model.contacts.normal
+    slip = np.linalg.norm(u - np.einsum("ci,ci->c", u, normal)[:, None] * normal, axis=1)
+    if not np.any(slip[alive] > model.large.near.search.skin[0]):
+        return np.zeros(len(u), dtype=bool)
+    axes, extent = joint_extents(model.blocks, model.joints)
+    return np.asarray(np.any(np.abs(np.einsum("ckj,cj->ck", axes, u)) > extent, axis=1))
 
 
 def _has_risen(model: Model, own: slice, joint: JointProperties) -> np.ndarray:
@@ -86,6 +112,16 @@ def _has_risen(model: Model, own: slice, joint: JointProperties) -> np.ndarray:
     end = np.minimum(joint.dilation_cutoff, model.large.near.search.skin[0])
     slid, opened = model.state.plastic_slip[own] >= end, model.state.opening_max[own] > joint.tan_dilation * end
     return np.asarray(slid | opened)
+
+
+def _hinges(model: Model) -> np.ndarray:
+    """(C,) which bonds press, and would break if they did not, between blocks that turned far against each other."""
+    assert model.large is not None
+    joints, frames, u = model.joints, model.large.bonds.frames, model.contacts.u[1:]
+    cosine = 0.5 * (np.einsum("cij,cij->c", frames[joints.block_a], frames[joints.block_b]) - 1.0)
+    breaks = np.array([joint.tensile_strength is not None for joint in model.groups.properties], dtype=bool)
+    pressed = np.einsum("ci,ci->c", u, model.contacts.normal) <= 0.0
+    return np.asarray(breaks[model.group] & pressed & (cosine < np.cos(HINGE)))
 
 
 def _carried(model: Model, key: np.ndarray, which: np.ndarray) -> dict[int, Carried]:
@@ -100,7 +136,7 @@ def _carried(model: Model, key: np.ndarray, which: np.ndarray) -> dict[int, Carr
     across = np.sum(force**2, axis=1) - along**2
     pairs, of = np.unique(key, return_inverse=True)
     pressed = np.bincount(of, np.minimum(along, 0.0) ** 2 / (2.0 * kn * area))
-    sheared = np.bincount(of, across / (2.0 * ks * area))
+    sheared = np.bincount(of, np.divide(across, 2.0 * ks * area, out=np.zeros(len(ks)), where=ks > 0.0))
     total = np.zeros((len(pairs), 3))
     np.add.at(total, of, model.large.bonds.force[which])
     return {int(k): Carried(*one) for k, *one in zip(pairs, total, pressed, sheared, strict=True)}

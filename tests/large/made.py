@@ -21,12 +21,14 @@ def dry(
     settle: int = 0,
     rows: int = 200,
     stiff: str = STIFF,
+    joint: str = "",
+    shear: str = "5 GPa/m",
 ) -> Scene:
-    """Boxes under a weight along `gravity` (m/s2); the one called slab is held."""
+    """Boxes under a weight along `gravity` (m/s2); the one called slab is held. A `joint` has another law."""
     down = "\n".join(f'{axis} = "{part!r} m/s^2"' for axis, part in zip("xyz", gravity, strict=True))
     contact = (
-        f'normal_stiffness = "{stiff}"\nshear_stiffness = "5 GPa/m"\ntan_friction_angle = {friction}\n'
-        "normal_dashpot = 0.5"
+        f'normal_stiffness = "{stiff}"\nshear_stiffness = "{shear}"\ntan_friction_angle = {friction}\n'
+        f"normal_dashpot = 0.5\n{joint}"
     )
     return load(
         'displacements = "large"\nlaw = "friction"\nkinematics = "rigid"\n'
