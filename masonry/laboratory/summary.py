@@ -59,6 +59,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     internal, highest = rows["elastic_blocks"] + rows["contact_work"], peak if peak > 0.0 else -lowest
     if not only_rises(rows["displacement"]):  # on the way back work comes back, and the force may be negative
         internal, highest = np.maximum.accumulate(internal), max(peak, -lowest)
+    if model.dry:  # what rocks stores next to nothing, and gives its weight the work of the drive
+        pushed = _work_of_force(rows)
+        internal = np.maximum(internal, pushed)
     work = float(np.abs(rows["external_work"]).max())
     work_of_loads, observed = outcome.found["work_of_loads"], outcome.observed
     moved = max(work, float(np.abs(work_of_loads).max(initial=0.0)))  # a load that is lifted takes all work
@@ -68,6 +71,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     dissipated = sum(float(rows[key][-1]) for key in DISSIPATED)
     rest = before_a_fall(rows, outcome.control.get("factor_falls")) if scene.loops_over else rows
     driven = float(np.abs(rest["external_work"][begun:] - rest["external_work"][begun]).max(initial=0.0))
+    if model.dry:
+        driven = max(driven, float(pushed[len(rest["step"]) - 1]))
     in_real_time = model.large is not None and not model.scaled
     braked = rest["damping"] if in_real_time else rest["damping"] + rest["kinetic"]  # what moves will not be damped
     taken = float(braked[-1] - braked[begun])
@@ -248,11 +253,17 @@ def _joined(words: dict[str, str]) -> str:
     return " + ".join(sorted(set(words.values())))
 
 
+def _work_of_force(rows: dict[str, np.ndarray]) -> np.ndarray:
+    """(n,) J that the force of the drive has done so far; what it takes back counts as well."""
+    force, way = np.abs(rows["force"]), np.abs(np.diff(rows["displacement"]))
+    return np.concatenate([[0.0], np.cumsum(0.5 * (force[1:] + force[:-1]) * way)])
+
+
 def _opened_or_slid(assembly: Assembly) -> int | None:
     """Joints between units of which a contact has opened beyond its elastic limit, or slid, at any time; None where
     some are patches from the start, which do not remember it."""
-    state, large = assembly.model.state, assembly.model.large
-    if large is not None and len(large.bonded) < len(assembly.model.group_names):
+    state = assembly.model.state
+    if assembly.model.dry:
         return None
     if state.opening_max is None:
         return 0

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from masonry.kernels.patches import deepest
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
 
@@ -25,3 +26,10 @@ def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
         in_tension = np.divide(gained, capacity, out=np.ones_like(sigma), where=capacity > 0.0)
         most = max(most, float(in_shear.max(initial=0.0)), float(in_tension.max(initial=0.0)))
     return min(most, 1.0)
+
+
+def pressed(model: Model) -> float:
+    """How far (m) patches are pressed together at most: about as far a block moves until its faces part."""
+    assert model.large is not None
+    near = model.large.near
+    return float(deepest(near, np.ones(len(near.pieces.body)))[0])

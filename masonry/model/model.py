@@ -84,6 +84,11 @@ class Model:
         """Displacements (m) of tet nodes, then of contact points; in large displacement contacts.u is along bonds."""
         return self.contacts.u if self.large is None else self.large.bonds.u
 
+    @property
+    def dry(self) -> bool:
+        """Whether some contacts are patches from the start: those show no stress, and remember nothing."""
+        return self.large is not None and len(self.large.bonded) < len(self.group_names)
+
     def contact(self, c: int) -> str:
         """A contact in words, to blame it in a message."""
         a, b = self.joints.block_a[c], self.joints.block_b[c]

@@ -93,10 +93,10 @@ def trust(summary: dict[str, Any]) -> str:
             "suddenly, and where it came to rest depends on how that is damped; `masonry sensitivity` shows by how much"
         )
     control = summary.get("control") or {}
-    if control.get("drag_at_peak", 0.0) > control.get("accuracy", 1.0):
+    if (drag := control.get("drag_at_peak", 0.0)) > control.get("accuracy", 1.0):
         doubts.append(
-            f"damping took {percent(control['drag_at_peak'])} of the force at the peak, which may be too high by as"
-            " much: ask for a smaller accuracy"
+            f"damping took {percent(min(drag, 1.0))} of the force at the peak, which may be too high by as much: ask "
+            "for a smaller accuracy"
         )
     doubts += [] if dynamic or grown else not_slow(summary, damping)
     if not doubts:

@@ -18,11 +18,12 @@ def dry(
     turned: str = "",
     more: str = "",
     supports: tuple[str, ...] = ('on = "slab"\nfix = "all"',),
-    settle: int = 0,
+    settle: int | None = 0,
     rows: int = 200,
     stiff: str = STIFF,
     joint: str = "",
     shear: str = "5 GPa/m",
+    changes: dict[str, str | None] | None = None,
 ) -> Scene:
     """Boxes under a weight along `gravity` (m/s2); the one called slab is held. A `joint` has another law."""
     down = "\n".join(f'{axis} = "{part!r} m/s^2"' for axis, part in zip("xyz", gravity, strict=True))
@@ -36,8 +37,10 @@ def dry(
         + tables("material", {"units": f'density = "{DENSITY} kg/m^3"'})
         + tables("contact", {"unit_unit": contact})
         + listed("support", list(supports))
-        + f"[gravity]\n{down}\n[settle]\nsteps = {settle}\n"
-        + f'[solver]\nmasses = "real"\ndamping = 0\nduration = "{duration} s"\nrows = {rows}\n{more}'
+        + f"[gravity]\n{down}\n"
+        + ("" if settle is None else f"[settle]\nsteps = {settle}\n")
+        + f'[solver]\nmasses = "real"\ndamping = 0\nduration = "{duration} s"\nrows = {rows}\n{more}',
+        **(changes or {}),
     )
 
 

@@ -1,13 +1,14 @@
 """Blocks that stay, slide or topple: one on a plane that leans, and a stack that overhangs."""
 
-from math import atan, cos, degrees, hypot, pi, radians, sin
+from math import atan, cos, degrees, hypot, pi, radians, sin, tan
 
 import numpy as np
 import pytest
 from scipy.integrate import trapezoid
 
 from masonry.laboratory import laboratory
-from tests.large.made import G, dry, leaning, slab
+from masonry.results.trust import trust
+from tests.large.made import DENSITY, G, dry, leaning, slab
 from tests.scenes import box
 
 SLOPE = 25.0
@@ -94,3 +95,19 @@ def test_a_stack_falls_just_above_and_the_summary_says_which_block_went_first_an
     kinetic = dict(zip(rows["step"], rows["kinetic"], strict=True))
     assert kinetic[began["step"]] < 1e-4 * kinetic[fallen["step"]]
     assert result.summary["energy_imbalance"] < 1e-12
+
+
+def test_a_block_that_a_drive_pushes_over_bears_what_its_weight_holds_it_back_with():
+    """W tan(alpha - theta), once it stands on its edge: the drive slows down for it, and damping adds nothing."""
+    half, high, weight = 0.1, 0.25, DENSITY * 0.2 * 0.3 * 0.5 * G
+    block = box("block", (-half, -0.15, 0.0), (2.0 * half, 0.3, 2.0 * high), "units", 1)
+    drive = '[drive]\non = "block"\ndirection = "x"\ndisplacement = "60 mm"\naccuracy = "1 %"\n'
+    quasi_static = {"solver.masses": "scaled", "solver.duration": None}
+    result = laboratory.run(dry([slab(), block], 1.0, more=drive, settle=None, changes=quasi_static))
+    rows, slender = result.history.rows, atan(half / high)
+    turn = slender - np.arcsin(np.sin(slender) - rows["displacement"] / hypot(half, high))
+    wanted, edge = weight * np.tan(slender - turn), rows["displacement"] > 1e-3
+    assert rows["force"][edge] == pytest.approx(wanted[edge], abs=5e-3 * weight * tan(slender))
+    assert rows["force"].max() == pytest.approx(weight * tan(slender), rel=0.025)
+    assert np.abs(rows["damping"]).max() < 0.01 * weight * tan(slender) * 60e-3
+    assert "not quasi-static" not in trust(result.summary)
