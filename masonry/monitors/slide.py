@@ -11,7 +11,8 @@ from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 
 APART = 1e-3
-"""A contact without compression that is wider open than this share of its extent touches nothing any more."""
+"""A contact without compression that is wider open than this share of its extent touches nothing any more, but where
+its law is elastic: that holds however wide it is pulled."""
 ROLLER = 1e-6
 """Shear over normal stiffness up to which an elastic contact is a roller."""
 
@@ -33,13 +34,16 @@ class Slide(Observer):
         self.axes, self.extent = joint_extents(model.blocks, model.joints)
         self.least = self.extent.min(axis=1, initial=np.inf)
         sticks = [model.large is not None or not is_roller(joint) for joint in model.groups.properties]
+        glued = [joint.tensile_strength is None for joint in model.groups.properties]
+        self.glued = np.array(glued, dtype=bool)[model.group]
         self.sticking = np.where(np.array(sticks, dtype=bool)[model.group], self.least, np.nan)  # nan: never further
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         """Raise Stopped if a contact slid by more than the limit."""
         opening, slip, sigma, tau = view.seen
         which = np.flatnonzero(slip > self.largest * self.sticking)
-        which = which[(sigma[which] < 0.0) | ((tau[which] > 0.0) & (opening[which] < APART * self.least[which]))]
+        near = (tau[which] > 0.0) & ((opening[which] < APART * self.least[which]) | self.glued[which])
+        which = which[(sigma[which] < 0.0) | near]
         if len(which):
             self._measure(model, step, which, slip)
         return {"slip": self.largest}

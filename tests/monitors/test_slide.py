@@ -102,6 +102,16 @@ def test_what_is_apart_touches_nothing_and_does_not_count():
         slide.look(model, View(seen), 0)
 
 
+@pytest.mark.parametrize("displacements", ["small", "large"])
+def test_glue_that_is_pulled_wide_open_slides_as_well(displacements):
+    """It stands open by 2 %, which no other law bears, and slides by 11 mm of 200 mm."""
+    soft = {"contact.unit_unit.normal_stiffness": "1 MPa/m", "contact.unit_unit.shear_stiffness": "1 kPa/m"}
+    pull = [{"on": "top.z+", "stress": {"z": "1 kPa"}}]
+    pulled = {"law": "elastic", "traction": pull, "displacements": displacements}
+    summary = slid("11 mm", **soft, **pulled)
+    assert summary["slip_max"] == pytest.approx(11 / 200, rel=1e-2)
+
+
 def test_extents_of_running_bond_are_those_of_half_a_unit():
     specimen, joints = joined(load("wallette-mode-1"))
     axes, size = joint_extents(specimen.blocks, joints)
