@@ -8,7 +8,7 @@ from masonry.loading.predictor import Predictor
 from masonry.loading.schedule import Path
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.loading.settings import SETTINGS, AdaptiveSettings
-from masonry.loading.utilisation import pressed, utilisation
+from masonry.loading.utilisation import Dry, utilisation
 from masonry.model.loads import Controlled, Program, smooth
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
@@ -19,7 +19,6 @@ from masonry.runtime.state import State, attributes, load_attributes
 REMEMBERED = (
     *("speed", "made", "used", "target", "steps", "increments", "most_stored", "stored", "broken", "most_force"),
     *("settled_force", "damped", "work", "elastic", "rest", "step", "held", "calm", "finished", "cruise"),
-    "slowest",
     *("place", "force", "farthest"),
 )
 """Numbers of a paced drive that the next increment depends on."""
@@ -53,7 +52,7 @@ class AdaptiveLoading:
         self.most_stored = self.stored = self.broken = self.most_force = self.damped = self.work = 0.0
         self.settled_force = 0.0
         self.increments = 0
-        self.elastic, self.slowest = True, np.inf
+        self.elastic, self.dry = True, Dry(model, settings)
         self.rest = np.zeros(len(model.group))
         self.step, self.events = 0, Events(model)
         self.held = self.calm = 0
@@ -64,6 +63,11 @@ class AdaptiveLoading:
     def at_once(self) -> float:
         """Speed (m/s) that makes a leg in one increment."""
         return self.path.goal / (self.settings.steps * self.dt)
+
+    @property
+    def slowest(self) -> float:
+        """Speed (m/s) below which the drive does not go."""
+        return min(self.at_once / self.settings.finest, self.dry.shortest(self.path.moved) / (self.steps * self.dt))
 
     def next(self) -> Chunk | None:
         """The next increment; None when the displacement is made and the specimen at rest."""
@@ -130,8 +134,9 @@ class AdaptiveLoading:
             self.rest, self.force, self.settled_force = seen.sigma.copy(), force, abs(force)
             self.used = utilisation(self.model, seen, self.rest)
             self.guide.settle()
-            if self.model.dry:
-                self.begin_dry()
+            if self.dry.there:
+                self.dry.begin(self.model)
+                self.elastic, self.target = False, self.slowest
             return
         self.most_stored = max(self.most_stored, stored, 1e-300)
         self.most_force = max(self.most_force, abs(force), 1e-300)
@@ -142,15 +147,7 @@ class AdaptiveLoading:
             self.go_on(force, support, seen, terms)
         if self.plan.reversals and self.steps == self.settings.few_steps:
             self.target = min(self.target, self.path.goal / (CURVED * self.steps * self.dt))
-        self.stored, self.broken, self.damped = stored, broken, self.damping(terms)
-
-    def begin_dry(self) -> None:
-        """Patches do not tell how near they are to part or to slide: nothing counts as elastic, and the first increment
-        is short. What rocks stores next to nothing: its motion is measured against the work of the drive."""
-        self.elastic = False
-        if (closed := pressed(self.model)) > 0.0:
-            self.slowest = self.settings.parting * closed / (self.steps * self.dt)
-            self.target = min(self.target, self.slowest)
+        self.stored, self.broken, self.damped = stored, broken, self.dry.damping(terms, self.guide)
 
     def wait(self, force: float, at_rest: bool) -> None:
         """The drive is held: let it go where the specimen has come to rest. What moved meanwhile is not the drive's."""
@@ -188,15 +185,16 @@ class AdaptiveLoading:
             self.settings.few_steps if abs(terms["kinetic"]) <= self.settings.still * stored else self.settings.steps
         )
         fastest = min(self.path.goal / (self.settings.coarsest * self.steps * self.dt), self.leap)
-        slowest = min(self.at_once / self.settings.finest, self.slowest)
-        self.target = float(np.clip(self.target * factor, slowest, fastest))
+        self.target = float(np.clip(self.target * factor, self.slowest, fastest))
 
     def learn(self, force: float) -> None:
         """Let the guide see where the drive has come to, and its force (N). Where the drive turns back, the stiffness
         is that of the last increment: that of all the way may be anything, as both ends pass through zero."""
         place, stiffness = self.path.place, None
-        if self.plan.reversals:
-            self.farthest = max(self.farthest, abs(place))
+        self.farthest = max(self.farthest, abs(place))
+        if self.dry.there:
+            stiffness = self.dry.stiffness(self.farthest, abs(force))
+        elif self.plan.reversals:
             stiffness = max(abs((force - self.force) / (place - self.place)), self.most_force / self.farthest)
         self.place, self.force = place, force
         self.guide.learn(place, self.path.sign * self.speed, force, stiffness)
@@ -229,13 +227,13 @@ class AdaptiveLoading:
         change = abs(stored - self.stored) / self.most_stored
         fracture = (broken - self.broken) / self.most_stored
         lag = 2.0 * np.sqrt(self.guide.kinetic * min(abs(stored), self.work)) / max(self.work, 1e-300)
-        least = max(PARTED * self.most_stored, self.work if self.model.dry else 0.0)
+        least = max(PARTED * self.most_stored, self.work if self.dry.there else 0.0)
         sway = np.sqrt(abs(terms["kinetic"]) / max(abs(stored), least))
         curve = self.settings.curve * min(self.plan.accuracy / self.settings.fine, 1.0)
         unit = max(self.unit, curve) if self.steps == self.settings.few_steps else self.unit
         brought = max(change / self.settings.stored, fracture / self.settings.fracture, 1e-12) / unit
         ends = abs(force - support) / self.most_force
-        taken, most_work = abs(self.damping(terms) - self.damped), self.most_force * self.made
+        taken, most_work = abs(self.dry.damping(terms, self.guide) - self.damped), self.most_force * self.made
         drag = taken / most_work
         freed = max(self.stored - stored - (broken - self.broken), 0.0)  # by a sudden crack, whose damping is no drag
         self.looks.append((float(lag), self.made, float(max(taken - freed, 0.0) / most_work), abs(force)))
@@ -247,10 +245,6 @@ class AdaptiveLoading:
         )
         excess = max(np.sqrt(brought), *(ratio / self.unit for ratio in ratios))
         return float(np.clip(1.0 / excess, self.settings.slower, self.settings.faster))
-
-    def damping(self, terms: dict[str, float]) -> float:
-        """J that damping took so far; of dry contacts less what it lent to the expected motion, which it gets back."""
-        return terms["damping"] + (self.guide.kinetic if self.model.dry else 0.0)
 
     def load_factors(self) -> np.ndarray:
         """(L,) of the loads that come on in layers, now; no other load varies."""
@@ -286,6 +280,7 @@ class AdaptiveLoading:
             "events": self.events.state(),
             "settling": self.settling.state(),
             "guide": self.guide.state(),
+            "dry": attributes(self.dry, Dry.REMEMBERED),
         }
 
     def restore(self, state: State) -> None:
@@ -296,3 +291,4 @@ class AdaptiveLoading:
         self.events.restore(state["events"])
         self.settling.restore(state["settling"])
         self.guide.restore(state["guide"])
+        load_attributes(self.dry, Dry.REMEMBERED, state["dry"])

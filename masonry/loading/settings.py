@@ -13,7 +13,8 @@ class AdaptiveSettings:
     curve              accuracy of increments there, at one of `fine` or coarser: only the curve is followed
     coarsest, finest   increments in which the whole displacement is made, at least and at most
     first              share of the displacement that the first increment makes
-    parting            the same over the deepest overlap of blocks under the dead loads, where patches may part
+    parting, shortest  the same over the deepest overlap of blocks under the dead loads, where patches may part; and
+                       the least increment there over the way so far
     learning           increments before the speed may rise
     intact             nothing counts as damaged while fracture has taken less than this share of the stored energy
     rise, fall         most and least change of the speed from one increment to the next, while all is elastic
@@ -50,6 +51,7 @@ class AdaptiveSettings:
     finest: int = 40_000
     first: float = 1e-4
     parting: float = 0.1
+    shortest: float = 1e-3
     learning: int = 4
     intact: float = 1e-6
     rise: float = 2.0

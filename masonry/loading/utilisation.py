@@ -3,6 +3,8 @@
 import numpy as np
 
 from masonry.kernels.patches import deepest
+from masonry.loading.predictor import Predictor
+from masonry.loading.settings import AdaptiveSettings
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
 
@@ -28,8 +30,37 @@ def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
     return min(most, 1.0)
 
 
-def pressed(model: Model) -> float:
-    """How far (m) patches are pressed together at most: about as far a block moves until its faces part."""
-    assert model.large is not None
-    near = model.large.near
-    return float(deepest(near, np.ones(len(near.pieces.body)))[0])
+class Dry:
+    """What a drive goes by where contacts are patches, if some are `there`: these do not tell how near they are to part
+    or to slide, so nothing counts as elastic; and what rocks on them stores next to nothing.
+
+    parting   m, as short a way as faces may part in, which the first increment makes
+    stiffest  N/m, the largest stiffness so far: contacts still swing by it where the specimen has none any more
+    """
+
+    REMEMBERED = ("parting", "stiffest")
+
+    def __init__(self, model: Model, settings: AdaptiveSettings) -> None:
+        self.there, self.settings = model.dry, settings
+        self.parting, self.stiffest = np.inf, 0.0
+
+    def begin(self, model: Model) -> None:
+        """See how far (m) patches are pressed together at most under the dead loads; they part after about as much."""
+        assert model.large is not None
+        near = model.large.near
+        if (pressed := float(deepest(near, np.ones(len(near.pieces.body)))[0])) > 0.0:
+            self.parting = self.settings.parting * pressed
+
+    def shortest(self, moved: float) -> float:
+        """The least increment (m) after a way (m)."""
+        return max(self.parting, self.settings.shortest * moved)
+
+    def stiffness(self, way: float, force: float) -> float | None:
+        """N/m, after the drive's force (N) at the end of its longest way (m) so far; None where nothing has parted."""
+        if way > self.parting:
+            self.stiffest = max(self.stiffest, force / way)
+        return self.stiffest or None
+
+    def damping(self, terms: dict[str, float], guide: Predictor) -> float:
+        """J that damping took so far; of dry contacts less what it lent to the expected motion, which it gets back."""
+        return terms["damping"] + (guide.kinetic if self.there else 0.0)
