@@ -180,8 +180,8 @@ def cells(assembly: Assembly) -> list[Variant]:
 
 def patches(assembly: Assembly) -> list[Variant]:
     """Points of dry contacts spread over their patches, or at the corners alone, in large displacement."""
-    large, spread = assembly.model.large, assembly.scene.specimen.patch_points == "spread"
-    if large is None or 0 < len(assembly.model.group_names) == len(large.bonded):
+    spread = assembly.scene.specimen.patch_points == "spread"
+    if not assembly.model.dry:
         return []
     other, words = ("corners", "at their corners") if spread else ("spread", "spread")
     return [Variant("patches", f"points of patches {words}", {"specimen.patch_points": other})]

@@ -59,8 +59,8 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     internal, highest = rows["elastic_blocks"] + rows["contact_work"], peak if peak > 0.0 else -lowest
     if not only_rises(rows["displacement"]):  # on the way back work comes back, and the force may be negative
         internal, highest = np.maximum.accumulate(internal), max(peak, -lowest)
+    pushed = _work_of_force(rows)
     if model.dry:  # what rocks stores next to nothing, and gives its weight the work of the drive
-        pushed = _work_of_force(rows)
         internal = np.maximum(internal, pushed)
     work = float(np.abs(rows["external_work"]).max())
     work_of_loads, observed = outcome.found["work_of_loads"], outcome.observed
@@ -124,6 +124,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "work_of_drive_j": 0.0
         if scene.drive is None
         else float(rows["external_work"][-1] - rows["external_work"][begun] - after_settling.sum()),
+        **({} if model.large is None else {"work_of_force_j": float(pushed[-1])}),
         "work_of_loads_j": _work_of_loads(assembly, work_of_loads),
         "work_of_loads_after_settling_j": _work_of_loads(assembly, after_settling),
         "reaction_mismatch_max": float(mismatch.max() / highest) if highest > 0 and dynamic.any() else 0.0,
@@ -262,8 +263,8 @@ def _work_of_force(rows: dict[str, np.ndarray]) -> np.ndarray:
 def _opened_or_slid(assembly: Assembly) -> int | None:
     """Joints between units of which a contact has opened beyond its elastic limit, or slid, at any time; None where
     some are patches from the start, which do not remember it."""
-    state = assembly.model.state
-    if assembly.model.dry:
+    state, large = assembly.model.state, assembly.model.large
+    if large is not None and len(large.bonded) < len(assembly.model.group_names):
         return None
     if state.opening_max is None:
         return 0

@@ -135,7 +135,7 @@ class AdaptiveLoading:
             self.used = utilisation(self.model, seen, self.rest)
             self.guide.settle()
             if self.dry.there:
-                self.dry.begin(self.model)
+                self.dry.begin()
                 self.elastic, self.target = False, self.slowest
             return
         self.most_stored = max(self.most_stored, stored, 1e-300)
@@ -164,6 +164,7 @@ class AdaptiveLoading:
         """Choose the next speed, or hold the drive."""
         stored = terms["elastic_blocks"] + terms["elastic_contacts"]
         broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
+        rise = abs(force - self.force)
         self.learn(force)
         used = utilisation(self.model, seen, self.rest)
         self.elastic = self.elastic and used < 1.0 and broken <= self.settings.intact * self.most_stored
@@ -171,6 +172,8 @@ class AdaptiveLoading:
             factor = self.towards_damage(used)
         else:
             factor = self.through_damage(stored, broken, force, support, terms)
+            if self.dry.there:
+                factor = min(factor, self.dry.factor(rise / self.most_force, self.unit))
         if (
             self.elastic
             or self.guide.trust > self.settings.unexpected
@@ -190,11 +193,10 @@ class AdaptiveLoading:
     def learn(self, force: float) -> None:
         """Let the guide see where the drive has come to, and its force (N). Where the drive turns back, the stiffness
         is that of the last increment: that of all the way may be anything, as both ends pass through zero."""
-        place, stiffness = self.path.place, None
+        place = self.path.place
         self.farthest = max(self.farthest, abs(place))
-        if self.dry.there:
-            stiffness = self.dry.stiffness(self.farthest, abs(force))
-        elif self.plan.reversals:
+        stiffness = self.dry.stiffness(self.farthest, abs(force)) if self.dry.there else None
+        if stiffness is None and self.plan.reversals:
             stiffness = max(abs((force - self.force) / (place - self.place)), self.most_force / self.farthest)
         self.place, self.force = place, force
         self.guide.learn(place, self.path.sign * self.speed, force, stiffness)

@@ -26,6 +26,7 @@ class AdaptiveSettings:
     stored, fracture   change of the stored energy, and energy dissipated by fracture, over the most that was stored
     lag                energy by which the drive runs ahead, over the work of the drive
     sway               root of kinetic over stored energy
+    rises              change of the force of the drive over the largest, where contacts are dry
     ends, drag         difference between the forces of the two ends, and the force that damping takes on average (its
                        work over the way), over the largest force
 
@@ -63,6 +64,7 @@ class AdaptiveSettings:
     fracture: float = 5.0
     lag: float = 1.0
     sway: float = 7.0
+    rises: float = 1.0
     ends: float = 0.4
     drag: float = 0.5
     unexpected: float = 0.5

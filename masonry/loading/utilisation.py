@@ -31,8 +31,8 @@ def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
 
 
 class Dry:
-    """What a drive goes by where contacts are patches, if some are `there`: these do not tell how near they are to part
-    or to slide, so nothing counts as elastic; and what rocks on them stores next to nothing.
+    """What a drive goes by where contacts are patches, once some are `there`: these do not tell how near they are to
+    part or to slide, so nothing counts as elastic; and what rocks on them stores next to nothing.
 
     parting   m, as short a way as faces may part in, which the first increment makes
     stiffest  N/m, the largest stiffness so far: contacts still swing by it where the specimen has none any more
@@ -41,19 +41,29 @@ class Dry:
     REMEMBERED = ("parting", "stiffest")
 
     def __init__(self, model: Model, settings: AdaptiveSettings) -> None:
-        self.there, self.settings = model.dry, settings
+        self.model, self.settings = model, settings
         self.parting, self.stiffest = np.inf, 0.0
 
-    def begin(self, model: Model) -> None:
+    @property
+    def there(self) -> bool:
+        """Whether some contacts are patches by now."""
+        return self.model.dry
+
+    def begin(self) -> None:
         """See how far (m) patches are pressed together at most under the dead loads; they part after about as much."""
-        assert model.large is not None
-        near = model.large.near
+        assert self.model.large is not None
+        near = self.model.large.near
         if (pressed := float(deepest(near, np.ones(len(near.pieces.body)))[0])) > 0.0:
             self.parting = self.settings.parting * pressed
 
     def shortest(self, moved: float) -> float:
         """The least increment (m) after a way (m)."""
         return max(self.parting, self.settings.shortest * moved)
+
+    def factor(self, rise: float, unit: float) -> float:
+        """Of the speed, after an increment whose force rose or fell by a share `rise` of the largest; what lifts off at
+        such a speed hardly overshoots."""
+        return float(np.clip(self.settings.rises * unit / max(rise, 1e-12), self.settings.slower, self.settings.faster))
 
     def stiffness(self, way: float, force: float) -> float | None:
         """N/m, after the drive's force (N) at the end of its longest way (m) so far; None where nothing has parted."""

@@ -86,8 +86,8 @@ class Model:
 
     @property
     def dry(self) -> bool:
-        """Whether some contacts are patches from the start: those show no stress, and remember nothing."""
-        return self.large is not None and len(self.large.bonded) < len(self.group_names)
+        """Whether some contacts are patches, or will be where blocks that are apart meet: those show no stress."""
+        return self.large is not None and not (len(self.group) > 0 and bool(self.large.bonds.alive.all()))
 
     def contact(self, c: int) -> str:
         """A contact in words, to blame it in a message."""

@@ -71,12 +71,14 @@ class Watch(Observer):
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         """Raise Stopped if the energies of a row (J) can no longer be those of the specimen.
 
-        An instability that the softening feeds on may stay small; the ledger shows it.
+        An instability that the softening feeds on may stay small; the ledger shows it. Of a dry block that is pushed
+        over the works of drive and weight cancel, and damping lends what it moves with.
         """
         terms = view.terms
         self.work = max(self.work, abs(terms["external_work"]))
+        work = self.work + (abs(terms["damping"]) if model.dry else 0.0)
         torn = abs(open_in_contacts(terms))
-        if self.work > 0.0 and (abs(terms["kinetic"]) > RINGING * self.work or torn > TORN_LEDGER * self.work):
+        if self.work > 0.0 and (abs(terms["kinetic"]) > RINGING * work or torn > TORN_LEDGER * work):
             self._stop_unstable(step)
         return {"rotation": self.rotation}
 

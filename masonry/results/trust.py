@@ -121,9 +121,10 @@ def uneven(summary: dict[str, Any]) -> str:
 
 
 def found_anew(summary: dict[str, Any]) -> float:
-    """What re-detection lost and changes of area gained or took, over the external work."""
+    """What re-detection lost and changes of area gained or took, over the external work, or that of the drive alone
+    where its weight takes that from what is pushed over."""
     energies = summary.get("energy_j") or {}
-    work = abs(energies.get("external_work") or 0.0)
+    work = max(abs(energies.get("external_work") or 0.0), summary.get("work_of_force_j") or 0.0)
     changed = abs(energies.get("area") or 0.0) + abs(energies.get("redetection") or 0.0)
     return changed / work if work > 0.0 and math.isfinite(changed) else 0.0
 

@@ -18,7 +18,7 @@ def dry(
     turned: str = "",
     more: str = "",
     supports: tuple[str, ...] = ('on = "slab"\nfix = "all"',),
-    settle: int | None = 0,
+    settle: int = 0,
     rows: int = 200,
     stiff: str = STIFF,
     joint: str = "",
@@ -37,8 +37,7 @@ def dry(
         + tables("material", {"units": f'density = "{DENSITY} kg/m^3"'})
         + tables("contact", {"unit_unit": contact})
         + listed("support", list(supports))
-        + f"[gravity]\n{down}\n"
-        + ("" if settle is None else f"[settle]\nsteps = {settle}\n")
+        + f"[gravity]\n{down}\n[settle]\nsteps = {settle}\n"
         + f'[solver]\nmasses = "real"\ndamping = 0\nduration = "{duration} s"\nrows = {rows}\n{more}',
         **(changes or {}),
     )
