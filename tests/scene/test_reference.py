@@ -78,7 +78,7 @@ def test_the_reference_names_every_law():
     assert first_column(SCENE, "law") == set(law_names())
 
 
-LARGE = {"collapse", "in_real_time", "collapse_load"}
+LARGE = {"collapse", "in_real_time", "collapse_load", "work_of_force_j"}
 """Keys that only a run of large displacement has."""
 
 
