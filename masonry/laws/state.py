@@ -119,3 +119,16 @@ class JointProperties(NamedTuple):
     elastic_unloading: float | None = None
     plastic_softening: float | None = None
     combined: float | None = None
+
+
+def softens_in_shear(joint: JointProperties) -> bool:
+    """Whether contacts of a law with strengths that slid bear less shear than those that did not."""
+    cohesion, friction = joint.residual_cohesion or 0.0, joint.tan_residual_friction or 0.0
+    return bool(np.any((joint.cohesion or 0.0) > cohesion) or np.any((joint.tan_friction or 0.0) > friction))
+
+
+def has_strength(joint: JointProperties) -> bool:
+    """Whether contacts hold more than faces that slide on each other: elastic ones always, those that dilate too."""
+    if joint.tensile_strength is None or joint.tan_dilation is not None:
+        return True
+    return bool(np.any(joint.tensile_strength > 0.0)) or softens_in_shear(joint)

@@ -7,8 +7,7 @@ import numpy as np
 from geometry.blocks import Blocks, Joints
 from masonry.kinematics.motion import Guided
 from masonry.laws.elastic import Elastic
-from masonry.laws.friction import Friction
-from masonry.laws.state import ContactState, JointProperties
+from masonry.laws.state import ContactState, JointProperties, has_strength
 from masonry.model import stable_step
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
 from masonry.model.contact_groups import contact_groups
@@ -204,7 +203,7 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
     joints, layout, count = model.joints, model.layout, len(model.group)
     apart = in_rows(np.zeros((count, 3)))
     bodies = pushed(model.bodies, masses, apart)
-    without = np.array([isinstance(shape, Friction) for shape in model.groups.parameters], dtype=bool)
+    without = np.array([not has_strength(joint) for joint in model.groups.properties], dtype=bool)
     dry = without[model.group]
     rows = np.column_stack([np.zeros(count), np.arange(1, count + 1)]).astype(np.uint32)
     contacts = model.contacts._replace(
@@ -231,7 +230,7 @@ def idle_where_dry(groups: Groups) -> Groups:
     parts = zip(groups.parameters, groups.properties, groups.states, strict=True)
     kept = [
         (Elastic(), JointProperties(joint.normal_stiffness, joint.shear_stiffness), ContactState())
-        if isinstance(parameters, Friction)
+        if not has_strength(joint)
         else (parameters, joint, state)
         for parameters, joint, state in parts
     ]

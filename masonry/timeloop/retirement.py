@@ -11,7 +11,7 @@ from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of, stored
 from masonry.kernels.refreshing import refresh
 from masonry.kernels.slack import hold
 from masonry.kinematics.planes import plane_of
-from masonry.laws.state import JointProperties
+from masonry.laws.state import JointProperties, softens_in_shear
 from masonry.model.large.meeting import keys
 from masonry.model.model import Model
 from masonry.monitors.energy import stored_in_contacts
@@ -76,20 +76,12 @@ def _broken(model: Model) -> np.ndarray:
             continue
         own = slice(model.groups.bounds[g], model.groups.bounds[g + 1])
         tension, shear = model.state.intact_n[own], model.state.intact_s[own]
-        pulled, sheared = joint.tensile_strength > 0.0, _softens_in_shear(joint)
+        pulled, sheared = joint.tensile_strength > 0.0, softens_in_shear(joint)
         both = tension * shear if joint.combined is not None else np.maximum(tension * pulled, shear * sheared)
-        found[own] = (both < STRENGTH_LEFT) | ~(pulled | sheared)
+        found[own] = both * (pulled | sheared) < STRENGTH_LEFT
         if joint.tan_dilation is not None:
             found[own] &= _has_risen(model, own, joint)
     return found
-
-
-def _softens_in_shear(joint: JointProperties) -> np.ndarray:
-    """Whether contacts that slid bear less shear than those that did not."""
-    cohesion, friction = joint.residual_cohesion, joint.tan_residual_friction
-    assert joint.cohesion is not None and joint.tan_friction is not None
-    assert cohesion is not None and friction is not None
-    return np.asarray((joint.cohesion > cohesion) | (joint.tan_friction > friction))
 
 
 def _slid_past(model: Model, alive: np.ndarray) -> np.ndarray:
