@@ -61,7 +61,7 @@ def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
         friction = joint.tan_friction if joint.tan_residual_friction is None else joint.tan_residual_friction
         dashpot = pairs.properties[name].get("normal_dashpot") or 0.0
         cohesion = joint.residual_cohesion or 0.0
-        shear = joint.shear_stiffness or joint.normal_stiffness  # of a roller, which friction 0 makes of it as well
+        shear = joint.shear_stiffness or joint.normal_stiffness  # 0 of a roller, of which friction 0 makes one as well
         numbers.append((joint.normal_stiffness, shear, friction or 0.0, dashpot, cohesion))
     kn, ks, tan, damping, left = np.array(numbers, dtype=float).reshape(-1, len(Rules._fields)).T.copy()
     rules = Rules(kn, ks, tan, damping, left if left.any() else None)

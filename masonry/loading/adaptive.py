@@ -134,7 +134,7 @@ class AdaptiveLoading:
             self.rest, self.force, self.settled_force = seen.sigma.copy(), force, abs(force)
             self.used = utilisation(self.model, seen, self.rest)
             self.guide.settle()
-            if self.dry.there:
+            if self.model.dry:
                 self.dry.begin()
                 self.elastic, self.target = False, self.slowest
             return
@@ -172,7 +172,7 @@ class AdaptiveLoading:
             factor = self.towards_damage(used)
         else:
             factor = self.through_damage(stored, broken, force, support, terms)
-            if self.dry.there:
+            if self.model.dry:
                 factor = min(factor, self.dry.factor(rise / self.most_force, self.unit))
         if (
             self.elastic
@@ -195,7 +195,7 @@ class AdaptiveLoading:
         is that of the last increment: that of all the way may be anything, as both ends pass through zero."""
         place = self.path.place
         self.farthest = max(self.farthest, abs(place))
-        stiffness = self.dry.stiffness(self.farthest, abs(force)) if self.dry.there else None
+        stiffness = self.dry.stiffness(self.farthest, abs(force)) if self.model.dry else None
         if stiffness is None and self.plan.reversals:
             stiffness = max(abs((force - self.force) / (place - self.place)), self.most_force / self.farthest)
         self.place, self.force = place, force
@@ -229,7 +229,7 @@ class AdaptiveLoading:
         change = abs(stored - self.stored) / self.most_stored
         fracture = (broken - self.broken) / self.most_stored
         lag = 2.0 * np.sqrt(self.guide.kinetic * min(abs(stored), self.work)) / max(self.work, 1e-300)
-        least = max(PARTED * self.most_stored, self.work if self.dry.there else 0.0)
+        least = max(PARTED * self.most_stored, self.work if self.model.dry else 0.0)
         sway = np.sqrt(abs(terms["kinetic"]) / max(abs(stored), least))
         curve = self.settings.curve * min(self.plan.accuracy / self.settings.fine, 1.0)
         unit = max(self.unit, curve) if self.steps == self.settings.few_steps else self.unit

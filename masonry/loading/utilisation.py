@@ -31,8 +31,8 @@ def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
 
 
 class Dry:
-    """What a drive goes by where contacts are patches, once some are `there`: these do not tell how near they are to
-    part or to slide, so nothing counts as elastic; and what rocks on them stores next to nothing.
+    """What a drive goes by where contacts are patches (Model.dry): these do not tell how near they are to part or to
+    slide, so nothing counts as elastic; and what rocks on them stores next to nothing.
 
     parting   m, as short a way as faces may part in, which the first increment makes
     stiffest  N/m, the largest stiffness so far: contacts still swing by it where the specimen has none any more
@@ -43,11 +43,6 @@ class Dry:
     def __init__(self, model: Model, settings: AdaptiveSettings) -> None:
         self.model, self.settings = model, settings
         self.parting, self.stiffest = np.inf, 0.0
-
-    @property
-    def there(self) -> bool:
-        """Whether some contacts are patches by now."""
-        return self.model.dry
 
     def begin(self) -> None:
         """See how far (m) patches are pressed together at most under the dead loads; they part after about as much."""
@@ -73,4 +68,4 @@ class Dry:
 
     def damping(self, terms: dict[str, float], guide: Predictor) -> float:
         """J that damping took so far; of dry contacts less what it lent to the expected motion, which it gets back."""
-        return terms["damping"] + (guide.kinetic if self.there else 0.0)
+        return terms["damping"] + (guide.kinetic if self.model.dry else 0.0)

@@ -21,7 +21,6 @@ from masonry.timeloop.large_motion import make_room
 STRENGTH_LEFT = 1e-3
 """Share of its strength that a broken bond has left, at most: at seven softening lengths of the exponential law."""
 
-
 HINGE = 0.1
 """rad: two blocks that turned by more against each other about a cracked joint, of which nothing is in tension, meet
 like others: what is left of the joint would not let them touch elsewhere."""

@@ -47,7 +47,7 @@ class Meetings:
     @property
     def stiffest(self) -> float:
         """Pa/m: the largest stiffness, normal or in shear."""
-        return float(max(rule.max(initial=0.0) for rule in (self.rules.normal_stiffness, self.rules.shear_stiffness)))
+        return float(max(rule.max(initial=0.0) for rule in self.rules[:2]))
 
     @property
     def step_fraction(self) -> float:
