@@ -26,6 +26,7 @@ FLOORS = (
     *("masonry.scene.tables", "masonry.scene"),
     *("masonry.monitors", "masonry.monitors.collisions"),
     *("masonry.loading.moves", "masonry.loading", "masonry.timeloop"),
+    "masonry.judgement",
     *(
         "masonry.results",
         "masonry.importing",
@@ -37,6 +38,7 @@ FLOORS = (
     *(
         "masonry.drawings",
         "masonry.limit_analysis",
+        "masonry.laboratory.remarks",
         "masonry.laboratory",
         "masonry.sweep",
         "masonry.comparison",

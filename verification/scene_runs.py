@@ -15,9 +15,9 @@ from geometry.files.blocks_h5 import save_blocks
 from masonry import scene
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import SceneError, Stopped
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
-from masonry.results.trust import trust
 from masonry.scene import Scene
 from verification import balance
 from verification.references.closed_forms import Joint

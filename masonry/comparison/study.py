@@ -8,7 +8,7 @@ from typing import Any
 from geometry.files.atomic import WholeFiles
 from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
-from masonry.results.trust import trust
+from masonry.judgement.trust import trust
 from masonry.runtime.folder import RESULTS, claim, scene_name, writing
 from masonry.runtime.lock import sole
 from masonry.runtime.progress import Tell

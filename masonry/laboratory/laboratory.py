@@ -9,21 +9,21 @@ from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
 from masonry.laboratory.collapse import standing_rows, unrest
-from masonry.laboratory.contact_remarks import (
+from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
+from masonry.laboratory.provenance import provenance_of
+from masonry.laboratory.quality import quality_lines
+from masonry.laboratory.remarks.contact_remarks import (
     bent_remarks,
     closed_remarks,
     contact_remarks,
     rocked_remarks,
     rocking_remarks,
 )
-from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
-from masonry.laboratory.mesh_remarks import mesh_remarks
-from masonry.laboratory.provenance import provenance_of
-from masonry.laboratory.quality import quality_lines
+from masonry.laboratory.remarks.mesh_remarks import mesh_remarks
+from masonry.laboratory.remarks.twist_remarks import twist_remarks
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
 from masonry.laboratory.summary import add_tilt, cells_text, summarise
-from masonry.laboratory.twist_remarks import twist_remarks
 from masonry.laws.dispatch import word_of
 from masonry.results.joint_resultants import resultants
 from masonry.scene import Scene, to_toml

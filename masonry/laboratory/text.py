@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from masonry.judgement.trust import has_drive, trust
+from masonry.judgement.words import BELOW_0, percent
 from masonry.results.frames import without_noise
 from masonry.results.reactions import reaction_lines
-from masonry.results.trust import BELOW_0, has_drive, percent, trust
 from masonry.runtime.progress import duration
 from masonry.runtime.tables import Rows, aligned, html_table
 

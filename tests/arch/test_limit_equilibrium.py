@@ -8,9 +8,9 @@ import pytest
 
 from masonry import scene
 from masonry.errors import SceneError
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
-from masonry.results.trust import trust
 from verification.fixtures.arches import Arch, greatest_thrust, least_thrust
 
 WEIGHT = 2000 * 9.81 * 0.3

@@ -5,8 +5,8 @@ import pytest
 
 from masonry import scene
 from masonry.errors import Stopped
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
-from masonry.results.trust import trust
 
 TILT = 0.1504653
 """Horizontal over vertical acceleration under which the packaged arch falls, by linear programming (Livesley 1978)."""

@@ -5,7 +5,7 @@ import pytest
 
 from geometry.polyhedra.construct import from_faces
 from masonry.assembly.assemble import assemble
-from masonry.laboratory.mesh_remarks import inertia_excess, mesh_remarks, sharpest_edge
+from masonry.laboratory.remarks.mesh_remarks import inertia_excess, mesh_remarks, sharpest_edge
 from masonry.scene import Scene
 from tests.large.made import slab
 from tests.large.test_meshed_blocks import scene

@@ -9,8 +9,8 @@ import threading
 
 import pytest
 
+from masonry.judgement.trust import trust
 from masonry.laboratory.text import accuracy_text, summary_text
-from masonry.results.trust import trust
 from masonry.runtime.progress import Progress, duration
 from tests.results.sample import SUMMARY
 

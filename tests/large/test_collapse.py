@@ -7,9 +7,9 @@ from math import cos, radians, sin, sqrt, tan
 import pytest
 
 from masonry import scene
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import summary_text
-from masonry.results.trust import trust
 from tests.large.made import G, dry, leaning, slab
 from tests.scenes import box, tables
 

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 import masonry
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
-from masonry.results.trust import trust
 from tests.large.made import DENSITY, G, dry, leaning, slab
 from tests.scenes import box, load
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.integrate import trapezoid
 
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
-from masonry.results.trust import trust
 from tests.large.made import DENSITY, G, dry, leaning, slab
 from tests.scenes import box
 

@@ -7,7 +7,7 @@ from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
-from masonry.laboratory.mesh_remarks import LOCKED
+from masonry.laboratory.remarks.mesh_remarks import LOCKED
 from masonry.monitors import energy
 from tests.scenes import ELASTIC, box, listed, load, specimen, tables
 

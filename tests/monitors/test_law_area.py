@@ -6,9 +6,9 @@ import pytest
 
 from masonry import scene
 from masonry.assembly.assemble import assemble
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
 from masonry.monitors.mode_2_area import area
-from masonry.results.trust import trust
 from verification.fixtures.one_contact import law
 from verification.references.closed_forms import Joint, shear_area
 

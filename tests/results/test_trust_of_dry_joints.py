@@ -2,8 +2,8 @@
 
 import pytest
 
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
-from masonry.results.trust import trust
 from masonry.scene import load as load_scene
 from tests.scenes import box, listed, load, specimen, tables
 

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 import verification
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
-from masonry.results.trust import trust
 from masonry.scene import load
 
 TORN = Path(verification.__file__).parent / "scenes" / "joint-torn-from-one-side.toml"

@@ -6,8 +6,8 @@ import pytest
 from geometry.polyhedra.measures import bounds, volumes
 from masonry.assembly.assemble import assemble
 from masonry.assembly.schedule import tilt_at
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
-from masonry.results.trust import trust
 from masonry.scene import load, packaged
 
 LARGE = [name for name in packaged() if load(name).is_large]

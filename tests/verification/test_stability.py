@@ -9,8 +9,8 @@ import pytest
 
 from masonry import scene
 from masonry.errors import SceneError
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
-from masonry.results.trust import trust
 from verification.html.page import Chapter
 from verification.scene_runs import Run, joint_of, load
 from verification.stability import falling, maps, motion

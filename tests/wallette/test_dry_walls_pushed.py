@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
-from masonry.results.trust import trust
 from tests.scenes import load
 
 MU, SPECIFIC = 0.65, 1800 * 9.81

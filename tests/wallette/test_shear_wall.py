@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
-from masonry.results.trust import trust
 from masonry.scene import load
 
 PRESSED = 1.21e6 * 0.99 * 0.1

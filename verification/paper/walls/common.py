@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
+from masonry.judgement.trust import KINETIC
 from masonry.laboratory.result import Result
 from masonry.pictures.style import MEGA, MILLI
-from masonry.results.trust import KINETIC
 from verification.html import page
 from verification.html.page import percent
 from verification.paper.experiment import PERCENT, Claim, Done, Run, claim

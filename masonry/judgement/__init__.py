@@ -1,0 +1,1 @@
+"""How far to trust the numbers of a run, from the numbers themselves."""
