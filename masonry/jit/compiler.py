@@ -9,6 +9,7 @@ of its NamedTuple, and so in the types that the step is compiled for.
 import contextlib
 import hashlib
 import os
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -23,14 +24,18 @@ KEPT = 5
 """Cache folders of older sources that are kept."""
 OTHERS = "cells"
 """The cache folder of what does not depend on laws, kernels and kinematics."""
+MARKER = "CACHEDIR.TAG"
+"""The file that marks a folder as a cache (bford.info/cachedir): programs that make backups leave it out."""
+OURS = (
+    b"Signature: 8a477f597d28d172789f06886806bc55\n# Made by masonry-dem, which deletes this folder with all in it.\n"
+)
+"""What the marker says of a folder that was made here. Nothing is deleted that does not carry it."""
 
 
 def cache_root() -> Path:
-    """Where compiled steps are kept: $MASONRY_CACHE, or the user's cache folder."""
-    chosen = os.environ.get("MASONRY_CACHE")
-    if chosen:
-        return Path(chosen)
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "masonry-dem"
+    """Where compiled steps are kept: `masonry-dem` in $MASONRY_CACHE, or in the user's cache folder."""
+    chosen = os.environ.get("MASONRY_CACHE") or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    return Path(chosen).absolute() / "masonry-dem"
 
 
 def _folders() -> tuple[str, str]:
@@ -40,14 +45,30 @@ def _folders() -> tuple[str, str]:
     folder, rest = root / f"{source_hash(COMPILED)}{mode}", root / OTHERS
     try:
         for path in (folder, rest):
-            path.mkdir(parents=True, exist_ok=True)
+            _make(path)
         os.utime(folder)
-        older = sorted((p for p in root.iterdir() if p.is_dir() and p != rest), key=lambda p: p.stat().st_mtime)
+        older = sorted(filter(_is_ours, root.iterdir()), key=lambda path: path.stat().st_mtime)
         for stale in older[:-KEPT]:
             shutil.rmtree(stale, ignore_errors=True)
     except OSError:
         return "", ""
     return str(folder), str(rest)
+
+
+def _make(folder: Path) -> None:
+    """Make a folder of the cache and mark it; one that is there already stays as it is, marked or not."""
+    if not folder.is_dir():
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / MARKER).write_bytes(OURS)
+
+
+def _is_ours(path: Path) -> bool:
+    """Whether this is a folder of compiled steps that was made here: by its name, and by the marker in it."""
+    named = re.fullmatch(r"[0-9a-f]{16}(-plain)?", path.name) is not None
+    try:
+        return named and not path.is_symlink() and (path / MARKER).read_bytes() == OURS
+    except OSError:
+        return False
 
 
 STEP, REST = _folders()
@@ -91,9 +112,10 @@ def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any
     return compiled
 
 
-jit = _kept(STEP, _nrt=False)
+jit = _kept(STEP, _nrt=False, nogil=True)
 """For what Python calls. Who holds an array is not counted (`_nrt`), which would cost a pair of boxes half as long
-again: what is compiled may read and write arrays and views of them, but not make, return or keep one."""
+again: what is compiled may read and write arrays and views of them, but not make, return or keep one. Meanwhile other
+threads of Python go on (`nogil`): they hear signals, and in a worker that its parent has died."""
 inner = _kept(STEP, _nrt=False, no_cpython_wrapper=True)
 """For what other compiled functions alone call: a wrapper that takes dozens of arrays from Python costs more to compile
 than the function in it."""

@@ -34,7 +34,12 @@ def room(tmp_path, monkeypatch, capfd, campaign):
     fonts = Path(os.environ.get("MPLCONFIGDIR") or caches / "matplotlib")
     fonts.mkdir(parents=True, exist_ok=True)
     (tmp_path / "tmp").mkdir()
-    places = {"HOME": tmp_path / "home", "TMPDIR": tmp_path / "tmp", "MASONRY_CACHE": caches, "MPLCONFIGDIR": fonts}
+    places = {
+        "HOME": tmp_path / "home",
+        "TMPDIR": tmp_path / "tmp",
+        "MASONRY_CACHE": caches.parent,
+        "MPLCONFIGDIR": fonts,
+    }
     for name, place in places.items():
         monkeypatch.setenv(name, str(place))
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
