@@ -41,6 +41,7 @@ lint: .venv/.ready
 	@$(PY) -m mypy
 
 clean:
+	@[ ! -e .venv ] || [ -e .venv/.ours ] || [ -e .venv/.core ] || { echo ".venv was not made by make: delete it yourself" >&2; exit 1; }
 	rm -rf .venv build site jupyter_execute docs/_generated *.egg-info bench.json .pytest_cache .mypy_cache .ruff_cache .hypothesis .benchmarks
 	find geometry masonry verification tests benchmarks -name __pycache__ -prune -exec rm -rf {} +
 

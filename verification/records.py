@@ -14,6 +14,7 @@ from geometry.files.atomic import WholeFiles
 from masonry import __version__
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
+from masonry.runtime.folder import require_writable as can_be_written
 from masonry.runtime.folder import writing
 from masonry.runtime.text_files import JSON_LARGEST, json_in, text_of
 from verification.outcome import Outcome
@@ -145,11 +146,10 @@ def done(folder: Path) -> set[str]:
 
 def require_writable(folder: Path) -> None:
     """Raise SceneError where records could not be saved to the folder; nothing is left there that was not."""
-    existed, probe = folder.exists(), folder / f".writable-{os.getpid()}"
+    existed = folder.exists()
     with writing(folder, "records"):
         folder.mkdir(parents=True, exist_ok=True)
-        probe.touch()
-        probe.unlink()
+        can_be_written(folder)
         if not existed:
             folder.rmdir()
     if (folder / NAME).exists():

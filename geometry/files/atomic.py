@@ -2,6 +2,7 @@
 
 import errno
 import os
+import re
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,6 +13,17 @@ from geometry.blocks import GeometryError
 
 LONGEST_NAME = 48
 """Letters of the name that the place beside keeps, so that it is no longer than a system allows."""
+
+
+def unfinished(name: str) -> str:
+    """What this process calls a file or folder until it is whole: a name that nobody else gives, as what a killed
+    process left of it is deleted."""
+    return f".masonry-{os.getpid()}-unfinished-{name[-LONGEST_NAME:]}"
+
+
+def is_unfinished(name: str) -> bool:
+    """Whether a process of ours called something so."""
+    return re.fullmatch(r"\.masonry-\d+-unfinished-.+", name, re.DOTALL) is not None
 
 
 @contextmanager
@@ -45,7 +57,7 @@ class WholeFiles:
 
     def new(self, name: str) -> Path:
         """The path to write the file `name` to."""
-        self._temporary[name] = self.folder / f".{os.getpid()}-unfinished-{name[-LONGEST_NAME:]}"
+        self._temporary[name] = self.folder / unfinished(name)
         return self._temporary[name]
 
     def text(self, name: str, content: str) -> None:

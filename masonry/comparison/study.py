@@ -125,7 +125,7 @@ def begin(scene: Scene, out: Path | None, overwrite: bool = False, results: Path
                 f"--out '{out}' holds runs of another scene; name another folder, or add --overwrite to replace its"
                 " table"
             )
-        folder = claim(name, out, overwrite=overwrite or _holds(out, text))
+        folder = claim(name, out, overwrite=overwrite, ours=_holds(out, text))
     with writing(folder), sole(folder, DOING), WholeFiles(folder) as files:
         files.text(SCENE, text)
     return folder

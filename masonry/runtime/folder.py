@@ -4,15 +4,18 @@ import contextlib
 import os
 import re
 import shutil
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from geometry.files.atomic import is_name
+from geometry.files.atomic import is_name, is_unfinished
 from masonry.errors import SceneError
 from masonry.runtime.lock import LOCK, sole
 
 RESULTS = Path("results")
 """Where folders go that the user does not name."""
+RESULT_NAMES = ("summary.json", "limit.json", "sensitivity.json", "runs", "checkpoint/HOW-TO-GO-ON.txt")
+"""A folder of results, finished or not, has one of these: other folders are nobody's to replace things in."""
 
 
 def scene_name(scene: str) -> str:
@@ -30,17 +33,25 @@ def writing(place: Path, what: str = "results", more: str = "") -> Iterator[None
         raise SceneError(f"cannot write {what} to '{place}': {error.strerror or error}{more}") from None
 
 
-def claim(scene: str, out: Path | None = None, *, overwrite: bool = False, results: Path = RESULTS) -> Path:
+def claim(
+    scene: str, out: Path | None = None, *, overwrite: bool = False, ours: bool = False, results: Path = RESULTS
+) -> Path:
     """The folder for this run: `out`, or the next free `results/<scene>-<n>`, made so that no two runs share it.
 
-    Raises SceneError if `out` is a file, holds something (without `overwrite`), or cannot be written to.
+    ours  `out` holds the beginning of what is to be written there: it is gone on with
+    Raises SceneError if `out` is a file, holds something (without `overwrite`) or no results (with it), or cannot be
+    written to.
     """
     with writing(results if out is None else out, more="; give --out a folder that you may write to"):
-        folder = _next_free(results, scene_name(scene)) if out is None else _named(out, overwrite)
-        probe = folder / f".writable-{os.getpid()}"
-        probe.touch()
-        probe.unlink()
+        folder = _next_free(results, scene_name(scene)) if out is None else _named(out, overwrite, ours)
+        require_writable(folder)
     return folder
+
+
+def require_writable(folder: Path) -> None:
+    """Raise OSError where no file can be made in a folder; none is left there, and none is touched."""
+    with tempfile.TemporaryFile(dir=folder):
+        pass
 
 
 @contextlib.contextmanager
@@ -58,9 +69,7 @@ def claimed(scene: str, out: Path | None = None, *, overwrite: bool = False) -> 
     try:
         with sole(folder, "runs a scene into it"):
             sweep_up(folder)
-            with contextlib.suppress(OSError):  # there is none, or it holds more than what a killed process began
-                sweep_up(folder / "checkpoint")
-                (folder / "checkpoint").rmdir()
+            sweep_up(folder / "checkpoint")
             yield folder if out is None else claim(scene, out, overwrite=overwrite)
     finally:
         if not existed:
@@ -70,8 +79,10 @@ def claimed(scene: str, out: Path | None = None, *, overwrite: bool = False) -> 
 
 def sweep_up(folder: Path) -> None:
     """Remove what a killed process left unfinished in a folder; for who holds its lock."""
-    for left in folder.glob(".*-unfinished-*"):
-        if left.is_dir():
+    for left in folder.glob(".masonry-*"):
+        if not is_unfinished(left.name):
+            continue
+        if left.is_dir() and not left.is_symlink():
             shutil.rmtree(left, ignore_errors=True)
         else:
             with contextlib.suppress(OSError):
@@ -91,16 +102,24 @@ def _next_free(results: Path, name: str) -> Path:
             number += 1
 
 
-def _named(out: Path, overwrite: bool) -> Path:
+def _named(out: Path, overwrite: bool, ours: bool) -> Path:
     if out.exists() and not out.is_dir():
         raise SceneError(f"--out '{out}' is a file; results need a folder")
     out.mkdir(parents=True, exist_ok=True)
     there = {entry.name for entry in out.iterdir()} - {LOCK}
+    if "checkpoint" in there and (out / "checkpoint").is_dir() and not any((out / "checkpoint").iterdir()):
+        there.remove("checkpoint")  # begun by a process that was killed
+    if ours or not there:
+        return out
     if not overwrite and (out / "checkpoint" / "scene.toml").is_file():
         raise SceneError(
             f"--out '{out}' holds a run that is not finished: continue it with `masonry resume {out}`, name a new "
             "folder, or add --overwrite to start again"
         )
-    if not overwrite and there:
+    if not overwrite:
         raise SceneError(f"--out '{out}' is not empty; name a new folder, or add --overwrite to replace its results")
+    if not any((out / name).exists() for name in RESULT_NAMES):
+        raise SceneError(
+            f"--out '{out}' holds no results of masonry, so --overwrite replaces nothing in it: name a new folder"
+        )
     return out

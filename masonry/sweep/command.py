@@ -65,7 +65,7 @@ def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any) -> int:
     from masonry.sweep.table import TABLE, table_of, write_table
 
     with sole(folder, DOING), writing(folder):
-        for stale in (TABLE, "sweep.csv", PICTURE) if words.overwrite else ():
+        for stale in (TABLE, "sweep.csv", PICTURE) if words.overwrite and (folder / "runs").is_dir() else ():
             (folder / stale).unlink(missing_ok=True)
         with WholeFiles(folder) as files:
             files.text(COPY, words.sweep.read_text(encoding="utf-8-sig"))

@@ -32,7 +32,7 @@ def folder_for(path: Path, sweep: Sweep, out: Path | None, overwrite: bool) -> P
             " --overwrite to replace its table"
         )
     ours = there.is_file() or (out.is_dir() and {entry.name for entry in out.iterdir()} <= {LOCK, "runs"})
-    return claim(str(path), out, overwrite=overwrite or ours)
+    return claim(str(path), out, overwrite=overwrite, ours=ours)
 
 
 def _begun(name: str, sweep: Sweep) -> Path | None:

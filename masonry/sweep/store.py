@@ -6,9 +6,9 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from geometry.files.atomic import WholeFiles
+from geometry.files.atomic import WholeFiles, unfinished
 from masonry.errors import SceneError
-from masonry.runtime.folder import writing
+from masonry.runtime.folder import sweep_up, writing
 from masonry.runtime.text_files import json_of
 from masonry.sweep.work import OK, STATUSES, Ended
 
@@ -26,8 +26,7 @@ class Store:
 
     def sweep_up(self) -> None:
         """Remove what a killed process left half-written."""
-        for left in self.runs.glob(".unfinished-*"):
-            shutil.rmtree(left, ignore_errors=True)
+        sweep_up(self.runs)
 
     def row(self, key: str) -> Row | None:
         """The row of a run that ended; None if there is none."""
@@ -48,9 +47,9 @@ class Store:
 
     def keep(self, key: str, ended: Ended) -> Row:
         """Write what a run left; returns its row. Raises SceneError where it cannot be written."""
-        unfinished, place = self.runs / f".unfinished-{key}", self.runs / key
+        whole, place = self.runs / unfinished(key), self.runs / key
         with writing(place, more="; what is done stays"):
-            with WholeFiles(unfinished) as files:
+            with WholeFiles(whole) as files:
                 for name, content in ended.files.items():
                     files.new(name).write_bytes(content)
                 if ended.status != OK:
@@ -58,7 +57,7 @@ class Store:
                     files.text("failure.json", json.dumps(failure, indent=2) + "\n")
             if place.exists():  # a run that ended in an error, and was tried again
                 shutil.rmtree(place)
-            os.rename(unfinished, place)
+            os.rename(whole, place)
         row = self.row(key)
         assert row is not None
         return row

@@ -14,11 +14,14 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from geometry.files.atomic import WholeFiles
+from geometry.files.atomic import WholeFiles, is_unfinished, unfinished
+from masonry.errors import SceneError
 from masonry.runtime.folder import sweep_up
 from masonry.runtime.state import Damaged, State, read, write
 
 GENERATIONS = 2
+SCENE, HOW, HOW_TO = "scene.toml", "run.json", "HOW-TO-GO-ON.txt"
+"""Files beside the checkpoints: the first makes it a run to go on with, the last tells that the folder is ours."""
 
 
 class Checkpoints:
@@ -26,27 +29,27 @@ class Checkpoints:
 
     def __init__(self, results: Path) -> None:
         self.results, self.folder = results, results / "checkpoint"
-        self.scene = self.folder / "scene.toml"
+        self.scene = self.folder / SCENE
         self.last = 0
 
     def begin(self, scene_toml: str, how: dict[str, Any]) -> None:
         """Make the folder for a new run, in place of what another one left. Raises OSError."""
         self.clear()
         with WholeFiles(self.folder) as files:
-            files.text("run.json", json.dumps(how) + "\n")
             how_to = f"This run is not finished. To continue it:\n\n    masonry resume {self.results}\n"
-            files.new("HOW-TO-GO-ON.txt").write_bytes(os.fsencode(how_to))  # a name of a folder may be no text
-            files.text("scene.toml", scene_toml)
+            files.new(HOW_TO).write_bytes(os.fsencode(how_to))  # a name of a folder may be no text
+            files.text(HOW, json.dumps(how) + "\n")
+            files.text(SCENE, scene_toml)
 
     def resolve(self, scene_toml: str) -> None:
         """Keep a scene in place of the one that the run was begun with. Raises OSError."""
         with WholeFiles(self.folder) as files:
-            files.text("scene.toml", scene_toml)
+            files.text(SCENE, scene_toml)
 
     def how(self) -> dict[str, Any]:
         """What run.json says; nothing where it cannot be read."""
         try:
-            found = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
+            found = json.loads((self.folder / HOW).read_text(encoding="utf-8"))
         except (OSError, ValueError):
             return {}
         return found if isinstance(found, dict) else {}
@@ -78,8 +81,7 @@ class Checkpoints:
     def states(self) -> list[tuple[int, Path]]:
         """Number and path of the states that are there, newest first."""
         paths = self.folder.iterdir() if self.folder.is_dir() else ()
-        found = [(int(m[1]), path) for path in paths if (m := re.fullmatch(r"state-(\d{6,})\.npz", path.name))]
-        return sorted(found, reverse=True)
+        return sorted(((_number(path.name), path) for path in paths if _number(path.name)), reverse=True)
 
     def sweep_up(self) -> None:
         """Remove what a killed process left half-written."""
@@ -88,11 +90,24 @@ class Checkpoints:
             sweep_up(self.folder)
 
     def clear(self) -> None:
-        """The run is done, or is none: nothing is left to go on from. Raises OSError."""
-        if self.folder.is_dir():
-            gone = self.results / f".{os.getpid()}-unfinished-checkpoint"
+        """The run is done, or is none: nothing is left to go on from, and what others put there stays. Raises OSError;
+        SceneError where a folder of this name is not ours."""
+        if not self.folder.is_dir():
+            return
+        there = {path.name for path in self.folder.iterdir()}
+        if there and HOW_TO not in there:
+            raise SceneError(
+                f"'{self.folder}' holds things and is no checkpoint of a run: move it, or name another folder for the "
+                "results"
+            )
+        ours = {name for name in there if name in (SCENE, HOW, HOW_TO) or _number(name) or is_unfinished(name)}
+        if ours == there:
+            gone = self.results / unfinished("checkpoint")
             os.replace(self.folder, gone)  # all at once: half a checkpoint is none
             shutil.rmtree(gone, ignore_errors=True)
+            return
+        for name in sorted(ours, key=lambda name: (name != SCENE, name == HOW_TO)):  # as long as it lasts it is ours
+            (self.folder / name).unlink()
 
 
 def _whole(state: State) -> State:
@@ -106,3 +121,9 @@ def _whole(state: State) -> State:
 
 def _name(number: int) -> str:
     return f"state-{number:06d}.npz"
+
+
+def _number(name: str) -> int:
+    """Of a checkpoint, from 1; 0 for what is none."""
+    named = re.fullmatch(r"state-(\d{6,})\.npz", name)
+    return int(named[1]) if named else 0

@@ -66,7 +66,7 @@ def test_a_run_killed_before_its_first_checkpoint_begins_anew_by_resume(alone, t
 def test_what_a_run_killed_at_its_very_beginning_leaves_is_no_content_of_the_folder(tmp_path):
     (tmp_path / "out" / "checkpoint").mkdir(parents=True)
     (tmp_path / "out" / ".lock").touch()
-    (tmp_path / "out" / "checkpoint" / ".12-unfinished-scene.toml").touch()
+    (tmp_path / "out" / "checkpoint" / ".masonry-12-unfinished-scene.toml").touch()
     assert run(tmp_path / "out") == 0
 
 

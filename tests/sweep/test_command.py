@@ -76,7 +76,7 @@ def test_a_sweep_killed_half_way_runs_only_what_is_missing_and_gives_the_same_ta
     assert before.items() <= marks(Path("killed")).items()
     assert main(["sweep", path, "--out", "whole", "--quiet"]) == 0
     assert table("killed") == table("whole") and len(table("whole")) == 6
-    assert not list(Path("killed/runs").glob(".unfinished*"))
+    assert not list(Path("killed/runs").glob(".*unfinished*"))
 
 
 def wait_for(count, folder, process):
