@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from masonry.history import still_moving
+from masonry.history import LONE, still_moving
 from masonry.judgement.collapse_load import not_enclosed, not_led, rests
 from masonry.judgement.words import percent
 
@@ -153,10 +153,25 @@ def not_at_rest(summary: dict[str, Any]) -> list[str]:
             f"the dead loads had not come to rest ({ratio:.2g} of them unbalanced, kinetic energy {moving:.2g} of the "
             "stored): raise settle.steps, or leave it out; if that does not help, the specimen cannot stand under them"
         ]
+    alone = summary.get("unrest_after_settling") or {}
+    if alone.get("unbalanced", 0.0) > LONE * UNBALANCED or alone.get("kinetic", 0.0) > LONE**2 * STILL:
+        return [
+            f"{block_at(alone)} had not come to rest under the dead loads ({alone['unbalanced']:.2g} of what it bears "
+            f"is unbalanced, its kinetic energy {alone['kinetic']:.2g} of what it stores): raise settle.steps, or "
+            "leave it out; if that does not help, it cannot stand under them"
+        ]
     falls = (summary.get("collapse_load") or {}).get("falls") is not None
     if not has_drive(summary) and not falls and (moving := moving_at_end(summary)) > STILL:
         return [f"the specimen still moves at the end: its kinetic energy is {moving:.2g} of the stored"]
+    alone = summary.get("moving_at_end") or {}
+    if not has_drive(summary) and not falls and (moving := alone.get("kinetic", 0.0)) > LONE**2 * STILL:
+        return [f"{block_at(alone)} still moves at the end: its kinetic energy is {moving:.2g} of what it stores"]
     return []
+
+
+def block_at(alone: dict[str, Any]) -> str:
+    """A block in words."""
+    return f"block {alone['block']} at ({', '.join(f'{x:.4g}' for x in alone['at_m'])}) m"
 
 
 def not_slow(summary: dict[str, Any], damping: float) -> list[str]:

@@ -7,7 +7,6 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.history import TILT
 from masonry.loading.cycles import before_a_collapse
-from masonry.loading.scheduled import STILL
 from masonry.model.loads import Program
 from masonry.timeloop.recording import Outcome
 
@@ -46,17 +45,6 @@ def standing_rows(outcome: Outcome) -> dict[str, np.ndarray]:
     """The rows at which no block had fallen, and that at which the first one had."""
     fallen = outcome.found.get("collapse")
     return before_a_collapse(outcome.history.rows, None if fallen is None else fallen[1])
-
-
-def unrest(assembly: Assembly, outcome: Outcome) -> list[str]:
-    """One line where a run that was to end at rest came to the end of its duration before."""
-    kinetic = outcome.history.rows["kinetic"]
-    if assembly.scene.solver.until is None or kinetic[-1] <= STILL * kinetic.max():
-        return []
-    return [
-        f"when the run ended not all was at rest, as solver.until asks: {kinetic[-1] / kinetic.max():.2g} of the "
-        "largest kinetic energy is left; give a longer solver.duration, or a normal_dashpot to what hits and rocks"
-    ]
 
 
 def _moment(assembly: Assembly, rows: dict[str, np.ndarray], row: int) -> dict[str, Any]:

@@ -8,7 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
-from masonry.laboratory.collapse import standing_rows, unrest
+from masonry.laboratory.collapse import standing_rows
 from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
 from masonry.laboratory.provenance import provenance_of
 from masonry.laboratory.quality import quality_lines
@@ -24,6 +24,7 @@ from masonry.laboratory.remarks.twist_remarks import twist_remarks
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
 from masonry.laboratory.summary import add_tilt, cells_text, summarise
+from masonry.laboratory.unrest import unrest
 from masonry.laws.dispatch import word_of
 from masonry.results.joint_resultants import resultants
 from masonry.scene import Scene, to_toml

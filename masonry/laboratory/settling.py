@@ -2,13 +2,14 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import FEWEST, plan_of
 from masonry.errors import Stopped
-from masonry.history import History
+from masonry.history import LONE, History
 from masonry.loading.predictor import AT_FIRST
 from masonry.loading.scheduled import ScheduledLoading
 from masonry.model.loads import Controlled, Growing, Program
@@ -42,18 +43,15 @@ def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: 
     if isinstance(assembly.plan, Controlled):
         model.damping = AT_FIRST
     while True:
-        found, unbalanced, moving = _trial(assembly, steps, threads, progress, asked)
+        found, left = _trial(assembly, steps, threads, progress, asked)
         model_state.restore(model, fresh)
-        if not found and unbalanced < AT_REST and moving < STILL:
+        if not found and left.all_rest:
             scene = with_settle(assembly.scene, steps)
             return replace(assembly, scene=scene, plan=plan_of(scene, model.dt))
         if found and failed_before:
             raise Stopped(f"the dead loads move the specimen away: {found}; {ADVICE}")
         if steps >= LONGEST:
-            why = found or (
-                f"{unbalanced:.2g} of them are still unbalanced (should be under {AT_REST:g}), and the kinetic energy "
-                f"is {moving:.2g} of the stored (should be under {STILL:g})"
-            )
+            why = found or left.text
             raise Stopped(f"the dead loads have not come to rest in {steps} steps: {why}; {ADVICE}")
         steps, failed_before = 2 * steps, found
 
@@ -64,6 +62,40 @@ ADVICE = (
 )
 
 
+class Left(NamedTuple):
+    """The most of the last looks at a trial: unbalanced force over the dead loads, and kinetic over stored energy; the
+    same of one block, on its own scales; and the block (its number) that is farthest from rest."""
+
+    unbalanced: float = 0.0
+    still_moving: float = 0.0
+    of_a_block: float = 0.0
+    energy_of_a_block: float = 0.0
+    block: float = 0.0
+
+    @property
+    def sum_rests(self) -> bool:
+        return self.unbalanced < AT_REST and self.still_moving < STILL
+
+    @property
+    def all_rest(self) -> bool:
+        """Whether all together are at rest, and each block."""
+        return self.sum_rests and self.of_a_block < LONE * AT_REST and self.energy_of_a_block < LONE**2 * STILL
+
+    @property
+    def text(self) -> str:
+        """What is left, and how much may be."""
+        if self.sum_rests:
+            return (
+                f"of what block {self.block:.0f} bears {self.of_a_block:.2g} is still unbalanced (should be under "
+                f"{LONE * AT_REST:g}), and its kinetic energy is {self.energy_of_a_block:.2g} of what it stores "
+                f"(should be under {LONE**2 * STILL:g})"
+            )
+        return (
+            f"{self.unbalanced:.2g} of them are still unbalanced (should be under {AT_REST:g}), and the kinetic energy "
+            f"is {self.still_moving:.2g} of the stored (should be under {STILL:g})"
+        )
+
+
 def with_settle(scene: Scene, steps: int) -> Scene:
     """The scene with a number of steps in which its dead loads settle."""
     return scene.model_copy(update={"settle": Settle(steps=steps)})
@@ -71,10 +103,9 @@ def with_settle(scene: Scene, steps: int) -> Scene:
 
 def _trial(
     assembly: Assembly, steps: int, threads: int, progress: Progress | None, asked: Callable[[], bool]
-) -> tuple[str, float, float]:
+) -> tuple[str, Left]:
     """The dead loads alone, in so many steps. Returns why they had to be ended, nothing where they came to their end;
-    and the most of the last looks at the unbalanced force, over the dead loads, and at the kinetic energy, over the
-    stored one."""
+    and what is left of the motion."""
     model, plan = assembly.model, plan_of(with_settle(assembly.scene, steps), assembly.model.dt)
     layers = 0 if plan.layers is None else len(plan.layers)
     varying = np.zeros((len(model.varying) - layers, steps + 1)) if isinstance(plan, Growing) else None
@@ -93,6 +124,6 @@ def _trial(
     try:
         loop.run(look, None)
     except Stopped as stop:
-        return str(stop), 0.0, 0.0
-    unbalanced, moving = (max(loop.observed[name][-LAST:]) for name in ("unbalanced", "still_moving"))
-    return "", unbalanced, moving
+        return str(stop), Left()
+    most = {name: max(loop.observed[name][-LAST:]) for name in Left._fields}
+    return "", Left(**most | {"block": loop.observed["block"][-1]})

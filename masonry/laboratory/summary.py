@@ -16,6 +16,7 @@ from masonry.jit.sources import source_hash
 from masonry.laboratory.collapse import of_large, standing_rows
 from masonry.laboratory.provenance import own_sources
 from masonry.laboratory.symmetry import symmetry_lost
+from masonry.laboratory.unrest import farthest_from_rest
 from masonry.loading.cycles import DISSIPATED, at_peak, before_a_fall, only_rises, table
 from masonry.model.loads import Controlled, Growing
 from masonry.monitors import events
@@ -134,6 +135,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "dissipation_mismatch": torn / scale if (dissipated or model.large is not None) and scale > 0.0 else 0.0,
         "unbalanced_after_settling": float(observed["unbalanced"][-1]) if settles else None,
         "kinetic_after_settling": float(observed["still_moving"][-1]) if settles else None,
+        **farthest_from_rest(assembly, outcome, settles),
         "damping_over_external": (taken - released) / driven if driven > 0.0 else 0.0,
         "sudden_cracks": sudden,
         "released_over_dissipated": released / lost if sudden and lost > 0.0 else 0.0,

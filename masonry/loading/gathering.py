@@ -56,10 +56,14 @@ class Gathering:
         assert isinstance(self.damping, float)
         self.model.damping = min(self.damping, self.settings.little)
 
-    def falls(self, before: list[np.ndarray], rested: Arrays, travelled: float) -> bool:
+    def falls(self, before: list[np.ndarray], rested: Arrays, travelled: float, alone: bool) -> bool:
         """Take in a look at a specimen that does not rest yet, and say whether it falls: whether it accelerates, so far
-        (m) from where it rested. before: velocities a step earlier"""
+        (m) from where it rested. before: velocities a step earlier; alone: whether the sum over all blocks rests: what
+        one of them does is no drift of all, and is not braked as a swing about it"""
         self.looked += 1
+        if alone:
+            self.hold()
+            return False
         if self.drift is None:
             self.dragged += 1
             if self.dragged > self.settings.patient * self.window:

@@ -15,7 +15,7 @@ from masonry.history import FACTOR, OFF_BALANCE
 from masonry.loading.enclosing import Enclosing
 from masonry.loading.falling import Falling
 from masonry.loading.gathering import Gathering
-from masonry.loading.moves.moved import places, reach, relative_travel
+from masonry.loading.moves.travels import Limits, Travels
 from masonry.loading.pace import Pace
 from masonry.loading.scheduled import Chunk, ScheduledLoading
 from masonry.loading.settings import GROWING, GrowingSettings
@@ -26,14 +26,13 @@ from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.energy import Seen
 from masonry.monitors.settling import unbalanced
-from masonry.monitors.stability import smallest_block
 from masonry.runtime.state import State, attributes, load_attributes
 
 Arrays = dict[str, np.ndarray]
 
 
 REMEMBERED = (
-    *("phase", "factor", "calm", "slowest", "undecided", "looked", "travelled", "usual"),
+    *("phase", "factor", "calm", "slowest", "undecided", "looked"),
     *("steps_of_trial", "risen", "falls_by_turning", "swayed"),
 )
 SETTLES, RISES, WAITS, SHOWS, DROPS, LEADS, OVER = "settles", "rises", "waits", "shows", "drops", "leads", "over"
@@ -55,9 +54,10 @@ class GrowingLoading:
         restore: Callable[[Model, Arrays], None],
         settings: GrowingSettings = GROWING,
         gauge: Gauge | None = None,
+        gauges: tuple[Gauge, ...] = (),
     ) -> None:
         """keep, restore  make copies of what changes in a model, and put them back (timeloop/model_state.py)
-        gauge  is led on behind the collapse"""
+        gauge  is led on behind the collapse     gauges  stand still at a rest"""
         self.model, self.plan, self.settings = model, plan, settings
         self.state_of, self.restore_model = keep, restore
         layers = 0 if plan.layers is None else len(plan.layers)
@@ -65,7 +65,9 @@ class GrowingLoading:
         still = Program(plan.dead_load, np.zeros(plan.settle + 1), plan.settle, 0, grows, layers=plan.layers)
         self.settling = ScheduledLoading(model, still, max(1, rows // 10))
         self.loads = SharedLoads(model, layers)
-        self.size = smallest_block(model)
+        limits = Limits(settings.still, settings.reading, settings.away, settings.usual)
+        self.travels = Travels(model, limits, gauges)
+        self.size = self.travels.size
         least = settings.at_rest * plan.accuracy * self.loads.rest_over_each()
         self.enclosing, self.gathering = Enclosing(plan, least, settings), Gathering(model, settings)
         self.fall, self.most_looks = self.size * settings.fall, settings.fall_looks
@@ -74,9 +76,8 @@ class GrowingLoading:
         self.phase, self.factor = SETTLES, 0.0
         self.rested: Arrays = {}
         self.pace, self.booked = Pace(plan.accuracy, settings), energy.works(model)
-        self.places = [np.zeros(place.shape) for place in places(model, self.size)]
         self.calm = self.undecided = self.looked = self.steps_of_trial = self.risen = self.slowest = 0
-        self.travelled = self.usual = self.swayed = 0.0
+        self.swayed = 0.0
         self.turned = self.falls_by_turning = False
         self.branch = None if gauge is None else Falling(model, plan, gauge)
 
@@ -95,7 +96,7 @@ class GrowingLoading:
             waiting = self.settling.next()
             if waiting is not None:
                 return waiting
-            self.usual = self.farthest()
+            self.travels.look()
             self.keep()
             self.begin()
         if self.phase == OVER:
@@ -122,12 +123,13 @@ class GrowingLoading:
     def keep(self) -> None:
         """The specimen rests here: trials begin from here."""
         self.rested, self.booked = self.state_of(self.model), energy.works(self.model)
-        self.places = places(self.model, self.size)
+        self.travels.rest()
 
     def begin(self) -> None:
         """Set out for a higher factor."""
         self.enclosing.begin()
-        self.gathering.begin(self.window, self.usual)
+        self.travels.begin()
+        self.gathering.begin(self.window, self.travels.most)
         self.phase, self.calm, self.steps_of_trial, self.risen = RISES, 0, 0, 0
 
     def rising(self) -> float:
@@ -140,14 +142,6 @@ class GrowingLoading:
         """Looks in which the factor rises to the one that is tried."""
         return round(self.pace.slower * self.window)
 
-    def farthest(self) -> float:
-        """m, how far anything has moved since the last rest."""
-        return max(map(reach, self.moved()))
-
-    def moved(self) -> list[np.ndarray]:
-        """How far all has moved since the last rest, as `places`."""
-        return [now - then for now, then in zip(places(self.model, self.size), self.places, strict=True)]
-
     def feel(self, step: int, before: list[np.ndarray]) -> None:
         """Look at the specimen after each chunk; `before`: velocities one step before this one."""
         if self.phase in (SETTLES, OVER):
@@ -156,7 +150,7 @@ class GrowingLoading:
             self.end_by_turning()
             return
         self.steps_of_trial += self.settings.look
-        self.travelled = self.farthest()
+        self.travels.look()
         if self.phase == RISES:
             self.rise()
         elif self.phase == WAITS:
@@ -168,7 +162,14 @@ class GrowingLoading:
         else:
             self.looked += 1
             self.gathering.brake(before)
-            self.phase = OVER if self.travelled > self.fall or self.looked >= self.most_looks else DROPS
+            self.phase = OVER if self.dropped or self.looked >= self.most_looks else DROPS
+
+    @property
+    def dropped(self) -> bool:
+        """Whether the fall has been followed for long enough to show who moves."""
+        if self.travels.alone.any():
+            return self.travels.fallen(self.fall / (self.settings.away * self.size))
+        return self.travels.travelled > self.fall
 
     def turned_too_far(self) -> bool:
         """A block has turned further than small displacement allows: whether this is no more than the end of a trial,
@@ -186,15 +187,10 @@ class GrowingLoading:
             return
         self.fail(turning=True)
 
-    @property
-    def away(self) -> float:
-        """m: motion since the last rest that is a fall in itself."""
-        return max(self.settings.away * self.size, self.settings.usual * self.usual)
-
     def rise(self) -> None:
         """The factor goes on, unless the specimen falls already."""
         self.risen += 1
-        if self.travelled > self.away:
+        if self.travels.travelled > self.travels.away:
             self.fail()
         elif self.risen >= self.looks_of_rise:
             self.phase = WAITS
@@ -205,10 +201,13 @@ class GrowingLoading:
         kinetic, stored = abs(energy.kinetic(self.model, before)), now.elastic_blocks + now.elastic_contacts
         loose = unbalanced(self.model, before) > self.settings.at_rest * self.plan.accuracy
         rests = not loose and kinetic <= self.settings.still * stored
-        self.calm = self.calm + 1 if rests else 0
+        alone = rests and self.travels.moves_alone(before, self.settings.at_rest * self.plan.accuracy, self.calm)
+        self.calm = self.calm + 1 if rests and not alone else 0
+        travelled = self.travels.travelled
+        far = travelled > self.travels.away or self.travels.fallen()
         if self.calm >= self.settings.looks:
             self.bear()
-        elif self.travelled > self.away or self.gathering.falls(before, self.rested, self.travelled):
+        elif far or self.gathering.falls(before, self.rested, travelled, alone):
             self.fail()
         elif self.gathering.too_long:
             self.undecided += 1
@@ -223,8 +222,7 @@ class GrowingLoading:
             _, damped, work, *_ = energy.works(self.model) - self.booked
             self.pace.learn(work, -damped)
         self.slowest = max(self.slowest, self.steps_of_trial)
-        self.usual = max(self.usual, self.travelled)
-        self.swayed = max(map(reach, places(self.model, self.size)))
+        self.swayed = self.travels.sways()
         self.keep()
         self.phase = SHOWS
 
@@ -268,14 +266,14 @@ class GrowingLoading:
 
     def mechanism(self) -> np.ndarray:
         """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""
-        return relative_travel(self.model, self.moved())
+        return self.travels.relative()
 
     def state(self) -> State:
         """All that the next chunk depends on."""
         return {
             **attributes(self, REMEMBERED),
             "rested": self.rested,
-            "places": [place.copy() for place in self.places],
+            "travels": self.travels.state(),
             "settling": self.settling.state(),
             "enclosing": self.enclosing.state(),
             "gathering": self.gathering.state(),
@@ -287,7 +285,8 @@ class GrowingLoading:
     def restore(self, state: State) -> None:
         """Go on from there."""
         load_attributes(self, REMEMBERED, state)
-        self.rested, self.places = state["rested"], state["places"]
+        self.rested = state["rested"]
+        self.travels.restore(state["travels"])
         self.settling.restore(state["settling"])
         self.enclosing.restore(state["enclosing"])
         self.gathering.restore(state["gathering"])

@@ -4,18 +4,20 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from masonry.history import LONE
 from masonry.loading.rest import Rest
 from masonry.loading.varying_loads import VaryingLoads
 from masonry.model.loads import Program
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
+from masonry.monitors.unrest import left_of_motion
 from masonry.runtime.state import State, attributes, load_attributes
 
 LONGEST_CHUNK = 100
 """Steps between two looks at the motion: an instability cannot grow into infinities unseen, nor a sudden crack far."""
 STILL, STILL_ROWS = 1e-8, 20
-"""All is at rest when the kinetic energy was below this share of its largest in so many rows: what turns round in the
-air is still for less than a row."""
+"""All is at rest when the kinetic energy was below this share of its largest in so many rows, and that of each block
+(monitors/unrest.py): what turns round in the air is still for less than a row."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class ScheduledLoading:
     """The chunks of a program, with a row every so many steps, and after each step that the program marks."""
 
     def __init__(self, model: Model, program: Program, rows: int, rest: Rest | None = None) -> None:
-        self.program, self.done, self.rest, self.speed = program, 0, rest, 0.0
+        self.model, self.program, self.done, self.rest, self.speed = model, program, 0, rest, 0.0
         load_factors, rises = program.load_factors, program.layers is None
         self.loads = None
         if load_factors is not None:
@@ -93,9 +95,13 @@ class ScheduledLoading:
             self.rest.see(terms["elastic_blocks"] + terms["elastic_contacts"])
         if self.program.rest_from is not None:
             self.most = max(self.most, terms["kinetic"])
-            self.still = self.still + 1 if terms["kinetic"] <= STILL * self.most else 0
+            self.still = self.still + 1 if terms["kinetic"] <= STILL * self.most and self.each_rests() else 0
             if self.done >= self.program.rest_from and self.still >= STILL_ROWS and self.most > 0.0:
                 self.last = self.row_due()
+
+    def each_rests(self) -> bool:
+        """Whether each block is at rest, where the sum over all is."""
+        return bool((left_of_motion(self.model, self.most) <= LONE**2 * STILL).all())
 
     def load_factors(self) -> np.ndarray:
         """(H,) of the loads that vary, now."""

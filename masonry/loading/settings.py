@@ -93,7 +93,8 @@ class GrowingSettings:
     look       steps between two looks
     window     looks of which the motion is averaged, at least
     at_rest    force that accelerates over all loads, over the accuracy, and `still`, kinetic over stored energy, below
-               which the specimen rests, in `looks` looks on end
+               which the specimen rests, in `looks` looks on end; each block as well (monitors/unrest.py). `reading`,
+               what a gauge may move meanwhile over the farthest that it did
     patient    windows after which a trial that does not rest is let go; then `little`, the most local damping; `left`,
                the share of the swings that a look leaves; `memory`, looks over which the drift is averaged. Where no
                local damping was left, blocks slid that stood in the mechanism; where 0.2 of the swings were left, the
@@ -102,7 +103,8 @@ class GrowingSettings:
                taken it `faster` times as far as the second, and `usual` times as far as any way to a rest
     patience   windows after which a trial that neither rests nor falls counts as one that does not rest
     away       of the smallest block: motion since the last rest that is a fall in itself; `usual`, times the most that
-               brought it to rest so far, where that is more
+               brought it to rest so far, where that is more. Of a block that moves while the sum over all is at rest
+               both are its own
     fall       of the smallest block: motion to which the fall is followed, and `fall_looks`, looks that it may take: it
                shows who moves; `far` and `far_looks` where blocks may turn as far as they like
     """
@@ -119,6 +121,7 @@ class GrowingSettings:
     window: int = 10
     at_rest: float = 1e-2
     still: float = 1e-8
+    reading: float = 1e-3
     looks: int = 4
     patient: float = 2.0
     little: float = 0.1

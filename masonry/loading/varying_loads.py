@@ -1,8 +1,13 @@
 """Loads that vary, each by a history of its own: straight from chunk to chunk, by one array of changes for all."""
 
+from typing import Any
+
 import numpy as np
 
+from masonry.history import LONE
 from masonry.model.model import Model
+from masonry.monitors.energy import present
+from masonry.monitors.unrest import of_blocks
 
 STRETCH = 200
 """Steps between two knots, at most."""
@@ -43,7 +48,7 @@ class SharedLoads:
 
     def __init__(self, model: Model, stay: int = 0) -> None:
         """So many of them, the first, may `stay`: they act in full and vary no more."""
-        self.parts = []
+        self.model, self.parts = model, []
         for kind, body in zip(("rigid", "affine", "tets"), model.bodies, strict=True):
             if body is not None and body.change is not None:
                 each = [np.zeros(body.load.shape) if one[kind] is None else one[kind] for one in model.varying]
@@ -51,9 +56,19 @@ class SharedLoads:
                 self.parts.append((body, body.load + at_once.sum(axis=0), vary))
 
     def rest_over_each(self) -> float:
-        """Sum of the forces of the loads that stay over that of the greatest that varies."""
+        """Sum of the forces of the loads that stay over that of the greatest that varies; or, where that is less,
+        `LONE` times the same of a block that both act on."""
         rest = sum(float(np.abs(rest[:, :3]).sum()) for _, rest, _ in self.parts)
-        return rest / max(sum(np.abs(each[:, :, :3]).sum(axis=(1, 2)) for _, _, each in self.parts).max(), 1e-300)
+        whole = rest / max(sum(np.abs(each[:, :, :3]).sum(axis=(1, 2)) for _, _, each in self.parts).max(), 1e-300)
+        return min(whole, LONE * min(map(self._least, self.parts), default=whole))
+
+    def _least(self, part: tuple[Any, np.ndarray, np.ndarray]) -> float:
+        """The least of the same shares of the blocks of a kind that both act on; infinite where there are none."""
+        body, rest, each = part
+        kind = next(kind for kind, one in present(self.model) if one is body)
+        stays, varies = (of_blocks(self.model, kind, np.abs(f[..., :3]).sum(axis=-1).T) for f in (rest, each))
+        both = (stays > 0.0)[:, None] & (varies > 0.0)
+        return float(np.min(np.broadcast_to(stays[:, None], both.shape)[both] / varies[both], initial=np.inf))
 
     def pass_over(self, begin: np.ndarray, end: np.ndarray, steps: int) -> np.ndarray:
         """Set the loads of the bodies for so many steps from factors (H,) to others; returns (steps + 1,) what they add

@@ -1,25 +1,69 @@
 """How far dead loads have settled: what is unbalanced, and what still moves."""
 
+from typing import Any
+
 import numpy as np
 
 from masonry.history import still_moving
 from masonry.model.model import Model
 from masonry.monitors.energy import present
 from masonry.monitors.observer import Observer, View
+from masonry.monitors.unrest import EachBlock
+from masonry.runtime.state import State, attributes
+
+SHARE = 1e-3
+"""Of what a block bears: what may be unbalanced where one of them is to be named as the farthest from rest."""
 
 
 class Settling(Observer):
-    """Unbalanced force over the dead loads, and kinetic over stored energy: those of the last row of the settling."""
+    """Unbalanced force over the dead loads, and kinetic over stored energy: those of the last row of the settling. The
+    same of the block for which it is most, on its own scales; and which block is farthest from rest."""
 
-    REMEMBERED = ("unbalanced", "still_moving")
+    REMEMBERED = ("unbalanced", "still_moving", "of_a_block", "energy_of_a_block", "block")
 
-    def __init__(self) -> None:
-        self.unbalanced = self.still_moving = 0.0
+    def __init__(self, model: Model) -> None:
+        self.each = EachBlock(model)
+        self.unbalanced = self.still_moving = self.of_a_block = self.energy_of_a_block = self.block = 0.0
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         if view.settling:
             self.unbalanced, self.still_moving = unbalanced(model, view.before), still_moving(view.terms)
-        return self.state()
+            unrest = self.each.look(view.before)
+            self.of_a_block, self.energy_of_a_block = float(unrest.force.max()), float(unrest.energy.max())
+            self.block = float(unrest.worst(SHARE))
+        return attributes(self, self.REMEMBERED)
+
+    def state(self) -> State:
+        return {**super().state(), "most": self.each.most}
+
+    def restore(self, state: State) -> None:
+        super().restore(state)
+        self.each.most = state["most"]
+
+
+class Moving(Observer):
+    """Kinetic energy of the block that moves most, over what it stores, at the last row; and which it is. Of what
+    nothing drives, and what is no motion in time: elsewhere nobody asks whether it rests at the end."""
+
+    REMEMBERED = ("block", "energy")
+
+    def __init__(self, model: Model) -> None:
+        self.each, self.block, self.energy = EachBlock(model), 0, 0.0
+
+    def look(self, model: Model, view: View, step: int) -> dict[str, float]:
+        unrest = self.each.look(view.before)
+        self.block, self.energy = int(unrest.energy.argmax()), float(unrest.energy.max())
+        return {}
+
+    def state(self) -> State:
+        return {**super().state(), "most": self.each.most}
+
+    def restore(self, state: State) -> None:
+        super().restore(state)
+        self.each.most = state["most"]
+
+    def found(self) -> dict[str, Any]:
+        return {"moving_at_end": (self.block, self.energy)}
 
 
 def unbalanced(model: Model, before: list[np.ndarray]) -> float:

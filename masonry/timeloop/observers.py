@@ -8,16 +8,19 @@ from masonry.monitors.mode_2_area import LawArea
 from masonry.monitors.observer import Observer
 from masonry.monitors.openings import Openings
 from masonry.monitors.reactions import WorkOfLoads
-from masonry.monitors.settling import Settling
+from masonry.monitors.settling import Moving, Settling
 from masonry.monitors.slide import Slide
 from masonry.timeloop.recording import Recording
 
 
 def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
     """All observers of a run but the watch; those that may end it first, as others see only rows that are kept."""
+    driven = any(drive is not None for drive in model.drives)
+    moving = {} if driven or not model.scaled else {"moving": Moving(model)}
     return {
         **(small_limits(model, recording) if model.large is None else large_looks(model)),
-        "settling": Settling(),
+        "settling": Settling(model),
+        **moving,
         "law_area": LawArea(model),
         "work_of_loads": WorkOfLoads(recording.surroundings),
     }

@@ -65,7 +65,7 @@ def loading_of(model: Model, plan: Plan, rows: int, gauges: tuple[Gauge, ...] = 
     if isinstance(plan, Growing):
         control = plan.control
         led = None if control is None else next(gauge for gauge in gauges if gauge.name == control.gauge)
-        return GrowingLoading(model, plan, rows, model_state.state, model_state.restore, gauge=led)
+        return GrowingLoading(model, plan, rows, model_state.state, model_state.restore, gauge=led, gauges=gauges)
     waits = plan.varying is None and model.scaled and model.damping is not None
     return ScheduledLoading(model, plan, rows, Rest(model) if waits else None)
 

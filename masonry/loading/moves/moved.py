@@ -30,6 +30,19 @@ def moved_since(model: Model, kept: Arrays) -> Arrays:
     return {kind: now - before[kind] for kind, now in dofs(model).items()}
 
 
+def blocks_reach(model: Model, moved: list[np.ndarray]) -> np.ndarray:
+    """(B, 2) m, how far each block has moved, and how much it turned and strained; moved: as of `places`. Of tets it is
+    the node that moved most."""
+    layout, found = model.layout, np.zeros((model.blocks.count, 2))
+    for (kind, _), part in zip(energy.present(model), moved, strict=True):
+        far = np.column_stack([np.linalg.norm(part[:, :3], axis=1), np.linalg.norm(part[:, 3:], axis=1)])
+        if kind == "tets":
+            assert layout.mesh is not None
+            far = np.maximum.reduceat(far, layout.mesh.node_start[layout.members[kind]])
+        found[layout.members[kind]] = far
+    return found
+
+
 def relative_travel(model: Model, moved: list[np.ndarray]) -> np.ndarray:
     """(B,) how far each block has moved, over the one that moved most; zeros where none did. moved: as of `places`."""
     layout, found = model.layout, np.zeros(model.blocks.count)

@@ -1,0 +1,53 @@
+"""Which block is farthest from rest, after the settling and at the end, and whether a run ended at rest."""
+
+from typing import Any
+
+from masonry.assembly.assemble import Assembly
+from masonry.history import LONE
+from masonry.loading.scheduled import STILL
+from masonry.model.loads import Program
+from masonry.monitors.unrest import left_of_motion
+from masonry.timeloop.recording import Outcome
+
+
+def farthest_from_rest(assembly: Assembly, outcome: Outcome, settles: bool) -> dict[str, Any]:
+    """What is left of the motion of single blocks, on their own scales; nothing where nothing need be at rest.
+
+    After the settling: the most of any block, and the one that is farthest from rest; at the end, the one that moves
+    most.
+    """
+    observed, moving = outcome.observed, outcome.found.get("moving_at_end")
+    settled = None
+    if settles:
+        shares = {"unbalanced": float(observed["of_a_block"][-1]), "kinetic": float(observed["energy_of_a_block"][-1])}
+        settled = _place(assembly, int(observed["block"][-1])) | shares
+    end = None if moving is None else _place(assembly, moving[0]) | {"kinetic": moving[1]}
+    return {"unrest_after_settling": settled, "moving_at_end": end}
+
+
+def unrest(assembly: Assembly, outcome: Outcome) -> list[str]:
+    """One line where a run that was to end at rest came to the end of its duration before."""
+    kinetic = outcome.history.rows["kinetic"]
+    if assembly.scene.solver.until is None:
+        return []
+    advice = "give a longer solver.duration, or a normal_dashpot to what hits and rocks"
+    if kinetic[-1] > STILL * kinetic.max():
+        return [
+            "when the run ended not all was at rest, as solver.until asks: "
+            f"{kinetic[-1] / kinetic.max():.2g} of the largest kinetic energy is left; {advice}"
+        ]
+    left = left_of_motion(assembly.model, float(kinetic.max()))
+    block = int(left.argmax())
+    ended = isinstance(assembly.plan, Program) and outcome.steps < assembly.plan.steps
+    if ended or left[block] <= LONE**2 * STILL:
+        return []
+    where = ", ".join(f"{x:.4g}" for x in assembly.model.layout.centroid[block])
+    return [
+        f"when the run ended block {block}, which began at ({where}) m, was not at rest, as solver.until asks: its "
+        f"kinetic energy is {left[block]:.2g} of its part of the largest, or of its weight times its size; {advice}"
+    ]
+
+
+def _place(assembly: Assembly, block: int) -> dict[str, Any]:
+    """A block, and where it was made."""
+    return {"block": block, "at_m": assembly.model.layout.centroid[block].tolist()}
