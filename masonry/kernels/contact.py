@@ -6,6 +6,7 @@ from numba import prange
 
 from masonry.jit.compiler import inner, jit, jit_parallel
 from masonry.jit.extending import register_jitable
+from masonry.laws.cone import slip_of
 from masonry.laws.dispatch import contacts_at_once
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import ContactHistory
@@ -64,7 +65,7 @@ def _sweep(
             put_where(own, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
             put_where(own, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
             sigma, fraction = update.sigma, update.fraction
-            left = (1.0 - fraction) * flexibility
+            left = slip_of(update.floats, (1.0 - fraction) * flexibility)
             put_where(own, slip, (c, 0), px + left * tx)
             put_where(own, slip, (c, 1), py + left * ty)
             put_where(own, slip, (c, 2), pz + left * tz)

@@ -1,4 +1,4 @@
-"""The mechanism that all softening laws share: envelope, unloading, return to the Coulomb line, dilation, energies.
+"""The mechanism that all softening laws share: envelope, unloading, return to the Coulomb line (`cone.py`), energies.
 
 A law file gives the curves (`tension_intact`, `tension_area`, `shear_intact`); this file says when a contact follows
 them. Sign: sigma > 0 is tension. History never heals: `intact_n`, `intact_s` only fall, `opening_max` only grows.
@@ -7,6 +7,7 @@ them. Sign: sigma > 0 is tension. History never heals: `intact_n`, `intact_s` on
 from math import inf
 
 from masonry.jit.extending import register_jitable
+from masonry.laws.cone import caught, coulomb, in_springs, left_of, normal_stress, pressed, shared, strength
 from masonry.laws.dispatch import shear_intact, tension_area, tension_intact
 from masonry.laws.state import ContactHistory, StressUpdate, grown
 from masonry.simd import any_lane, filled, maximum, minimum, or_zero, where
@@ -31,9 +32,12 @@ def return_mapping(parameters, joint, history, opening, total, tau):
     torn, mode_1 = tear(parameters, joint, history, e)
     sigma = normal_stress(joint, torn, e)
     peak, residual = coulomb(joint, torn, e, sigma)
-    slides = tau > left_of(joint, torn, torn.intact_s, peak, residual)
+    left, whole_tau = left_of(joint, torn, torn.intact_s, peak, residual), tau
+    torn, e, tau, floats = caught(joint.tan_dilation, joint, torn, e, tau, left)
+    slides = tau > left
     if not any_lane(slides):
-        return StressUpdate(sigma, filled(1.0, e), torn, mode_1, filled(0.0, e), filled(0.0, e))
+        fraction = where(tau < whole_tau, tau / whole_tau, 1.0)
+        return StressUpdate(sigma, fraction, torn, mode_1, filled(0.0, e), filled(0.0, e), floats)
 
     slip = softening_slip(joint.plastic_softening, parameters, joint, torn, e, sigma, tau, peak, residual)
     whole = where(slides, softened(parameters, joint, torn, slip, peak, residual, sigma), torn.intact_s)
@@ -48,15 +52,16 @@ def return_mapping(parameters, joint, history, opening, total, tau):
     parted, energy = stay_open(slid.permanent_opening, joint, slid, e - rise, lifted)
     mode_2 = slipped * 0.5 * (started - residual + yielded - last)
     friction = slipped * 0.5 * (residual + last) + 0.5 * (normal_stress(joint, slid, e) + lifted) * rise
-    fraction = where(slides, yielded / tau, 1.0)
-    return StressUpdate(normal_stress(joint, parted, e - rise), fraction, parted, mode_1 + energy, mode_2, friction)
+    sigma, fraction = normal_stress(joint, parted, e - rise), where(yielded < whole_tau, yielded / whole_tau, 1.0)
+    return StressUpdate(sigma, fraction, parted, mode_1 + energy, mode_2, friction, floats)
 
 
 def stored_energy(parameters, joint, history, opening, tau_squared):
     """Recoverable energy per area (J/m2): normal (secant or elastic) and shear."""
     e = opening - or_zero(history.dilation, opening)
     elastic = e - or_zero(history.permanent_opening, e)
-    return 0.5 * (normal_stress(joint, history, e) * elastic + tau_squared / joint.shear_stiffness)
+    sheared = in_springs(joint.tan_dilation, joint, history, e, tau_squared)
+    return 0.5 * (normal_stress(joint, history, e) * elastic + sheared / joint.shear_stiffness)
 
 
 @register_jitable
@@ -136,66 +141,6 @@ def strength_over(permanent_opening, intact, joint):
 
 
 @register_jitable
-def normal_stress(joint, history, e):
-    """sigma(e): full kn in compression; in tension by secant (damage) or elastic (plastic opening) unloading."""
-    return unload(history.permanent_opening, joint, history, e)
-
-
-@register_jitable
-def unload(permanent_opening, joint, history, e):
-    """Elastic, or along the secant."""
-    if permanent_opening is not None:
-        return joint.normal_stiffness * (e - permanent_opening)
-    return e * where(e > 0.0, history.secant, joint.normal_stiffness)
-
-
-@register_jitable
-def coulomb(joint, history, e, sigma):
-    """Peak and residual shear strength at the present stress, eq. (8); never negative, never crossed.
-
-    The residual cohesion acts between faces that touch: torn faces lose it as they open, and find it again on closing.
-    """
-    peak = maximum(joint.cohesion - sigma * joint.tan_friction, 0.0)
-    c_res = residual_cohesion(joint, history, e)
-    residual = maximum(c_res - sigma * joint.tan_residual_friction, 0.0)
-    return maximum(peak, residual), residual
-
-
-@register_jitable
-def residual_cohesion(joint, history, e):
-    """Residual cohesion (Pa) of faces that stand open by e."""
-    c_res = filled(joint.residual_cohesion, e)
-    if joint.residual_cohesion == 0.0:
-        return c_res
-    stands_open = (e > 0.0) & (history.intact_n < 1.0)
-    if not any_lane(stands_open):
-        return c_res
-    lost = (1.0 - shared(joint.combined, history.intact_n)) * minimum(e / history.opening_max, 1.0)
-    return where(stands_open, c_res * (1.0 - lost), c_res)
-
-
-@register_jitable
-def strength(joint, history, e, sigma):
-    """Shear strength (Pa) that this history leaves at the present stress."""
-    peak, residual = coulomb(joint, history, e, sigma)
-    return left_of(joint, history, history.intact_s, peak, residual)
-
-
-@register_jitable
-def left_of(joint, history, whole, peak, residual):
-    """Shear strength (Pa) where a share `whole` of it is left in shear."""
-    return residual + whole * shared(joint.combined, history.intact_n) * (peak - residual)
-
-
-@register_jitable
-def shared(combined, intact):
-    """The other mode's intact share where tension and cohesion are lost together, D = dt + ds - dt ds; else 1."""
-    if combined is None:
-        return filled(1.0, intact)
-    return intact
-
-
-@register_jitable
 def softened(parameters, joint, history, slip, peak, residual, sigma):
     """Share of the shear strength above the residual that is left after a slip (m) of this step; it only falls."""
     left = shear_intact(parameters, joint, history.intact_s, slip, peak, residual, maximum(-sigma, 0.0))
@@ -249,15 +194,6 @@ def plastic_slip_increment(parameters, joint, history, e, sigma, tau, peak, resi
 
 
 @register_jitable
-def pressed(joint, history, e, tau, whole, peak, residual):
-    """Rise (m) by dilation of a contact that slides and keeps a share `whole`; peak and residual (Pa) under it."""
-    excess = maximum(tau - left_of(joint, history, whole, peak, residual), 0.0)
-    rise = dilation_increment(joint.tan_dilation, joint, history, e, excess, whole)
-    top, last = cone_after(joint.tan_dilation, joint, history, e - rise, peak, residual)
-    return rise, top, last
-
-
-@register_jitable
 def secant_energy(joint, history, e):
     """Twice the energy (J/m2) that tension holds, released as shear takes its share away."""
     if joint.combined is None:
@@ -272,27 +208,3 @@ def on_secant(permanent_opening, energy):
     if permanent_opening is None:
         return energy
     return filled(0.0, energy)
-
-
-@register_jitable
-def dilation_increment(tan_dilation, joint, history, e, excess, whole):
-    """Rise (m) by eqs (9) and (10) up to the cut-off; torn faces that stand open do not dilate.
-
-    The elastic shear stress exceeds the cone by `excess` (Pa), and the rise itself lifts the cone: both return at once.
-    """
-    if tan_dilation is None:
-        return filled(0.0, e)
-    room = maximum(joint.dilation_cutoff - history.plastic_slip, 0.0)
-    room = where((e > 0.0) & (history.intact_n < 1.0), 0.0, room)
-    tan_res = joint.tan_residual_friction
-    slope = tan_res + whole * shared(joint.combined, history.intact_n) * (joint.tan_friction - tan_res)
-    slipped = excess / (joint.shear_stiffness + slope * joint.normal_stiffness * tan_dilation)
-    return tan_dilation * minimum(slipped, room)
-
-
-@register_jitable
-def cone_after(tan_dilation, joint, history, e, peak, residual):
-    """Peak and residual shear strength (Pa) once dilation has pressed the faces; unchanged without it."""
-    if tan_dilation is None:
-        return peak, residual
-    return coulomb(joint, history, e, normal_stress(joint, history, e))

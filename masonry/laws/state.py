@@ -58,6 +58,8 @@ class StressUpdate(NamedTuple):
     fraction   of the elastic shear stress that is left after the return to the Coulomb line
     history    its new history
     mode_1, mode_2, friction  J/m2 dissipated now
+    floats     which contacts nothing holds, of those that dilate: what they lose of the stress is no slip. None
+               where no contact dilates
     """
 
     sigma: float
@@ -66,6 +68,7 @@ class StressUpdate(NamedTuple):
     mode_1: float
     mode_2: float
     friction: float
+    floats: Any
 
 
 def grown(history, value):

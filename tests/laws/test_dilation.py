@@ -1,4 +1,5 @@
-"""Dilation, eqs (9) and (10): slip lifts the faces by tan(psi); held down, they press; sliding never makes energy."""
+"""Dilation, eqs (9) and (10): slip lifts the faces by tan(psi), open or closed; held down, they press; sliding never
+makes energy."""
 
 from math import atan, tan
 
@@ -92,12 +93,78 @@ def test_sliding_makes_no_energy_even_where_dilation_is_as_steep_as_friction(nam
     assert np.all(np.diff(total) >= -1e-12 * total[-1])
 
 
+def dry(tangent: float = 0.65, ratio: float = 1.0, cutoff: float = 1.0, **options) -> tuple:
+    """Faces with friction alone that rise by a share `ratio` of it."""
+    strengths = {"tensile_strength": 0.0, "cohesion": 0.0, "tan_friction": tangent, "tan_residual_friction": tangent}
+    return law(
+        "brittle", **strengths, dilation_angle=atan(ratio * tangent) * (1 - 1e-12), dilation_cutoff=cutoff, **options
+    )
+
+
+@pytest.mark.parametrize("ninth", [False, True])
+@pytest.mark.parametrize("ratio", [1.0, 0.5])
+def test_faces_that_slide_at_an_opening_meet_once_they_have_risen_by_it_and_press_from_then_on(ratio, ninth):
+    """Beyond gap / tan(psi): tau = mu kn tan(psi) p with the plastic slip p, as if they had been closed there."""
+    gap, tangent = 20 * UM, ratio * 0.65
+    found = walk(dry(ratio=ratio), along([(0, 0, gap), (60 * UM, 80 * UM, gap)], 0.05 * UM), ninth=ninth)
+    beyond = np.maximum(np.hypot(*found.path[:, :2].T) - gap / tangent, 0.0)
+    plastic = KS * beyond / (KS + 0.65 * KN * tangent)
+    np.testing.assert_allclose(found.sigma, -KN * tangent * plastic, rtol=1e-9, atol=1e-3)
+    np.testing.assert_allclose(found.tau, 0.65 * KN * tangent * plastic, rtol=1e-9, atol=1e-3)
+    assert found.sigma[-1] < -1e5 and not found.stress[beyond == 0.0].any()
+    assert not found.stored[beyond == 0.0].any(), "what floats is off its springs"
+
+
+@pytest.mark.parametrize("cutoff", [1.0, 10 * UM])
+def test_faces_that_are_let_down_meet_at_the_height_of_the_slope_they_stand_over(cutoff):
+    """However they came there: what floats does not slip, so moving to and fro above a face does not raise it."""
+    side, top = 30 * UM, 50 * UM
+    wanders = [
+        (0, 0, 0),
+        (0, 0, top),
+        *[(70 * UM, -20 * UM, top), (-70 * UM, 0, top)] * 5,
+        (0, side, top),
+        (0, side, 0),
+    ]
+    found = walk(dry(cutoff=cutoff), along(wanders, 0.05 * UM))
+    height = 0.65 * min(side, cutoff)
+    falling = slice(-int(np.ceil(top / (0.05 * UM))), None)
+    above = found.path[falling, 2] > height + 1e-12
+    assert not found.stress[falling][above].any()
+    assert np.all(found.sigma[falling][~above][1:] < 0.0)
+    assert above.sum() == pytest.approx((top - height) / (0.05 * UM), abs=1.5)
+
+
+@pytest.mark.parametrize("ratio", [1.0, 0.5])
+def test_faces_with_as_much_dilation_as_friction_spend_nothing_and_others_what_is_between(ratio):
+    """(mu - tan(psi)) |sigma| for each slip, whatever opens and closes between; exact as the steps get shorter."""
+    path = [(0, 0, 0), (20 * UM, 0, 20 * UM), (60 * UM, 0, 15 * UM), (60 * UM, 30 * UM, 3 * UM), (0, 30 * UM, 60 * UM)]
+    gaps = []
+    for step in (0.04 * UM, 0.01 * UM):
+        found = walk(dry(ratio=ratio), along([*path, (0, 10 * UM, 5 * UM), (0, 0, -1 * UM)], step))
+        assert found.stored.max() > 1.0 and np.all(found.stored >= 0.0)
+        assert np.all(np.diff(found.dissipated) >= -1e-12 * found.stored.max())
+        gaps.append(np.abs(found.gap).max() / found.stored.max())
+        spent = found.dissipated[-1] / found.stored.max()
+        assert spent == pytest.approx(0.0, abs=1e-9) if ratio == 1.0 else spent > 0.1
+    assert gaps[1] < 0.3 * gaps[0] and gaps[1] < 2e-3
+
+
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow if n != "exponential" else ()) for n in LAWS])
-def test_torn_faces_that_stand_open_do_not_dilate(name):
+def test_torn_faces_that_something_still_ties_slip_and_rise_while_they_stand_open(name):
+    """With independent coupling cohesion outlasts the tear."""
     parameters, joint = law(name, dilation_angle=PSI, dilation_cutoff=1.0, coupling="independent")
     state = contact(joint)
     walk((parameters, joint), along([(0, 0, 0), (0, 0, 60 * UM), (100 * UM, 0, 60 * UM)]), state)
-    assert state.dilation[0] == 0.0
+    assert state.plastic_slip[0] > 80 * UM
+    assert state.dilation[0] == pytest.approx(tan(PSI) * state.plastic_slip[0], rel=1e-6)
+
+
+def test_torn_faces_whose_opening_stays_do_not_rise_on_it():
+    parameters, joint = law("exponential", dilation_angle=PSI, dilation_cutoff=1.0, unloading="elastic")
+    state = contact(joint)
+    walk((parameters, joint), along([(0, 0, 0), (0, 0, 60 * UM), (100 * UM, 0, 60 * UM)]), state)
+    assert state.dilation[0] < 1e-3 * tan(PSI) * 100 * UM
 
 
 def test_without_a_dilation_angle_a_contact_has_no_memory_of_uplift():
