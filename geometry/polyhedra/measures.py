@@ -8,6 +8,8 @@ from geometry.polyhedra.polygons import areas_normals_centroids, pad
 
 SAME_PLACE = 1e-6
 """Of the extent: corners that are nearer are at one place."""
+FACES, MOST = 64, 1_000_000
+"""Faces of a block between which its least width is sought; corners of faces that are looked at in one go."""
 
 
 def _tets(blocks: Blocks, origin: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -69,6 +71,30 @@ def bounds(blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
     start = blocks.face_start[blocks.block_face_start[:-1]]
     corners = blocks.points[blocks.face_points]
     return np.minimum.reduceat(corners, start), np.maximum.reduceat(corners, start)
+
+
+def extents(blocks: Blocks, block: np.ndarray, direction: np.ndarray) -> np.ndarray:
+    """(n,) m, how far some blocks (n,) reach from end to end along directions (n, 3) of length 1."""
+    found = np.empty(len(block))
+    first, last = (blocks.face_start[blocks.block_face_start[block + i]] for i in (0, 1))
+    ends = np.searchsorted(np.cumsum(last - first), np.arange(MOST, (last - first).sum() + MOST, MOST), side="right")
+    for part in np.split(np.arange(len(block)), ends):
+        if len(part):
+            owner, corner = ranges(first[part], (last - first)[part])
+            along = np.einsum("ci,ci->c", blocks.points[blocks.face_points[corner]], direction[part][owner])
+            start = np.cumsum((last - first)[part]) - (last - first)[part]
+            found[part] = np.maximum.reduceat(along, start) - np.minimum.reduceat(along, start)
+    return found
+
+
+def widths(blocks: Blocks) -> np.ndarray:
+    """(B,) m, the least width of each block: between its own faces, the largest FACES of them where it has more."""
+    area, normal, _ = face_areas_normals_centroids(blocks)
+    owner = blocks.face_block()
+    order = np.lexsort((-area, owner))
+    large = order[np.arange(len(order)) - blocks.block_face_start[owner] < FACES]
+    start = np.searchsorted(owner[large], np.arange(blocks.count))
+    return np.asarray(np.minimum.reduceat(extents(blocks, owner[large], normal[large]), start))
 
 
 def extent(blocks: Blocks) -> float:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from geometry.polyhedra.measures import bounds
+from geometry.polyhedra.measures import bounds, widths
 from geometry.specimens.placed import FLOOR
 from masonry.errors import Stopped
 from masonry.kernels.patches import deepest
@@ -33,8 +33,8 @@ class Collapse(Observer):
         self.block, self.step = -1, 0
         self.left, self.first_left, self.time_left = 0, -1, 0.0
         self.energies: dict[str, float] = {}
-        low, high = bounds(model.blocks)
-        self.width = (high - low).min(axis=1)
+        low, _ = bounds(model.blocks)
+        self.width = widths(model.blocks)
         self.extent = thinner(model) if model.large is not None and model.large.bonded else np.zeros(0)
         floor = np.array([group == FLOOR for group in model.blocks.groups])[model.blocks.group]
         self.underside = low[floor, 2].min(initial=np.inf) if floor.any() else -np.inf

@@ -24,6 +24,7 @@ class Openings(Observer):
 
 def thinner(model: Model) -> np.ndarray:
     """(C,) m, the extent of the thinner of the two blocks of each contact, along its normal."""
-    low, high = measures.bounds(model.blocks)
-    joints, along = model.joints, np.abs(model.joints.normal)
-    return np.minimum(*(((high - low)[b] * along).sum(axis=1) for b in (joints.block_a, joints.block_b)))
+    blocks, joints = model.blocks, model.joints
+    _, first, patch = np.unique(joints.patch, return_index=True, return_inverse=True)
+    both = (measures.extents(blocks, b[first], joints.normal[first]) for b in (joints.block_a, joints.block_b))
+    return np.asarray(np.minimum(*both)[patch.reshape(-1)])

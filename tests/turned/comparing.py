@@ -1,0 +1,94 @@
+"""What is compared of a scene as it is, and as it is turned, mirrored or numbered anew."""
+
+import re
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from masonry.judgement.trust import trust
+from masonry.laboratory import laboratory
+from masonry.scene import Scene
+from verification.checks.turned import Turn, about, turned
+from verification.scene_runs import load
+
+OBLIQUE = "turned by 45 degrees about (1, 2, 3)"
+ABOUT_X = "turned by 45 degrees about x"
+ABOUT_BEDS = "turned by 45 degrees about the normal of a bed"
+CYCLIC = "x for y, y for z, z for x"
+MIRRORED, NUMBERED = "mirrored", "numbered anew"
+TURNS = {
+    turn.name: turn
+    for turn in (
+        Turn(ABOUT_X, about((1.0, 0.0, 0.0), 45.0)),
+        Turn(ABOUT_BEDS, about((0.0, 0.0, 1.0), 45.0)),
+        Turn(OBLIQUE, about((1.0, 2.0, 3.0), 45.0)),
+        Turn(CYCLIC, about((1.0, 1.0, 1.0), 120.0)),
+        Turn(MIRRORED, np.diag([-1.0, 1.0, 1.0])),
+        Turn(NUMBERED, np.eye(3), seed=1),
+    )
+}
+DRY = (
+    *("arch", "arch-own-weight", "arch-spread", "arch-spreading", "arch-tilted", "block-rocking", "column-pushed"),
+    *("dome-own-weight", "facade-tilted", "rubble-pile", "triplet-dry", "vault-spreading", "wall-out-of-plane"),
+    *("wall-three-leaf", "wall-three-leaf-out-of-plane", "wall-tilted", "wall-to-and-fro", "wall-with-window"),
+)
+"""All packaged scenes whose joints are dry."""
+CASES = ("arch-of-oppenheim", "arch-of-voussoirs", "dry-block", "dry-rocking", "dry-wall", "dry-wall-let-go", "incline")
+"""Scenes of cases whose joints are dry."""
+
+
+def run(name: str, turn: str = "", **knobs: Any) -> dict[str, Any]:
+    """The summary of a scene, as it is or turned."""
+    return _run(name, turn, tuple((key.replace("__", "."), value) for key, value in knobs.items()))
+
+
+@cache
+def _run(name: str, turn: str, knobs: tuple[tuple[str, Any], ...]) -> dict[str, Any]:
+    scene = load(name, dict(knobs))
+    if not turn:
+        return laboratory.run(scene).summary
+    with turned(scene, TURNS[turn]) as other:
+        return laboratory.run(other).summary
+
+
+def asked(scene: Scene) -> float:
+    """The accuracy that a scene asks for; 1 % where it gives its steps."""
+    controls = (scene.limit, scene.drive)
+    return min((one.accuracy for one in controls if one is not None and one.accuracy is not None), default=0.01)
+
+
+def numbers(summary: dict[str, Any]) -> dict[str, tuple[float, float]]:
+    """By name: a number that does not depend on axes and numbering, and the size against which a difference counts."""
+    energy, fell = summary["energy_j"], summary.get("collapse")
+    force = max(abs(summary["peak_stress_pa"]), abs(summary["lowest_stress_pa"]))
+    found = {
+        "peak": (summary["peak_stress_pa"], force),
+        "lowest": (summary["lowest_stress_pa"], force),
+        "blocks": (summary["blocks"], 1.0),
+        "contacts": (summary["contacts"], 1.0),
+    }
+    if fell is not None:
+        found["time of the fall"] = (fell["time_s"], fell["time_s"])
+    else:
+        work = abs(energy["external_work"])
+        found["final"] = (summary["final_stress_pa"], force)
+        found["elastic energy"] = (energy["elastic_contacts"], energy["elastic_contacts"])
+        found["friction"] = (energy["friction"], work)
+        found["overlap"] = (summary["overlap_max"], summary["overlap_max"])
+    if (load := summary.get("collapse_load")) is not None:
+        found["factor"] = (load["borne"], load["borne"])
+        found["moving"] = (load["moving"], 1.0)
+    return found
+
+
+def apart(one: dict[str, Any], other: dict[str, Any]) -> dict[str, float]:
+    """By how much each number differs, over its size."""
+    first, second = numbers(one), numbers(other)
+    assert first.keys() == second.keys()
+    return {name: abs(value - second[name][0]) / (size or 1.0) for name, (value, size) in first.items()}
+
+
+def words(summary: dict[str, Any]) -> str:
+    """The sentence of trust without its numbers, and without what axes and blocks are called."""
+    return re.sub(r"-?\d[\d.e+-]*|across [xyz]", "#", trust(summary))
