@@ -1,0 +1,211 @@
+"""The limits of what is said of contacts, meshes and turns: asked a hundredth below and a hundredth above each."""
+
+from dataclasses import replace
+from math import sqrt
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from masonry.assembly.assemble import Assembly, assemble
+from masonry.laboratory import laboratory
+from masonry.laboratory.collapse import unrest
+from masonry.laboratory.remarks import contact_remarks, mesh_remarks, twist_remarks
+from masonry.scene import load
+from tests.judgement.frames import HEIGHT, SIDE, frame, moved, on_a_slab
+from tests.large.made import slab
+from tests.large.test_meshed_blocks import scene as meshed_scene
+from tests.results.test_trust_of_dry_joints import BLOCK, GROUND, HELD, WEIGHT
+from tests.results.test_trust_of_dry_joints import scene as small
+from tests.scenes import box
+
+EITHER_SIDE = [(0.99, False), (1.01, True)]
+"""A share of the limit, and whether something is said."""
+
+
+def said(lines: list[str], words: str) -> bool:
+    """Whether exactly one line is said, with these words; nothing else may be."""
+    assert len(lines) <= 1 and all(words in line for line in lines)
+    return bool(lines)
+
+
+@pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
+def test_tets_lock_from_a_poisson_ratio_of_three_tenths_on(share, told):
+    scene = load("couplet").with_({"material.units.poisson_ratio": share * 0.3, "kinematics": "tets"})
+    lines = mesh_remarks.mesh_remarks(SimpleNamespace(scene=scene, mesh=None, model=None))
+    assert said(lines, "constant-strain tets lock at a Poisson ratio of 0.3") == told
+
+
+@pytest.mark.parametrize(
+    ("ratio", "words"),
+    [
+        (0.301, "13 % in shear, 22 % in bending, 11 % pressed"),
+        (0.4, "13 % in shear, 22 % in bending, 11 % pressed"),
+        (0.401, "16 % in shear, 30 % in bending, 23 % pressed"),
+        (0.4991, "24 % in shear, 11 times in bending, 60 times pressed"),
+        (0.49999, "24 % in shear, 11 times in bending, 60 times pressed"),
+    ],
+)
+def test_locking_is_that_of_the_next_ratio_of_the_table(ratio, words):
+    assert words in mesh_remarks.locking_text(ratio)
+
+
+@pytest.fixture(scope="module")
+def meshed() -> Assembly:
+    """A meshed block on a slab that is held."""
+    boxes = [slab(1.0), box("block", (-0.1, -0.1, 0), (0.2, 0.2, 0.2), "meshed", 1)]
+    boxes.append(box("beside", (0.5, -0.1, 0), (0.2, 0.2, 0.2), "bricks", 2))
+    return assemble(meshed_scene(boxes, (0, 0, 0), 1))
+
+
+@pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
+def test_inertia_may_be_a_twentieth_too_large(meshed, share, told, monkeypatch):
+    monkeypatch.setattr(mesh_remarks, "inertia_excess", lambda mesh, centroid: np.array([0.0, share * 0.05, 0.0]))
+    assert said(mesh_remarks.mesh_remarks(meshed), "gives block 1 (meshed) 5 % too much") == told
+
+
+@pytest.mark.parametrize(("share", "told"), [(1.01, False), (0.99, True)])
+def test_edges_may_be_as_sharp_as_36_deg(meshed, share, told, monkeypatch):
+    monkeypatch.setattr(mesh_remarks, "inertia_excess", lambda mesh, centroid: np.zeros(3))
+    monkeypatch.setattr(mesh_remarks, "sharpest_edge", lambda blocks, which: (1, share * 36.0))
+    assert said(mesh_remarks.mesh_remarks(meshed), "has an edge of 35.6 deg") == told
+
+
+TURNS = [
+    ({}, True),
+    ({"turned": 0.099, "slid": 0.901}, False),
+    ({"turned": 0.101, "slid": 0.899}, True),
+    ({"most": 0.0099}, False),
+    ({"most": 0.0101}, True),
+    ({"friction": 0.99}, False),
+    ({"friction": 1.01}, True),
+    ({"friction": 1.01, "kinetic": 10.2}, False),
+]
+"""What changes of turns that make up a half, of 0.1 rad, where friction takes 5 J of a work of 10 J."""
+
+
+@pytest.mark.parametrize(("changes", "told"), TURNS)
+def test_turns_on_beds_are_told_where_they_are_large_and_take_much_of_what_friction_takes(changes, told, monkeypatch):
+    now = {"turned": 0.5, "slid": 0.5, "most": 0.1, "friction": 5.0, "kinetic": 1.0} | changes
+    monkeypatch.setattr(twist_remarks, "turns_and_slides", lambda *_: tuple(now[k] for k in ("turned", "slid", "most")))
+    assembly = on_a_slab()
+    rows = {"external_work": np.array([0.0, -10.0]), "kinetic": np.array([0.0, now["kinetic"]])}
+    rows["friction"] = np.array([0.0, now["friction"]])
+    history = SimpleNamespace(frames=[frame(assembly, k) for k in (0, 1)], rows=rows)
+    outcome = SimpleNamespace(history=history, found={"collapse": None})
+    share = 100.0 * now["turned"] / (now["turned"] + now["slid"])
+    assert said(twist_remarks.twist_remarks(assembly, outcome), f"about {share:.0f} % of what slid") == told
+
+
+@pytest.mark.parametrize(("turn", "slide"), [(0.02, 0.0), (-0.02, 0.0), (0.0, 0.003), (0.02, 0.003)])
+def test_a_turn_and_a_slide_under_a_pressure_have_the_lengths_of_their_ways(turn, slide):
+    """The four corners have half the diagonal as their lever; a turn to and fro sums up, but is no large turn."""
+    assembly, pressure = on_a_slab(), 1e4
+    pressed = {"normal_stress": np.full(len(assembly.joints.area), -pressure)}
+    ways = [moved(assembly, 1, share * turn, (share * slide, 0.0, 0.0)) for share in (0.0, 0.5, 1.0, 0.0)]
+    frames = [frame(assembly, k, corners=corners, **pressed) for k, corners in enumerate(ways)]
+    turned, slid, most = twist_remarks.turns_and_slides(assembly, frames)
+    force, lever = pressure * SIDE**2, 0.5 * sqrt(2.0) * SIDE
+    assert turned == pytest.approx(force * lever * 2.0 * abs(turn), rel=1e-3)
+    assert slid == pytest.approx(force * 2.0 * slide, rel=1e-3)
+    assert most == pytest.approx(0.0, abs=1e-5), "but for squares of the turn"
+    assert twist_remarks.turns_and_slides(assembly, frames[:3])[2] == pytest.approx(abs(turn), rel=1e-3)
+
+
+def test_what_lifts_while_it_turns_rubs_nothing():
+    assembly = on_a_slab()
+    pressed = {"normal_stress": np.full(len(assembly.joints.area), -1e4)}
+    frames = [frame(assembly, 0, **pressed), frame(assembly, 1, corners=moved(assembly, 1, 0.02, (0.01, 0.0, 0.0)))]
+    assert twist_remarks.turns_and_slides(assembly, frames) == (0.0, 0.0, 0.0)
+
+
+def drawn_in(share: float) -> Assembly:
+    """Two dry blocks on the ground in small displacement, with points at a share of the way to the corners."""
+    beside = box("beside", (0.5, 0, 0), (0.2, 0.1, 0.5), "units", 2)
+    assembly = assemble(small([GROUND, BLOCK, beside], [HELD], WEIGHT))
+    joints = assembly.joints
+    middle = np.where(joints.patch == 0, joints.point[joints.patch == 0].mean(axis=0)[:, None],
+                      joints.point[joints.patch == 1].mean(axis=0)[:, None]).T  # fmt: skip
+    return replace(assembly, joints=replace(joints, point=middle + share * (joints.point - middle)))
+
+
+@pytest.mark.parametrize(("share", "told"), [(1.01, False), (0.99, True)])
+def test_points_count_as_at_the_edge_from_nine_tenths_of_the_way_on(share, told):
+    assert said(contact_remarks.rocking_remarks(drawn_in(0.9 * share)), "which reach 0.89 of the way") == told
+
+
+@pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
+@pytest.mark.parametrize("farthest", [1e-3, -1e-3])
+def test_a_joint_has_rocked_where_it_opened_by_a_thousandth_of_the_largest_movement(share, told, farthest):
+    """The other joint opens or closes by a mm as a whole."""
+    assembly = drawn_in(0.5)
+    first, second = (np.flatnonzero(assembly.joints.patch == k) for k in (0, 1))
+    opening, stress = np.zeros((2, len(assembly.joints.area)))
+    opening[second], stress[first[1:]] = farthest, -1e4
+    opening[first[0]] = share * 1e-6
+    lines = contact_remarks.rocked_remarks(assembly, [frame(assembly, opening=opening, normal_stress=stress)])
+    assert said(lines, "joints without tension opened on one side") == told
+
+
+@pytest.mark.parametrize(("share", "told"), [(1.01, False), (0.99, True)])
+def test_dry_joints_decide_where_no_block_has_moved_by_a_thousandth_of_the_smallest(share, told):
+    assembly = on_a_slab()
+    edge = (SIDE**2 * HEIGHT) ** (1.0 / 3.0)
+    corners = moved(assembly, 1, 0.0, (0.0, -share * 1e-3 * edge, 0.0))
+    lines = contact_remarks.closed_remarks(assembly, [frame(assembly), frame(assembly, 1, corners=corners)])
+    assert said(lines, "no block moved by more than a thousandth of its size") == told
+
+
+@pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
+def test_a_tension_beyond_the_apex_is_cut_and_told(share, told):
+    """1 MPa of cohesion over a tangent of 0.5."""
+    lines = contact_remarks.contact_remarks(assemble(glued(tensile_strength=f"{share * 2.0} MPa")))
+    assert said(lines, "is beyond the apex of the Coulomb line") == told
+
+
+@pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
+def test_a_fracture_energy_may_hold_a_joint_over_an_opening_of_a_block(share, told):
+    scene = glued(tensile_strength="0.1 MPa")
+    edge = float(np.cbrt(assemble(scene).model.layout.volume.min()))
+    scene = glued(tensile_strength="0.1 MPa", fracture_energy_mode_1=f"{share * 1e5 * edge!r} N/m")
+    assert said(contact_remarks.contact_remarks(assemble(scene)), "keeps the joint together over an opening of") == told
+
+
+@pytest.mark.parametrize(("most", "told"), [(0.99, False), (1.01, True)])
+def test_what_moves_to_the_end_of_a_run_that_was_to_end_at_rest_is_told(most, told):
+    assembly = SimpleNamespace(scene=SimpleNamespace(solver=SimpleNamespace(until="rest")))
+    rows = {"kinetic": np.array([0.0, 4.0, most * 4e-8])}
+    lines = unrest(assembly, SimpleNamespace(history=SimpleNamespace(rows=rows)))
+    assert said(lines, "when the run ended not all was at rest, as solver.until asks: 1e-08") == told
+
+
+@pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
+def test_a_peak_is_a_blow_where_it_is_a_fifth_above_all_rows(share, told):
+    assembly = SimpleNamespace(specimen=SimpleNamespace(section=0.5), plan=SimpleNamespace(settle=10))
+    rows = {"step": np.array([5, 10, 20]), "stress": np.array([9e6, 1e6, 2e6])}
+    outcome = SimpleNamespace(history=SimpleNamespace(rows=rows), found={}, displacement_at_peak=1e-3)
+    outcome.peak_force = share * 1.2 * 2e6 * 0.5
+    assert said(laboratory._blow(assembly, outcome), "the peak is a blow between two rows, of which the highe") == told
+
+
+@pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
+def test_a_time_step_above_its_proven_bound_is_told(share, told):
+    assembly = assemble(load("couplet"))
+    model = replace(assembly.model, dt=share * assembly.model.bound)
+    assert any("above the proven bound" in line for line in laboratory.warnings(replace(assembly, model=model))) == told
+
+
+def glued(**contact: str):
+    """Two bricks with a mortared joint."""
+    given = {
+        "law": "linear",
+        "normal_stiffness": "200 GPa/m",
+        "shear_stiffness": "80 GPa/m",
+        "tensile_strength": "0.1 MPa",
+        "cohesion": "1 MPa",
+        "tan_friction_angle": 0.5,
+        "tan_residual_friction_angle": 0.5,
+        "fracture_energy_mode_1": "100 N/m",
+        "fracture_energy_mode_2": "500 N/m",
+    } | contact
+    return load("couplet").with_({f"contact.unit_unit.{key}": value for key, value in given.items()})

@@ -1,0 +1,149 @@
+"""Every limit of the sentence of trust, asked a hundredth below and a hundredth above: nothing, and exactly its doubt.
+
+The limits stand here as numbers of their own, so that one that is widened, narrowed or asked of another number fails.
+"""
+
+import pytest
+
+from masonry.judgement.trust import trust
+from tests.judgement.summaries import AT_REST, DRIVEN, GROWN, LED, LOOPS, REAL_TIME, with_numbers
+
+LIMITS = [
+    (DRIVEN, "energy_imbalance", 1e-9, "the energy balance is open by 1"),
+    (DRIVEN, "energy_imbalance", -1e-9, "the energy balance is open by 1"),
+    (DRIVEN, "dissipation_mismatch", 0.01, "laws and contacts disagree on the dissipated energy by 1.01 %"),
+    (DRIVEN, "force_balance", 1e-9, "forces and moments add up to 1e-09 of the largest"),
+    (DRIVEN, "overlap_max", 0.01, "contacts close by up to 0.01 of a block's size"),
+    (DRIVEN, "slip_max", 0.05, "contacts slid by up to 0.05"),
+    (with_numbers(DRIVEN, slip_limit=0.5), "slip_max", 0.1, "contacts slid by up to 0.1"),
+    (DRIVEN, "released_over_dissipated", 0.01, "sudden cracks released 1 %"),
+    (DRIVEN, "damping_over_external", -0.01, "damping added 1 % of the work and removed none"),
+    (DRIVEN, "damping_over_external", 0.02, "not quasi-static: damping takes 0.02 of the work (should be under 0.02)"),
+    (DRIVEN, "reaction_mismatch_max", 0.02, "not quasi-static: the two ends differ by 0.02 of the peak"),
+    (DRIVEN, "kinetic_over_internal_max", 0.05, "not quasi-static: kinetic energy reaches 0.051 of the internal"),
+    (DRIVEN, "unbalanced_after_settling", 1e-3, "the dead loads had not come to rest (0.001 of them unbalanced"),
+    (DRIVEN, "kinetic_after_settling", 1e-6, "the dead loads had not come to rest (0 of them unbalanced, kinetic ene"),
+    (DRIVEN, "control__drag_at_peak", 0.01, "damping took 1 % of the force at the peak"),
+    (with_numbers(DRIVEN, control__accuracy=0.03), "control__drag_at_peak", 0.03, "damping took 3 % of the force at"),
+    (AT_REST, "energy_j__kinetic", 1e-4, "the specimen still moves at the end: its kinetic energy is 1e-06"),
+    (
+        with_numbers(AT_REST, energy_j__elastic_blocks=0.0, energy_j__elastic_contacts=0.0),
+        "energy_j__kinetic",
+        2e-10,
+        "the specimen still moves at the end: its kinetic energy is 1e-06",
+    ),
+    (AT_REST, "energy_j__area", 2.0, "contacts that were found anew while they pressed changed the energy by 1 %"),
+    (AT_REST, "energy_j__area", -2.0, "contacts that were found anew"),
+    (REAL_TIME, "energy_j__redetection", 2.0, "contacts that were found anew"),
+    (REAL_TIME, "energy_j__redetection", -2.0, "contacts that were found anew"),
+    (with_numbers(DRIVEN, work_of_force_j=500.0), "energy_j__redetection", 5.0, "contacts that were found anew"),
+    (with_numbers(DRIVEN, work_of_force_j=90.0), "energy_j__redetection", 2.0, "contacts that were found anew"),
+    (with_numbers(DRIVEN, energy_j__area=-1.0), "energy_j__redetection", 1.0, "contacts that were found anew"),
+    (REAL_TIME, "energy_j__damping", 2.0, "local damping took 1 % of the work"),
+    (REAL_TIME, "energy_j__damping", -2.0, "local damping took 1 % of the work"),
+    (GROWN, "collapse_load__swayed_over_block", 0.005, "blocks moved by up to 0.005 of the smallest one before it"),
+    (
+        with_numbers(GROWN, collapse_load__accuracy=0.002),
+        "collapse_load__swayed_over_block",
+        0.001,
+        "blocks moved by up to 0.001 of the smallest one before it fell",
+    ),
+    (LOOPS, "collapse_load__swayed_over_block", 0.005, "blocks moved by up to 0.005 of the smallest one, but"),
+    (with_numbers(LOOPS, collapse_load__accuracy=0.002), "damping_over_external", 0.02, "damping took 2 % of the work"),
+    (LOOPS, "damping_over_external", 0.025, "damping took 2.5 % of the work of the load before any fall"),
+    (LED, "collapse_load__branch__out_of_balance_max", 0.01, "behind the collapse motion took up to 1 % of the coll"),
+    (
+        with_numbers(LED, collapse_load__accuracy=0.03),
+        "collapse_load__branch__out_of_balance_max",
+        0.03,
+        "behind the collapse motion took up to 3 % of the collapse factor, more than the accuracy beyond 20 mm",
+    ),
+]
+"""A summary without a doubt, a number of it, that number's limit, and how the doubt begins."""
+BEGINNINGS = {words[:25] for *_, words in LIMITS}
+CLEAN = ("quasi-static and", "at rest and", "a run in real time and", "at rest under each factor that is borne")
+
+
+def others(sentence: str, words: str = "") -> list[str]:
+    """The doubts of the table that the sentence has besides the one of these words."""
+    return [beginning for beginning in BEGINNINGS if beginning in sentence and beginning[:20] not in words]
+
+
+@pytest.mark.parametrize(("summary", "key", "limit", "words"), LIMITS)
+def test_below_a_limit_nothing_is_said_and_above_it_exactly_its_doubt(summary, key, limit, words):
+    below, above = (trust(with_numbers(summary, **{key: share * limit})) for share in (0.99, 1.01))
+    assert below.startswith(CLEAN) and "depends on the scene's assumptions." in below
+    assert above.startswith(f"with care: {words}")
+    assert not others(above, words)
+
+
+@pytest.mark.parametrize("summary", [DRIVEN, AT_REST, REAL_TIME, GROWN, LED, LOOPS])
+@pytest.mark.parametrize(("taken", "doubted"), [(1.0198, False), (1.0202, True)])
+def test_a_contact_may_take_two_hundredths_more_of_mode_2_than_its_law_has(summary, taken, doubted):
+    sentence = trust(with_numbers(summary, mode_2_over_law=taken))
+    assert sentence.startswith("with care: a contact took 1.02 times the energy of mode II" if doubted else CLEAN)
+
+
+@pytest.mark.parametrize(
+    ("summary", "numbers"),
+    [
+        (REAL_TIME, {"energy_j__kinetic": 50.0, "unbalanced_after_settling": None, "kinetic_after_settling": None}),
+        (REAL_TIME, {"reaction_mismatch_max": 3.0, "kinetic_over_internal_max": 9.0, "damping_over_external": 0.9}),
+        (REAL_TIME, {"unbalanced_after_settling": 1.0, "kinetic_after_settling": 1.0}),
+        (REAL_TIME, {"damping_over_external": -0.9}),
+        (DRIVEN, {"energy_j__kinetic": 50.0, "energy_j__damping": 90.0}),
+        (GROWN, {"energy_j__kinetic": 50.0, "energy_j__damping": 90.0}),
+        (GROWN, {"reaction_mismatch_max": 3.0, "kinetic_over_internal_max": 9.0, "damping_over_external": 0.9}),
+        (GROWN, {"collapse_load__swayed_over_block": None}),
+        (LED, {"collapse_load__branch__ends": "zero"}),
+    ],
+)
+def test_a_number_is_no_doubt_of_a_run_that_it_says_nothing_of(summary, numbers):
+    assert trust(with_numbers(summary, **numbers)).startswith(CLEAN)
+
+
+@pytest.mark.parametrize(
+    ("summary", "numbers", "words"),
+    [
+        (DRIVEN, {"energy_imbalance": None}, "the energy balance is not known"),
+        (DRIVEN, {"reaction_mismatch_max": None}, "reaction_mismatch_max is not known"),
+        (DRIVEN, {"kinetic_over_internal_max": None}, "kinetic_over_internal_max is not known"),
+        (DRIVEN, {"interrupted": True}, "the run was interrupted"),
+        (DRIVEN, {"stopped": "unstable"}, "the run was stopped"),
+        (DRIVEN, {"energy_j__area": None}, "there is no number of this energy: area"),
+        (DRIVEN, {"energy_j__kinetic": float("inf")}, "there is no number of this energy: kinetic"),
+        (DRIVEN, {"met": "block 1 and block 2 meet"}, "block 1 and block 2 meet: nothing holds them apart"),
+        (DRIVEN, {"warnings": ["a warning of its own"]}, "a warning of its own"),
+        (GROWN, {"collapse_load__falls": None}, "nothing fell up to the factor at which the load ends"),
+        (GROWN, {"collapse_load__borne": 0.0}, "not the least part of the load was borne"),
+        (GROWN, {"collapse_load__undecided": 1}, "in 1 trials the specimen neither came to rest nor gathered way"),
+        (GROWN, {"collapse_load__falls_by_turning": True}, "at the factor that is not borne a block turned by more"),
+        (LED, {"collapse_load__branch__leaps": 2}, "the specimen leapt ahead of gauge 'top' 2 times"),
+        (LED, {"collapse_load__branch__ends": "stays"}, "the collapse hardly moves gauge 'top'"),
+        (LED, {"collapse_load__branch__ends": "other way"}, "the collapse moves gauge 'top' away from limit.until"),
+        (LED, {"collapse_load__branch__ends": "passed"}, "gauge 'top' read 0 mm before it fell"),
+        (LED, {"collapse_load__branch__ends": "up_to"}, "the factor came to limit.up_to where gauge 'top' was at 50"),
+        (LED, {"collapse_load__branch__ends": "runs away"}, "gauge 'top' could not be controlled: at 50 mm"),
+        (LED, {"collapse_load__branch__ends": "turned"}, "a block turned by more than solver.rotation_limit where"),
+        (LED, {"collapse_load__branch__ends": "late"}, "gauge 'top' came no further than 50 mm in 1000 steps"),
+        (
+            LOOPS,
+            {"collapse_load__falls": 0.5, "collapse_load__borne": 0.0, "collapse_load__loops__leg": 1},
+            "not the least part of the load was borne",
+        ),
+    ],
+)
+def test_what_has_no_limit_is_one_doubt(summary, numbers, words):
+    sentence = trust(with_numbers(summary, **numbers))
+    assert sentence.startswith(f"with care: {words}")
+    assert not others(sentence, words)
+
+
+def test_a_leg_to_the_other_side_may_fall_at_once():
+    assert trust(with_numbers(LOOPS, collapse_load__falls=0.5, collapse_load__borne=0.0)).startswith(CLEAN)
+
+
+def test_doubts_stand_side_by_side():
+    sentence = trust(with_numbers(DRIVEN, overlap_max=0.1, reaction_mismatch_max=0.1, damping_over_external=0.1))
+    assert "contacts close by up to 0.1" in sentence
+    assert "the two ends differ by 0.1 of the peak (should be under 0.02) and damping takes 0.1" in sentence
