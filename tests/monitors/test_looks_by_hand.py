@@ -1,0 +1,225 @@
+"""Looks at models that do not run: what each counts, by hand, and its limits a hundredth below and above."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from masonry.assembly.assemble import Assembly, assemble
+from masonry.errors import Stopped, TurnedTooFar
+from masonry.monitors import collapse, joint_forces
+from masonry.monitors.collapse import Collapse, Deformation
+from masonry.monitors.energy import Seen
+from masonry.monitors.joint_forces import JointForces, Points
+from masonry.monitors.observer import View
+from masonry.monitors.openings import Openings
+from masonry.monitors.reactions import Standing, WorkOfLoads, balance, moved_by, open_by
+from masonry.monitors.settling import unbalanced
+from masonry.monitors.slide import Slide, is_roller
+from masonry.monitors.stability import Watch
+from masonry.scene import load
+from tests.kinematics.bricks import turn
+from tests.large.made import dry, slab
+from tests.scenes import box
+
+EITHER_SIDE = [(0.99, False), (1.01, True)]
+"""A share of a limit, and whether it is too much."""
+TERMS = ("external_work", "elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "friction")
+CLOSED = dict.fromkeys((*TERMS, "damping", "kinetic", "contact_work", "imbalance"), 0.0)
+
+
+def couplet() -> Assembly:
+    return assemble(load("couplet").with_({"drive.accuracy": None, "drive.steps": 100}))
+
+
+def seen(model, **arrays: np.ndarray) -> View:
+    """What contacts show, nothing but these arrays."""
+    zero = {name: np.zeros(len(model.group)) for name in Seen._fields}
+    return View(Seen(**(zero | arrays)))
+
+
+def stops(watched: Watch, model, **terms: float) -> bool:
+    try:
+        watched.look(model, View(None, terms=CLOSED | terms), 7)
+    except Stopped as stop:
+        assert "unstable at step 7" in str(stop)
+        return True
+    return False
+
+
+@pytest.mark.parametrize(("share", "too_much"), EITHER_SIDE)
+def test_a_run_is_stopped_by_motion_and_by_energies_that_cannot_be(share, too_much):
+    """A hundred times the largest work so far as kinetic energy; a fifth of it between the two sums."""
+    model = couplet().model
+    watched = Watch(model, 0.02)
+    assert not stops(watched, model, external_work=-4.0, contact_work=0.0)
+    assert stops(watched, model, external_work=1.0, kinetic=share * 400.0) == too_much
+    assert stops(watched, model, external_work=1.0, contact_work=share * 0.8) == too_much
+    assert stops(watched, model, contact_work=2.0 + share * 0.8, elastic_contacts=0.5, friction=1.5) == too_much
+    size = (0.2 * 0.05 * 0.05) ** (1.0 / 3.0)
+    model.bodies.rigid.v[1, 0] = share * 0.01 * size / model.dt
+    if too_much:
+        with pytest.raises(Stopped, match=r"rigid block 1 at .*, movement along x, runs away"):
+            watched.check(3)
+    else:
+        watched.check(3)
+
+
+@pytest.mark.parametrize(("share", "too_much"), EITHER_SIDE)
+def test_a_block_may_turn_by_the_limit(share, too_much):
+    model = couplet().model
+    model.bodies.rigid.q[1, 4] = -share * 0.02
+    watched = Watch(model, 0.02)
+    if too_much:
+        with pytest.raises(TurnedTooFar, match=r"rigid block 1 at .* has rotated by 0.0202 rad"):
+            watched.check(3)
+    else:
+        watched.check(3)
+        assert watched.rotation == pytest.approx(0.0198)
+
+
+def test_openings_are_told_in_m_and_closures_over_the_thinner_block():
+    """Units of 0.2 x 0.05 x 0.05 m on each other: 50 mm across the joint."""
+    model = couplet().model
+    found = Openings(model).look(model, seen(model, opening=np.array([2e-4, -1e-4, -3e-5, 0.0])), 0)
+    assert found == {"widest": 2e-4, "overlap": pytest.approx(1e-4 / 0.05)}
+
+
+def test_what_is_unbalanced_is_what_accelerates_over_the_dead_loads():
+    assembly = assemble(load("arch"))
+    model, body = assembly.model, assembly.model.bodies.rigid
+    free = body.dt_over_mass[:, :3] > 0.0
+    before = [np.zeros_like(body.v)]
+    body.v[:, 2] = np.where(free[:, 2], -9.81 * model.dt, 0.0)
+    loads = np.abs(body.load[:, :3])[free].sum()
+    wanted = (model.masses["rigid"][:, 2] * 9.81)[free[:, 2]].sum() / loads
+    assert unbalanced(model, before) == pytest.approx(wanted)
+    body.v[...] = before[0]
+    assert unbalanced(model, before) == 0.0
+
+
+def test_the_work_of_a_load_is_the_trapezoid_of_its_factor_over_the_way_that_it_goes():
+    """20 mm under a factor from 0 to 1, 10 mm back under one from 1 to 0.5; its settling ends after the first."""
+    assembly = couplet()
+    model, work = assembly.model, WorkOfLoads(assembly.recording.surroundings)
+    force = model.bodies.rigid.load[1, 2]
+    assert force == pytest.approx(-0.5e6 * 0.01)
+    for down, factor, settling in ((-0.02, 1.0, True), (-0.01, 0.5, False)):
+        model.bodies.rigid.q[1, 2] = down
+        work.look(model, replace(seen(model), load_factors=[factor], settling=settling), 0)
+    first, second = force * -0.02 * 0.5, force * 0.01 * 0.75
+    found = work.found()
+    assert found["work_of_loads"] == pytest.approx([first + second])
+    assert found["work_of_loads_settling"] == pytest.approx([first])
+
+
+def standing(reactions, loads, inertia=(0.0,) * 6) -> Standing:
+    rows = (np.array(reactions, dtype=float), np.array(loads, dtype=float))
+    return Standing(0, 0.0, *rows, np.zeros(6), np.array(inertia), np.zeros((0, 3)))
+
+
+def test_a_balance_is_open_by_what_is_left_over_the_largest_force_or_moment_over_the_size():
+    """Of 40 N, and of 200 Nm over 2 m, which is the largest."""
+    one = standing([[0, 0, 40, 0, 0, 0]], [[0, 0, -39, 0, 200, 0]], inertia=[0, 0, -0.5, 0, -199, 0])
+    assert open_by([one], 2.0) == pytest.approx(0.5 / 100.0)
+    assert open_by([one], 4.0) == pytest.approx(0.5 / 50.0)
+    assert open_by([one], 2.0, least=1000.0) == pytest.approx(0.5 / 1000.0)
+    still = standing([[0, 0, 1, 0, 0, 0]], [[0, 0, -1, 0, 0, 0]])
+    assert open_by([one, still], 2.0) == open_by([one], 2.0) and open_by([still], 2.0) == 0.0
+    assert moved_by(one, [one, still], 2.0) == pytest.approx(99.5 / 100.0)
+    assert open_by([standing(np.zeros((1, 6)), np.zeros((1, 6)))], 1.0) == 0.0
+    told = balance((("support.0", "base"),), ("gravity",), one)
+    assert told["sum"] == {"force_n": [0.0, 0.0, 0.5], "moment_nm": [0.0, 1.0, 0.0]}
+    assert told["gravity"]["force_n"] == [0.0, 0.0, -39.0] and told["support.0"]["on"] == "base"
+
+
+def fallen() -> Assembly:
+    """A block of 0.2 x 0.2 x 0.1 m on a slab, in large displacement."""
+    boxes = [slab(2.0), box("block", (-0.1, -0.1, 0.0), (0.2, 0.2, 0.1), "units", 1)]
+    return assemble(dry(boxes, turned="points_per_edge = 2"))
+
+
+@pytest.mark.parametrize(("share", "falls"), EITHER_SIDE)
+def test_a_block_has_fallen_when_it_went_down_by_half_its_least_width(share, falls, monkeypatch):
+    model = fallen().model
+    monkeypatch.setattr(collapse, "deepest", lambda *_: (0.0, -1))
+    model.bodies.rigid.q[1, :3] = 5.0, 0.0, -share * 0.5 * 0.1
+    look = Collapse(model)
+    look.look(model, replace(seen(model), terms=CLOSED | {"kinetic": 3.0}), 11)
+    energies = {key: value for key, value in CLOSED.items() if key != "imbalance"} | {"kinetic": 3.0}
+    assert look.found()["collapse"] == ((1, 11, energies) if falls else None)
+    model.bodies.rigid.q[1, 2] = -9.0
+    look.look(model, seen(model), 12)
+    assert look.step == (11 if falls else 12), "the first time counts"
+
+
+@pytest.mark.parametrize(("share", "stopped"), EITHER_SIDE)
+def test_an_overlap_of_half_the_thinner_block_ends_the_run(share, stopped, monkeypatch):
+    model, widths = fallen().model, []
+
+    def deepest(near, width):
+        widths.append(width)
+        return share * 0.5, 0
+
+    monkeypatch.setattr(collapse, "deepest", deepest)
+    look = Collapse(model)
+    if stopped:
+        with pytest.raises(Stopped, match="overlap by 0.51 of the width of the thinner one"):
+            look.look(model, seen(model), 11)
+    else:
+        assert look.look(model, seen(model), 11)["overlap"] == pytest.approx(0.495)
+    assert widths[0] == pytest.approx([0.1, 0.1])
+
+
+@pytest.mark.parametrize(("least", "told"), [(0.808, False), (0.792, True)])
+def test_a_block_that_is_squeezed_below_eight_tenths_is_told(least, told):
+    look = Deformation(1.5)
+    look.look(None, View(None, least=least, longest=1.0), 0)
+    assert bool(look.found()["deformation"]) == told
+
+
+@pytest.mark.parametrize(("wide", "counts"), [(0.99, True), (1.01, False)])
+def test_a_contact_that_is_open_by_a_thousandth_of_its_joint_touches_nothing(wide, counts):
+    """Of 50 mm, the shorter side of the joint; pressed ones always touch."""
+    model = couplet().model
+    model.contacts.u[model.contacts.sides[:, 1].astype(int), 0] = 0.02
+    slip, tau = np.full(4, 0.02), np.full(4, 1.0)
+    look = Slide(model, 1.0)
+    assert look.look(model, seen(model, opening=np.full(4, wide * 5e-5), slip=slip, tau=tau), 0)["slip"] == (
+        pytest.approx(0.1) if counts else 0.0
+    )
+    pressed = seen(model, opening=np.full(4, 1.0), slip=slip, sigma=np.full(4, -1.0))
+    assert look.look(model, pressed, 0)["slip"] == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize(("share", "rolls"), [(0.99, True), (1.01, False)])
+def test_an_elastic_contact_is_a_roller_up_to_a_millionth_of_its_normal_stiffness_in_shear(share, rolls):
+    stiffness = {"normal_stiffness": "100 GPa/m", "shear_stiffness": f"{share * 1e5!r} Pa/m"}
+    keys = {f"contact.unit_unit.{key}": value for key, value in stiffness.items()}
+    built = assemble(load("couplet", {"law": "elastic"}).with_(keys))
+    assert is_roller(built.model.groups.properties[0]) == rolls
+
+
+@pytest.mark.parametrize("turned", [np.eye(3), turn(0, 0.7) @ turn(2, -2.0)])
+@pytest.mark.parametrize("upside", [False, True])
+def test_a_joint_bears_the_force_and_the_moment_of_its_patches_about_its_normal_too(turned, upside, monkeypatch):
+    """Four points press and rub unlike each other; contacts of the joint have the same sums, in the frame at first."""
+    model = fallen().model
+    forces, joints = JointForces(model), model.joints
+    rng, middle = np.random.default_rng(2), np.array([0.01, -0.02, 0.0])
+    place = middle + np.array([[0.05, 0.04, 0.0], [-0.05, 0.05, 0.0], [-0.04, -0.05, 0.0], [0.05, -0.04, 0.0]])
+    acts = np.column_stack([rng.normal(size=(4, 2)), [-5.0, -6.0, -4.0, -5.5]])  # on the slab
+    motion, centre = model.large.near.motion, model.layout.centroid
+    for frames in (motion.frame, model.large.bonds.frames):
+        frames[0] = turned
+    motion.moved[0, :3] = 0.3, -0.2, 0.1
+    now = centre[0] + motion.moved[0, :3] + (place - centre[0]) @ turned.T
+    pair = np.tile([1, 0] if upside else [0, 1], (4, 1))
+    sign = -1.0 if upside else 1.0
+    points = Points(pair, pair, now, sign * acts @ turned.T, np.tile(sign * turned[:, 2], (4, 1)))
+    monkeypatch.setattr(joint_forces, "_points", lambda near: points)
+    found = forces.take() * np.where(joints.block_a == 0, 1.0, -1.0)[:, None]
+    assert found.sum(axis=0) == pytest.approx(acts.sum(axis=0), abs=1e-9)
+    moments = [np.cross(at - middle, force).sum(axis=0) for at, force in ((joints.point, found), (place, acts))]
+    assert np.abs(moments[1]).min() > 1e-3, "about all axes, the normal among them"
+    assert moments[0] == pytest.approx(moments[1], abs=1e-9)
