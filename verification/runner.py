@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from contextlib import closing
 from typing import Any
 
+from masonry.runtime.ending import code_of
 from masonry.runtime.processes import Lost, work
 from masonry.runtime.progress import ProgressLines, Tell
-from masonry.runtime.shell import INTERRUPTED
 from verification.case import Case, Findings
 from verification.outcome import Outcome, answer, run_case
 
@@ -46,10 +46,8 @@ def run(cases: Sequence[Case], workers: int = WORKERS, tell: Tell | None = None,
             with closing(work(answer, longest_first, workers, limit)) as ends:
                 for number, end in ends:
                     keep(_outcome(longest_first[number], end))
-    except KeyboardInterrupt:
-        raise Cut(list(done.values()), INTERRUPTED) from None
-    except SystemExit as leaving:
-        raise Cut(list(done.values()), leaving.code if isinstance(leaving.code, int) else INTERRUPTED) from None
+    except KeyboardInterrupt as ended:
+        raise Cut(list(done.values()), code_of(ended)) from None
     return [done[case.name] for case in cases]
 
 

@@ -20,10 +20,9 @@ from typing import Any
 from masonry import __version__
 from masonry.cli import commands
 from masonry.errors import SceneError, Stopped
+from masonry.runtime.ending import Ended, code_of, ended_by_signals, word_of
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import (
-    ENDING,
-    INTERRUPTED,
     OK,
     STOPPED,
     USAGE,
@@ -31,7 +30,6 @@ from masonry.runtime.shell import (
     complain,
     flush_errors,
     have_streams,
-    leaving_on,
     let_go_of_output,
 )
 
@@ -142,8 +140,8 @@ def main(arguments: list[str] | None = None) -> int:
         return complain(str(error), STOPPED)
     except MemoryError as error:
         return complain(f"not enough memory: {error}; look at the sizes of the scene", STOPPED)
-    except KeyboardInterrupt:
-        return complain("interrupted before there were results", INTERRUPTED)
+    except KeyboardInterrupt as ended:
+        return complain(f"{word_of(ended)} before there were results", code_of(ended))
     except BrokenPipeError:
         let_go_of_output()
         return OK
@@ -167,14 +165,18 @@ def _geometry_error() -> type[Exception]:
 
 def _act(arguments: list[str] | None) -> int:
     given = sys.argv[1:] if arguments is None else arguments
-    try:
-        with leaving_on(*ENDING):
+    with ended_by_signals() as command:
+        try:
             if given and given[0] in APART:
                 return int(_apart(given[0]).main(given[1:]))
             words = parser().parse_args(given)
             return int(words.action(words))
-    except SystemExit as leaving:
-        return leaving.code if isinstance(leaving.code, int) else USAGE
+        except BaseException as error:
+            if command.number:  # whatever native code made of it
+                raise Ended(command.number) from None
+            if isinstance(error, SystemExit):
+                return error.code if isinstance(error.code, int) else USAGE
+            raise
 
 
 def _apart(command: str) -> Any:

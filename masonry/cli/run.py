@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, Stopped
+from masonry.runtime.ending import word_of
 from masonry.runtime.interrupts import Interrupts, interruptible
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, STOPPED, complain
@@ -103,10 +104,10 @@ class _Run:
         """Run, write, say; the exit code."""
         try:
             return self._carry_out(label)
-        except KeyboardInterrupt:
+        except KeyboardInterrupt as ended:
             self._leave_nothing_begun()
             if not self.checkpoints.scene.is_file():
-                return complain("interrupted before there were results", self.interrupts.code)
+                return complain(f"{word_of(ended)} before there were results", self.interrupts.code)
             return complain(f"ended at once; {self._how_to_go_on()}", self.interrupts.code)
         except BaseException:
             self._leave_nothing_begun()

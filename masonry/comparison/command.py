@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from masonry.errors import SceneError, visible
+from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
-from masonry.runtime.shell import INTERRUPTED, OK, STOPPED, Parser, tell
+from masonry.runtime.shell import OK, STOPPED, Parser, tell
 from masonry.runtime.tables import columns
 
 if TYPE_CHECKING:
@@ -58,9 +59,9 @@ def main(arguments: list[str] | None = None) -> int:
         found = sensitivity(
             loaded, words.out, only, words.quick, words.workers, None if words.quiet else tell, words.overwrite
         )
-    except KeyboardInterrupt:
-        tell("masonry: interrupted; what is done stays, and the same command continues from there")
-        return INTERRUPTED
+    except KeyboardInterrupt as ended:
+        tell(f"masonry: {word_of(ended)}; what is done stays, and the same command continues from there")
+        return code_of(ended)
     if not words.quiet:
         print(f"{found}\n")
         print("\n".join(visible(f"{found.folder / name}") for name in (CSV, "sensitivity.json", PICTURE)))

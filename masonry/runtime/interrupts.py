@@ -1,5 +1,6 @@
-"""Ctrl-C, SIGTERM and SIGHUP: asked once, a run ends after the present steps; asked twice, it ends at once."""
+"""Ctrl-C, SIGTERM and SIGHUP: asked once, a run that has begun ends after the present steps; asked twice, at once."""
 
+import atexit
 import contextlib
 import os
 import signal
@@ -9,20 +10,23 @@ import time
 from collections.abc import Callable, Iterator
 from typing import Any, TypeVar
 
-from masonry.runtime.shell import ENDING
+from masonry.runtime import ending
+from masonry.runtime.ending import SIGNALS, Ended
 
-SIGNALS = (signal.SIGINT, *ENDING)
 LOOK_SECONDS = 1.0
 Answer = TypeVar("Answer")
 
 
 class Interrupts:
-    """Whether this process has been asked to end, and by which signal; call it to know."""
+    """Whether this process has been asked to end, and by which signal; call it to know. Until it is called for the
+    first time nobody looks, as nothing has begun: a signal ends that at once."""
 
     def __init__(self) -> None:
-        self.number = 0
+        self.number, self.signals, self.begun = 0, 0, False
+        self.untold = threading.Lock()
 
     def __call__(self) -> bool:
+        self.begun = True
         return self.number != 0
 
     @property
@@ -31,14 +35,27 @@ class Interrupts:
         return 128 + (self.number or signal.SIGINT)
 
     def hear(self, number: int, frame: Any) -> None:
-        """A signal came. Raises KeyboardInterrupt if it is not the first; what that leaves half made (a file that is
-        written) says nothing of it."""
-        if self.number:
+        """A signal came. Raises Ended if it is not the first, or nothing has begun; what that leaves half made (a file
+        that is written) says nothing of it."""
+        first, self.number = not self.number, self.number or number
+        if not first or not self.begun:
             sys.unraisablehook = lambda _: None
-            raise KeyboardInterrupt
-        self.number = number
-        with contextlib.suppress(OSError):
-            os.write(2, b"masonry: ending after the present steps; once more ends it at once\n")
+            raise Ended(self.number)
+        self.tell()
+
+    def tell(self) -> None:
+        """Say, once, that it was heard."""
+        if self.untold.acquire(blocking=False):
+            with contextlib.suppress(OSError):
+                os.write(2, b"masonry: ending after the present steps; once more ends it at once\n")
+
+    def waits(self) -> bool:
+        """As `ending.Command.waits`, which hears of a signal while the steps are at work."""
+        self.signals += 1
+        if self.begun and self.signals == 1:
+            self.tell()
+            return True
+        return False
 
 
 @contextlib.contextmanager
@@ -50,9 +67,12 @@ def interruptible() -> Iterator[Interrupts]:
         return
     heard = [number for number in SIGNALS if number == signal.SIGINT or signal.getsignal(number) != signal.SIG_IGN]
     usual, told = {number: signal.signal(number, interrupts.hear) for number in heard}, sys.unraisablehook
+    command = ending.CURRENT
+    before, command.waits = command.waits, interrupts.waits
     try:
         yield interrupts
     finally:
+        command.waits = before
         sys.unraisablehook = told
         for number, handler in usual.items():
             signal.signal(number, handler)
@@ -60,29 +80,36 @@ def interruptible() -> Iterator[Interrupts]:
 
 @contextlib.contextmanager
 def interrupt_afterwards() -> Iterator[list[int]]:
-    """Ctrl-C fills a list, which may be looked at meanwhile, and is raised as KeyboardInterrupt at the end.
+    """What would raise KeyboardInterrupt (Ctrl-C; of a command all that ends it) fills a list, which may be looked at
+    meanwhile, and is raised at the end.
 
-    Where somebody else looks after Ctrl-C, and outside the main thread, it stays so.
+    Where somebody else looks after it, and outside the main thread, it stays so.
     """
     pressed: list[int] = []
-    usual = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or usual is not signal.default_int_handler:
+    if threading.current_thread() is not threading.main_thread():
         yield pressed
         return
-    signal.signal(signal.SIGINT, lambda number, frame: pressed.append(number))
+    handlers = {number: signal.getsignal(number) for number in SIGNALS}
+    usual = {n: h for n, h in handlers.items() if h in (signal.default_int_handler, ending.CURRENT.end)}
+    for number in usual:
+        signal.signal(number, lambda number, frame: pressed.append(number))
     try:
         yield pressed
     finally:
-        signal.signal(signal.SIGINT, usual)
+        for number, handler in usual.items():
+            signal.signal(number, handler)
     if pressed:
-        raise KeyboardInterrupt
+        signal.raise_signal(pressed[0])
 
 
 def interruptible_wait(work: Callable[[], Answer], every: Callable[[float], None] | None = None) -> Answer:
-    """What a call comes to that does not hear Ctrl-C itself: it works in a thread, which is left alone on Ctrl-C.
+    """What a call comes to that does not hear Ctrl-C itself: it works in a thread, which is left alone on Ctrl-C, and
+    with which the process does not wait at its end.
 
     every  is told the seconds so far, about once a second. Raises what the call raises.
     """
+    if threading.current_thread() is not threading.main_thread():
+        return work()
     found: list[Answer] = []
     raised: list[BaseException] = []
 
@@ -94,10 +121,22 @@ def interruptible_wait(work: Callable[[], Answer], every: Callable[[float], None
 
     begun, working = time.monotonic(), threading.Thread(target=do, daemon=True)
     working.start()
-    while working.is_alive():
-        working.join(LOOK_SECONDS)
-        if every is not None and working.is_alive():
-            every(time.monotonic() - begun)
+    try:
+        while working.is_alive():
+            working.join(LOOK_SECONDS)
+            if every is not None and working.is_alive():
+                every(time.monotonic() - begun)
+    except KeyboardInterrupt as ended:
+        atexit.register(_end_with, working, ending.code_of(ended))
+        raise
     if raised:
         raise raised[0]
     return found[0]
+
+
+def _end_with(working: threading.Thread, code: int) -> None:
+    """At the end of the process: native code that is still at work must not see its libraries taken down."""
+    if working.is_alive():
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(code)

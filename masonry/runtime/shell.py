@@ -6,8 +6,7 @@ import os
 import re
 import signal
 import sys
-import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from masonry.errors import did_you_mean, visible
@@ -59,27 +58,6 @@ def flush_errors() -> None:
         sys.stderr.flush()
     except OSError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
-
-
-def leave(number: int, frame: Any) -> NoReturn:
-    """What a signal does that asks to end: all that is half-done is put away, and the exit code names the signal."""
-    raise SystemExit(128 + number)
-
-
-@contextlib.contextmanager
-def leaving_on(*numbers: int) -> Iterator[None]:
-    """`leave` on these signals, for a while, where nothing else is to happen on them; in the main thread only."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    free = [number for number in numbers if signal.getsignal(number) is signal.SIG_DFL]
-    for number in free:
-        signal.signal(number, leave)
-    try:
-        yield
-    finally:
-        for number in free:
-            signal.signal(number, signal.SIG_DFL)
 
 
 def have_streams() -> None:

@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, visible
+from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
-from masonry.runtime.shell import INTERRUPTED, OK, Parser, tell
+from masonry.runtime.shell import OK, Parser, tell
 from masonry.sweep.folder import COPY, DOING, folder_for
 from masonry.sweep.read import Sweep, read
 
@@ -51,9 +52,9 @@ def main(arguments: list[str] | None = None) -> int:
         tell(f"{len(planned)} runs, results in '{folder}'")
     try:
         return _run(sweep, planned, folder, words)
-    except KeyboardInterrupt:
-        tell(f"masonry: interrupted; what is done stays in '{folder}', and the same command continues from there")
-        return INTERRUPTED
+    except KeyboardInterrupt as ended:
+        tell(f"masonry: {word_of(ended)}; what is done stays in '{folder}', and the same command continues from there")
+        return code_of(ended)
 
 
 def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any) -> int:

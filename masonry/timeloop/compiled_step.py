@@ -8,17 +8,24 @@ from masonry.loading.scheduled import Chunk
 from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.collisions.collision import compile_look
-from masonry.runtime.interrupts import interrupt_afterwards
+from masonry.runtime.interrupts import interruptible_wait
 from masonry.timeloop.large_motion import advance_large
 
 
 def compile_for(model: Model, threads: int) -> None:
-    """Compile (or load from the cache) the step for exactly this model, without taking one."""
-    with once(_kind(model, threads)), interrupt_afterwards():
+    """Compile (or load from the cache) the step for exactly this model, without taking one.
+
+    The compiler hears of no signal for long, and should not be cut off where a notebook goes on: it works in a thread.
+    """
+
+    def compile_step() -> None:
         advance_model(model, Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
         energy.observe(model)
         if model.large is None:
             compile_look(model)
+
+    with once(_kind(model, threads)):
+        interruptible_wait(compile_step)
 
 
 def is_compiled(model: Model, threads: int) -> bool:

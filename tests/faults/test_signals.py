@@ -72,7 +72,8 @@ def test_a_second_ctrl_c_ends_at_once_with_what_was_written_before(tmp_path):
 HALF_MADE = """
 import os, signal, zipfile
 from masonry.runtime.interrupts import interruptible
-with interruptible():
+with interruptible() as asked:
+    asked()
     os.kill(os.getpid(), signal.SIGINT)
     half = zipfile.ZipFile.__new__(zipfile.ZipFile)
     half.fp = 1
@@ -105,6 +106,7 @@ def test_outside_the_main_thread_signals_stay_as_they_are():
 def test_signals_are_given_back_afterwards():
     usual = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)
     with interruptible() as asked:
+        assert not asked()
         os.kill(os.getpid(), signal.SIGTERM)
         assert asked() and asked.code == 143
         with pytest.raises(KeyboardInterrupt):

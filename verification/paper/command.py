@@ -1,6 +1,7 @@
 """`masonry paper`: every experiment of the reference paper, run again; one page with its figures and claims.
 
-Exit codes: 0 the page was written, whatever the claims came to; 1 a run is not sound; 2 wrong words; 130 interrupted.
+Exit codes: 0 the page was written, whatever the claims came to; 1 a run is not sound; 2 wrong words; 130 interrupted,
+143 terminated: what is done stays, and the same command goes on.
 """
 
 import time
@@ -8,6 +9,7 @@ from pathlib import Path
 
 from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
+from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.folder import RESULTS, writing
 from masonry.runtime.shell import Parser, tell
 from masonry.runtime.tables import columns
@@ -41,10 +43,14 @@ def main(arguments: list[str] | None = None) -> int:
     if words.workers < 1:
         raise SceneError(f"--workers {words.workers}: 1 or more")
     begun = time.perf_counter()
-    with writing(words.out):
-        shown = gathering.gather(wanted, words.out, words.quick, words.workers, tell)
-        with WholeFiles(words.out) as files:
-            files.text(NAME, page.html_of(shown, time.perf_counter() - begun, words.quick))
+    try:
+        with writing(words.out):
+            shown = gathering.gather(wanted, words.out, words.quick, words.workers, tell)
+            with WholeFiles(words.out) as files:
+                files.text(NAME, page.html_of(shown, time.perf_counter() - begun, words.quick))
+    except KeyboardInterrupt as ended:
+        tell(f"masonry: {word_of(ended)}; runs that are done stay in '{words.out}', and the same command goes on there")
+        return code_of(ended)
     print(summary(shown))
     print(f"page     {words.out / NAME}")
     return 0 if all(c.holds for s in shown for c in s.soundness) else 1
