@@ -12,8 +12,8 @@ from masonry.laboratory.collapse import standing_rows
 from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
 from masonry.laboratory.provenance import provenance_of
 from masonry.laboratory.quality import quality_lines
+from masonry.laboratory.remarks.bending_remarks import bent_remarks
 from masonry.laboratory.remarks.contact_remarks import (
-    bent_remarks,
     closed_remarks,
     contact_remarks,
     rocked_remarks,
@@ -81,7 +81,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     """What is kept of a run."""
     add_tilt(assembly, outcome)
     frames = outcome.history.frames
-    remarks = [*warnings(assembly), *rocked_remarks(assembly, frames), *bent_remarks(assembly, frames)]
+    remarks = [*warnings(assembly), *rocked_remarks(assembly, frames), *bent_remarks(assembly, outcome)]
     remarks += [*closed_remarks(assembly, frames), *twist_remarks(assembly, outcome)]
     remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", []), *_blow(assembly, outcome)]
     remarks += unrest(assembly, outcome)

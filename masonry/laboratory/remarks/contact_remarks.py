@@ -12,7 +12,6 @@ from masonry.laws.state import JointProperties
 from masonry.model.large.meeting import Large
 from masonry.monitors.energy import present
 from masonry.monitors.stability import smallest_block
-from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.scene.tables.contact import Contact
 from masonry.scene.tables.loading import Drive
 
@@ -20,12 +19,8 @@ REACH = 0.9
 """Share of the way from the middle of a joint to its corners from which on contact points count as at its edge."""
 LIFTED = 1e-3
 """Share of the largest opening or closing of all contacts from which on one is open."""
-FEW_ROWS, NEARLY_ALL = 5, 0.9
-"""Rows of points below which a joint that bends open is coarse; share of the torn area at which such joints decide."""
 STAYS = 1e-3
 """Of the smallest block: where none has moved by more, joints hardly open, and what they do while closed decides."""
-ALIKE = 1e-6
-"""Share of the largest opening of a joint by which two of its points differ at most where they are in one row."""
 
 
 def contact_remarks(assembly: Assembly) -> list[str]:
@@ -64,28 +59,6 @@ def rocked_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
     return _of_rocking(assembly, rocked, "opened on one side and turn")
 
 
-def bent_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
-    """One line where nearly all joints that tore did so from one side, pressed on the other, in one of these frames,
-    and their points lie in few rows across: each row tears at once. One that opens alike everywhere has one row."""
-    joints, model = assembly.joints, assembly.model
-    glued = ~np.array([_is_dry(assembly, g) for g in range(len(model.group_names))], dtype=bool)[model.group]
-    torn, bent, least = np.zeros(len(glued), dtype=bool), np.zeros(len(glued), dtype=bool), FEW_ROWS
-    for frame in frames:
-        tears, pressed = glued & (frame.damage_tension > LEAST_DAMAGE), frame.normal_stress < 0.0
-        if not tears.any():
-            continue
-        rows = _rows(joints, frame.opening)
-        coarse = _in_joints_of(joints.patch, tears, pressed) & (rows > 1) & (rows < FEW_ROWS)
-        torn, bent, least = torn | tears, bent | coarse, min(least, int(rows[coarse].min(initial=FEW_ROWS)))
-    if not bent.any() or joints.area[bent & torn].sum() < NEARLY_ALL * joints.area[torn].sum():
-        return []
-    return [
-        f"nearly all that tore are joints that bent open from one side, with {least} rows of contact points across, of "
-        "which each tears at once: the moment that they bear may be far off, with two rows of Gauss points from 0.6 to "
-        f"1.7 times what it is; take specimen.points_per_edge = {FEW_ROWS + 1} or more"
-    ]
-
-
 def closed_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
     """One line where no block has moved by more than STAYS in any of these frames, and patches have points at their
     corners, which the scene has not chosen."""
@@ -105,17 +78,6 @@ def closed_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
 def _in_joints_of(patch: np.ndarray, some: np.ndarray, others: np.ndarray) -> np.ndarray:
     """(C,) which contacts lie in joint faces that have points of both kinds."""
     return np.isin(patch, patch[some]) & np.isin(patch, patch[others])
-
-
-def _rows(joints: Joints, opening: np.ndarray) -> np.ndarray:
-    """(C,) how many different openings the points of the same joint face show."""
-    order = np.lexsort((opening, joints.patch))
-    patch, sorted_opening = joints.patch[order], opening[order]
-    most = np.zeros(len(joints.patch_start) - 1)
-    np.maximum.at(most, joints.patch, np.abs(opening))
-    begins = np.ones(len(patch), dtype=bool)
-    begins[1:] = (patch[1:] != patch[:-1]) | (np.diff(sorted_opening) > ALIKE * most[patch[1:]])
-    return np.bincount(patch, begins, len(most))[joints.patch]
 
 
 def _is_dry(assembly: Assembly, g: int) -> bool:

@@ -1,0 +1,113 @@
+"""What each joint face carries, how it turns and what work it does, in a frame of a run: all faces at once."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.history import Frame
+from masonry.results.dry_joints import LEAST_DAMAGE
+
+FLAT = 1e-9
+"""Of the largest second moment of the points of a face: a smaller one is that of points in one row."""
+
+
+class Faces(NamedTuple):
+    """The J joint faces with contact points.
+
+    patch      (J,) their numbers
+    of         (C,) the face of each contact
+    order      (C,) contacts sorted by face
+    start      (J + 1,) where each face begins there
+    area       (J,) m2
+    middle     (J, 3) m
+    normal     (J, 3)
+    group      (J,) contact group
+    stiffness  (J,) Pa/m, normal
+    glued      (J,) whether it has a tensile strength
+    arm        (C, 3) m, from the middle of its face to each point
+    inverse    (J, 3, 3) 1/m4, of the second moments of area of the points; 0 across points in one row
+    """
+
+    patch: np.ndarray
+    of: np.ndarray
+    order: np.ndarray
+    start: np.ndarray
+    area: np.ndarray
+    middle: np.ndarray
+    normal: np.ndarray
+    group: np.ndarray
+    stiffness: np.ndarray
+    glued: np.ndarray
+    arm: np.ndarray
+    inverse: np.ndarray
+
+    def sums(self, values: np.ndarray) -> np.ndarray:
+        """(J, ...) of values (C, ...)."""
+        return np.add.reduceat(values[self.order], self.start[:-1], axis=0)
+
+    def contacts(self, face: int) -> np.ndarray:
+        """The contacts of a face."""
+        return self.order[self.start[face] : self.start[face + 1]]
+
+
+class Look(NamedTuple):
+    """The faces in a frame: normal force (J,) N, moment (J, 3) N m, turn (J, 3) rad, both as vectors towards where it
+    opens; whether a contact has torn (J,); twice the work (J,) J of bending with pulling, and of sliding, by the forces
+    and movements of this frame: `bends` and `slides` all of it, `bent` and `slid` without what is elastic."""
+
+    force: np.ndarray
+    moment: np.ndarray
+    turn: np.ndarray
+    torn: np.ndarray
+    bends: np.ndarray
+    slides: np.ndarray
+    bent: np.ndarray
+    slid: np.ndarray
+
+
+def faces_of(assembly: Assembly) -> Faces:
+    """The joint faces of a specimen."""
+    joints, model = assembly.joints, assembly.model
+    patch, of = np.unique(joints.patch, return_inverse=True)
+    order = np.argsort(of, kind="stable")
+    start = np.searchsorted(of[order], np.arange(len(patch) + 1))
+    area = np.add.reduceat(joints.area[order], start[:-1])
+    middle = np.add.reduceat((joints.area[:, None] * joints.point)[order], start[:-1]) / area[:, None]
+    arm = joints.point - middle[of]
+    second = np.add.reduceat(np.einsum("c,ca,cb->cab", joints.area, arm, arm)[order], start[:-1])
+    group, properties = model.group[order[start[:-1]]], model.groups.properties
+    stiffness = np.array([np.mean(joint.normal_stiffness) for joint in properties])[group]
+    glued = np.array([bool(np.any(joint.tensile_strength or 0.0)) for joint in properties])[group]
+    inverse = np.linalg.pinv(second, rcond=FLAT, hermitian=True)
+    normal = joints.normal[order[start[:-1]]]
+    return Faces(patch, of, order, start, area, middle, normal, group, stiffness, glued, arm, inverse)
+
+
+def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:
+    """The joint faces in a frame."""
+    area, model = assembly.joints.area, assembly.model
+    stiffness = np.array([np.mean(joint.shear_stiffness) for joint in model.groups.properties])[model.group]
+    normal = area * frame.normal_stress
+    force, moment = faces.sums(normal), faces.sums(normal[:, None] * faces.arm)
+    opening = faces.sums(area * frame.opening) / faces.area
+    turn = np.einsum("jab,jb->ja", faces.inverse, faces.sums((area * frame.opening)[:, None] * faces.arm))
+    elastic = np.einsum("jab,jb->ja", faces.inverse, moment) / faces.stiffness[:, None]
+    pulled, held = np.maximum(force, 0.0), force / (faces.stiffness * faces.area)
+    shear = area * frame.shear_stress
+    with np.errstate(invalid="ignore", divide="ignore"):  # a glue without shear stiffness has no shear stress
+        back = np.nan_to_num(frame.shear_stress / stiffness)
+    return Look(
+        force,
+        moment,
+        turn,
+        faces.sums((frame.damage_tension > LEAST_DAMAGE).astype(float)) > 0.0,
+        _work(moment, turn) + pulled * np.maximum(opening, 0.0),
+        faces.sums(shear * frame.slip),
+        _work(moment, turn - elastic) + pulled * np.maximum(opening - held, 0.0),
+        faces.sums(shear * np.maximum(frame.slip - back, 0.0)),
+    )
+
+
+def _work(moment: np.ndarray, turn: np.ndarray) -> np.ndarray:
+    return np.maximum(np.einsum("ja,ja->j", moment, turn), 0.0)

@@ -1,0 +1,128 @@
+"""What a joint bears when it bends, as a section: by its few contact points, and by a stress spread over its area.
+
+A section stays plane: it opens by e = e0 + turn * place. Each of its fibres has the stress of the law's envelope at its
+opening, elastic where it closes. The section bears the largest moment of all turns at which its normal force balances.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from masonry.laws.dispatch import tension_intact
+from masonry.laws.state import JointProperties
+
+STRIPS, PLACES, CURVE = 32, 48, 200
+"""Strips that stand for a stress spread over the area; even openings at each turn, and points of the envelope."""
+TURNS = 6400
+"""Turns over fibres that are looked at, so that all sections take the same time."""
+ELASTIC = 0.1
+"""Of the turn at which a section without a normal force tears first: from where turns are looked at."""
+LEFT, PRESSED = 0.01, 0.1
+"""Share of the strength left at the edge, and of the depth that is pressed, from which on a section that turns further
+bears no more."""
+JUST = 1e-9
+"""Of an opening: what is just before it."""
+PULLED = 1e-6
+"""Of the tensile strength: a mean tension above which the line of action of a normal force stays where it is."""
+ALIKE = 1e-6
+"""Of the depth of a section: fibres nearer to each other are one."""
+
+
+class Section(NamedTuple):
+    """Fibres across a joint: place (n,) m from its middle, area (n,) m2."""
+
+    place: np.ndarray
+    area: np.ndarray
+
+    @property
+    def depth(self) -> float:
+        """From edge to edge (m)."""
+        return float(np.ptp(self.place))
+
+
+class Envelope(NamedTuple):
+    """A law in tension: opening (E,) m, from 0 over the elastic limit on, and stress (E,) Pa; stiffness Pa/m."""
+
+    opening: np.ndarray
+    stress: np.ndarray
+    stiffness: float
+
+    @property
+    def limit(self) -> float:
+        """The opening (m) at which it tears."""
+        return float(self.opening[1])
+
+    @property
+    def end(self) -> float:
+        """The opening (m) at which next to nothing is left, or the last that is known."""
+        gone = np.flatnonzero(self.stress[2:] <= LEFT * self.stress[1])
+        return float(self.opening[2 + gone[0]] if len(gone) else self.opening[-1])
+
+
+def envelope(parameters: Any, joint: JointProperties, farthest: float) -> Envelope:
+    """Of a law up to an opening (m); of properties that scatter the mean."""
+    parameters, joint = _means(parameters), _means(joint)
+    strong = float(joint.tensile_strength or 0.0)
+    limit = strong / joint.normal_stiffness
+    beyond = limit + np.geomspace(1e-6 * limit, max(farthest, 2.0 * limit), CURVE)
+    with np.errstate(all="ignore"):
+        left = np.array([float(tension_intact(parameters, joint, e)) for e in beyond])
+    stress = strong * np.concatenate([[0.0, 1.0], left])
+    return Envelope(np.concatenate([[0.0, limit], beyond]), stress, float(joint.normal_stiffness))
+
+
+def spread(corners: np.ndarray, along: np.ndarray, across: np.ndarray, middle: np.ndarray) -> Section:
+    """A convex polygon (K, 3) m in strips across a direction; unit vectors `along` and `across` (3,) in its plane."""
+    s, t = (corners - middle) @ along, (corners - middle) @ across
+    narrow = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, STRIPS + 1))  # at the edges, where it tears and presses first
+    edges = s.min() + narrow * np.ptp(s)
+    place, low, high = 0.5 * (edges[1:] + edges[:-1]), np.full(STRIPS, np.inf), np.full(STRIPS, -np.inf)
+    for a, b, ta, tb in zip(s, np.roll(s, -1), t, np.roll(t, -1), strict=True):
+        if a != b:
+            passes = (place - a) * (place - b) <= 0.0
+            cut = np.where(passes, ta + (tb - ta) * (place - a) / (b - a), np.nan)
+            low, high = np.fmin(low, cut), np.fmax(high, cut)
+    width = np.where(high > low, high - low, 0.0)
+    return Section(place, width * np.diff(edges))
+
+
+def of_points(place: np.ndarray, area: np.ndarray) -> Section:
+    """Contact points at places (n,) m across a joint, with areas (n,) m2: those in one row are one fibre."""
+    order = np.argsort(place)
+    new = np.diff(place[order], prepend=-np.inf) > ALIKE * float(np.ptp(place))
+    row = np.cumsum(new) - 1
+    whole = np.bincount(row, area[order])
+    return Section(np.bincount(row, (area * place)[order]) / whole, whole)
+
+
+def strength(section: Section, law: Envelope, force: float, moment: float, farthest: float) -> float:
+    """N m: the largest moment that a section bears, up to a turn (rad), while it carries a normal force (N).
+
+    A pressure stays as it is while the moment grows. A tension grows with the moment, on the same line of action.
+    """
+    area = float(section.area.sum())
+    first = ELASTIC * law.limit / section.depth
+    useless = max(2.0 * law.end, -2.0 * force / (PRESSED**2 * law.stiffness * area)) / section.depth
+    turns = np.geomspace(first, max(min(farthest, useless), 2.0 * first / ELASTIC), TURNS // len(section.place))
+    pulled = force > PULLED * law.stress[1] * area and moment > 0.0
+    arm = moment / force if pulled else 0.0
+    closed = min(force, 0.0) / (law.stiffness * area)
+    low, high = np.full(len(turns), closed - 1e-6 * law.limit), law.limit - turns * section.place.min()
+    if pulled:
+        low -= turns * np.abs(section.place).max()
+    even = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, PLACES)
+    before = law.limit * (1.0 - JUST) - turns[:, None] * section.place  # just before each fibre tears
+    e0 = np.sort(np.concatenate([even, before], axis=1), axis=1)
+    e = e0[:, :, None] + turns[:, None, None] * section.place
+    stress = np.where(e < 0.0, law.stiffness * e, np.interp(e, law.opening, law.stress))
+    normal, bending = stress @ section.area, stress @ (section.area * section.place)
+    off = bending - arm * normal if pulled else force - normal
+    passes = off[:, :-1] * off[:, 1:] <= 0.0
+    share = off[:, :-1] / np.where(off[:, :-1] == off[:, 1:], 1.0, off[:, :-1] - off[:, 1:])
+    borne = bending[:, :-1] + share * np.diff(bending, axis=1)
+    return float(np.where(passes, borne, 0.0).max())
+
+
+def _means(fields: Any) -> Any:
+    """The same NamedTuple with numbers of numpy, the mean where a property scatters; None stays."""
+    return type(fields)(*(value if value is None else np.float64(np.mean(value)) for value in fields))
