@@ -2,7 +2,6 @@
 
 import hashlib
 import os
-import platform
 import tomllib
 from collections.abc import Iterable
 from importlib.metadata import PackageNotFoundError, version
@@ -16,6 +15,7 @@ from masonry.errors import SceneError
 from masonry.jit.sources import ALL, package_hash, source_hash
 from masonry.laws import law_names
 from masonry.laws.plugins import plugin_law
+from masonry.runtime.processors import compiled_for
 from masonry.scene.tables.specimen import kinds
 from masonry.scene.tables.specimen_plugins import plugin_specimen
 
@@ -59,7 +59,7 @@ def provenance_of(toml: str) -> dict[str, str]:
         "the packages of its laws and specimen": other_sources(toml) or "none",
         "the packages": ", ".join(f"{name} {_version(name)}" for name in PACKAGES),
         "MASONRY_LANES": os.environ.get("MASONRY_LANES", "") or "not set",
-        PROCESSOR: _processor(),
+        PROCESSOR: compiled_for(),
     }
 
 
@@ -90,13 +90,6 @@ def _version(package: str) -> str:
         return version(package)
     except PackageNotFoundError:
         return "none"
-
-
-def _processor() -> str:
-    """Its kind as the compiler knows it: which instructions it has decides the last bits."""
-    from llvmlite import binding
-
-    return f"{platform.machine()} {binding.get_host_cpu_name()}"
 
 
 def own_sources(laws: Iterable[str | None], kind: str) -> str:

@@ -1,5 +1,7 @@
 """The compiled step of a model: made or loaded from the cache, and taken."""
 
+import hashlib
+
 import numpy as np
 
 from masonry.jit.compiler import is_kept, kind_of, once
@@ -9,6 +11,7 @@ from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.collisions.collision import compile_look
 from masonry.runtime.interrupts import interruptible_wait
+from masonry.runtime.processors import compiled_for
 from masonry.timeloop.large_motion import advance_large
 
 
@@ -34,9 +37,11 @@ def is_compiled(model: Model, threads: int) -> bool:
 
 
 def _kind(model: Model, threads: int) -> str:
-    """The name of all models that one compiled step serves."""
+    """The name of all models that one compiled step serves: on machines of a cluster that share a cache, others may be
+    compiled for another processor."""
     parallel = True if threads > 1 else None
-    return kind_of((parallel, model.damping, *model.step_arguments()))
+    kind = kind_of((parallel, model.damping, *model.step_arguments()))
+    return hashlib.sha256(f"{kind} {compiled_for()}".encode()).hexdigest()[:16]
 
 
 def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:

@@ -7,6 +7,10 @@ import sys
 
 import pytest
 
+from masonry.assembly.assemble import assemble
+from masonry.laboratory.provenance import PROCESSOR, provenance_of
+from masonry.scene import load, to_toml
+from masonry.timeloop.compiled_step import compile_for, is_compiled
 from tests.cli.test_cache import RUN
 
 CELLS = ("law=elastic", "settle.steps=100", "drive.steps=600", "solver.rows=10", "specimen.cells.per_unit=3")
@@ -21,3 +25,16 @@ def test_of_two_processes_that_start_together_no_function_is_compiled_by_both(tm
     one, other = (set(json.loads(process.communicate(timeout=300)[0])[0]) for process in both)
     assert "advance" in one | other and len(one | other) > 30
     assert not one & other
+
+
+def test_what_is_compiled_for_one_processor_is_not_there_for_another(monkeypatch):
+    """Machines that share a cache: the first one of each kind compiles, while the others wait, and says so."""
+    scene = load("couplet")
+    model, here = assemble(scene).model, provenance_of(to_toml(scene))[PROCESSOR]
+    compile_for(model, 1)
+    assert is_compiled(model, 1)
+    for features in ("", "+avx2"):
+        monkeypatch.setenv("NUMBA_CPU_NAME", "haswell")
+        monkeypatch.setenv("NUMBA_CPU_FEATURES", features)
+        assert not is_compiled(model, 1)
+        assert provenance_of(to_toml(scene))[PROCESSOR] == f"{here.split()[0]} haswell {features}".strip()
