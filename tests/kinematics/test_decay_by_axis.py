@@ -34,7 +34,7 @@ def test_an_unexpected_turn_decays_about_each_axis_by_one_less_h_over_one_more(a
 @pytest.mark.parametrize("axis", [0, 1, 2])
 def test_a_turn_that_is_expected_meets_no_damping(axis):
     expected = in_rows(np.array([[0.0, 0.0, 0.0, *(0.3 * START[:, axis])]]))
-    body = turning_brick(axis, 0.3, guess=expected)
+    body = turning_brick(axis, 0.3, guess=expected, load=in_rows(np.zeros((1, 6))))
     bricks.fly(body, DT, STEPS, Guided(H, 0.0), speed=1.0)
     assert body.v[0, 3:] == pytest.approx(0.3 * START[:, axis], rel=1e-9, abs=1e-12)
     assert body.work[0, 1] == pytest.approx(0.0, abs=1e-15)

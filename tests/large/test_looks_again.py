@@ -1,4 +1,4 @@
-"""When a patch is looked at again: after a hundredth of its size, if its two blocks have moved against each other."""
+"""When a patch is looked at again: after a hundredth of its size, where its two blocks moved against each other."""
 
 import numpy as np
 import pytest
@@ -35,9 +35,16 @@ def looks(model, moved=(0.0, 0.0, 0.0), travel: float | None = None, turned=None
     return int(near.search.flag[3]) - before
 
 
-def test_the_limit_of_a_patch_is_a_hundredth_of_its_size():
-    pairs = standing().large.near.pairs
-    assert pairs.limit[0] == pytest.approx(0.01 * SIDE, rel=0.01) == pairs.reach[0]
+@pytest.mark.parametrize(("lean", "limit"), [(0.0, 0.001), (0.02, 0.01)])
+def test_the_limit_of_a_patch_is_a_hundredth_of_its_size_or_a_tenth_of_that_where_two_faces_lie_flat(lean, limit):
+    """Flat on each other the normal is the mean of two faces; that of a block that leans is the slab's."""
+    model = standing()
+    model.bodies.rigid.frame[1] = turn(1, lean)
+    near = model.large.near
+    near.motion.travel[1] += lean
+    near.search.built[1] += lean
+    assert refresh(near) >= 0.0
+    assert near.pairs.limit[0] == pytest.approx(limit * SIDE, rel=0.01) == near.pairs.reach[0]
 
 
 @pytest.mark.parametrize(("share", "looked"), [(0.99, 0), (1.01, 1)])

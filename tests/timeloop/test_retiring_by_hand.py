@@ -1,0 +1,105 @@
+"""Which bonds go, and what they hand over: by hand, on models that do not run."""
+
+import numpy as np
+import pytest
+
+from masonry.assembly.assemble import assemble
+from masonry.kernels.patch_arrays import SHEAR
+from masonry.kernels.patches import stored_energy
+from masonry.simd import FOUR
+from masonry.timeloop import retirement
+from tests.kinematics.bricks import turn
+from tests.large.made import dry, slab
+from tests.scenes import box
+
+KN, KS, SIDE = 10e9, 5e9, 0.1
+GLUE = 'law = "linear"\ntensile_strength = "0.1 MPa"\ncohesion = "0.2 MPa"\nresidual_cohesion = "0 Pa"\n'
+GLUE += 'fracture_energy_mode_1 = "10 N/m"\nfracture_energy_mode_2 = "20 N/m"\n'
+
+
+def glued(joint: str = GLUE):
+    """A cube of 0.1 m that is glued to a slab."""
+    block = box("block", (-0.5 * SIDE, -0.5 * SIDE, 0.0), (SIDE, SIDE, SIDE), "units", 1)
+    return assemble(dry([slab(1.0), block], joint=joint, turned="points_per_edge = 2")).model
+
+
+@pytest.mark.parametrize(("left", "broken"), [(0.99e-3, True), (1.01e-3, False)])
+@pytest.mark.parametrize("strength", ["intact_n", "intact_s"])
+def test_a_bond_is_broken_where_neither_strength_has_a_thousandth_left(left, broken, strength):
+    model = glued(GLUE + 'coupling = "independent"\n')
+    model.state.intact_n[:] = model.state.intact_s[:] = 0.0
+    getattr(model.state, strength)[:] = 1.0, left, 0.5, 0.0
+    assert retirement._broken(model).tolist() == [False, broken, False, True]
+
+
+@pytest.mark.parametrize(("left", "broken"), [(0.99, True), (1.01, False)])
+def test_where_both_strengths_are_lost_together_their_product_counts(left, broken):
+    model = glued()
+    model.state.intact_n[:], model.state.intact_s[:] = 0.05, (left * 0.02, 1.0, 0.0, 0.02)
+    assert retirement._broken(model).tolist() == [broken, False, True, False]
+
+
+@pytest.mark.parametrize(("angle", "hinges"), [(0.099, False), (0.101, True)])
+@pytest.mark.parametrize("axis", [0, 2])
+def test_what_still_presses_goes_where_its_blocks_turned_by_a_tenth_of_a_radian(angle, hinges, axis):
+    model = glued()
+    model.large.bonds.frames[1] = turn(axis, angle)
+    opening = np.array([-1e-6, 1e-6, 0.0, -1e-6])
+    model.contacts.u[1:] = opening[:, None] * model.contacts.normal
+    assert retirement._hinges(model).tolist() == [hinges, False, hinges, hinges]
+
+
+def pressed(model, normal: float, shear: float) -> np.ndarray:
+    """Contacts bear so much (Pa) in the frame of their block; returns the force on the slab."""
+    area, n = model.contacts.area, model.contacts.normal
+    along = np.cross(n, [0.0, 1.0, 0.0])
+    model.contacts.force[...] = area[:, None] * (normal * n + shear * along)
+    model.large.bonds.force[...] = model.contacts.force
+    return model.contacts.force.sum(axis=0)
+
+
+def test_bonds_carry_the_energies_of_their_pressure_and_shear():
+    """s^2 / (2 k_n) and t^2 / (2 k_s) on 0.01 m2; tension is nothing that goes over."""
+    model = glued()
+    key, four = np.zeros(4, dtype=int), np.arange(4)
+    whole = pressed(model, -2e5, 1e5)
+    carried = retirement._carried(model, key, four)[0]
+    assert carried.force == pytest.approx(whole)
+    assert carried.pressed == pytest.approx(0.01 * 4e10 / (2.0 * KN))
+    assert carried.sheared == pytest.approx(0.01 * 1e10 / (2.0 * KS))
+    pressed(model, 2e5, 1e5)
+    assert retirement._carried(model, key, four)[0].pressed == 0.0
+    area = model.contacts.area.copy()
+    model.contacts.force[0] *= 2.0
+    twice = retirement._carried(model, np.array([7, 8, 8, 8]), four)
+    assert (
+        twice[7].sheared
+        == pytest.approx(4.0 * area[0] * 1e10 / (2.0 * KS))
+        == pytest.approx(4.0 / 3.0 * twice[8].sheared)
+    )
+
+
+@pytest.mark.parametrize("sunk", [2e-5, 1e-6])
+@pytest.mark.parametrize("shear", [5e4, -2e4])
+def test_patches_take_over_the_pressure_and_the_shear_of_bonds_that_go(sunk, shear):
+    """Bonds press by 0.2 MPa, which is 20 um of their springs, however deep the blocks stand in each other."""
+    model = glued()
+    model.bodies.rigid.q[1, 2] = -sunk
+    model.large.near.motion.travel[1] += sunk
+    model.contacts.u[1:] = -2e-5 * model.contacts.normal
+    force = pressed(model, -2e5, shear)
+    model.state.intact_n[:] = model.state.intact_s[:] = 0.0
+    retirement.retire(model)
+    near, bonds = model.large.near, model.large.bonds
+    assert not bonds.alive.any() and not model.contacts.area.any() and not bonds.force.any()
+    springs = 0.01 * 4e10 / (2.0 * KN) + 0.01 * shear**2 / (2.0 * KS)
+    assert stored_energy(near) == pytest.approx(springs, rel=1e-9)
+    p = int(np.flatnonzero(near.pairs.slot[: near.pairs.number[0]] >= 0)[0])
+    assert retirement.pressures_of(near, p) == pytest.approx(np.full(4, 2e5), rel=1e-9)
+    s = near.pairs.slot[p]
+    k = np.arange(4)
+    tractions = near.points.quads[s, k // FOUR, SHEAR:, k % FOUR]
+    assert retirement.areas_of(near, p).sum() == pytest.approx(0.01)
+    on_the_slab = 1.0 if near.pairs.body[p, 1 - near.pairs.points_of[p]] == 0 else -1.0
+    total = on_the_slab * (retirement.areas_of(near, p) @ tractions)
+    assert total == pytest.approx([force[0], force[1], 0.0], abs=1e-6 * abs(force[2]))
