@@ -58,10 +58,13 @@ def run(
     progress  True: say how far it is; False: say nothing; None: say it in a notebook only, where the line goes when
               the run ends; or a function of step, steps and a note
     """
+    from masonry.laboratory.arguments import called, whole
     from masonry.laboratory.laboratory import run as run_scene
     from masonry.laboratory.notebook import telling
+    from masonry.runtime.processors import processors
 
-    scene = _scene(scene)
+    threads = whole("threads", threads, 1, processors(), "a number of threads")
+    progress, scene = called("progress", progress, True, False, None), _scene(scene)
     with telling(progress, scene.name) as tell:
         return run_scene(scene, threads, tell)
 
@@ -89,11 +92,19 @@ def limit(
     What comes back prints as `masonry limit` does; `.factor`, `.velocity`, `.thrust()`, `.save(folder)`. Raises
     SceneError, in one sentence, for what cannot stand, what nothing loads, and what has no limit.
     """
+    from masonry.laboratory.arguments import flag, number, stress, whole
     from masonry.limit_analysis.analysis import Wishes, analyse
-    from masonry.quantity import parse
 
-    stress = parse(crushing, "stress", "crushing", "(0, 1e15]") if isinstance(crushing, str) else crushing
-    return analyse(_scene(scene), Wishes(dilation, strength, safety, at, stress, points, sides))
+    wishes = Wishes(
+        dilation=flag("dilation", dilation),
+        strength=flag("strength", strength),
+        safety=flag("safety", safety),
+        at=number("at", at, -1e9, 1e9),
+        crushing=stress("crushing", crushing),
+        points=points,
+        sides=whole("sides", sides, 0, 1000),
+    )
+    return analyse(_scene(scene), wishes)
 
 
 def sensitivity(
@@ -115,15 +126,20 @@ def sensitivity(
     script needs `if __name__ == "__main__":`. Raises SceneError or GeometryError before anything runs.
     """
     from masonry.comparison.sensitivity import sensitivity as compare
+    from masonry.laboratory.arguments import called, flag, path, whole, words
 
-    return compare(_scene(scene), out, only, quick, workers, tell)
+    folder = None if out is None else path("out", out)
+    workers = None if workers is None else whole("workers", workers, 1, 10_000)
+    kinds, quick, tell = words("only", only), flag("quick", quick), called("tell", tell, None)
+    return compare(_scene(scene), folder, kinds, quick, workers, tell)
 
 
 def load_result(folder: "str | Path") -> "Result":
     """Read the result of an earlier run from its folder. Raises SceneError if the folder is not one of results."""
+    from masonry.laboratory.arguments import path
     from masonry.laboratory.result import load_result
 
-    return load_result(folder)
+    return load_result(path("folder", folder))
 
 
 def write_blocks(

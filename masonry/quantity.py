@@ -49,6 +49,8 @@ _FACTOR = re.compile(r"([*/ ]?)\s*([A-Za-zµμ°]+(?:_[A-Za-z]+)?)(?:(?:\^|\*\*)
 _POWERS = str.maketrans({"²": "2", "³": "3", "⁴": "4", "·": "*"})
 _LONGEST = 80
 _COMMON = ("m", "mm", "cm", "in", "s", "ms", "N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "kg", "g", "J", "deg", "rad")
+GRAVITY = Fraction("9.80665")
+"""m/s^2, the standard one, by which a unit weight is divided where a density is asked for."""
 _PI = Fraction("3.1415926535897932384626433832795028841971693993751")
 EXACT: dict[str, tuple[Any, int, int, int]] = {
     **{"m": ("1", 1, 0, 0), "cm": ("0.01", 1, 0, 0), "mm": ("0.001", 1, 0, 0)},
@@ -115,6 +117,8 @@ def _with_unit(text: str, kind: str, name: str, need: str) -> float:
     if unit is None:
         raise ValueError(f"{_short(text)} has no unit; {need}")
     factor, dimension = _unit(unit)
+    if kind == "density" and dimension == _unit("N/m^3")[1]:
+        return float(Fraction(number) * factor / GRAVITY)
     if dimension != _unit(KINDS[kind].unit)[1]:
         is_a = next((f"{unit} is {k.words}" for k in KINDS.values() if k.unit and _unit(k.unit)[1] == dimension), None)
         raise ValueError(f"{is_a or f'{unit} does not fit'}; {need}")
@@ -122,6 +126,15 @@ def _with_unit(text: str, kind: str, name: str, need: str) -> float:
         return float(Fraction(number) * factor)
     except OverflowError:
         return math.inf
+
+
+def is_unit_weight(value: Any) -> bool:
+    """Whether a text is a force per volume, such as "18 kN/m^3"."""
+    match = _TEXT.fullmatch(value.translate(_POWERS)) if isinstance(value, str) and len(value) <= _LONGEST else None
+    try:
+        return match is not None and match[2] is not None and _unit(match[2])[1] == _unit("N/m^3")[1]
+    except ValueError:
+        return False
 
 
 @lru_cache(maxsize=1)

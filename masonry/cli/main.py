@@ -105,7 +105,11 @@ def _add_import(added: Any) -> None:
         "wall.obj, dome.obj, crossvault.obj and stones come with the program",
     )
     words.add_argument("--out", type=Path, required=True, metavar="SCENE.toml", help="the scene to write")
-    words.add_argument("--unit", metavar="UNIT", help="length that 1 in the file means: mm; STEP files say it")
+    words.add_argument(
+        "--unit",
+        metavar="UNIT",
+        help="what 1 in the file stands for, such as mm or inch. OBJ, PLY and STL files hold no unit: m without this",
+    )
     words.add_argument("--tolerance", default="0.1 mm", metavar="LENGTH", help="gaps and overlaps up to it are mended")
     words.add_argument("--thickness", metavar="LENGTH", help="of a plane .tess file, along y")
     words.add_argument("--facet", metavar="LENGTH", help="how far flat facets may be off curved faces")

@@ -20,6 +20,7 @@ from masonry.laboratory.remarks.contact_remarks import (
     rocking_remarks,
 )
 from masonry.laboratory.remarks.mesh_remarks import mesh_remarks
+from masonry.laboratory.remarks.scene_remarks import scene_remarks, unit_weights
 from masonry.laboratory.remarks.twist_remarks import twist_remarks
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
@@ -97,6 +98,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
         log=[
             *(f"cells: {cells_text(c)}" for c in assembly.specimen.cells),
             *(f"scatter: {line}" for line in scatter_lines(assembly)),
+            *unit_weights(assembly.scene),
             *left_out(assembly),
             *outcome.log,
         ],
@@ -139,7 +141,7 @@ def check(scene: Scene) -> "Report":
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),
         "compiled": compiled(assembly),
-        "warnings": [*warnings(assembly), *rocking_remarks(assembly)],
+        "warnings": [*warnings(assembly), *rocking_remarks(assembly), *unit_weights(scene)],
     }
     from masonry.laboratory.text import Report
 
@@ -238,7 +240,8 @@ def warnings(assembly: Assembly) -> list[str]:
     m = assembly.model
     if m.dt > m.bound * (1 + 1e-12):
         found.append(f"the time step {m.dt:.3g} s is above the proven bound {m.bound:.3g} s: the run may be stopped")
-    return [*found, *mesh_remarks(assembly), *contact_remarks(assembly), *_placeholders(assembly.scene)]
+    remarks = [*mesh_remarks(assembly), *contact_remarks(assembly), *scene_remarks(assembly)]
+    return [*found, *remarks, *_placeholders(assembly.scene)]
 
 
 def _placeholders(scene: Scene) -> list[str]:

@@ -57,7 +57,7 @@ class Wishes:
     def require_sense(self) -> None:
         """Raises SceneError for words that contradict each other."""
         if self.points not in POINTS:
-            raise SceneError(f"points '{self.points}'; {nearest(self.points, POINTS)}")
+            raise SceneError(f"points '{self.points}'; {nearest(f'{self.points}', POINTS)}")
         if self.sides and self.sides < LEAST_SIDES:
             raise SceneError(f"a friction pyramid of {self.sides} sides; it needs {LEAST_SIDES} or more")
         if self.crushing is not None and (self.sides or self.points != "corners"):

@@ -1,5 +1,6 @@
 """A scene file or a packaged scene -> `Scene`, checked and in SI; and back to TOML that gives the same scene."""
 
+import os
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
@@ -16,6 +17,7 @@ from masonry.scene.portrait import portrait_html, portrait_text
 from masonry.scene.schema import SceneData
 from masonry.scene.source import Source, packaged, read, titles
 from masonry.scene.tables.law_keys import law_there
+from masonry.scene.unit_weights import note_unit_weights
 
 __all__ = ["Scene", "changed", "load", "packaged", "titles", "to_toml"]
 
@@ -30,6 +32,8 @@ class Scene(SceneData):
         top_level  keys without a dot, for short: scene.with_(law="linear", confinement="0.1 MPa")
         Raises SceneError: one message with the key, what is wrong, and what is allowed.
         """
+        if settings is not None and not isinstance(settings, Mapping):
+            raise SceneError(f"with_({settings!r:.60}): give a dictionary of dotted keys, or keys by name")
         for key in top_level:
             if key in (settings or {}):
                 raise SceneError(f"{key} is given twice: in the settings and by itself")
@@ -50,7 +54,9 @@ def load(path_or_name: str | Path, overrides: Overrides = ()) -> Scene:
     overrides  {"law": "linear", "drive.steps": 5000} or ["law=linear", "drive.steps=5000"], by dotted key
     Raises SceneError: one message with file and line, key, what is wrong, and what is allowed.
     """
-    source = read(path_or_name)
+    if not isinstance(path_or_name, str | os.PathLike) or not isinstance(os.fspath(path_or_name), str):
+        raise SceneError(f"{path_or_name!r:.60} is no scene: give the name of a packaged one, or the path of a file")
+    source = read(path_or_name if isinstance(path_or_name, str) else Path(path_or_name))
     apply(source, overrides)
     return _checked(source)
 
@@ -74,6 +80,7 @@ def _checked(source: Source) -> Scene:
         known = law is None or law_there(law)
     except SceneError as error:
         raise SceneError(f"{source.place(('law',))}: {error}") from None
+    note_unit_weights(source.raw)
     context = {"confinement": confinement, "law": law if known else "elastic", "known": known}
     try:
         return Scene.model_validate({"name": source.stem, **source.raw}, context=context)

@@ -17,8 +17,9 @@ Overrides = Mapping[str, Any] | Sequence[str]
 
 def apply(source: Source, overrides: Overrides) -> None:
     """Put the overrides into the raw values of `source`. Raises SceneError for a key that leads nowhere."""
-    if isinstance(overrides, str):
-        overrides = [overrides]
+    overrides = [overrides] if isinstance(overrides, str) else overrides
+    if not isinstance(overrides, Sequence | Mapping) or not all(isinstance(key, str) for key in overrides):
+        raise SceneError(f"{overrides!r:.80}: give {{'key': value}} or ['key=value'], with dotted keys as texts")
     written, given = (
         ("", dict(overrides)) if isinstance(overrides, Mapping) else ("--set ", dict(map(_split, overrides)))
     )

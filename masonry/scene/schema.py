@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, model_validator
 
 from masonry.errors import did_you_mean, nearest
 from masonry.history import FACTOR, OFF_BALANCE, TILT, UNITS
@@ -17,7 +17,7 @@ from masonry.scene.tables.motion import Floor, Gravity, InitialMotion
 from masonry.scene.tables.points import DENSITIES, PerAxis
 from masonry.scene.tables.scatter import Scatter, require_contacts
 from masonry.scene.tables.specimen_plugins import AnySpecimen
-from masonry.scene.tables.types import KeyedError, Law, Motion, Strength, Table
+from masonry.scene.tables.types import KeyedError, Law, Motion, ReadOnly, Strength, Table
 
 INVENTED = "a placeholder that the import made up: put in your own"
 """What `masonry import` notes in [assumptions] of a key that the file does not hold."""
@@ -35,11 +35,13 @@ class SceneData(Table):
     title: Annotated[str, Field(max_length=500)] = ""
     law: Law | None = None
     displacements: Literal["small", "large"] = "small"
-    kinematics: Annotated[dict[str, Motion], BeforeValidator(_by_group)] = {"default": "rigid"}
+    kinematics: Annotated[dict[str, Motion], BeforeValidator(_by_group), AfterValidator(ReadOnly)] = ReadOnly(
+        default="rigid"
+    )
     confinement: Strength | None = None
     specimen: AnySpecimen
-    material: Annotated[dict[str, Material], Field(min_length=1)]
-    contact: Annotated[dict[str, AnyContact], Field(min_length=1)]
+    material: Annotated[dict[str, Material], Field(min_length=1), AfterValidator(ReadOnly)]
+    contact: Annotated[dict[str, AnyContact], Field(min_length=1), AfterValidator(ReadOnly)]
     scatter: Scatter | None = None
     support: tuple[Support, ...] = ()
     drive: Drive | None = None
@@ -53,7 +55,7 @@ class SceneData(Table):
     gauge: tuple[Gauge, ...] = ()
     curve: Curve | None = None
     limit: LimitLoad | None = None
-    assumptions: dict[str, str] = {}
+    assumptions: Annotated[dict[str, str], AfterValidator(ReadOnly)] = ReadOnly()
 
     def kinematics_of(self, group: str) -> str:
         """ "rigid", "affine" or "tets": how the blocks of a group move."""

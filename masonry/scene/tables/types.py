@@ -1,7 +1,7 @@
 """The types of a scene's values: what may stand in a file, what is kept (SI floats), how it is written out again."""
 
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, NoReturn
 
 from pydantic import (
     BaseModel,
@@ -14,6 +14,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
+from masonry.errors import SceneError
 from masonry.laws import law_names
 from masonry.laws.plugins import all_law_names, plugin_law
 from masonry.quantity import KINDS, convert
@@ -50,6 +51,34 @@ class Table(BaseModel):
     """A table of the scene: no key but the ones named here, and no change after loading."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)  # the scene's own is built at first use
+
+    if not TYPE_CHECKING:
+
+        def __setattr__(self, name: str, value: object) -> None:
+            raise unchanged(name)
+
+        def __delattr__(self, name: str) -> None:
+            raise unchanged(name)
+
+
+def unchanged(name: object) -> SceneError:
+    """What is said where somebody tries to change a scene."""
+    return SceneError(
+        f"{name} cannot be changed: a scene stays as it is. scene.with_({{'contact.unit_unit.cohesion': '0.6 MPa'}}) "
+        "gives another one, with the keys that are named set anew"
+    )
+
+
+class ReadOnly(dict[str, Any]):
+    """A table of tables by name that stays as it is."""
+
+    def _refuse(self, *given: Any, **more: Any) -> NoReturn:
+        raise unchanged(str(given[0])[:80] if given else "this table")
+
+    __setitem__ = __delitem__ = pop = popitem = update = setdefault = clear = __ior__ = _refuse
+
+    def __reduce__(self) -> tuple[type, tuple[dict[str, Any]]]:
+        return ReadOnly, (dict(self),)
 
 
 @dataclass(frozen=True)
