@@ -154,6 +154,7 @@ class Specimen:
     shape    one word for the report ("couplet", "wallette", "boxes")
     cells    what came of each division into cells
     joints   joints that are stated, in place of those that are found; None where all are found
+    overlap  m, by how much blocks may overlap: what an import left within its tolerance
     """
 
     blocks: Blocks
@@ -162,6 +163,7 @@ class Specimen:
     shape: str = "boxes"
     cells: tuple[CellReport, ...] = ()
     joints: JointPolygons | None = None
+    overlap: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -1,9 +1,9 @@
 """The native file of a specimen, .blocks.h5: what was imported or built, bit for bit.
 
 HDF5 in h5py's default file version. `about` is a JSON text in bytes: format, version, names of groups and sets,
-section and shape. `blocks/`, with tets `mesh/`, and with stated joints `joints/` hold the arrays of the geometry
-floor, `sets/0`, `sets/1`, ... block numbers. Version 2 is written where joints are stated, so that programs that do not
-know them refuse it; all else is version 1.
+section and shape, and by how much blocks overlap, where an import left that. `blocks/`, with tets `mesh/`, and with
+stated joints `joints/` hold the arrays of the geometry floor, `sets/0`, `sets/1`, ... block numbers. Version 2 is
+written where joints are stated, so that programs that do not know them refuse it; all else is version 1.
 Arrays are int64 or float64.
 """
 
@@ -22,6 +22,8 @@ from geometry.polyhedra.validate import require_sound, require_sound_joints, req
 FORMAT, VERSION, WITH_JOINTS = "masonry blocks", 1, 2
 LARGEST = 4 * 2**30
 """Bytes of a file that is read."""
+DEEPEST = 1.0
+"""m, of an overlap of blocks that an import may leave."""
 LONGEST_TEXT = 2**24
 """Bytes of `about`."""
 
@@ -35,6 +37,7 @@ def save_blocks(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> 
         "sets": list(specimen.sets),
         "section": float(specimen.section),
         "shape": specimen.shape,
+        **({"overlap": float(specimen.overlap)} if specimen.overlap else {}),
     }
     with whole_file(path) as place, new_file(place) as file:
         file.create_dataset("about", data=np.frombuffer(json.dumps(about).encode(), dtype=np.uint8))
@@ -81,7 +84,8 @@ def _read(file: Any) -> tuple[Specimen, TetMesh | None]:
     if about["version"] == WITH_JOINTS:
         joints = JointPolygons(**_arrays(file["joints"], JointPolygons))
         require_sound_joints(blocks, joints)
-    return Specimen(blocks, sets, float(about["section"]), about["shape"], joints=joints), mesh
+    overlap = float(about.get("overlap", 0.0))
+    return Specimen(blocks, sets, float(about["section"]), about["shape"], joints=joints, overlap=overlap), mesh
 
 
 def _about(file: Any) -> dict[str, Any]:
@@ -105,6 +109,9 @@ def _about(file: Any) -> dict[str, Any]:
         raise GeometryError(f"the section is {section!r}, it must be an area above 0 m2")
     if not isinstance(about.get("shape"), str):
         raise GeometryError("the shape is no word")
+    overlap = about.get("overlap", 0.0)
+    if not isinstance(overlap, float) or not 0 <= overlap <= DEEPEST:
+        raise GeometryError(f"the overlap is {overlap!r}, it must be a length from 0 to {DEEPEST:g} m")
     return about
 
 

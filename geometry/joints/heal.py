@@ -1,16 +1,17 @@
 """Small gaps and overlaps closed: facing faces go to a common plane and the corners of their blocks with them."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from geometry.blocks import Blocks, GeometryError
-from geometry.joints.gaps import Facing, facing_faces, require_small
+from geometry.joints.gaps import ALMOST, Facing, facing_faces, require_small
+from geometry.polyhedra.flat.meeting import meet
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids, volumes
-from geometry.polyhedra.overlaps import check_overlaps
+from geometry.polyhedra.overlaps import check_overlaps, least_allowed
 from geometry.polyhedra.polygons import pad
 from geometry.polyhedra.weld import weld
 
@@ -19,16 +20,20 @@ SUSPICIOUS = 10.0
 PASSES = 3
 FARTHEST = 5.0
 """Times the tolerance that a corner may move: where faces meet at a flat angle it moves more than they do."""
+NEAR = 1e-4
+"""Of the width within which blocks touch: how near corners of more than three faces come to all of them."""
 
 
 @dataclass(frozen=True)
 class Mended:
-    """Blocks without small gaps and overlaps; what was there; what is left on purpose; relative change of volumes."""
+    """Blocks without small gaps and overlaps; what was there; what is left on purpose; relative change of volumes; and
+    by how much (m) blocks may still overlap at edges and corners."""
 
     blocks: Blocks
     found: Facing
     left: Facing
     volume_change: np.ndarray
+    deepest: float = 0.0
 
 
 def mend(blocks: Blocks, tolerance: float, names: Sequence[str], open_gaps: bool = False) -> Mended:
@@ -39,25 +44,26 @@ def mend(blocks: Blocks, tolerance: float, names: Sequence[str], open_gaps: bool
     larger than the tolerance, up to ten times of it (open_gaps lets larger gaps be), for blocks that overlap still, and
     for what cannot be mended; names (B,) says what to call each block.
     """
-    width = 1e-9 * extent(blocks)
+    width, most = 1e-9 * extent(blocks), tolerance * (1 + ALMOST)
     before = volumes(blocks)
     first: Facing | None = None
     for _ in range(PASSES):
         facing = facing_faces(blocks, SUSPICIOUS * tolerance, tolerance)
         require_small(blocks, facing, names, tolerance, open_gaps)
         off = np.abs(facing.size)
-        small = (off > width) & (off <= tolerance + width)
+        small = (off > width) & (off <= most + width)
         first = facing.chosen(small) if first is None else first
         if not small.any():
             break
-        blocks = _moved(blocks, facing.chosen(off <= tolerance + width), tolerance, names, width)
+        blocks = _moved(blocks, facing.chosen(off <= most + width), tolerance, names, width)
     else:
         raise GeometryError("gaps and overlaps come back after they are mended; mend the solids in the CAD program")
     after = volumes(blocks)
     if np.any(after <= 0):
         raise GeometryError(f"'{names[int(np.argmin(after))]}' is thinner than its gaps; take a smaller tolerance")
-    check_overlaps(blocks, names)
-    return Mended(blocks, first, facing.chosen(off > tolerance + width), after / before - 1)
+    check_overlaps(blocks, names, tolerance)
+    left = facing.chosen(off > most + width)
+    return Mended(blocks, first, left, after / before - 1, least_allowed(blocks, tolerance))
 
 
 def _moved(blocks: Blocks, facing: Facing, tolerance: float, names: Sequence[str], width: float) -> Blocks:
@@ -91,7 +97,8 @@ def _moved(blocks: Blocks, facing: Facing, tolerance: float, names: Sequence[str
                 "where they were made"
             )
         axis[faces], offset[faces], moving[faces] = mean * side[:, None], level * side, True
-    return _corners_moved(blocks, plane, axis, offset, moving, FARTHEST * tolerance, names, width)
+    moved, met = _corners_moved(blocks, plane, axis, offset, moving, FARTHEST * tolerance, names, width)
+    return moved if met else _met(blocks, moved, cluster[plane], FARTHEST * tolerance, names, width)
 
 
 def _planes(blocks: Blocks, width: float) -> np.ndarray:
@@ -118,9 +125,10 @@ def _corners_moved(
     farthest: float,
     names: Sequence[str],
     width: float,
-) -> Blocks:
-    """Corners of moving faces at the least-squares meeting point of the planes of their faces, as near as can be."""
-    points = blocks.points[blocks.face_points].copy()
+) -> tuple[Blocks, bool]:
+    """Corners of moving faces at the least-squares meeting point of the planes of their faces, as near as can be; and
+    whether all planes meet there."""
+    points, met = blocks.points[blocks.face_points].copy(), True
     face_of = np.repeat(np.arange(len(plane)), np.diff(blocks.face_start))
     for b in np.unique(blocks.face_block()[moving]).tolist():
         begin, end = (blocks.face_start[blocks.block_face_start[k]] for k in (b, b + 1))
@@ -131,19 +139,40 @@ def _corners_moved(
             old = points[here[0]]
             lacking = offset[faces] - axis[faces] @ old
             step = np.linalg.pinv(axis[faces], rcond=1e-3) @ lacking
-            if np.linalg.norm(step) > farthest or np.abs(axis[faces] @ step - lacking).max() > width:
-                x, y, z = old
-                raise GeometryError(
-                    f"'{names[b]}' cannot be mended: its {len(faces)} faces at ({x:.4g}, {y:.4g}, {z:.4g}) m do not "
-                    "meet in a corner any more; mend it where it was made, or leave it by a smaller tolerance"
-                )
+            missed = np.abs(axis[faces] @ step - lacking).max()
+            if np.linalg.norm(step) > farthest or missed > farthest:
+                raise _no_corner(names[b], len(faces), old)
+            met &= missed <= width
             points[here] = old + step
-    return Blocks(
-        points=points,
-        face_start=blocks.face_start,
-        face_points=np.arange(len(points)),
-        block_face_start=blocks.block_face_start,
-        unit=blocks.unit,
-        group=blocks.group,
-        groups=blocks.groups,
+    return replace(blocks, points=points, face_points=np.arange(len(points))), bool(met)
+
+
+def _met(
+    before: Blocks, blocks: Blocks, plane: np.ndarray, farthest: float, names: Sequence[str], width: float
+) -> Blocks:
+    """Blocks with a corner of more than three faces that fails to lie in all of them: corners and planes (F,) move
+    until they agree. Each face corner of the blocks is a point of its own."""
+    corners = np.diff(blocks.face_start[blocks.block_face_start])
+    parts = np.split(before.points[before.face_points], np.cumsum(corners)[:-1])
+    welded = [weld(part, width) for part in parts]
+    first = np.cumsum([0, *(len(kept) for kept, _ in welded)])
+    vertex = np.concatenate([number + n for (_, number), n in zip(welded, first, strict=False)])
+    place = np.zeros((first[-1], 3))
+    place[vertex] = blocks.points
+    pair = np.unique(np.stack([vertex, np.repeat(plane, np.diff(blocks.face_start))]), axis=1)
+    number = np.unique(pair[1], return_inverse=True)[1].reshape(-1)
+    place, off = meet(place, pair[0], number, NEAR * width, NEAR * width)
+    step = np.linalg.norm(place[vertex] - before.points[before.face_points], axis=1)
+    if off.max() > width / 2 or step.max() > farthest:
+        worst = int(np.argmax(step))
+        b = int(np.searchsorted(np.cumsum(corners), worst, side="right"))
+        raise _no_corner(names[b], int(np.sum(pair[0] == vertex[worst])), blocks.points[worst])
+    return replace(blocks, points=place[vertex])
+
+
+def _no_corner(name: str, faces: int, place: np.ndarray) -> GeometryError:
+    x, y, z = place
+    return GeometryError(
+        f"'{name}' cannot be mended: its {faces} faces at ({x:.4g}, {y:.4g}, {z:.4g}) m do not meet in a corner any "
+        "more; mend it where it was made, or leave it by a smaller tolerance"
     )

@@ -44,17 +44,19 @@ def are_convex(blocks: Blocks, width: float) -> np.ndarray:
     return convex
 
 
-def share_space(one: Solid, two: Solid, depth: float) -> bool:
-    """Whether two solids have more in common than faces, edges and corners that touch within depth (m).
+def shared_place(one: Solid, two: Solid, depth: float) -> np.ndarray | None:
+    """A place (3,) m where two solids share space, None if they have no more in common than faces, edges and corners
+    that touch within depth (m).
 
     Every face of each is cut along the planes of the other's faces. A piece is then wholly inside the other solid,
     outside or on its surface, and so is the middle of it. Two faces on each other that look the same way have matter
     of both solids behind them.
     """
-    return _enters(one, two, depth) or _enters(two, one, depth)
+    place = _entry(one, two, depth)
+    return _entry(two, one, depth) if place is None else place
 
 
-def _enters(one: Solid, two: Solid, depth: float) -> bool:
+def _entry(one: Solid, two: Solid, depth: float) -> np.ndarray | None:
     boxes, others = _boxes(one.faces), _boxes(two.faces)
     near = _meet(boxes, (others[0].min(axis=0), others[1].max(axis=0)))
     for f in near:
@@ -66,10 +68,15 @@ def _enters(one: Solid, two: Solid, depth: float) -> bool:
             middle = areas_normals_centroids(piece[None])[2][0]
             touching = _faces_at(two, _meet(others, (middle - depth, middle + depth)), middle, depth)
             if len(touching) == 0 and is_inside(two, middle):
-                return True
+                return np.asarray(middle)
             if len(touching) and np.any(two.normals[touching] @ normal > 0.999):
-                return True
-    return False
+                return np.asarray(middle)
+    return None
+
+
+def moved(block: Solid, step: np.ndarray) -> Solid:
+    """The solid, moved by a step (3,) m."""
+    return Solid([face + step for face in block.faces], block.normals, block.triangles + step)
 
 
 def _boxes(faces: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:

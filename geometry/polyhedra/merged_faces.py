@@ -13,13 +13,16 @@ STRAIGHT = 1e-12
 """Of the longest side: corners that stand less than this off the line between their neighbours are left out."""
 
 
-def merged_faces(points: np.ndarray, triangle: np.ndarray, block: np.ndarray) -> tuple[list[np.ndarray], np.ndarray]:
+def merged_faces(
+    points: np.ndarray, triangle: np.ndarray, block: np.ndarray, face: np.ndarray | None = None
+) -> tuple[list[np.ndarray], np.ndarray]:
     """Faces as loops of points (P, 3), and the block of each, from the surface triangles (T, 3) of each block (T,).
 
+    face  (T,) the same number for triangles that are known to lie in one plane, however slender they are
     Faces come in the order of blocks. Triangles whose union is not convex become convex pieces of it.
     """
     size = float(np.ptp(points, axis=0).max()) if len(points) else 1.0
-    region = _regions(points, triangle, block, size)
+    region = _regions(points, triangle, block, size, np.arange(len(triangle)) if face is None else face)
     order = np.argsort(region, kind="stable")
     parts = np.split(order, np.cumsum(np.bincount(region))[:-1])
     faces, owner = [], []
@@ -33,8 +36,8 @@ def merged_faces(points: np.ndarray, triangle: np.ndarray, block: np.ndarray) ->
     return [faces[i] for i in by_block], np.array(owner, dtype=np.int64)[by_block]
 
 
-def _regions(points: np.ndarray, triangle: np.ndarray, block: np.ndarray, size: float) -> np.ndarray:
-    """(T,) the same number for triangles of a block that hang together over edges and lie in one plane."""
+def _regions(points: np.ndarray, triangle: np.ndarray, block: np.ndarray, size: float, face: np.ndarray) -> np.ndarray:
+    """(T,) the same number for triangles of a face, or of a block if they hang together over edges in one plane."""
     _, normal, centroid = areas_normals_centroids(points[triangle])
     edge = np.sort(np.concatenate([triangle[:, [0, 1]], triangle[:, [1, 2]], triangle[:, [2, 0]]]), axis=1)
     of = np.tile(np.arange(len(triangle)), 3)
@@ -48,12 +51,14 @@ def _regions(points: np.ndarray, triangle: np.ndarray, block: np.ndarray, size: 
     a, b = of[first], of[first + 1]
     height = np.abs(np.einsum("nki,ni->nk", points[triangle[b]] - centroid[a][:, None], normal[a])).max(axis=1)
     level = (height <= FLAT * size) & (np.einsum("ni,ni->n", normal[a], normal[b]) > 0.999)
-    link = coo_array((np.ones(level.sum()), (a[level], b[level])), shape=(len(triangle),) * 2)
+    _, leader, number = np.unique(face, return_index=True, return_inverse=True)
+    a, b = np.append(a[level], np.arange(len(triangle))), np.append(b[level], leader[number.reshape(-1)])
+    link = coo_array((np.ones(len(a)), (a, b)), shape=(len(triangle),) * 2)
     return connected_components(link, directed=False)[1]
 
 
 def _outline(triangle: np.ndarray) -> np.ndarray | None:
-    """The one loop round some triangles, or None if there are several or it touches itself."""
+    """The one loop round some triangles; None if there are several, if it touches itself or if triangles are folded."""
     edges = {(a, b) for t in triangle.tolist() for a, b in zip(t, [*t[1:], t[0]], strict=True)}
     following = {}
     for a, b in edges:
@@ -64,6 +69,8 @@ def _outline(triangle: np.ndarray) -> np.ndarray | None:
     start = min(following)
     loop, at = [start], following[start]
     while at != start:
+        if at not in following:
+            return None
         loop.append(at)
         at = following[at]
     return np.array(loop) if len(loop) == len(following) else None

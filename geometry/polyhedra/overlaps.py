@@ -1,37 +1,164 @@
 """Blocks that take up the same space: convex ones found by the separating axis theorem; refused with a message."""
 
 from collections.abc import Iterator, Sequence
-from itertools import islice
+from typing import NamedTuple
 
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError
 from geometry.polyhedra.box_pairs import overlapping_boxes
 from geometry.polyhedra.construct import selected
-from geometry.polyhedra.intersect import are_convex, share_space, solid
+from geometry.polyhedra.intersect import Solid, are_convex, moved, shared_place, solid
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids, volumes
-from geometry.polyhedra.polygons import pad
+from geometry.polyhedra.polygons import areas_normals_centroids, cut, pad
 
 CHUNK = 4096
+LISTED = 5
+"""Overlaps that a message shows, the deepest first."""
+MEASURED, MOST_FACES = 6, 400
+"""Overlaps of blocks that are not convex, and faces of two blocks, up to which moves in all directions are tried."""
+DIRECTIONS, HALVINGS = 24, 12
+"""Normals of faces along which a block that is not convex is moved out of another one; how often a move is halved."""
+
+
+class Overlap(NamedTuple):
+    """Two blocks that share space. They part if the second moves by depth (m) along axis, a unit vector (3,): no move
+    that is tried is shorter. place (3,) m: where."""
+
+    first: int
+    second: int
+    depth: float
+    axis: np.ndarray
+    place: np.ndarray
+
+
+class Overlapping(GeometryError):
+    """Blocks that overlap, with all their overlaps."""
+
+    def __init__(self, message: str, overlaps: Sequence[Overlap]) -> None:
+        super().__init__(message)
+        self.overlaps = tuple(overlaps)
 
 
 def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None, allowed: float = 0.0) -> None:
-    """Raise GeometryError for the first two blocks that overlap by more than 1e-9 of the specimen's size.
+    """Raise Overlapping, a GeometryError, where blocks overlap by more than 1e-9 of the specimen's size.
 
     names (B,) says what to call each block; without it, its number and unit. allowed: m that they may overlap by.
     """
+    if overlaps := all_overlaps(blocks, names, allowed):
+        limit = f"overlap by no more than {allowed * 1e3:.4g} mm (--tolerance)" if allowed else "touch but not overlap"
+        lines = "; ".join(described(blocks, overlaps, names))
+        raise Overlapping(f"{lines}; blocks may {limit}", overlaps)
+
+
+def all_overlaps(blocks: Blocks, names: Sequence[str] | None = None, allowed: float = 0.0) -> list[Overlap]:
+    """All overlaps, the deepest first; see check_overlaps. Raises GeometryError for a block that is too thin."""
     depth = max(1e-9 * extent(blocks), allowed)
     low, high = bounds(blocks)
-    _require_thick(blocks, names, high - low, depth)
+    _require_thick(blocks, names, high - low, 1e-9 * extent(blocks))
     pairs = overlapping_boxes(low + depth / 2, high - depth / 2)
     is_box = np.abs(volumes(blocks) / np.prod(high - low, axis=1) - 1) < 1e-12
     convex = np.ones(blocks.count, dtype=bool) if is_box.all() else are_convex(blocks, depth)
     sure = is_box[pairs].all(axis=1)
-    overlapping = [tuple(pair) for pair in pairs[sure][:1]]
-    overlapping += islice(overlapping_pairs(blocks, pairs[~sure], depth, convex), 1)
-    if overlapping:
-        a, b = min(overlapping)
-        raise GeometryError(_message(blocks, names, low, high, a, b, allowed))
+    found = [_of_boxes(low, high, a, b) for a, b in pairs[sure].tolist()]
+    for a, b in overlapping_pairs(blocks, pairs[~sure], depth, convex):
+        closely = len(found) < MEASURED
+        found.append(_of_convex(blocks, a, b) if convex[[a, b]].all() else _of_solids(blocks, a, b, depth, closely))
+    return sorted(found, key=lambda overlap: -overlap.depth)
+
+
+def least_allowed(blocks: Blocks, most: float) -> float:
+    """By how much (m) blocks must be allowed to overlap so that none is refused: 0 or a power of ten below `most` (m),
+    at which none is."""
+    depth = 1e-9 * extent(blocks)
+    low, high = bounds(blocks)
+    allowed, pairs = 0.0, overlapping_boxes(low + depth / 2, high - depth / 2)
+    for deep in (depth, *(most * 10.0**-k for k in range(6, -1, -1))):
+        if deep >= depth and len(pairs):
+            pairs = np.array(list(overlapping_pairs(blocks, pairs, deep, are_convex(blocks, deep)))).reshape(-1, 2)
+            allowed = deep if deep > depth or len(pairs) else 0.0
+    return allowed
+
+
+def described(blocks: Blocks, overlaps: Sequence[Overlap], names: Sequence[str] | None) -> list[str]:
+    """A line for each of the deepest overlaps: blocks, depth, place, and the least move that parts the two."""
+    lines = []
+    for first, second, depth, axis, place in overlaps[:LISTED]:
+        one, two = (f"{names[i]!r}" if names is not None else f"{i} (unit {blocks.unit[i]})" for i in (first, second))
+        x, y, z = place
+        lines.append(
+            f"blocks {one} and {two} overlap by {depth * 1e3:.4g} mm around ({x:.4g}, {y:.4g}, {z:.4g}) m: "
+            f"moving {two} by {depth * 1e3:.4g} mm along {_direction(axis)} parts them"
+        )
+    if len(overlaps) > LISTED:
+        lines.append(f"and {len(overlaps) - LISTED} pairs more, by less")
+    return lines
+
+
+def _direction(axis: np.ndarray) -> str:
+    """An axis in words."""
+    k = int(np.argmax(np.abs(axis)))
+    if abs(axis[k]) > 1 - 1e-6:
+        return f"{'-' if axis[k] < 0 else ''}{'xyz'[k]}"
+    return "({:.3g}, {:.3g}, {:.3g})".format(*(axis + 0.0))
+
+
+def _of_boxes(low: np.ndarray, high: np.ndarray, a: int, b: int) -> Overlap:
+    """The overlap of two boxes along the axes."""
+    forth, back = high[a] - low[b], high[b] - low[a]
+    k = int(np.argmin(np.minimum(forth, back)))
+    axis = np.eye(3)[k] * (1.0 if forth[k] <= back[k] else -1.0)
+    place = (np.maximum(low[a], low[b]) + np.minimum(high[a], high[b])) / 2
+    return Overlap(a, b, float(min(forth[k], back[k])), axis, place)
+
+
+def _of_convex(blocks: Blocks, a: int, b: int) -> Overlap:
+    """The overlap of two convex blocks; its place is the middle of what each has of its surface within the other."""
+    depth, axis = _penetration(blocks, a, b)
+    weight, moment = 0.0, np.zeros(3)
+    for one, other in ((a, b), (b, a)):
+        start = blocks.face_start[blocks.block_face_start[one] : blocks.block_face_start[one + 1] + 1]
+        corners, count = pad(blocks.points, start, blocks.face_points)
+        window = solid(blocks, other)
+        for face, normal in zip(window.faces, window.normals, strict=True):
+            corners, count = cut(corners, count, (face[0] - corners) @ normal)
+        area, _, middle = areas_normals_centroids(corners)
+        weight, moment = weight + float(area.sum()), moment + area @ middle
+    return Overlap(a, b, depth, axis, moment / weight if weight > 0 else _middle_of_boxes(blocks, a, b))
+
+
+def _middle_of_boxes(blocks: Blocks, a: int, b: int) -> np.ndarray:
+    low, high = bounds(selected(blocks, np.array([a, b])))
+    return np.asarray((low.max(axis=0) + high.min(axis=0)) / 2)
+
+
+def _of_solids(blocks: Blocks, a: int, b: int, depth: float, closely: bool) -> Overlap:
+    """The overlap of two blocks that need not be convex: the least move along an axis that parts their hulls, or, if it
+    is looked at closely, along the normal of a face that parts them."""
+    one, two = solid(blocks, a), solid(blocks, b)
+    place = shared_place(one, two, depth)
+    least, axis = _penetration(blocks, a, b)
+    normals = np.concatenate([one.normals, -two.normals])
+    normals = normals if closely and len(normals) <= MOST_FACES else normals[:0]
+    _, first = np.unique(np.round(normals, 3), axis=0, return_index=True)
+    for normal in normals[np.sort(first)][:DIRECTIONS]:
+        if _part(one, two, (1 - 1e-3) * least * normal, depth):
+            least, axis = _shortest(one, two, normal, least, depth), normal
+    return Overlap(a, b, least, axis, _middle_of_boxes(blocks, a, b) if place is None else place)
+
+
+def _part(one: Solid, two: Solid, step: np.ndarray, depth: float) -> bool:
+    """Whether the second solid, moved by a step (3,) m, is out of the first one."""
+    return shared_place(one, moved(two, step), depth) is None
+
+
+def _shortest(one: Solid, two: Solid, normal: np.ndarray, longest: float, depth: float) -> float:
+    """The shortest move (m) along a normal that parts two solids, found by halving."""
+    low, high = 0.0, longest
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if _part(one, two, middle * normal, depth) else (middle, high)
+    return high
 
 
 def overlapping_pairs(
@@ -53,7 +180,7 @@ def overlap(blocks: Blocks, a: int, b: int, depth: float, convex: bool) -> tuple
     unit vector (3,) from a to b.
     """
     if not convex:
-        return share_space(solid(blocks, a), solid(blocks, b), depth), None
+        return shared_place(solid(blocks, a), solid(blocks, b), depth) is not None, None
     shift, axis = _penetration(blocks, a, b)
     return shift > depth, axis
 
@@ -122,18 +249,3 @@ def _corners_and_edges(blocks: Blocks, block: int) -> tuple[np.ndarray, np.ndarr
     after = np.concatenate([np.roll(n, -1) for n in np.split(number, np.cumsum([len(face) for face in faces])[:-1])])
     low, high = np.unique(np.sort(np.stack([number, after]), axis=0), axis=1)
     return corners, corners[high] - corners[low]
-
-
-def _message(
-    blocks: Blocks, names: Sequence[str] | None, low: np.ndarray, high: np.ndarray, a: int, b: int, allowed: float
-) -> str:
-    start, end = np.maximum(low[a], low[b]), np.minimum(high[a], high[b])
-    size, place = end - start, (start + end) / 2
-    axis = int(np.argmin(size))
-    called = [f"{names[i]!r}" if names is not None else f"{i} (unit {blocks.unit[i]})" for i in (a, b)]
-    limit = f"overlap by no more than {allowed * 1e3:.4g} mm (--tolerance)" if allowed else "touch but not overlap"
-    return (
-        f"blocks {called[0]} and {called[1]} overlap by {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m around "
-        f"({place[0]:.4g}, {place[1]:.4g}, {place[2]:.4g}) m; blocks may {limit}: "
-        f"move one by {size[axis]:.4g} m along {'xyz'[axis]}, or make it that much smaller"
-    )

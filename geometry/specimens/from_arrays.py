@@ -1,7 +1,7 @@
 """Blocks from arrays: each a closed polyhedron of vertices and faces, as trimesh, COMPAS or plain numpy hold them."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.sparse import coo_array
@@ -10,6 +10,8 @@ from scipy.sparse.csgraph import connected_components
 from geometry.blocks import Blocks, GeometryError
 from geometry.polyhedra.construct import from_faces
 from geometry.polyhedra.convexity import triangles
+from geometry.polyhedra.flat.flatten import flattened
+from geometry.polyhedra.flat.regions import Mesh
 from geometry.polyhedra.merged_faces import merged_faces
 from geometry.polyhedra.polygons import areas_normals_centroids
 from geometry.polyhedra.shells import outward
@@ -20,46 +22,69 @@ SAME = 1e-9
 """Of the longest side of a block: vertices that lie closer together are one."""
 
 
+class Shell(NamedTuple):
+    """A closed body: points (P, 3) m, each once, the triangles (T, 3) round it, looking outwards, and the flat face
+    (T,) that each is part of."""
+
+    points: np.ndarray
+    triangle: np.ndarray
+    face: np.ndarray
+
+
 def polyhedra(
-    solids: Sequence[tuple[Any, Any]], names: Sequence[str], unit: Sequence[int], group: Sequence[str]
+    solids: Sequence[tuple[Any, Any]],
+    names: Sequence[str],
+    unit: Sequence[int],
+    group: Sequence[str],
+    flat: float = 0.0,
 ) -> Blocks:
     """One block for each pair of vertices (V, 3) m and faces, which are lists of 3 or more vertex numbers.
 
     Faces are flat polygons, convex or not, or triangles (T, 3); triangles in one plane become one face. They may be
     numbered either way round: they are turned to look outwards. names (B,) says what to call a block in a message; unit
-    and group (B,) are as in Blocks, groups by name. Raises GeometryError for what is no closed body with plane faces.
+    and group (B,) are as in Blocks, groups by name. Faces whose corners stand off a plane by up to flat (m) are made
+    flat. Raises GeometryError for what is no closed body with plane faces.
     """
     if not len(solids):
         raise GeometryError("there are no blocks")
-    parts = [_triangulated(*solid, name) for solid, name in zip(solids, names, strict=True)]
-    start = np.cumsum([0, *(len(points) for points, _ in parts)])
-    triangle = np.concatenate([found + first for (_, found), first in zip(parts, start, strict=False)])
-    owner = np.repeat(np.arange(len(parts)), [len(found) for _, found in parts])
-    points = np.concatenate([points for points, _ in parts])
-    loops, block = merged_faces(points, triangle, owner)
-    faces: list[list[np.ndarray]] = [[] for _ in parts]
+    return from_shells([_shell(*solid, name, flat) for solid, name in zip(solids, names, strict=True)], unit, group)
+
+
+def from_shells(shells: Sequence[Shell], unit: Sequence[int], group: Sequence[str]) -> Blocks:
+    """One block for each closed body, of the unit and the group (B,) by name."""
+    start = np.cumsum([0, *(len(shell.points) for shell in shells)])
+    points = np.concatenate([shell.points for shell in shells])
+    triangle = np.concatenate([shell.triangle + first for shell, first in zip(shells, start, strict=False)])
+    owner = np.repeat(np.arange(len(shells)), [len(shell.triangle) for shell in shells])
+    before = np.cumsum([0, *(len(shell.triangle) for shell in shells)])
+    face = np.concatenate([shell.face + first for shell, first in zip(shells, before, strict=False)])
+    loops, block = merged_faces(points, triangle, owner, face)
+    faces: list[list[np.ndarray]] = [[] for _ in shells]
     for loop, b in zip(loops, block, strict=True):
         faces[b].append(points[loop])
     groups = tuple(dict.fromkeys(group))
     return from_faces(faces, unit, [groups.index(name) for name in group], groups)
 
 
-def _triangulated(vertices: Any, faces: Any, name: str) -> tuple[np.ndarray, np.ndarray]:
-    """Points (P, 3) of a body, each once, and the triangles (T, 3) round it, looking outwards."""
+def _shell(vertices: Any, faces: Any, name: str, flat: float) -> Shell:
+    """The triangles round a body."""
     points = _points(vertices, name)
     size = float(np.ptp(points, axis=0).max())
-    kept, number = weld(points, SAME * size)
-    points = points[kept]
-    found = []
+    first, number = weld(points, SAME * size)
+    points = points[first]
+    parts = []
     for f, corners in enumerate(_corners(faces, len(number), name)):
         loop = number[corners]
         loop = loop[loop != np.roll(loop, 1)]
         if len(loop) < 3:
             raise GeometryError(f"{name}: face {f} has fewer than 3 corners that differ")
-        found.append(loop[_cut(points[loop], size, f"{name}: face {f}")])
-    shell = outward(points, np.concatenate(found), name)
-    _require_one_body(shell, name)
-    return points, shell
+        parts.append(loop[_cut(points[loop], max(FLAT * size, flat), f"{name}: face {f}")])
+    triangle = outward(points, np.concatenate(parts), name)
+    _require_one_body(triangle, name)
+    face = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
+    if flat > 0:
+        points, face = flattened(Mesh(points, triangle, face), flat)
+    return Shell(points, triangle, face)
 
 
 def _points(vertices: Any, name: str) -> np.ndarray:
@@ -91,16 +116,15 @@ def _corners(faces: Any, count: int, name: str) -> list[np.ndarray]:
     return found
 
 
-def _cut(corners: np.ndarray, size: float, face: str) -> np.ndarray:
-    """(n - 2, 3) triangles of a polygon (n, 3), which must be flat."""
+def _cut(corners: np.ndarray, flat: float, face: str) -> np.ndarray:
+    """(n - 2, 3) triangles of a polygon (n, 3), which must be flat within `flat` (m)."""
     if len(corners) == 3:
         return np.array([[0, 1, 2]])
     _, normal, centroid = areas_normals_centroids(corners[None])
     height = float(np.abs((corners - centroid[0]) @ normal[0]).max())
-    if not height <= FLAT * size:
+    if not height <= flat:
         raise GeometryError(
-            f"{face} is not flat: a corner stands {height:.3g} m off it, allowed: {FLAT * size:.3g} m; give it in "
-            "triangles"
+            f"{face} is not flat: a corner stands {height:.3g} m off it, allowed: {flat:.3g} m; give it in triangles"
         )
     try:
         return triangles(corners)

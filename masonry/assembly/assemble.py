@@ -114,7 +114,7 @@ def joined(scene: Scene) -> tuple[Specimen, Joints]:
     if specimen.joints is not None:  # overlaps were looked at as these were laid
         return specimen, stated_joints(specimen.joints, Density(*points))
     if spec.kind == "file" or is_outside(spec.kind):  # the others were looked at as they were built
-        overlaps.check_overlaps(specimen.blocks)
+        overlaps.check_overlaps(specimen.blocks, allowed=specimen.overlap)
     return specimen, find_joints(specimen.blocks, *points)
 
 

@@ -1,6 +1,7 @@
 """Blocks from Python: arrays of vertices and faces become a file of blocks that a scene of kind "file" names."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -8,11 +9,11 @@ import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Specimen
 from geometry.files.blocks_h5 import save_blocks
-from geometry.joints.heal import mend
+from geometry.joints.heal import Mended, mend
 from geometry.polyhedra.validate import require_sound
 from geometry.specimens.from_arrays import polyhedra
 from masonry.errors import SceneError
-from masonry.importing.importing import SECTIONS, SUFFIX, section_of, sets_of
+from masonry.importing.importing import FLAT, SECTIONS, SUFFIX, section_of, sets_of
 from masonry.quantity import parse
 
 LARGEST = 10**9
@@ -44,10 +45,12 @@ def write_blocks(
             raise SceneError(f"units: {unit} is no number of a unit; allowed: 0 to {LARGEST}")
     width = parse(tolerance, "length", "tolerance", "[1e-9, 1]")
     area = None if section is None else parse(section, "area", "section", f"[{SECTIONS[0]}, {SECTIONS[1]}]")
-    found = _mended(polyhedra(solids, called, of_unit, of_group), width, called, open_gaps)
+    mended = _mended(partial(polyhedra, solids, called, of_unit, of_group), width, called, open_gaps)
+    found = mended.blocks
     require_sound(found)
     _require_own_names(found, named)
-    save_blocks(path, Specimen(found, sets_of(found, named), section_of(found, area), "file"))
+    left = mended.deepest
+    save_blocks(path, Specimen(found, sets_of(found, named), section_of(found, area), "file", overlap=left))
     return path
 
 
@@ -90,10 +93,14 @@ def _for_each(values: Any, count: int, what: str, kind: type, example: Any) -> l
     return found
 
 
-def _mended(blocks: Blocks, tolerance: float, names: Sequence[str], open_gaps: bool) -> Blocks:
-    try:
-        return mend(blocks, tolerance, names, open_gaps).blocks
-    except GeometryError as error:
-        said = str(error).replace(", or --gap lays joints into them", "").replace("--tolerance ", "tolerance = ")
-        said = said.replace("--open-gaps", "open_gaps = True")
-        raise GeometryError(said) from None
+def _mended(build: Callable[[float], Blocks], tolerance: float, names: Sequence[str], open_gaps: bool) -> Mended:
+    """The blocks that `build` makes where faces count as flat within a length (m), mended as by an import."""
+    refused: GeometryError | None = None
+    for share in FLAT:
+        try:
+            return mend(build(share * tolerance), tolerance, names, open_gaps)
+        except GeometryError as error:
+            refused = refused or error
+    said = str(refused).replace(", or --gap lays joints into them", "").replace("--tolerance ", "tolerance = ")
+    said = said.replace("--open-gaps", "open_gaps = True")
+    raise GeometryError(said)

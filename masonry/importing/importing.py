@@ -15,6 +15,7 @@ from geometry.files.atomic import whole_file
 from geometry.files.blocks_h5 import save_blocks
 from geometry.files.sandbox import guarded
 from geometry.joints.find import find_joints, stated_joints
+from geometry.joints.gaps import ALMOST
 from geometry.joints.heal import Mended, mend
 from geometry.joints.nearby import Rule, nearby_joints
 from geometry.joints.point_density import Density
@@ -33,6 +34,8 @@ READERS = {
     **dict.fromkeys((".obj", ".ply", ".stl"), SURFACES),
 }
 TOLERANCE = 1e-4  # m
+FLAT = 1.0, 0.1, 0.0  # of the tolerance, within which faces of a surface count as flat
+
 ANGLE = math.radians(20.0)
 SUFFIX = ".blocks.h5"
 LONGEST_NAME = 200  # letters, what a scene allows
@@ -83,21 +86,7 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
         raise SceneError(f"'{source}': {source.suffix or 'a file without suffix'} is not read; {nearest('', READERS)}")
     target = out.parent / (out.name.removesuffix(".toml") + SUFFIX)
     _require_free(source, out, target, overwrite)
-    words: dict[str, Any] = {} if wishes.unit is None else {"unit": wishes.unit}
-    words |= _words_of_one_kind(source, reader, wishes)
-    found = upright(guarded(*reader, source, **words), wishes.up)
-    require_near(found.blocks)
-    names = tuple(name or f"solid {number}" for number, name in enumerate(found.names, start=1))
-    found = grouped(found, names, wishes.groups)
-    mended, stated = None, None
-    if wishes.gap is not None:
-        stated = bridged(found, names, wishes)
-    elif reader == SURFACES:
-        mended = _mended_surfaces(found, names, wishes)
-    elif reader[0] == "geometry.files.cad":
-        mended = mend(found.blocks, wishes.tolerance, names, wishes.open_gaps)
-    else:
-        check_overlaps(found.blocks, names)
+    found, names, mended, stated = joined_up(Reading(source, reader), wishes)
     blocks = mended.blocks if mended else found.blocks
     require_sound(blocks)
     section = section_of(blocks, wishes.section)
@@ -107,7 +96,8 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
             f"{SECTIONS[1]:g} m^2; say by --unit which length 1 in the file means"
         )
     sets = sets_of(blocks, found.names, wishes.gap or 0.0)
-    specimen = Specimen(blocks, sets, section, "file", joints=stated)
+    left = mended.deepest if mended else 0.0
+    specimen = Specimen(blocks, sets, section, "file", joints=stated, overlap=left)
     joints = find_joints(blocks) if stated is None else stated_joints(stated, Density())
     how = Written(_readable(source.name), target.name, wishes.section is None, reader == SURFACES)
     text = scene_text(specimen, joints, how)
@@ -115,6 +105,41 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
         place.write_text(text, encoding="utf-8")
         save_blocks(target, specimen, found.mesh)
     return Report(specimen, joints, mended, names, found.notes, (out, target))
+
+
+class Reading:
+    """A file that is read, once for each way of reading it."""
+
+    def __init__(self, source: Path, reader: tuple[str, str]) -> None:
+        self.source, self.reader = source, reader
+        self._read: dict[str, Imported] = {}
+
+    def __call__(self, wishes: Wishes, flat: float = 0.0) -> tuple[Imported, tuple[str, ...]]:
+        """The blocks of the file and their names; flat (m): faces of surfaces that are flat within it are flat."""
+        words: dict[str, Any] = {} if wishes.unit is None else {"unit": wishes.unit}
+        words |= _words_of_one_kind(self.source, self.reader, wishes)
+        words |= {"flat": flat} if flat else {}
+        key = repr(words)
+        if key not in self._read:
+            self._read[key] = upright(guarded(*self.reader, self.source, **words), wishes.up)
+        found = self._read[key]
+        require_near(found.blocks)
+        names = tuple(name or f"solid {number}" for number, name in enumerate(found.names, start=1))
+        return grouped(found, names, wishes.groups), names
+
+
+def joined_up(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str, ...], Mended | None, JointPolygons | None]:
+    """The solids of a file, their names, and what was mended, or the joints that were laid over gaps."""
+    if wishes.gap is not None:
+        found, names = read(wishes)
+        return found, names, None, bridged(found, names, wishes)
+    if read.reader == SURFACES:
+        return (*_mended_surfaces(read, wishes), None)
+    found, names = read(wishes)
+    if read.reader[0] == "geometry.files.cad":
+        return found, names, mend(found.blocks, wishes.tolerance, names, wishes.open_gaps), None
+    check_overlaps(found.blocks, names)
+    return found, names, None, None
 
 
 def _words_of_one_kind(source: Path, reader: tuple[str, str], wishes: Wishes) -> dict[str, Any]:
@@ -142,16 +167,25 @@ def upright(found: Imported, up: str) -> Imported:
     return replace(found, blocks=replace(found.blocks, points=found.blocks.points[:, order]), mesh=mesh)
 
 
-def _mended_surfaces(found: Imported, names: Sequence[str], wishes: Wishes) -> Mended:
-    """As solids are mended; where that fails the message names the way that needs no exact faces."""
-    try:
-        return mend(found.blocks, wishes.tolerance, names, wishes.open_gaps)
-    except GeometryError as error:
-        if "--gap" in str(error):
-            raise
-        raise GeometryError(
-            f"{error}; if that is rounding (STL files have seven digits), --gap '1 mm' takes the blocks as they are"
-        ) from None
+def _mended_surfaces(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str, ...], Mended]:
+    """The bodies of a surface, their names, and how they were mended.
+
+    Faces count as flat within the tolerance; where blocks cannot be mended so, as faces that are slightly bent need not
+    agree with their neighbours, within less. Where nothing helps the message names what needs no exact faces.
+    """
+    refused: GeometryError | None = None
+    for share in FLAT:
+        found, names = read(wishes, share * wishes.tolerance)
+        try:
+            return found, names, mend(found.blocks, wishes.tolerance, names, wishes.open_gaps)
+        except GeometryError as error:
+            refused = refused or error
+    assert refused is not None
+    if "--gap" in str(refused):
+        raise refused
+    raise GeometryError(
+        f"{refused}; if that is rounding (STL files have seven digits), --gap '1 mm' takes the blocks as they are"
+    )
 
 
 def bridged(found: Imported, names: Sequence[str], wishes: Wishes) -> JointPolygons:
@@ -163,7 +197,7 @@ def bridged(found: Imported, names: Sequence[str], wishes: Wishes) -> JointPolyg
     if found.mesh is not None:
         raise SceneError("--gap: tets need blocks that meet; leave it out")
     check_overlaps(found.blocks, names, wishes.tolerance)
-    stated = nearby_joints(found.blocks, Rule(wishes.gap, wishes.tolerance, wishes.angle))
+    stated = nearby_joints(found.blocks, Rule(wishes.gap * (1 + ALMOST), wishes.tolerance, wishes.angle))
     if len(stated.block_a) == 0 and found.blocks.count > 1:
         raise GeometryError(
             f"--gap {wishes.gap * 1e3:.4g} mm: no two blocks are so near each other; is the unit right, and the gap?"

@@ -73,6 +73,8 @@ def _mended_rows(report: Report) -> list[tuple[str, list[str]]]:
         after = volumes(mended.blocks)
         total = after.sum() / (after / (1 + change)).sum() - 1
         rows.append(("volume", [f"{total:+.3g} in all, at most {change[worst]:+.3g} ('{report.names[worst]}')"]))
+    if mended.deepest:
+        rows.append(("overlaps", [f"of less than {mended.deepest * 1e3:.3g} mm at edges and corners are left"]))
     if len(mended.left.size):
         rows.append(("left open", _counted(report, mended.left)))
     return rows

@@ -196,3 +196,17 @@ def test_tets_of_a_file_do_not_serve_units_that_are_cut_up(triplet):
     assert masonry.check(whole)["tets"] == len(mesh.tets) == 3 * 12
     cut = whole.with_({"specimen.divisions": [2, 1, 1], "specimen.mesh": "fan"})
     assert masonry.check(cut)["tets"] == 2 * 3 * 12
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_bricks_in_single_precision_are_taken_with_their_joint(tmp_path, seed):
+    from scipy.spatial.transform import Rotation
+
+    turn = Rotation.random(random_state=seed)
+    bricks = [(turn.apply(corners).astype(np.float32).astype(float), faces) for corners, faces in map(unit, range(2))]
+    blocks = load_blocks(masonry.write_blocks(tmp_path / "own.blocks.h5", bricks))[0].blocks
+    assert find_joints(blocks).area.sum() == pytest.approx(0.25 * 0.12, rel=1e-5)
+    bent = bricks[0][0].copy()
+    bent[0] += 1e-3
+    with pytest.raises(GeometryError, match="not flat"):
+        masonry.write_blocks(tmp_path / "bent.blocks.h5", [(bent, QUADS)])

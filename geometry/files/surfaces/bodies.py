@@ -12,16 +12,20 @@ from geometry.files.surfaces.bent_faces import bent_triangles, height_of
 from geometry.files.surfaces.crossings import crossing
 from geometry.files.surfaces.surface import Surface
 from geometry.polyhedra.convexity import triangles
+from geometry.polyhedra.flat.flatten import flattened
+from geometry.polyhedra.flat.regions import BENT, Mesh
 from geometry.polyhedra.polygons import areas_normals_centroids
 from geometry.polyhedra.shells import outward
 from geometry.polyhedra.validate import FLAT
 from geometry.polyhedra.weld import weld
+from geometry.specimens.from_arrays import Shell
 
 SAME = 1e-6
 """Of the longest side of a surface: corners that lie closer together are one."""
+ROUNDING = 2.0**-22
+"""Of the largest coordinate: what single precision, or a number of seven digits, may be off."""
 DEEP = 1e-7
 """Of the longest side: a surface that goes through itself by less does not."""
-Body = tuple[np.ndarray, np.ndarray]
 Loops = list[np.ndarray]
 
 
@@ -34,6 +38,7 @@ class Changes:
     bent          faces that are not flat, of `faces`; `highest`: how far a corner stands off the mean plane of its face
     holes         holes that were closed, the widest `widest` wide
     turned        bodies with faces that looked inwards, which were turned
+    moved         how far a corner moved so that faces which are flat but for noise are flat
     volume        of all bodies, and `other_volume` if each bent face were a fan of triangles round its middle
     """
 
@@ -45,14 +50,16 @@ class Changes:
     holes: int = 0
     widest: float = 0.0
     turned: int = 0
+    moved: float = 0.0
     volume: float = 0.0
     other_volume: float = 0.0
 
 
-def bodies_of(surface: Surface, called: str, changes: Changes, holes: float = 0.0) -> list[Body]:
-    """Points (P, 3) and triangles (T, 3), looking outwards, of each closed body of a surface.
+def bodies_of(surface: Surface, called: str, changes: Changes, holes: float = 0.0, flat: float = 0.0) -> list[Shell]:
+    """Each closed body of a surface, in the unit of the file.
 
-    holes  how wide a hole may be that is closed, in the unit of the file
+    holes  how wide a hole may be that is closed
+    flat   how far the corners of a face may stand off a plane that is made flat; rounding in single precision always
     Bodies are told apart by their corners. Where they are not closed so, corners that lie on each other are one first.
     Raises GeometryError, which calls the surface `called`, where it is open, crosses itself or encloses nothing.
     """
@@ -62,6 +69,7 @@ def bodies_of(surface: Surface, called: str, changes: Changes, holes: float = 0.
     if not np.isfinite(points).all():
         raise GeometryError(f"{called}: a corner is no finite number")
     size = float(np.ptp(points, axis=0).max())
+    flat = max(flat, ROUNDING * float(np.abs(points).max()))
     if not size > 0:
         raise GeometryError(f"{called}: all its corners lie in one point")
     tried = Changes()
@@ -79,7 +87,8 @@ def bodies_of(surface: Surface, called: str, changes: Changes, holes: float = 0.
     parts = _parts(kept, len(points))
     several = len(parts) > 1
     return [
-        _body(points, part, f"{called}, body {n}" if several else called, changes) for n, part in enumerate(parts, 1)
+        _body(points, part, f"{called}, body {n}" if several else called, changes, flat)
+        for n, part in enumerate(parts, 1)
     ]
 
 
@@ -167,17 +176,18 @@ def _parts(loops: Loops, count: int) -> list[Loops]:
     return list(bodies.values())
 
 
-def _body(points: np.ndarray, loops: Loops, called: str, changes: Changes) -> Body:
+def _body(points: np.ndarray, loops: Loops, called: str, changes: Changes, flat: float) -> Shell:
     used, place = np.unique(np.concatenate(loops), return_inverse=True)
     points = points[used]
     loops = np.split(place.ravel(), np.cumsum([len(loop) for loop in loops])[:-1])
     size = float(np.ptp(points, axis=0).max())
-    found, fans = [], []
+    found, fans, whole = [], [], []
     for f, loop in enumerate(loops):
         corners = points[loop]
-        cut, bent = _cut(corners, size, f"{called}: face {f + 1}", changes)
+        cut, bent = _cut(corners, size, flat, f"{called}: face {f + 1}", changes)
         found.append(loop[cut])
         fans.append(_fan(corners) if bent else corners[cut])
+        whole += [(f, n if bent else 0) for n in range(len(cut))]
     shell = np.concatenate(found)
     turned = outward(points, shell, called)
     flipped = (turned != shell).any(axis=1)
@@ -194,17 +204,21 @@ def _body(points: np.ndarray, loops: Loops, called: str, changes: Changes) -> Bo
     changes.other_volume += float((_volumes(np.concatenate(fans) - middle) * fan_sign).sum())
     if (where := crossing(points, turned, DEEP * size)) is not None:
         raise GeometryError(f"{called} goes through itself at {_at(where)}; mend it where it was made")
-    return points, turned
+    face = np.unique(whole, axis=0, return_inverse=True)[1].reshape(-1)
+    even, face = flattened(Mesh(points, turned, face), flat)
+    changes.moved = max(changes.moved, float(np.linalg.norm(even - points, axis=1).max()))
+    return Shell(even, turned, face)
 
 
-def _cut(corners: np.ndarray, size: float, face: str, changes: Changes) -> tuple[np.ndarray, bool]:
-    """Triangles of a polygon (n, 3), and whether it is bent."""
+def _cut(corners: np.ndarray, size: float, flat: float, face: str, changes: Changes) -> tuple[np.ndarray, bool]:
+    """Triangles of a polygon (n, 3), and whether it is bent by more than counts as flat."""
     if len(corners) == 3:
         if not areas_normals_centroids(corners[None])[0][0] > (FLAT * size) ** 2:
             raise GeometryError(f"{face}, at {_at(corners.mean(axis=0))}, has no area; mend it where it was made")
         return np.array([[0, 1, 2]]), False
     height = height_of(corners)
-    if height <= FLAT * size:
+    side = float(np.sqrt(areas_normals_centroids(corners[None])[0][0]))
+    if height <= max(FLAT * size, min(flat, BENT * side)):
         try:
             return triangles(corners), False
         except GeometryError as error:

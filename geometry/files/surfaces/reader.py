@@ -14,11 +14,13 @@ from geometry.checks import require_lengths
 from geometry.files.surfaces.bodies import Changes, bodies_of
 from geometry.files.surfaces.obj import read_obj
 from geometry.files.surfaces.surface import Surface
-from geometry.specimens.from_arrays import polyhedra
+from geometry.specimens.from_arrays import from_shells
 
 SUFFIXES = (".obj", ".ply", ".stl")
 MOST_BODIES = 20_000
 MOST_FACES = 2_000_000
+LEAST = 1e-12
+"""m: moves of corners that are not told, being rounding."""
 
 
 def files_of(path: Path) -> list[Path]:
@@ -31,11 +33,12 @@ def files_of(path: Path) -> list[Path]:
     return sorted(found, key=lambda file: [int(w) if w.isdecimal() else w for w in re.split(r"(\d+)", file.name)])
 
 
-def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0) -> Imported:
+def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0, flat: float = 0.0) -> Imported:
     """Every closed body as one block.
 
     unit   m, what 1 in the file stands for; 1 m where it is None, which is said
     holes  m, how wide a hole of a surface may be that is closed
+    flat   m, how far the corners of a face may stand off a plane: they are moved into it
     Named as the groups of the file, of a folder as its files; several bodies of one name get numbers. Faces that are
     not flat become triangles. Raises GeometryError for what is open, crosses itself or encloses nothing.
     """
@@ -43,7 +46,7 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0) -> 
     notes = ["1 in the file is taken as 1 m; --unit says otherwise"] if unit is None else []
     unit = 1.0 if unit is None else unit
     require_lengths("surfaces", {"unit": unit})
-    changes, solids, names = Changes(), [], []
+    changes, shells, names = Changes(), [], []
     in_folder = path.is_dir()
     for file in files_of(path):
         surfaces = read_obj(file) if file.suffix.lower() == ".obj" else _by_trimesh(file)
@@ -53,13 +56,12 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0) -> 
             raise GeometryError(f"'{file.name}' holds more than {MOST_FACES} faces; thin it out where it was made")
         for number, surface in enumerate(surfaces, start=1):
             name = surface.name or (file.stem if in_folder or len(surfaces) == 1 else "")
-            found = bodies_of(surface, _called(file, name, number, len(surfaces)), changes, holes / unit)
-            solids += [(points * unit, shell) for points, shell in found]
+            found = bodies_of(surface, _called(file, name, number, len(surfaces)), changes, holes / unit, flat / unit)
+            shells += [shell._replace(points=shell.points * unit) for shell in found]
             names += [name] if len(found) == 1 else [f"{name}-{n}" if name else "" for n in range(1, len(found) + 1)]
-            if len(solids) > MOST_BODIES:
+            if len(shells) > MOST_BODIES:
                 raise GeometryError(f"'{path.name}' holds more than {MOST_BODIES} bodies")
-    called = [f"'{name}'" if name else f"body {number}" for number, name in enumerate(names, start=1)]
-    blocks = polyhedra(solids, called, range(len(solids)), ["units"] * len(solids))
+    blocks = from_shells(shells, range(len(shells)), ["units"] * len(shells))
     return Imported(blocks, tuple(names), None, None, (*_notes(changes, unit), *notes))
 
 
@@ -102,6 +104,9 @@ def _notes(changes: Changes, unit: float) -> list[str]:
         found.append(f"holes that were closed, of up to {changes.widest * unit * 1e3:.3g} mm: {changes.holes}")
     if changes.turned:
         found.append(f"blocks with faces that looked inwards, which were turned: {changes.turned}")
+    if changes.moved * unit > LEAST:
+        moved = changes.moved * unit * 1e3
+        found.append(f"faces that were flat but for noise were made flat: corners moved by up to {moved:.3g} mm")
     if changes.bent:
         other = changes.other_volume / changes.volume - 1
         found.append(

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -5,8 +7,8 @@ from hypothesis import strategies as st
 
 from geometry.blocks import GeometryError
 from geometry.polyhedra.box_pairs import overlapping_boxes
-from geometry.polyhedra.construct import concatenate
-from geometry.polyhedra.overlaps import check_overlaps
+from geometry.polyhedra.construct import concatenate, from_faces
+from geometry.polyhedra.overlaps import Overlapping, check_overlaps
 from geometry.specimens.boxes import boxes
 
 
@@ -18,8 +20,49 @@ def test_overlapping_boxes_are_named_with_size_and_place():
     with pytest.raises(GeometryError) as refused:
         boxes(two_boxes((0.9, 0.5, 0.0)), 1.0)
     message = str(refused.value)
-    assert "'left' and 'right' overlap by 0.1 x 0.5 x 1 m around (0.95, 0.75, 0.5) m" in message
-    assert "move one by 0.1 m along x" in message
+    assert "'left' and 'right' overlap by 100 mm around (0.95, 0.75, 0.5) m" in message
+    assert "moving 'right' by 100 mm along x parts them" in message
+
+
+@pytest.mark.parametrize("degrees", [0.0, 33.0])
+def test_the_depth_of_an_overlap_is_the_least_move_that_parts_the_blocks(rotate, prism, degrees):
+    """Two stones whose joint leans by 45 degrees and which go into each other by 5 mm square to it."""
+    deep = 0.005
+    left = np.array([[0, 0], [1.0, 0], [0.6, 0.4], [0, 0.4]])
+    right = np.array([[1.0, 0], [1.6, 0], [1.6, 0.4], [0.6, 0.4]]) - np.array([[1], [0], [0], [1]]) * (deep * 2**0.5, 0)
+    blocks = concatenate([from_faces([prism(ring, 0.0, 0.2)], [n], [0], ["g"]) for n, ring in enumerate((left, right))])
+    turned, turn = rotate(blocks, degrees)
+    with pytest.raises(Overlapping) as refused:
+        check_overlaps(turned)
+    (overlap,) = refused.value.overlaps
+    assert overlap.depth == pytest.approx(deep, rel=1e-9)
+    assert overlap.axis == pytest.approx(turn @ np.array([1, 1, 0]) / 2**0.5, abs=1e-9)
+    middle = turn @ np.array([0.8 - deep / 2**0.5, 0.2, 0.1]) + (0.3, -0.2, 0.7)
+    assert overlap.place == pytest.approx(middle, abs=deep)
+    points = turned.points.copy()
+    points[turned.face_points[turned.face_start[turned.block_face_start[1]] :]] += overlap.depth * overlap.axis
+    check_overlaps(replace(turned, points=points))
+
+
+def test_all_overlaps_are_listed_the_deepest_first():
+    row = [(f"b{k}", (0.9 * k - (k == 3) * 0.05, 0, 0), (1, 1, 1), "units", k, (1, 1, 1)) for k in range(4)]
+    with pytest.raises(Overlapping) as refused:
+        boxes(row, 1.0)
+    assert [(o.first, o.second) for o in refused.value.overlaps] == [(2, 3), (0, 1), (1, 2)]
+    assert str(refused.value).count("overlap by") == 3
+
+
+def test_a_stone_in_the_hollow_of_another_parts_by_the_short_way_out(prism):
+    """A block in the notch of an L, 1 cm too deep: its hull would have to be left by far more."""
+    corner = np.array([[0, 0], [1, 0], [1, 1], [0.5, 1], [0.5, 0.5], [0, 0.5]])
+    faces = prism(corner, 0.0, 0.3)
+    foot = [faces[0][[0, 1, 4, 5]], faces[0][[1, 2, 3, 4]]], [faces[1][[0, 1, 4, 5]], faces[1][[1, 2, 3, 4]]]
+    small = prism(np.array([[0.1, 0.49], [0.4, 0.49], [0.4, 0.8], [0.1, 0.8]]), 0.0, 0.3)
+    both = from_faces([[*foot[0], *foot[1], *faces[2:]], small], [0, 1], [0, 0], ["g"])
+    with pytest.raises(Overlapping) as refused:
+        check_overlaps(both)
+    (overlap,) = refused.value.overlaps
+    assert overlap.depth == pytest.approx(0.01, rel=1e-2) and overlap.axis == pytest.approx([0, 1, 0], abs=1e-12)
 
 
 def test_a_box_thinner_than_what_counts_as_touching_is_refused_with_its_name():

@@ -1,0 +1,1 @@
+"""Faces that are flat but for noise: found, and made flat exactly."""
