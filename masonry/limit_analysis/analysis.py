@@ -5,14 +5,23 @@ from time import perf_counter
 
 import numpy as np
 
-from geometry.blocks import Joints, Specimen
+from geometry.blocks import Specimen
 from masonry.errors import SceneError, nearest
-from masonry.limit_analysis.contacts import POINTS, contacts_of, rises, sliding_fraction, strong_groups, touching
-from masonry.limit_analysis.data import set_of
+from masonry.limit_analysis.contacts import POINTS, contacts_of, touching
 from masonry.limit_analysis.expected import LimitProgress, size_words
 from masonry.limit_analysis.loads import Loads, loads_of
+from masonry.limit_analysis.remarks import (
+    CLOSED,
+    block_words,
+    say_how_exact,
+    say_of_jams,
+    say_of_sliding,
+    say_what_it_is,
+    scene_remarks,
+)
 from masonry.limit_analysis.result import LimitResult
 from masonry.scene import Scene
+from masonry.statics.jammed import jammed
 from masonry.statics.no_dilation import without_dilation
 from masonry.statics.plane import plane_of
 from masonry.statics.problem import Bodies, Contacts, Found
@@ -20,15 +29,9 @@ from masonry.statics.safety import factor_of_safety
 from masonry.statics.solve import ANY, STANDS, UPWARD, Method, Range, largest_factor, method_word, standing
 from masonry.statics.tilted import tilt_factor
 
-BOUND = "lower bound, exact where what slides dilates by its friction angle"
-NO_BOUND = "no bound: friction without dilation, as joints of one stiffness come to it from the dead loads"
 LEAST_SIDES = 3
-SLIDES = 0.01
-"""Share of the work of the loads that shear forces must do for a word on dilation."""
 LESS = 0.005
 """Share by which a factor must fall beyond its peak for a word."""
-CLOSED = 1e-6
-"""Duality gap beyond which a word is said."""
 
 
 @dataclass(frozen=True)
@@ -80,18 +83,22 @@ def analyse(scene: Scene, wishes: Wishes = Wishes(), progress: LimitProgress | N
     alone = wishes.safety and not wishes.at
     loads = loads_of(scene, specimen, joints, alone)
     method = Method(wishes.plane, wishes.sides, None if progress is None else progress.tell)
-    result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit, bound=BOUND)
+    result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit)
     result.method = method_word(loads.bodies, contacts, method, cones=not wishes.dilation)
     result.points = _points_word(scene, wishes)
     if progress is not None and plane_of(loads.bodies, contacts) is None:
         progress.begin(size_words(contacts, method, wishes.dilation))
-    result.remarks += _remarks(scene, specimen, joints, wishes)
+    say_what_it_is(result, contacts, result.method, wishes.dilation)
+    result.remarks += scene_remarks(scene, specimen, joints, contacts, wishes.strength)
+    if wishes.crushing is not None:
+        result.remarks.append(f"joints bear a compression of {wishes.crushing * 1e-6:g} MPa, as a plastic strength")
     if wishes.safety:
         _set_safety(result, loads, contacts, method, wishes)
     else:
         if loads.bodies.together is None:
             _require_standing(specimen, loads.bodies, contacts, method)
         _set_factor(result, loads, contacts, method, wishes)
+    say_how_exact(result, loads.bodies)
     result.seconds = perf_counter() - begun
     return result
 
@@ -106,7 +113,7 @@ def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: M
                 "or add --no-strength"
             )
         flat = without_dilation(loads.bodies, contacts, method, _range(loads))
-        found, result.bound = flat.found, NO_BOUND
+        found = flat.found
         result.with_dilation, result.steps = flat.with_dilation, flat.steps
         result.excess, result.open = flat.excess, flat.open
         if flat.left < (1.0 - LESS) * found.factor:
@@ -119,23 +126,20 @@ def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: M
                 f"{(1.0 + flat.open) * found.factor:.5g}; take no more digits than these two share"
             )
     if found.status == "unbounded":
-        raise SceneError(f"there is no limit: forces in the joints can balance every factor of {loads.words}")
+        jams = ", by jamming, which a run decides" if jammed(loads.bodies, contacts, method) else ""
+        raise SceneError(f"there is no limit: forces in the joints can balance every factor of {loads.words}{jams}")
     if found.status != "solved":
         raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
     result.take(found)
-    slides = wishes.dilation and sliding_fraction(loads.bodies, contacts, found) > SLIDES
-    if slides and not rises(result.scene, result.specimen, result.joints):
-        result.remarks.append(
-            "joints slide in this mechanism, and rise as they slide; in this scene they do not, or rise less, so that "
-            "it may fall earlier: --no-dilation tells"
-        )
+    if wishes.dilation:
+        say_of_sliding(result, loads.bodies, contacts, found)
+    if loads.bodies.together is None:
+        say_of_jams(result, loads.bodies, contacts, method)
     if loads.bodies.together is not None and wishes.dilation:
         back = replace(loads.bodies, live=-loads.bodies.live)
         least = largest_factor(back, contacts, method, ANY)
         if least.status == "solved":
             result.least = 0.0 if abs(least.factor) <= CLOSED * abs(found.factor) else -least.factor
-    if found.gap > CLOSED:
-        result.remarks.append(f"the duality gap is more than {CLOSED:g}: take no more digits of the factor than it has")
     if loads.bodies.together is None and found.factor <= 1e-9:
         result.remarks.append(f"nothing resists {loads.words}: it moves at the least of it")
 
@@ -157,7 +161,11 @@ def _set_safety(result: LimitResult, loads: Loads, contacts: Contacts, method: M
         raise SceneError("nothing loads this, so there is no factor of safety; add [gravity], a traction, or --at")
     factor, _, found = factor_of_safety(loaded, contacts, method, wishes.dilation)
     if not wishes.dilation:
-        result.bound, result.with_dilation = NO_BOUND, factor_of_safety(loaded, contacts, method)[0]
+        result.with_dilation = factor_of_safety(loaded, contacts, method)[0]
+    still = replace(loaded, live=np.zeros_like(loaded.live))
+    if wishes.dilation:
+        say_of_sliding(result, still, contacts, found)
+    say_of_jams(result, still, contacts, method)
     result.take(replace(found, factor=factor))
     result.is_safety, result.at = True, wishes.at
     result.words = f"friction and cohesion over it balance {result.words}" + (
@@ -174,9 +182,7 @@ def _require_standing(specimen: Specimen, bodies: Bodies, contacts: Contacts, me
         return
     reach = np.linalg.norm(found.velocity[:, :3], axis=1)
     first = int(np.argmax(reach))
-    where = ", ".join(f"{x:.4g}" for x in bodies.centre[first])
-    name = set_of(specimen, first)
-    what = f"block {first}" + (f" ('{name}')" if name else "") + f" at ({where}) m"
+    what = block_words(specimen, bodies, first)
     balanced = f"{found.factor:.3g} of them is balanced" if found.factor > 1e-6 else "nothing of them is balanced"
     raise SceneError(f"it cannot stand under its dead loads: {balanced}, and {what} is the first to move")
 
@@ -185,22 +191,3 @@ def _points_word(scene: Scene, wishes: Wishes) -> str:
     if wishes.points == "corners":
         return "the corners of the joints, which bear what any pressure without tension bears"
     return f"those of the scene ({scene.specimen.contact_points})"
-
-
-def _remarks(scene: Scene, specimen: Specimen, joints: Joints, wishes: Wishes) -> list[str]:
-    found = []
-    strong = strong_groups(scene, specimen, joints)
-    if strong and wishes.strength:
-        found.append(
-            f"cohesion and tension of {', '.join(strong)} are taken as plastic strengths on the areas of the contact "
-            "points: they last however far a crack opens, which mortar does not; --no-strength leaves them out"
-        )
-    if not wishes.strength:
-        found.append("without cohesion and tension, with the friction that is left once they are gone")
-    if any(scene.kinematics_of(g) != "rigid" for g in specimen.blocks.groups):
-        found.append("every block is taken as rigid")
-    if wishes.crushing is not None:
-        found.append(f"joints bear a compression of {wishes.crushing * 1e-6:g} MPa, as a plastic strength")
-    if scene.scatter is not None:
-        found.append("the scatter of strengths is left out: means count")
-    return found

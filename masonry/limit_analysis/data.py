@@ -23,9 +23,11 @@ class LimitData:
     factor        the largest load factor, or the factor of safety
     least         of a drive: its least force, N; a negative one pulls
     unit          of the factor, "" for a plain number
-    bound         what kind of number the factor is
-    gap           between the factor and that of the dual problem, over the factor or 1
-    unbalance     largest force left on a block, over the loads of a block
+    assumed       of what blocks and joints it holds
+    bound         what kind of number the factor is under these assumptions
+    gap           between the factor and that of the dual problem, over the factor
+    unbalance     what is left on the block that is balanced worst, over its own loads
+    worst         this block
     velocity      (B, 6) of the mechanism: m/s and rad/s at the centres of the blocks, times any number
     normal, shear (C,) and (C, 3) N at each contact point of `joints`, what block a does to block b; above 0 it presses
     """
@@ -35,10 +37,12 @@ class LimitData:
     joints: Joints
     words: str = ""
     unit: str = ""
+    assumed: str = ""
     bound: str = ""
     factor: float = 0.0
     gap: float = 0.0
     unbalance: float = 0.0
+    worst: int = 0
     velocity: np.ndarray = field(default_factory=lambda: np.zeros((0, 6)))
     normal: np.ndarray = field(default_factory=lambda: np.zeros(0))
     shear: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
@@ -57,6 +61,7 @@ class LimitData:
     def take(self, found: Found) -> None:
         """What an optimisation found."""
         self.factor, self.gap, self.unbalance = found.factor, found.gap, found.unbalance
+        self.worst = found.worst
         self.velocity, self.normal, self.shear = found.velocity, found.normal, found.shear
 
     @property
@@ -104,9 +109,11 @@ class LimitData:
             "unit": self.unit or "1",
             "is": "factor of safety" if self.is_safety else "load factor",
             "of": self.words,
+            "assumed": self.assumed,
             "bound": self.bound,
             "duality_gap": self.gap,
             "unbalance": self.unbalance,
+            "worst_balanced": self.worst,
             "method": self.method,
             "contact_points": self.points,
             "blocks": self.specimen.blocks.count,

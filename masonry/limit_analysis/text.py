@@ -13,22 +13,25 @@ def result_text(result: LimitData) -> str:
     moving = int(result.moving.sum())
     rows: Rows = [
         ("scene", [result.title]),
+        ("assumed", [result.assumed]),
         (_head(result), [f"{result.factor:.6g} {result.unit}".rstrip() + _angle(result)]),
         ("of", [result.words]),
         ("which is", [result.bound]),
     ]
     if result.least is not None:
-        rows.insert(2, ("least", [f"{result.least:.6g} {result.unit}; between the two there is an equilibrium"]))
+        rows.insert(3, ("least", [f"{result.least:.6g} {result.unit}; between the two there is an equilibrium"]))
     if result.with_dilation is not None:
+        some = f"{result.with_dilation:.6g}: so much joints balance that dilate as they slide"
         every = "none: joints that dilate balance every factor"
-        rows.append(
-            ("with dilation", [every if result.with_dilation == inf else f"{result.with_dilation:.6g}, a lower bound"])
-        )
+        rows.append(("with dilation", [every if result.with_dilation == inf else some]))
     if result.steps is not None and result.open is not None:
         rows.append(("reached in", [f"{result.steps} steps; the normal forces at the end bear {result.open:.1e} more"]))
         rows.append(("friction", [f"is exceeded by at most {result.excess:.1e} of the mean load of a block"]))
     rows += [
-        ("duality gap", [f"{result.gap:.1e}; force left on a block {result.unbalance:.1e} of its loads"]),
+        (
+            "duality gap",
+            [f"{result.gap:.1e}; what is left on a block {result.unbalance:.1e} of its own loads"],
+        ),
         ("solved as", [f"{result.method}, in {result.seconds:.2f} s"]),
         (
             "contacts",
@@ -47,7 +50,8 @@ def _head(result: LimitData) -> str:
 
 def _angle(result: LimitData) -> str:
     """The angle of a tilt."""
-    return f", at {np.degrees(np.arctan(result.factor)):.4f} deg" if "tangent of the angle" in result.words else ""
+    tilts = "tangent of the angle" in result.words and not result.is_safety
+    return f", at {np.degrees(np.arctan(result.factor)):.4f} deg" if tilts else ""
 
 
 def _fastest(result: LimitData) -> str:

@@ -6,7 +6,6 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse
 
-from masonry.errors import SceneError
 from masonry.statics.crushing import crushing_cones
 from masonry.statics.equilibrium import Equilibrium
 from masonry.statics.interior_point import Programme, Tell, clarabel_package, solved, true_gap
@@ -16,6 +15,8 @@ SOLVED = ("Solved", "AlmostSolved")
 SLOW = ("InsufficientProgress", "NumericalError", "MaxIterations", "CallbackTerminated")
 GOOD_ENOUGH = 1e-6
 """Gap and residuals with which the end of a row of steps that came to a halt still counts."""
+SMOOTH = 0.01
+"""Tangent of friction below which a cone alone does not keep a normal force from pulling, with the tolerance it has."""
 INFEASIBLE = ("PrimalInfeasible", "AlmostPrimalInfeasible")
 UNBOUNDED = ("DualInfeasible", "AlmostDualInfeasible")
 
@@ -35,9 +36,9 @@ def solve_cones(
     forces: Equilibrium, contacts: Contacts, between: tuple[float, float], near: Near | None = None,
     tell: Tell | None = None,
 ) -> tuple[str, np.ndarray, np.ndarray, float]:  # fmt: skip
-    """As solve_linear, but with cones; with `near` the status may be "no end" as well.
+    """As solve_linear, but with cones; the status may be "no end" as well.
 
-    Raises SceneError where Clarabel is not installed, or comes to no end.
+    Raises SceneError where Clarabel is not installed.
     """
     clarabel = clarabel_package()
     scale = 1.0 + len(forces.dead) / 6.0
@@ -81,16 +82,13 @@ def solve_cones(
     if status in INFEASIBLE or status in UNBOUNDED:
         word = "infeasible" if status in INFEASIBLE else "unbounded"
         return word, np.zeros(unknowns), np.zeros(equations), 0.0
-    if near is not None:
-        return "no end", np.zeros(unknowns), np.zeros(equations), 0.0
-    raise SceneError(f"the cone programme came to no end ({status}); try --linear 16, which needs no cones")
+    return "no end", np.zeros(unknowns), np.zeros(equations), 0.0
 
 
 def _of_the_whole(forces: Equilibrium, scale: float) -> Equilibrium:
     """The same with forces over about that of all blocks: what is left of the dual's equations then counts little."""
     return replace(
-        forces, dead=forces.dead / scale, live=forces.live / scale, force=forces.force * scale,
-        live_force=forces.live_force * scale,
+        forces, dead=forces.dead / scale, live=forces.live / scale, force=forces.force * scale
     )  # fmt: skip
 
 
@@ -98,14 +96,16 @@ def _bounds(
     forces: Equilibrium, contacts: Contacts, between: tuple[float, float], unknowns: int
 ) -> tuple[sparse.csc_array, np.ndarray]:
     """Rows and sides of: normal forces above -tension where the cone does not say so, and the bounds of the factor."""
-    apex = np.where(contacts.friction > 0, contacts.cohesion, np.inf) / np.maximum(contacts.friction, 1e-300)
+    friction = contacts.cone_friction
+    apex = np.where(friction > 0, contacts.cohesion, np.inf) / np.maximum(friction, 1e-300)
     alone = forces.tangent.shape[1] == 2
-    which = np.flatnonzero(~contacts.solid & ((apex > contacts.tension) | (not alone)))
+    bounded = ~contacts.solid & np.isfinite(contacts.tension)
+    which = np.flatnonzero(bounded & ((apex > contacts.tension) | (friction < SMOOTH) | (not alone)))
     least, most = between
     ends = [(sign, bound) for sign, bound in ((-1.0, -least), (1.0, most)) if np.isfinite(bound)]
     column = np.concatenate([which, np.full(len(ends), unknowns - 1)])
     sign = np.concatenate([np.full(len(which), -1.0), [end[0] for end in ends]])
-    side = np.concatenate([contacts.tension[which] / forces.force, [end[1] for end in ends]])
+    side = np.concatenate([contacts.tension[which] / forces.force[which], [end[1] for end in ends]])
     return sparse.csc_array((sign, (np.arange(len(column)), column)), shape=(len(column), unknowns)), side
 
 
@@ -121,9 +121,9 @@ def _cones(forces: Equilibrium, contacts: Contacts, unknowns: int) -> tuple[spar
     head = (k + 1) * place[forces.group[mine]]
     tail = ((k + 1) * place[chosen][:, None] + 1 + np.arange(k)).ravel()
     shear = (count + k * chosen[:, None] + np.arange(k)).ravel()
-    value = np.concatenate([-contacts.friction[mine], np.full(len(tail), -1.0)])
+    value = np.concatenate([-contacts.cone_friction[mine], np.full(len(tail), -1.0)])
     row, column = np.concatenate([head, tail]), np.concatenate([mine, shear])
     number = len(chosen)
     offset = np.zeros((k + 1) * number)
-    offset[:: k + 1] = np.bincount(forces.group, contacts.cohesion, groups)[chosen] / forces.force
+    offset[:: k + 1] = np.bincount(forces.group, contacts.cohesion / forces.force, groups)[chosen]
     return sparse.csc_array((value, (row, column)), shape=((k + 1) * number, unknowns)), offset, number

@@ -78,12 +78,15 @@ def _distances(
 
 
 def crushing_cones(
-    crush: Crushing, force: float, unknowns: int
+    crush: Crushing, force: np.ndarray, unknowns: int
 ) -> list[tuple[sparse.csc_array, np.ndarray, list[Any]]]:
-    """Rows, sides and cones of Clarabel: second-order ones where one of the two factors is N, else power cones."""
+    """Rows, sides and cones of Clarabel: second-order ones where one of the two factors is N, else power cones.
+
+    force  (C,) N, unit of each normal force, one for all points of a polygon
+    """
     import clarabel
 
-    strength = crush.strength / force
+    strength = crush.strength / force[crush.total.indices[crush.total.indptr[:-1]]]
     alike = [_same_rows(rows, crush.total) for rows in (crush.first, crush.second)]
     whole, found = alike[0] & alike[1], []
     square = np.flatnonzero((alike[0] | alike[1]) & ~whole)

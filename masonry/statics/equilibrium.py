@@ -5,12 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import sparse
 
-from masonry.statics.problem import Bodies, Contacts
+from masonry.statics.problem import Bodies, Contacts, Sizes
 
 
 @dataclass(frozen=True)
 class Equilibrium:
-    """normal N + shear T + dead + factor live = 0, without units: forces over `force`, moments over `force length`.
+    """normal N + shear T + dead + factor live = 0, without units: in those of each block and each contact.
 
     normal   (R, C) of a unit normal force at each contact point, on block b, and against it on block a
     shear    (R, G k) of unit shear forces, group by group
@@ -18,9 +18,10 @@ class Equilibrium:
     leader   (G,) a contact point of each group, at which its shear forces act
     tangent  (G, k, 3) their directions: one in a plane, two in space
     dead, live  (R,)
-    rows     (R, 6 B) sparse, from dofs of all blocks (with units of length) to the R equations
-    force    N, and `live_force` N, of which `live` is made
-    length   m
+    rows     (R, 6 B) sparse, from loads of all blocks (N and N m) to the R equations
+    block, moment  (R,) the block of each equation, the first one where several move as one; whether it is of moments
+    force    (C,) N, unit of the forces of each contact point: of a group, all have one
+    factor   that counts as 1
     """
 
     normal: sparse.csr_array
@@ -31,50 +32,45 @@ class Equilibrium:
     dead: np.ndarray
     live: np.ndarray
     rows: sparse.csr_array
-    force: float
-    live_force: float
-    length: float
+    block: np.ndarray
+    moment: np.ndarray
+    force: np.ndarray
+    factor: float
 
 
-def equilibrium(bodies: Bodies, contacts: Contacts, axis: int | None = None) -> Equilibrium:
+def equilibrium(bodies: Bodies, contacts: Contacts, sizes: Sizes, axis: int | None = None) -> Equilibrium:
     """The equations of all dofs that nothing holds; axis: across the plane of a plane problem, None in space.
 
-    In a plane all shear forces of one polygon act along one line, and are one force.
+    In a plane all shear forces of one polygon act along one line, and are one force. A contact has the unit of the
+    smaller one of its blocks that move.
     """
-    arm = contacts.point - bodies.centre[contacts.block_b]
-    length = float(np.sqrt((arm**2).sum(axis=1).mean())) if contacts.count else 1.0
-    rows = _rows(bodies, axis, length)
+    rows, block, moment = _rows(bodies, axis, sizes)
     tangent, group, leader = _tangents(contacts, axis)
     normal = _wrenches(bodies, contacts, np.arange(contacts.count), contacts.normal)
     k = tangent.shape[1]
     shear = _wrenches(bodies, contacts, np.repeat(leader, k), tangent.reshape(-1, 3))
-    force, live_force = _mean_force(bodies.dead), _mean_force(bodies.live)
-    strength = float(contacts.cohesion.mean()) if contacts.count else 0.0
-    force = force or strength or live_force or 1.0
-    live_force = live_force or 1.0
+    moving = np.where(bodies.free.any(axis=1), sizes.force, np.inf)
+    force = np.minimum(moving[contacts.block_a], moving[contacts.block_b])
+    force = np.where(np.isfinite(force), force, sizes.force[contacts.block_a])
     return Equilibrium(
-        normal=(rows @ normal).tocsr(),
-        shear=(rows @ shear).tocsr(),
+        normal=(rows @ normal @ sparse.diags_array(force)).tocsr(),
+        shear=(rows @ shear @ sparse.diags_array(np.repeat(force[leader], k))).tocsr(),
         group=group,
         leader=leader,
         tangent=tangent,
-        dead=rows @ bodies.dead.ravel() / force,
-        live=rows @ bodies.live.ravel() / live_force,
+        dead=rows @ bodies.dead.ravel(),
+        live=sizes.factor * (rows @ bodies.live.ravel()),
         rows=rows,
+        block=block,
+        moment=moment,
         force=force,
-        live_force=live_force,
-        length=length,
+        factor=sizes.factor,
     )
 
 
-def _mean_force(load: np.ndarray) -> float:
-    """N, mean over the blocks that are loaded; of a pure moment its size."""
-    size = np.abs(load).max(axis=1, initial=0.0)
-    return float(size[size > 0].mean()) if (size > 0).any() else 0.0
-
-
-def _rows(bodies: Bodies, axis: int | None, length: float) -> sparse.csr_array:
-    """(R, 6 B): picks the free dofs, adds up those that move together, and divides moments by the length."""
+def _rows(bodies: Bodies, axis: int | None, sizes: Sizes) -> tuple[sparse.csr_array, np.ndarray, np.ndarray]:
+    """(R, 6 B): picks the free dofs, adds up those that move together, and divides by force and length of the block;
+    the block of each row (R,), and whether it is of moments (R,)."""
     free = bodies.free.copy()
     if axis is not None:
         free[:, [k for k in range(6) if (k == axis) or (k >= 3 and k != 3 + axis)]] = False
@@ -83,12 +79,19 @@ def _rows(bodies: Bodies, axis: int | None, length: float) -> sparse.csr_array:
     alone = free & ~linked
     row[alone] = np.arange(alone.sum())
     count = int(alone.sum())
+    unit = sizes.force[:, None] * np.column_stack([np.ones((len(free), 3)), np.tile(sizes.length[:, None], 3)])
     if linked.any():
         row[linked] = count
+        unit[linked] = unit[linked].max()
         count += 1
     used = np.flatnonzero(row.ravel() >= 0)
-    scale = np.tile([1.0, 1.0, 1.0, 1 / length, 1 / length, 1 / length], len(free))
-    return sparse.csr_array((scale[used], (row.ravel()[used], used)), shape=(count, free.size))
+    number = row.ravel()[used]
+    first = np.zeros(count, dtype=np.int64)
+    first[number[::-1]] = used[::-1]
+    return (
+        sparse.csr_array((1.0 / unit.ravel()[used], (number, used)), shape=(count, free.size)),
+        first // 6, first % 6 >= 3,
+    )  # fmt: skip
 
 
 def _tangents(contacts: Contacts, axis: int | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -12,6 +12,8 @@ from masonry.runtime.interrupts import interrupt_afterwards
 ACCURACY = 1e-10
 NEAR_ENOUGH, PROVEN = 1e-8, 1e-7
 """Residual of the forces, and gap, with which a solve ends although that residual is not down to ACCURACY yet."""
+SMALL = 1e-3
+"""A factor, in its unit, below which a gap is over this."""
 MUCH = 40_000
 """Cones from which the factorisation by dense blocks (faer) is quicker than that entry by entry (qdldl)."""
 
@@ -63,12 +65,12 @@ def _proven(now: Any, cones: int) -> bool:
 
 
 def true_gap(programme: Programme, found: Any) -> float:
-    """Between the two objectives, over the objective or 1, with what the residuals of both may have added to them."""
+    """Between the two objectives, over the objective, with what the residuals of both may have added to them."""
     x, z = np.array(found.x), np.array(found.z)
     forces = programme.matrix @ x + np.array(found.s) - programme.sides
     velocities = programme.square @ x + programme.matrix.T @ z + programme.cost
     apart = abs(found.obj_val - found.obj_val_dual) + abs(z @ forces) + abs(x @ velocities)
-    return float(apart / max(1.0, abs(found.obj_val)))
+    return float(apart / max(SMALL, abs(found.obj_val)))
 
 
 def clarabel_package() -> Any:

@@ -11,7 +11,7 @@ from scipy.optimize import linprog
 
 from masonry.runtime.interrupts import interruptible_wait
 from masonry.statics.equilibrium import Equilibrium
-from masonry.statics.interior_point import Tell
+from masonry.statics.interior_point import SMALL, Tell
 from masonry.statics.problem import Contacts
 
 EXACT = {"primal_feasibility_tolerance": 1e-9, "dual_feasibility_tolerance": 1e-9}
@@ -30,7 +30,7 @@ def solve_linear(
     groups, k = forces.tangent.shape[:2]
     count = contacts.count
     matrix = sparse.hstack([forces.normal, forces.shear, sparse.csr_array(forces.live[:, None])], format="csr")
-    upper, bound = _pyramids(forces, contacts, sides)
+    upper, bound = pyramids(forces, contacts, sides)
     low = np.full(count + groups * k + 1, -np.inf)
     high = np.full(len(low), np.inf)
     low[:count] = np.where(contacts.solid, -np.inf, -contacts.tension / forces.force)
@@ -54,8 +54,9 @@ def solve_linear(
     for side, values in ((found.lower, low), (found.upper, high)):
         finite = np.isfinite(values)
         dual += values[finite] @ side.marginals[finite]
-    gap = abs(found.fun - dual) / max(1.0, abs(found.fun))
-    return status, found.x, -found.eqlin.marginals, float(gap)
+    left = matrix @ found.x + forces.dead
+    apart = abs(found.fun - dual) + np.abs(left) @ np.abs(found.eqlin.marginals)
+    return status, found.x, -found.eqlin.marginals, float(apart / max(SMALL, abs(found.fun)))
 
 
 def _method(forces: Equilibrium) -> str:
@@ -77,7 +78,7 @@ def _status(
     return "unbounded" if still.status == 0 else "infeasible"
 
 
-def _pyramids(forces: Equilibrium, contacts: Contacts, sides: int) -> tuple[sparse.csr_array, np.ndarray]:
+def pyramids(forces: Equilibrium, contacts: Contacts, sides: int) -> tuple[sparse.csr_array, np.ndarray]:
     """Rows and right-hand sides of: shear along each side <= (friction N + cohesion) times how far the side is off.
 
     A pyramid stands within its cone, its edges on it: the factor stays a lower bound.
@@ -89,9 +90,9 @@ def _pyramids(forces: Equilibrium, contacts: Contacts, sides: int) -> tuple[spar
     directions = np.column_stack([np.cos(angle), np.sin(angle)])[:, :k]
     inside = np.cos(np.pi / sides) if k == 2 else 1.0
     friction = sparse.csr_array(
-        (-inside * contacts.friction, (forces.group, np.arange(contacts.count))), shape=(groups, contacts.count)
+        (-inside * contacts.cone_friction, (forces.group, np.arange(contacts.count))), shape=(groups, contacts.count)
     )
-    cohesion = inside * np.bincount(forces.group, contacts.cohesion, groups) / forces.force
+    cohesion = inside * np.bincount(forces.group, contacts.cohesion / forces.force, groups)
     kept = np.flatnonzero(np.repeat(hard, sides))
     shear = sparse.kron(sparse.eye_array(groups), directions, format="csr")
     normal = sparse.kron(friction, np.ones((sides, 1)), format="csr")

@@ -18,10 +18,12 @@ from math import inf
 
 import numpy as np
 
+from masonry.statics.balance import unbalanced
 from masonry.statics.cones import Near, solve_cones
 from masonry.statics.equilibrium import equilibrium
 from masonry.statics.plane import flattened, plane_of
-from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.problem import Bodies, Contacts, Found, Sizes
+from masonry.statics.sizes import alike
 from masonry.statics.solve import ANY, EXACTLY, STANDS, UPWARD, Method, Range, in_space, largest_factor
 
 SOFTER = 2.5
@@ -33,11 +35,11 @@ RISE, OPEN, DROP = 1e-4, 1e-3, 5e-3
 """Rise of the factor in a step, over the factor, below which its end is looked for; how far it may be from the bound of
 the theorems, over the factor, at the end; and the drop after which a factor was a peak, over that with dilation."""
 SAME, TRIES, TRIES_AT_REST = 5e-4, 6, 30
-"""Change of normal forces, over the mean load of a block, at which the row of problems of a step ends; its length."""
+"""Change of normal forces, over the unit of each, at which the row of problems of a step ends; its length."""
 GREAT = 100.0
 """Times its friction, a joint does not slide."""
 BEYOND = 5e-3
-"""Shear beyond friction, over the mean load of a block, that an answer may have."""
+"""Shear beyond friction, over the unit of each contact, that an answer may have."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,8 @@ class Flat:
                    balanced
     steps          of the load
     converged      whether the factor came to rest, at the bound of the theorems for the cylinders there
-    excess         largest shear force beyond friction and cohesion, over the mean load of a block
+    excess         largest shear force beyond friction and cohesion, over the unit of each contact: the mean load of a
+                   block or, where they differ much, what the smaller block weighs or bears
     open           how far the factor is below that bound, over it
     left           the factor at the end of the path, less than that found where a peak was passed
     """
@@ -70,7 +73,7 @@ def without_dilation(
     bound = largest_factor(bodies, contacts, method, between)
     if bound.status == "infeasible":
         return Flat(bound, 0.0, 0, False, 0.0, 0.0, 0.0)
-    path = _LoadPath(bodies, contacts, method, between, softer)
+    path = _LoadPath(bodies, contacts, method, between, softer, bound.sizes or alike(bodies, contacts))
     best = now = path.at_rest()
     pace, steps = 1.0, 0
     with_dilation = bound.factor if bound.status == "solved" else inf
@@ -99,7 +102,7 @@ def standing_without_dilation(bodies: Bodies, contacts: Contacts, method: Method
     bound = largest_factor(own, contacts, method, (0.0, 1.0))
     if bound.status != "solved" or bound.factor < STANDS:
         return Flat(bound, bound.factor, 0, False, 0.0, 0.0, 0.0)
-    path = _LoadPath(own, contacts, method, (0.0, 1.0), SOFTER)
+    path = _LoadPath(own, contacts, method, (0.0, 1.0), SOFTER, bound.sizes or alike(own, contacts))
     now, pace = path.without_sliding(), 1.0
     for steps in range(1, MOST):
         now, pace = path.step(now, pace), pace * FASTER
@@ -109,24 +112,34 @@ def standing_without_dilation(bodies: Bodies, contacts: Contacts, method: Method
     return end
 
 
+def forces_without_sliding(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> np.ndarray:
+    """(C,) N, the normal forces under the dead loads in joints of one stiffness that do not slide."""
+    own = replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead)
+    path = _LoadPath(own, contacts, method, (0.0, 1.0), SOFTER, alike(own, contacts))
+    forces = path.without_sliding()
+    still = np.zeros(len(path.forces.dead))
+    return in_space(own, path.forces, contacts, path.flat, path.owner, "solved", forces, still, 0.0).normal
+
+
 class _LoadPath:
     """The forces of one problem, as vectors of normal forces, shear forces and the factor, without units."""
 
-    def __init__(self, bodies: Bodies, contacts: Contacts, method: Method, between: Range, softer: float) -> None:
+    def __init__(
+        self, bodies: Bodies, contacts: Contacts, method: Method, between: Range, softer: float, sizes: Sizes
+    ) -> None:
         self.bodies, self.contacts, self.method, self.between = bodies, contacts, method, between
         axis = plane_of(bodies, contacts) if method.plane else None
         self.flat, self.owner = contacts, np.arange(contacts.count)
         if axis is not None:
             self.flat, self.owner = flattened(contacts, axis)
-        self.forces = forces = equilibrium(bodies, self.flat, axis)
-        self.unit = forces.live_force / forces.force
+        self.forces = forces = equilibrium(bodies, self.flat, sizes, axis)
+        self.unit = 1.0 / forces.factor
         groups, k = forces.tangent.shape[:2]
         area, mean = self.flat.area, self.flat.area.mean()
         along = softer * mean / np.bincount(forces.group, area, groups)
-        self.weight = np.concatenate([mean / area, np.repeat(along, k), [0.0]]) / (len(area) + groups * k)
-        moves = bodies.free.any(axis=1)
-        loads = [np.linalg.norm(load[moves, :3], axis=1).mean() for load in (bodies.dead, bodies.live)]
-        self.load = float(loads[0] or loads[1] or forces.force) / forces.force
+        weight = np.concatenate([mean / area, np.repeat(along, k)]) / (len(area) + groups * k)
+        unit = np.concatenate([forces.force, np.repeat(forces.force[forces.leader], k)])
+        self.weight = np.append(weight * (unit / alike(bodies, contacts).force[0]) ** 2, 0.0)
 
     def factor(self, forces: np.ndarray) -> float:
         return float(forces[-1] / self.unit)
@@ -159,7 +172,7 @@ class _LoadPath:
             if status != "solved":
                 return given
             off = (after - given)[: self.flat.count]
-            if np.abs(off).max() <= SAME * self.load:
+            if np.abs(off).max() <= SAME:
                 break
             given, last = _secant(after, off, last), (after, off)
         return after
@@ -170,22 +183,31 @@ class _LoadPath:
 
     def cylinders(self, forces: np.ndarray) -> Contacts:
         """Contacts whose shear strength is what friction makes of these normal forces, and stays so."""
-        through = self.flat.friction * forces[: self.flat.count] * self.forces.force
+        through = self.flat.cone_friction * forces[: self.flat.count] * self.forces.force
         strength = np.maximum(self.flat.cohesion + through, 0.0)
         return replace(self.flat, friction=np.zeros_like(strength), cohesion=strength)
 
     def end(self, forces: np.ndarray, with_dilation: float, steps: int) -> Flat:
         """What is handed back, with the mechanism of the cylinders and the bound that it proves."""
         still = np.zeros(len(self.forces.dead))
-        found = in_space(self.forces, self.contacts, self.flat, self.owner, "solved", forces, still, 0.0)
-        strength = np.maximum(self.contacts.cohesion + self.contacts.friction * found.normal, 0.0)
+        found = in_space(self.bodies, self.forces, self.contacts, self.flat, self.owner, "solved", forces, still, 0.0)
+        any_force = replace(self.flat, solid=np.ones_like(self.flat.solid))
+        left = unbalanced(self.bodies, self.forces, any_force, forces)
+        strength = np.maximum(self.contacts.cohesion + self.contacts.cone_friction * found.normal, 0.0)
         held = replace(self.contacts, friction=np.zeros_like(strength), cohesion=strength)
         bound = largest_factor(self.bodies, held, self.method, self.between)
         open_by = (bound.factor - found.factor) / max(abs(bound.factor), 1e-9)
         excess = self.excess(forces)
         converged = bound.status == "solved" and abs(open_by) <= OPEN and excess <= BEYOND
         status = "solved" if converged or with_dilation < inf else "unbounded"
-        found = replace(found, status=status, velocity=bound.velocity, gap=bound.gap)
+        found = replace(
+            found,
+            status=status,
+            velocity=bound.velocity,
+            gap=bound.gap,
+            unbalance=float(left.max()),
+            worst=int(np.argmax(left)),
+        )
         return Flat(found, with_dilation, steps, converged, excess, open_by, found.factor)
 
     def excess(self, forces: np.ndarray) -> float:
@@ -195,7 +217,7 @@ class _LoadPath:
         shear = np.linalg.norm(forces[count:-1].reshape(groups, k), axis=1)
         soft = np.bincount(self.forces.group, self.flat.solid, groups) == 0
         beyond = (shear - np.bincount(self.forces.group, bears, groups))[soft]
-        return float(max(beyond.max(initial=0.0), 0.0) / self.load)
+        return float(max(beyond.max(initial=0.0), 0.0))
 
 
 def _secant(after: np.ndarray, off: np.ndarray, last: tuple[np.ndarray, np.ndarray] | None) -> np.ndarray:

@@ -8,7 +8,7 @@ from scipy import sparse
 from masonry.statics.problem import Bodies, Contacts
 
 FLAT = 1e-9
-"""Share of the size, or of the largest load, below which what leaves the plane counts as none."""
+"""Share of the size, or of the largest load of a block, below which what leaves the plane counts as none."""
 
 
 def plane_of(bodies: Bodies, contacts: Contacts) -> int | None:
@@ -36,8 +36,8 @@ def _is_plane(bodies: Bodies, contacts: Contacts, axis: int) -> bool:
     if np.abs(contacts.normal[:, axis]).max() > FLAT:
         return False
     off = [axis, *(k for k in (3, 4, 5) if k != 3 + axis)]
-    for load in (bodies.dead, bodies.live):
-        if np.abs(load[moves][:, off]).max() > FLAT * np.abs(load).max() * max(1.0, size):
+    for load in (np.abs(bodies.dead[moves]), np.abs(bodies.live[moves])):
+        if (load[:, off].max(axis=1) > FLAT * load.max(axis=1) * max(1.0, size)).any():
             return False
     if bodies.together is not None and bodies.together[:, off].any():
         return False

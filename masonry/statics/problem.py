@@ -6,6 +6,10 @@ import numpy as np
 
 from masonry.statics.crushing import Crushing
 
+STEEP = 1e3
+"""The greatest tangent of friction that is reckoned with. A normal force may be off by the tolerance of a solver: so
+much, times the tangent, is what shear may come to from nothing."""
+
 
 @dataclass(frozen=True)
 class Bodies:
@@ -58,13 +62,19 @@ class Contacts:
         return len(self.block_a)
 
     def weakened(self, by: float) -> "Contacts":
-        """The same with friction, cohesion and tension divided by a number."""
-        return replace(self, friction=self.friction / by, cohesion=self.cohesion / by, tension=self.tension / by)
+        """The same with friction, cohesion and tension divided by a number; an endless tension stays so."""
+        tension = np.where(np.isinf(self.tension), self.tension, self.tension / by)
+        return replace(self, friction=self.friction / by, cohesion=self.cohesion / by, tension=tension)
 
     def with_strength(self, times: float) -> "Contacts":
         """The same with cohesion, tension and compressive strength multiplied by a number."""
         crush = None if self.crush is None else self.crush.times(times)
         return replace(self, cohesion=self.cohesion * times, tension=self.tension * times, crush=crush)
+
+    @property
+    def cone_friction(self) -> np.ndarray:
+        """(C,) the tangent of friction that is reckoned with, STEEP at most: a cone within the true one."""
+        return np.minimum(self.friction, STEEP)
 
     @property
     def has_strength(self) -> bool:
@@ -78,6 +88,16 @@ class Contacts:
 
 
 @dataclass(frozen=True)
+class Sizes:
+    """In what units a problem is written: force (B,) N and length (B,) m of each block, and the factor that counts
+    as 1."""
+
+    force: np.ndarray
+    length: np.ndarray
+    factor: float
+
+
+@dataclass(frozen=True)
 class Found:
     """What an optimisation found.
 
@@ -86,8 +106,11 @@ class Found:
     normal    (C,) N at each contact point
     shear     (C, 3) N at each contact point, in its plane, from a on b
     velocity  (B, 6) of the mechanism, m/s and rad/s at the centres; the live load does 1 W on it
-    gap       difference between the factor and that of the dual problem, over the factor or 1
-    unbalance largest force (or moment over the size of a block) that is left on a block, over the loads of a block
+    gap       difference between the factor and that of the dual problem, over the factor
+    unbalance what is left on the block that is balanced worst, over its own loads, or the forces at its contacts
+              where these are more
+    worst     the block
+    sizes     the units in which it was solved; None without an answer
     """
 
     status: str
@@ -97,3 +120,5 @@ class Found:
     velocity: np.ndarray
     gap: float = 0.0
     unbalance: float = 0.0
+    worst: int = 0
+    sizes: Sizes | None = None

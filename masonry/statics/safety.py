@@ -2,7 +2,10 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from masonry.errors import SceneError
+from masonry.statics.jammed import jammed
 from masonry.statics.no_dilation import standing_without_dilation
 from masonry.statics.problem import Bodies, Contacts, Found
 from masonry.statics.solve import EXACTLY, STANDS, Method, standing
@@ -19,7 +22,8 @@ def factor_of_safety(
     """The factor by bisection, the forces at it, and the mechanism just beyond it.
 
     Friction (its tangent), cohesion and tensile strength are divided by one number; loads stay. Without dilation it is
-    no bound (see no_dilation.py). Raises SceneError where no friction is enough, and where none is needed.
+    no bound (see no_dilation.py). Raises SceneError where no friction is enough, where none is needed, and where the
+    least of it is enough, as joints are jammed.
     """
 
     def at(by: float) -> tuple[Found, bool]:
@@ -36,12 +40,14 @@ def factor_of_safety(
     while beyond:
         low, best, high = high, worst, 4.0 * high
         if low > LARGEST:
-            raise SceneError("it stands without any friction or cohesion, so there is no factor of safety on them")
+            raise SceneError(_why_none(bodies, contacts, method))
         worst, beyond = at(high)
     while not stands:
         high, worst, low = low, best, 0.25 * low
         if low < 1.0 / LARGEST:
-            raise SceneError("no friction and no cohesion is enough for it to stand: it does not fall by sliding")
+            raise SceneError(
+                "no friction and no cohesion is enough for it to stand: joints open, or nothing presses them"
+            )
         best, stands = at(low)
     while high > (1.0 + CLOSE[dilation]) * low:
         middle = (low * high) ** 0.5
@@ -50,4 +56,19 @@ def factor_of_safety(
             low, best = middle, found
         else:
             high, worst = middle, found
-    return low, best, replace(worst, normal=best.normal, shear=best.shear)
+    off = best if best.unbalance > worst.unbalance else worst
+    both = replace(worst, normal=best.normal, shear=best.shear, gap=max(best.gap, worst.gap))
+    return low, best, replace(both, unbalance=off.unbalance, worst=off.worst)
+
+
+def _why_none(bodies: Bodies, contacts: Contacts, method: Method) -> str:
+    """Why there is no factor of safety where a small part of friction is enough: tried with none at all."""
+    smooth = standing(bodies, contacts.weakened(np.inf), method)
+    if smooth.status == "solved" and smooth.factor >= STANDS:
+        return "it stands without any friction or cohesion, so there is no factor of safety on them"
+    if jammed(bodies, contacts, method) is not None:
+        return (
+            "it stands only if it is jammed: the least friction is enough where joints press hard against each other, "
+            "which no load here makes them do, and with none it falls; a run decides"
+        )
+    return f"less than a share of {1 / LARGEST:g} of its friction and cohesion is enough, but it does not stand without"

@@ -1,20 +1,30 @@
-"""One limit analysis of bodies and contacts: in a plane where there is one, by planes or by cones."""
+"""One limit analysis of bodies and contacts: in a plane where there is one, by planes or by cones.
+
+A solution is looked at block by block: each must be balanced to a share of its own loads. Where one is not, or where
+there is no solution, all is solved again in the units of each block, with what is known by then of the forces in it.
+"""
 
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from masonry.errors import SceneError
+from masonry.statics.balance import unbalanced
 from masonry.statics.cones import solve_cones
 from masonry.statics.equilibrium import Equilibrium, equilibrium
 from masonry.statics.interior_point import Tell
 from masonry.statics.linear import solve_linear
 from masonry.statics.plane import flattened, plane_of
-from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.problem import Bodies, Contacts, Found, Sizes
+from masonry.statics.sizes import alike, of_each
 
 MUCH = 2000
 """Contact points beyond which plane problems are solved as cones as well."""
 STANDS = 1.0 - 1e-6
 """Share of the dead loads that must be balanced for a specimen to stand."""
+CLOSED, TRIES, UNLIKE = 1e-6, 4, 100.0
+"""What may be left on a block over its own loads, and the gap, beyond which all is solved again; how often in all; how
+many times as large the units of one block must be as those of another one for that to be of use."""
 
 
 @dataclass(frozen=True)
@@ -43,13 +53,38 @@ def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY,
     axis = plane_of(bodies, contacts) if method.plane else None
     sides = _sides(axis, contacts, method)
     flat, owner = (contacts, np.arange(contacts.count)) if axis is None else flattened(contacts, axis)
-    forces = equilibrium(bodies, flat, axis)
-    bounds = (between[0] * forces.live_force / forces.force, between[1] * forces.live_force / forces.force)
-    if sides:
-        status, unknown, velocity, gap = solve_linear(forces, flat, sides, bounds, method.tell)
-    else:
-        status, unknown, velocity, gap = solve_cones(forces, flat, bounds, tell=method.tell)
-    return in_space(forces, contacts, flat, owner, status, unknown, velocity, gap)
+    best, sizes = None, alike(bodies, flat)
+    for _ in range(TRIES):
+        forces = equilibrium(bodies, flat, sizes, axis)
+        bounds = (between[0] / forces.factor, between[1] / forces.factor)
+        if sides:
+            answer = solve_linear(forces, flat, sides, bounds, method.tell)
+        else:
+            answer = solve_cones(forces, flat, bounds, tell=method.tell)
+        found = replace(in_space(bodies, forces, contacts, flat, owner, *answer), sizes=sizes)
+        best = found if best is None or _is_better(found, best) else best
+        if found.status == "solved" and max(found.unbalance, found.gap) <= CLOSED:
+            break
+        sizes = of_each(bodies, contacts, found.factor, found.normal, found.shear)
+        if not _unlike(bodies, sizes):
+            break
+    assert best is not None
+    if best.status == "no end":
+        raise SceneError("the cone programme came to no end; try --linear 16, which needs no cones")
+    return best
+
+
+def _is_better(found: Found, best: Found) -> bool:
+    """Any ending is better than none, an answer than a later ending without one, and the later of two that are none."""
+    if "solved" not in (found.status, best.status):
+        return found.status != "no end"
+    return found.status == "solved" and (best.status != "solved" or found.unbalance < best.unbalance)
+
+
+def _unlike(bodies: Bodies, sizes: Sizes) -> bool:
+    """Whether blocks that move differ much in their units."""
+    moves = bodies.free.any(axis=1)
+    return any(float(unit[moves].max()) > UNLIKE * float(unit[moves].min()) for unit in (sizes.force, sizes.length))
 
 
 def _sides(axis: int | None, contacts: Contacts, method: Method) -> int:
@@ -79,22 +114,21 @@ def method_word(bodies: Bodies, contacts: Contacts, method: Method, cones: bool 
 
 
 def in_space(
-    forces: Equilibrium, contacts: Contacts, flat: Contacts, owner: np.ndarray, status: str,
+    bodies: Bodies, forces: Equilibrium, contacts: Contacts, flat: Contacts, owner: np.ndarray, status: str,
     unknown: np.ndarray, velocity: np.ndarray, gap: float,
 ) -> Found:  # fmt: skip
     """Unknowns and velocities of a problem, back in units, for all blocks and contact points."""
     groups, k = forces.tangent.shape[:2]
     pressing, sliding = unknown[: flat.count], unknown[flat.count : -1]
-    left = forces.normal @ pressing + forces.shear @ sliding + forces.dead + unknown[-1] * forces.live
-    fraction = contacts.area / flat.area[owner]
+    fraction = forces.force[owner] * contacts.area / flat.area[owner]
     shear = np.einsum("gk,gki->gi", sliding.reshape(groups, k), forces.tangent)
     part = _part_of_group(forces, flat, pressing)
-    moving = (forces.rows.T @ velocity).reshape(-1, 6) / forces.live_force
+    left = unbalanced(bodies, forces, flat, unknown) if status == "solved" else np.zeros(1)
     return Found(
-        status, float(unknown[-1] * forces.force / forces.live_force),
-        forces.force * fraction * pressing[owner],
-        forces.force * (fraction * part[owner])[:, None] * shear[forces.group[owner]],
-        moving, gap, float(np.abs(left).max(initial=0.0)) if status == "solved" else 0.0,
+        status, float(unknown[-1] * forces.factor),
+        fraction * pressing[owner],
+        (fraction * part[owner])[:, None] * shear[forces.group[owner]],
+        forces.factor * (forces.rows.T @ velocity).reshape(-1, 6), gap, float(left.max()), int(np.argmax(left)),
     )  # fmt: skip
 
 

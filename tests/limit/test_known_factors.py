@@ -138,4 +138,4 @@ def test_the_gap_that_is_told_is_no_less_than_the_error_of_a_solve_that_ends_ear
     bodies, contacts = dry(wall(12, halves_below=True), [0], 0.65, live=(0.3, 1.0, 0.0))
     found = largest_factor(bodies, contacts, CONES)
     error = abs(found.factor - 0.1 / (0.175 * 12))
-    assert 1e-12 < error <= found.gap * max(1.0, found.factor) <= accuracy
+    assert 1e-12 < error <= found.gap * found.factor <= accuracy
