@@ -5,7 +5,7 @@ d_e(c), where d_e is the distance from edge e, x_k a corner and c the centroid, 
 the centroid does. In a parallelogram a smaller one of the same directions, with the resultant as its centre, reaches as
 far as the nearer edge of each pair: N <= fc A (D_i / N) (D_j / N) for neighbouring edges i and j. In other polygons the
 polygon itself made smaller about the resultant fits: N <= fc A (D_e / N)^2 for each edge. Both are states that the
-joint can bear, so the factor stays a lower bound. For bending about one axis of a rectangle the first one is exact:
+joint can bear, so the factor is too small at most. For bending about one axis of a rectangle the first one is exact:
 M = N t/2 (1 - N / (fc A)).
 """
 

@@ -81,7 +81,7 @@ def _status(
 def pyramids(forces: Equilibrium, contacts: Contacts, sides: int) -> tuple[sparse.csr_array, np.ndarray]:
     """Rows and right-hand sides of: shear along each side <= (friction N + cohesion) times how far the side is off.
 
-    A pyramid stands within its cone, its edges on it: the factor stays a lower bound.
+    A pyramid stands within its cone, its edges on it: the factor is too small at most.
     """
     groups, k = forces.tangent.shape[:2]
     hard = np.ones(groups, dtype=bool)

@@ -56,6 +56,18 @@ REFUSED = {
         block('[limit]\npattern = "force"\non = "block.z+"\nforce = {x = "1 N"}'),
         "a force acts on whole blocks",
     ),
+    "a force beside its block": (
+        block('[limit]\npattern = "force"\non = "block"\nforce = {x = "1 kN"}\nat = ["0.25 m", "0.15 m", "-0.5 m"]'),
+        "limit.at = (0.25, 0.15, -0.5) m lies outside of 'block'; block 0 holds it: on = 'ground'",
+    ),
+    "a force beside all blocks": (
+        block('[limit]\npattern = "force"\non = "block"\nforce = {x = "1 kN"}\nat = ["0.25 m", "0.15 m", "1.001 m"]'),
+        "limit.at = (0.25, 0.15, 1.001) m lies outside of 'block', and in no other block",
+    ),
+    "a force that not all of its blocks hold": (
+        block('[limit]\npattern = "force"\non = "blocks at z = 0 m"\nforce = {x = "1 kN"}\nat = [0, 0, "-0.1 m"]'),
+        "lies outside of block 1 of 'blocks at z = 0 m', which bears a part of the force; block 0 holds it",
+    ),
     "a traction on a block": (
         block('[limit]\npattern = "traction"\non = "block"\nstress = {x = "1 Pa"}'),
         "a traction acts on a face",

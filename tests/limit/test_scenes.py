@@ -34,7 +34,7 @@ def test_the_packaged_wall_of_ferris_and_tin_loi_falls_where_it_should():
     [("arch-tilted", False), ("wall-out-of-plane", False), ("wall-tilted", True), ("wall-with-window", True)],
 )
 def test_a_mechanism_that_slides_where_friction_does_not_dilate_has_a_word(name, slides):
-    """The lower bound of limit analysis is then an upper one for the scene."""
+    """What is the greatest with dilation is then too great for the scene."""
     result = masonry.limit(name)
     assert any("--no-dilation" in remark for remark in result.remarks) == slides
     without = masonry.limit(name, dilation=False).factor

@@ -88,8 +88,8 @@ def test_a_push_on_the_small_block_alone_and_on_the_large_one_alone(ratio, metho
 @EVERY_RATIO
 def test_without_dilation_and_for_its_safety_the_small_block_counts_as_well(ratio):
     bodies, contacts = dry(SLENDER[ratio], [0], 0.65, density=WEIGHT)
-    way = without_dilation(bodies, contacts, CONES)
-    assert way.converged and way.found.factor == pytest.approx(0.25, rel=1e-4)
+    end = without_dilation(bodies, contacts, CONES)
+    assert end.converged and end.found.factor == pytest.approx(0.25, rel=1e-4)
     at_a_tenth = replace(bodies, dead=bodies.dead + 0.1 * bodies.live)
     assert factor_of_safety(at_a_tenth, contacts, CONES)[0] == pytest.approx(6.5, rel=1e-5)
     beyond = replace(bodies, dead=bodies.dead + 0.26 * bodies.live)

@@ -1,4 +1,4 @@
-"""The load at which dry structures fall, by limit analysis: a lower bound, and the mechanism that proves it.
+"""The load at which dry structures fall, by limit analysis: forces that balance it, and the mechanism that proves it.
 
     largest factor a with   forces in the joints balance the dead loads and a times the pattern on every block,
                             no tension, and no more shear than friction allows
