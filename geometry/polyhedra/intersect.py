@@ -121,6 +121,15 @@ def _faces_at(block: Solid, among: np.ndarray, point: np.ndarray, depth: float) 
     return np.array(found, dtype=np.int64)
 
 
+def holds(blocks: Blocks, block: int, point: np.ndarray, width: float) -> bool:
+    """Whether a point (3,) is in a block, or off its surface by no more than width (m)."""
+    one = solid(blocks, block)
+    corners = np.concatenate(one.faces)
+    if ((point < corners.min(axis=0) - width) | (point > corners.max(axis=0) + width)).any():
+        return False
+    return bool(len(_faces_at(one, np.arange(len(one.faces)), point, width))) or is_inside(one, point)
+
+
 def is_inside(block: Solid, point: np.ndarray) -> bool:
     """Whether the point is inside the block: the solid angles of all its triangles add up to 4 pi (Van Oosterom)."""
     a, b, c = (block.triangles[:, k] - point for k in range(3))

@@ -4,6 +4,7 @@ grows."""
 import numpy as np
 
 from geometry.blocks import Joints, Specimen
+from geometry.polyhedra.intersect import holds
 from masonry.assembly.conditions import density_of, select
 from masonry.errors import SceneError
 from masonry.model.layout import KINDS, Layout, Material
@@ -11,6 +12,8 @@ from masonry.model.loads import Conditions, Push, add_force, add_gravity, add_tr
 from masonry.scene import Scene
 from masonry.scene.tables.limit import LimitLoad
 
+EDGE = 1e-6
+"""Share of the size of the specimen by which a place may lie outside of a block that holds it."""
 Load = dict[str, np.ndarray | None]
 
 
@@ -62,8 +65,27 @@ def growing_load(
         return load, f"the traction on '{asked.on}'"
     if faces is not None:
         raise SceneError(f"limit.on = '{asked.on}': a force acts on whole blocks; a traction acts on a face")
+    if asked.at is not None:
+        _require_in(specimen, chosen, asked.on, np.array(asked.at))
     _add_force(layout, load, chosen, np.array(asked.force), asked.at)
     return load, f"the force on '{asked.on}'"
+
+
+def _require_in(specimen: Specimen, chosen: np.ndarray, on: str, at: np.ndarray) -> None:
+    """A force acts at a place of its blocks. Raises SceneError for one outside, with the block that holds it."""
+    blocks = specimen.blocks
+    size = float(np.ptp(blocks.points, axis=0).max())
+    outside = [b for b in chosen.tolist() if not holds(blocks, b, at, EDGE * size)]
+    if not outside:
+        return
+    where = f"limit.at = ({', '.join(f'{x:.6g}' for x in at)}) m"
+    what = f"'{on}'" if len(chosen) == 1 else f"block {outside[0]} of '{on}', which bears a part of the force"
+    others = [b for b in range(blocks.count) if holds(blocks, b, at, EDGE * size)]
+    if not others:
+        raise SceneError(f"{where} lies outside of {what}, and in no other block; give a place in it, or leave it out")
+    names = [name for name, members in specimen.sets.items() if members.tolist() == [others[0]]]
+    hint = f"on = '{names[0]}'" if names else "a set of this block alone"
+    raise SceneError(f"{where} lies outside of {what}; block {others[0]} holds it: {hint}")
 
 
 def _add_force(
