@@ -107,8 +107,11 @@ def trust(summary: dict[str, Any]) -> str:
 
 
 def uneven(summary: dict[str, Any]) -> str:
-    """What is said of cracks that left the symmetry of the specimen: no doubt of this run, but of one that is alike."""
-    if not (axis := summary.get("symmetry_lost")):
+    """What is said of cracks that left the symmetry of the specimen: no doubt of this run, but of one that is alike.
+
+    Nothing where a factor was asked for, not what is dissipated.
+    """
+    if not (axis := summary.get("symmetry_lost")) or summary.get("collapse_load"):
         return ""
     return (
         f" The cracks have left the symmetry of the specimen across {axis}: where two are alike, the pace decides which"

@@ -15,7 +15,7 @@ from masonry.history import FACTOR, LARGE_UNITS, TILT, UNITS
 from masonry.jit.sources import source_hash
 from masonry.laboratory.collapse import of_large, standing_rows
 from masonry.laboratory.provenance import own_sources
-from masonry.laboratory.symmetry import symmetry_lost
+from masonry.laboratory.symmetry import is_loaded_alike, symmetry_lost
 from masonry.laboratory.unrest import farthest_from_rest
 from masonry.loading.cycles import DISSIPATED, at_peak, before_a_fall, only_rises, table
 from masonry.model.loads import Controlled, Growing
@@ -142,7 +142,9 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "joints_opened_or_slid": _opened_or_slid(assembly),
         "broken_area_m2": areas_beyond(assembly, outcome, BROKEN),
         "damaged_area_m2": areas_beyond(assembly, outcome, DAMAGED),
-        "symmetry_lost": symmetry_lost(model.joints, outcome.history.frames),
+        "symmetry_lost": symmetry_lost(
+            model.joints, outcome.history.frames, lambda axis: is_loaded_alike(assembly, axis)
+        ),
         "rotation_max_rad": float(observed["rotation"].max()),
         "overlap_max": float(observed["overlap"].max()),
         "mode_2_over_law": outcome.found["mode_2_over_law"],
