@@ -167,7 +167,8 @@ def _first_to_fall(fallen: dict[str, Any]) -> str:
     what = f"block {fallen['block']} ({sets}), at ({at}) m at the start, is the first to fall, after "
     what += f"{fallen['time_s']:.4g} s"
     if (began := fallen["began"]) is None:
-        return what
+        unknown = fallen.get("began_unknown")
+        return f"{what}; when the fall began is not known: {unknown}" if unknown else what
     late = "; it falls at a smaller tilt already, as gravity turned on while the fall gathered way"
     tilt = f", with gravity turned by {tilt_text(began['tilt_rad'])}{late}" if "tilt_rad" in began else ""
     drive = f", with the drive at {1e3 * began['displacement_m']:.4g} mm" if began["displacement_m"] else ""

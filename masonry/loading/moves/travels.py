@@ -13,6 +13,9 @@ from masonry.runtime.state import State, attributes, load_attributes
 
 REMEMBERED = ("most", "travelled")
 
+SLIDES, TWICE = 0.1, 2.0
+"""Of its size, and times what is usual: motion of a block that moves alone that is a fall in any case."""
+
 
 class Limits(NamedTuple):
     """What is a rest, and what a fall (loading/settings.py, GrowingSettings): kinetic over stored energy, and what a
@@ -89,9 +92,12 @@ class Travels:
         return bool(alone.any() or (np.abs(readings - self.calm) > least).any())
 
     def fallen(self, times: float = 1.0) -> bool:
-        """Whether a block that moved alone has gone farther, by so many times, than is a fall in itself."""
-        away = np.maximum(self.limits.away * self.each.size[:, None], self.limits.usual * self.usual)
-        return bool((self.by_block() > times * away)[self.alone].any())
+        """Whether a block that moved alone has gone farther than is a fall in itself: so many times as far as from
+        where on it is one, but no farther than contacts may slide."""
+        size, usual = self.each.size[:, None], self.usual
+        away = times * np.maximum(self.limits.away * size, self.limits.usual * usual)
+        away = np.minimum(away, np.maximum(SLIDES * size, TWICE * usual))
+        return bool((self.by_block() > away)[self.alone].any())
 
     def relative(self) -> np.ndarray:
         """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""
