@@ -65,6 +65,24 @@ def test_each_impact_keeps_the_share_of_the_spin_that_two_corner_points_give():
     assert max(per_swing) < 1e-3 * swings[0], "what is lost is lost at impacts"
 
 
+@pytest.mark.parametrize(("dashpot", "more"), [(0.5, 0.0127), (2.0, -0.0006)])
+def test_a_stocky_block_keeps_more_spin_than_by_hand_unless_its_dashpot_is_twice_critical(dashpot, more):
+    """What docs/large-displacement.md says of a block of 0.4 x 1.2 m, which keeps 1 - 1.5 / (1 + (h / b)^2) by hand."""
+    half, high = 0.2, 0.6
+    alpha, by_hand = atan(half / high), 1.0 - 1.5 / (1.0 + (high / half) ** 2)
+    settings = {
+        "specimen.turned": {"about": "y", "angle": f"{0.5 * alpha!r} rad"},
+        "specimen.box": [{"name": "block", "origin": ["-0.4 m", "0 m", "0 m"], "size": ["0.4 m", "0.5 m", "1.2 m"]}],
+        "contact.floor_units.normal_dashpot": dashpot,
+        "solver.duration": "0.75 s",
+        "solver.rows": 1500,
+    }
+    rows = laboratory.run(scene.load("block-rocking", settings)).history.rows
+    leant = 2000.0 * 4.0 * half * high * 0.5 * G * hypot(half, high) * (cos(0.5 * alpha) - cos(alpha))
+    before, after = np.interp((0.2, 0.65), rows["time"], rows["kinetic"] - rows["external_work"] + leant)
+    assert sqrt(after / before) == pytest.approx(by_hand + more, abs=1.5e-3)
+
+
 def test_the_balance_closes_at_every_row_and_a_plane_rotor_loses_nothing():
     rows, summary = rocking()
     work = np.abs(rows["external_work"]).max()
