@@ -47,6 +47,23 @@ def test_units_slide_alike(turn):
     assert words(one) == words(other)
 
 
+@pytest.mark.parametrize("turn", [ABOUT_X, OBLIQUE])
+def test_a_wall_falls_at_the_same_tilt_of_its_ground(turn):
+    one, other = run("wall-tilted"), run("wall-tilted", turn)
+    assert max(apart(one, other).values()) < asked(load("wall-tilted")) == 0.005
+    assert words(one) == words(other)
+    assert one["collapse_load"]["sets"] == other["collapse_load"]["sets"]
+
+
+@pytest.mark.parametrize("turn", [ABOUT_X, CYCLIC, NUMBERED])
+def test_a_block_rocks_alike_in_large_displacement(turn):
+    """Until after its first impact, at 0.349 s."""
+    one, other = (run("block-rocking", how, solver__duration="0.45 s") for how in ("", turn))
+    assert one["energy_j"]["dashpot"] > 0.01 * one["energy_j"]["external_work"]
+    assert max(apart(one, other).values()) < 1e-6
+    assert words(one) == words(other)
+
+
 def test_what_would_lie_along_no_axis_is_refused():
     for name, turn in (("triplet-dry", ABOUT_X), ("arch-spread", OBLIQUE), ("shear-wall", CYCLIC)):
         scene = load(name)

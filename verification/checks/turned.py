@@ -5,7 +5,7 @@ is right there by chance is wrong in a scene that is turned; all that a scene do
 """
 
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, nullcontext, suppress
 from dataclasses import dataclass, replace
 from unittest.mock import patch
 
@@ -84,7 +84,7 @@ def turned(scene: Scene, turn: Turn) -> Iterator[Scene]:
             (assemble, "let_grow", other.let_grow),
             (assemble, "gauges_of", other.gauges),
             (contacts, "joined", other.joined),
-            (analysis, "loads_of", other.loads),
+            (analysis, "loads_of", other.bodies_and_loads),
         ):
             stack.enter_context(patch.object(module, name, method))
         yield scene.model_copy(update={"drive": drive})
@@ -131,8 +131,7 @@ class _Turned:
         new.prescribed, new.supported = self._mask(old, there.prescribed), self._mask(old, there.supported)
         new.held_by = {name: self._mask(old, mask) for name, mask in there.held_by.items()}
         new.load = self._load(old, there.load)
-        new.each_load = {name: self._load(old, load) for name, load in there.each_load.items()}
-        new.varying = [self._load(old, load) for load in there.varying]
+        self._add_loads(old, there, new)
         if scene.drive is not None:
             new.driven = loads.drive_dofs(new.held_by["drive"], scene.drive.axis)
             new.support = loads.drive_dofs(new.supported, scene.drive.axis)
@@ -156,26 +155,31 @@ class _Turned:
         """In place of `assemble.let_grow`."""
         old, there = self._upright(layout), replace(self.first, each_load={}, varying=[])
         growing_loads.let_grow(self.scene, old.specimen, old.joints, old.layout, materials, there)
-        into.each_load |= {name: self._load(old, load) for name, load in there.each_load.items()}
-        into.varying += [self._load(old, load) for load in there.varying]
+        self._add_loads(old, there, into)
 
     def gauges(self, scene: Scene, specimen: Specimen, joints: Joints, layout: Layout) -> tuple[Gauge, ...]:
-        """In place of `assemble.gauges_of`. Raises NoSuchScene where a gauge would read along no axis."""
-        old = self._upright(layout)
+        """In place of `assemble.gauges_of`. A gauge that would read along no axis reads along the one that it had.
+
+        Raises NoSuchScene where it is more than watched.
+        """
+        old, limit = self._upright(layout), self.scene.limit
         number = np.argsort(old.order)
+        steers = (self.scene.loops_over, None if limit is None else limit.control)
 
         def there(place: Place) -> Place:
             return replace(place, block=number[place.block], point=place.point @ self.turn.matrix.T)
 
         def made(name: str, _: Layout, at: Place, still: Place | None, axis: int, sign: float) -> Gauge:
-            word = self.turn.direction(("-" if sign < 0.0 else "") + "xyz"[axis])
+            word = ("-" if sign < 0.0 else "") + "xyz"[axis]
+            with suppress(NoSuchScene) if name not in steers else nullcontext():
+                word = self.turn.direction(word)
             base = None if still is None else there(still)
             return gauge(name, layout, there(at), base, "xyz".index(word[-1]), -1.0 if word[0] == "-" else 1.0)
 
         with patch.object(gauge_places, "gauge", made):
             return gauge_places.gauges_of(self.scene, old.specimen, old.joints, old.layout)
 
-    def loads(self, scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool = False) -> Loads:
+    def bodies_and_loads(self, scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool = False) -> Loads:
         """In place of `analysis.loads_of`: forces, then moments, and what moves, about x, y and z."""
         old, turn = self._joined(self._old(scene)), self.turn
         there, order = loads_of(self.scene, *old, dead_alone), turn.order(old[0].blocks.count)
@@ -208,6 +212,12 @@ class _Turned:
         layout, order = lay_out(blocks, dict.fromkeys(blocks.groups, "rigid"), None), self.turn.order(blocks.count)
         axes = np.einsum("bji,jk,bkl->bil", new.axes, self.turn.matrix, layout.axes[order])
         return _Upright(replace(specimen, blocks=blocks), sort_by_group(blocks, joints)[2], layout, order, axes)
+
+    def _add_loads(self, old: _Upright, there: loads.Conditions, into: loads.Conditions) -> None:
+        """Loads by name; those that vary are the same objects."""
+        into.each_load |= {name: self._load(old, load) for name, load in there.each_load.items()}
+        for varying in there.varying:
+            into.varying += [into.each_load[name] for name, load in there.each_load.items() if load is varying]
 
     def _load(self, old: _Upright, load: Load) -> Load:
         """Forces along x, y and z, and moments about principal axes; or velocities and spins."""
