@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.history import UNITS, Frame, History
-from masonry.laboratory.summary import summarise
+from masonry.laboratory.summary import _collapse_load, summarise
 from masonry.monitors.events import Event
 from masonry.monitors.reactions import Standing
 from masonry.scene import load
@@ -142,3 +143,16 @@ def test_areas_are_broken_from_95_per_cent_on_and_damaged_from_5(share, broken):
         tension = np.maximum(1.0 - (1.0 - combined) / (1.0 - shear), 0.0)
         last = replace(frame(assembly), damage_shear=shear, damage_tension=tension)
         assert summary(last=last)[key]["unit_unit"] == pytest.approx(0.5 * SECTION * broken)
+
+
+def test_blocks_that_move_by_a_twentieth_of_the_fastest_belong_to_the_mechanism():
+    limit = SimpleNamespace(pattern="weight", history=None)
+    scene = SimpleNamespace(limit=limit, displacements="small")
+    sets = {"top": np.array([2]), "rest": np.array([0, 1]), "all": np.arange(3)}
+    control = {"factor": 0.5, "factor_falls": 0.6, "accuracy": 0.01, "trials": 7, "undecided": 0, "swayed": 1e-3}
+    outcome = SimpleNamespace(control=control | {"falls_by_turning": 0.0}, history=None)
+    outcome.found = {"mechanism": np.array([0.0505, 0.0495, 1.0]), "branch": None}
+    assembly = SimpleNamespace(scene=scene, specimen=SimpleNamespace(sets=sets))
+    found = _collapse_load(assembly, outcome)["collapse_load"]
+    assert (found["moving"], found["first"], found["sets"]) == (2, 2, ["all", "top"])
+    assert (found["borne"], found["falls"], found["trials"], found["swayed_over_block"]) == (0.5, 0.6, 7, 1e-3)

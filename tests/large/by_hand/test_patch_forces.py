@@ -21,42 +21,53 @@ from tests.scenes import box
 
 KN, KS, TAN, SIDE, DEEP, DT = 10e9, 5e9, 0.6, 0.1, 1e-5, 1e-7
 AREA, PRESSURE = SIDE**2, KN * DEEP
+ASKEW = turn(0, 0.7) @ turn(2, -2.0) @ turn(1, 1.1)
+EVERY_WAY = pytest.mark.parametrize("way", [np.eye(3), ASKEW], ids=["straight", "askew"])
+"""All of it as it is, and turned so that no axis is another's."""
 
 
-def standing(where=(0.0, 0.0)):
-    """A cube of 0.1 m, pressed by 10 um into a slab whose centroid is at (0, 0, -0.05)."""
+def standing(where=(0.0, 0.0), way=np.eye(3)):  # noqa: B008
+    """A cube of 0.1 m, pressed by 10 um into a slab whose centroid is at (0, 0, -0.05), then both turned as one."""
     low = where[0] - 0.5 * SIDE, where[1] - 0.5 * SIDE, 0.0
     model = assemble(dry([slab(1.0), box("block", low, (SIDE, SIDE, SIDE), "units", 1)])).model
-    model.bodies.rigid.q[1, 2] = -DEEP
+    rigid = model.bodies.rigid
+    rigid.q[1, 2] = -DEEP
     model.large.near.motion.travel[1] += DEEP
     assert refresh(model.large.near) >= 0.0
+    for b in (0, 1):
+        place = model.layout.centroid[b] + rigid.q[b, :3]
+        rigid.q[b, :3] += way @ place - place
+        rigid.frame[b] = way
     return model
 
 
 def pushed(model, velocity=(0.0, 0.0, 0.0), spin=(0.0, 0.0, 0.0), of_slab=(0.0,) * 6) -> np.ndarray:
-    """(2, 6) forces and moments on both after a step with these velocities of the block."""
+    """(2, 6) forces and moments on both after a step with these velocities of the block, as seen from the slab."""
     near = model.large.near
-    near.motion.v[1, :6], near.motion.v[0, :6] = (*velocity, *spin), of_slab
+    both = np.kron(np.eye(2), model.bodies.rigid.frame[0])
+    near.motion.v[1, :6], near.motion.v[0, :6] = both @ (*velocity, *spin), both @ of_slab
     press(near, DT)
-    return near.motion.push[:2, :6].copy()
+    return near.motion.push[:2, :6] @ both
 
 
-def test_a_pressed_cube_is_pushed_up_and_the_slab_down_with_its_lever():
-    found = pushed(standing((0.2, 0.1)))
+@EVERY_WAY
+def test_a_pressed_cube_is_pushed_up_and_the_slab_down_with_its_lever(way):
+    found = pushed(standing((0.2, 0.1), way))
     up = PRESSURE * AREA
     assert found[1] == pytest.approx([0.0, 0.0, up, 0.0, 0.0, 0.0], abs=1e-9 * up)
     assert found[0] == pytest.approx([0.0, 0.0, -up, -0.1 * up, 0.2 * up, 0.0], abs=1e-9 * up)
 
 
-@pytest.mark.parametrize("way", [(1.0, 0.0), (0.0, -1.0), (0.6, 0.8)])
-def test_a_slide_meets_its_springs_and_then_friction_which_takes_what_springs_do_not_hold(way):
+@EVERY_WAY
+@pytest.mark.parametrize("along", [(1.0, 0.0), (0.0, -1.0), (0.6, 0.8)])
+def test_a_slide_meets_its_springs_and_then_friction_which_takes_what_springs_do_not_hold(along, way):
     """Step by step t = k_s s up to mu p; then mu p s a step, less what the springs come to hold at first."""
-    model, way = standing(), np.array([*way, 0.0])
+    model, along = standing(way=way), np.array([*along, 0.0])
     speed = 0.4 * TAN * PRESSURE / (KS * DT)
     account, shear = model.large.near.account, []
     for _ in range(4):
-        found = pushed(model, speed * way)
-        shear.append(-found[1, :3] @ way / AREA)
+        found = pushed(model, speed * along)
+        shear.append(-found[1, :3] @ along / AREA)
         arm = np.array([0.0, 0.0, -(0.5 * SIDE)])
         assert found[1, 3:] == pytest.approx(np.cross(arm, found[1, :3]), rel=1e-3, abs=1e-9 * PRESSURE * AREA)
         assert found[0, :3] == pytest.approx(-found[1, :3])
@@ -67,10 +78,11 @@ def test_a_slide_meets_its_springs_and_then_friction_which_takes_what_springs_do
     assert stored_energy(model.large.near) == pytest.approx(0.5 * AREA * (PRESSURE**2 / KN + most**2 / KS), rel=1e-9)
 
 
+@EVERY_WAY
 @pytest.mark.parametrize("body", [0, 1])
-def test_a_turn_about_the_normal_is_held_by_the_polar_moment_of_the_points(body):
+def test_a_turn_about_the_normal_is_held_by_the_polar_moment_of_the_points(body, way):
     """Corners: half of the diagonal squared times the area; the slab's turn is that of the block the other way."""
-    model, rate = standing(), 1e-3
+    model, rate = standing(way=way), 1e-3
     spin = (0.0, 0.0, rate)
     found = pushed(model, spin=spin) if body == 1 else pushed(model, of_slab=(0.0, 0.0, 0.0, *spin))
     moment = KS * rate * DT * 0.5 * SIDE**2 * AREA
@@ -80,27 +92,34 @@ def test_a_turn_about_the_normal_is_held_by_the_polar_moment_of_the_points(body)
     assert found[1, :2] == pytest.approx([0.0, 0.0], abs=1e-9 * moment / SIDE)
 
 
-def test_a_slab_that_turns_carries_a_block_beside_its_axis_along_its_circle():
+@EVERY_WAY
+def test_a_slab_that_turns_carries_a_block_beside_its_axis_along_its_circle(way):
     """Points at (0.2, 0.1) move by w x r past the block: it is dragged along by k_s times the step."""
-    model, rate = standing((0.2, 0.1)), 1e-3
+    model, rate = standing((0.2, 0.1), way), 1e-3
     found = pushed(model, of_slab=(0.0, 0.0, 0.0, 0.0, 0.0, rate))
     drag = KS * rate * DT * AREA
     assert found[1, :2] == pytest.approx([-0.1 * drag, 0.2 * drag], rel=1e-6)
-    together = pushed(standing((0.2, 0.1)), velocity=(-0.1 * rate, 0.2 * rate, 0.0), spin=(0.0, 0.0, rate),
+    together = pushed(standing((0.2, 0.1), way), velocity=(-0.1 * rate, 0.2 * rate, 0.0), spin=(0.0, 0.0, rate),
                       of_slab=(0.0, 0.0, 0.0, 0.0, 0.0, rate))  # fmt: skip
     assert together[1, [0, 1, 5]] == pytest.approx([0.0, 0.0, 0.0], abs=1e-9 * drag), "they turn as one"
 
 
-def test_shear_turns_with_its_blocks_by_the_mean_of_their_spins():
-    model = standing()
+@EVERY_WAY
+@pytest.mark.parametrize(("block", "slab"), [(1.0, 1.0), (1.5, 0.5)])
+def test_shear_turns_with_its_blocks_by_the_mean_of_their_spins(block, slab, way):
+    """Seen from where the slab was, as their frames stay; but for what their own turn against each other drags."""
+    model = standing(way=way)
     pushed(model, velocity=(1e-2, 0.0, 0.0))
     start = pushed(model)[1, :2]
     angle, steps = 0.01, 20
-    spin = (0.0, 0.0, angle / DT)
     for _ in range(steps):
-        found = pushed(model, spin=spin, of_slab=(0.0, 0.0, 0.0, *spin))
+        spins = (0.0, 0.0, block * angle / DT), (0.0, 0.0, 0.0, 0.0, 0.0, slab * angle / DT)
+        found = pushed(model, spin=spins[0], of_slab=spins[1])
     whole = steps * np.arctan(angle)
-    assert found[1, :2] == pytest.approx(turn(2, whole)[:2, :2] @ start, rel=1e-6)
+    if block == slab:
+        assert found[1, :2] == pytest.approx(turn(2, whole)[:2, :2] @ start, rel=1e-6)
+    else:
+        assert found[1, 5] < 0.0, "friction resists it"
 
 
 @pytest.mark.parametrize("rate", [-0.02, 0.001, 5.0])

@@ -54,10 +54,10 @@ def test_the_eccentricity_is_measured_from_the_middle_of_the_areas_to_the_edge_t
     area[which] *= [6.0, 1.0, 1.0, 1.0]
     joints = replace(joints, area=area)
     force = np.zeros((len(area), 3))
-    force[which[2], 2] = -7.0
+    force[which[1], 2] = -7.0
     found = carried(blocks, joints, force)
     middle = area[which] @ joints.point[which] / area[which].sum()
-    off = joints.point[which[2]] - middle
+    off = joints.point[which[1]] - middle
     corners = joints.patch_points[joints.patch_start[joints.patch[which[0]]] :][:4]
     reach = max((corner - middle) @ off / np.linalg.norm(off) for corner in corners)
     assert found["eccentricity"] == pytest.approx(np.linalg.norm(off) / reach)
