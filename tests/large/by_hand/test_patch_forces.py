@@ -174,6 +174,8 @@ def test_points_of_a_patch_are_told_with_the_force_on_the_first_block_and_the_no
     place, force, normal = vectors[:, :count]
     assert count == 4 and (numbers[0, :count] == [0, 1]).all()
     assert np.unique(np.round(place[:, 0], 6)) == pytest.approx([0.15, 0.25])
+    points_of = model.large.near.pairs.points_of[0]
+    assert place[:, 2] == pytest.approx(np.full(4, -DEEP * points_of), abs=1e-12), "on the face of their own block"
     assert normal == pytest.approx(np.tile([0.0, 0.0, 1.0], (4, 1)))
     total = force.sum(axis=0)
     assert total == pytest.approx([KS * 1e-2 * DT * AREA, 0.0, -PRESSURE * AREA], rel=1e-6, abs=1e-9)
