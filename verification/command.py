@@ -14,9 +14,11 @@ from masonry.runtime.shell import Parser, complain, tell
 from verification import catalogue, records, runner, text
 from verification.case import Case
 from verification.comparison import compare, last_version
+from verification.html.cover import require_ours
 from verification.outcome import Outcome
 
 HOLDS, FAILS = 0, 1
+PAGE = "verify.html"
 FORMATS = {"text": text.as_text, "md": text.as_markdown}
 EPILOG = (
     "Without a word: the quick cases, under three minutes even where everything is compiled first. "
@@ -69,6 +71,7 @@ def main(arguments: list[str] | None = None) -> int:
     cases = catalogue.chosen(words.cases, known) or [c for c in known.values() if words.full or c.quick]
     old = records.load(words.compare[0]) if words.compare else []
     if words.out:
+        require_ours(words.out / PAGE)
         records.require_writable(words.out)
     if words.missing:
         cases = _missing(cases, words.out)
@@ -140,6 +143,6 @@ def _write(folder: Path, outcomes: list[Outcome], seconds: float) -> None:
     from verification.report.__main__ import write
     from verification.report.cases import chapters
 
-    page, numbers = write(chapters(outcomes, seconds), seconds, folder, "verify.html")
+    page, numbers = write(chapters(outcomes, seconds), seconds, folder, PAGE)
     tell(f"page     {page}")
     tell(f"records  {numbers}")

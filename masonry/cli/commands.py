@@ -38,6 +38,8 @@ def export_scene(words: argparse.Namespace) -> int:
     from masonry.assembly.assemble import joined, meshed
 
     require_suffix(words.to)
+    if words.to.exists() and not words.overwrite:
+        raise SceneError(f"'{words.to}' exists already; --overwrite replaces it")
     loaded = scene.load(words.scene, words.overrides)
     specimen, joints = joined(loaded)
     export(words.to, specimen, meshed(loaded, specimen.blocks, joints)[0])

@@ -70,6 +70,7 @@ def parser() -> Parser:
     check.set_defaults(action=commands.check_scene)
     export = added.add_parser("export", parents=[scene], help="write the blocks of a scene for other programs")
     export.add_argument("--to", type=Path, required=True, metavar="FILE", help="a .step, .obj, .stl, .msh or .vtu file")
+    export.add_argument("--overwrite", action="store_true", help="replace FILE, if it is there already")
     export.set_defaults(action=commands.export_scene)
     _add_import(added)
     added.add_parser("list", help="list the packaged scenes").set_defaults(action=commands.list_scenes)

@@ -15,7 +15,13 @@ from masonry.runtime.lock import LOCK, sole
 RESULTS = Path("results")
 """Where folders go that the user does not name."""
 RESULT_NAMES = ("summary.json", "limit.json", "sensitivity.json", "runs", "checkpoint/HOW-TO-GO-ON.txt")
-"""A folder of results, finished or not, has one of these: other folders are nobody's to replace things in."""
+"""A folder of results, finished or not, has one of these: in other folders nothing is replaced."""
+WRITTEN = {
+    *("curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log", "fields.vtkhdf", "joints.vtkhdf"),
+    *("curve.png", "cracks.png", "mechanism.png", "thrust.png", "checkpoint"),
+    *("sweep.toml", "sweep.csv", "sweep.parquet", "sweep.png", "sensitivity.csv", "sensitivity.png"),
+}
+"""What commands write into a folder of results besides."""
 
 
 def scene_name(scene: str) -> str:
@@ -118,8 +124,10 @@ def _named(out: Path, overwrite: bool, ours: bool) -> Path:
         )
     if not overwrite:
         raise SceneError(f"--out '{out}' is not empty; name a new folder, or add --overwrite to replace its results")
-    if not any((out / name).exists() for name in RESULT_NAMES):
+    in_the_way = sorted(there & WRITTEN)
+    if in_the_way and not any((out / name).exists() for name in RESULT_NAMES):
         raise SceneError(
-            f"--out '{out}' holds no results of masonry, so --overwrite replaces nothing in it: name a new folder"
+            f"--out '{out}' holds no results of masonry, but '{in_the_way[0]}', which --overwrite does not replace: "
+            "move it, or name a new folder"
         )
     return out

@@ -8,10 +8,11 @@ import pytest
 from geometry.files.atomic import WholeFiles, is_unfinished, unfinished
 from masonry.cli.main import main
 from masonry.errors import SceneError
-from masonry.runtime.folder import claimed, sweep_up
+from masonry.runtime.folder import RESULT_NAMES, WRITTEN, claimed, sweep_up
 from masonry.sweep.store import Store
 from masonry.timeloop.checkpoint import Checkpoints
 from tests.faults.samples import run
+from verification.html.cover import bound, require_ours
 from verification.records import require_writable
 
 FOREIGN = (".draft-unfinished-thesis/chapter.txt", ".7-unfinished-notes.txt", ".unfinished-symphony/score.txt")
@@ -84,6 +85,9 @@ def test_checkpoints_go_and_what_others_put_beside_them_stays(tmp_path):
 
 def test_a_run_that_replaces_another_leaves_what_else_is_in_the_folder(tmp_path):
     assert run(tmp_path / "out") == 0
+    assert main(["limit", "arch-tilted", "--out", str(tmp_path / "limit")]) == 0
+    made = {path.name for folder in ("out", "limit") for path in (tmp_path / folder).iterdir()}
+    assert made <= WRITTEN | set(RESULT_NAMES)
     there = put(tmp_path / "out", *FOREIGN, "thesis.txt", "pictures/a.png")
     assert run(tmp_path / "out", "--overwrite") == 0
     assert are_whole(there)
@@ -93,3 +97,26 @@ def test_whether_a_folder_can_be_written_to_is_asked_without_touching_a_file(tmp
     there = put(tmp_path, f".writable-{os.getpid()}")
     require_writable(tmp_path)
     assert are_whole(there)
+
+
+@pytest.mark.parametrize(
+    ("words", "name"), [(["paper", "--quick"], "paper.html"), (["verify", "incline"], "verify.html")]
+)
+def test_a_page_that_is_not_ours_is_never_replaced(words, name, tmp_path, capsys):
+    there = put(tmp_path, name)
+    assert main([*words, "--out", str(tmp_path)]) == 2
+    assert are_whole(there) and list(tmp_path.iterdir()) == list(there)
+    assert "is no page of masonry" in capsys.readouterr().err
+
+
+def test_a_page_of_ours_is_replaced(tmp_path):
+    (tmp_path / "page.html").write_text(bound("A title", "", []), encoding="utf-8")
+    require_ours(tmp_path / "page.html")
+    require_ours(tmp_path / "another.html")
+
+
+def test_an_export_replaces_nothing_unless_it_is_told_to(tmp_path, capsys):
+    there, words = put(tmp_path, "wall.obj"), ["export", "couplet", "--to", str(tmp_path / "wall.obj")]
+    assert main(words) == 2 and are_whole(there)
+    assert "exists already; --overwrite replaces it" in capsys.readouterr().err
+    assert main([*words, "--overwrite"]) == 0 and not are_whole(there)

@@ -162,7 +162,9 @@ def test_a_named_folder_is_refused_when_it_holds_something_unless_overwriting(tm
     (tmp_path / "new" / "thesis.tex").touch()
     with pytest.raises(SceneError, match="--overwrite"):
         claim("s", tmp_path / "new")
-    with pytest.raises(SceneError, match="holds no results of masonry, so --overwrite replaces nothing"):
+    assert claim("s", tmp_path / "new", overwrite=True) == tmp_path / "new"
+    (tmp_path / "new" / "curve.csv").touch()
+    with pytest.raises(SceneError, match="holds no results of masonry, but 'curve.csv'"):
         claim("s", tmp_path / "new", overwrite=True)
     (tmp_path / "new" / "summary.json").touch()
     assert claim("s", tmp_path / "new", overwrite=True) == tmp_path / "new"

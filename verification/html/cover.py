@@ -4,9 +4,11 @@ import os
 import platform
 from datetime import UTC, datetime
 from importlib import metadata, resources
+from pathlib import Path
 from string import Template
 
 from masonry import __version__
+from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
 from verification.html.page import WORDS, Chapter, badge, escape, paragraph, table, without_dead_links
 from verification.records import processor
@@ -19,6 +21,8 @@ PACKAGES = ("numpy", "scipy", "numba", "gmsh", "matplotlib")
 
 
 TITLE = "Verification report"
+TITLED = 2000
+"""Bytes at the beginning of a page that hold its title."""
 
 
 def html_of(chapters: list[Chapter], seconds: float) -> str:
@@ -28,7 +32,7 @@ def html_of(chapters: list[Chapter], seconds: float) -> str:
 
 def bound(title: str, cover: str, chapters: list[Chapter]) -> str:
     """One HTML file: the title, the cover as HTML, the contents by group, the chapters."""
-    template = Template(resources.files("verification.report").joinpath("template.html").read_text(encoding="utf-8"))
+    template = Template(_template())
     numbered = [(k + 1, c.anchor or f"c{k}", c) for k, c in enumerate(chapters)]
     groups = dict.fromkeys(c.group for c in chapters)
     contents = "".join(
@@ -46,6 +50,20 @@ def bound(title: str, cover: str, chapters: list[Chapter]) -> str:
         for n, anchor, c in numbered
     )
     return without_dead_links(template.substitute(title=escape(title), cover=cover, contents=contents, body=body))
+
+
+def _template() -> str:
+    return resources.files("verification.report").joinpath("template.html").read_text(encoding="utf-8")
+
+
+def require_ours(page: Path) -> None:
+    """Raise SceneError where a file is to be replaced that is no page of ours, by its title."""
+    ours = _template().partition("$title")[2].partition("\n")[0].encode()
+    try:
+        if page.exists() and ours not in page.read_bytes()[:TITLED]:
+            raise SceneError(f"'{page}' is no page of masonry, and would be replaced: move it, or name another folder")
+    except OSError as error:
+        raise SceneError(f"'{page}' cannot be replaced: {error.strerror or error}; name another folder") from None
 
 
 def cover(chapters: list[Chapter], seconds: float) -> str:

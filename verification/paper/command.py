@@ -13,6 +13,7 @@ from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.folder import RESULTS, writing
 from masonry.runtime.shell import Parser, tell
 from masonry.runtime.tables import columns
+from verification.html.cover import require_ours
 from verification.paper import catalogue, gathering, page
 from verification.paper.experiment import Shown
 
@@ -42,6 +43,7 @@ def main(arguments: list[str] | None = None) -> int:
         return 0
     if words.workers < 1:
         raise SceneError(f"--workers {words.workers}: 1 or more")
+    require_ours(words.out / NAME)
     begun = time.perf_counter()
     try:
         with writing(words.out):

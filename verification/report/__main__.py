@@ -16,6 +16,7 @@ from verification.report import cases
 Tell = Callable[[str], None]
 OUT = Path("results")
 CASES, PAPER = "cases", "paper"
+PAGE = "report.html"
 
 
 def found() -> dict[str, Callable[[Tell], Chapter]]:
@@ -24,7 +25,7 @@ def found() -> dict[str, Callable[[Tell], Chapter]]:
     return {m.__name__.rpartition(".")[2]: m.chapter for m in chosen}
 
 
-def write(chapters: list[Chapter], seconds: float, out: Path, name: str = "report.html") -> tuple[Path, Path]:
+def write(chapters: list[Chapter], seconds: float, out: Path, name: str = PAGE) -> tuple[Path, Path]:
     """The page, and the records beside those of other versions. Returns both paths."""
     numbers = records.save([records.origin() | {"chapter": c.title} | r for c in chapters for r in c.records], out)
     with WholeFiles(out) as files:
@@ -45,6 +46,7 @@ def main(arguments: list[str] | None = None) -> int:
     def tell(text: str) -> None:
         print(f"{time.perf_counter() - begun:5.0f} s  {text}", flush=True)
 
+    cover.require_ours(words.out / PAGE)
     records.require_writable(words.out)
     chapters = []
     if not words.only or CASES in words.only:
