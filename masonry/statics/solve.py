@@ -54,7 +54,7 @@ def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY,
     sides = _sides(axis, contacts, method)
     flat, owner = (contacts, np.arange(contacts.count)) if axis is None else flattened(contacts, axis)
     best, sizes = None, alike(bodies, flat)
-    for _ in range(TRIES):
+    for tries in range(TRIES):
         forces = equilibrium(bodies, flat, sizes, axis)
         bounds = (between[0] / forces.factor, between[1] / forces.factor)
         if sides:
@@ -66,7 +66,7 @@ def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY,
         if found.status == "solved" and max(found.unbalance, found.gap) <= CLOSED:
             break
         sizes = of_each(bodies, contacts, found.factor, found.normal, found.shear)
-        if not _unlike(bodies, sizes):
+        if not _unlike(bodies, sizes) or (tries and found.status != "solved"):
             break
     assert best is not None
     if best.status == "no end":

@@ -90,9 +90,10 @@ def test_safety_at_a_tilt_with_a_steady_load():
 
 
 def test_a_tilt_about_one_axis_of_a_weight_that_leans_along_it():
-    """What of gravity is along the axis stays: it tips as without it, the tangent being b over h."""
-    scene = load(block(TILT).replace("[gravity]", '[gravity]\ny = "-2 m/s^2"'))
-    assert masonry.limit(scene).factor == pytest.approx(0.5, rel=1e-6)
+    """What of gravity is along the axis stays: a flat block slides askew, at sin(t)^2 + 0.6^2 = (mu cos(t))^2."""
+    scene = load(block(TILT, size='["2 m", "0.3 m", "0.2 m"]').replace("[gravity]", '[gravity]\ny = "-6 m/s^2"'))
+    by_hand = angle(lambda t: np.sin(t) ** 2 + 0.6**2 - (0.7 * np.cos(t)) ** 2)
+    assert masonry.limit(scene).factor == pytest.approx(by_hand, rel=1e-6)
 
 
 @pytest.mark.parametrize("about", ["x", "y", "z"])
