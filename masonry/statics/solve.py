@@ -22,7 +22,7 @@ MUCH = 2000
 """Contact points beyond which plane problems are solved as cones as well."""
 STANDS = 1.0 - 1e-6
 """Share of the dead loads that must be balanced for a specimen to stand."""
-CLOSED, TRIES, UNLIKE = 1e-6, 4, 100.0
+CLOSED, TRIES, UNLIKE = 1e-6, 4, 2.0
 """What may be left on a block over its own loads, and the gap, beyond which all is solved again; how often in all; how
 many times as large the units of one block must be as those of another one for that to be of use."""
 
