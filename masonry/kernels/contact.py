@@ -6,7 +6,7 @@ from numba import prange
 
 from masonry.jit.compiler import inner, jit, jit_parallel
 from masonry.jit.extending import register_jitable
-from masonry.laws.cone import slip_of
+from masonry.laws.cone import acted, slip_of
 from masonry.laws.dispatch import contacts_at_once
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import ContactHistory
@@ -53,7 +53,8 @@ def _sweep(
         sigma, unchanged = elastic_trial(parameters_c, joint_c, history, opening, tau_squared)
         if any_lane(unless(own, unchanged)):
             total = sqrt(sx * sx + sy * sy + sz * sz)
-            update = return_mapping(parameters_c, joint_c, history, opening, total, sqrt(tau_squared))
+            before = acted(dilation, c, like, force, (nx, ny, nz), area)
+            update = return_mapping(parameters_c, joint_c, history, opening, total, sqrt(tau_squared), before)
             put_where(own, opening_max, c, update.history.opening_max)
             put_where(own, intact_n, c, update.history.intact_n)
             put_where(own, intact_s, c, update.history.intact_s)
@@ -65,7 +66,7 @@ def _sweep(
             put_where(own, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
             put_where(own, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
             sigma, fraction = update.sigma, update.fraction
-            left = slip_of(update.floats, (1.0 - fraction) * flexibility)
+            left = slip_of(update, (1.0 - fraction) * flexibility)
             put_where(own, slip, (c, 0), px + left * tx)
             put_where(own, slip, (c, 1), py + left * ty)
             put_where(own, slip, (c, 2), pz + left * tz)

@@ -1,4 +1,4 @@
-"""What a contact bears by its history, and how faces that slide rise: the Coulomb line, and dilation, eqs (8) to (10).
+"""What a contact bears by its history, eq. (8), and how faces that slide rise, eqs (9) and (10), pressed or open.
 
 A face is rough: it stands on slopes of tan(psi), so whatever slides rises, and what slid while it stood open is met
 that much earlier on its way back. With tan(psi) = tan(phi) the flow is associated, and a surface without friction on
@@ -9,8 +9,9 @@ from where it lost touch, not its path in between.
 from numba import types
 
 from masonry.jit.extending import overload, register_jitable
-from masonry.laws.state import ContactHistory
-from masonry.simd import any_lane, filled, maximum, minimum, unless, where
+from masonry.laws.state import ContactHistory, RisingUpdate, StressUpdate
+from masonry.simd import any_lane, eight_rows, filled, maximum, minimum, take, unless, where
+from masonry.simd.arithmetic import Lanes
 
 
 @register_jitable
@@ -162,12 +163,84 @@ def _caught(joint, history, e, tau, left):
     return met, where(meets, e - gap, e), tau, unless(loose, meets)
 
 
-@register_jitable
-def slip_of(floats, slipped):
-    """Plastic slip (m) that goes with a fraction of the elastic shear stress that is lost: none of what floats."""
+def answer(floats, sigma, fraction, history, mode_1, mode_2, friction):
+    """A StressUpdate, or a RisingUpdate of contacts that dilate."""
     if floats is None:
-        return slipped
-    return where(floats, 0.0, slipped)
+        return StressUpdate(sigma, fraction, history, mode_1, mode_2, friction)
+    return RisingUpdate(sigma, fraction, history, mode_1, mode_2, friction, floats)
+
+
+@overload(answer)
+def _answer(floats, sigma, fraction, history, mode_1, mode_2, friction):
+    if isinstance(floats, types.NoneType):
+        return lambda floats, sigma, fraction, history, mode_1, mode_2, friction: StressUpdate(
+            sigma, fraction, history, mode_1, mode_2, friction
+        )
+    return lambda floats, sigma, fraction, history, mode_1, mode_2, friction: RisingUpdate(
+        sigma, fraction, history, mode_1, mode_2, friction, floats
+    )
+
+
+def slip_of(update, slipped):
+    """Plastic slip (m) that goes with a fraction of the elastic shear stress that is lost: none of what floats."""
+    return where(update.floats, 0.0, slipped) if isinstance(update, RisingUpdate) else slipped
+
+
+@overload(slip_of)
+def _slip_of(update, slipped):
+    if update.instance_class is RisingUpdate:
+        return lambda update, slipped: where(update.floats, 0.0, slipped)
+    return lambda update, slipped: slipped
+
+
+def acted(dilation, c, like, force, n, area):
+    """Normal stress (Pa) by the forces (C, 3) that act, at c and the contacts after it; None where none dilates."""
+    raise NotImplementedError("only compiled code asks")
+
+
+@overload(acted)
+def _acted(dilation, c, like, force, n, area):
+    if isinstance(dilation, types.NoneType):
+        return lambda dilation, c, like, force, n, area: None
+    rows = eight_rows if isinstance(like, Lanes) else register_jitable(lambda c: c)
+
+    def along(dilation, c, like, force, n, area):
+        here = rows(c)
+        return (force[here, 0] * n[0] + force[here, 1] * n[1] + force[here, 2] * n[2]) / take(area, c, like)
+
+    return along
+
+
+def spent(before, joint, history, whole_tau, met, slipped, rise, first, last):
+    """Energies (J/m2) of mode II and of friction that a slip takes, by the mean of its first and its last stresses.
+
+    whole_tau  Pa, elastic shear stress of the step; `met` of it is slip in the air, before faces met
+    first      Pa, strength, residual strength and normal stress at which it begins, last: those that it leaves
+
+    Where faces that dilate slid already, they began under the normal stress `before`: as they go on at one pressure,
+    each step lifts them by as much as they rise, and they may even part in between.
+    """
+    (started, residual, sigma), (yielded, remains, lifted) = first, last
+    mode_2 = slipped * 0.5 * (started - residual + yielded - remains)
+    return mode_2, slipped * 0.5 * (residual + remains) + 0.5 * (sigma + lifted) * rise
+
+
+@overload(spent)
+def _spent(before, joint, history, whole_tau, met, slipped, rise, first, last):
+    return spent if isinstance(before, types.NoneType) else _spent_rising
+
+
+@register_jitable
+def _spent_rising(before, joint, history, whole_tau, met, slipped, rise, first, last):
+    (started, residual, sigma), (yielded, remains, lifted) = first, last
+    peak, least = coulomb(joint, history, before / joint.normal_stiffness, before)
+    bore = left_of(joint, history, history.intact_s, peak, least)
+    slid = (before < 0.0) & (bore <= whole_tau)
+    started, residual, sigma = where(slid, bore, started), where(slid, least, residual), where(slid, before, sigma)
+    free = where(slid & (slipped > 0.0), met / joint.shear_stiffness, 0.0)
+    mode_2 = slipped * 0.5 * (started - residual + yielded - remains)
+    friction = (slipped + free) * 0.5 * (residual + remains)
+    return mode_2, friction + 0.5 * (sigma + lifted) * (rise + joint.tan_dilation * free)
 
 
 @register_jitable

@@ -21,7 +21,7 @@ def elastic_trial(parameters, joint, history, opening, tau_squared):
 
 def return_mapping(parameters, joint, history, opening, total, tau):
     """Never needed; the elastic answer."""
-    return StressUpdate(joint.normal_stiffness * opening, 1.0, history, 0.0, 0.0, 0.0, None)
+    return StressUpdate(joint.normal_stiffness * opening, 1.0, history, 0.0, 0.0, 0.0)
 
 
 def stored_energy(parameters, joint, history, opening, tau_squared):

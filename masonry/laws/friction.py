@@ -56,9 +56,9 @@ def return_mapping(parameters, joint, history, opening, total, tau):
     )
     nothing = filled(0.0, tau)
     if not any_lane(slides):
-        return StressUpdate(sigma, filled(1.0, tau), now, nothing, nothing, nothing, None)
+        return StressUpdate(sigma, filled(1.0, tau), now, nothing, nothing, nothing)
     friction = yielded * (tau - yielded) / joint.shear_stiffness
-    return StressUpdate(sigma, where(slides, yielded / tau, 1.0), now, nothing, nothing, friction, None)
+    return StressUpdate(sigma, where(slides, yielded / tau, 1.0), now, nothing, nothing, friction)
 
 
 def stored_energy(parameters, joint, history, opening, tau_squared):

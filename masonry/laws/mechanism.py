@@ -1,6 +1,6 @@
 """How a contact answers: the softening mechanism, unless the law's own file brings its own functions."""
 
-from masonry.jit.extending import overload
+from masonry.jit.extending import overload, register_jitable
 from masonry.laws import softening
 from masonry.laws.dispatch import beside
 
@@ -14,9 +14,16 @@ def elastic_trial(parameters, joint, history, opening, tau_squared):
     return _of(type(parameters), "elastic_trial")(parameters, joint, history, opening, tau_squared)
 
 
-def return_mapping(parameters, joint, history, opening, total, tau):
-    """StressUpdate of a contact whose history changes; total slip (m), elastic shear stress before any return (Pa)."""
-    return _of(type(parameters), "return_mapping")(parameters, joint, history, opening, total, tau)
+def return_mapping(parameters, joint, history, opening, total, tau, before=None):
+    """StressUpdate of a contact whose history changes; total slip (m), elastic shear stress before any return (Pa).
+
+    before  Pa, the normal stress that acted until now, of contacts that dilate; a law of its own mechanism has no use
+            for it
+    """
+    own = beside(type(parameters), "return_mapping")
+    if own is not None:
+        return own(parameters, joint, history, opening, total, tau)
+    return softening.return_mapping(parameters, joint, history, opening, total, tau, before)
 
 
 def stored_energy(parameters, joint, history, opening, tau_squared):
@@ -30,8 +37,14 @@ def _elastic_trial(parameters, joint, history, opening, tau_squared):
 
 
 @overload(return_mapping, strict=False)
-def _return_mapping(parameters, joint, history, opening, total, tau):
-    return _of(parameters.instance_class, "return_mapping")
+def _return_mapping(parameters, joint, history, opening, total, tau, before=None):
+    own = beside(parameters.instance_class, "return_mapping")
+    if own is None:
+        return softening.return_mapping
+    own = register_jitable(own)
+    return lambda parameters, joint, history, opening, total, tau, before=None: own(
+        parameters, joint, history, opening, total, tau
+    )
 
 
 @overload(stored_energy, strict=False)

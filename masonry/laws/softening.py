@@ -7,9 +7,20 @@ them. Sign: sigma > 0 is tension. History never heals: `intact_n`, `intact_s` on
 from math import inf
 
 from masonry.jit.extending import register_jitable
-from masonry.laws.cone import caught, coulomb, in_springs, left_of, normal_stress, pressed, shared, strength
+from masonry.laws.cone import (
+    answer,
+    caught,
+    coulomb,
+    in_springs,
+    left_of,
+    normal_stress,
+    pressed,
+    shared,
+    spent,
+    strength,
+)
 from masonry.laws.dispatch import shear_intact, tension_area, tension_intact
-from masonry.laws.state import ContactHistory, StressUpdate, grown
+from masonry.laws.state import ContactHistory, grown
 from masonry.simd import any_lane, filled, maximum, minimum, or_zero, where
 
 SECANTS, LEAST_SLOPE, ROUNDS = 4, 1e-3, 2
@@ -26,7 +37,7 @@ def elastic_trial(parameters, joint, history, opening, tau_squared):
     return sigma, within & (e <= history.opening_max)
 
 
-def return_mapping(parameters, joint, history, opening, total, tau):
+def return_mapping(parameters, joint, history, opening, total, tau, before=None):
     """Follow the envelope in tension, then return to the Coulomb line: the stress update after eq. (6) of the paper."""
     e = opening - or_zero(history.dilation, opening)
     torn, mode_1 = tear(parameters, joint, history, e)
@@ -37,7 +48,7 @@ def return_mapping(parameters, joint, history, opening, total, tau):
     slides = tau > left
     if not any_lane(slides):
         fraction = where(tau < whole_tau, tau / whole_tau, 1.0)
-        return StressUpdate(sigma, fraction, torn, mode_1, filled(0.0, e), filled(0.0, e), floats)
+        return answer(floats, sigma, fraction, torn, mode_1, filled(0.0, e), filled(0.0, e))
 
     slip = softening_slip(joint.plastic_softening, parameters, joint, torn, e, sigma, tau, peak, residual)
     whole = where(slides, softened(parameters, joint, torn, slip, peak, residual, sigma), torn.intact_s)
@@ -50,10 +61,12 @@ def return_mapping(parameters, joint, history, opening, total, tau):
     slid = history_with_secant(joint, torn.opening_max, torn.intact_n, whole, lift_now, torn.permanent_opening, run_now)
     lifted = normal_stress(joint, slid, e - rise)
     parted, energy = stay_open(slid.permanent_opening, joint, slid, e - rise, lifted)
-    mode_2 = slipped * 0.5 * (started - residual + yielded - last)
-    friction = slipped * 0.5 * (residual + last) + 0.5 * (normal_stress(joint, slid, e) + lifted) * rise
+    mode_2, friction = spent(
+        before, joint, history, whole_tau, whole_tau - tau, slipped, rise,
+        (started, residual, normal_stress(joint, slid, e)), (yielded, last, lifted),
+    )  # fmt: skip
     sigma, fraction = normal_stress(joint, parted, e - rise), where(yielded < whole_tau, yielded / whole_tau, 1.0)
-    return StressUpdate(sigma, fraction, parted, mode_1 + energy, mode_2, friction, floats)
+    return answer(floats, sigma, fraction, parted, mode_1 + energy, mode_2, friction)
 
 
 def stored_energy(parameters, joint, history, opening, tau_squared):

@@ -58,8 +58,20 @@ class StressUpdate(NamedTuple):
     fraction   of the elastic shear stress that is left after the return to the Coulomb line
     history    its new history
     mode_1, mode_2, friction  J/m2 dissipated now
-    floats     which contacts nothing holds, of those that dilate: what they lose of the stress is no slip. None
-               where no contact dilates
+    """
+
+    sigma: float
+    fraction: float
+    history: ContactHistory
+    mode_1: float
+    mode_2: float
+    friction: float
+
+
+class RisingUpdate(NamedTuple):
+    """A StressUpdate of a contact that dilates.
+
+    floats  whether nothing holds it: what it loses of the stress is no slip
     """
 
     sigma: float

@@ -3,6 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Joints, Specimen
+from geometry.polyhedra.measures import moments
 from masonry.assembly.assemble import joined, require_contact_groups
 from masonry.errors import SceneError
 from masonry.laws.factory import made
@@ -15,6 +16,9 @@ from masonry.statics.problem import Bodies, Contacts, Found
 POINTS = ("corners", "scene")
 DILATES = 0.99
 """Tangent of the dilation angle over that of the friction angle from which they are the same."""
+LASTS = 0.02
+"""Slip, over the size of the smallest block, to which joints must rise: walls with openings move by as much before they
+fall."""
 CORNERS = {
     "contact_points": "vertex",
     "points_per_edge": PerAxis(),
@@ -61,10 +65,18 @@ def strong_groups(scene: Scene, specimen: Specimen, joints: Joints) -> list[str]
 
 
 def rises(scene: Scene, specimen: Specimen, joints: Joints) -> bool:
-    """Whether all that slides in the scene rises by its friction angle, as it does in a limit analysis."""
+    """Whether all that slides in the scene rises by its friction angle, as it does in a limit analysis.
+
+    Some rises end before anything falls: at a cut-off, or once a joint is torn where its opening stays.
+    """
     names, _ = contact_groups(specimen.blocks, joints)
     tables = [made(name, scene.contact_of(name).properties(scene.turns_back))[1] for name in names]
-    return all((joint.tan_dilation or 0.0) >= DILATES * (joint.tan_friction or 0.0) for joint in tables)
+    far = LASTS * float(np.min(moments(specimen.blocks)[0])) ** (1.0 / 3.0)
+    for joint in tables:
+        ends = joint.tan_dilation is not None and (joint.dilation_cutoff < far or joint.elastic_unloading is not None)
+        if ends or (joint.tan_dilation or 0.0) < DILATES * (joint.tan_friction or 0.0):
+            return False
+    return True
 
 
 def sliding_fraction(bodies: Bodies, contacts: Contacts, found: Found) -> float:

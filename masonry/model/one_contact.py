@@ -50,7 +50,7 @@ def _follow(parameters: Any, joint: JointProperties, opening: np.ndarray, slip: 
             history, sigma = update.history, update.sigma
             fracture += update.mode_1 + update.mode_2
             friction += update.friction
-            plastic += slip_of(update.floats, (1.0 - update.fraction) * tau / ks)
+            plastic += slip_of(update, (1.0 - update.fraction) * tau / ks)
             tau *= update.fraction
         rows[k] = sigma, tau, fracture, friction, stored_energy(parameters, joint, history, e, tau * tau)
     return Path(opening, slip, *rows.T)
