@@ -1,6 +1,5 @@
 """Joints that bend: where the rows of their contact points decide the answer, a run says so, and by how much."""
 
-import re
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +13,9 @@ from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
 from masonry.laws.state import JointProperties
 from masonry.scene import load
-from tests import scenes
+from verification import scene_runs
+from verification.studies import points_of_joints_that_bend as study
+from verification.studies.mortared_walls import Wall, proposed, said, walls
 
 TORN = Path(verification.__file__).parent / "scenes" / "joint-torn-from-one-side.toml"
 BENT = {
@@ -23,82 +24,6 @@ BENT = {
     "drive.displacement": "60 um",
     "specimen.box.1.size": ["0.3 m", "0.05 m", "0.05 m"],
 }
-MORTAR = """
-[contact.{group}]
-normal_stiffness = "80 GPa/m"
-shear_stiffness = "35 GPa/m"
-tensile_strength = "0.15 MPa"
-cohesion = "0.22 MPa"
-tan_friction_angle = 0.7
-tan_residual_friction_angle = 0.6
-fracture_energy_mode_1 = "{energy} N/m"
-fracture_energy_mode_2 = "50 N/m"
-"""
-BLOCK = """
-law = "exponential"
-[specimen]
-kind = "boxes"
-section = "0.02 m^2"
-box = [
-  {name = "ground", origin = ["-0.1 m", "0 m", "-0.1 m"], size = ["0.4 m", "0.1 m", "0.1 m"], unit = 0},
-  {name = "block", origin = ["0 m", "0 m", "0 m"], size = ["0.2 m", "0.1 m", "0.5 m"], unit = 1},
-]
-[material.units]
-density = "2000 kg/m^3"
-[[support]]
-on = "ground"
-fix = "all"
-[[support]]
-on = "block"
-fix = ["y", "rotation x", "rotation z"]
-[[traction]]
-on = "block.z+"
-stress = {z = "-1 kPa"}
-[drive]
-on = "block"
-direction = "x"
-displacement = "0.5 mm"
-accuracy = "2 %"
-"""
-WALL = """
-law = "exponential"
-[specimen]
-kind = "wall"
-thickness = "0.25 m"
-unit_length = "0.5 m"
-unit_height = "0.25 m"
-base = "0.2 m"
-beam = "0.2 m"
-{shape}
-[material]
-units = {{density = "2000 kg/m^3"}}
-lintels = {{density = "2000 kg/m^3"}}
-plates = {{density = "2000 kg/m^3"}}
-[[support]]
-on = "base"
-fix = "all"
-[[support]]
-on = "beam"
-fix = ["y", "rotation"]
-[[traction]]
-on = "beam.z+"
-stress = {{z = "-{pressure} MPa"}}
-[drive]
-on = "beam"
-direction = "x"
-displacement = "1.5 mm"
-accuracy = "2 %"
-"""
-DOOR = """length = "2 m"
-height = "1.5 m"
-opening = [{name = "door", left = "0.5 m", width = "1 m", height = "0.75 m"}]"""
-FACADE = """length = "3 m"
-height = "1.75 m"
-opening = [
-  {name = "window", left = "0.5 m", sill = "0.5 m", width = "0.5 m", height = "0.75 m"},
-  {name = "door", left = "2 m", width = "0.5 m", height = "1.25 m"},
-]"""
-GROUPS = "unit_unit", "lintels_units", "plate"
 EDGE, AREA = 0.2, 0.02
 CORNERS = np.array([[0.0, 0.0, 0.0], [EDGE, 0.0, 0.0], [EDGE, AREA / EDGE, 0.0], [0.0, AREA / EDGE, 0.0]])
 JOINT = JointProperties(80e9, 35e9, tensile_strength=0.2e6, cohesion=0.3e6, tan_friction=0.7)
@@ -110,33 +35,10 @@ def torn(rows: int):
     return laboratory.run(load(TORN, {**BENT, "specimen.points_per_edge": {"x": rows, "y": 1}}))
 
 
-def block(energy: float, rule: str, rows: int, **over: object):
-    """A block that is pushed at its middle, so that its bed bends open."""
-    points = {"specimen__contact_points": rule, "specimen__points_per_edge": {"x": rows, "y": 2}}
-    return laboratory.run(scenes.load(BLOCK + MORTAR.format(group="unit_unit", energy=energy), **points, **over))
-
-
-def wall(shape: str, pressure: float, rule: str, rows: int):
-    """A mortared wall with openings below a beam that stays level."""
-    text = WALL.format(shape=shape, pressure=pressure) + "".join(MORTAR.format(group=g, energy=10) for g in GROUPS)
-    points = {"x": rows, "y": 2, "z": rows}
-    return laboratory.run(scenes.load(text, specimen__contact_points=rule, specimen__points_per_edge=points))
-
-
-def said(result) -> float:
-    """The factor by which the peak is off, by the sentence of trust; 1 where it says nothing of that."""
-    words = re.search(r"the peak may be about (\S+) (times|% too (high|low))", trust(result.summary))
-    if words is None:
-        return 1.0
-    number = float(words[1])
-    return number if words[2] == "times" else 1.0 + number / (100.0 if words[3] == "high" else -100.0)
-
-
-def proposed(result) -> int:
-    """The number of points that the sentence proposes."""
-    words = re.search(r"take specimen.points_per_edge = (\d+)", trust(result.summary))
-    assert words is not None
-    return int(words[1])
+def peak_and_word(wall: Wall, rule: str, rows: int) -> tuple[float, float, int]:
+    """N, the factor by which the run says that this is off, and the points along edges that it proposes."""
+    summary = laboratory.run(scene_runs.load(wall.scene, wall.with_points(rule, rows))).summary
+    return summary["peak_force_n"], said(summary), proposed(summary)
 
 
 def bears(arms: list[float], law, force: float = 0.0, moment: float = 0.0, farthest: float = 1.0) -> float:
@@ -178,48 +80,68 @@ def test_a_section_that_is_pulled_bears_as_much_as_the_line_of_action_allows():
 
 
 def test_few_rows_of_points_change_the_answer_and_a_run_with_them_says_by_how_much():
-    few, more, many = torn(2), torn(6), torn(12)
-    peak = many.summary["peak_stress_pa"]
-    assert (
-        abs(few.summary["peak_stress_pa"] / peak - 1.0) > 0.1 > 0.05 > abs(more.summary["peak_stress_pa"] / peak - 1.0)
-    )
-    assert said(few) == pytest.approx(few.summary["peak_stress_pa"] / peak, rel=0.03)
-    assert said(more) == pytest.approx(more.summary["peak_stress_pa"] / peak, rel=0.03)
+    few, more, many = (torn(rows).summary for rows in (2, 6, 12))
+    peak = many["peak_stress_pa"]
+    assert abs(few["peak_stress_pa"] / peak - 1.0) > 0.1 > 0.05 > abs(more["peak_stress_pa"] / peak - 1.0)
+    assert said(few) == pytest.approx(few["peak_stress_pa"] / peak, rel=0.03)
+    assert said(more) == pytest.approx(more["peak_stress_pa"] / peak, rel=0.03)
     assert said(many) == 1.0
 
 
-@pytest.mark.parametrize("energy", [1, 50])
-def test_the_moment_of_a_bed_is_off_as_the_run_says_brittle_or_tough_inside_or_at_the_edge(energy):
-    peak = block(energy, "gauss", 16).summary["peak_force_n"]
+@pytest.mark.parametrize("mortar", ["brittle", "tough"])
+def test_the_moment_of_a_bed_is_off_as_the_run_says_with_points_inside_or_at_the_edge(mortar):
+    bed = walls()[f"block, {mortar} mortar"]
+    right = peak_and_word(bed, "gauss", 16)[0]
     for rule, rows in (("gauss", 2), ("vertex", 2), ("vertex", 4), ("vertex", 6)):
-        result = block(energy, rule, rows)
-        off = result.summary["peak_force_n"] / peak
-        assert said(result) == pytest.approx(off, rel=0.05), (rule, rows)
-        enough = block(energy, rule, proposed(result))
-        assert said(enough) == 1.0 and enough.summary["peak_force_n"] == pytest.approx(peak, rel=0.03)
+        peak, word, enough = peak_and_word(bed, rule, rows)
+        assert word == pytest.approx(peak / right, rel=0.05), (rule, rows)
+        peak, word, _ = peak_and_word(bed, rule, enough)
+        assert word == 1.0 and peak == pytest.approx(right, rel=0.03), (rule, enough)
 
 
 def test_a_wall_in_which_joints_bend_and_slide_says_to_which_side_its_peak_is_off():
-    peak = wall(DOOR, 0.1, "gauss", 10).summary["peak_force_n"]
+    wall = walls()["wall with a door"]
+    right = peak_and_word(wall, "gauss", 10)[0]
     for rule, rows in (("gauss", 2), ("vertex", 2), ("vertex", 4)):
-        result = wall(DOOR, 0.1, rule, rows)
-        off = result.summary["peak_force_n"] / peak
-        assert abs(off - 1.0) > 0.05 and (said(result) - 1.0) * (off - 1.0) > 0.0, (rule, rows)
-        assert said(result) == pytest.approx(off, rel=0.15), (rule, rows)
-    enough = wall(DOOR, 0.1, "gauss", 8)
-    assert said(enough) == 1.0 and enough.summary["peak_force_n"] == pytest.approx(peak, rel=0.02)
+        peak, word, _ = peak_and_word(wall, rule, rows)
+        assert abs(peak / right - 1.0) > 0.05 and (word - 1.0) * (peak - right) > 0.0, (rule, rows)
+        assert word == pytest.approx(peak / right, rel=0.15), (rule, rows)
+    peak, word, _ = peak_and_word(wall, "gauss", 8)
+    assert word == 1.0 and peak == pytest.approx(right, rel=0.02)
 
 
 def test_a_facade_with_two_points_at_the_edges_of_its_joints_is_too_strong_and_says_so():
-    few, enough = wall(FACADE, 0.3, "vertex", 2), wall(FACADE, 0.3, "gauss", 6)
-    assert few.summary["peak_force_n"] > 1.05 * enough.summary["peak_force_n"]
-    assert said(few) > 1.05 and said(enough) == 1.0
+    facade = walls()["facade, 0.3 MPa"]
+    (few, doubt, _), (right, silent, _) = (peak_and_word(facade, *points) for points in (("vertex", 2), ("gauss", 6)))
+    assert few > 1.05 * right and doubt > 1.05 and silent == 1.0
+
+
+def test_a_load_that_grows_until_a_bed_gives_way_is_told_to_be_too_large():
+    bed = walls()["block, brittle mortar"]
+    grows = {"drive": None, "limit": {"pattern": "force", "on": "block", "force": {"x": "1 kN"}, "accuracy": "2 %"}}
+    few, right = (
+        laboratory.run(scene_runs.load(bed.scene, bed.with_points("vertex", rows) | grows)).summary for rows in (2, 12)
+    )
+    off = few["collapse_load"]["borne"] / right["collapse_load"]["borne"]
+    assert "the load that is borne may be about" in trust(few) and said(few) == pytest.approx(off, rel=0.1)
+    assert said(right) == 1.0
+
+
+def test_joints_whose_strengths_scatter_are_held_against_their_own():
+    strip, scatter = walls()["cantilever out of plane"], {"tensile_strength": 0.4, "cohesion": 0.4}
+    drawn = {"scatter": {"seed": 2, "unit_unit": scatter}}
+    few, right = (
+        laboratory.run(scene_runs.load(strip.scene, strip.with_points(*points) | drawn)).summary
+        for points in (("vertex", 2), ("gauss", 12))
+    )
+    assert said(few) == pytest.approx(few["peak_force_n"] / right["peak_force_n"], rel=0.05) and said(right) == 1.0
 
 
 @pytest.mark.parametrize("rule", ["gauss", "vertex"])
 def test_a_joint_that_only_slid_has_points_enough_whatever_their_number(rule):
-    slid = block(10, rule, 2, support__1__fix=["y", "rotation"])
-    assert slid.summary["damaged_area_m2"]["unit_unit"] > 0.0 and said(slid) == 1.0
+    slides = Wall("block-bent-at-its-bed", {"support.1.fix": ["y", "rotation"]})
+    summary = laboratory.run(scene_runs.load(slides.scene, slides.with_points(rule, 2))).summary
+    assert summary["damaged_area_m2"]["unit_unit"] > 0.0 and said(summary) == 1.0
 
 
 @pytest.mark.parametrize("scene", ["couplet", "wallette-mode-1"])
@@ -233,3 +155,10 @@ def test_a_joint_that_is_pulled_open_evenly_and_shut_again_has_not_bent():
     summary = laboratory.run(load("couplet", {**pulled, "confinement": "0 MPa", "drive.accuracy": "5 %"})).summary
     assert summary["broken_area_m2"]["unit_unit"] > 0.0 > summary["lowest_stress_pa"]
     assert "rows of contact points" not in trust(summary)
+
+
+def test_the_report_sets_the_error_of_each_number_of_points_beside_what_the_run_says_of_it():
+    chapter = study.chapter(lambda _: None, {"block, brittle mortar": walls()["block, brittle mortar"]})
+    (verdict,) = chapter.verdicts
+    assert verdict.kind == "ok" and "6 runs of 1 mortared walls" in verdict.sentence
+    assert "said +1.3e+02 %" in "".join(chapter.parts) and "silent" in "".join(chapter.parts)

@@ -4,7 +4,7 @@ Each joint is held against one of many points (`joint_sections.py`) under the no
 virtual work, the strength is off by the sum over the joints of the error of their moment times their share of the work.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,15 +13,16 @@ from geometry.joints.contact_points import contact_points
 from geometry.joints.point_density import Density
 from masonry.assembly.assemble import Assembly
 from masonry.history import FACTOR
-from masonry.laboratory.remarks.joint_faces import Faces, Look, faces_of, look_at
+from masonry.laboratory.remarks.joint_faces import Faces, Look, faces_of, is_glued, look_at
 from masonry.laboratory.remarks.joint_sections import Envelope, envelope, of_points, spread, strength
 from masonry.loading.cycles import before_a_collapse
 from masonry.timeloop.recording import Outcome
 
 LEAST, WITHOUT = 0.015, 0.02
 """Error of the strength below which nothing is said, whatever accuracy is asked for; that from which on, if none is."""
-MOST, LITTLE = 60, 1e-4
-"""Joints that are looked at, those with the largest shares of the work; share below which none is."""
+MOST, LITTLE, FIRST = 50, 1e-4, 10
+"""Joints that are looked at, those with the largest shares of the work; share below which none is; those of them for
+which other numbers of points are tried."""
 FURTHER = 10.0
 """Times the opening at which a joint tears, up to which one that is whole could open were there more points."""
 ROWS = (3, 4, 5, 6, 8, 10, 12, 16, 20, 30)
@@ -77,13 +78,14 @@ def bent_remarks(assembly: Assembly, outcome: Outcome) -> list[str]:
 def _that_bend(assembly: Assembly, outcome: Outcome) -> list[Bent]:
     """The joints that may matter: those that tore at any time, and those whose moment only few points can bear."""
     frames, model = outcome.history.frames, assembly.model
-    if not frames or not any(np.any(joint.tensile_strength or 0.0) for joint in model.groups.properties):
+    if not frames or not any(map(is_glued, model.groups.properties)):
         return []
     faces = faces_of(assembly)
     looks, peak = [look_at(assembly, faces, frame) for frame in frames], _at_peak(assembly, outcome)
+    behind = min(peak + 1, len(looks) - 1) if assembly.scene.drive is not None else -1
     now, torn = looks[peak], faces.glued & np.any([look.torn for look in looks], axis=0)
     turn = np.max([np.linalg.norm(look.turn, axis=1) for look in looks], axis=0)
-    shares = _shares(torn, now, looks[min(peak + 1, len(looks) - 1)])
+    shares = _shares(torn, now, looks[behind])
     if not (np.isfinite(shares).all() and np.isfinite(turn).all()):
         return []
     bent: list[Bent] = []
@@ -96,7 +98,7 @@ def _that_bend(assembly: Assembly, outcome: Outcome) -> list[Bent]:
 
 
 def _shares(torn: np.ndarray, now: Look, later: Look) -> np.ndarray:
-    """(J, 2) of the work: of all at the peak, and of what is not elastic just behind it, in joints that tore.
+    """(J, 2) of the work: of all at the peak, and of what is not elastic behind it, in joints that tore.
 
     Joints that are whole do nothing of the second; in a specimen of one joint the first is diluted by its elasticity.
     """
@@ -115,18 +117,24 @@ def _bent(
     group, normal, middle = faces.group[face], faces.normal[face], faces.middle[face]
     along = now.turn[face] / length
     many = spread(_corners(assembly.joints, faces.patch[face]), along, np.cross(normal, along), middle)
-    joint = assembly.model.groups.properties[group]
-    limit = float(np.mean(joint.tensile_strength))
+    contacts, groups = faces.contacts(face), assembly.model.groups
+    parameters, joint = (_of(own[group], contacts[0] - groups.bounds[group]) for own in groups[:2])
+    limit = float(joint.tensile_strength)
     force, moment = float(now.force[face]), abs(float(now.moment[face] @ along))
     if not torn and moment < faces.area[face] * many.depth / 6.0 * (limit - force / faces.area[face]):
         return None
     if not torn:
         turn = max(turn, FURTHER * limit / (faces.stiffness[face] * many.depth))
-    law = envelope(assembly.model.groups.parameters[group], joint, 2.0 * turn * many.depth)
+    law = envelope(parameters, joint, 2.0 * turn * many.depth)
     bears = strength(many, law, force, moment, turn)
     if bears <= 0.0 or (not torn and moment <= bears):
         return None
-    return Bent(faces.contacts(face), torn, force, moment, shares, law, turn, along, middle, bears)
+    return Bent(contacts, torn, force, moment, shares, law, turn, along, middle, bears)
+
+
+def _of(fields: Any, contact: int) -> Any:
+    """The same NamedTuple with numbers of one contact of its group, where they scatter."""
+    return type(fields)(*(value if np.ndim(value) == 0 else value[contact] for value in fields))
 
 
 def _carried(one: Bent, borne: float) -> float:
@@ -156,13 +164,14 @@ def _advice(assembly: Assembly, bent: list[Bent], own: list[np.ndarray], asked: 
     joints = assembly.joints
     if any((joints.node_a[c] >= 0).any() or (joints.node_b[c] >= 0).any() for c in own):
         return "take a smaller specimen.mesh_size, as their contact points are the nodes of the mesh"
-    polygons = [_corners(joints, joints.patch[c[0]]) for c in own]
-    enough = ROWS[-1]
+    first, enough = bent[:FIRST], ROWS[-1]
+    asked *= sum(one.shares.max() for one in first) / sum(one.shares.max() for one in bent)
+    polygons = [_corners(joints, joints.patch[c[0]]) for c in own[:FIRST]]
     for rows in reversed(ROWS):
         density = Density(assembly.scene.contact_points, rows)
         points = [contact_points(corners[None], np.array([len(corners)]), density)[1:] for corners in polygons]
-        borne = np.array([one.by(*these) for one, these in zip(bent, points, strict=True)])
-        if abs(_off(bent, borne) - 1.0) > asked:
+        borne = np.array([one.by(*these) for one, these in zip(first, points, strict=True)])
+        if abs(_off(first, borne) - 1.0) > asked:
             break
         enough = rows
     return f"take specimen.points_per_edge = {enough}{' or more' * (enough == ROWS[-1])}"
@@ -186,6 +195,9 @@ def _at_peak(assembly: Assembly, outcome: Outcome) -> int:
     rows = before_a_collapse(outcome.history.rows, None if fallen is None else fallen[1])
     if assembly.scene.drive is not None and "peak" in outcome.standing:
         step = outcome.standing["peak"].step
+    elif FACTOR in rows:
+        borne = rows[FACTOR] <= outcome.control["factor"]
+        step = int(rows["step"][np.argmax(np.where(borne, rows[FACTOR], -np.inf))])
     else:
-        step = int(rows["step"][np.argmax(rows[FACTOR]) if FACTOR in rows else -1])
+        step = int(rows["step"][-1])
     return max(int(np.searchsorted(steps, step, side="right")) - 1, 0)

@@ -6,6 +6,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.history import Frame
+from masonry.laws.state import JointProperties
 from masonry.results.dry_joints import LEAST_DAMAGE
 
 FLAT = 1e-9
@@ -78,10 +79,15 @@ def faces_of(assembly: Assembly) -> Faces:
     second = np.add.reduceat(np.einsum("c,ca,cb->cab", joints.area, arm, arm)[order], start[:-1])
     group, properties = model.group[order[start[:-1]]], model.groups.properties
     stiffness = np.array([np.mean(joint.normal_stiffness) for joint in properties])[group]
-    glued = np.array([bool(np.any(joint.tensile_strength or 0.0)) for joint in properties])[group]
+    glued = np.array([is_glued(joint) for joint in properties])[group]
     inverse = np.linalg.pinv(second, rcond=FLAT, hermitian=True)
     normal = joints.normal[order[start[:-1]]]
     return Faces(patch, of, order, start, area, middle, normal, group, stiffness, glued, arm, inverse)
+
+
+def is_glued(joint: JointProperties) -> bool:
+    """Whether contacts of a group have a tensile strength, be it one that scatters."""
+    return joint.tensile_strength is not None and bool(np.any(np.asarray(joint.tensile_strength) > 0.0))
 
 
 def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:
