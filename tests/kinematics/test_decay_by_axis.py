@@ -40,16 +40,27 @@ def test_a_turn_that_is_expected_meets_no_damping(axis):
     assert body.work[0, 1] == pytest.approx(0.0, abs=1e-15)
 
 
+@pytest.mark.parametrize("rate", [5.0, -5.0])
 @pytest.mark.parametrize("axis", [0, 1, 2])
-def test_local_damping_leaves_of_a_moment_what_its_share_says(axis):
+def test_local_damping_leaves_of_a_moment_what_its_share_says(axis, rate):
     """Along the turn it takes the share, against it, as the turn slows, it adds it."""
     moment, share = 0.02, 0.3
     for sign in (1.0, -1.0):
         load = in_rows(np.array([[0.0, 0.0, 0.0, *(sign * moment * START[:, axis])]]))
-        body = turning_brick(axis, 5.0, load=load)
+        body = turning_brick(axis, rate, load=load)
         bricks.fly(body, DT, STEPS, share)
-        gained = STEPS * DT * moment * (sign - share) / bricks.INERTIA[axis]
-        assert body.v[0, 3:] == pytest.approx((5.0 + gained) * START[:, axis], rel=1e-9, abs=1e-10)
+        gained = STEPS * DT * moment * (sign - share * np.sign(rate)) / bricks.INERTIA[axis]
+        assert body.v[0, 3:] == pytest.approx((rate + gained) * START[:, axis], rel=1e-9, abs=1e-10)
+
+
+@pytest.mark.parametrize("rate", [5.0, -5.0])
+@pytest.mark.parametrize("dof", [0, 1, 2])
+def test_local_damping_leaves_of_a_force_what_its_share_says(dof, rate):
+    push = in_rows(np.array([2.0 * np.eye(6)[dof]]))
+    body = bricks.brick(DT, load=push)
+    body.v[0, dof] = rate
+    bricks.fly(body, DT, STEPS, 0.3)
+    assert body.v[0, dof] == pytest.approx(rate + STEPS * DT * 2.0 * (1.0 - 0.3 * np.sign(rate)) / bricks.MASS)
 
 
 @pytest.mark.parametrize("dof", [0, 1, 2])
