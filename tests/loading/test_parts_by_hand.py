@@ -85,10 +85,12 @@ def test_increments_take_longer_in_proportion_to_what_damping_took_beyond_twice_
     pace = Pace(0.01, GROWING)
     pace.learn(10.0, 0.3)  # 3 % where 2 % is aimed at
     assert pace.slower == pytest.approx(1.5)
-    pace.learn(-20.0, 3.0)  # of a mean work of 15 J: ten times, and twice at most
-    assert pace.slower == pytest.approx(3.0)
+    pace.learn(-20.0, 0.375)  # of a mean work of 15 J: a quarter more
+    assert pace.slower == pytest.approx(1.5 * 1.25)
+    pace.learn(15.0, 30.0)  # twice at most
+    assert pace.slower == pytest.approx(1.5 * 1.25 * 2.0)
     pace.learn(15.0, 0.0)
-    assert pace.slower == pytest.approx(3.0 * 0.7)
+    assert pace.slower == pytest.approx(1.5 * 1.25 * 2.0 * 0.7)
     for _ in range(20):
         pace.learn(15.0, 0.0)
     assert pace.slower == 1.0
