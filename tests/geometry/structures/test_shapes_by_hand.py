@@ -72,17 +72,35 @@ def test_joints_of_a_flat_arch_lean_from_the_upright_by_shares_of_the_skew_that_
     assert middle[0] == pytest.approx(1.6)
 
 
-def test_returns_of_unlike_sides_stand_where_the_facade_ends():
-    """On the right alone: flush with its end; and its units cover the corner by turns with those of the facade."""
-    built = wall(2.2, 0.8, 0.2, 0.4, 0.1, returns="right", return_length=1.0, return_thickness=0.2)
+@pytest.mark.parametrize("length", [2.2, 2.0])
+def test_returns_of_unlike_sides_stand_where_the_facade_ends(length):
+    """On the right alone, of a facade of an even and of an odd number of halves beside it: flush with its end, and its
+    units cover the corner by turns with those of the facade, which reach beyond it then."""
+    built = wall(length, 0.8, 0.2, 0.4, 0.1, returns="right", return_length=1.0, return_thickness=0.2)
     low, high = bounds(built.blocks)
-    right = built.sets["right return"]
-    assert (low[right, 0].min(), high[right, 0].max()) == (pytest.approx(2.0), pytest.approx(2.2))
+    right, facade = built.sets["right return"], built.sets["facade"]
+    assert (low[right, 0].min(), high[right, 0].max()) == (pytest.approx(length - 0.2), pytest.approx(length))
     assert high[right, 1].max() == pytest.approx(1.0)
     course = np.round(low[:, 2] / 0.1).astype(int)
     corner = [int((low[right[course[right] == c], 1] < 1e-9).sum()) for c in range(8)]
     assert sorted(corner) == [0] * 4 + [1] * 4 and all(a != b for a, b in zip(corner, corner[1:], strict=False))
-    assert volumes(built.blocks).sum() == pytest.approx(0.8 * (2.2 * 0.2 + 0.8 * 0.2), rel=1e-9)
+    for c, covered in enumerate(corner):
+        last = max(facade[course[facade] == c], key=lambda b: high[b, 0])
+        assert high[last, 0] == pytest.approx(length - 0.2 * covered)
+        assert covered or high[last, 0] - low[last, 0] > 0.3, "it is bonded in"
+    assert volumes(built.blocks).sum() == pytest.approx(0.8 * (length * 0.2 + 0.8 * 0.2), rel=1e-9)
+
+
+def test_a_lintel_bears_on_three_quarters_of_a_unit_where_no_end_of_it_stands_in_line():
+    """Head joints above and below stand at multiples of 0.4 m: neither 1.0 and 2.2 nor 1.1 and 2.1 are among them."""
+    built = wall(3.2, 1.2, 0.2, 0.4, 0.1, opening=[Opening("window", 1.3, 0.6, 0.4, sill=0.3)])
+    low, high = bounds(built.blocks)
+    lintel = built.sets["lintel"][0]
+    assert (low[lintel, 0], high[lintel, 0]) == (pytest.approx(1.0), pytest.approx(2.2))
+    beside = wall(3.2, 1.2, 0.2, 0.4, 0.1, opening=[Opening("window", 1.1, 0.6, 0.4, sill=0.3)])
+    low, high = bounds(beside.blocks)
+    lintel = beside.sets["lintel"][0]
+    assert (low[lintel, 0], high[lintel, 0]) == (pytest.approx(0.9), pytest.approx(1.9)), "0.8 m would be in line"
 
 
 def test_courses_of_a_wall_are_named_by_their_height():

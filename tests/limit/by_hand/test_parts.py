@@ -2,12 +2,15 @@
 
 from dataclasses import replace
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy import sparse
 
 import masonry
 from masonry.limit_analysis.contacts import contacts_of, sliding_fraction, touching
+from masonry.statics.interior_point import Programme, true_gap
 from masonry.statics.no_dilation import SOFTER, _LoadPath
 from masonry.statics.problem import Bodies, Contacts
 from masonry.statics.safety import factor_of_safety
@@ -119,3 +122,13 @@ def test_a_scene_that_tilts_gravity_is_tilted_the_way_it_says(angle, expected):
     tilt = f'[gravity]\nx = "1 m/s^2"\ntilt = {{about = "y", angle = "{angle}", steps = 100}}\n'
     scene = load(block("").replace("[gravity]\n", tilt))
     assert masonry.limit(scene).factor == pytest.approx(expected, rel=1e-8)
+
+
+@pytest.mark.parametrize("scale", [1.0, 10.0])
+def test_the_gap_counts_what_forces_and_velocities_are_off_by(scale):
+    """Objectives 0.2 apart; forces off by 0.1 where the velocity is 2; velocities off by 0.3 where the force is 5."""
+    matrix, square = sparse.csc_matrix([[2.0]]), sparse.csc_matrix([[0.5]])
+    x, z, s = 5.0, 2.0, 0.7
+    programme = Programme(square, np.array([0.3 - 2.0 * z - 0.5 * x]), matrix, np.array([2.0 * x + s - 0.1]), [])
+    found = SimpleNamespace(x=[x], z=[z], s=[s], obj_val=-scale, obj_val_dual=-scale + 0.2)
+    assert true_gap(programme, found) == pytest.approx((0.2 + 2.0 * 0.1 + 5.0 * 0.3) / scale)
