@@ -20,6 +20,8 @@ from masonry.monitors.stability import Watch
 from masonry.scene import load
 from tests.kinematics.bricks import turn
 from tests.large.made import dry, slab
+from tests.results.test_trust_of_dry_joints import BLOCK, GROUND, HELD, WEIGHT
+from tests.results.test_trust_of_dry_joints import scene as small
 from tests.scenes import box
 
 EITHER_SIDE = [(0.99, False), (1.01, True)]
@@ -79,10 +81,10 @@ def test_a_block_may_turn_by_the_limit(share, too_much):
 
 
 def test_openings_are_told_in_m_and_closures_over_the_thinner_block():
-    """Units of 0.2 x 0.05 x 0.05 m on each other: 50 mm across the joint."""
-    model = couplet().model
+    """A block 0.5 m high on ground of 0.1 m."""
+    model = assemble(small([GROUND, BLOCK], [HELD], WEIGHT)).model
     found = Openings(model).look(model, seen(model, opening=np.array([2e-4, -1e-4, -3e-5, 0.0])), 0)
-    assert found == {"widest": 2e-4, "overlap": pytest.approx(1e-4 / 0.05)}
+    assert found == {"widest": 2e-4, "overlap": pytest.approx(1e-4 / 0.1)}
 
 
 def test_what_is_unbalanced_is_what_accelerates_over_the_dead_loads():

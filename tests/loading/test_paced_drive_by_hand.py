@@ -1,0 +1,121 @@
+"""The pace of a drive to an accuracy by hand: what is twice a bound on increments halves the speed."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from masonry.assembly.assemble import assemble
+from masonry.loading.adaptive import AdaptiveLoading
+from masonry.loading.cycles import at_peak, bounds, peak_row
+from masonry.model.loads import controlled
+from masonry.monitors.events import Event, Events, table
+from masonry.scene import load
+
+TERMS = ("elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "damping", "kinetic")
+STORED, FORCE, MADE = 50.0, 2000.0, 1e-3
+
+
+def paced(accuracy: float = 0.01) -> AdaptiveLoading:
+    """A drive behind an increment of 1 mm, at 2 kN; 50 J are stored, and so much work was done."""
+    pace = AdaptiveLoading(assemble(load("couplet")).model, controlled(10, 1.0, accuracy), 100)
+    pace.stored = pace.most_stored = pace.work = STORED
+    pace.most_force, pace.made, pace.guide.kinetic = FORCE, MADE, 0.0
+    return pace
+
+
+def factor(pace, stored=STORED, broken=0.0, support=FORCE, **terms: float) -> float:
+    return pace.through_damage(stored, broken, FORCE, support, dict.fromkeys(TERMS, 0.0) | terms)
+
+
+BOUNDS = {
+    "change of the stored energy, 20 accuracies, by its root": {"stored": STORED * (1.0 - 4.0 * 0.2)},
+    "energy of fracture, 5 accuracies, by its root": {"broken": STORED * 4.0 * 0.05},
+    "root of kinetic over stored energy, 7 accuracies": {"kinetic": STORED * (2.0 * 0.07) ** 2},
+    "difference of the ends, 0.4 accuracies": {"support": FORCE * (1.0 - 2.0 * 0.004)},
+    "what damping took of the increment, half an accuracy": {"damping": 2.0 * 0.005 * FORCE * MADE},
+}
+
+
+@pytest.mark.parametrize("bound", BOUNDS)
+def test_what_is_twice_its_bound_halves_the_speed(bound):
+    assert factor(paced(), **BOUNDS[bound]) == pytest.approx(0.5)
+
+
+def test_what_runs_ahead_by_twice_the_accuracy_halves_the_speed():
+    """2 root(K W) over the work: K = (0.01)^2 W."""
+    pace = paced()
+    pace.guide.kinetic = 1e-4 * STORED
+    assert factor(pace) == pytest.approx(0.5)
+
+
+def test_the_speed_changes_by_no_more_than_it_may():
+    assert factor(paced()) == 1.3
+    assert factor(paced(), support=0.0) == 0.2
+
+
+def test_a_sudden_crack_is_no_drag_and_drag_at_the_peak_is_that_of_the_force_that_is_highest():
+    """Of 6 J that damping took 4 J had been stored, and none of them broke anything."""
+    pace = paced()
+    factor(pace, stored=STORED - 4.0, damping=6.0)
+    assert pace.looks[-1] == (pytest.approx(0.0), MADE, pytest.approx(2.0 / (FORCE * MADE)), FORCE)
+    pace.looks = [(0.01, 1.0, 0.5, 10.0), (0.03, 3.0, 0.02, 30.0), (0.0, 4.0, 0.03, 40.0), (0.02, 2.0, 0.9, 20.0)]
+    report = pace.report()
+    assert report["mean_lag"] == pytest.approx((0.01 + 0.09 + 0.04) / 10.0)
+    assert report["largest_lag"] == 0.03 and report["drag_at_peak"] == 0.03
+    pace.settled_force = 40.0
+    assert pace.report()["drag_at_peak"] == 0.0, "the force was as high before the drive"
+
+
+def test_an_increment_makes_four_tenths_of_the_way_that_is_left_to_the_first_damage():
+    """Used by 0.5, after 0.3 before this millimetre: 2.5 mm are left; at the present speed an increment is 1 mm."""
+    pace = paced()
+    pace.used, pace.increments = 0.3, 9
+    pace.target = MADE / (pace.steps * pace.dt)
+    assert pace.towards_damage(0.5) == pytest.approx(0.4 * 2.5) and pace.used == 0.5
+    assert pace.towards_damage(0.501) == 2.0, "no more than twice as fast"
+    assert pace.towards_damage(0.999) == pytest.approx(0.1), "no less than a tenth"
+
+
+def test_a_looser_accuracy_is_aimed_at_less_than_in_proportion_and_deforming_units_at_half():
+    assert paced(0.01).unit == pytest.approx(0.01) and paced(0.001).unit == pytest.approx(0.001)
+    assert paced(0.05).unit == pytest.approx(0.01 * 5.0**0.4)
+    built = assemble(load("couplet", {"kinematics": "affine"}))
+    assert AdaptiveLoading(built.model, controlled(10, 1.0, 0.01), 100).unit == pytest.approx(0.005)
+
+
+def test_a_sudden_crack_is_what_damping_took_since_all_was_calm_and_the_contact_that_broke_most():
+    model = assemble(load("couplet")).model
+    events, body, area = Events(model), model.bodies.rigid, model.joints.area
+    body.work[:, 1] = -1.0, -2.0
+    events.calm(10)
+    body.work[1, 1], model.state.dissipated[2, 1] = -2.5, 4.0 / area[2]
+    events.sudden(20)
+    body.work[1, 1], model.state.dissipated[3, 0] = -3.5, 9.0 / area[3]
+    events.sudden(30)
+    assert events.found == [Event(10, 30, pytest.approx(1.5), 3)], "what goes on is one with what came before"
+    events.calm(40)
+    body.work[1, 1] = -4.0
+    events.sudden(50)
+    assert events.found[1] == Event(40, 50, pytest.approx(0.5), -1)
+    rows = {"step": np.array([0.0, 25.0, 50.0]), "displacement": np.array([0.0, 1e-3, 2e-3])}
+    told = table(model, events.found, rows, 0.6)
+    assert [(one["first_step"], one["last_step"], one["displacement_m"]) for one in told] == [(10, 30, 2e-3)]
+    assert "between" in told[0]["place"] or told[0]["place"] == model.contact(3)
+
+
+def test_readings_at_the_peak_lie_between_its_rows_and_on_a_plateau_the_first_row_counts():
+    rows = {"displacement": np.array([0.0, 0.0, 1.0, 2.0, 3.0]), "stress": np.array([9.0, 0.0, 5.0, 6.0, 6.003])}
+    assert at_peak(rows, np.array([0.0, 0.0, 10.0, 20.0, 30.0]), 2.25) == pytest.approx(22.5)
+    assert peak_row(rows) == 3, "within a thousandth; what was before the drive is no peak"
+    back = rows | {"displacement": np.array([0.0, 0.0, 1.0, 2.0, 1.0])}
+    assert at_peak(back, np.array([0.0, 0.0, 10.0, 20.0, 30.0]), 1.5) == 20.0
+    assert bounds(np.array([0.0, 1.0, -1.0, 1.0])) == pytest.approx([0.0, 2.5, 3.0])
+
+
+def test_rows_of_the_settling_are_fewer_and_a_paced_drive_takes_each_increment_as_a_row():
+    pace = paced()
+    chunk = replace(pace.made_of(np.linspace(0.0, 1.0, 81)), row=True)
+    assert chunk.steps == 80 and chunk.row
+    assert pace.made == pytest.approx(np.linspace(0.0, 1.0, 81)[:-1].sum() * pace.dt)
+    assert (pace.speed, pace.increments) == (1.0, 1) and pace.path.moved == pytest.approx(pace.made)
