@@ -56,30 +56,29 @@ class Gathering:
         assert isinstance(self.damping, float)
         self.model.damping = min(self.damping, self.settings.little)
 
-    def falls(self, before: list[np.ndarray], rested: Arrays, travelled: float, alone: bool) -> bool:
+    def falls(
+        self, before: list[np.ndarray], rested: Arrays, travelled: float, alone: np.ndarray | None = None
+    ) -> bool:
         """Take in a look at a specimen that does not rest yet, and say whether it falls: whether it accelerates, so far
-        (m) from where it rested. before: velocities a step earlier; alone: whether the sum over all blocks rests: what
-        one of them does is no drift of all, and is not braked as a swing about it"""
+        (m) from where it rested. before: velocities a step earlier; alone: (B,) blocks that move while the sum over all
+        rests: each drifts by itself, and has fallen when it is far enough (moves/travels.py)"""
         self.looked += 1
-        if alone:
-            self.hold()
-            return False
         if self.drift is None:
             self.dragged += 1
             if self.dragged > self.settings.patient * self.window:
                 self.let_go(rested)
             return False
-        if self.brake(before) <= 0.0:
+        if self.brake(before, alone) <= 0.0:
             self.hold()
             return False
-        return self.accelerates(travelled) and travelled > self.settings.usual * self.usual
+        return alone is None and self.accelerates(travelled) and travelled > self.settings.usual * self.usual
 
-    def brake(self, before: list[np.ndarray]) -> float:
+    def brake(self, before: list[np.ndarray], alone: np.ndarray | None = None) -> float:
         """Brake all swings of what is let go; how fast it drifts, below 0 where it has turned round."""
         if self.drift is None:
             return 0.0
         self.drift.look(self.model)
-        return self.drift.brake(self.model, before, self.settings.left)
+        return self.drift.brake(self.model, before, self.settings.left, alone)
 
     def accelerates(self, travelled: float) -> bool:
         """Whether the last third of the averages since it was let go has taken it further than the second."""

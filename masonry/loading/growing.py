@@ -161,7 +161,7 @@ class GrowingLoading:
             self.phase = self.phase if self.branch.goes_on(before) else OVER
         else:
             self.looked += 1
-            self.gathering.brake(before)
+            self.gathering.brake(before, self.travels.alone_or_none())
             self.phase = OVER if self.dropped or self.looked >= self.most_looks else DROPS
 
     @property
@@ -207,7 +207,7 @@ class GrowingLoading:
         far = travelled > self.travels.away or self.travels.fallen()
         if self.calm >= self.settings.looks:
             self.bear()
-        elif far or self.gathering.falls(before, self.rested, travelled, alone):
+        elif far or self.gathering.falls(before, self.rested, travelled, self.travels.alone_or_none(alone)):
             self.fail()
         elif self.gathering.too_long:
             self.undecided += 1

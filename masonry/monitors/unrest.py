@@ -145,6 +145,14 @@ def of_blocks(model: Model, kind: str, values: np.ndarray) -> np.ndarray:
     return np.asarray(np.add.reduceat(values, model.layout.mesh.node_start[model.layout.members[kind]]))
 
 
+def rows_of(model: Model, kind: str, values: np.ndarray) -> np.ndarray:
+    """(rows,) of the bodies of a kind: what blocks (B,) have, for tets at each of their nodes."""
+    if kind != "tets":
+        return values[model.layout.members[kind]]
+    assert model.layout.mesh is not None
+    return np.repeat(values, np.diff(model.layout.mesh.node_start))
+
+
 def _over(part: np.ndarray, whole: np.ndarray) -> np.ndarray:
     """Shares, `MOST` at most; 0 of nothing."""
     shares = np.where(part > 0.0, MOST, 0.0)

@@ -11,6 +11,7 @@ from masonry.loading.moves.impulses import momenta, strike, velocities_of
 from masonry.loading.moves.moved import Arrays, dofs
 from masonry.model.model import Model
 from masonry.monitors import energy
+from masonry.monitors.unrest import of_blocks, rows_of
 from masonry.runtime.state import State
 
 
@@ -31,10 +32,11 @@ class Drift:
             }
         self.places = now
 
-    def brake(self, model: Model, before: list[np.ndarray], left: float) -> float:
+    def brake(self, model: Model, before: list[np.ndarray], left: float, alone: np.ndarray | None = None) -> float:
         """Leave a share of all velocities but those along the drift: an impulse, booked as a force of the damping in
         this step, so that the energy balance stays closed. Returns how many times `moved` it drifts in a second, a pace
-        in which no swing is felt. before: energy.velocities a step earlier
+        in which no swing is felt. before: energy.velocities a step earlier; alone: (B,) blocks each of which drifts by
+        itself while all others rest: then the most of their paces is returned
 
         The mean of the velocities before and after the step counts: of the fastest swings, which turn round at each
         step, one of them alone would make the impulse feed them.
@@ -47,9 +49,21 @@ class Drift:
             along = momenta(model, kind, body, self.moved[kind])
             inertia, momentum = inertia + float(np.sum(along * self.moved[kind])), momentum + float(np.sum(along * v))
         drifts = momentum / inertia
+        paces = np.full(model.blocks.count, drifts) if alone is None else self.paces(model, mean, alone)
         for (kind, body), v, old in zip(bodies, mean, earlier, strict=True):
-            strike(model, kind, body, (left - 1.0) * (v - drifts * self.moved[kind]), old)
-        return drifts
+            pace = drifts if alone is None else rows_of(model, kind, paces)[:, None]
+            strike(model, kind, body, (left - 1.0) * (v - pace * self.moved[kind]), old)
+        return drifts if alone is None else float(paces[alone].max())
+
+    def paces(self, model: Model, mean: list[np.ndarray], alone: np.ndarray) -> np.ndarray:
+        """(B,) how many times what it moved each block that is alone drifts in a second; 0 for all others. mean:
+        velocities by kind"""
+        found = np.zeros(model.blocks.count)
+        for (kind, body), v in zip(energy.present(model), mean, strict=True):
+            along = momenta(model, kind, body, self.moved[kind])
+            inertia, momentum = (of_blocks(model, kind, (along * x).sum(axis=1)) for x in (self.moved[kind], v))
+            found[model.layout.members[kind]] = momentum / np.maximum(inertia, 1e-300)
+        return np.where(alone, found, 0.0)
 
     def state(self) -> State:
         """What it is made anew from."""

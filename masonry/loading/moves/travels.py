@@ -91,6 +91,10 @@ class Travels:
         least = self.limits.reading * np.maximum(np.ptp(self.range, axis=0), self.limits.reading * self.most)
         return bool(alone.any() or (np.abs(readings - self.calm) > least).any())
 
+    def alone_or_none(self, rests: bool = True) -> np.ndarray | None:
+        """(B,) blocks that have moved alone, where the sum over all rests; None where none has."""
+        return self.alone if rests and self.alone.any() else None
+
     def fallen(self, times: float = 1.0) -> bool:
         """Whether a block that moved alone has gone farther than is a fall in itself: so many times as far as from
         where on it is one, but no farther than contacts may slide."""
