@@ -12,7 +12,9 @@ from masonry.monitors.unrest import EachBlock
 from masonry.runtime.state import State, attributes
 
 SHARE = 1e-3
-"""Of what a block bears: what may be unbalanced where one of them is to be named as the farthest from rest."""
+"""Of the dead loads: what may be unbalanced where blocks are looked at one by one, and by its square the energy."""
+UNASKED = -1.0
+"""What is noted of single blocks where the sums are farther from rest."""
 
 
 class Settling(Observer):
@@ -28,10 +30,16 @@ class Settling(Observer):
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         if view.settling:
             self.unbalanced, self.still_moving = unbalanced(model, view.before), still_moving(view.terms)
-            unrest = self.each.look(view.before)
-            self.of_a_block, self.energy_of_a_block = float(unrest.force.max()), float(unrest.energy.max())
-            self.block = float(unrest.worst(SHARE))
+            self.of_a_block = self.energy_of_a_block = self.block = UNASKED
+            if self.unbalanced <= SHARE and self.still_moving <= SHARE**2:
+                self.look_at_each(view.before)
         return attributes(self, self.REMEMBERED)
+
+    def look_at_each(self, before: list[np.ndarray]) -> None:
+        """Where the sums are near to rest."""
+        unrest = self.each.look(before)
+        self.of_a_block, self.energy_of_a_block = float(unrest.force.max()), float(unrest.energy.max())
+        self.block = float(unrest.worst(SHARE))
 
     def state(self) -> State:
         return {**super().state(), "most": self.each.most}

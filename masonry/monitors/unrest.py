@@ -52,6 +52,7 @@ class EachBlock:
         for g, joint in enumerate(model.groups.properties):
             stiffness[model.groups.bounds[g] : model.groups.bounds[g + 1]] = joint.normal_stiffness
         self.stiffness = stiffness * joints.area
+        self.of_contacts = self._sum(self.pair, self.stiffness)
 
     def look(self, before: list[np.ndarray]) -> Unrest:
         """How far each is from rest; `before`: velocities a step earlier (energy.velocities)."""
@@ -76,8 +77,7 @@ class EachBlock:
         model = self.model
         load = dead_loads(model)
         if model.large is None:
-            (a, b), force = self.pair.T, np.abs(model.contacts.force).sum(axis=1)
-            pressed = np.bincount(a, force, len(load)) + np.bincount(b, force, len(load))
+            pressed = self._sum(self.pair, np.abs(model.contacts.force).sum(axis=1))
         else:
             block, forces, _ = forces_on_blocks(model)
             pressed = np.bincount(block, np.abs(forces).sum(axis=0), len(load))
@@ -88,19 +88,23 @@ class EachBlock:
         return np.asarray(np.maximum(bears, LIGHT * bears.sum() * volume / volume.sum()))
 
     def _stiffness(self) -> np.ndarray:
-        """(B,) N/m, of the contacts of each block."""
-        model, count = self.model, self.model.blocks.count
-        pair, stiffness = self.pair, self.stiffness
-        if model.large is not None:
-            near, alive = model.large.near, model.large.bonds.alive
-            pairs, points = near.pairs, near.points
-            touching = np.flatnonzero(pairs.slot[: pairs.number[0]] >= 0)
-            slot = pairs.slot[touching]
-            area = points.quads[slot, :, AREA].reshape(len(slot), points.quads[0, :, AREA].size)
-            area = np.where(np.arange(area.shape[1]) < points.held[slot, None], area, 0.0).sum(axis=1)
-            pair = np.concatenate([pair[alive], near.pieces.block[pairs.body[touching]]])
-            stiffness = np.append(stiffness[alive], near.rules.normal_stiffness[pairs.law[touching]] * area)
-        return sum((np.bincount(side, stiffness, count) for side in pair.T), np.zeros(count))
+        """(B,) N/m, of the contacts of each block; those of patches change."""
+        if self.model.large is None:
+            return self.of_contacts
+        near, alive = self.model.large.near, self.model.large.bonds.alive
+        pairs, points = near.pairs, near.points
+        touching = np.flatnonzero(pairs.slot[: pairs.number[0]] >= 0)
+        slot = pairs.slot[touching]
+        area = points.quads[slot, :, AREA].reshape(len(slot), points.quads[0, :, AREA].size)
+        area = np.where(np.arange(area.shape[1]) < points.held[slot, None], area, 0.0).sum(axis=1)
+        pair = np.concatenate([self.pair[alive], near.pieces.block[pairs.body[touching]]])
+        patches = near.rules.normal_stiffness[pairs.law[touching]] * area
+        return self._sum(pair, np.append(self.stiffness[alive], patches))
+
+    def _sum(self, pair: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """(B,) sums of values (C,) over both blocks (C, 2) of each contact."""
+        count = self.model.blocks.count
+        return np.bincount(pair[:, 0], values, count) + np.bincount(pair[:, 1], values, count)
 
     def _of(self, kind: str, values: np.ndarray) -> np.ndarray:
         return of_blocks(self.model, kind, values)
