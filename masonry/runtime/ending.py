@@ -64,13 +64,13 @@ class Command:
         raise Ended(number)
 
     def look_on(self, pipe: int) -> None:
-        """End the process at once where a signal has no effect in time; the pipe brings the number of each."""
-        while heard := os.read(pipe, 1):
-            if heard[0] not in SIGNALS or self.waits():
+        """End the process at once where a signal has no effect in time; the pipe brings each number, 0 at last."""
+        while number := os.read(pipe, 1)[0]:
+            if number not in SIGNALS or self.waits():
                 continue
             if not self.over.wait(GRACE):
-                os.write(2, f"masonry: {_word(heard[0])}; ended at once\n".encode())
-                os._exit(128 + heard[0])
+                os.write(2, f"masonry: {_word(number)}; ended at once\n".encode())
+                os._exit(128 + number)
 
 
 CURRENT = Command()
@@ -101,7 +101,8 @@ def ended_by_signals() -> Iterator[Command]:
             signal.signal(number, usual[number])
         signal.set_wakeup_fd(wakeup)
         CURRENT.over.set()
-        os.close(mine)
+        os.write(mine, b"\0")
         looking.join()
+        os.close(mine)
         os.close(theirs)
         CURRENT, sys.unraisablehook = before, hook
