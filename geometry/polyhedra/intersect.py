@@ -5,9 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.blocks import Blocks
-from geometry.polyhedra.indexing import ranges
+from geometry.polyhedra.indexing import following, ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
+
+TABLE = 4_000_000
+"""Numbers that are looked at in one go."""
 
 
 @dataclass(frozen=True)
@@ -38,10 +41,40 @@ def are_convex(blocks: Blocks, width: float) -> np.ndarray:
     convex = np.ones(blocks.count, dtype=bool)
     for b in range(blocks.count):
         faces = slice(blocks.block_face_start[b], blocks.block_face_start[b + 1])
-        corners = blocks.points[np.unique(blocks.face_points[start[b] : start[b + 1]])]
+        used = np.unique(blocks.face_points[start[b] : start[b + 1]])
         offset = np.einsum("fi,fi->f", normal[faces], centroid[faces])
-        convex[b] = (corners @ normal[faces].T - offset).max() <= width
+        if len(used) * (faces.stop - faces.start) <= TABLE:
+            convex[b] = (blocks.points[used] @ normal[faces].T - offset).max() <= width
+        else:
+            convex[b] = _turns_outwards(blocks, b, normal, offset)
     return convex
+
+
+def _turns_outwards(blocks: Blocks, b: int, normal: np.ndarray, offset: np.ndarray) -> bool:
+    """Whether a block of many faces bends outwards, or not at all, along each edge: then it is convex.
+
+    Only edges that two faces share as a whole are understood: a block with others counts as not convex.
+    """
+    begin, end = (blocks.face_start[blocks.block_face_start[k]] for k in (b, b + 1))
+    corners = blocks.points[blocks.face_points[begin:end]]
+    starts = blocks.face_start[blocks.block_face_start[b] : blocks.block_face_start[b + 1] + 1] - begin
+    place, number = np.unique(corners, axis=0, return_inverse=True)
+    number = number.reshape(-1)
+    face, after = np.repeat(np.arange(len(starts) - 1), np.diff(starts)), number[following(starts)]
+    low, high = np.minimum(number, after), np.maximum(number, after)
+    order = np.lexsort((high, low))
+    pair = order.reshape(-1, 2) if len(order) % 2 == 0 else order[:0].reshape(-1, 2)
+    matched = len(pair) and np.all(low[pair[:, 0]] == low[pair[:, 1]]) and np.all(high[pair[:, 0]] == high[pair[:, 1]])
+    if not matched or not np.all(number[pair[:, 0]] == after[pair[:, 1]]):
+        return False
+    width = 1e-9 * float(np.ptp(place, axis=0).max())
+    mine, size = normal[blocks.block_face_start[b] :], np.diff(starts)
+    for one, two in ((face[pair[:, 0]], face[pair[:, 1]]), (face[pair[:, 1]], face[pair[:, 0]])):
+        owner, corner = ranges(starts[two], size[two])
+        height = np.einsum("ni,ni->n", corners[corner], mine[one][owner]) - offset[one][owner]
+        if height.max() > width:
+            return False
+    return True
 
 
 def shared_place(one: Solid, two: Solid, depth: float) -> np.ndarray | None:

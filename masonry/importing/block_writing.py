@@ -13,7 +13,8 @@ from geometry.joints.heal import Mended, mend
 from geometry.polyhedra.validate import require_sound
 from geometry.specimens.from_arrays import polyhedra
 from masonry.errors import SceneError
-from masonry.importing.importing import FLAT, SECTIONS, SUFFIX, section_of, sets_of
+from masonry.importing.importing import FLAT, SUFFIX
+from masonry.importing.named_sets import SECTIONS, section_of, sets_of
 from masonry.quantity import parse
 
 LARGEST = 10**9

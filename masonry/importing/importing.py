@@ -19,11 +19,11 @@ from geometry.joints.gaps import ALMOST
 from geometry.joints.heal import Mended, mend
 from geometry.joints.nearby import Rule, nearby_joints
 from geometry.joints.point_density import Density
-from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids
 from geometry.polyhedra.overlaps import check_overlaps
 from geometry.polyhedra.validate import require_near, require_sound
 from masonry.errors import SceneError, nearest
 from masonry.importing.data_sets import data_path
+from masonry.importing.named_sets import SECTIONS, section_of, section_words, sets_of
 from masonry.importing.scene_file import Written, scene_text
 
 SURFACES = ("geometry.files.surfaces.reader", "read_surfaces")
@@ -39,7 +39,6 @@ FLAT = 1.0, 0.1, 0.0  # of the tolerance, within which faces of a surface count 
 ANGLE = math.radians(20.0)
 SUFFIX = ".blocks.h5"
 LONGEST_NAME = 200  # letters, what a scene allows
-SECTIONS = 1e-12, 1e8  # m2, what a scene allows
 UPWARD = {"x": (1, 2, 0), "y": (2, 0, 1), "z": (0, 1, 2)}
 """Axes of the file that become x, y and z: what points up becomes z, the others follow in their order round."""
 
@@ -65,7 +64,7 @@ class Wishes:
 
 @dataclass(frozen=True)
 class Report:
-    """What was imported: the specimen, its joints, what was mended, and sentences of the reader."""
+    """What was imported: the specimen, its joints, what was mended, sentences of the reader, what the section is."""
 
     specimen: Specimen
     joints: Joints
@@ -73,6 +72,7 @@ class Report:
     names: tuple[str, ...]
     notes: tuple[str, ...]
     paths: tuple[Path, Path]
+    section_is: str
 
 
 def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False) -> Report:
@@ -92,19 +92,31 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
     section = section_of(blocks, wishes.section)
     if not SECTIONS[0] <= section <= SECTIONS[1]:
         raise SceneError(
-            f"'{source}': its faces in the lowest plane have {section:.3g} m^2, allowed: {SECTIONS[0]:g} to "
-            f"{SECTIONS[1]:g} m^2; say by --unit which length 1 in the file means"
+            f"'{source}': its section, {section_words(blocks, wishes.section)}, has {section:.3g} m^2, allowed: "
+            f"{SECTIONS[0]:g} to {SECTIONS[1]:g} m^2; say by --unit which length 1 in the file means"
         )
     sets = sets_of(blocks, found.names, wishes.gap or 0.0)
     left = mended.deepest if mended else 0.0
     specimen = Specimen(blocks, sets, section, "file", joints=stated, overlap=left)
     joints = find_joints(blocks) if stated is None else stated_joints(stated, Density())
-    how = Written(_readable(source.name), target.name, wishes.section is None, reader == SURFACES)
+    how = Written(_readable(source.name), target.name, section_words(blocks, wishes.section), reader == SURFACES)
     text = scene_text(specimen, joints, how)
     with whole_file(out) as place:
         place.write_text(text, encoding="utf-8")
         save_blocks(target, specimen, found.mesh)
-    return Report(specimen, joints, mended, names, found.notes, (out, target))
+    notes = (*found.notes, *_lone(blocks))
+    words = section_words(blocks, wishes.section)
+    return Report(specimen, joints, mended, names, notes, (out, target), words)
+
+
+def _lone(blocks) -> list[str]:
+    """What a file of one solid cannot do."""
+    if blocks.count > 1:
+        return []
+    return [
+        "the file holds one solid: it has no joint, so nothing can open, slide or crush; if it was meant to be "
+        "several, they were fused where it was made: export them apart, or divide it by `divisions` in the scene"
+    ]
 
 
 class Reading:
@@ -181,6 +193,8 @@ def _mended_surfaces(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str
         except GeometryError as error:
             refused = refused or error
     assert refused is not None
+    if far := [note for note in found.notes if "from the origin" in note]:
+        raise GeometryError(f"{refused}; {far[0]}")
     if "--gap" in str(refused):
         raise refused
     raise GeometryError(
@@ -249,33 +263,3 @@ def _hex(colour: np.ndarray) -> str:
     if not np.isfinite(colour).all():
         return ""
     return "#" + "".join(f"{round(255 * float(part)):02x}" for part in np.clip(colour, 0, 1))
-
-
-def sets_of(blocks, names: Sequence[str], near: float = 0.0) -> dict[str, np.ndarray]:
-    """Blocks of each name and of each group, those that reach the bottom and the top, and all; groups come first.
-
-    near  m from the lowest and the highest plane that counts as there
-    """
-    low, high = bounds(blocks)
-    near = max(near, 1e-6 * extent(blocks))
-    sets = {
-        "all": np.arange(blocks.count),
-        "bottom": np.flatnonzero(low[:, 2] <= low[:, 2].min() + near),
-        "top": np.flatnonzero(high[:, 2] >= high[:, 2].max() - near),
-    }
-    members: dict[str, list[int]] = {}
-    for b, name in enumerate(names):
-        members.setdefault(name, []).append(b)
-    sets |= {name: np.array(numbers) for name, numbers in members.items() if name}
-    return sets | {name: np.flatnonzero(blocks.group == g) for g, name in enumerate(blocks.groups)}
-
-
-def section_of(blocks, section: float | None) -> float:
-    """m2, as asked, or the area of the faces in the lowest plane; else that of the box round all, seen from above."""
-    if section is not None:
-        return section
-    area, normal, centroid = face_areas_normals_centroids(blocks)
-    low, high = (corner for corner in bounds(blocks))
-    at_bottom = (normal[:, 2] < -1 + 1e-9) & (centroid[:, 2] <= low[:, 2].min() + 1e-6 * extent(blocks))
-    span = high.max(axis=0) - low.min(axis=0)
-    return float(area[at_bottom].sum()) or float(span[0] * span[1])

@@ -24,7 +24,7 @@ def report_text(report: Report) -> list[tuple[str, list[str]]]:
         ("groups", rows),
         ("size", [f"{span} mm ({where})"]),
         ("joints", [f"{joints} polygons, {report.joints.area.sum():.9g} m^2", *_alone(report)]),
-        ("section", [f"{report.specimen.section:.6g} m^2"]),
+        ("section", [f"{report.specimen.section:.6g} m^2: {report.section_is}"]),
     ]
     if report.mended is not None:
         table += _mended_rows(report)

@@ -9,6 +9,8 @@ from geometry.blocks import Joints, Specimen
 from masonry.model.contact_groups import contact_group_name, contact_groups
 from masonry.scene.schema import INVENTED
 
+ASKED = "--section"
+"""Where the section is from, if the user gave it."""
 MATERIAL = """density = "1900 kg/m^3"
 # young_modulus = "10 GPa"        # for kinematics "affine" and "tets"
 # poisson_ratio = 0.2
@@ -58,12 +60,12 @@ steps = 20000
 
 @dataclass(frozen=True)
 class Written:
-    """What a scene says of its making: names of the source and of the file of blocks, whether the section is made up,
-    and whether the joints are dry and weight is the only load."""
+    """What a scene says of its making: names of the source and of the file of blocks, where the section is from, and
+    whether the joints are dry and weight is the only load."""
 
     source: str
     blocks_file: str
-    section_is_made_up: bool
+    section_is: str
     is_dry: bool = False
 
 
@@ -102,8 +104,8 @@ def scene_text(specimen: Specimen, joints: Joints, how: Written) -> str:
         widest = specimen.joints.gap.max(initial=0.0) * 1e3
         words = f"joints bridge gaps of up to {widest:.3g} mm, half way between blocks that only nearly meet"
         lines.append(f'"specimen.path" = {_quoted(words)}')
-    if how.section_is_made_up:
-        lines.append(f'"specimen.section" = {_quoted("the import took the area of the faces in the lowest plane")}')
+    if how.section_is != ASKED:
+        lines.append(f'"specimen.section" = {_quoted(f"the import took {how.section_is}")}')
     return "\n".join(lines) + "\n"
 
 

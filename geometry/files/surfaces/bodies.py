@@ -11,6 +11,7 @@ from geometry.blocks import GeometryError
 from geometry.files.surfaces.bent_faces import bent_triangles, height_of
 from geometry.files.surfaces.crossings import crossing
 from geometry.files.surfaces.surface import Surface
+from geometry.files.surfaces.t_junctions import with_corners_on_edges
 from geometry.polyhedra.convexity import triangles
 from geometry.polyhedra.flat.flatten import flattened
 from geometry.polyhedra.flat.regions import BENT, Mesh
@@ -26,6 +27,7 @@ ROUNDING = 2.0**-22
 """Of the largest coordinate: what single precision, or a number of seven digits, may be off."""
 DEEP = 1e-7
 """Of the longest side: a surface that goes through itself by less does not."""
+TRIANGLE = np.array([[0, 1, 2]])
 Loops = list[np.ndarray]
 
 
@@ -37,6 +39,7 @@ class Changes:
     collapsed     faces left out because their corners are fewer than three
     bent          faces that are not flat, of `faces`; `highest`: how far a corner stands off the mean plane of its face
     holes         holes that were closed, the widest `widest` wide
+    junctions     corners that lay on an edge of a neighbour and were put into it
     turned        bodies with faces that looked inwards, which were turned
     moved         how far a corner moved so that faces which are flat but for noise are flat
     volume        of all bodies, and `other_volume` if each bent face were a fan of triangles round its middle
@@ -49,6 +52,7 @@ class Changes:
     highest: float = 0.0
     holes: int = 0
     widest: float = 0.0
+    junctions: int = 0
     turned: int = 0
     moved: float = 0.0
     volume: float = 0.0
@@ -78,11 +82,15 @@ def bodies_of(surface: Surface, called: str, changes: Changes, holes: float = 0.
         first, number = weld(points, SAME * size)
         points, tried = points[first], Changes()
         kept = _cleaned([number[loop] for loop in loops], tried)
+        if not _is_closed(kept):
+            mended, tried.junctions = with_corners_on_edges(points, kept, max(flat, SAME * size))
+            kept = mended if tried.junctions else kept
         kept += _lids(points, kept, holes, tried)
         _require_closed(points, kept, called)
     changes.doubled += tried.doubled
     changes.collapsed += tried.collapsed
     changes.holes += tried.holes
+    changes.junctions += tried.junctions
     changes.widest = max(changes.widest, tried.widest)
     parts = _parts(kept, len(points))
     several = len(parts) > 1
@@ -156,13 +164,21 @@ def _require_closed(points: np.ndarray, loops: Loops, called: str) -> None:
     if free:
         raise GeometryError(
             f"{called} is not closed: {len(free)} of {len(edges)} edges belong to one face only, the first at "
-            f"{_at(points[list(free[0])].mean(axis=0))}; close it where it was made, or close small holes by --holes"
+            f"{_at(points[list(free[0])].mean(axis=0))}; {_way_out(points, loops)}"
         )
     if many:
         raise GeometryError(
             f"{called}: {edges[many[0]]} faces meet at the edge at {_at(points[list(many[0])].mean(axis=0))}; bodies "
             "that touch must be groups or files of their own"
         )
+
+
+def _way_out(points: np.ndarray, loops: Loops) -> str:
+    """What closes an open surface: it was tried."""
+    tried = Changes()
+    if _is_closed(loops + _lids(points, loops, np.inf, tried)):
+        return f"close it where it was made, or by --holes: the widest of its holes is {tried.widest:.4g} wide"
+    return "close it where it was made"
 
 
 def _parts(loops: Loops, count: int) -> list[Loops]:
@@ -181,10 +197,13 @@ def _body(points: np.ndarray, loops: Loops, called: str, changes: Changes, flat:
     points = points[used]
     loops = np.split(place.ravel(), np.cumsum([len(loop) for loop in loops])[:-1])
     size = float(np.ptp(points, axis=0).max())
+    _require_areas(points, loops, FLAT * size, called)
     found, fans, whole = [], [], []
     for f, loop in enumerate(loops):
         corners = points[loop]
-        cut, bent = _cut(corners, size, flat, f"{called}: face {f + 1}", changes)
+        cut, bent = TRIANGLE, False
+        if len(loop) > 3:
+            cut, bent = _cut(corners, size, flat, f"{called}: face {f + 1}", changes)
         found.append(loop[cut])
         fans.append(_fan(corners) if bent else corners[cut])
         whole += [(f, n if bent else 0) for n in range(len(cut))]
@@ -210,12 +229,21 @@ def _body(points: np.ndarray, loops: Loops, called: str, changes: Changes, flat:
     return Shell(even, turned, face)
 
 
+def _require_areas(points: np.ndarray, loops: Loops, side: float, called: str) -> None:
+    """Raise GeometryError for a triangle that is smaller than a square with this side."""
+    three = [f for f, loop in enumerate(loops) if len(loop) == 3]
+    if not three:
+        return
+    corners = points[np.array([loops[f] for f in three])]
+    small = ~(areas_normals_centroids(corners)[0] > side**2)
+    if small.any():
+        n = int(np.argmax(small))
+        place = _at(corners[n].mean(axis=0))
+        raise GeometryError(f"{called}: face {three[n] + 1}, at {place}, has no area; mend it where it was made")
+
+
 def _cut(corners: np.ndarray, size: float, flat: float, face: str, changes: Changes) -> tuple[np.ndarray, bool]:
     """Triangles of a polygon (n, 3), and whether it is bent by more than counts as flat."""
-    if len(corners) == 3:
-        if not areas_normals_centroids(corners[None])[0][0] > (FLAT * size) ** 2:
-            raise GeometryError(f"{face}, at {_at(corners.mean(axis=0))}, has no area; mend it where it was made")
-        return np.array([[0, 1, 2]]), False
     height = height_of(corners)
     side = float(np.sqrt(areas_normals_centroids(corners[None])[0][0]))
     if height <= max(FLAT * size, min(flat, BENT * side)):

@@ -19,6 +19,8 @@ from geometry.specimens.from_arrays import from_shells
 SUFFIXES = (".obj", ".ply", ".stl")
 MOST_BODIES = 20_000
 MOST_FACES = 2_000_000
+FAR = 1e3
+"""Times their size that bodies may lie from the origin before they are moved there."""
 LEAST = 1e-12
 """m: moves of corners that are not told, being rounding."""
 
@@ -46,8 +48,24 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0, fla
     notes = ["1 in the file is taken as 1 m; --unit says otherwise"] if unit is None else []
     unit = 1.0 if unit is None else unit
     require_lengths("surfaces", {"unit": unit})
+    surfaces = _surfaces(path)
+    shift = _shift([surface.points for *_, surface in surfaces])
     changes, shells, names = Changes(), [], []
-    in_folder = path.is_dir()
+    for called, name, surface in surfaces:
+        found = bodies_of(surface._replace(points=surface.points - shift), called, changes, holes / unit, flat / unit)
+        shells += [shell._replace(points=shell.points * unit) for shell in found]
+        names += [name] if len(found) == 1 else [f"{name}-{n}" if name else "" for n in range(1, len(found) + 1)]
+        if len(shells) > MOST_BODIES:
+            raise GeometryError(f"'{path.name}' holds more than {MOST_BODIES} bodies")
+    if shift.any():
+        notes.append(_far(shift * unit))
+    blocks = from_shells(shells, range(len(shells)), ["units"] * len(shells))
+    return Imported(blocks, tuple(names), None, None, (*_notes(changes, unit), *notes))
+
+
+def _surfaces(path: Path) -> list[tuple[str, str, Surface]]:
+    """What a message calls each surface of a file or a folder, its own name, and the surface."""
+    in_folder, listed = path.is_dir(), []
     for file in files_of(path):
         surfaces = read_obj(file) if file.suffix.lower() == ".obj" else _by_trimesh(file)
         if not surfaces:
@@ -56,13 +74,30 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0, fla
             raise GeometryError(f"'{file.name}' holds more than {MOST_FACES} faces; thin it out where it was made")
         for number, surface in enumerate(surfaces, start=1):
             name = surface.name or (file.stem if in_folder or len(surfaces) == 1 else "")
-            found = bodies_of(surface, _called(file, name, number, len(surfaces)), changes, holes / unit, flat / unit)
-            shells += [shell._replace(points=shell.points * unit) for shell in found]
-            names += [name] if len(found) == 1 else [f"{name}-{n}" if name else "" for n in range(1, len(found) + 1)]
-            if len(shells) > MOST_BODIES:
-                raise GeometryError(f"'{path.name}' holds more than {MOST_BODIES} bodies")
-    blocks = from_shells(shells, range(len(shells)), ["units"] * len(shells))
-    return Imported(blocks, tuple(names), None, None, (*_notes(changes, unit), *notes))
+            listed.append((_called(file, name, number, len(surfaces)), name, surface))
+    return listed
+
+
+def _shift(parts: list[np.ndarray]) -> np.ndarray:
+    """What is taken off all corners (., 3) where they lie far from the origin against their size; else zeros (3,)."""
+    ends = np.array([(points.min(axis=0), points.max(axis=0)) for points in parts])
+    low, high = ends[:, 0].min(axis=0), ends[:, 1].max(axis=0)
+    size = float((high - low).max())
+    if not np.isfinite(size) or size <= 0:
+        return np.zeros(3)
+    step = 10.0 ** np.ceil(np.log10(size))
+    far = np.abs(low + high) / 2 > FAR * size
+    return np.where(far.any(), np.round((low + high) / 2 / step) * step, 0.0)
+
+
+def _far(shift: np.ndarray) -> str:
+    """That the bodies were moved, and why."""
+    x, y, z = -shift
+    reach = float(np.abs(shift).max())
+    return (
+        f"the bodies lie {reach:.3g} m from the origin, where numbers of seven digits, as in binary files, are "
+        f"rounded to {reach * 2.0**-24 * 1e3:.2g} mm: all were moved by ({x:.10g}, {y:.10g}, {z:.10g}) m"
+    )
 
 
 def _called(file: Path, name: str, number: int, of: int) -> str:
@@ -102,6 +137,11 @@ def _notes(changes: Changes, unit: float) -> list[str]:
         found.append(f"faces without three corners that differ, which were left out: {changes.collapsed}")
     if changes.holes:
         found.append(f"holes that were closed, of up to {changes.widest * unit * 1e3:.3g} mm: {changes.holes}")
+    if changes.junctions:
+        found.append(
+            f"corners that lay on an edge of a neighbour, which were put into that edge: {changes.junctions}; the "
+            f"bodies have {changes.volume * unit**3:.6g} m^3"
+        )
     if changes.turned:
         found.append(f"blocks with faces that looked inwards, which were turned: {changes.turned}")
     if changes.moved * unit > LEAST:

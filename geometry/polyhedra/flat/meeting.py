@@ -8,6 +8,8 @@ if there are some near by.
 import numpy as np
 
 ROUNDS = 200
+PATIENCE = 6
+"""Rounds in which the largest distance must halve, or corners and planes do not come to agree."""
 SETTLED = 1e-3
 """Of the width: corners that are so near to all their planes stay where they are, bit for bit."""
 LEAST = 1e-6
@@ -31,12 +33,16 @@ def meet(
     by_corner = np.argsort(corner, kind="stable")
     first = np.flatnonzero(np.diff(corner[by_corner], prepend=-1))
     moved = corner[by_corner][first]
-    points, off = points.copy(), np.zeros(0)
+    points, off, before = points.copy(), np.zeros(0), np.inf
     for n in range(ROUNDS):
         normal, height = _fitted(points[corner], start, count)
         off = np.maximum.reduceat(np.abs(height), start)
         if off.max() <= (width if n else alike):
             break
+        if n % PATIENCE == 0:
+            if off.max() > 0.5 * before:
+                break
+            before = off.max()
         axis = np.repeat(normal, count, axis=0)[by_corner]
         lacking = height[by_corner]
         matrix = np.add.reduceat(axis[:, :, None] * axis[:, None], first)

@@ -16,6 +16,8 @@ FAINT part of the tolerance only: the angles of small faces are noise."""
 FAINT = 0.2
 CURVED = 1e-3
 """Of the side of a square as large as a region: regions of several faces whose corners stand off by more are curved."""
+MANY = 20_000
+"""Neighbours that may lie in one plane, up to which all of them are tried."""
 BENT = 1e-2
 """The same of a region that is one face of the file."""
 
@@ -51,10 +53,12 @@ def _leaning_on(mesh: Mesh, face: np.ndarray, flat: float) -> np.ndarray:
     arm = corner - corner.mean(axis=1, keepdims=True)
     normal = np.linalg.eigh(np.einsum("nki,nkj->nij", arm, arm))[1][:, :, 0]
     height = np.abs(np.einsum("nki,ni->nk", arm, normal)).max(axis=1)
-    _, normals, _ = areas_normals_centroids(points[triangle])
+    area, normals, _ = areas_normals_centroids(points[triangle])
     facing = np.einsum("ni,ni->n", normals[a], normals[b])
     tiny = height <= FAINT * flat
-    level = (height <= flat) & (tiny | (facing > 1 - TILT**2))
+    level = (height <= flat) & (tiny | (facing > 1 - TILT**2 / 2))
+    if level.sum() > MANY:  # a scan: what bends from triangle to triangle is curved
+        level &= height <= CURVED * np.sqrt(area[a] + area[b])
     return np.stack([face[a[level]], face[b[level]]], axis=1)
 
 
@@ -68,12 +72,13 @@ def _grown(mesh: Mesh, face: np.ndarray, pairs: np.ndarray, flat: float) -> np.n
     place = mesh.points[mesh.triangle] - mesh.points.mean(axis=0)
     corners = np.split(place[order], np.cumsum(np.bincount(face))[:-1])
     region = np.full(len(moment), -1)
+    normals, levels = _planes(moment, vector)
     for seed in sorted(beside, key=lambda f: (-moment[f, 0], f)):
         if region[seed] >= 0:
             continue
         region[seed] = seed
         total, looking = moment[seed].copy(), vector[seed].copy()
-        normal, level = (values[0] for values in _planes(total[None], looking[None]))
+        normal, level = normals[seed], levels[seed]
         waiting = list(beside[seed])
         while waiting:
             f = waiting.pop()
@@ -95,7 +100,7 @@ def _is_level(corners: np.ndarray, vector: np.ndarray, normal: np.ndarray, level
         return False
     along, size = float(vector @ normal), float(np.linalg.norm(vector))
     if height > FAINT * flat:
-        return along > (1 - TILT**2) * size
+        return along > (1 - TILT**2 / 2) * size
     return along > 0.5 * size or 2 * size <= FAINT * flat * float(np.ptp(corners, axis=(0, 1)).max())
 
 

@@ -187,4 +187,4 @@ def blocks(draw: Draw) -> Attempt:
 
 @cache
 def _scene() -> str:
-    return scene_text(sound.small(), find_joints(sound.small().blocks), Written("blocks", "a.blocks.h5", False))
+    return scene_text(sound.small(), find_joints(sound.small().blocks), Written("blocks", "a.blocks.h5", "--section"))

@@ -115,3 +115,21 @@ def test_a_cavity_counts_against_the_volume():
     looking = outward(points, number.reshape(-1, 3), "the box")
     arm = points[looking]
     assert np.einsum("ti,ti->", arm[:, 0], np.cross(arm[:, 1], arm[:, 2])) / 6 == pytest.approx(26.0, rel=1e-14)
+
+
+@pytest.mark.parametrize("dent", [0.0, 0.05])
+def test_a_scan_of_many_triangles_is_known_as_convex_or_not_in_little_memory(dent):
+    """Corners times faces would be 630 MB."""
+    import tracemalloc
+
+    import trimesh
+
+    ball = trimesh.creation.icosphere(4)
+    points = np.array(ball.vertices)
+    points[0] *= 1 - dent
+    blocks = from_faces([list(points[ball.faces])], [0], [0], ["units"])
+    tracemalloc.start()
+    assert are_convex(blocks, 1e-9).tolist() == [dent == 0.0]
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 50e6
