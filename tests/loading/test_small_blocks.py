@@ -5,8 +5,11 @@ from math import atan, cos, degrees, radians, sin
 import pytest
 
 import masonry
+from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
 from masonry.judgement.trust import trust
+from masonry.loading.moves.travels import Limits, Travels
+from masonry.monitors import energy
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 
 TILT = 'pattern = "tilt"\nabout = "y"\naccuracy = "1 %"'
@@ -133,3 +136,17 @@ def test_a_run_until_rest_waits_for_the_small_block_that_slides_on():
     assert result.summary["gauges"]["slides"]["final_m"] == pytest.approx(0.05**2 / (2.0 * 0.02 * 9.81), rel=0.02)
     short = masonry.run(load(SLIDES, solver__duration="0.2 s"))
     assert any("(3.002, 1.002, 0.001) m, was not at rest" in line for line in short.summary["warnings"])
+
+
+def test_a_gauge_has_to_stand_still_where_all_blocks_rest():
+    """Beside the farthest that it has moved: by a hundredth of that it moves, by a ten-thousandth it does not."""
+    gauge = '[[gauge]]\nname = "top"\nat = "small.z+"\ndirection = "x"\n'
+    assembly = assemble(pair(0.02, more=f"[limit]\n{TILT}\n{gauge}"))
+    travels = Travels(assembly.model, Limits(1e-8, 1e-3, 0.005, 10.0), assembly.recording.gauges)
+    place, still = assembly.model.bodies.rigid.q, energy.velocities(assembly.model)
+    place[2, 0] = 1e-3
+    assert not travels.moves_alone(still, 1e-4, calm=0)
+    place[2, 0] += 1e-7
+    assert not travels.moves_alone(still, 1e-4, calm=1)
+    place[2, 0] += 1e-5
+    assert travels.moves_alone(still, 1e-4, calm=2)
