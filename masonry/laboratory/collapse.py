@@ -40,7 +40,7 @@ def _collapse(assembly: Assembly, outcome: Outcome) -> dict[str, Any] | None:
     set_out = (
         None if last is None else _moment(assembly, rows, int(np.searchsorted(rows["time"], time, side="right")) - 1)
     )
-    unknown = STEADILY if last == row else _not_known(set_out, began)
+    unknown = STEADILY if last == row else not_known(set_out, began)
     return {
         "block": block,
         "sets": sorted(name for name, members in specimen.sets.items() if block in members),
@@ -53,7 +53,7 @@ def _collapse(assembly: Assembly, outcome: Outcome) -> dict[str, Any] | None:
     }
 
 
-def _not_known(set_out: dict[str, Any] | None, began: dict[str, Any] | None) -> str:
+def not_known(set_out: dict[str, Any] | None, began: dict[str, Any] | None) -> str:
     """Why it is not known where a fall began, in words, from when it set out and when that showed; "" where it is."""
     if set_out is None or began is None:
         return ""

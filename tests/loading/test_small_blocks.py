@@ -7,9 +7,11 @@ import pytest
 import masonry
 from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
+from masonry.history import LONE
 from masonry.judgement.trust import trust
 from masonry.loading.moves.travels import Limits, Travels
 from masonry.monitors import energy
+from masonry.monitors.unrest import EachBlock
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 
 TILT = 'pattern = "tilt"\nabout = "y"\naccuracy = "1 %"'
@@ -150,3 +152,31 @@ def test_a_gauge_has_to_stand_still_where_all_blocks_rest():
     assert not travels.moves_alone(still, 1e-4, calm=1)
     place[2, 0] += 1e-5
     assert travels.moves_alone(still, 1e-4, calm=2)
+
+
+def test_a_block_is_measured_by_what_it_bears_and_by_what_its_contacts_store_under_that():
+    model = assemble(pair(0.02)).model
+    body, mass = model.bodies.rigid, model.masses["rigid"]
+    still, speed, weight = energy.velocities(model), 1e-9, 1900.0 * 9.81 * 0.02**2 * 0.08
+    body.v[2, 2] = speed
+    unrest = EachBlock(model).look(still)
+    assert unrest.force[2] == pytest.approx(mass[2, 2] * speed / model.dt / weight)
+    assert unrest.energy[2] == pytest.approx(mass[2, 2] * speed**2 * 30e9 * 0.02**2 / weight**2)
+    assert unrest.force[:2].tolist() == unrest.energy[:2].tolist() == [0.0, 0.0]
+    share = float(unrest.force[2]) / LONE
+    assert unrest.alone(0.99 * share, 1.0)[2] and not unrest.alone(1.01 * share, 1.0).any()
+    share = float(unrest.energy[2]) / LONE**2
+    assert unrest.alone(1.0, 0.99 * share)[2] and not unrest.alone(1.0, 1.01 * share).any()
+    body.v[2, 2], body.v[2, 4] = 0.0, speed
+    about = mass[2, 4] * speed / model.dt / (0.02**2 * 0.08) ** (1 / 3)
+    assert EachBlock(model).look(still).force[2] == pytest.approx(about / weight), "what turns about its middle moves"
+
+
+def test_a_block_that_creeps_alone_under_damping_is_let_go_until_it_falls():
+    """Dragged, it creeps back and forth for 50,000 steps half a per cent above its collapse."""
+    stiff = {"contact.unit_unit.normal_stiffness": "128 GPa/m", "contact.unit_unit.shear_stiffness": "51 GPa/m"}
+    scene = pair(2.67e-3, 4.307, 0.349, f"[settle]\nsteps = 4000\n[limit]\n{TILT}").with_(stiff)
+    result = masonry.run(scene)
+    found = result.summary["collapse_load"]
+    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(1.0 / 4.307, rel=0.01)
+    assert found["undecided"] == 0 and result.summary["steps"] < 60_000

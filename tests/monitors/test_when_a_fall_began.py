@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import masonry
-from masonry.laboratory.collapse import LATE
+from masonry.laboratory.collapse import LATE, not_known
 from masonry.laboratory.falling import beginning
 from masonry.laboratory.text import collapse_text
 from masonry.scene import load as load_scene
@@ -52,6 +52,18 @@ def test_a_fall_of_which_it_is_not_known_when_it_began_is_told_so():
     fallen = {"block": 3, "sets": ["keystone"], "at_m": [0.0, 0.15, 0.98], "time_s": 1.0, "began": None}
     words = collapse_text({"collapse": {**fallen, "began_unknown": unknown}})
     assert words.endswith(f"after 1 s; when the fall began is not known: {unknown}")
+
+
+def test_what_changed_while_it_gathered_way_is_named_from_four_per_cent_on():
+    def words(share: float, **more) -> str:
+        set_out = {"displacement_m": -0.03 * (1.0 - share), "tilt_rad": 0.3, "loads": {"traction.0": 0.5}}
+        began = {"displacement_m": -0.03, "tilt_rad": 0.3, "loads": {"traction.0": 0.5}}
+        return not_known(set_out | more, began)
+
+    assert words(0.039) == ""
+    assert words(0.041) == "the drive went from -28.77 to -30 mm while it gathered way: drive or load more slowly"
+    assert "the tilt went from 16.04 to 17.19 deg while" in words(0.0, tilt_rad=0.28)
+    assert "the traction.0 went from 0.4 to 0.5 of its value while" in words(0.0, loads={"traction.0": 0.4})
 
 
 @pytest.mark.slow
