@@ -2,6 +2,7 @@
 
 from math import atan, cos, degrees, radians, sin
 
+import numpy as np
 import pytest
 
 import masonry
@@ -9,6 +10,7 @@ from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
 from masonry.history import LONE
 from masonry.judgement.trust import trust
+from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.travels import Limits, Travels
 from masonry.monitors import energy
 from masonry.monitors.unrest import EachBlock
@@ -180,3 +182,17 @@ def test_a_block_that_creeps_alone_under_damping_is_let_go_until_it_falls():
     found = result.summary["collapse_load"]
     assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(1.0 / 4.307, rel=0.01)
     assert found["undecided"] == 0 and result.summary["steps"] < 60_000
+
+
+def test_a_block_that_drifts_alone_is_not_braked_and_all_others_are():
+    """The large block, 1e6 times as heavy, swings back along the way that it came."""
+    model = assemble(pair(0.02)).model
+    body = model.bodies.rigid
+    moved, velocity, alone = np.zeros((3, 6)), np.zeros((3, 6)), np.arange(3) == 2
+    moved[1, 0], moved[2, 0], velocity[1, 0], velocity[2, [0, 2]] = 1e-6, 1e-5, -1e-7, (2e-5, 4e-6)
+    body.v[...] = velocity
+    drift = Drift({"rigid": moved}, fades=0.9)
+    assert drift.brake(model, [velocity.copy()], 0.5, alone) == pytest.approx(2.0)
+    assert body.v[2, [0, 2]] == pytest.approx([2e-5, 2e-6]) and body.v[1, 0] == pytest.approx(-0.5e-7)
+    body.v[...] = velocity
+    assert drift.brake(model, [velocity.copy()], 0.5) < 0.0, "together they go back"
