@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 import verification
+from masonry.assembly.assemble import assemble
 from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
+from masonry.laboratory.remarks.joint_faces import faces_of, look_at
 from masonry.laboratory.remarks.joint_sections import envelope, of_points, spread, strength
 from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
@@ -79,6 +81,17 @@ def test_a_section_that_is_pulled_bears_as_much_as_the_line_of_action_allows():
     )
 
 
+def test_the_work_of_the_joints_in_a_frame_is_that_of_the_drive():
+    scene = load(TORN, {**BENT, "specimen.points_per_edge": {"x": 6, "y": 1}})
+    assembly, history = assemble(scene), laboratory.run(scene).history
+    faces, moved = faces_of(assembly), [frame for frame in history.frames if frame.displacement > 0.0]
+    looks = [look_at(assembly, faces, frame) for frame in moved]
+    force = [history.rows["force"][history.rows["step"] == frame.step][0] for frame in moved]
+    done = [float((look.bends + look.slides).sum()) for look in looks]
+    assert done == pytest.approx([f * frame.displacement for f, frame in zip(force, moved, strict=True)], rel=0.01)
+    assert all(0.0 <= look.bent.sum() <= look.bends.sum() for look in looks) and looks[-1].torn.all()
+
+
 def test_few_rows_of_points_change_the_answer_and_a_run_with_them_says_by_how_much():
     few, more, many = (torn(rows).summary for rows in (2, 6, 12))
     peak = many["peak_stress_pa"]
@@ -94,7 +107,7 @@ def test_the_moment_of_a_bed_is_off_as_the_run_says_with_points_inside_or_at_the
     right = peak_and_word(bed, "gauss", 16)[0]
     for rule, rows in (("gauss", 2), ("vertex", 2), ("vertex", 4), ("vertex", 6)):
         peak, word, enough = peak_and_word(bed, rule, rows)
-        assert word == pytest.approx(peak / right, rel=0.05), (rule, rows)
+        assert word == pytest.approx(peak / right, rel=0.05) and enough <= 16, (rule, rows)
         peak, word, _ = peak_and_word(bed, rule, enough)
         assert word == 1.0 and peak == pytest.approx(right, rel=0.03), (rule, enough)
 
@@ -116,6 +129,14 @@ def test_a_facade_with_two_points_at_the_edges_of_its_joints_is_too_strong_and_s
     assert few > 1.05 * right and doubt > 1.05 and silent == 1.0
 
 
+def test_a_squat_wall_slides_but_joints_that_are_whole_bear_too_much_by_points_at_their_edges():
+    squat = walls()["squat wall, 0.5 MPa"]
+    points = ("gauss", 6), ("gauss", 2), ("vertex", 2)
+    (right, silent, _), (inside, little, _), (edge, doubt, _) = (peak_and_word(squat, *these) for these in points)
+    assert silent == 1.0 and little == pytest.approx(inside / right, abs=0.03)
+    assert edge > 1.05 * right and doubt > 1.02
+
+
 def test_a_load_that_grows_until_a_bed_gives_way_is_told_to_be_too_large():
     bed = walls()["block, brittle mortar"]
     grows = {"drive": None, "limit": {"pattern": "force", "on": "block", "force": {"x": "1 kN"}, "accuracy": "2 %"}}
@@ -128,13 +149,13 @@ def test_a_load_that_grows_until_a_bed_gives_way_is_told_to_be_too_large():
 
 
 def test_joints_whose_strengths_scatter_are_held_against_their_own():
-    strip, scatter = walls()["cantilever out of plane"], {"tensile_strength": 0.4, "cohesion": 0.4}
-    drawn = {"scatter": {"seed": 2, "unit_unit": scatter}}
+    strip, scatter = walls()["strip, pushed at its middle"], {"tensile_strength": 0.5, "cohesion": 0.5}
+    drawn = {"scatter": {"seed": 4, "unit_unit": scatter}}
     few, right = (
         laboratory.run(scene_runs.load(strip.scene, strip.with_points(*points) | drawn)).summary
-        for points in (("vertex", 2), ("gauss", 12))
+        for points in (("gauss", 2), ("gauss", 12))
     )
-    assert said(few) == pytest.approx(few["peak_force_n"] / right["peak_force_n"], rel=0.05) and said(right) == 1.0
+    assert said(few) == pytest.approx(few["peak_force_n"] / right["peak_force_n"], rel=0.06) and said(right) == 1.0
 
 
 @pytest.mark.parametrize("rule", ["gauss", "vertex"])
