@@ -74,6 +74,15 @@ def test_a_block_that_slides_off_the_floor_is_told_and_falls_on():
     assert not any("left the floor" in words for words in stays.summary["warnings"])
 
 
+@pytest.mark.parametrize("angle", [0.0, 45.0])
+def test_a_plate_has_fallen_by_half_its_own_thickness_however_it_lies(angle):
+    thickness = 0.02
+    plate = box("plate", (-0.1, -0.1, 1.0), (0.2, 0.2, thickness), "units", 1)
+    turned = f'turned = {{about = "y", angle = "{angle} deg"}}'
+    fallen = laboratory.run(dry([slab(0.5), plate], duration=0.15, turned=turned)).summary["collapse"]
+    assert fallen["time_s"] == pytest.approx(sqrt(thickness / G), abs=0.15 / 200), "a row is taken so often"
+
+
 def test_what_stands_on_a_plate_that_a_drive_lets_down_has_not_fallen():
     lowered = '[drive]\non = "slab"\ndirection = "-z"\ndisplacement = "0.3 m"\nrate = "0.5 m/s"\n'
     held = ('on = "slab"\nfix = ["x", "y", "rotation"]',)
