@@ -103,3 +103,24 @@ def test_patches_take_over_the_pressure_and_the_shear_of_bonds_that_go(sunk, she
     on_the_slab = 1.0 if near.pairs.body[p, 1 - near.pairs.points_of[p]] == 0 else -1.0
     total = on_the_slab * (retirement.areas_of(near, p) @ tractions)
     assert total == pytest.approx([force[0], force[1], 0.0], abs=1e-6 * abs(force[2]))
+
+
+def test_shear_that_follows_an_uneven_pressure_holds_no_more_energy_than_the_bonds_did():
+    """The block leans by 1e-4, so that its patch presses from 0.15 to 0.25 MPa."""
+    model = glued()
+    model.bodies.rigid.q[1, 2], model.bodies.rigid.frame[1] = -2e-5, turn(1, 1e-4)
+    model.large.near.motion.travel[1] += 1e-4
+    model.contacts.u[1:] = -2e-5 * model.contacts.normal
+    force = pressed(model, -2e5, 5e4)
+    model.state.intact_n[:] = model.state.intact_s[:] = 0.0
+    retirement.retire(model)
+    near = model.large.near
+    p = int(np.flatnonzero(near.pairs.slot[: near.pairs.number[0]] >= 0)[0])
+    pressures, areas = retirement.pressures_of(near, p), retirement.areas_of(near, p)
+    assert pressures.max() > 1.3 * pressures.min()
+    assert float(areas @ pressures**2) / (2.0 * KN) == pytest.approx(0.01 * 4e10 / (2.0 * KN), rel=1e-9)
+    k = np.arange(4)
+    tractions = near.points.quads[near.pairs.slot[p], k // FOUR, SHEAR:, k % FOUR]
+    assert float(areas @ np.sum(tractions**2, axis=1)) == pytest.approx(0.01 * 5e4**2, rel=1e-9)
+    assert np.linalg.norm(tractions, axis=1) / pressures == pytest.approx(np.full(4, 0.25), rel=0.1)
+    assert np.abs(areas @ tractions)[0] < abs(force[0]), "so it is a little less force"

@@ -29,12 +29,17 @@ def test_a_mesh_in_mm_has_its_blocks_and_its_nodes_in_m(tmp_path):
 
 def test_groups_of_solids_are_not_called_by_groups_of_faces_of_the_same_number(tmp_path):
     points, tets = tower(1)
-    names = {"a side": np.array([1, 2]), "a stone": np.array([1, 3])}
-    cells, tags = [("tetra", tets)], {"gmsh:physical": [np.ones(len(tets), int)], "gmsh:geometrical": [np.ones(6, int)]}
-    for order in (names, dict(reversed(names.items()))):
-        mesh = meshio.Mesh(points, cells, cell_data=tags, field_data=order)
-        meshio.gmsh.write(tmp_path / "named.msh", mesh, fmt_version="2.2")
-        assert read_mesh(tmp_path / "named.msh").blocks.groups == ("a stone",)
+    tags = {"gmsh:physical": [np.ones(len(tets), int)], "gmsh:geometrical": [np.ones(6, int)]}
+    names = {"a stone": np.array([1, 3])}
+    path = tmp_path / "named.msh"
+    mesh = meshio.Mesh(points, [("tetra", tets)], cell_data=tags, field_data=names)
+    meshio.gmsh.write(path, mesh, fmt_version="2.2", binary=False)
+    stone, side = '3 1 "a stone"\n', '2 1 "a side"\n'
+    text = path.read_text()
+    assert text.count(f"1\n{stone}") == 1
+    for order in (stone + side, side + stone):
+        path.write_text(text.replace(f"1\n{stone}", f"2\n{order}"))
+        assert read_mesh(path).blocks.groups == ("a stone",)
 
 
 def ball(tmp_path, **words):
