@@ -11,11 +11,21 @@ from geometry.joints.find import facing_pairs
 from geometry.polyhedra.box_pairs import overlapping_boxes
 from geometry.polyhedra.intersect import is_inside, solid
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids
+from geometry.polyhedra.overlaps import all_overlaps
+from geometry.polyhedra.overlaps import described as overlaps_described
 from geometry.polyhedra.polygons import areas_normals_centroids, clip, pad, tidy
 
 LISTED = 5
 ALMOST = 1e-4
 """Of the tolerance: so little above it is rounding of the file."""
+
+
+class Unmended(GeometryError):
+    """Gaps and overlaps beyond the tolerance; needed: the tolerance (m) that covers all of them."""
+
+    def __init__(self, message: str, needed: float) -> None:
+        super().__init__(message)
+        self.needed = needed
 
 
 @dataclass(frozen=True)
@@ -98,7 +108,7 @@ def described(blocks: Blocks, found: Facing, names: Sequence[str]) -> list[str]:
 
 
 def require_small(blocks: Blocks, found: Facing, names: Sequence[str], tolerance: float, open_gaps: bool) -> None:
-    """Raise GeometryError for gaps and overlaps larger than tolerance (m); gaps may be left as they are."""
+    """Raise Unmended for gaps and overlaps larger than tolerance (m), with all others; gaps may be left as they are."""
     large = np.abs(found.size) > tolerance * (1 + ALMOST) + 1e-9 * extent(blocks)
     if open_gaps:
         large &= found.size < 0
@@ -107,11 +117,18 @@ def require_small(blocks: Blocks, found: Facing, names: Sequence[str], tolerance
     worst = found.chosen(large)
     gaps, overlaps = int(np.sum(worst.size > 0)), int(np.sum(worst.size < 0))
     said = [f"{n} {word}{'s' if n > 1 else ''}" for n, word in ((gaps, "gap"), (overlaps, "overlap")) if n]
-    largest = float(np.abs(worst.size).max()) * 1e3
-    step = 10.0 ** (math.floor(math.log10(largest)) - 1)
-    needed = math.ceil(largest / step + 1e-6) * step
-    leave = ", or --open-gaps leaves gaps as they are, or --gap lays joints into them" if gaps and not overlaps else ""
-    raise GeometryError(
+    owner, lines = blocks.face_block(), described(blocks, worst, names)
+    known = {(int(owner[f]), int(owner[g])) for f, g in zip(found.face_a, found.face_b, strict=True)}
+    others = [o for o in all_overlaps(blocks, names, tolerance) if (o.first, o.second) not in known]
+    largest = max([float(np.abs(worst.size).max()), *(overlap.depth for overlap in others)])
+    raise Unmended(
         f"{' and '.join(said)} between facing faces, larger than the tolerance of {tolerance * 1e3:.4g} mm: "
-        f"{'; '.join(described(blocks, worst, names))}; --tolerance {needed:.3g}mm would mend them{leave}"
+        f"{'; '.join([*lines, *overlaps_described(blocks, others, names)])}",
+        rounded_up(largest),
     )
+
+
+def rounded_up(length: float) -> float:
+    """The next length above (m) of two digits."""
+    step = 10.0 ** (math.floor(math.log10(length)) - 1)
+    return math.ceil(length / step + 1e-6) * step

@@ -95,6 +95,20 @@ def _draw_arrows(
         axes.update_datalim([start, end])
 
 
+def _in_sight(held: list[Piece], pieces: list[Piece], camera: Camera, width: float) -> list[Piece]:
+    """Those of some pieces whose middle no piece hides; only pieces that lie over it in the picture are looked at."""
+    flat = [camera.project(piece.corners) for piece in pieces]
+    low, high = (np.array([at(corners, axis=0) for corners in flat]).reshape(-1, 2) for at in (np.min, np.max))
+    seen = []
+    for piece in held:
+        middle = piece.corners.mean(axis=0)
+        place = camera.project(middle[None])[0]
+        over = np.flatnonzero(((low <= place + width) & (place <= high + width)).all(axis=1))
+        if not len(over) or not hidden(middle, [pieces[n] for n in over], camera, width):
+            seen.append(piece)
+    return seen
+
+
 def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece], camera: Camera, size: float) -> None:
     """Hatched where nothing moves; else triangles with a line, as rollers, against each direction that is held."""
     from matplotlib.collections import PolyCollection
@@ -106,8 +120,7 @@ def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece]
         if mark.faces is not None:
             own = np.isin([p.face for p in pieces], mark.faces)
         held = [piece for piece, mine in zip(pieces, own, strict=True) if mine]
-        near = 1e-4 * size
-        shown = [camera.project(p.corners) for p in held if not hidden(p.corners.mean(axis=0), pieces, camera, near)]
+        shown = [camera.project(piece.corners) for piece in _in_sight(held, pieces, camera, 1e-4 * size)]
         axes.add_collection(
             PolyCollection(shown, facecolors="none", edgecolors=colour, hatch="////", linewidths=0.0, zorder=5)
         )

@@ -1,5 +1,6 @@
 """Blocks from Python: arrays of vertices and faces become a file of blocks that a scene of kind "file" names."""
 
+import re
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
@@ -9,11 +10,14 @@ import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Specimen
 from geometry.files.blocks_h5 import save_blocks
+from geometry.joints.gaps import Unmended
 from geometry.joints.heal import Mended, mend
+from geometry.polyhedra.overlaps import Overlapping
 from geometry.polyhedra.validate import require_sound
 from geometry.specimens.from_arrays import polyhedra
 from masonry.errors import SceneError
-from masonry.importing.importing import FLAT, SUFFIX
+from masonry.importing.hints import ways_out, with_ways_out
+from masonry.importing.importing import FLAT, SUFFIX, Wishes
 from masonry.importing.named_sets import SECTIONS, section_of, sets_of
 from masonry.quantity import parse
 
@@ -46,7 +50,8 @@ def write_blocks(
             raise SceneError(f"units: {unit} is no number of a unit; allowed: 0 to {LARGEST}")
     width = parse(tolerance, "length", "tolerance", "[1e-9, 1]")
     area = None if section is None else parse(section, "area", "section", f"[{SECTIONS[0]}, {SECTIONS[1]}]")
-    mended = _mended(partial(polyhedra, solids, called, of_unit, of_group), width, called, open_gaps)
+    build = partial(polyhedra, solids, called, of_unit, of_group)
+    mended = _mended(build, Wishes(tolerance=width, open_gaps=open_gaps), called)
     found = mended.blocks
     require_sound(found)
     _require_own_names(found, named)
@@ -94,14 +99,22 @@ def _for_each(values: Any, count: int, what: str, kind: type, example: Any) -> l
     return found
 
 
-def _mended(build: Callable[[float], Blocks], tolerance: float, names: Sequence[str], open_gaps: bool) -> Mended:
+def _mended(build: Callable[[float], Blocks], wishes: Wishes, names: Sequence[str]) -> Mended:
     """The blocks that `build` makes where faces count as flat within a length (m), mended as by an import."""
-    refused: GeometryError | None = None
-    for share in FLAT:
-        try:
-            return mend(build(share * tolerance), tolerance, names, open_gaps)
-        except GeometryError as error:
-            refused = refused or error
-    said = str(refused).replace(", or --gap lays joints into them", "").replace("--tolerance ", "tolerance = ")
-    said = said.replace("--open-gaps", "open_gaps = True")
-    raise GeometryError(said)
+
+    def attempt(wishes: Wishes) -> Mended:
+        refused: GeometryError | None = None
+        for share in FLAT:
+            try:
+                return mend(build(share * wishes.tolerance), wishes.tolerance, names, wishes.open_gaps)
+            except GeometryError as error:
+                refused = refused or error
+        assert refused is not None
+        raise refused
+
+    try:
+        return attempt(wishes)
+    except (Unmended, Overlapping) as error:
+        said = str(with_ways_out(error, ways_out(attempt, wishes, error, bridging=False)))
+    said = re.sub(r"--tolerance (\S+)mm", r'tolerance = "\1 mm"', said).replace("--open-gaps", "open_gaps = True")
+    raise GeometryError(said.replace(" (--tolerance)", ""))

@@ -5,6 +5,7 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,14 +16,15 @@ from geometry.files.atomic import whole_file
 from geometry.files.blocks_h5 import save_blocks
 from geometry.files.sandbox import guarded
 from geometry.joints.find import find_joints, stated_joints
-from geometry.joints.gaps import ALMOST
+from geometry.joints.gaps import ALMOST, Unmended
 from geometry.joints.heal import Mended, mend
 from geometry.joints.nearby import Rule, nearby_joints
 from geometry.joints.point_density import Density
-from geometry.polyhedra.overlaps import check_overlaps
+from geometry.polyhedra.overlaps import Overlapping, check_overlaps
 from geometry.polyhedra.validate import require_near, require_sound
 from masonry.errors import SceneError, nearest
 from masonry.importing.data_sets import data_path
+from masonry.importing.hints import ways_out, with_ways_out
 from masonry.importing.named_sets import SECTIONS, section_of, section_words, sets_of
 from masonry.importing.scene_file import Written, scene_text
 
@@ -86,7 +88,11 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
         raise SceneError(f"'{source}': {source.suffix or 'a file without suffix'} is not read; {nearest('', READERS)}")
     target = out.parent / (out.name.removesuffix(".toml") + SUFFIX)
     _require_free(source, out, target, overwrite)
-    found, names, mended, stated = joined_up(Reading(source, reader), wishes)
+    read = Reading(source, reader)
+    try:
+        found, names, mended, stated = joined_up(read, wishes)
+    except (Unmended, Overlapping) as error:
+        raise with_ways_out(error, ways_out(partial(joined_up, read), wishes, error)) from None
     blocks = mended.blocks if mended else found.blocks
     require_sound(blocks)
     section = section_of(blocks, wishes.section)
@@ -183,7 +189,7 @@ def _mended_surfaces(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str
     """The bodies of a surface, their names, and how they were mended.
 
     Faces count as flat within the tolerance; where blocks cannot be mended so, as faces that are slightly bent need not
-    agree with their neighbours, within less. Where nothing helps the message names what needs no exact faces.
+    agree with their neighbours, within less.
     """
     refused: GeometryError | None = None
     for share in FLAT:
@@ -195,11 +201,7 @@ def _mended_surfaces(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str
     assert refused is not None
     if far := [note for note in found.notes if "from the origin" in note]:
         raise GeometryError(f"{refused}; {far[0]}")
-    if "--gap" in str(refused):
-        raise refused
-    raise GeometryError(
-        f"{refused}; if that is rounding (STL files have seven digits), --gap '1 mm' takes the blocks as they are"
-    )
+    raise refused
 
 
 def bridged(found: Imported, names: Sequence[str], wishes: Wishes) -> JointPolygons:

@@ -190,3 +190,32 @@ def test_the_data_sets_are_imported_and_stand(tmp_path, data):
     assert len(joints.patch_start) - 1 == polygons
     assert masonry.run(load(path)).summary["unbalanced_after_settling"] < 1e-9
     assert masonry.limit(load(path, TILT)).factor == pytest.approx(TILTS[data.name], rel=1e-3)
+
+
+def test_what_a_refusal_names_leads_past_it(tmp_path, capsys):
+    """Overlaps and gaps at once, in one list; each way that is named works, and where none does none is named."""
+    row = [corners((0, 0, 0)), corners((0.9995, 0, 0)), corners((0, 0, 1.0006)), corners((0, 1.0003, 0))]
+    path, out = obj(tmp_path / "row.obj", *row), ("--out", tmp_path / "new.toml")
+    said = complaint(capsys, "import", path, *out)
+    assert said.count("'body0' and ") == 3 and "overlap of 0.5 mm" in said and "gap of 0.6 mm" in said
+    ways = said.split("tried: ")[1].split(", or ")
+    assert len(ways) == 2 and ways[0].startswith("--tolerance 0.61mm mends them")
+    for way in ways:
+        words = way.split(" lays ")[0].split(" mends ")[0].replace("'", "")
+        value = words.split("--tolerance ")[1]
+        gap = ("--gap", words.split("--gap ")[1].split(" --")[0]) if "--gap" in words else ()
+        imported(tmp_path, str(path), "--tolerance", value, *gap, "--overwrite")
+    deep = obj(tmp_path / "deep.obj", corners(), corners((0.5, 0, 0)), corners((0, 0.7, 0)))
+    said = complaint(capsys, "import", deep, *out, "--overwrite")
+    assert said.count("parts them") == 3 and "tried" not in said and "mend it where it was made" in said
+
+
+def test_the_section_says_what_it_is_and_a_lone_body_that_nothing_can_open(tmp_path, capsys):
+    imported(tmp_path, str(obj(tmp_path / "one.obj", corners())))
+    said = capsys.readouterr().out
+    assert "1 m^2: the area of the faces in the lowest plane" in said and "nothing can open" in said
+    turn = rotation((0.0, 1.0, 0.0), 0.3)
+    imported(tmp_path, str(obj(tmp_path / "two.obj", *(corners((k, 0, 0)) @ turn.T for k in (0, 1)))), "--overwrite")
+    said = capsys.readouterr().out
+    assert "the box round all, seen from above" in said and "nothing can open" not in said
+    assert "the box round all" in (tmp_path / "new.toml").read_text()

@@ -111,7 +111,7 @@ STIFF = {"normal_stiffness": "100 GPa/m", "shear_stiffness": "40 GPa/m"}
 def test_small_gaps_are_mended_and_larger_ones_refused(tmp_path):
     path = masonry.write_blocks(tmp_path / "a.blocks.h5", [unit(k, gap=5e-5) for k in range(3)])
     assert len(masonry.run(on(path, **NAMED)).joints.patch_start) - 1 == 2
-    with pytest.raises(GeometryError, match=r"2 gaps .*tolerance = 0\.51mm would mend them, or open_gaps = True"):
+    with pytest.raises(GeometryError, match=r"2 gaps .*tried: tolerance = .0\.51 mm. mends them, or open_gaps = True"):
         masonry.write_blocks(tmp_path / "b.blocks.h5", [unit(k, gap=5e-4) for k in range(3)])
     assert not (tmp_path / "b.blocks.h5").exists()
 
