@@ -13,6 +13,8 @@ from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centr
 from geometry.polyhedra.polygons import areas_normals_centroids, cut, pad
 
 CHUNK = 4096
+THIN = 0.49
+"""Of the side of a box: what is taken off either end at most, where blocks may overlap by more than they are thick."""
 LISTED = 5
 """Overlaps that a message shows, the deepest first."""
 MEASURED, MOST_FACES = 6, 400
@@ -56,11 +58,12 @@ def all_overlaps(blocks: Blocks, names: Sequence[str] | None = None, allowed: fl
     depth = max(1e-9 * extent(blocks), allowed)
     low, high = bounds(blocks)
     _require_thick(blocks, names, high - low, 1e-9 * extent(blocks))
-    pairs = overlapping_boxes(low + depth / 2, high - depth / 2)
+    rim = np.minimum(depth / 2, THIN * (high - low))
+    pairs = overlapping_boxes(low + rim, high - rim)
     is_box = np.abs(volumes(blocks) / np.prod(high - low, axis=1) - 1) < 1e-12
     convex = np.ones(blocks.count, dtype=bool) if is_box.all() else are_convex(blocks, depth)
     sure = is_box[pairs].all(axis=1)
-    found = [_of_boxes(low, high, a, b) for a, b in pairs[sure].tolist()]
+    found = [overlap for a, b in pairs[sure].tolist() if (overlap := _of_boxes(low, high, a, b)).depth > depth]
     for a, b in overlapping_pairs(blocks, pairs[~sure], depth, convex):
         closely = len(found) < MEASURED
         found.append(_of_convex(blocks, a, b) if convex[[a, b]].all() else _of_solids(blocks, a, b, depth, closely))

@@ -145,3 +145,13 @@ def test_boxes_far_larger_than_the_others_are_found_with_all_that_they_meet(most
     i, j = np.triu_indices(300, 1)
     meets = ((low[i] <= high[j]) & (low[j] <= high[i])).all(axis=1)
     assert np.array_equal(overlapping_boxes(low, high), np.column_stack([i, j])[meets])
+
+
+def test_blocks_thinner_than_the_overlap_that_is_allowed_are_looked_at_too():
+    thin = boxes([(f"b{k}", (k, 0, 0), (1.0, 1e-3, 1), "units", k, (1, 1, 1)) for k in range(2)], 1.0).blocks
+    check_overlaps(thin, allowed=0.01)
+    deep = boxes(two_boxes((1.0, 0.0, 0.0)), 1.0).blocks
+    deep.points[8:, 0] -= 0.2
+    with pytest.raises(Overlapping):
+        check_overlaps(deep, allowed=0.1)
+    check_overlaps(deep, allowed=0.3)
