@@ -10,11 +10,14 @@ import masonry
 from geometry.blocks import Blocks
 from geometry.specimens.boxes import boxes
 from masonry.errors import SceneError
+from masonry.statics.balance import unbalanced
+from masonry.statics.equilibrium import equilibrium
 from masonry.statics.no_dilation import without_dilation
 from masonry.statics.problem import Bodies, Contacts, Found
 from masonry.statics.safety import factor_of_safety
+from masonry.statics.sizes import alike
 from masonry.statics.solve import Method, largest_factor
-from tests.limit.blocks import CONES, PLANE, PYRAMIDS, dry, turned, wall
+from tests.limit.blocks import CONES, PLANE, PYRAMIDS, dry, stack, turned, wall
 from tests.scenes import load
 
 WEIGHT = 2e4
@@ -109,7 +112,22 @@ def test_a_large_block_on_four_pebbles_tips_about_them(ratio):
     assert not is_doubted(found) and found.factor == pytest.approx(2.0 / (4.0 + size), rel=1e-5)
 
 
-def test_what_a_contact_bears_too_much_counts_as_what_is_left_on_a_block(monkeypatch):
+@pytest.mark.parametrize(("friction", "drawn", "most"), [(0.7, 0.0, 0.0), (0.5, 0.0, 0.027), (0.7, 0.3, 0.047)])
+def test_what_a_contact_bears_beyond_friction_or_draws_counts_as_what_is_left_on_its_block(friction, drawn, most):
+    """A flat block pushed by 0.7 of its weight W, four corners bear it by 0.2325 and 0.2675 W, and 0.7 of these along
+    them. At 0.5 that is 0.0535 W too much, of 2 W in all; or two draw by 0.0675 W, and bear 0.0945 W too much."""
+    bodies, contacts = dry(stack([(2.0, 0.2)]), [0], friction)
+    forces = equilibrium(bodies, contacts, alike(bodies, contacts))
+    weight, arm = -bodies.dead[1, 2], np.sign(contacts.point - contacts.point.mean(axis=0))
+    normal = weight * (0.25 + 0.0175 * arm[:, 0] + drawn * arm[:, 0] * arm[:, 1])
+    shear = np.einsum("gki,i->gk", forces.tangent, (-0.7, 0.0, 0.0)) * normal[:, None]
+    unit = forces.force
+    unknown = np.concatenate([normal / unit, (shear / unit[:, None]).ravel(), [0.7]])
+    left = unbalanced(bodies, forces, contacts, unknown)
+    assert left[0] == 0.0 and left[1] == pytest.approx(most, abs=0.3 * most + 1e-12)
+
+
+def test_a_solve_that_ends_too_early_is_told_by_its_block_or_refused(monkeypatch):
     """A solve that ends early is told by the block, whichever it is."""
     monkeypatch.setattr("masonry.statics.solve.TRIES", 1)
     bodies, contacts = dry(SLENDER[1e4], [0], 0.65, density=WEIGHT)
