@@ -46,12 +46,15 @@ def planted(findings: Findings, scene: str) -> None:
 
 def two_sums(findings: Findings, words: str, runs: Sequence[Result], expected: float) -> None:
     """What the laws book as dissipated against the work taken less the energy stored: equal as the step,
-    halved from the first run to the second, vanishes; `expected` is their difference over the first at the finer step.
+    halved from run to run, vanishes; `expected` is their difference over the first in the second run.
+
+    Rounding decides in which step a contact starts to soften: over one halving the order comes out between 0.84 and
+    1.02, over two between 0.90 and 0.98.
     """
     off = [balance.mismatch(result) for result in runs]
     findings.check(f"{words}: the two sums of the dissipation, over the first", "1", off[1], 0.0, "closed form",
                    3.0 * expected, expected, "of first order in the step, by what a contact slips in one",
                    1.0)  # fmt: skip
-    findings.check(f"{words}: order of their difference in dt", "1", float(np.log2(off[0] / off[1])), 1.0,
-                   "closed form", 0.2, 0.05, "each contact starts to soften somewhere in a step, so the constant "
+    findings.check(f"{words}: order of their difference in dt", "1", float(np.log2(off[0] / off[-1])) / (len(off) - 1),
+                   1.0, "closed form", 0.2, 0.05, "each contact starts to soften somewhere in a step, so the constant "
                    "varies")  # fmt: skip
