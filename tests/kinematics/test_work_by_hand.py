@@ -7,6 +7,7 @@ from masonry.assembly.assemble import assemble
 from masonry.kinematics import affine, tets
 from masonry.kinematics.dispatch import move, update_positions
 from masonry.monitors.energy import present
+from tests.kinematics.bricks import turn
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
 STILL = 1.0, 1.0, 0.0, 0.0
@@ -15,7 +16,7 @@ TURNED = 'mesh = "fan"\nturned = {about = "z", angle = "35 deg"}'
 
 
 def three():
-    """A rigid, an affine and a meshed box in a row, turned about z, and nothing held but the last one's far end."""
+    """A rigid, an affine and a meshed box in a row, turned about z; rigid ones turn about axes along none of these."""
     boxes = [
         box("one", (0.0, 0.0, 0.0), (0.2, 0.1, 0.15), "units", 0),
         box("two", (0.2, 0.02, 0.01), (0.1, 0.07, 0.11), "bricks", 1),
@@ -24,7 +25,7 @@ def three():
     ]
     kinds = '{default = "rigid", bricks = "affine", meshed = "tets"}'
     names = ("unit_unit", "bricks_units", "bricks_meshed")
-    return assemble(
+    model = assemble(
         load(
             f"kinematics = {kinds}\n"
             + specimen(boxes, 0.01, more=TURNED)
@@ -34,6 +35,9 @@ def three():
             + '[drive]\non = "three"\ndirection = "z"\ndisplacement = "1 um"\nsteps = 10\n'
         )
     ).model
+    askew = turn(0, 0.7) @ turn(1, 1.1) @ turn(2, -2.0)
+    model.bodies.rigid.axes[...] = model.layout.axes[model.layout.members["rigid"]] = askew
+    return model
 
 
 def test_forces_at_contacts_do_on_each_kind_of_block_the_work_of_their_points():
@@ -119,3 +123,13 @@ def test_the_stiffness_of_tets_is_the_slope_of_their_energy():
     found = np.divide(body.v, body.dt_over_mass, out=np.zeros_like(body.v), where=free)
     assert found[free] == pytest.approx(wanted[free], rel=1e-5, abs=1e-6 * np.abs(wanted).max())
     assert wanted.sum(axis=0) == pytest.approx(np.zeros(3), abs=1e-6 * np.abs(wanted).max()), "no force on the whole"
+
+
+def test_the_mean_turn_of_a_mesh_is_that_of_its_nodes_whatever_its_strain():
+    model, rng = three(), np.random.default_rng(7)
+    body, u, nodes = model.bodies.tets, model.contacts.u, model.layout.mesh.nodes
+    spin, strain = np.array([1e-3, -2e-3, 4e-3]), 1e-2 * rng.normal(size=(3, 3))
+    u[: len(nodes), :3] = np.cross(spin, nodes) + nodes @ (strain + strain.T) + [0.1, 0.2, 0.3]
+    found = np.zeros((1, 3))
+    tets.mean_rotation(body, u, found)
+    assert found[0] == pytest.approx(spin, abs=1e-12)

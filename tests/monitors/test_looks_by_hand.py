@@ -1,6 +1,7 @@
 """Looks at models that do not run: what each counts, by hand, and its limits a hundredth below and above."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from masonry.monitors.energy import Seen
 from masonry.monitors.joint_forces import JointForces, Points
 from masonry.monitors.observer import View
 from masonry.monitors.openings import Openings
-from masonry.monitors.reactions import Standing, WorkOfLoads, balance, moved_by, open_by
+from masonry.monitors.reactions import Standing, WorkOfLoads, balance, moved_by, of_motion, open_by, resultant
 from masonry.monitors.settling import unbalanced
 from masonry.monitors.slide import Slide, is_roller
 from masonry.monitors.stability import Watch
@@ -113,6 +114,35 @@ def test_the_work_of_a_load_is_the_trapezoid_of_its_factor_over_the_way_that_it_
     found = work.found()
     assert found["work_of_loads"] == pytest.approx([first + second])
     assert found["work_of_loads_settling"] == pytest.approx([first])
+
+
+def test_damping_and_inertia_are_those_of_what_is_free_about_the_origin():
+    """The upper unit may slide and rise: minus mass times acceleration, and what damping holds it by, at its middle."""
+    model = couplet().model
+    body, mass, middle = model.bodies.rigid, model.masses["rigid"], model.layout.centroid[1]
+    before = [np.zeros_like(body.v)]
+    body.v[1, [0, 2]], body.hold[1, :3] = (3e-6, -2e-6), (7.0, 99.0, -5.0)
+    damping, inertia = of_motion(model, before)
+    assert model.bodies.rigid.dt_over_mass[1, :3].tolist() != [0.0] * 3
+    pull = np.where(body.dt_over_mass[1, :3] > 0.0, [7.0, 99.0, -5.0], 0.0)
+    slows = -mass[1, :3] * [3e-6, 0.0, -2e-6] / model.dt
+    assert damping == pytest.approx([*pull, *np.cross(middle, pull)])
+    assert inertia == pytest.approx([*slows, *np.cross(middle, slows)])
+    assert np.abs(inertia).max() > 0.0 and pull[1] == 0.0
+
+
+@pytest.mark.parametrize("moved", [False, True])
+def test_a_force_at_an_arm_has_its_moment_about_the_origin_whatever_moves_and_deforms(moved):
+    """Of an affine block: force times arm along its axes, which have become what its deformation makes of them."""
+    rng = np.random.default_rng(8)
+    axes, frame = turn(0, 0.4) @ turn(2, 1.3), np.eye(3) + 0.3 * rng.normal(size=(3, 3))
+    centre, shift, force, arm = rng.normal(size=(4, 3))
+    layout = SimpleNamespace(members={"affine": np.array([0])}, axes=axes[None], centroid=centre[None])
+    large = SimpleNamespace(frame=frame[None], q=shift[None]) if moved else None
+    acts = np.concatenate([force, np.outer(force, arm).ravel()])[None]
+    place = centre + shift + frame @ axes @ arm if moved else centre + axes @ arm
+    found = resultant(layout, "affine", np.array([0]), acts, large)
+    assert found == pytest.approx([*force, *np.cross(place, force)])
 
 
 def standing(reactions, loads, inertia=(0.0,) * 6) -> Standing:
