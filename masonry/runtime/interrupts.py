@@ -120,8 +120,8 @@ def interruptible_wait(work: Callable[[], Answer], every: Callable[[float], None
             raised.append(error)
 
     begun, working = time.monotonic(), threading.Thread(target=do, daemon=True)
-    working.start()
     try:
+        working.start()
         while working.is_alive():
             working.join(LOOK_SECONDS)
             if every is not None and working.is_alive():
