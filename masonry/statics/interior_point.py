@@ -59,7 +59,7 @@ def solved(programme: Programme, tell: Tell | None) -> Any:
 
 def _proven(now: Any, cones: int) -> bool:
     """Whether an iterate of many cones is as good as the answer: their last digits of forces cost many iterations."""
-    complementary = now.mu * (cones + 1) / max(1.0, abs(now.cost_primal))
+    complementary = now.mu * (cones + 1) / max(SMALL, abs(now.cost_primal))
     done = max(now.gap_rel, now.res_dual) < ACCURACY and now.res_primal < NEAR_ENOUGH and complementary < PROVEN
     return bool(now.iterations > 0 and done)
 

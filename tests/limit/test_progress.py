@@ -1,4 +1,4 @@
-"""A limit analysis that takes long: it says so beforehand, shows how far it is, and ends on Ctrl-C."""
+"""A limit analysis takes seconds; one that takes long says so beforehand, shows how far it is, and ends on Ctrl-C."""
 
 import os
 import signal
@@ -7,13 +7,15 @@ import sys
 import time
 from dataclasses import replace
 from pathlib import Path
+from time import perf_counter
 
+import numpy as np
 import pytest
 
 from masonry.limit_analysis.expected import LONG, seconds_expected, size_words
 from masonry.runtime.interrupts import interruptible_wait
-from masonry.statics.solve import Method, largest_factor
-from tests.limit.blocks import CONES, PYRAMIDS, dry, wall
+from masonry.statics.solve import Method, largest_factor, standing
+from tests.limit.blocks import CONES, PLANE, PYRAMIDS, dry, wall
 
 RUBBLE = ("limit", "wall-three-leaf", "--set", "specimen.core.total=800")
 
@@ -68,3 +70,34 @@ def test_ctrl_c_ends_a_long_one_within_seconds(words, tmp_path):
     assert time.monotonic() - begun < 5.0
     assert process.returncode == 130 and said.rstrip().endswith("masonry: interrupted before there were results")
     assert "Traceback" not in said and not (tmp_path / "out").exists()
+
+
+def seconds_of_a_wall(courses: int, units: int) -> tuple[float, int]:
+    """Until a wall 0.1 m thick is known to stand, and to fall over at thickness over height."""
+    bodies, contacts = dry(wall(courses, halves_below=True, units=units), [0], 0.65, live=(0.3, 1.0, 0.0))
+    begun = perf_counter()
+    assert standing(bodies, contacts, CONES).factor == pytest.approx(1.0, abs=1e-7)
+    found = largest_factor(bodies, contacts, CONES)
+    seconds = perf_counter() - begun
+    assert found.factor == pytest.approx(0.1 / (0.175 * courses), rel=1e-6)
+    assert found.gap < 1e-6
+    return seconds, len(np.unique(contacts.patch))
+
+
+def test_600_joints_in_space_take_less_than_3_seconds():
+    seconds, joints = seconds_of_a_wall(16, 13)
+    assert joints > 600 and seconds < 3.0
+
+
+@pytest.mark.slow
+def test_5000_joints_in_space_take_less_than_a_minute():
+    seconds, joints = seconds_of_a_wall(40, 44)
+    assert joints > 5000 and seconds < 60.0
+
+
+def test_a_plane_wall_of_600_joints_takes_less_than_3_seconds_and_is_the_same_in_space():
+    bodies, contacts = dry(wall(16, halves_below=True, units=13), [0], 0.65)
+    begun = perf_counter()
+    flat = largest_factor(bodies, contacts, PLANE).factor
+    assert perf_counter() - begun < 3.0
+    assert largest_factor(bodies, contacts, CONES).factor == pytest.approx(flat, rel=1e-6)

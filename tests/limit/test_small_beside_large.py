@@ -193,7 +193,7 @@ def test_friction_that_is_too_great_to_be_reckoned_with_has_a_word():
 
 def test_a_small_load_across_the_plane_of_large_ones_is_no_plane_problem():
     """Pushed along y by so little that against the weight of the large block it is nothing."""
-    bodies, contacts = dry(pair((4.0, 4.0, 2.0), (4e-4, 4.0, 4e-4), (1.0, 0.0)), [0], 0.65, density=WEIGHT)
+    bodies, contacts = dry(pair((4.0, 4.0, 2.0), (1e-4, 4.0, 1e-4), (1.0, 0.0)), [0], 0.65, density=WEIGHT)
     across = bodies.dead.copy()
     across[2, 1] = 0.6 * -bodies.dead[2, 2]
     found = largest_factor(replace(bodies, dead=across), contacts, Method())
