@@ -36,19 +36,20 @@ def test_what_a_sudden_crack_breaks_does_not_hang_on_the_local_damping():
 
 def test_a_sudden_crack_is_told_with_its_place_and_what_it_released():
     """One joint slips as a whole. Its points are alike, and which of them goes first hangs on the last digit of any
-    number: it may go a little, and stop, before the others follow. The stress behind it moves by 1.5 % with that."""
-    summary = run("shear-wall-late-crack")
+    number: it may go a little, and stop, before the others follow. The stress behind it moves by 1.5 % with that, what
+    it releases by 3 %, and the place of the drive by 0.04 mm, so that 1.5 mm would be the edge."""
+    summary = run("shear-wall-late-crack", drive__displacement="1.55 mm")
     cracks = summary["sudden_cracks"]
     largest = max(cracks, key=lambda crack: crack["released_j"])
-    assert 1.47e-3 < largest["displacement_m"] < 1.51e-3
-    assert largest["released_j"] == pytest.approx(1.78, rel=0.02) and "of blocks 9 and 15" in largest["place"]
+    assert 1.47e-3 < largest["displacement_m"] < 1.56e-3
+    assert largest["released_j"] == pytest.approx(1.83, rel=0.05) and "of blocks 9 and 15" in largest["place"]
     for crack in cracks:
         assert crack is largest or crack["displacement_m"] < largest["displacement_m"], "what goes before"
         assert crack is largest or crack["released_j"] < 0.005 * dissipated(summary) < 0.05 * largest["released_j"]
     what = "one" if len(cracks) == 1 else f"{len(cracks)}, the largest"
     assert f"{what} at {1e3 * largest['displacement_m']:.4g} mm, {largest['place']}" in sudden_text(summary)
     assert "sudden cracks released" in trust(summary)
-    assert summary["final_stress_pa"] == pytest.approx(0.1733e6, rel=0.03), "the run ends at rest, after the crack"
+    assert summary["final_stress_pa"] == pytest.approx(0.1715e6, rel=0.03), "the run ends at rest, after the crack"
 
 
 def test_what_damping_takes_from_a_sudden_crack_at_the_peak_is_no_drag_of_the_drive():
