@@ -171,6 +171,18 @@ def test_a_fracture_energy_may_hold_a_joint_over_an_opening_of_a_block(share, to
     assert said(contact_remarks.contact_remarks(assemble(scene)), "keeps the joint together over an opening of") == told
 
 
+@pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
+def test_a_dilation_that_does_not_end_within_the_travel_of_the_drive_or_the_skin_is_told_in_mm(share, told):
+    given, joint = SimpleNamespace(dilation_cutoff=None), SimpleNamespace(dilation_cutoff=share * 2e-3)
+    lines = contact_remarks._of_dilation("bed", given, joint, 2e-3, None)
+    assert (
+        said(lines, "within the drive's 2 mm: by its fracture energy the cohesion is gone at a slip of 2.02 mm") == told
+    )
+    skin = SimpleNamespace(near=SimpleNamespace(search=SimpleNamespace(skin=np.array([2e-3]))))
+    lines = contact_remarks._of_dilation("bed", given, joint, 1.0, skin)
+    assert said(lines, "faces without strength that have slid 2 mm are found anew") == told
+
+
 @pytest.mark.parametrize(("most", "told"), [(0.99, False), (1.01, True)])
 def test_what_moves_to_the_end_of_a_run_that_was_to_end_at_rest_is_told(most, told):
     assembly = SimpleNamespace(scene=SimpleNamespace(solver=SimpleNamespace(until="rest")))
