@@ -17,6 +17,8 @@ DRIVEN: dict[str, Any] = {
     "kinetic_over_internal_max": 0.0,
     "unbalanced_after_settling": 0.0,
     "kinetic_after_settling": 0.0,
+    "unrest_after_settling": {"block": 3, "at_m": [0.1, 0.2, 0.3], "unbalanced": 0.0, "kinetic": 0.0},
+    "moving_at_end": {"block": 3, "at_m": [0.1, 0.2, 0.3], "kinetic": 0.0},
     "control": {"accuracy": 0.01, "drag_at_peak": 0.0},
     "energy_j": {
         "external_work": 200.0,

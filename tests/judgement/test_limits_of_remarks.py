@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
-from masonry.laboratory import laboratory
-from masonry.laboratory.collapse import unrest
+from masonry.laboratory import laboratory, unrest
 from masonry.laboratory.remarks import contact_remarks, mesh_remarks, twist_remarks
 from masonry.scene import load
 from tests.judgement.frames import HEIGHT, SIDE, frame, moved, on_a_slab
@@ -183,12 +182,25 @@ def test_a_dilation_that_does_not_end_within_the_travel_of_the_drive_or_the_skin
     assert said(lines, "faces without strength that have slid 2 mm are found anew") == told
 
 
-@pytest.mark.parametrize(("most", "told"), [(0.99, False), (1.01, True)])
-def test_what_moves_to_the_end_of_a_run_that_was_to_end_at_rest_is_told(most, told):
-    assembly = SimpleNamespace(scene=SimpleNamespace(solver=SimpleNamespace(until="rest")))
-    rows = {"kinetic": np.array([0.0, 4.0, most * 4e-8])}
-    lines = unrest(assembly, SimpleNamespace(history=SimpleNamespace(rows=rows)))
-    assert said(lines, "when the run ended not all was at rest, as solver.until asks: 1e-08") == told
+@pytest.mark.parametrize(
+    ("of_all", "of_one", "words"),
+    [
+        (0.99e-8, 0.99e-6, ""),
+        (1.01e-8, 0.0, "when the run ended not all was at rest, as solver.until asks: 1e-08"),
+        (
+            0.0,
+            1.01e-6,
+            "when the run ended block 1, which began at (0, 2, 0) m, was not at rest, as solver.until asks",
+        ),
+    ],
+)
+def test_what_moves_to_the_end_of_a_run_that_was_to_end_at_rest_is_told(of_all, of_one, words, monkeypatch):
+    monkeypatch.setattr(unrest, "left_of_motion", lambda model, most: np.array([0.0, of_one]))
+    model = SimpleNamespace(layout=SimpleNamespace(centroid=np.array([[0.0, 0.0, 0.0], [0.0, 2.0, 0.0]])))
+    assembly = SimpleNamespace(scene=SimpleNamespace(solver=SimpleNamespace(until="rest")), model=model, plan=None)
+    rows = {"kinetic": np.array([0.0, 4.0, 4.0 * of_all])}
+    lines = unrest.unrest(assembly, SimpleNamespace(history=SimpleNamespace(rows=rows)))
+    assert said(lines, words) == bool(words)
 
 
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)

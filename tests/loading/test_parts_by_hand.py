@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.loading import rest
+from masonry.loading import rest, scheduled
 from masonry.loading.enclosing import Enclosing
 from masonry.loading.gathering import Gathering
 from masonry.loading.moves.drift import Drift
@@ -223,8 +223,14 @@ def test_the_drive_goes_on_when_twenty_brakings_on_end_found_it_still(share, res
     assert held == [True] * 20 + [not rests]
 
 
-@pytest.mark.parametrize(("share", "rests"), [(0.99, True), (1.01, False)])
-def test_all_is_at_rest_after_twenty_rows_below_a_hundred_millionth_of_the_largest_energy(share, rests):
+@pytest.mark.parametrize(
+    ("share", "of_one", "rests"), [(0.99, 0.99, True), (1.01, 0.0, False), (0.0, 1.01, False), (0.99, 1.01, False)]
+)
+def test_all_is_at_rest_after_twenty_rows_below_a_hundred_millionth_of_the_largest_energy(
+    share, of_one, rests, monkeypatch
+):
+    """Of all together; each block may have a hundred times that of its own part."""
+    monkeypatch.setattr(scheduled, "left_of_motion", lambda model, most: np.array([0.0, of_one * 1e-6]))
     program = Program(np.ones(1001), np.zeros(1001), 0, 0, rest_from=0)
     loading = ScheduledLoading(None, program, 100)
     loading.look(0.0, 0.0, None, {"kinetic": 5.0})
