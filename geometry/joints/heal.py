@@ -8,7 +8,9 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from geometry.blocks import Blocks, GeometryError
-from geometry.joints.gaps import ALMOST, Facing, facing_faces, require_small
+from geometry.joints.find import find_joints
+from geometry.joints.gaps import ALMOST, Facing, described, facing_faces, require_small
+from geometry.polyhedra.convexity import outside
 from geometry.polyhedra.flat.meeting import meet
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids, volumes
 from geometry.polyhedra.overlaps import check_overlaps, least_allowed
@@ -41,18 +43,18 @@ def mend(blocks: Blocks, tolerance: float, names: Sequence[str], open_gaps: bool
 
     All faces that meet in one joint go to the plane of their area-weighted mean; corners go to where their block's
     planes then meet. Blocks without such gaps stay as they are, bit for bit. Raises GeometryError for gaps and overlaps
-    larger than the tolerance, up to ten times of it (open_gaps lets larger gaps be), for blocks that overlap still, and
-    for what cannot be mended; names (B,) says what to call each block.
+    larger than the tolerance, up to ten times of it (open_gaps lets larger gaps be), for blocks that overlap still, for
+    joints that would be lost, and for what cannot be mended; names (B,) says what to call each block.
     """
     width, most = 1e-9 * extent(blocks), tolerance * (1 + ALMOST)
     before = volumes(blocks)
-    first: Facing | None = None
-    for _ in range(PASSES):
+    for n in range(PASSES):
         facing = facing_faces(blocks, SUSPICIOUS * tolerance, tolerance)
         require_small(blocks, facing, names, tolerance, open_gaps)
         off = np.abs(facing.size)
         small = (off > width) & (off <= most + width)
-        first = facing.chosen(small) if first is None else first
+        if n == 0:
+            first, against = facing.chosen(small), facing.chosen(off <= most + width)
         if not small.any():
             break
         blocks = _moved(blocks, facing.chosen(off <= most + width), tolerance, names, width)
@@ -61,9 +63,41 @@ def mend(blocks: Blocks, tolerance: float, names: Sequence[str], open_gaps: bool
     after = volumes(blocks)
     if np.any(after <= 0):
         raise GeometryError(f"'{names[int(np.argmin(after))]}' is thinner than its gaps; take a smaller tolerance")
+    _require_convex(blocks, names, width)
+    _require_joints(blocks, against, names, tolerance)
     check_overlaps(blocks, names, tolerance)
     left = facing.chosen(off > most + width)
     return Mended(blocks, first, left, after / before - 1, least_allowed(blocks, tolerance))
+
+
+def _require_convex(blocks: Blocks, names: Sequence[str], width: float) -> None:
+    """Raise GeometryError for a face that folded as its corners moved, as at an edge that is shorter than the gap."""
+    corners, count = pad(blocks.points, blocks.face_start, blocks.face_points)
+    off = outside(corners, count)
+    f = int(np.argmax(off))
+    if off[f] > width:
+        raise _unmended(
+            names[blocks.face_block()[f]],
+            "its face at {} folds as its corners move",
+            corners[f, : count[f]].mean(axis=0),
+        )
+
+
+def _require_joints(blocks: Blocks, against: Facing, names: Sequence[str], tolerance: float) -> None:
+    """Raise GeometryError where two blocks that faced each other within the tolerance make no joint."""
+    if not len(against.size):
+        return
+    owner, joints = blocks.face_block(), find_joints(blocks)
+    pairs = owner[against.face_a] * blocks.count + owner[against.face_b]
+    lost = ~np.isin(pairs, joints.block_a * blocks.count + joints.block_b)
+    if lost.any():
+        gone = against.chosen(lost)
+        raise GeometryError(
+            f"joints that would be lost: {len(np.unique(pairs[lost]))}, as gaps and overlaps are mended, of faces that lie "
+            f"within the tolerance of {tolerance * 1e3:.4g} mm of each other: "
+            f"{'; '.join(described(blocks, gone, names))}; mend the solids where they were made, or take a smaller "
+            "tolerance"
+        )
 
 
 def _moved(blocks: Blocks, facing: Facing, tolerance: float, names: Sequence[str], width: float) -> Blocks:
@@ -171,8 +205,11 @@ def _met(
 
 
 def _no_corner(name: str, faces: int, place: np.ndarray) -> GeometryError:
-    x, y, z = place
+    return _unmended(name, f"its {faces} faces at {{}} do not meet in a corner any more", place)
+
+
+def _unmended(name: str, why: str, place: np.ndarray) -> GeometryError:
+    at = "({:.4g}, {:.4g}, {:.4g}) m".format(*place)
     return GeometryError(
-        f"'{name}' cannot be mended: its {faces} faces at ({x:.4g}, {y:.4g}, {z:.4g}) m do not meet in a corner any "
-        "more; mend it where it was made, or leave it by a smaller tolerance"
+        f"'{name}' cannot be mended: {why.format(at)}; mend it where it was made, or leave it by a smaller tolerance"
     )

@@ -26,6 +26,25 @@ def reflex(corners: np.ndarray, count: np.ndarray) -> np.ndarray:
     return np.any((bend < -STRAIGHT * size) & used, axis=1) | (np.sum(angle, axis=1, where=used) > 3 * np.pi)
 
 
+def outside(corners: np.ndarray, count: np.ndarray) -> np.ndarray:
+    """(N,) how far (m) a corner of a padded polygon (N, K, 3) lies outside of an edge next to it; 0 where it is convex.
+
+    An edge that runs back along the one before counts with its length. To clip something by a polygon with such an edge
+    may leave nothing of it, however short the edge is.
+    """
+    normal = areas_normals_centroids(corners)[1]
+    column = np.arange(corners.shape[1])
+    last = np.take_along_axis(corners, np.maximum(count - 1, 0)[:, None, None], axis=1)
+    before = corners - np.where((column == 0)[:, None], last, np.roll(corners, 1, axis=1))
+    after = np.roll(corners, -1, axis=1) - corners
+    bend = np.einsum("nki,ni->nk", np.cross(before, after), normal)
+    long, short = np.sort([np.linalg.norm(before, axis=2), np.linalg.norm(after, axis=2)], axis=0)[::-1]
+    off = -bend / np.where(short > 0, short, 1.0)
+    back = (np.einsum("nki,nki->nk", before, after) < 0) & (bend <= STRAIGHT * long * short)
+    off = np.where(back, np.maximum(off, short), off)
+    return np.max(off, axis=1, initial=0.0, where=column < count[:, None])
+
+
 def triangles(corners: np.ndarray) -> np.ndarray:
     """(n - 2, 3) corner numbers of triangles that fill a flat polygon (n, 3), in its sense of rotation.
 

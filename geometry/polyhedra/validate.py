@@ -3,6 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, JointPolygons, TetMesh
+from geometry.polyhedra.convexity import outside
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids, volumes
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
@@ -20,9 +21,10 @@ FILLED = 1e-6
 
 
 def require_sound(blocks: Blocks) -> None:
-    """Raise GeometryError, naming the block or face, unless all numbers are sane, faces flat and blocks closed."""
+    """Raise GeometryError, naming the block or face, unless numbers are sane, faces flat and convex, blocks closed."""
     require_whole(blocks)
     _require_flat(blocks)
+    _require_convex(blocks)
     _require_closed(blocks)
 
 
@@ -150,6 +152,17 @@ def _require_flat(blocks: Blocks) -> None:
         raise GeometryError(
             f"face {f} of block {owner[f]} is not flat: a corner stands {height[worst]:.3g} m off it, "
             f"allowed: {FLAT * extent(blocks):.3g} m"
+        )
+
+
+def _require_convex(blocks: Blocks) -> None:
+    corners, count = pad(blocks.points, blocks.face_start, blocks.face_points)
+    off = outside(corners, count)
+    f = int(np.argmax(off))
+    if off[f] > FLAT * extent(blocks):
+        raise GeometryError(
+            f"face {f} of block {blocks.face_block()[f]} is not convex: a corner lies {off[f]:.3g} m outside of an "
+            f"edge next to it, allowed: {FLAT * extent(blocks):.3g} m; give it as several convex faces"
         )
 
 

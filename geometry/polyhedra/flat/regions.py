@@ -1,12 +1,15 @@
 """Triangles of a surface that lie in one plane but for noise, grown from the largest face.
 
 Noise and curvature are told apart by size: noise lifts a corner by the same amount however large a face is, while a
-curved surface leaves its plane the more the farther one goes.
+curved surface leaves its plane the more the farther one goes. A sliver at an edge lies in both planes but for noise; it
+goes to the nearer one.
 """
 
 from typing import NamedTuple
 
 import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from geometry.polyhedra.polygons import areas_normals_centroids
 
@@ -20,6 +23,9 @@ MANY = 20_000
 """Neighbours that may lie in one plane, up to which all of them are tried."""
 BENT = 1e-2
 """The same of a region that is one face of the file."""
+NEARER = 0.5
+"""How far a face is off the plane of a neighbouring region, over how far off that of its own, for it to go over."""
+ROUNDS = 10
 
 
 class Mesh(NamedTuple):
@@ -64,7 +70,7 @@ def _leaning_on(mesh: Mesh, face: np.ndarray, flat: float) -> np.ndarray:
 
 def _grown(mesh: Mesh, face: np.ndarray, pairs: np.ndarray, flat: float) -> np.ndarray:
     """(T,) regions of faces that hang together by pairs (n, 2), grown from the largest face that is left."""
-    moment, vector = _moments(mesh, face)
+    moment, vector = moments = _moments(mesh, face)
     beside: dict[int, list[int]] = {}
     for one, two in np.unique(np.concatenate([pairs, pairs[:, ::-1]]), axis=0).tolist():
         beside.setdefault(one, []).append(two)
@@ -90,7 +96,40 @@ def _grown(mesh: Mesh, face: np.ndarray, pairs: np.ndarray, flat: float) -> np.n
             normal, level = (values[0] for values in _planes(total[None], looking[None]))
             waiting += [g for g in beside[f] if region[g] < 0]
     region = np.where(region < 0, np.arange(len(region)), region)
-    return np.unique(region[face], return_inverse=True)[1].reshape(-1)
+    _go_over(region, beside, corners, moments, flat)
+    one, two = pairs[region[pairs[:, 0]] == region[pairs[:, 1]]].T
+    link = coo_array((np.ones(len(one)), (one, two)), shape=(len(region),) * 2)
+    return np.asarray(connected_components(link, directed=False)[1][face])
+
+
+def _go_over(
+    region: np.ndarray,
+    beside: dict[int, list[int]],
+    corners: list[np.ndarray],
+    moments: tuple[np.ndarray, np.ndarray],
+    flat: float,
+) -> None:
+    """Give faces, in region (K,), to the neighbouring region whose plane is clearly nearer, until none is.
+
+    What is flat is grown from the largest face, which takes slivers at its edges that are part of its neighbours.
+    """
+    moment, vector = moments
+    for _ in range(ROUNDS):
+        total, looking = (
+            np.stack([np.bincount(region, column, len(region)) for column in of.T], axis=1) for of in moments
+        )
+        normal, level = _planes(total, looking)
+        before = region.copy()
+        for f, near in beside.items():
+            others = {r for r in region[near].tolist() if r != region[f] and total[r, 0] > moment[f, 0]}
+            if not others:
+                continue
+            own, *off = (float(np.abs(corners[f] @ normal[r] - level[r]).max()) for r in (region[f], *others))
+            least, r = min(zip(off, others, strict=True))
+            if least < NEARER * own and _is_level(corners[f], vector[f], normal[r], level[r], flat):
+                region[f] = r
+        if np.array_equal(region, before):
+            return
 
 
 def _is_level(corners: np.ndarray, vector: np.ndarray, normal: np.ndarray, level: float, flat: float) -> bool:

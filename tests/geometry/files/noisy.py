@@ -77,6 +77,19 @@ def cells(random: np.random.Generator) -> Blocks:
     return blocks
 
 
+def clad_roof(random: np.random.Generator) -> Blocks:
+    """A hipped roof, whose ridge is far shorter than the tolerance, and a stone on either hip."""
+    x, y, z, ridge = 0.1, 0.15, 0.1, random.uniform(0.5e-5, 1e-5)
+    a, b, c, d = np.array([[-x, -y, 0], [x, -y, 0], [x, y, 0], [-x, y, 0]])
+    e, f = np.array([[-ridge, 0, z], [ridge, 0, z]])
+    hips = [np.array([b, c, f]), np.array([d, a, e])]
+    stones = [[np.array([d, c, b, a]), np.array([a, b, f, e]), np.array([c, d, e, f]), *hips]]
+    for hip in hips:
+        apex = hip.mean(axis=0) + 0.3 * np.cross(hip[1] - hip[0], hip[2] - hip[0]) / z
+        stones.append([hip[::-1], *(np.array([hip[k - 1], hip[k], apex]) for k in range(3))])
+    return from_faces(stones, range(3), [0] * 3, ["units"])
+
+
 STRUCTURES: tuple[Callable[[np.random.Generator], Blocks], ...] = (
     three_stones,
     bricks,

@@ -11,6 +11,7 @@ from geometry.files.atomic import whole_file
 from geometry.files.blocks_h5 import load_blocks, save_blocks
 from geometry.joints.find import find_joints
 from geometry.meshes.tetrahedralise import mesh_blocks
+from geometry.polyhedra.construct import from_faces
 from geometry.specimens.stacked import couplet
 
 
@@ -221,3 +222,19 @@ def test_the_longest_name_that_the_system_allows_can_be_written(tmp_path):
     with whole_file(tmp_path / ("x" * 255)) as place:
         place.write_text("x")
     assert [len(p.name) for p in tmp_path.iterdir()] == [255]
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-6, -1e-6])
+def test_a_face_that_folds_at_a_short_edge_is_refused_since_it_would_lose_its_joint(tmp_path, off):
+    """Two corners on an edge of a cube stand in the wrong order, or one of them inside."""
+    low = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
+    high = low + (0, 0, 1)
+    extra = np.array([[0.5 + 2e-5, off, 1], [0.5, 0, 1]])
+    sides = [np.array([low[k], low[(k + 1) % 4], high[(k + 1) % 4], high[k]]) for k in range(1, 4)]
+    front = np.array([low[0], low[1], high[1], *(extra[::-1] * (1, 0, 1)), high[0]])
+    top = np.array([high[0], *extra, *high[1:]])
+    folded = from_faces([[low[::-1], top, front, *sides]], [0], [0], ["units"])
+    path = tmp_path / "fold.blocks.h5"
+    save_blocks(path, Specimen(folded))
+    with pytest.raises(GeometryError, match="of block 0 is not convex: a corner lies .* outside"):
+        load_blocks(path)

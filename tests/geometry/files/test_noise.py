@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from geometry.polyhedra.measures import volumes
-from tests.geometry.files.noisy import STRUCTURES, read_again, rounded, turned, worst_joint
+from tests.geometry.files.noisy import STRUCTURES, clad_roof, read_again, rounded, turned, worst_joint
 
 SINGLE = 5e-7
 """m, of coordinates of up to 4 m in single precision."""
@@ -31,6 +31,13 @@ def test_structures_in_single_precision_and_with_noise_keep_their_joints(make, t
 @pytest.mark.parametrize("seed", range(0, 25, 3))
 def test_three_touching_stones_in_single_precision_are_taken_whichever_way_they_are_turned(seed, tmp_path):
     require_same(STRUCTURES[0], seed, None, ".obj", tmp_path)
+
+
+@pytest.mark.parametrize("noise", [None, 1e-8, 1e-7, 1e-6])
+def test_slivers_that_end_in_an_edge_shorter_than_the_tolerance_stay_in_their_faces(noise, tmp_path):
+    """Taken for a part of the neighbour, such a sliver moves corners by as much as it is high."""
+    for seed in range(4):
+        require_same(clad_roof, seed, noise, (".obj", ".stl")[seed % 2], tmp_path)
 
 
 @pytest.mark.slow

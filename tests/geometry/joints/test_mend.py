@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from geometry.blocks import GeometryError
+from geometry.joints import heal
 from geometry.joints.find import find_joints
 from geometry.joints.gaps import Unmended
 from geometry.joints.heal import mend
@@ -48,6 +49,14 @@ def test_two_blocks_with_a_gap_meet_half_way(rotate, degrees):
     assert joints.point[0] @ turn[:, 2] == pytest.approx(60.025 * MM, rel=1e-9)
     assert volumes(result.blocks) == pytest.approx(5000 * np.array([60.025, 59.975]) * MM**3, rel=1e-9)
     assert result.volume_change == pytest.approx([0.025 / 60, 0.025 / 59.95], rel=1e-6)
+
+
+def test_a_joint_that_mending_would_lose_is_refused_by_name(monkeypatch):
+    """Whatever goes wrong as corners move: blocks that lay against each other have a joint, or a message."""
+    apart = boxes(PAIR[0], ((0, 0, 65), (100, 50, 120)))
+    monkeypatch.setattr(heal, "_moved", lambda *_: apart)
+    said = refused(boxes(*PAIR))
+    assert "joints that would be lost: 1" in said and "gap of 0.05 mm between 'unit 0' and 'unit 1'" in said
 
 
 def test_the_common_plane_is_the_mean_by_area_and_unmoved_blocks_stay_bit_for_bit():
