@@ -19,6 +19,7 @@ from masonry.laboratory.remarks.contact_remarks import (
     rocked_remarks,
     rocking_remarks,
 )
+from masonry.laboratory.remarks.hinge_remarks import hinge_remarks, hinged_remarks
 from masonry.laboratory.remarks.mesh_remarks import mesh_remarks
 from masonry.laboratory.remarks.scene_remarks import scene_remarks, unit_weights
 from masonry.laboratory.remarks.twist_remarks import twist_remarks
@@ -83,7 +84,8 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     add_tilt(assembly, outcome)
     frames = outcome.history.frames
     remarks = [*warnings(assembly), *rocked_remarks(assembly, frames), *bent_remarks(assembly, outcome)]
-    remarks += [*closed_remarks(assembly, frames), *twist_remarks(assembly, outcome)]
+    remarks += [*hinged_remarks(assembly, outcome), *closed_remarks(assembly, frames)]
+    remarks += twist_remarks(assembly, outcome)
     remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", []), *_blow(assembly, outcome)]
     remarks += unrest(assembly, outcome)
     return Result(
@@ -141,7 +143,10 @@ def check(scene: Scene) -> "Report":
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),
         "compiled": compiled(assembly),
-        "warnings": [*warnings(assembly), *rocking_remarks(assembly), *unit_weights(scene)],
+        "warnings": [
+            *(*warnings(assembly), *rocking_remarks(assembly), *hinge_remarks(assembly)),
+            *unit_weights(scene),
+        ],
     }
     from masonry.laboratory.text import Report
 

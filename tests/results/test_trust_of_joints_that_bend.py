@@ -1,5 +1,6 @@
 """Joints that bend: where the rows of their contact points decide the answer, a run says so, and by how much."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 
 import verification
 from masonry.assembly.assemble import assemble
+from masonry.errors import Stopped
 from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.remarks.joint_faces import faces_of, look_at
@@ -176,6 +178,55 @@ def test_a_joint_that_is_pulled_open_evenly_and_shut_again_has_not_bent():
     summary = laboratory.run(load("couplet", {**pulled, "confinement": "0 MPa", "drive.accuracy": "5 %"})).summary
     assert summary["broken_area_m2"]["unit_unit"] > 0.0 > summary["lowest_stress_pa"]
     assert "rows of contact points" not in trust(summary)
+
+
+@pytest.mark.parametrize("name", ["wall with a door", "slender pier", "block, pressed", "strip, pushed at its middle"])
+def test_joints_with_one_row_of_points_are_hinges_and_a_run_says_how_far_at_most_its_peak_is_too_low(
+    name,
+):
+    wall = walls()[name]
+    few, right = (
+        laboratory.run(scene_runs.load(wall.scene, wall.with_points("gauss", rows))).summary for rows in (1, 8)
+    )
+    lacks = 1.0 - few["peak_force_n"] / right["peak_force_n"]
+    words = re.search(r"one row .* the peak may be (far too low|too low by up to (\S+) %).*_per_edge = 4", trust(few))
+    assert (lacks > 0.99) if words[2] is None else (0.2 < lacks < 0.01 * float(words[2]) < 0.95)
+    assert "one row" not in trust(right)
+
+
+def test_a_run_that_ends_at_once_as_its_one_joint_is_a_hinge_says_so():
+    bed = walls()["block, brittle mortar"]
+    with pytest.raises(Stopped) as stopped:
+        laboratory.run(scene_runs.load(bed.scene, bed.with_points("gauss", 1)))
+    assert "one row of contact points" in trust(stopped.value.result.summary)
+
+
+@pytest.mark.parametrize("drive", [{}, {"drive.direction": "z", "confinement": "0 MPa"}])
+def test_one_point_is_enough_where_no_joint_turns(drive):
+    one = {"specimen.points_per_edge": 1, "drive.accuracy": "2 %"}
+    assert "one row" not in trust(laboratory.run(load("couplet", one | drive)).summary)
+
+
+@pytest.mark.parametrize(
+    ("points", "fixed", "told"),
+    [
+        ({"x": 1, "y": 6}, ["y", "rotation x", "rotation z"], True),
+        ({"x": 6, "y": 1}, ["y", "rotation x", "rotation z"], False),
+        ({"x": 6, "y": 1}, ["y", "rotation z"], True),
+        (1, ["y", "rotation"], False),
+        (2, ["y"], False),
+    ],
+)
+def test_a_scene_says_before_it_runs_which_joints_are_hinges_about_axes_that_blocks_may_turn_about(points, fixed, told):
+    scene = load(TORN, {**BENT, "specimen.points_per_edge": points, "support.1.fix": fixed})
+    lines = [line for line in laboratory.check(scene)["warnings"] if "one row" in line]
+    assert [line.split(":")[0] for line in lines] == ["contact.unit_unit"] * told
+    assert all("1 joint has one row of contact points, and bears no moment" in line for line in lines)
+
+
+def test_the_points_of_a_joint_that_has_one_lie_at_one_place_wherever_it_is():
+    faces = faces_of(assemble(load("wallette-mode-1", {"specimen.points_per_edge": 1})))
+    assert len(faces.patch) > 100 and not faces.inverse.any()
 
 
 def test_the_report_sets_the_error_of_each_number_of_points_beside_what_the_run_says_of_it():

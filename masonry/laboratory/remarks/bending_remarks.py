@@ -15,6 +15,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.history import FACTOR
 from masonry.laboratory.remarks.joint_faces import Faces, Look, faces_of, is_glued, look_at
 from masonry.laboratory.remarks.joint_sections import Envelope, envelope, of_points, spread, strength
+from masonry.laws.state import JointProperties
 from masonry.loading.cycles import before_a_collapse
 from masonry.timeloop.recording import Outcome
 
@@ -56,7 +57,7 @@ class Bent(NamedTuple):
 def bent_remarks(assembly: Assembly, outcome: Outcome) -> list[str]:
     """One line where the contact points of joints that bend are so few that the strength is off by more than the
     accuracy that was asked for."""
-    joints, asked = assembly.joints, _accuracy(assembly)
+    joints, asked = assembly.joints, accuracy(assembly)
     bent = _that_bend(assembly, outcome)
     if not bent:
         return []
@@ -67,11 +68,10 @@ def bent_remarks(assembly: Assembly, outcome: Outcome) -> list[str]:
     if abs(off - 1.0) <= asked:
         return []
     worst = int(np.argmax(np.array([one.shares.max() for one in bent]) * np.log(carried) * np.sign(off - 1.0)))
-    what = "peak" if assembly.scene.drive is not None else "load that is borne"
     return [
         "joints that bend have few rows of contact points, of which each tears at once, and bear as much as "
-        f"{(borne if bent[worst].torn else carried)[worst]:.3g} times the moment that they would with many: the {what} "
-        f"may be {_size(off)}; {_advice(assembly, bent, own, asked)}"
+        f"{(borne if bent[worst].torn else carried)[worst]:.3g} times the moment that they would with many: the "
+        f"{number_of(assembly)} may be {_size(off)}; {_advice(assembly, bent, own, asked)}"
     ]
 
 
@@ -81,7 +81,7 @@ def _that_bend(assembly: Assembly, outcome: Outcome) -> list[Bent]:
     if not frames or not any(map(is_glued, model.groups.properties)):
         return []
     faces = faces_of(assembly)
-    looks, peak = [look_at(assembly, faces, frame) for frame in frames], _at_peak(assembly, outcome)
+    looks, peak = [look_at(assembly, faces, frame) for frame in frames], at_peak(assembly, outcome)
     behind = min(peak + 1, len(looks) - 1) if assembly.scene.drive is not None else -1
     now, torn = looks[peak], faces.glued & np.any([look.torn for look in looks], axis=0)
     turn = np.max([np.linalg.norm(look.turn, axis=1) for look in looks], axis=0)
@@ -114,12 +114,11 @@ def _bent(
     length = float(np.linalg.norm(now.turn[face]))
     if length == 0.0:
         return None
-    group, normal, middle = faces.group[face], faces.normal[face], faces.middle[face]
+    normal, middle = faces.normal[face], faces.middle[face]
     along = now.turn[face] / length
-    many = spread(_corners(assembly.joints, faces.patch[face]), along, np.cross(normal, along), middle)
-    contacts, groups = faces.contacts(face), assembly.model.groups
-    parameters, joint = (_of(own[group], contacts[0] - groups.bounds[group]) for own in groups[:2])
-    limit = float(joint.tensile_strength)
+    many = spread(corners_of(assembly.joints, faces.patch[face]), along, np.cross(normal, along), middle)
+    parameters, joint = law_of(assembly, faces, face)
+    limit = float(joint.tensile_strength or 0.0)
     force, moment = float(now.force[face]), abs(float(now.moment[face] @ along))
     if not torn and moment < faces.area[face] * many.depth / 6.0 * (limit - force / faces.area[face]):
         return None
@@ -129,7 +128,14 @@ def _bent(
     bears = strength(many, law, force, moment, turn)
     if bears <= 0.0 or (not torn and moment <= bears):
         return None
-    return Bent(contacts, torn, force, moment, shares, law, turn, along, middle, bears)
+    return Bent(faces.contacts(face), torn, force, moment, shares, law, turn, along, middle, bears)
+
+
+def law_of(assembly: Assembly, faces: Faces, face: int) -> tuple[Any, JointProperties]:
+    """Parameters and properties of a face: those of one of its contacts, where they scatter."""
+    groups, group = assembly.model.groups, faces.group[face]
+    contact = faces.contacts(face)[0] - groups.bounds[group]
+    return _of(groups[0][group], contact), _of(groups[1][group], contact)
 
 
 def _of(fields: Any, contact: int) -> Any:
@@ -153,6 +159,11 @@ def _off(bent: list[Bent], carried: np.ndarray) -> float:
     return float(off[np.argmax(np.abs(np.log(off)))])
 
 
+def number_of(assembly: Assembly) -> str:
+    """The number that is off."""
+    return "peak" if assembly.scene.drive is not None else "load that is borne"
+
+
 def _size(off: float) -> str:
     if max(off, 1.0 / off) >= TWICE:
         return f"about {off:.2g} times what it should be"
@@ -166,7 +177,7 @@ def _advice(assembly: Assembly, bent: list[Bent], own: list[np.ndarray], asked: 
         return "take a smaller specimen.mesh_size, as their contact points are the nodes of the mesh"
     first, enough = bent[:FIRST], ROWS[-1]
     asked *= sum(one.shares.max() for one in first) / sum(one.shares.max() for one in bent)
-    polygons = [_corners(joints, joints.patch[c[0]]) for c in own[:FIRST]]
+    polygons = [corners_of(joints, joints.patch[c[0]]) for c in own[:FIRST]]
     for rows in reversed(ROWS):
         density = Density(assembly.scene.contact_points, rows)
         points = [contact_points(corners[None], np.array([len(corners)]), density)[1:] for corners in polygons]
@@ -177,19 +188,19 @@ def _advice(assembly: Assembly, bent: list[Bent], own: list[np.ndarray], asked: 
     return f"take specimen.points_per_edge = {enough}{' or more' * (enough == ROWS[-1])}"
 
 
-def _corners(joints: Joints, patch: int) -> np.ndarray:
+def corners_of(joints: Joints, patch: int) -> np.ndarray:
     """(K, 3) m of the polygon of a joint face."""
     return joints.patch_points[joints.patch_start[patch] : joints.patch_start[patch + 1]]
 
 
-def _accuracy(assembly: Assembly) -> float:
+def accuracy(assembly: Assembly) -> float:
     """The accuracy that the scene asks for, but no less than that of the estimate."""
     drive, limit = assembly.scene.drive, assembly.scene.limit
     wanted = drive.accuracy if drive is not None else None if limit is None else limit.accuracy
     return max(WITHOUT if wanted is None else wanted, LEAST)
 
 
-def _at_peak(assembly: Assembly, outcome: Outcome) -> int:
+def at_peak(assembly: Assembly, outcome: Outcome) -> int:
     """Number of the frame of the peak; without a drive, of the last one before anything fell."""
     steps, fallen = [frame.step for frame in outcome.history.frames], outcome.found.get("collapse")
     rows = before_a_collapse(outcome.history.rows, None if fallen is None else fallen[1])

@@ -10,7 +10,8 @@ from masonry.laws.state import JointProperties
 from masonry.results.dry_joints import LEAST_DAMAGE
 
 FLAT = 1e-9
-"""Of the largest second moment of the points of a face: a smaller one is that of points in one row."""
+"""Of the largest second moment of the points of a face: a smaller one is that of points in one row. Of the square of
+its area: where all are smaller, its points are at one place."""
 
 
 class Faces(NamedTuple):
@@ -27,7 +28,7 @@ class Faces(NamedTuple):
     stiffness  (J,) Pa/m, normal
     glued      (J,) whether it has a tensile strength
     arm        (C, 3) m, from the middle of its face to each point
-    inverse    (J, 3, 3) 1/m4, of the second moments of area of the points; 0 across points in one row
+    inverse    (J, 3, 3) 1/m4, of the second moments of area of the points; 0 where they are in one row
     """
 
     patch: np.ndarray
@@ -80,6 +81,7 @@ def faces_of(assembly: Assembly) -> Faces:
     group, properties = model.group[order[start[:-1]]], model.groups.properties
     stiffness = np.array([np.mean(joint.normal_stiffness) for joint in properties])[group]
     glued = np.array([is_glued(joint) for joint in properties])[group]
+    second *= (np.trace(second, axis1=1, axis2=2) > FLAT * area**2)[:, None, None]
     inverse = np.linalg.pinv(second, rcond=FLAT, hermitian=True)
     normal = joints.normal[order[start[:-1]]]
     return Faces(patch, of, order, start, area, middle, normal, group, stiffness, glued, arm, inverse)

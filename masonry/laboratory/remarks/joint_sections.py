@@ -94,6 +94,17 @@ def of_points(place: np.ndarray, area: np.ndarray) -> Section:
     return Section(np.bincount(row, (area * place)[order]) / whole, whole)
 
 
+def plane(section: Section, law: Envelope, opening: float, turn: float) -> float:
+    """N m: the moment of a section that is open by so much in its middle (m) and turned (rad), as if for the first
+    time."""
+    e = opening + turn * section.place
+    return float(_stress(law, e) @ (section.area * section.place))
+
+
+def _stress(law: Envelope, opening: np.ndarray) -> np.ndarray:
+    return np.where(opening < 0.0, law.stiffness * opening, np.interp(opening, law.opening, law.stress))
+
+
 def strength(section: Section, law: Envelope, force: float, moment: float, farthest: float) -> float:
     """N m: the largest moment that a section bears, up to a turn (rad), while it carries a normal force (N).
 
@@ -113,7 +124,7 @@ def strength(section: Section, law: Envelope, force: float, moment: float, farth
     before = law.limit * (1.0 - JUST) - turns[:, None] * section.place  # just before each fibre tears
     e0 = np.sort(np.concatenate([even, before], axis=1), axis=1)
     e = e0[:, :, None] + turns[:, None, None] * section.place
-    stress = np.where(e < 0.0, law.stiffness * e, np.interp(e, law.opening, law.stress))
+    stress = _stress(law, e)
     normal, bending = stress @ section.area, stress @ (section.area * section.place)
     off = bending - arm * normal if pulled else force - normal
     passes = off[:, :-1] * off[:, 1:] <= 0.0
