@@ -36,10 +36,10 @@ def export_scene(words: argparse.Namespace) -> int:
     from geometry.files.export import export, require_suffix
     from masonry import scene
     from masonry.assembly.assemble import joined, meshed
+    from masonry.runtime.named_file import require_free
 
     require_suffix(words.to)
-    if words.to.exists() and not words.overwrite:
-        raise SceneError(f"'{words.to}' exists already; --overwrite replaces it")
+    require_free(words.to, words.overwrite)
     loaded = scene.load(words.scene, words.overrides)
     specimen, joints = joined(loaded)
     export(words.to, specimen, meshed(loaded, specimen.blocks, joints)[0])

@@ -8,6 +8,7 @@ from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
 from masonry.laws.plugins import all_law_names, plugin_law
 from masonry.plugins import plugins
+from masonry.runtime.named_file import require_free
 from masonry.runtime.shell import OK, Parser
 
 COUPLET, GROUP = "couplet", "contact.unit_unit"
@@ -39,6 +40,7 @@ def parser() -> Parser:
     words.add_argument(
         "--plot", nargs="?", const="", metavar="FILE.png", help="draw a picture of it (default law-NAME.png)"
     )
+    words.add_argument("--overwrite", action="store_true", help="replace FILE.png, even if masonry did not draw it")
     return words
 
 
@@ -50,6 +52,9 @@ def main(arguments: list[str] | None = None) -> int:
             raise SceneError("masonry law: --set and --plot go with the NAME of a law")
         print("\n".join(_list()))
         return OK
+    plot = None if words.plot is None else Path(words.plot or f"law-{words.name}.png")
+    if plot is not None:
+        require_free(plot, words.overwrite)
     contact = _contact(words.name, words.changes)
     from masonry.laws.factory import build
     from masonry.model.law_portrait import COMPRESSIONS, portrait
@@ -59,10 +64,10 @@ def main(arguments: list[str] | None = None) -> int:
     from masonry.runtime.tables import aligned
 
     print(aligned([*_about(words.name, contact, parameters), *_energies(contact, found)]))
-    if words.plot is not None:
+    if plot is not None:
         from masonry.drawings.law_picture import draw_law
 
-        print(draw_law(words.name, found, Path(words.plot or f"law-{words.name}.png")))
+        print(draw_law(words.name, found, plot))
     return OK
 
 

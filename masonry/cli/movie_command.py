@@ -7,6 +7,7 @@ from pathlib import Path
 
 from masonry.cli.picture_command import VIEWS, scale
 from masonry.errors import visible
+from masonry.runtime.named_file import require_free
 from masonry.runtime.shell import OK, Parser
 
 
@@ -19,6 +20,7 @@ def parser() -> Parser:
     )
     words.add_argument("folder", type=Path, metavar="DIR", help="a folder of results")
     words.add_argument("--to", type=Path, metavar="FILE", help=".gif or .mp4 (default DIR/movie.gif)")
+    words.add_argument("--overwrite", action="store_true", help="replace FILE, even if masonry did not make it")
     words.add_argument("--fps", type=int, default=6, metavar="N", help="frames a second (default 6)")
     words.add_argument("--view", choices=VIEWS, help="default front, or side where it falls that way")
     words.add_argument("--scale", type=scale, metavar="N", help="displacements drawn N times (default: so they show)")
@@ -32,8 +34,9 @@ def main(arguments: list[str] | None = None) -> int:
     from masonry.runtime.progress import Progress
 
     words = parser().parse_args(arguments)
-    result = load_result(words.folder)
+    result, to = load_result(words.folder), words.to or words.folder / "movie.gif"
+    require_free(to, words.overwrite)
     with Progress(label="movie") as progress:
-        path = write_movie(result, words.to or words.folder / "movie.gif", words.fps, words.view, words.scale, progress)
+        path = write_movie(result, to, words.fps, words.view, words.scale, progress)
     print(visible(f"{path}"))
     return OK

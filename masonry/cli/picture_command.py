@@ -8,6 +8,7 @@ import re
 from pathlib import Path
 
 from masonry.errors import SceneError, visible
+from masonry.runtime.named_file import require_free
 from masonry.runtime.shell import OK, Parser
 
 VIEWS = ("front", "back", "side", "iso")
@@ -21,6 +22,7 @@ def parser() -> Parser:
     )
     words.add_argument("source", metavar="DIR|SCENE", help="a folder of results; with --geometry a scene")
     words.add_argument("--out", type=Path, metavar="FILE.png", help="default DIR/STEP-VIEW.png or SCENE-geometry.png")
+    words.add_argument("--overwrite", action="store_true", help="replace FILE.png, even if masonry did not draw it")
     words.add_argument(
         "--view",
         choices=VIEWS,
@@ -90,8 +92,10 @@ def _of_scene(words: argparse.Namespace) -> tuple[Path, str]:
     from masonry.drawings.geometry_picture import draw_geometry
     from masonry.runtime.folder import scene_name
 
+    out = words.out or Path(f"{scene_name(words.source)}-geometry.png")
+    require_free(out, words.overwrite)
     loaded = scene.load(words.source, words.overrides)
-    return draw_geometry(loaded, words.out or Path(f"{scene_name(words.source)}-geometry.png"), words.view), ""
+    return draw_geometry(loaded, out, words.view), ""
 
 
 def _of_results(words: argparse.Namespace) -> tuple[Path, str]:
@@ -103,4 +107,5 @@ def _of_results(words: argparse.Namespace) -> tuple[Path, str]:
     view = words.view or usual_view(result)
     name = re.sub(r"[^\w.+]+", "-", re.sub(r"^\s*-", "minus ", step)).strip("-")
     out = words.out or Path(words.source) / f"{name}-{view}.png"
+    require_free(out, words.overwrite)
     return out, draw_frame(result, out, step, view, words.scale)

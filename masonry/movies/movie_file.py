@@ -11,6 +11,7 @@ import numpy as np
 
 from geometry.files.atomic import whole_file
 from masonry.errors import SceneError, extra
+from masonry.runtime.named_file import MARK
 
 if TYPE_CHECKING:
     from masonry.movies.movie import Movie
@@ -77,7 +78,7 @@ def _write_gif(shown: Iterator[None], movie: "Movie", path: Path, fps: int) -> N
         movie.figure.canvas.draw()
         pictures.append(Image.fromarray(np.array(movie.figure.canvas.buffer_rgba())[:, :, :3]))
     times = [1000.0 / fps] * (len(pictures) - 1) + [1000.0 / fps + 1000.0 * HOLD]
-    pictures[0].save(path, save_all=True, append_images=pictures[1:], duration=times, loop=0)
+    pictures[0].save(path, save_all=True, append_images=pictures[1:], duration=times, loop=0, comment=MARK)
 
 
 def _write_mp4(shown: Iterator[None], movie: "Movie", path: Path, fps: int, ffmpeg: str) -> None:
@@ -85,7 +86,7 @@ def _write_mp4(shown: Iterator[None], movie: "Movie", path: Path, fps: int, ffmp
     from matplotlib.animation import FFMpegWriter
 
     with rc_context({"animation.ffmpeg_path": ffmpeg}):
-        writer = FFMpegWriter(fps=fps, codec="h264")
+        writer = FFMpegWriter(fps=fps, codec="h264", metadata={"comment": MARK})
         with writer.saving(movie.figure, str(path), DPI):
             for _ in shown:
                 writer.grab_frame()

@@ -3,6 +3,8 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from masonry.runtime.named_file import MARK
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -27,7 +29,8 @@ def write_png(figure: Any, path: Path | str) -> None:
     if (engine := figure.get_layout_engine()) is not None:
         engine.execute(figure)
         figure.set_layout_engine("none")
-    canvas.print_png(path, pil_kwargs={"compress_level": 3})  # savefig would draw once more, to lay it out
+    # savefig would draw once more, to lay it out
+    canvas.print_png(path, metadata={"Software": MARK}, pil_kwargs={"compress_level": 3})
 
 
 LONGEST_TITLE = 300

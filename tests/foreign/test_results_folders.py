@@ -8,10 +8,13 @@ import pytest
 from geometry.files.atomic import WholeFiles, is_unfinished, unfinished
 from masonry.cli.main import main
 from masonry.errors import SceneError
+from masonry.movies.movie_file import write_movie
 from masonry.runtime.folder import RESULT_NAMES, WRITTEN, claimed, sweep_up
+from masonry.runtime.named_file import is_marked, require_free
 from masonry.sweep.store import Store
 from masonry.timeloop.checkpoint import Checkpoints
 from tests.faults.samples import run
+from tests.results.sample import sample
 from verification.html.cover import bound, require_ours
 from verification.records import require_writable
 
@@ -27,7 +30,7 @@ def put(folder: Path, *names: str) -> dict[Path, str]:
 
 
 def are_whole(files: dict[Path, str]) -> bool:
-    return all(path.is_file() and path.read_text() == content for path, content in files.items())
+    return all(path.is_file() and path.read_bytes() == content.encode() for path, content in files.items())
 
 
 def test_only_what_carries_our_name_counts_as_left_by_a_killed_process(tmp_path):
@@ -115,8 +118,41 @@ def test_a_page_of_ours_is_replaced(tmp_path):
     require_ours(tmp_path / "another.html")
 
 
-def test_an_export_replaces_nothing_unless_it_is_told_to(tmp_path, capsys):
-    there, words = put(tmp_path, "wall.obj"), ["export", "couplet", "--to", str(tmp_path / "wall.obj")]
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        (["export", "couplet", "--to"], "wall.obj"),
+        (["picture", "couplet", "--geometry", "--out"], "wall.png"),
+        (["picture", "couplet", "--geometry"], "couplet-geometry.png"),
+        (["picture", "{run}", "--out"], "wall.png"),
+        (["picture", "{run}"], "run/peak-front.png"),
+        (["movie", "{run}", "--to"], "wall.gif"),
+        (["movie", "{run}"], "run/movie.gif"),
+        (["law", "linear", "--plot"], "wall.png"),
+    ],
+)
+def test_a_file_that_is_not_ours_is_replaced_by_none_of_the_commands_that_write_one_unless_they_are_told_to(
+    words, name, tmp_path, capsys, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    if "{run}" in words:
+        sample().save_numbers(tmp_path / "run")
+    named = [name] if words[-1].startswith("--") and words[-1] != "--geometry" else []
+    there, words = put(tmp_path, name), [*(word.format(run="run") for word in words), *named]
     assert main(words) == 2 and are_whole(there)
-    assert "exists already; --overwrite replaces it" in capsys.readouterr().err
+    assert f"'{name}' exists already; --overwrite replaces it" in capsys.readouterr().err
     assert main([*words, "--overwrite"]) == 0 and not are_whole(there)
+    assert main(words) == (2 if words[0] == "export" else 0), "a picture of ours is drawn again"
+
+
+def test_a_file_is_ours_by_its_mark_and_a_link_or_a_folder_never_is(tmp_path):
+    write_movie(sample(), tmp_path / "ours.gif")
+    (tmp_path / "cut.gif").write_bytes((tmp_path / "ours.gif").read_bytes()[:6])
+    (tmp_path / "broken.gif").symlink_to(tmp_path / "nowhere.gif")
+    (tmp_path / "folder.gif").mkdir()
+    assert [is_marked(tmp_path / f"{name}.gif") for name in ("ours", "cut", "broken", "folder", "none")] == [
+        True, False, False, False, False
+    ]  # fmt: skip
+    for name in ("cut", "broken"):
+        with pytest.raises(SceneError, match="exists already"):
+            require_free(tmp_path / f"{name}.gif", overwrite=False)

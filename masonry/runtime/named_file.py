@@ -1,0 +1,30 @@
+"""A file that the user names: what stands there already is replaced on request only, unless we drew it."""
+
+import os
+from pathlib import Path
+
+from masonry.errors import SceneError
+
+MARK = "Drawn by masonry-dem"
+"""What pictures and movies hold, so that one can be drawn again over the last one."""
+ENDS = 4096
+"""Bytes at the beginning and the end of a file, among which the mark is."""
+
+
+def require_free(path: Path, overwrite: bool) -> None:
+    """Raise SceneError where a file would be replaced that does not hold our mark, and the user did not ask for it."""
+    if os.path.lexists(path) and not overwrite and not path.is_dir() and not is_marked(path):
+        raise SceneError(f"'{path}' exists already; --overwrite replaces it")
+
+
+def is_marked(path: Path) -> bool:
+    """Whether a file is a picture or a movie that we drew."""
+    if not path.is_file():
+        return False
+    try:
+        with path.open("rb") as file:
+            first = file.read(ENDS)
+            file.seek(max(path.stat().st_size - ENDS, 0))
+            return MARK.encode() in first or MARK.encode() in file.read(ENDS)
+    except OSError:
+        return False
