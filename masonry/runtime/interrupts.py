@@ -107,6 +107,9 @@ def interruptible_wait(work: Callable[[], Answer], every: Callable[[float], None
     with which the process does not wait at its end.
 
     every  is told the seconds so far, about once a second. Raises what the call raises.
+
+    Whether the work is over is asked of what it left, not of the thread: a `join` that a signal ends takes a thread for
+    dead that is alive (Python 3.11).
     """
     if threading.current_thread() is not threading.main_thread():
         return work()
@@ -119,24 +122,27 @@ def interruptible_wait(work: Callable[[], Answer], every: Callable[[float], None
         except BaseException as error:
             raised.append(error)
 
+    def over() -> bool:
+        return bool(found or raised)
+
     begun, working = time.monotonic(), threading.Thread(target=do, daemon=True)
     try:
         working.start()
-        while working.is_alive():
+        while not over():
             working.join(LOOK_SECONDS)
-            if every is not None and working.is_alive():
+            if every is not None and not over():
                 every(time.monotonic() - begun)
     except KeyboardInterrupt as ended:
-        atexit.register(_end_with, working, ending.code_of(ended))
+        atexit.register(_end_with, over, ending.code_of(ended))
         raise
     if raised:
         raise raised[0]
     return found[0]
 
 
-def _end_with(working: threading.Thread, code: int) -> None:
+def _end_with(over: Callable[[], bool], code: int) -> None:
     """At the end of the process: native code that is still at work must not see its libraries taken down."""
-    if working.is_alive():
+    if not over():
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(code)
