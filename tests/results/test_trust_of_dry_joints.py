@@ -72,6 +72,25 @@ def test_a_dry_block_that_rocks_on_points_within_its_joint_is_doubted(points, ar
     assert bool(told) == (points == "gauss") == ("reach 0.58 of the way" in trust(result.summary))
 
 
+@pytest.mark.parametrize(
+    ("block", "fixed", "direction", "hinge"),
+    [
+        (BLOCK, ["y", "rotation x", "rotation z"], "x", True),
+        (FLAT, ["y", "rotation"], "x", False),
+        (FLAT, [], "z", False),
+    ],
+)
+def test_a_dry_block_on_one_row_of_points_bears_nothing_where_it_would_rock_and_the_run_says_so(
+    block, fixed, direction, hinge
+):
+    """It would bear 40 N; one that slides bears 13, and one that is lifted its weight, whatever the points are."""
+    held = [HELD, *([f'on = "block"\nfix = {fixed}'] if fixed else [])]
+    one = scene([GROUND, block], held, WEIGHT + drive("block", direction, "1 mm"), "gauss")
+    summary = laboratory.run(one.with_({"specimen.points_per_edge": {"x": 1, "y": 2, "z": 2}})).summary
+    assert ("bear no moment there, as a hinge: the peak may be far too low" in trust(summary)) == hinge
+    assert (summary["peak_force_n"] < 1.0) == hinge
+
+
 def test_dry_joints_that_only_slide_or_cannot_rock_are_not_doubted():
     triplet = load_scene("triplet-dry")
     assert laboratory.check(triplet)["warnings"] == []

@@ -66,7 +66,7 @@ def closed_remarks(assembly: Assembly, frames: list[Frame]) -> list[str]:
     if model.large is None or assembly.scene.specimen.patch_points is not None:
         return []
     farthest = max(float(np.abs(frame.corners).max(initial=0.0)) for frame in frames) if frames else 0.0
-    if farthest > STAYS * smallest_block(model) or not any(_is_dry(assembly, g) for g in range(len(model.group_names))):
+    if farthest > STAYS * smallest_block(model) or not any(is_dry(assembly, g) for g in range(len(model.group_names))):
         return []
     return [
         "no block moved by more than a thousandth of its size, so that dry joints decide which stay closed: with "
@@ -80,7 +80,7 @@ def _in_joints_of(patch: np.ndarray, some: np.ndarray, others: np.ndarray) -> np
     return np.isin(patch, patch[some]) & np.isin(patch, patch[others])
 
 
-def _is_dry(assembly: Assembly, g: int) -> bool:
+def is_dry(assembly: Assembly, g: int) -> bool:
     """Whether the joints of a contact group have no tension."""
     law = assembly.scene.contact_of(assembly.model.group_names[g]).law
     strength = assembly.model.groups.properties[g].tensile_strength
@@ -92,7 +92,7 @@ def _of_rocking(assembly: Assembly, which: np.ndarray, what: str) -> list[str]:
     model, found, reach = assembly.model, [], _reach(assembly.joints)
     for g, (name, joint) in enumerate(zip(model.group_names, model.groups.properties, strict=True)):
         mine = which & (model.group == g)
-        if not (_is_dry(assembly, g) and joint.tan_friction and mine.any()):
+        if not (is_dry(assembly, g) and joint.tan_friction and mine.any()):
             continue
         if (least := float(reach[mine].min())) > REACH:
             continue
