@@ -21,7 +21,7 @@ from masonry.laboratory.remarks.contact_remarks import (
 )
 from masonry.laboratory.remarks.hinge_remarks import hinge_remarks, hinged_remarks
 from masonry.laboratory.remarks.mesh_remarks import mesh_remarks
-from masonry.laboratory.remarks.scene_remarks import scene_remarks, unit_weights
+from masonry.laboratory.remarks.scene_remarks import scene_remarks, size_remarks, unit_weights
 from masonry.laboratory.remarks.twist_remarks import twist_remarks
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
@@ -145,7 +145,7 @@ def check(scene: Scene) -> "Report":
         "compiled": compiled(assembly),
         "warnings": [
             *(*warnings(assembly), *rocking_remarks(assembly), *hinge_remarks(assembly)),
-            *unit_weights(scene),
+            *(*size_remarks(assembly), *unit_weights(scene)),
         ],
     }
     from masonry.laboratory.text import Report

@@ -69,7 +69,11 @@ BAD = {
     "support on a face that is none": ('on = "low"', 'on = "low.w+"', r"support\.0\.on = 'low\.w\+'.*x-, x\+"),
     "traction without a face": ('on = "top.z+"', 'on = "top"', r"traction\.0\.on = 'top'.*face.*'top\.z\+'"),
     "traction on a face in a joint": ('on = "top.z+"', 'on = "top.z-"', r"traction\.0\.on = 'top\.z-'.*joint.*z\+"),
-    "blocks that overlap": ('"0.05 m"], size', '"0.04 m"], size', r"'low' and 'top' overlap.*move one by 0\.01"),
+    "blocks that overlap": (
+        '"0.05 m"], size',
+        '"0.04 m"], size',
+        r"'low' and 'top' overlap by 10 mm.*moving 'top' by 10 mm along z parts them",
+    ),
     "a block held by nothing": (
         "\n]\n[material.hard]",
         SPARE,

@@ -1,6 +1,7 @@
 """Runs the blocks of a page as a reader would: in order, in one empty folder, Python in one namespace."""
 
 import json
+import re
 import shlex
 import tomllib
 from pathlib import Path
@@ -16,6 +17,8 @@ from tests.docs.pages import RUN, Block
 ELSEWHERE = ("make", "pip", "git", "cd", "dask", "apt-get", "jupyter", "python", ".venv/bin/python", ".venv/bin/pip")
 """What a line of a shell may begin with besides `masonry`; such lines are not run."""
 MASONRY = ("masonry", ".venv/bin/masonry")
+VARIABLE = re.compile(r"[A-Z_]+=")
+"""What may stand before: a variable that is set for the line."""
 SHELL = ("|", "||", "&", "&&", ";", ">", ">>", "<")
 
 
@@ -62,6 +65,8 @@ class Reader:
     def command(self, line: str, block: Block, where: str, run: bool) -> None:
         """One line: `masonry` is called here, or its words are looked at; what else is known is left alone."""
         words = shlex.split(line, comments=True)
+        while words and VARIABLE.match(words[0]):
+            words.pop(0)
         if not words or words[0] in ELSEWHERE:
             return
         known = ", ".join((*MASONRY, *ELSEWHERE))

@@ -45,7 +45,7 @@ def scene_remarks(assembly: Assembly) -> list[str]:
         for key, value, most, unit, why in _values(scene)
         if value > most
     ]
-    return [*found, *_sizes(assembly), *_shaken(assembly)]
+    return [*found, *_shaken(assembly)]
 
 
 def _values(scene: Scene) -> list[tuple[str, float, float, str, str]]:
@@ -66,8 +66,9 @@ def _values(scene: Scene) -> list[tuple[str, float, float, str, str]]:
     return found
 
 
-def _sizes(assembly: Assembly) -> list[str]:
-    """Of blocks so unlike in size that one of them is a mistake, the two extremes; the floor is not one of them."""
+def size_remarks(assembly: Assembly) -> list[str]:
+    """Of blocks so unlike in size that one of them may be a mistake, the two extremes; the floor is not one of them. A
+    run of them is no less right: `masonry check` asks."""
     blocks, scene = assembly.specimen.blocks, assembly.scene
     floor = [number for number, name in enumerate(blocks.groups) if scene.is_floor(name)]
     size = np.where(np.isin(blocks.group, floor), np.nan, volumes(blocks))
