@@ -93,8 +93,8 @@ def _require_joints(blocks: Blocks, against: Facing, names: Sequence[str], toler
     if lost.any():
         gone = against.chosen(lost)
         raise GeometryError(
-            f"joints that would be lost: {len(np.unique(pairs[lost]))}, as gaps and overlaps are mended, of faces that lie "
-            f"within the tolerance of {tolerance * 1e3:.4g} mm of each other: "
+            f"joints that would be lost: {len(np.unique(pairs[lost]))}, as gaps and overlaps are mended, of faces that "
+            f"lie within the tolerance of {tolerance * 1e3:.4g} mm of each other: "
             f"{'; '.join(described(blocks, gone, names))}; mend the solids where they were made, or take a smaller "
             "tolerance"
         )

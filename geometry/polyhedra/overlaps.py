@@ -75,12 +75,14 @@ def least_allowed(blocks: Blocks, most: float) -> float:
     at which none is."""
     depth = 1e-9 * extent(blocks)
     low, high = bounds(blocks)
-    allowed, pairs = 0.0, overlapping_boxes(low + depth / 2, high - depth / 2)
-    for deep in (depth, *(most * 10.0**-k for k in range(6, -1, -1))):
-        if deep >= depth and len(pairs):
-            pairs = np.array(list(overlapping_pairs(blocks, pairs, deep, are_convex(blocks, deep)))).reshape(-1, 2)
-            allowed = deep if deep > depth or len(pairs) else 0.0
-    return allowed
+    levels = (most * 10.0**-k for k in range(6, 0, -1))
+    for deep in (depth, *(level for level in levels if level > depth)):
+        rim = np.minimum(deep / 2, THIN * (high - low))
+        pairs = overlapping_boxes(low + rim, high - rim)
+        convex = are_convex(blocks, deep)  # more blocks the deeper, so pairs that passed at less are looked at again
+        if next(overlapping_pairs(blocks, pairs, deep, convex), None) is None:
+            return deep if deep > depth else 0.0
+    return most
 
 
 def described(blocks: Blocks, overlaps: Sequence[Overlap], names: Sequence[str] | None) -> list[str]:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from geometry.polyhedra.measures import volumes
-from tests.geometry.files.noisy import STRUCTURES, clad_roof, read_again, rounded, turned, worst_joint
+from tests.geometry.files.noisy import STRUCTURES, clad_roof, read_again, rounded, shell, turned, worst_joint
 
 SINGLE = 5e-7
 """m, of coordinates of up to 4 m in single precision."""
@@ -38,6 +38,10 @@ def test_slivers_that_end_in_an_edge_shorter_than_the_tolerance_stay_in_their_fa
     """Taken for a part of the neighbour, such a sliver moves corners by as much as it is high."""
     for seed in range(4):
         require_same(clad_roof, seed, noise, (".obj", ".stl")[seed % 2], tmp_path)
+
+
+def test_a_dome_with_four_planes_at_each_corner_is_not_given_up_early(tmp_path):
+    require_same(shell, 13, 1e-6, ".obj", tmp_path)
 
 
 @pytest.mark.slow
