@@ -9,8 +9,8 @@ import numpy as np
 
 ROUNDS = 200
 PATIENCE = 20
-"""Rounds in which the largest distance must halve, or corners and planes do not come to agree. In a dome, where each corner
-has four planes, it takes eight."""
+"""Rounds in which the largest distance must halve, or corners and planes do not come to agree. In a dome, where each
+corner has four planes, it takes eight."""
 SETTLED = 1e-3
 """Of the width: corners that are so near to all their planes stay where they are, bit for bit."""
 LEAST = 1e-6
