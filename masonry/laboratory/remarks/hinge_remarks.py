@@ -46,7 +46,7 @@ class Hinges(NamedTuple):
 def hinges_of(assembly: Assembly, faces: Faces) -> Hinges:
     """All of a specimen, but dry joints in large displacement: their points are those of patches."""
     model = assembly.model
-    dry = np.array([is_dry(assembly, group) for group in range(len(model.group_names))])[faces.group]
+    dry = np.array([is_dry(assembly, group) for group in range(len(model.group_names))], dtype=bool)[faces.group]
     second = faces.sums(assembly.joints.area[:, None, None] * faces.arm[:, :, None] * faces.arm[:, None, :])
     flat = np.eye(3) - faces.normal[:, :, None] * faces.normal[:, None, :]
     bare = flat - faces.inverse @ second
