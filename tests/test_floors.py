@@ -66,7 +66,7 @@ PACKAGES = {
 }
 """The packages that a floor may use besides the standard library; any where nothing is said."""
 GMSH = ("geometry.meshes.gmsh_session", "tests")
-MOST, MOST_AT_TOP, LONGEST = 15, 6, 299
+MOST, MOST_AT_TOP, LONGEST = 15, 6, 400
 """Python files in a folder, in `masonry/` itself, and lines of a file."""
 LONG = {"geometry/cells/space_energy.py"}
 """An energy and its gradient belong together."""
