@@ -38,6 +38,7 @@ FLOORS = (
     *(
         "masonry.drawings",
         "masonry.limit_analysis",
+        "masonry.laboratory.summary",
         "masonry.laboratory.remarks",
         "masonry.laboratory",
         "masonry.sweep",

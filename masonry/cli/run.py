@@ -66,7 +66,7 @@ class _Run:
     def __init__(
         self, scene: Any, checkpoints: Any, threads: int, every: float, interrupts: Interrupts, quiet: bool
     ) -> None:
-        from masonry.laboratory.provenance import provenance_of
+        from masonry.results.provenance import provenance_of
         from masonry.scene import to_toml
         from masonry.timeloop.checkpointer import Checkpointer
 
@@ -81,7 +81,7 @@ class _Run:
 
     def find_checkpoint(self) -> None:
         """Have the checkpointer go on from the newest checkpoint that is whole, if the run got to one."""
-        from masonry.laboratory.provenance import require_same
+        from masonry.results.provenance import require_same
 
         self.new = False
         saved, wrong = self.checkpoints.newest()

@@ -8,9 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.kinematics.motion import Guided
-from masonry.laboratory.collapse import standing_rows
 from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
-from masonry.laboratory.provenance import provenance_of
 from masonry.laboratory.quality import quality_lines
 from masonry.laboratory.remarks.bending_remarks import bent_remarks
 from masonry.laboratory.remarks.contact_remarks import (
@@ -25,10 +23,12 @@ from masonry.laboratory.remarks.scene_remarks import scene_remarks, size_remarks
 from masonry.laboratory.remarks.twist_remarks import twist_remarks
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
-from masonry.laboratory.summary import add_tilt, cells_text, summarise
+from masonry.laboratory.summary.collapse import standing_rows
+from masonry.laboratory.summary.summary import add_tilt, cells_text, summarise
 from masonry.laboratory.unrest import unrest
 from masonry.laws.dispatch import word_of
 from masonry.results.joint_resultants import resultants
+from masonry.results.provenance import provenance_of
 from masonry.scene import Scene, to_toml
 from masonry.scene.schema import INVENTED
 from masonry.timeloop import timeloop

@@ -12,7 +12,7 @@ from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.judgement.words import percent
 from masonry.laboratory import quality, settling
-from masonry.laboratory.symmetry import symmetry_lost
+from masonry.laboratory.summary.symmetry import symmetry_lost
 from masonry.laboratory.text import loads_text
 from masonry.model.step_cost import StepCost
 from masonry.scene import load

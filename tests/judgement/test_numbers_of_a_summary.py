@@ -10,7 +10,7 @@ import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.history import UNITS, Frame, History
-from masonry.laboratory.summary import _collapse_load, summarise
+from masonry.laboratory.summary.summary import _collapse_load, summarise
 from masonry.monitors.events import Event
 from masonry.monitors.reactions import Standing
 from masonry.scene import load

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import masonry
-from masonry.laboratory.collapse import LATE, not_known
-from masonry.laboratory.falling import beginning
+from masonry.laboratory.summary.beginning_of_fall import beginning
+from masonry.laboratory.summary.collapse import LATE, not_known
 from masonry.laboratory.text import collapse_text
 from masonry.scene import load as load_scene
 

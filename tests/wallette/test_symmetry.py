@@ -10,7 +10,7 @@ from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.judgement.trust import uneven
 from masonry.laboratory import laboratory
-from masonry.laboratory.symmetry import is_loaded_alike, symmetry_lost
+from masonry.laboratory.summary.symmetry import is_loaded_alike, symmetry_lost
 
 SHORT = {"drive.displacement": "0.06 mm"}
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.history import TILT
-from masonry.laboratory.falling import beginning
+from masonry.laboratory.summary.beginning_of_fall import beginning
 from masonry.loading.cycles import before_a_collapse
 from masonry.model.loads import Program
 from masonry.timeloop.recording import Outcome
