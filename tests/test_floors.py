@@ -13,7 +13,7 @@ OURS = ("geometry", "masonry", "verification", "tests", "benchmarks")
 FLOORS = (
     *("geometry.blocks", "geometry.checks", "geometry.jit_cache", "geometry.polyhedra", "geometry.cells"),
     *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.structures", "geometry.files", "geometry"),
-    *("masonry.errors", "masonry.quantity", "masonry.history", "masonry.plugins", "masonry.jit", "masonry.simd"),
+    *("masonry.errors", "masonry.quantity", "masonry.rows", "masonry.plugins", "masonry.jit", "masonry.simd"),
     *(
         "masonry.runtime",
         "masonry.statics",
@@ -25,7 +25,8 @@ FLOORS = (
     ),
     *("masonry.scene.tables", "masonry.scene"),
     *("masonry.monitors", "masonry.monitors.collisions"),
-    *("masonry.loading.moves", "masonry.loading", "masonry.timeloop"),
+    *("masonry.loading.moves", "masonry.loading", "masonry.loading.drive", "masonry.loading.collapse"),
+    "masonry.timeloop",
     "masonry.judgement",
     *(
         "masonry.results",

@@ -24,8 +24,9 @@ from masonry.assembly.size_limits import require_sane_size
 from masonry.assembly.specimens import as_turned, blocks_from, is_outside, specimen_of
 from masonry.errors import SceneError, nearest
 from masonry.laws import factory
-from masonry.loading.predictor import LITTLE
-from masonry.model import loads, model
+from masonry.loading.drive.predictor import LITTLE
+from masonry.loading.plans import Plan, Program
+from masonry.model import model
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.layout import Material, lay_out
 from masonry.model.motion import begin
@@ -44,7 +45,7 @@ class Assembly:
     joints: Joints
     mesh: TetMesh | None
     model: model.Model
-    plan: loads.Plan
+    plan: Plan
     recording: Recording
     drawn: list[Drawn]
     pairs: Pairs | None = None
@@ -95,7 +96,7 @@ def assemble(scene: Scene) -> Assembly:
         )
     built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings)
     plan = plan_of(scene, built.dt)
-    if isinstance(plan, loads.Program) and plan.steps > plan.settle == 0:
+    if isinstance(plan, Program) and plan.steps > plan.settle == 0:
         begin(built, None if plan.varying is None else plan.varying[:, 0], scene.has_dead_loads)
     sign = scene.drive.sign if scene.drive else 1.0
     gauges = gauges_of(scene, specimen, joints, layout)

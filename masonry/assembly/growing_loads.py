@@ -20,7 +20,7 @@ Load = dict[str, np.ndarray | None]
 def let_grow(
     scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, materials: dict[str, Material], into: Conditions
 ) -> None:
-    """Add the load of [limit] to those that vary: one, or for a tilt two, see model.loads.Growing."""
+    """Add the load of [limit] to those that vary: one, or for a tilt two, see loading.plans.Growing."""
     asked, density = scene.limit, density_of(specimen.blocks, materials)
     assert asked is not None
     gravity = gravity_of(scene)

@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.loading.schedule import followed, passage, steps_at
-from masonry.model.loads import (
+from masonry.loading.plans import (
     Control,
     Controlled,
     Growing,
@@ -20,6 +19,7 @@ from masonry.model.loads import (
     rise,
     smooth,
 )
+from masonry.loading.schedule import followed, passage, steps_at
 from masonry.scene import Scene
 from masonry.scene.tables.history import Timed
 from masonry.scene.tables.loading import Drive

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.curves.ledger import draw_ledger
-from masonry.history import FACTOR
 from masonry.pictures.style import MILLI, heading, plain, tidy
+from masonry.rows.columns import FACTOR
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

@@ -7,9 +7,9 @@ import numpy as np
 from masonry.curves.curve_axes import CurveAxes, curve_axes, without_blows
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
-from masonry.loading.cycles import peak_row
 from masonry.pictures.style import heading, tidy
 from masonry.results.frames import without_noise
+from masonry.rows.peak import peak_row
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

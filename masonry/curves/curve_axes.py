@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from masonry.history import TILT
-from masonry.loading.cycles import at_peak
+from masonry.rows.columns import TILT
+from masonry.rows.peak import at_peak
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

@@ -6,9 +6,10 @@ import numpy as np
 
 from masonry.curves.curve_axes import curve_axes
 from masonry.curves.ledger import LEDGER, draw_ledger
-from masonry.history import FACTOR
-from masonry.loading.cycles import before_a_fall, bounds
 from masonry.pictures.style import MILLI, heading, plain, tidy
+from masonry.rows.columns import FACTOR
+from masonry.rows.cycles import bounds
+from masonry.rows.peak import before_a_fall
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

@@ -3,9 +3,9 @@
 import math
 from typing import Any
 
-from masonry.history import LONE, still_moving
 from masonry.judgement.collapse_load import not_enclosed, not_led, rests
 from masonry.judgement.words import percent
+from masonry.rows.rest_criterion import LONE, still_moving
 
 MISMATCH, KINETIC, IMBALANCE, DISSIPATION, UNBALANCED, OVERLAP = 0.02, 0.05, 1e-9, 0.01, 1e-3, 0.01
 """Limits for a result to be trusted: reaction mismatch, kinetic over internal energy, imbalance, the difference

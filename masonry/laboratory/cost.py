@@ -4,9 +4,10 @@ import numpy as np
 
 from geometry.polyhedra.box_pairs import overlapping_boxes
 from masonry.assembly.assemble import Assembly
-from masonry.loading.settings import FALLING, GROWING, SETTINGS
+from masonry.loading.collapse.settings import FALLING, GROWING
+from masonry.loading.drive.settings import SETTINGS
+from masonry.loading.plans import Controlled, Growing
 from masonry.model.large.meeting import Large
-from masonry.model.loads import Controlled, Growing
 
 PRESCRIBED = 110
 """Increments of a way or a leg where the drive prescribes all that moves: few steps each, whatever the accuracy."""

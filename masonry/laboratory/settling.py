@@ -9,10 +9,11 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import FEWEST, plan_of
 from masonry.errors import Stopped
-from masonry.history import LONE, History
-from masonry.loading.predictor import AT_FIRST
+from masonry.loading.drive.predictor import AT_FIRST
+from masonry.loading.plans import Controlled, Growing, Program
 from masonry.loading.scheduled import ScheduledLoading
-from masonry.model.loads import Controlled, Growing, Program
+from masonry.rows.history import History
+from masonry.rows.rest_criterion import LONE
 from masonry.scene import Scene
 from masonry.scene.tables.loading import Settle
 from masonry.timeloop import model_state

@@ -1,10 +1,10 @@
 """Whether a run ended at rest."""
 
 from masonry.assembly.assemble import Assembly
-from masonry.history import LONE
+from masonry.loading.plans import Program
 from masonry.loading.scheduled import STILL
-from masonry.model.loads import Program
 from masonry.monitors.unrest import left_of_motion
+from masonry.rows.rest_criterion import LONE
 from masonry.timeloop.recording import Outcome
 
 

@@ -5,7 +5,7 @@ from math import ceil
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.model.loads import Program, rise, smooth
+from masonry.loading.plans import Program, rise, smooth
 
 FASTEST = 1.875
 """The greatest slope of the quintic passage between two turning points, over its mean."""

@@ -1,16 +1,17 @@
 """How a run advances, chunk by chunk: a program that is fixed beforehand."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from masonry.history import LONE
-from masonry.loading.rest import Rest
+from masonry.loading.loading import Chunk
+from masonry.loading.plans import Program
+from masonry.loading.sudden_cracks import Rest
 from masonry.loading.varying_loads import VaryingLoads
-from masonry.model.loads import Program
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
 from masonry.monitors.unrest import left_of_motion
+from masonry.rows.rest_criterion import LONE
 from masonry.runtime.state import State, attributes, load_attributes
 
 LONGEST_CHUNK = 100
@@ -18,24 +19,6 @@ LONGEST_CHUNK = 100
 STILL, STILL_ROWS = 1e-8, 20
 """All is at rest when the kinetic energy was below this share of its largest in so many rows, and that of each block
 (monitors/unrest.py): what turns round in the air is still for less than a row."""
-
-
-@dataclass(frozen=True)
-class Chunk:
-    """Some steps: share of the dead load (n + 1,) and speed of the drive (n + 1,) m/s, before and after each step.
-
-    row    whether a row of the history is due after it
-    place  m, signed: where the drive is after it, if that is known better than the sum of the speeds
-    """
-
-    dead_load: np.ndarray
-    speed: np.ndarray
-    row: bool
-    place: float | None = None
-
-    @property
-    def steps(self) -> int:
-        return len(self.speed) - 1
 
 
 class ScheduledLoading:

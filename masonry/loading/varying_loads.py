@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 
-from masonry.history import LONE
 from masonry.model.model import Model
 from masonry.monitors.energy import present
 from masonry.monitors.unrest import of_blocks
+from masonry.rows.rest_criterion import LONE
 
 STRETCH = 200
 """Steps between two knots, at most."""

@@ -33,7 +33,7 @@ from masonry.simd.rows import aligned
 class Stepping:
     """How time advances. masses: "scaled" (quasi-static) or "real"; time_step: "gershgorin", "equation-11", or seconds;
     step_fraction: of the proven bound (of eq. (11): its frac); damping: xi of eq. (3); guided: damp what moves
-    otherwise than expected besides (loading/predictor.py)."""
+    otherwise than expected besides (loading/drive/predictor.py)."""
 
     masses: str = "scaled"
     time_step: str | float = "gershgorin"

@@ -3,11 +3,11 @@
 import numpy as np
 
 from geometry.blocks import Blocks
-from masonry.history import Frame
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
 from masonry.monitors.energy import Observation
 from masonry.monitors.joint_forces import forces_on_blocks
+from masonry.rows.history import Frame
 
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 """xx yy zz yz xz xy"""

@@ -4,11 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from masonry.history import still_moving
 from masonry.model.model import Model
 from masonry.monitors.energy import present
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.unrest import EachBlock
+from masonry.rows.rest_criterion import still_moving
 from masonry.runtime.state import State, attributes
 
 SHARE = 1e-3

@@ -8,7 +8,6 @@ import numpy as np
 from geometry.joints.covered import covered_fractions
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
-from masonry.history import Frame
 from masonry.pictures.camera import camera_of
 from masonry.pictures.crack_picture import panel_title
 from masonry.pictures.crack_style import crack_map
@@ -16,6 +15,7 @@ from masonry.pictures.front import group_colours
 from masonry.pictures.hidden_surfaces import unit_edges
 from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.results.joint_fields import JointGrid
+from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

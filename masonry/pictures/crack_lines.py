@@ -6,10 +6,10 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints
 from geometry.polyhedra.measures import face_areas_normals_centroids
-from masonry.history import Frame
 from masonry.pictures.camera import Camera
 from masonry.pictures.hidden_surfaces import unit_edges
 from masonry.results.deformation import Deformation
+from masonry.rows.history import Frame
 
 EDGE_ON = 0.5
 """Contacts whose normal makes a smaller cosine with the line of sight are seen edge-on."""

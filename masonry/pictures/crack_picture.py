@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.specimens.placed import FLOOR
-from masonry.history import Frame
 from masonry.pictures.camera import box_of, usual_view
 from masonry.pictures.crack_style import crack_keys, draw_scales, kinds_of, scale_of
 from masonry.pictures.front import FlatDrawing, group_colours
@@ -17,6 +16,7 @@ from masonry.pictures.style import MEGA, MILLI, plain
 from masonry.pictures.thrust_line import ThrustLine
 from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.results.frames import at_peak, moment, without_noise
+from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

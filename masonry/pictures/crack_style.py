@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from masonry.history import Frame
 from masonry.pictures.camera import Camera
 from masonry.pictures.crack_lines import CrackLines
 from masonry.pictures.style import MILLI
 from masonry.results.deformation import Corners, Deformation
+from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

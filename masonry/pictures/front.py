@@ -7,12 +7,12 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from geometry.polyhedra.indexing import ranges
-from masonry.history import Frame
 from masonry.pictures.camera import camera_of
 from masonry.pictures.crack_lines import CrackLines, Outlines, crack_lines, outlines
 from masonry.pictures.crack_style import draw_cracks
 from masonry.pictures.thrust_line import ThrustLine, thrust_line
 from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, moved_undamaged
+from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

@@ -12,13 +12,13 @@ from geometry.blocks import Blocks, Joints
 from geometry.joints.tributary_areas import tiles
 from geometry.polyhedra.indexing import following, ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
-from masonry.history import Frame
 from masonry.pictures.camera import iso_view
 from masonry.pictures.crack_style import crack_colours, widths
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces
 from masonry.results.deformation import Corners, Deformation
 from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, moved_undamaged
+from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

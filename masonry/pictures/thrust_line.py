@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from masonry.history import Frame
 from masonry.pictures.camera import Camera
 from masonry.pictures.crack_lines import EDGE_ON
 from masonry.pictures.large.nearness import reach
 from masonry.results.deformation import Corners, Deformation
 from masonry.results.joint_resultants import UnitJoints, unit_joints
+from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

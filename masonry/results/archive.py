@@ -13,8 +13,9 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
 from geometry.files.hdf5 import new_file, require_plain
-from masonry.history import Frame, History, unit_of
 from masonry.results.validate import require_whole_result
+from masonry.rows.columns import unit_of
+from masonry.rows.history import Frame, History
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

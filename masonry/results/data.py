@@ -7,10 +7,10 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen, TetMesh
 from masonry.errors import SceneError
-from masonry.history import History
 from masonry.judgement.trust import has_drive, trust
-from masonry.loading.cycles import before_a_collapse, peak_row
 from masonry.results.table import Table, table_of
+from masonry.rows.history import History
+from masonry.rows.peak import before_a_collapse, peak_row
 from masonry.runtime.finite import finite_rows, is_finite, without_nan
 from masonry.runtime.text_files import toml_of
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints
 from geometry.polyhedra.measures import sum_by_block
-from masonry.history import Frame
+from masonry.rows.history import Frame
 
 
 class Corners:

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from masonry.history import Frame
 from masonry.quantity import convert
+from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from masonry.history import Frame
 from masonry.results.vtkhdf import TO_VTK, VTK_POLYGON, VTK_TETRA, Cells, Data, write
+from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

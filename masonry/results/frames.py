@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from masonry.errors import SceneError, did_you_mean
-from masonry.history import Frame
-from masonry.loading.cycles import peak_row
+from masonry.rows.history import Frame
+from masonry.rows.peak import peak_row
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

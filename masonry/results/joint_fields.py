@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.joints.tributary_areas import tiles
-from masonry.history import Frame
 from masonry.results.deformation import Corners, Deformation
 from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.results.vtkhdf import VTK_POLYGON, Cells, Data, write
+from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from masonry.history import UNITS, unit_of
+from masonry.rows.columns import UNITS, unit_of
 from masonry.runtime.tables import columns
 
 if TYPE_CHECKING:

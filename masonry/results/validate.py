@@ -7,7 +7,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
 from geometry.polyhedra.validate import require_sound_mesh, require_whole
-from masonry.history import Frame, History
+from masonry.rows.history import Frame, History
 
 MOST = 1e100
 """The largest number in rows and frames: beyond, pictures overflow."""

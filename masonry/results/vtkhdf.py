@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from geometry.files.hdf5 import new_file
-from masonry.history import Frame
+from masonry.rows.history import Frame
 
 VTK_POLYGON, VTK_TETRA = 7, 10
 TO_VTK = [0, 1, 2, 5, 3, 4]

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.history import Frame
+from masonry.rows.history import Frame
 
 
 def finite_rows(rows: dict[str, np.ndarray], log: list[str]) -> tuple[dict[str, np.ndarray], float]:

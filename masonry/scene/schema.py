@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, model_validator
 
 from masonry.errors import did_you_mean, nearest
-from masonry.history import FACTOR, OFF_BALANCE, TILT, UNITS
+from masonry.rows.columns import FACTOR, OFF_BALANCE, TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact import Contact, Material
 from masonry.scene.tables.gauge import Curve, Gauge

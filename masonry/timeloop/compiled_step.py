@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry.jit.compiler import is_kept, kind_of, once
 from masonry.kernels.step import advance
-from masonry.loading.scheduled import Chunk
+from masonry.loading.loading import Chunk
 from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.collisions.collision import compile_look

@@ -9,7 +9,7 @@ from masonry.errors import Stopped
 from masonry.kernels.large_step import advance
 from masonry.kernels.pair_search import NEED_PAIRS, TOO_DEEP, copy_pairs
 from masonry.kernels.patch_arrays import Near, Pairs, no_pairs, no_points
-from masonry.loading.scheduled import Chunk
+from masonry.loading.loading import Chunk
 from masonry.model.model import Model
 
 

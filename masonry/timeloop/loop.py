@@ -7,12 +7,11 @@ from dataclasses import fields
 import numpy as np
 
 from masonry.errors import TurnedTooFar
-from masonry.history import FACTOR, LARGE_UNITS, UNITS, Frame
 from masonry.kernels.step import reaction
-from masonry.loading.adaptive import AdaptiveLoading
-from masonry.loading.cycles import reached
-from masonry.loading.growing import GrowingLoading
-from masonry.loading.scheduled import Chunk, ScheduledLoading
+from masonry.loading.collapse.growing import GrowingLoading
+from masonry.loading.drive.adaptive import AdaptiveLoading
+from masonry.loading.loading import Chunk
+from masonry.loading.scheduled import ScheduledLoading
 from masonry.model.model import Model
 from masonry.model.motion import set_off
 from masonry.monitors import energy
@@ -22,6 +21,9 @@ from masonry.monitors.joint_forces import JointForces
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.reactions import Standing
 from masonry.monitors.stability import Watch
+from masonry.rows.columns import FACTOR, LARGE_UNITS, UNITS
+from masonry.rows.history import Frame
+from masonry.rows.peak import reached
 from masonry.runtime.state import State, attributes, load_attributes
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import advance_model

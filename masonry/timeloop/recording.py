@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from masonry.history import History
 from masonry.model.gauges import Gauge
 from masonry.monitors.events import Event
 from masonry.monitors.reactions import Standing, Surroundings
+from masonry.rows.history import History
 
 
 @dataclass

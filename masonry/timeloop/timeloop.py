@@ -8,15 +8,15 @@ import numba
 
 from geometry.jit_cache import NOT_KEPT
 from masonry.errors import SceneError, Stopped
-from masonry.history import History
 from masonry.laws.dispatch import word_of
-from masonry.loading.adaptive import AdaptiveLoading
-from masonry.loading.growing import GrowingLoading
-from masonry.loading.rest import Rest
+from masonry.loading.collapse.growing import GrowingLoading
+from masonry.loading.drive.adaptive import AdaptiveLoading
+from masonry.loading.plans import Controlled, Growing, Plan
 from masonry.loading.scheduled import ScheduledLoading
+from masonry.loading.sudden_cracks import Rest
 from masonry.model.gauges import Gauge
-from masonry.model.loads import Controlled, Growing, Plan
 from masonry.model.model import Model
+from masonry.rows.history import History
 from masonry.runtime.progress import Progress
 from masonry.timeloop import model_state
 from masonry.timeloop.checkpointer import Checkpointer

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from masonry.assembly.assemble import Assembly, assemble
-from masonry.history import Frame
+from masonry.rows.history import Frame
 from tests.large.made import dry, slab
 from tests.scenes import box
 

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
-from masonry.history import UNITS, Frame, History
 from masonry.laboratory.summary.summary import _collapse_load, summarise
 from masonry.monitors.events import Event
 from masonry.monitors.reactions import Standing
+from masonry.rows.columns import UNITS
+from masonry.rows.history import Frame, History
 from masonry.scene import load
 from masonry.timeloop.recording import Outcome
 from tests.judgement.frames import frame

@@ -8,7 +8,7 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
-from masonry.loading.scheduled import Chunk
+from masonry.loading.loading import Chunk
 from masonry.monitors.collapse import Deformation
 from masonry.monitors.observer import View
 from masonry.timeloop import model_state

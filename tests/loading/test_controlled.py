@@ -10,9 +10,9 @@ from masonry.errors import SceneError
 from masonry.kinematics.motion import Guided, resist
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import accuracy_text
-from masonry.loading.adaptive import AdaptiveLoading
-from masonry.loading.settings import SETTINGS
-from masonry.model.loads import controlled
+from masonry.loading.drive.adaptive import AdaptiveLoading
+from masonry.loading.drive.settings import SETTINGS
+from masonry.loading.plans import controlled
 from masonry.monitors.energy import Seen
 from masonry.scene import load
 from tests.couplet.curve import couplet as curve_of

@@ -7,11 +7,11 @@ from hypothesis import strategies as st
 
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
-from masonry.loading.adaptive import AdaptiveLoading
-from masonry.loading.cycles import bounds, table
+from masonry.loading.drive.adaptive import AdaptiveLoading
+from masonry.loading.plans import controlled
 from masonry.loading.scheduled import ScheduledLoading
-from masonry.model.loads import controlled
 from masonry.monitors.energy import Seen
+from masonry.rows.cycles import bounds, table
 from masonry.scene import load
 from tests.loading.test_controlled import COARSE, TERMS
 from verification.cases.fracture.joint_that_closes import KEYS

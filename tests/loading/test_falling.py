@@ -10,9 +10,10 @@ import masonry
 import verification
 from masonry.curves.curve import curve_figure
 from masonry.errors import SceneError
-from masonry.history import FACTOR, OFF_BALANCE
 from masonry.laboratory.text import summary_text
-from masonry.loading import falling
+from masonry.loading.collapse.branch import Falling
+from masonry.loading.collapse.settings import FALLING
+from masonry.rows.columns import FACTOR, OFF_BALANCE
 from masonry.scene import load as load_scene
 from tests.loading.test_growing import ACCURACY, block
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
@@ -21,7 +22,7 @@ SCENES = Path(verification.__file__).parent / "scenes"
 HALF, HIGH = 0.05, 0.1
 """m, half sizes of the slender block."""
 SIDEWAYS = 'pattern = "weight"\ndirection = "x"'
-AIMED = falling.FALLING.aim * ACCURACY
+AIMED = FALLING.aim * ACCURACY
 """Share of the collapse factor by which the factor exceeds equilibrium."""
 
 
@@ -74,8 +75,8 @@ def test_a_block_that_turns_too_far_for_small_displacement_ends_the_branch():
 def test_a_gauge_that_is_stopped_on_its_way_ends_the_branch_late(monkeypatch):
     """The block slides 0.5 mm and meets a stone that is held. With the patience that runs have, the load would press it
     into the stone until the gauge is where it was to be led, or until the factor is at up_to."""
-    impatient = replace(falling.FALLING, patience=1.0)
-    monkeypatch.setattr(falling.Falling.__init__, "__defaults__", (impatient,))
+    impatient = replace(FALLING, patience=1.0)
+    monkeypatch.setattr(Falling.__init__, "__defaults__", (impatient,))
     boxes = [
         box("base", (-0.5, 0, -0.1), (1.0, 0.2, 0.1), "units", 0),
         box("block", (-0.1, 0, 0), (0.2, 0.2, 0.1), "units", 1),
@@ -162,7 +163,7 @@ def test_a_slender_block_bears_ever_less_until_it_stands_over_its_toe(arm):
 def test_half_the_share_for_the_motion_takes_root_2_as_many_steps(monkeypatch):
     scene, steps = led("20 mm", displacements="large"), []
     for share in (1.0, 0.5, 0.25):
-        monkeypatch.setattr(falling.Falling.__init__, "__defaults__", (replace(falling.FALLING, aim=share),))
+        monkeypatch.setattr(Falling.__init__, "__defaults__", (replace(FALLING, aim=share),))
         result = masonry.run(scene)
         steps.append(result.summary["collapse_load"]["branch"]["steps"])
         way, factor = branch(result)

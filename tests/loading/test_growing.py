@@ -11,8 +11,8 @@ import masonry
 import verification
 from masonry.errors import SceneError
 from masonry.laboratory.text import summary_text
-from masonry.loading.growing import GrowingLoading
-from masonry.loading.settings import GROWING
+from masonry.loading.collapse.growing import GrowingLoading
+from masonry.loading.collapse.settings import GROWING
 from masonry.scene import load as load_scene
 from masonry.timeloop import timeloop
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.loading.adaptive import AdaptiveLoading
-from masonry.loading.cycles import at_peak, bounds, peak_row
-from masonry.model.loads import controlled
+from masonry.loading.drive.adaptive import AdaptiveLoading
+from masonry.loading.plans import controlled
 from masonry.monitors.events import Event, Events, table
+from masonry.rows.cycles import bounds
+from masonry.rows.peak import at_peak, peak_row
 from masonry.scene import load
 
 TERMS = ("elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "damping", "kinetic")

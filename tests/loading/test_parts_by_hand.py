@@ -7,18 +7,18 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.loading import rest, scheduled
-from masonry.loading.enclosing import Enclosing
-from masonry.loading.gathering import Gathering
+from masonry.loading import scheduled, sudden_cracks
+from masonry.loading.collapse.enclosing import Enclosing
+from masonry.loading.collapse.pace import Pace
+from masonry.loading.collapse.settings import GROWING
+from masonry.loading.collapse.watching import Gathering
+from masonry.loading.drive.utilisation import utilisation
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.moved import places, reach, relative_travel
-from masonry.loading.pace import Pace
+from masonry.loading.plans import Growing, Program
 from masonry.loading.schedule import landmarks, passage, steps_at
 from masonry.loading.scheduled import ScheduledLoading
-from masonry.loading.settings import GROWING
-from masonry.loading.utilisation import utilisation
 from masonry.loading.varying_loads import SharedLoads, knots
-from masonry.model.loads import Growing, Program
 from masonry.monitors import energy
 from masonry.monitors.energy import Seen
 from masonry.scene import load
@@ -196,7 +196,7 @@ def test_what_goes_a_fifth_further_in_the_last_third_than_in_the_one_before_acce
 
 @pytest.mark.parametrize(("kinetic", "leaps"), [(0.99, False), (1.01, True)])
 def test_a_leap_is_ten_times_the_usual_energy_or_a_hundred_thousandth_of_what_is_stored(kinetic, leaps, monkeypatch):
-    watch = rest.Rest(assemble(load("couplet").with_({"drive.accuracy": None, "drive.steps": 100})).model)
+    watch = sudden_cracks.Rest(assemble(load("couplet").with_({"drive.accuracy": None, "drive.steps": 100})).model)
     monkeypatch.setattr(watch.events, "anything_dissipated", lambda: True)
     watch.usual = 1.0
     watch.see(2.0)
@@ -210,12 +210,12 @@ def test_a_leap_is_ten_times_the_usual_energy_or_a_hundred_thousandth_of_what_is
 
 @pytest.mark.parametrize(("share", "rests"), [(0.99, True), (1.01, False)])
 def test_the_drive_goes_on_when_twenty_brakings_on_end_found_it_still(share, rests, monkeypatch):
-    watch = rest.Rest(assemble(load("couplet").with_({"drive.accuracy": None, "drive.steps": 100})).model)
+    watch = sudden_cracks.Rest(assemble(load("couplet").with_({"drive.accuracy": None, "drive.steps": 100})).model)
     watch.see(3.0)
     watch.hold(10)
-    monkeypatch.setattr(rest, "brake", lambda *_: None)
+    monkeypatch.setattr(sudden_cracks, "brake", lambda *_: None)
     kinetic = [1.0] + [share * 1e-7 * 3.0] * 19
-    monkeypatch.setattr(rest.energy, "kinetic", lambda *_: kinetic.pop(0) if kinetic else share * 1e-7 * 3.0)
+    monkeypatch.setattr(sudden_cracks.energy, "kinetic", lambda *_: kinetic.pop(0) if kinetic else share * 1e-7 * 3.0)
     held = []
     for step in range(21):
         watch.look(step, 0.0, [])

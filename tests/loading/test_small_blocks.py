@@ -8,12 +8,12 @@ import pytest
 import masonry
 from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
-from masonry.history import LONE
 from masonry.judgement.trust import trust
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.travels import Limits, Travels
 from masonry.monitors import energy
 from masonry.monitors.unrest import EachBlock
+from masonry.rows.rest_criterion import LONE
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 
 TILT = 'pattern = "tilt"\nabout = "y"\naccuracy = "1 %"'

@@ -10,9 +10,9 @@ import verification
 from masonry.curves.curve import curve_figure
 from masonry.errors import SceneError
 from masonry.laboratory.text import summary_text
-from masonry.loading.enclosing import Enclosing
-from masonry.loading.settings import GROWING
-from masonry.model.loads import Growing
+from masonry.loading.collapse.enclosing import Enclosing
+from masonry.loading.collapse.settings import GROWING
+from masonry.loading.plans import Growing
 from masonry.scene import load as load_scene
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 from verification.cases.friction.beam_to_and_fro import FOOT, FORCE, SCENE, SLIDES, slip

@@ -7,7 +7,7 @@ from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
-from masonry.loading.utilisation import utilisation
+from masonry.loading.drive.utilisation import utilisation
 from masonry.monitors.energy import Seen
 from masonry.monitors.snap_back import SnapBack
 

@@ -3,8 +3,9 @@
 import numpy as np
 
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
-from masonry.history import UNITS, Frame, History
 from masonry.laboratory.result import Result
+from masonry.rows.columns import UNITS
+from masonry.rows.history import Frame, History
 
 SIDES = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [2, 3, 7, 6], [1, 2, 6, 5], [0, 4, 7, 3]]
 LENGTH, HEIGHT, DEPTH = 0.25, 0.1, 0.05

@@ -7,10 +7,10 @@ import pytest
 
 import masonry
 from masonry.laboratory.text import summary_text
-from masonry.loading.cycles import at_peak
 from masonry.movies.movie import Movie
 from masonry.pictures.crack_picture import frames_to_draw
 from masonry.results.store import read
+from masonry.rows.peak import at_peak
 
 FAST = {"settle.steps": 8000, "drive.rate": "200 mm/s", "solver.duration": "2 s", "solver.rows": 8000}
 

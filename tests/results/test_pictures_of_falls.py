@@ -7,7 +7,6 @@ import pytest
 
 from geometry.blocks import Blocks, Specimen
 from geometry.polyhedra.construct import from_boxes
-from masonry.history import Frame, History
 from masonry.laboratory.result import Result
 from masonry.movies.movie import Movie
 from masonry.pictures.camera import camera_of, front_view, iso_view, usual_view
@@ -18,6 +17,7 @@ from masonry.pictures.large.drawing import MovedDrawing, seen_pieces
 from masonry.pictures.large.edges import continued
 from masonry.pictures.large.scale_bar import round_length, words
 from masonry.pictures.oblique import SolidDrawing
+from masonry.rows.history import Frame, History
 from tests.results.sample import joints_of, sample
 
 LARGE = 'displacements = "large"\n'

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from masonry.errors import SceneError
-from masonry.history import UNITS
 from masonry.laboratory.result import load_result
 from masonry.pictures import crack_picture as picture
+from masonry.rows.columns import UNITS
 from masonry.runtime.folder import claim
 from tests.results.sample import sample, with_tets
 

@@ -9,9 +9,9 @@ from typing import Any, get_args
 import pytest
 from pydantic import BaseModel
 
-from masonry.history import UNITS
 from masonry.laboratory import laboratory
 from masonry.laws import law_names
+from masonry.rows.columns import UNITS
 from masonry.scene import Scene, load
 from tests.docs.pages import blocks
 

@@ -3,7 +3,8 @@
 import numpy as np
 
 from masonry.assembly.assemble import assemble
-from masonry.history import UNITS, History
+from masonry.rows.columns import UNITS
+from masonry.rows.history import History
 from masonry.runtime.state import read, write
 from masonry.scene import load
 from masonry.timeloop import timeloop

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.history import History
-from masonry.loading.scheduled import Chunk
+from masonry.loading.loading import Chunk
 from masonry.monitors import energy
+from masonry.rows.history import History
 from masonry.scene import load
 from masonry.timeloop import checkpointer as module
 from masonry.timeloop.checkpointer import Checkpointer

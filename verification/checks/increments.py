@@ -8,7 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
-from masonry.model.loads import Program, smooth
+from masonry.loading.plans import Program, smooth
 from masonry.timeloop import timeloop
 
 

@@ -12,7 +12,7 @@ from masonry.kernels.contact import sweep
 from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
 from masonry.laws.state import JointProperties
-from masonry.loading.scheduled import Chunk
+from masonry.loading.loading import Chunk
 from masonry.model import loads
 from masonry.model.arrays import Bodies
 from masonry.model.layout import KINDS, Material, lay_out

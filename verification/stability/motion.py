@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from masonry.assembly.assemble import assemble
-from masonry.loading.scheduled import Chunk
-from masonry.model.loads import Program
+from masonry.loading.loading import Chunk
+from masonry.loading.plans import Program
 from masonry.timeloop import compiled_step
 from verification.scene_runs import Run, joint_of, load
 from verification.stability.cells import Cell, Exact, Grid

@@ -12,9 +12,9 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.kinematics.motion import Guided
-from masonry.loading.scheduled import Chunk
+from masonry.loading.loading import Chunk
+from masonry.loading.plans import Program
 from masonry.model.arrays import Bodies, Groups, group_state, in_rows, initial_state
-from masonry.model.loads import Program
 from masonry.model.model import Model
 from masonry.timeloop.compiled_step import advance_model
 from verification.convergence.joint_in_tension import SCENE as PULLED

@@ -12,11 +12,11 @@ from geometry.blocks import Joints
 from geometry.joints.contact_points import contact_points
 from geometry.joints.point_density import Density
 from masonry.assembly.assemble import Assembly
-from masonry.history import FACTOR
 from masonry.laboratory.remarks.joint_faces import Faces, Look, faces_of, is_glued, look_at
 from masonry.laboratory.remarks.joint_sections import Envelope, envelope, of_points, spread, strength
 from masonry.laws.state import JointProperties
-from masonry.loading.cycles import before_a_collapse
+from masonry.rows.columns import FACTOR
+from masonry.rows.peak import before_a_collapse
 from masonry.timeloop.recording import Outcome
 
 LEAST, WITHOUT = 0.015, 0.02

@@ -5,9 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.history import Frame
 from masonry.laws.state import JointProperties
 from masonry.results.dry_joints import LEAST_DAMAGE
+from masonry.rows.history import Frame
 
 FLAT = 1e-9
 """Of the largest second moment of the points of a face: a smaller one is that of points in one row. Of the square of

@@ -3,8 +3,8 @@
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.history import Frame
 from masonry.results.deformation import Corners, Deformation
+from masonry.rows.history import Frame
 from masonry.timeloop.recording import Outcome
 
 TURNED = 0.01

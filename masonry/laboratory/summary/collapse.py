@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.history import TILT
 from masonry.laboratory.summary.beginning_of_fall import beginning
-from masonry.loading.cycles import before_a_collapse
-from masonry.model.loads import Program
+from masonry.loading.plans import Program
+from masonry.rows.columns import TILT
+from masonry.rows.peak import before_a_collapse
 from masonry.timeloop.recording import Outcome
 
 LATE = 0.04

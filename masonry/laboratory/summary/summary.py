@@ -11,18 +11,19 @@ from geometry.specimens.placed import FLOOR
 from masonry import __version__
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import tilt_at
-from masonry.history import FACTOR, LARGE_UNITS, TILT, UNITS
 from masonry.jit.sources import source_hash
 from masonry.laboratory.summary.collapse import of_large, standing_rows
 from masonry.laboratory.summary.rest import farthest_from_rest
 from masonry.laboratory.summary.symmetry import is_loaded_alike, symmetry_lost
-from masonry.loading.cycles import DISSIPATED, at_peak, before_a_fall, only_rises, table
-from masonry.model.loads import Controlled, Growing
+from masonry.loading.plans import Controlled, Growing
 from masonry.monitors import events
 from masonry.monitors.energy import open_in_contacts
 from masonry.monitors.reactions import balance, moved_by, open_by, rounded
 from masonry.results.joint_resultants import unit_joints
 from masonry.results.provenance import own_sources
+from masonry.rows.columns import DISSIPATED, FACTOR, LARGE_UNITS, TILT, UNITS
+from masonry.rows.cycles import table
+from masonry.rows.peak import at_peak, before_a_fall, only_rises
 from masonry.scene import Scene
 from masonry.timeloop.recording import Outcome
 

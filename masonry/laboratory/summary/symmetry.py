@@ -9,9 +9,9 @@ from geometry.polyhedra.measures import centroids
 from masonry.assembly.assemble import Assembly, material_of
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import let_grow
-from masonry.history import Frame
 from masonry.model.layout import lay_out
 from masonry.model.loads import Conditions
+from masonry.rows.history import Frame
 
 SAME = 1e-6
 """Of the size of the specimen: how far a contact may lie from the mirror image of another one."""

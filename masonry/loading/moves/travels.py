@@ -18,9 +18,9 @@ SLIDES, TWICE = 0.1, 2.0
 
 
 class Limits(NamedTuple):
-    """What is a rest, and what a fall (loading/settings.py, GrowingSettings): kinetic over stored energy, and what a
-    gauge may still move over the farthest that it did; motion of a fall over the size of a block, and over the most
-    that brought it to rest."""
+    """What is a rest, and what a fall (GrowingSettings of collapse/settings.py): kinetic over stored energy, and
+    what a gauge may still move over the farthest that it did; motion of a fall over the size of a block, and over the
+    most that brought it to rest."""
 
     still: float
     reading: float

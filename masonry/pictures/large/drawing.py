@@ -12,7 +12,6 @@ from geometry.joints.tributary_areas import tiles
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.polyhedra.polygons import pad
-from masonry.history import Frame
 from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import COVERED, Piece, behind
@@ -22,6 +21,7 @@ from masonry.pictures.large.nearness import reach
 from masonry.pictures.oblique import JointCracks, crack_edges, faces_beside, joint_cracks, last_piece
 from masonry.pictures.thrust_line import ThrustLine, thrust_line
 from masonry.results.deformation import Corners, Deformation
+from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

@@ -6,10 +6,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from masonry.history import History
 from masonry.results import frames
 from masonry.results.dry_joints import moved_undamaged, without_parted
 from masonry.results.joint_resultants import resultants, resultants_csv
+from masonry.rows.history import History
 from tests.results.sample import joints_of, opened, wall
 
 SCENE = {"contact": {"unit_unit": {"normal_stiffness": "30 GPa/m", "shear_stiffness": "12 GPa/m"}}}

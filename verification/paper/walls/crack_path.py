@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.blocks import Blocks
-from masonry.history import Frame
 from masonry.laboratory.result import Result
+from masonry.rows.history import Frame
 
 BROKEN = 0.95
 """Damage from which a contact counts as broken, as in summary.json."""

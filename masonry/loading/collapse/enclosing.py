@@ -6,8 +6,8 @@ that grows.
 
 from math import inf, log
 
-from masonry.loading.settings import GrowingSettings
-from masonry.model.loads import Growing
+from masonry.loading.collapse.settings import GrowingSettings
+from masonry.loading.plans import Growing
 from masonry.runtime.state import State, attributes, load_attributes
 
 REMEMBERED = ("leg", "stands", "falls", "target", "increment", "greatest", "trials")

@@ -4,12 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from masonry.loading.predictor import Predictor
+from masonry.loading.drive.predictor import Predictor
+from masonry.loading.drive.settings import SETTINGS, AdaptiveSettings
+from masonry.loading.drive.utilisation import Dry, utilisation
+from masonry.loading.loading import Chunk
+from masonry.loading.plans import Controlled, Program, smooth
 from masonry.loading.schedule import Path
-from masonry.loading.scheduled import Chunk, ScheduledLoading
-from masonry.loading.settings import SETTINGS, AdaptiveSettings
-from masonry.loading.utilisation import Dry, utilisation
-from masonry.model.loads import Controlled, Program, smooth
+from masonry.loading.scheduled import ScheduledLoading
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
 from masonry.monitors.events import PARTED, Events

@@ -3,7 +3,7 @@
 Each trial raises the factor from one at which the specimen rests, and waits. Where it comes to rest again, the factor
 is borne. Where it accelerates, the model goes back to where it rested, and the next trial raises the factor by half as
 much. So the collapse factor is enclosed in one run (enclosing.py), between the greatest that was borne and the least
-that was not. Where the scene names a gauge, that is then led on behind the collapse (falling.py). A load that goes to
+that was not. Where the scene names a gauge, that is then led on behind the collapse (branch.py). A load that goes to
 and fro is borne at each of its turning points, or ends where nothing balances it before.
 """
 
@@ -11,21 +11,22 @@ from collections.abc import Callable
 
 import numpy as np
 
-from masonry.history import FACTOR, OFF_BALANCE
-from masonry.loading.enclosing import Enclosing
-from masonry.loading.falling import Falling
-from masonry.loading.gathering import Gathering
+from masonry.loading.collapse.branch import Falling
+from masonry.loading.collapse.enclosing import Enclosing
+from masonry.loading.collapse.pace import Pace
+from masonry.loading.collapse.settings import GROWING, GrowingSettings
+from masonry.loading.collapse.watching import Gathering
+from masonry.loading.loading import Chunk
 from masonry.loading.moves.travels import Limits, Travels
-from masonry.loading.pace import Pace
-from masonry.loading.scheduled import Chunk, ScheduledLoading
-from masonry.loading.settings import GROWING, GrowingSettings
+from masonry.loading.plans import Growing, Program
+from masonry.loading.scheduled import ScheduledLoading
 from masonry.loading.varying_loads import SharedLoads
 from masonry.model.gauges import Gauge
-from masonry.model.loads import Growing, Program
 from masonry.model.model import Model
 from masonry.monitors import energy
 from masonry.monitors.energy import Seen
 from masonry.monitors.settling import unbalanced
+from masonry.rows.columns import FACTOR, OFF_BALANCE
 from masonry.runtime.state import State, attributes, load_attributes
 
 Arrays = dict[str, np.ndarray]

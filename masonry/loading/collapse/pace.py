@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.loading.settings import GrowingSettings
+from masonry.loading.collapse.settings import GrowingSettings
 from masonry.runtime.state import State, attributes, load_attributes
 
 REMEMBERED = ("slower", "work", "increments")

@@ -10,9 +10,9 @@ from math import exp
 
 import numpy as np
 
+from masonry.loading.collapse.settings import GrowingSettings
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.moved import Arrays, moved_since
-from masonry.loading.settings import GrowingSettings
 from masonry.model.model import Model
 from masonry.runtime.state import State, attributes, load_attributes
 

@@ -3,8 +3,8 @@
 import numpy as np
 
 from masonry.kernels.patches import deepest
-from masonry.loading.predictor import Predictor
-from masonry.loading.settings import AdaptiveSettings
+from masonry.loading.drive.predictor import Predictor
+from masonry.loading.drive.settings import AdaptiveSettings
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
 

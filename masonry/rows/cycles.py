@@ -5,20 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from masonry.history import FACTOR
+from masonry.rows.columns import DISSIPATED, FACTOR
+from masonry.rows.peak import only_rises
 
 HOME = 1e-9
 """Fraction of the farthest travel within which the drive, or the factor of a load, counts as back at its start."""
 TOUCH = 1e-4
 """The same for a place where the drive turns or ends: a step may just miss the start there."""
-AT_PEAK = 1e-3
-"""On a plateau the place of the highest value is chance: the peak counts as reached within this share of it."""
-DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
-
-
-def only_rises(place: np.ndarray) -> bool:
-    """Whether places (n,) of the drive only rise: then nothing is a cycle."""
-    return bool(np.all(np.diff(place) >= 0.0))
 
 
 def bounds(place: np.ndarray) -> list[float]:
@@ -48,24 +41,6 @@ def _turns(x: np.ndarray) -> list[int]:
     tops = [int(after) for before, after in pairwise(moving) if direction[before] > 0.0 > direction[after]]
     back = bool(tops) and abs(x[-1] - x[tops[-1]]) <= TOUCH * float(np.abs(x).max())
     return tops if len(tops) > 1 or back else []
-
-
-def before_a_fall(rows: dict[str, np.ndarray], falls: float | None) -> dict[str, np.ndarray]:
-    """Rows up to the last one at which a load was borne, where it falls at a factor: how far a fall is followed is
-    chance."""
-    if falls is None:
-        return rows
-    borne = int(np.flatnonzero(rows[FACTOR] != falls)[-1]) + 1
-    return {key: values[:borne] for key, values in rows.items()}
-
-
-def before_a_collapse(rows: dict[str, np.ndarray], step: float | None) -> dict[str, np.ndarray]:
-    """Rows up to the step at which the first block had fallen, where one has: what hits the drive later is no
-    strength."""
-    if step is None or "step" not in rows:
-        return rows
-    standing = rows["step"] <= step
-    return {key: values[standing] for key, values in rows.items()}
 
 
 def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = None) -> list[dict[str, Any]]:
@@ -150,26 +125,3 @@ def _between(values: np.ndarray, begin: float, end: float) -> float:
 def _at(values: np.ndarray, row: float) -> float:
     """A value at a row with a fraction."""
     return float(np.interp(row, np.arange(len(values)), values))
-
-
-def peak_row(rows: dict[str, np.ndarray]) -> int:
-    """The first row at which the stress, positive along the drive, is within AT_PEAK of the highest of all rows from
-    the last one on before the drive moves."""
-    moved = np.flatnonzero(rows["displacement"] != 0.0)
-    begun = max(int(moved[0]) - 1, 0) if len(moved) else 0
-    stress = rows["stress"][begun:]
-    return begun + int(np.argmax(stress >= reached(float(stress.max()))))
-
-
-def reached(peak: float) -> float:
-    """The least value that counts as the peak."""
-    return peak - AT_PEAK * abs(peak)
-
-
-def at_peak(rows: dict[str, np.ndarray], values: np.ndarray, displacement: float) -> float:
-    """A value (one a row) at the peak: between the rows round its displacement (m), or in the row of the peak
-    where the drive turns back and passes the same place more than once."""
-    for sign in (1.0, -1.0):
-        if only_rises(place := sign * rows["displacement"]):
-            return float(np.interp(sign * displacement, place, values))
-    return float(values[peak_row(rows)])

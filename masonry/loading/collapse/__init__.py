@@ -1,0 +1,1 @@
+"""A load that grows until nothing balances it, and the branch behind the collapse."""

@@ -1,0 +1,1 @@
+"""A drive that is paced by its error."""

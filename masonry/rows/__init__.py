@@ -1,0 +1,1 @@
+"""The rows of a curve: columns, frames, peak, cycles; whether what a row shows is at rest."""

@@ -1,0 +1,46 @@
+"""The columns of a curve and of the energy ledger, with the unit of each."""
+
+UNITS = {
+    "step": "1",
+    "time": "s",
+    "displacement": "m",
+    "stress": "Pa",
+    "support_stress": "Pa",
+    "force": "N",
+    "external_work": "J",
+    "elastic_blocks": "J",
+    "elastic_contacts": "J",
+    "fracture_mode_1": "J",
+    "fracture_mode_2": "J",
+    "friction": "J",
+    "damping": "J",
+    "kinetic": "J",
+    "contact_work": "J",
+    "imbalance": "J",
+}
+"""The columns of a history, with the unit of each; the columns of gauges, in m, come besides. `stress` is taken at the
+drive, `support_stress` at the support, `force` is that of the drive;
+`contact_work` is the trapezoid work that the contacts took up, `imbalance` what is left of the energy balance."""
+
+
+LARGE_UNITS = {"rotor": "J", "dashpot": "J", "redetection": "J", "area": "J"}
+"""Columns of large displacement besides: what free rotations, and blocks that deform, lost by the step's length; what
+dashpots dissipated; what shear lost as contacts were detected anew; what pressed areas that went or shrank held, less
+those that came or grew."""
+
+
+TILT = "tilt_of_gravity"
+"""The column (rad) of a run whose gravity is turned."""
+FACTOR = "load_factor"
+"""The column (1) of a run whose load grows until it falls."""
+OFF_BALANCE = "out_of_balance"
+"""The column (1) of one that leads a gauge on behind the collapse: by how much the factor exceeds equilibrium, on
+average since the row before, over the collapse factor; 0 at the rests before."""
+DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
+"""What cracks and slip dissipate."""
+
+
+def unit_of(column: str) -> str:
+    """Of a column of a history; all that are not in UNITS are gauges, but for the tilt, the load factor and how far it
+    is from equilibrium."""
+    return {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1"}.get(column) or UNITS.get(column) or LARGE_UNITS.get(column, "m")

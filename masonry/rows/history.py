@@ -1,0 +1,46 @@
+"""What a run remembers: rows of the curve and of the energy ledger, and a few frames of the whole specimen."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The specimen at one moment.
+
+    displacement  m, of the drive
+    corners       (P, 3) m, displacement of every corner of the blocks (`Blocks.points`)
+    nodes         (N, 3) m, displacement of every tet node; (0, 3) without tets
+    opening       (C,) m, normal opening at each contact point
+    slip          (C,) m, tangential slip at each contact point
+    normal_stress, shear_stress  (C,) Pa, tension positive
+    damage_tension, damage_shear (C,) 0 intact .. 1 broken;  damage = 1 - (1 - damage_tension)(1 - damage_shear)
+    stress        (B, 6) Pa, mean stress of each block (xx yy zz yz xz xy); of rigid ones from their contacts
+    """
+
+    step: int
+    time: float
+    displacement: float
+    corners: np.ndarray
+    nodes: np.ndarray
+    opening: np.ndarray
+    slip: np.ndarray
+    normal_stress: np.ndarray
+    shear_stress: np.ndarray
+    damage_tension: np.ndarray
+    damage_shear: np.ndarray
+    stress: np.ndarray
+
+    @property
+    def damage(self) -> np.ndarray:
+        """(C,) combined damage."""
+        return 1.0 - (1.0 - self.damage_tension) * (1.0 - self.damage_shear)
+
+
+@dataclass
+class History:
+    """Rows (one array per key of `masonry.rows.columns.UNITS` and per gauge) and frames of a run, oldest first."""
+
+    rows: dict[str, np.ndarray] = field(default_factory=dict)
+    frames: list[Frame] = field(default_factory=list)

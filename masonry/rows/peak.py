@@ -1,0 +1,54 @@
+"""The peak of a curve, and the rows that count for it."""
+
+import numpy as np
+
+from masonry.rows.columns import FACTOR
+
+AT_PEAK = 1e-3
+"""On a plateau the place of the highest value is chance: the peak counts as reached within this share of it."""
+
+
+def only_rises(place: np.ndarray) -> bool:
+    """Whether places (n,) of the drive only rise: then nothing is a cycle."""
+    return bool(np.all(np.diff(place) >= 0.0))
+
+
+def before_a_fall(rows: dict[str, np.ndarray], falls: float | None) -> dict[str, np.ndarray]:
+    """Rows up to the last one at which a load was borne, where it falls at a factor: how far a fall is followed is
+    chance."""
+    if falls is None:
+        return rows
+    borne = int(np.flatnonzero(rows[FACTOR] != falls)[-1]) + 1
+    return {key: values[:borne] for key, values in rows.items()}
+
+
+def before_a_collapse(rows: dict[str, np.ndarray], step: float | None) -> dict[str, np.ndarray]:
+    """Rows up to the step at which the first block had fallen, where one has: what hits the drive later is no
+    strength."""
+    if step is None or "step" not in rows:
+        return rows
+    standing = rows["step"] <= step
+    return {key: values[standing] for key, values in rows.items()}
+
+
+def peak_row(rows: dict[str, np.ndarray]) -> int:
+    """The first row at which the stress, positive along the drive, is within AT_PEAK of the highest of all rows from
+    the last one on before the drive moves."""
+    moved = np.flatnonzero(rows["displacement"] != 0.0)
+    begun = max(int(moved[0]) - 1, 0) if len(moved) else 0
+    stress = rows["stress"][begun:]
+    return begun + int(np.argmax(stress >= reached(float(stress.max()))))
+
+
+def reached(peak: float) -> float:
+    """The least value that counts as the peak."""
+    return peak - AT_PEAK * abs(peak)
+
+
+def at_peak(rows: dict[str, np.ndarray], values: np.ndarray, displacement: float) -> float:
+    """A value (one a row) at the peak: between the rows round its displacement (m), or in the row of the peak
+    where the drive turns back and passes the same place more than once."""
+    for sign in (1.0, -1.0):
+        if only_rises(place := sign * rows["displacement"]):
+            return float(np.interp(sign * displacement, place, values))
+    return float(values[peak_row(rows)])
