@@ -20,6 +20,7 @@ FLOORS = (
         "masonry.detection",
         "masonry.laws",
         "masonry.kinematics",
+        "masonry.patches",
         "masonry.kernels",
         "masonry.model",
     ),
@@ -60,8 +61,8 @@ FLOORS = (
 """From the lowest to the highest: folders, and the files that stand at the top of a package."""
 PACKAGES = {
     **dict.fromkeys(("masonry.errors", "masonry.plugins"), ""),
-    **dict.fromkeys(("masonry.simd", "masonry.laws", "masonry.kinematics", "masonry.kernels"), "numpy numba llvmlite"),
-    **dict.fromkeys(("masonry.model", "masonry.loading"), "numpy numba llvmlite"),
+    **dict.fromkeys(("masonry.simd", "masonry.laws", "masonry.kinematics"), "numpy numba llvmlite"),
+    **dict.fromkeys(("masonry.patches", "masonry.kernels", "masonry.model", "masonry.loading"), "numpy numba llvmlite"),
     "masonry.jit": "numpy numba llvmlite filelock",
     "masonry.detection": "numpy numba",
     "geometry.jit_cache": "numba",

@@ -8,10 +8,10 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from masonry.errors import SceneError
-from masonry.kernels.patch_arrays import Rules
 from masonry.laws import factory
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.large.meeting import Meetings
+from masonry.patches.arrays import Rules
 from masonry.scene import Scene
 
 NONE = -1

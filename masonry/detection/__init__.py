@@ -1,4 +1,4 @@
 """Contact detection of large displacement: convex pieces, their common planes, overlap polygons, neighbours, history.
 
-Knows plain arrays; no laws, time steps or scenes. kernels/refreshing.py says when a run looks again.
+Knows plain arrays; no laws, time steps or scenes. patches/refreshing.py says when a run looks again.
 """

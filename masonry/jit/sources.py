@@ -12,7 +12,7 @@ from masonry.errors import SceneError
 ALL = ("geometry", "masonry")
 COMPILED = (
     *("masonry/simd", "masonry/jit", "masonry/detection"),
-    *("masonry/laws", "masonry/kinematics", "masonry/kernels"),
+    *("masonry/laws", "masonry/kinematics", "masonry/patches", "masonry/kernels"),
 )
 
 

@@ -5,12 +5,12 @@ A scene of small displacement compiles nothing of this file.
 
 from masonry.jit.compiler import jit
 from masonry.kernels.bonds import from_frames, to_frames
-from masonry.kernels.deforming_patches import press_deforming
 from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
-from masonry.kernels.patches import press
-from masonry.kernels.refreshing import count_travel, refresh
 from masonry.kernels.step import pull, reaction, sweep_groups
 from masonry.kinematics.dispatch import move, update_positions
+from masonry.patches.press import press
+from masonry.patches.press_deforming import press_deforming
+from masonry.patches.refreshing import count_travel, refresh
 
 
 @jit

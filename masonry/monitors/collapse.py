@@ -7,11 +7,11 @@ import numpy as np
 from geometry.polyhedra.measures import bounds, widths
 from geometry.specimens.placed import FLOOR
 from masonry.errors import Stopped
-from masonry.kernels.patches import deepest
 from masonry.model.model import Model
 from masonry.monitors.energy import present
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.openings import thinner
+from masonry.patches.press import deepest
 
 DROPPED = 0.5
 """Of its least width: how far a block has gone down, along its weight, when it counts as fallen."""

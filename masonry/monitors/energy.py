@@ -10,13 +10,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from masonry.kernels import contact, patches
+from masonry.kernels import contact
 from masonry.kernels.bonds import Bonds
-from masonry.kernels.patch_arrays import Near
-from masonry.kernels.patches import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
 from masonry.kinematics import affine, deforming, deforming_tets, tets, turning
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
+from masonry.patches.arrays import Near
+from masonry.patches.press import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST, stored_energy
 
 
 class Seen(NamedTuple):
@@ -47,7 +47,7 @@ def observe(model: Model) -> Observation:
     stored = _look_at_contacts(model, seen)
     if model.large is not None:
         _look_at_parted_points(model, model.large.bonds, seen)
-        stored += patches.stored_energy(model.large.near)
+        stored += stored_energy(model.large.near)
     stress = np.zeros((model.blocks.count, 6))
     _, affine_blocks, tet_blocks = model.bodies
     elastic, least, longest = 0.0, 1.0, 1.0

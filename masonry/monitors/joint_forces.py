@@ -11,10 +11,10 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.polyhedra.measures import extent
-from masonry.kernels.patch_arrays import Near
-from masonry.kernels.patches import point_forces
 from masonry.model.model import Model
 from masonry.monitors.energy import moved
+from masonry.patches.arrays import Near
+from masonry.patches.press import point_forces
 
 ROUNDS = 20
 """Of leaving out contacts that would pull, at most."""

@@ -7,10 +7,10 @@ import numpy as np
 from masonry.detection.broad import cells_for
 from masonry.errors import Stopped
 from masonry.kernels.large_step import advance
-from masonry.kernels.pair_search import NEED_PAIRS, TOO_DEEP, copy_pairs
-from masonry.kernels.patch_arrays import Near, Pairs, no_pairs, no_points
 from masonry.loading.loading import Chunk
 from masonry.model.model import Model
+from masonry.patches.arrays import Near, Pairs, no_pairs, no_points
+from masonry.patches.pair_search import NEED_PAIRS, TOO_DEEP, copy_pairs
 
 
 def advance_large(model: Model, chunk: Chunk, first: int, steps: int, drive_force: np.ndarray) -> None:

@@ -6,15 +6,15 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.joints.extents import joint_extents
-from masonry.kernels.patch_arrays import AREA, SHEAR, Near
-from masonry.kernels.patches import NORMAL_GAINED, SHEAR_LOST, gap_of, stored
-from masonry.kernels.refreshing import refresh
-from masonry.kernels.slack import hold
 from masonry.kinematics.planes import plane_of
 from masonry.laws.state import JointProperties, softens_in_shear
 from masonry.model.large.meeting import keys
 from masonry.model.model import Model
 from masonry.monitors.energy import stored_in_contacts
+from masonry.patches.arrays import AREA, SHEAR, Near
+from masonry.patches.press import NORMAL_GAINED, SHEAR_LOST, gap_of, stored
+from masonry.patches.refreshing import refresh
+from masonry.patches.slack import hold
 from masonry.simd import FOUR
 from masonry.timeloop.large_motion import make_room
 

@@ -11,6 +11,8 @@ from typing import NamedTuple
 
 import pytest
 
+from masonry.jit import sources
+
 ROOT = Path(__file__).resolve().parents[2]
 SHORT = ["law=exponential", "settle.steps=100", "drive.steps=600", "solver.rows=10"]
 RUN = """
@@ -80,6 +82,21 @@ def test_a_second_process_compiles_nothing_whatever_was_edited_that_is_not_compi
     for file in ("masonry/model/model.py", "masonry/laboratory/laboratory.py", "geometry/joints/find.py"):
         copy.edit(file, r"\Z", "# a remark\n")
     assert copy.run() == Ran([], first.stress, tools=False)
+
+
+def test_the_key_of_the_cache_changes_with_a_byte_in_any_room_that_is_compiled_into_a_step(tmp_path, monkeypatch):
+    """The rooms are all folders where a function is compiled into others, whatever COMPILED says."""
+    root = Copy(tmp_path).root
+    monkeypatch.setattr(sources, "__file__", str(root / "masonry/jit/sources.py"))
+    compiled = re.compile(r"^from masonry\.jit\.(compiler import .*\b(inner|inlined|jit)\b|extending)", re.M)
+    files = [file for file in sorted(root.rglob("*.py")) if compiled.search(file.read_text(encoding="utf-8"))]
+    rooms = {file.parent: file for file in files}
+    assert {"detection", "kernels", "kinematics", "laws", "patches", "simd"} <= {room.name for room in rooms}
+    keys = {sources.source_hash.__wrapped__(sources.COMPILED)}
+    for count, file in enumerate(rooms.values(), start=2):
+        file.write_bytes(file.read_bytes() + b"\n")
+        keys.add(sources.source_hash.__wrapped__(sources.COMPILED))
+        assert len(keys) == count, f"an edit of {file} is not seen: add its folder to COMPILED"
 
 
 EDITS = {

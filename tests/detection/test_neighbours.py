@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from masonry.detection.broad import cells_for, cells_of, near_pairs, write_boxes
-from masonry.kernels.patch_arrays import Motion
-from masonry.kernels.refreshing import count_travel, farthest
+from masonry.patches.arrays import Motion
+from masonry.patches.refreshing import count_travel, farthest
 from tests.detection.touching import Bodies, box_blocks, cells, random_turn, turn
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.jit.compiler import jit
-from masonry.kernels.patches import turned_with
+from masonry.patches.press import turned_with
 
 STEPS = 100_000
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from masonry import scene
-from masonry.kernels import patches
 from masonry.laboratory import laboratory
 from masonry.monitors import collapse
+from masonry.patches import press
 from masonry.timeloop import large_motion
 
 BASE = {"drive.displacement": "0.4 mm", "settle.steps": 3000, "specimen.contact_points": "vertex"}
@@ -51,7 +51,7 @@ def test_small_displacement_calls_nothing_of_large_displacement(monkeypatch):
     def refuse(*_):
         raise AssertionError("compiled for large displacement only")
 
-    for module, name in ((large_motion, "advance"), (patches, "stored_energy"), (collapse, "deepest")):
+    for module, name in ((large_motion, "advance"), (press, "stored_energy"), (collapse, "deepest")):
         monkeypatch.setattr(module, name, refuse)
     again = laboratory.run(scene.load("couplet", BASE | PACES["steps"])).history.rows
     assert again["stress"].tobytes() == couplet("steps").history.rows["stress"].tobytes()

@@ -9,9 +9,9 @@ import pytest
 from geometry.polyhedra.measures import bounds
 from masonry import scene
 from masonry.assembly.assemble import assemble
-from masonry.kernels.patches import DASHPOT, NORMAL_GAINED, deepest, stored_energy
-from masonry.kernels.refreshing import refresh
 from masonry.laboratory import laboratory
+from masonry.patches.press import DASHPOT, NORMAL_GAINED, deepest, stored_energy
+from masonry.patches.refreshing import refresh
 from tests.large.made import DENSITY, G, dry, slab
 from tests.scenes import box
 

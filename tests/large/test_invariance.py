@@ -8,10 +8,10 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.detection.broad import cells_for
-from masonry.kernels.patch_arrays import no_pairs, no_points
 from masonry.laboratory import laboratory
 from masonry.laboratory.cost import candidates
 from masonry.laboratory.text import check_text
+from masonry.patches.arrays import no_pairs, no_points
 from masonry.timeloop import large_motion, model_state
 from tests.large.made import dry, leaning
 from tests.scenes import box

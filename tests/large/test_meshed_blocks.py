@@ -10,13 +10,13 @@ from masonry import scene as packaged
 from masonry.assembly.assemble import assemble
 from masonry.detection.tet_pieces import FACES
 from masonry.errors import SceneError
-from masonry.kernels.deforming_patches import press_deforming
 from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
-from masonry.kernels.patches import stored_energy
-from masonry.kernels.refreshing import refresh
 from masonry.laboratory import laboratory
 from masonry.model.large.motion import outer_tets
 from masonry.monitors import energy
+from masonry.patches.press import stored_energy
+from masonry.patches.press_deforming import press_deforming
+from masonry.patches.refreshing import refresh
 from masonry.timeloop import model_state
 from tests.kinematics.bricks import turn
 from tests.large.made import DENSITY, G, leaning, slab

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.kernels.deforming_patches import press_deforming
 from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
-from masonry.kernels.patch_arrays import SHEAR
-from masonry.kernels.patches import stored_energy
-from masonry.kernels.refreshing import refresh
 from masonry.kinematics import deforming
+from masonry.patches.arrays import SHEAR
+from masonry.patches.press import stored_energy
+from masonry.patches.press_deforming import press_deforming
+from masonry.patches.refreshing import refresh
 from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
 from tests.large.test_deforming import on_a_slope

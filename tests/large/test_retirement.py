@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from masonry import scene
-from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST
 from masonry.laboratory import laboratory
 from masonry.monitors.energy import open_in_contacts
+from masonry.patches.press import BORN, NORMAL_GAINED, SHEAR_LOST
 from masonry.timeloop import loop
 from masonry.timeloop.retirement import areas_of, pressures_of
 from tests.large.made import G, dry, slab

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.kernels.patch_arrays import SHEAR
-from masonry.kernels.patches import stored_energy
+from masonry.patches.arrays import SHEAR
+from masonry.patches.press import stored_energy
 from masonry.simd import FOUR
 from masonry.timeloop import retirement
 from tests.kinematics.bricks import turn

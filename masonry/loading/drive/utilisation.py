@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from masonry.kernels.patches import deepest
 from masonry.loading.drive.predictor import Predictor
 from masonry.loading.drive.settings import AdaptiveSettings
 from masonry.model.model import Model
 from masonry.monitors.energy import Seen
+from masonry.patches.press import deepest
 
 
 def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:

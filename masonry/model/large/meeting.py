@@ -17,7 +17,6 @@ from masonry.detection.placing import turned_of
 from masonry.detection.tet_pieces import FACES
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
-from masonry.kernels.patch_arrays import Near, Rules, Search, no_pairs, no_points
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.turning import Turning
 from masonry.model.arrays import Bodies, in_rows
@@ -26,6 +25,7 @@ from masonry.model.large.motion import free_bodies, masses_behind, masses_of, mo
 from masonry.model.large.stable_step import affine_row_sums, contact_row_sums, levers, tet_row_sums
 from masonry.model.layout import DOFS, KINDS, Layout
 from masonry.model.stable_step import Side
+from masonry.patches.arrays import Near, Rules, Search, no_pairs, no_points
 
 LEAST = 1e-2
 """Of the area of a face of a cube of the block's volume: what a contact of two edges or a corner stands on."""

@@ -4,9 +4,9 @@ import numpy as np
 
 from masonry.detection.tet_pieces import SurfaceTets, surface_tets
 from masonry.kernels.gathering import Members
-from masonry.kernels.patch_arrays import Motion
 from masonry.model.arrays import Bodies, whole_rows
 from masonry.model.layout import KINDS, Layout, tet_gradients
+from masonry.patches.arrays import Motion
 
 
 def outer_tets(layout: Layout) -> SurfaceTets | None:

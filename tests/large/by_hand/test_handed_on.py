@@ -4,12 +4,12 @@ off, and each number of their account as a line of the ledger."""
 import numpy as np
 import pytest
 
-from masonry.kernels.deforming_patches import press_deforming
-from masonry.kernels.patch_arrays import AREA, PLACE, SHEAR
-from masonry.kernels.patches import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST, gap_of
-from masonry.kernels.patches import stored as energies
-from masonry.kernels.refreshing import refresh
 from masonry.monitors import energy
+from masonry.patches.arrays import AREA, PLACE, SHEAR
+from masonry.patches.press import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST, gap_of
+from masonry.patches.press import stored as energies
+from masonry.patches.press_deforming import press_deforming
+from masonry.patches.refreshing import refresh
 from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
 from tests.large import test_pressed_blocks as blocks

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.kernels.patches import stored_energy
-from masonry.kernels.refreshing import count_travel, refresh
+from masonry.patches.press import stored_energy
+from masonry.patches.refreshing import count_travel, refresh
 from tests.kinematics.bricks import turn
 from tests.large.made import dry, slab
 from tests.scenes import box

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.kernels.patches import (
+from masonry.patches.press import (
     BORN,
     DASHPOT,
     FRICTION,
@@ -14,7 +14,7 @@ from masonry.kernels.patches import (
     press,
     stored_energy,
 )
-from masonry.kernels.refreshing import refresh
+from masonry.patches.refreshing import refresh
 from tests.kinematics.bricks import turn
 from tests.large.made import DENSITY, dry, slab
 from tests.scenes import box

@@ -7,8 +7,8 @@ to each other: before such a pair is looked at, the place of one in the frame of
 from math import sqrt
 
 from masonry.jit.compiler import inner
-from masonry.kernels.pair_search import FAR
 from masonry.kinematics.planes import into
+from masonry.patches.pair_search import FAR
 
 LEFT = 0.25
 """Of what a pair may move between two looks: with less of it left the pair is looked at."""

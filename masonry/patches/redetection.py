@@ -8,8 +8,9 @@ from masonry.detection.placing import owner
 from masonry.detection.spread import spread
 from masonry.detection.transfer import transfer, turn_tractions
 from masonry.jit.compiler import inner
-from masonry.kernels.pair_search import FAR, NEED_POINTS, TOO_DEEP, release
-from masonry.kernels.patch_arrays import (
+from masonry.kinematics.matrices import vector_at
+from masonry.kinematics.planes import into, plane_of, turned
+from masonry.patches.arrays import (
     AREA,
     LEVEL,
     PLACE,
@@ -20,11 +21,10 @@ from masonry.kernels.patch_arrays import (
     put_vector_of,
     vector_of,
 )
-from masonry.kernels.patches import BORN, NORMAL_GAINED, SHEAR_LOST, stored
-from masonry.kernels.relative_motion import keep_pose
-from masonry.kernels.sunk_edges import is_as_deep_beside, is_sunk, place
-from masonry.kinematics.matrices import vector_at
-from masonry.kinematics.planes import into, plane_of, turned
+from masonry.patches.pair_search import FAR, NEED_POINTS, TOO_DEEP, release
+from masonry.patches.press import BORN, NORMAL_GAINED, SHEAR_LOST, stored
+from masonry.patches.relative_motion import keep_pose
+from masonry.patches.sunk_edges import is_as_deep_beside, is_sunk, place
 from masonry.simd import FOUR
 
 MOVED = 0.01

@@ -6,8 +6,8 @@ from masonry.detection import placing
 from masonry.detection.axes import height
 from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inner
-from masonry.kernels.patches import gap_of
 from masonry.kinematics.matrices import dot, minus, vector_at
+from masonry.patches.press import gap_of
 
 NARROW = 0.02
 """Of the radius of a piece: a narrower patch may be there only because blocks press, and is asked whether it is."""

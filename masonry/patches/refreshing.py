@@ -10,11 +10,11 @@ from math import sqrt
 
 from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inlined, inner, jit
-from masonry.kernels.pair_search import find_pairs
-from masonry.kernels.redetection import look
-from masonry.kernels.relative_motion import stays
-from masonry.kernels.slack import settle
 from masonry.kinematics.matrices import dot, vector_at
+from masonry.patches.pair_search import find_pairs
+from masonry.patches.redetection import look
+from masonry.patches.relative_motion import stays
+from masonry.patches.slack import settle
 from masonry.simd import EIGHT, eight, eight_rows, filled, maximum, total
 
 ALMOST = 0.999

@@ -4,7 +4,7 @@ A look measures the gaps of a patch from where its blocks are, and its areas fro
 under pressure, or two crossed edges become two faces, the springs would hold more than before, which nothing has paid:
 what falls would come off the ground faster than it came down. Where area goes they would hold less, as if something had
 taken it. So gaps get a slack, the same for all points of the pair, with which the patch holds what it held: above 0 it
-presses less, below 0 more. It is taken back as the blocks part (patches.ease).
+presses less, below 0 more. It is taken back as the blocks part (press.ease).
 
 Where the dashpot of the pair has dissipated as much, it pays for what the springs gain, and they get no slack: what has
 hit the ground with a corner comes to rest on it as on any spring, and not as deep as it hit. Energy does not grow: the
@@ -18,8 +18,8 @@ from math import sqrt
 
 from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inner, jit
-from masonry.kernels.patch_arrays import AREA, number_of
-from masonry.kernels.patches import DASHPOT, NORMAL_GAINED, gap_of, stored
+from masonry.patches.arrays import AREA, number_of
+from masonry.patches.press import DASHPOT, NORMAL_GAINED, gap_of, stored
 
 ROUNDS = 60
 """Of Newton's method, at most: six are usual."""

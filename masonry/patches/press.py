@@ -11,9 +11,9 @@ from math import sqrt
 import numpy as np
 
 from masonry.jit.compiler import inlined, inner, jit
-from masonry.kernels.pair_search import FAR
-from masonry.kernels.patch_arrays import AREA, LEVEL, PLACE, SHEAR, joint_of, number_of, outward, vector_of
 from masonry.kinematics.planes import plane_of, turned
+from masonry.patches.arrays import AREA, LEVEL, PLACE, SHEAR, joint_of, number_of, outward, vector_of
+from masonry.patches.pair_search import FAR
 from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take, total, where
 
 FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)

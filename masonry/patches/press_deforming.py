@@ -1,15 +1,15 @@
 """Patches between blocks of which some deform: the plane of a point is one of the material of its reference block.
 
-As patches.py, with deformation gradients F in place of rotations: the plane N . X = L of the reference is n . y = l in
+As press.py, with deformation gradients F in place of rotations: the plane N . X = L of the reference is n . y = l in
 space, with n along F^-T N. As it stretches with its block, the rate of a gap g is n . (velocity of the point less that
 of the reference at the foot of the point on the plane). So the normal force acts on the reference at that foot, g along
 its own line from the point, and the shear force at the point: no couple is left, and the springs are conservative.
 """
 
 from masonry.jit.compiler import inner, jit
-from masonry.kernels.patch_arrays import LEVEL, joint_of
-from masonry.kernels.patches import DASHPOT, FRICTION, ease, four_of, places, respond
 from masonry.kinematics.planes import into, plane_of, turned
+from masonry.patches.arrays import LEVEL, joint_of
+from masonry.patches.press import DASHPOT, FRICTION, ease, four_of, places, respond
 from masonry.simd import FOUR, below, filled, four, total
 
 

@@ -1,0 +1,1 @@
+"""Patches: what blocks meet, and where; contacts that press and rub, found and found again as blocks move."""
