@@ -27,12 +27,12 @@ class Domain:
         middle, room = _inner_point(self.normal, self.offset)
         walls = np.column_stack([self.normal, (self.normal @ middle - self.offset) / room])
         try:
-            found = HalfspaceIntersection(walls, np.zeros(3)).intersections
+            corners = HalfspaceIntersection(walls, np.zeros(3)).intersections
         except QhullError:
-            found = np.full((1, 3), np.inf)
-        if not np.all(np.isfinite(found)) or np.abs(found).max() > 1e9:
+            corners = np.full((1, 3), np.inf)
+        if not np.all(np.isfinite(corners)) or np.abs(corners).max() > 1e9:
             raise GeometryError("cells: the domain is not bounded; it needs walls on all sides")
-        return middle + room * found
+        return middle + room * corners
 
     @cached_property
     def volume(self) -> float:
@@ -64,9 +64,9 @@ def box_domain(low: np.ndarray, high: np.ndarray) -> Domain:
 def _inner_point(normal: np.ndarray, offset: np.ndarray) -> tuple[np.ndarray, float]:
     """Centre (3,) and radius of the largest ball inside."""
     walls = np.column_stack([normal, np.linalg.norm(normal, axis=1)])
-    found = linprog([0, 0, 0, -1], A_ub=walls, b_ub=offset, bounds=[(None, None)] * 3 + [(0, None)])
-    if found.status == 3:
+    optimum = linprog([0, 0, 0, -1], A_ub=walls, b_ub=offset, bounds=[(None, None)] * 3 + [(0, None)])
+    if optimum.status == 3:
         raise GeometryError("cells: the domain is not bounded; it needs walls on all sides")
-    if not found.success or found.x[3] <= 0:
+    if not optimum.success or optimum.x[3] <= 0:
         raise GeometryError("cells: the half-spaces of the domain leave no volume between them")
-    return found.x[:3], float(found.x[3])
+    return optimum.x[:3], float(optimum.x[3])

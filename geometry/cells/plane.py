@@ -89,8 +89,8 @@ def regularise(diagram: PlaneDiagram, target: np.ndarray, laguerre: bool) -> flo
     for edge, segment in STAGES:
         wishes = Wishes(target, edge, segment, SIZES_MATTER if laguerre else 0.0, 1.0, 1.0)
         options = {"maxfun": EVALUATIONS, "maxiter": EVALUATIONS, "maxcor": 20}
-        found = minimize(value, x, (wishes,), "L-BFGS-B", jac=True, callback=_until_enough, options=options)
-        x, left = found.x, float(found.fun)
+        minimum = minimize(value, x, (wishes,), "L-BFGS-B", jac=True, callback=_until_enough, options=options)
+        x, left = minimum.x, float(minimum.fun)
     diagram.site = x[: 2 * n].reshape(n, 2).copy()
     if laguerre:
         diagram.weight = x[2 * n :].copy()
@@ -140,13 +140,13 @@ def _newton_step(diagram: PlaneDiagram, lack: np.ndarray) -> np.ndarray:
     i, j, length = cell[once], label[once], length[once]
     coefficient = length / (2 * np.linalg.norm(diagram.site[i] - diagram.site[j], axis=1))
     diagonal = np.bincount(i, coefficient, n) + np.bincount(j, coefficient, n)
-    kept = np.ones(n, dtype=bool)
-    kept[diagram.domains.cell_start[:-1]] = False
+    free = np.ones(n, dtype=bool)
+    free[diagram.domains.cell_start[:-1]] = False
     rows, columns = np.concatenate([i, j, np.arange(n)]), np.concatenate([j, i, np.arange(n)])
     matrix = coo_array((np.concatenate([-coefficient, -coefficient, diagonal]), (rows, columns)), shape=(n, n)).tocsr()
     step = np.zeros(n)
-    if kept.any():
-        step[kept] = spsolve(matrix[kept][:, kept].tocsc(), lack[kept])
+    if free.any():
+        step[free] = spsolve(matrix[free][:, free].tocsc(), lack[free])
     return step
 
 

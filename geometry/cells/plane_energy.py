@@ -77,10 +77,10 @@ def cut_cell(i, site, weight, order, place, rank, heaviest, at, label, spare, sp
             continue
         if square == 0.0:
             return 0  # two sites in one place: neither has a cell
-        kept = _cut(a, b, level, j, x, z, at, label, spare, spare_label, count)
-        if kept < 0:
+        remaining = _cut(a, b, level, j, x, z, at, label, spare, spare_label, count)
+        if remaining < 0:
             continue
-        count = kept
+        count = remaining
         if count < 3:
             return 0
         if count >= MOST - 1:
@@ -94,24 +94,24 @@ def cut_cell(i, site, weight, order, place, rank, heaviest, at, label, spare, sp
 @compiled
 def _cut(a, b, level, j, x, z, at, label, spare, spare_label, count):
     """The part of a convex polygon with a (X - x) + b (Z - z) <= level, in spare; its corners, or -1 if that is all."""
-    kept, outside = 0, False
+    corners, outside = 0, False
     here = a * (at[0, 0] - x) + b * (at[0, 1] - z) - level
     for k in range(count):
         after = k + 1 if k + 1 < count else 0
         there = a * (at[after, 0] - x) + b * (at[after, 1] - z) - level
         if here <= 0.0:
-            spare[kept, 0], spare[kept, 1], spare_label[kept] = at[k, 0], at[k, 1], label[k]
-            kept += 1
+            spare[corners, 0], spare[corners, 1], spare_label[corners] = at[k, 0], at[k, 1], label[k]
+            corners += 1
         else:
             outside = True
         if (here <= 0.0) != (there <= 0.0):
             fraction = here / (here - there)
-            spare[kept, 0] = at[k, 0] + fraction * (at[after, 0] - at[k, 0])
-            spare[kept, 1] = at[k, 1] + fraction * (at[after, 1] - at[k, 1])
-            spare_label[kept] = j if here <= 0.0 else label[k]
-            kept += 1
+            spare[corners, 0] = at[k, 0] + fraction * (at[after, 0] - at[k, 0])
+            spare[corners, 1] = at[k, 1] + fraction * (at[after, 1] - at[k, 1])
+            spare_label[corners] = j if here <= 0.0 else label[k]
+            corners += 1
         here = there
-    return kept if outside else -1
+    return corners if outside else -1
 
 
 @compiled

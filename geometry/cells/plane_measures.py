@@ -23,8 +23,8 @@ def loops_in_metres(diagram: PlaneDiagram, polygons: Sequence[np.ndarray], h: fl
     before = np.arange(len(leaving)) - 1
     before[start] += diagram.count
     place, walls = _on_walls(diagram.corner[inside] * h, leaving, leaving[before], np.concatenate(polygons))
-    kept, number = weld(place, WELD * h, walls)  # where corners are one, the one that lies on most walls counts
-    welded = place[kept][number]
+    first, number = weld(place, WELD * h, walls)  # where corners are one, the one that lies on most walls counts
+    welded = place[first][number]
     distinct = number != number[before]
     return [loop[keep] for loop, keep in zip(np.split(welded, start[1:]), np.split(distinct, start[1:]), strict=True)]
 

@@ -60,9 +60,9 @@ def tessellate(sites: np.ndarray, weights: np.ndarray, domain: Domain) -> Power:
     scaled, site, weight = domain.scaled(h), (sites - domain.centre) / h, (weights - weights.mean()) / h**2
     simplices, rough = _dual_hull(site, weight, scaled)
     place, quality = _solve(simplices, rough, site, weight, scaled)
-    kept, number = weld(place, WELD, quality)
-    vertices = _on_walls(domain.centre + h * place[kept], simplices, number, n, domain)
-    face_start, face_points, cell, other = _faces(simplices, number, place[kept], site, scaled)
+    first, number = weld(place, WELD, quality)
+    vertices = _on_walls(domain.centre + h * place[first], simplices, number, n, domain)
+    face_start, face_points, cell, other = _faces(simplices, number, place[first], site, scaled)
     cell_start, cell_faces = _faces_of_cells(cell, other, n)
     return Power(vertices, face_start, face_points, cell, other, cell_start, cell_faces)
 
@@ -134,9 +134,9 @@ def _faces(
     fresh = np.concatenate([[True], (np.diff(key) != 0) | (np.diff(vertex) != 0)])
     key, vertex = key[fresh], vertex[fresh]
     names, face, corners = np.unique(key, return_inverse=True, return_counts=True)
-    kept = corners >= 3
-    vertex, face = vertex[kept[face]], (np.cumsum(kept) - 1)[face[kept[face]]]
-    names, corners = names[kept], corners[kept]
+    is_face = corners >= 3
+    vertex, face = vertex[is_face[face]], (np.cumsum(is_face) - 1)[face[is_face[face]]]
+    names, corners = names[is_face], corners[is_face]
     cell, beyond = names // everything, names % everything
     wall = beyond >= n
     outward = np.where(

@@ -35,10 +35,10 @@ class CellRequest:
     regularise: bool = True
 
     def __post_init__(self) -> None:
-        given = [name for name in ("total", "per_unit", "size") if getattr(self, name) is not None]
-        if len(given) != 1:
+        names = [name for name in ("total", "per_unit", "size") if getattr(self, name) is not None]
+        if len(names) != 1:
             raise GeometryError(
-                f"cells: exactly one of total, per_unit and size is needed, not {' and '.join(given) or 'none'}"
+                f"cells: exactly one of total, per_unit and size is needed, not {' and '.join(names) or 'none'}"
             )
 
 

@@ -62,11 +62,11 @@ def space_report(powers: Sequence[Power], targets: Sequence[np.ndarray], seconds
 def random_sites_in(domain: Domain, n: int, rng: np.random.Generator) -> np.ndarray:
     """(n, 3) m, at random and of even density over the domain (a scrambled Halton sequence)."""
     low, high = domain.corners.min(axis=0), domain.corners.max(axis=0)
-    sequence, found = Halton(3, seed=rng), np.zeros((0, 3))
-    while len(found) < n:
+    sequence, sites = Halton(3, seed=rng), np.zeros((0, 3))
+    while len(sites) < n:
         some = low + (high - low) * sequence.random(n)
-        found = np.concatenate([found, some[domain.contains(some)]])
-    return found[:n]
+        sites = np.concatenate([sites, some[domain.contains(some)]])
+    return sites[:n]
 
 
 def _checked(domain: Domain, sites: np.ndarray, n: int, h: float) -> np.ndarray:

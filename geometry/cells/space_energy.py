@@ -45,7 +45,7 @@ class Diagram(NamedTuple):
 
     site, weight    (n, 3), (n,)
     near            (n, k) the sites nearest to each, in the order of their distance when the lists were made
-    held            (n,) no site that is not in the list can cut off what is closer to site i than this
+    horizon         (n,) no site that is not in the list can cut off what is closer to site i than this
     box             (6,) low x, high x, low y, ... of the box round the domain, that cutting starts from
     box_label       (6,) the label of each of its sides: a wall, or FAR
     normal, offset  (m, 3), (m,) inside: normal . x <= offset
@@ -55,7 +55,7 @@ class Diagram(NamedTuple):
     site: np.ndarray
     weight: np.ndarray
     near: np.ndarray
-    held: np.ndarray
+    horizon: np.ndarray
     box: np.ndarray
     box_label: np.ndarray
     normal: np.ndarray
@@ -227,7 +227,7 @@ def cut_cell(i, diagram, cut):
             if left < 1:
                 return float(left)
             reach = _reach(cut)
-    if reach > diagram.held[i]:
+    if reach > diagram.horizon[i]:
         cut.used[2] += 1
         for j in range(len(diagram.site)):
             if j != i and not _has_met(cut, j):
@@ -238,8 +238,8 @@ def cut_cell(i, diagram, cut):
 
 
 @compiled
-def hold(site, weight, near, held):
-    """Fill in held of a Diagram whose lists are made for these very sites and weights."""
+def find_horizons(site, weight, near, horizon):
+    """Fill in the horizons of a Diagram whose lists are made for these very sites and weights."""
     listed = np.zeros(len(site), dtype=np.bool_)
     for i in range(len(site)):
         listed[near[i]] = True
@@ -250,7 +250,7 @@ def hold(site, weight, near, held):
                 x, y, z = site[j, 0] - site[i, 0], site[j, 1] - site[i, 1], site[j, 2] - site[i, 2]
                 square = x * x + y * y + z * z
                 least = min(least, 0.5 * (square + weight[i] - weight[j]) / np.sqrt(square))
-        held[i] = least
+        horizon[i] = least
         listed[near[i]] = False
         listed[i] = False
 

@@ -9,7 +9,7 @@ from scipy.sparse.linalg import cg
 from scipy.spatial import cKDTree
 
 from geometry.cells.domain import Domain
-from geometry.cells.space_energy import FAR, MOST_FACES, Diagram, Wishes, energy, hold, measure, room
+from geometry.cells.space_energy import FAR, MOST_FACES, Diagram, Wishes, energy, find_horizons, measure, room
 
 NEIGHBOURS = 48
 """Sites that are looked at first for each cell; where these may not suffice, all are."""
@@ -32,7 +32,7 @@ class SpaceDiagram:
         self._faces = np.zeros(n, dtype=np.int64)
         self._beyond = np.zeros((n, MOST_FACES), dtype=np.int64)
         self._area = np.zeros((n, MOST_FACES))
-        self._held = np.zeros(n)
+        self._horizon = np.zeros(n)
         self._cut = room()
         self._walls = _walls(domain)
         self._list()
@@ -48,7 +48,7 @@ class SpaceDiagram:
         own = near == np.arange(n)[:, None]
         own[~own.any(axis=1), -1] = True
         self._near, self._apart = near[~own].reshape(n, k).astype(np.int64), distance[:, -1]
-        hold(self.site, self.weight, self._near, self._held)
+        find_horizons(self.site, self.weight, self._near, self._horizon)
         self._listed_at = self.site.copy(), self.weight.copy()
 
     def _now(self, cells: int) -> Diagram:
@@ -61,8 +61,8 @@ class SpaceDiagram:
         moved += moved.max()
         apart = np.maximum(self._apart - moved, 1e-3)
         slope = 0.5 + np.ptp(weight) / (2 * apart**2)  # of a bisector's distance over that of the two sites
-        held = self._held - moved * slope - np.abs(self.weight - weight).max() / apart
-        return Diagram(self.site, self.weight, self._near, held, *self._walls)
+        horizon = self._horizon - moved * slope - np.abs(self.weight - weight).max() / apart
+        return Diagram(self.site, self.weight, self._near, horizon, *self._walls)
 
     def update(self) -> bool:
         """Volumes, centroids and faces of all cells; whether none is empty."""
@@ -78,8 +78,8 @@ class SpaceDiagram:
 
     def contacts(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Cells i, j and area (m,) of each shared face, seen from both sides."""
-        held = np.arange(MOST_FACES) < self._faces[:, None]
-        return np.nonzero(held)[0], self._beyond[held], self._area[held]
+        is_face = np.arange(MOST_FACES) < self._faces[:, None]
+        return np.nonzero(is_face)[0], self._beyond[is_face], self._area[is_face]
 
 
 def _walls(domain: Domain) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

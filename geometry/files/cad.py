@@ -48,10 +48,10 @@ def read_cad(path: Path | str, unit: float | None = None, facet: float | None = 
     path = Path(path)
     suffix = path.suffix.lower()
     notes: list[str] = []
-    found: list[Label] = []
+    entries: list[Label] = []
     scale = MILLIMETRE
     if suffix in STEP:
-        found, scale = _step_labels(path, unit, notes)
+        entries, scale = _step_labels(path, unit, notes)
     elif suffix in IGES:
         notes.append("IGES is read as far as possible: names may be lost; STEP is the better choice")
         if unit is not None:
@@ -66,12 +66,12 @@ def read_cad(path: Path | str, unit: float | None = None, facet: float | None = 
         chord = facet / scale if facet is not None else CHORD * float(np.median(sizes))
         for option, value in facet_options(chord).items():
             gmsh.option.setNumber(option, value)
-        titles = [label.name for label in found] if len(found) == len(tags) else [""] * len(tags)
+        titles = [label.name for label in entries] if len(entries) == len(tags) else [""] * len(tags)
         called = {t: f"'{title}'" if title else f"solid {t}" for t, title in zip(tags, titles, strict=True)}
         solids = _polyhedra(gmsh, called, extent)
         if suffix in IGES:
-            found = [Label(gmsh.model.getEntityName(3, t).split("/")[-1], None, s.corners) for t, s in solids.items()]
-    names, colours = _labelled(found, list(solids.values()), notes)
+            entries = [Label(gmsh.model.getEntityName(3, t).split("/")[-1], None, s.corners) for t, s in solids.items()]
+    names, colours = _labelled(entries, list(solids.values()), notes)
     notes += _curved_notes(list(solids.values()), chord * scale)
     blocks = from_faces(
         [[face * scale for face in solid.faces] for solid in solids.values()],
@@ -87,7 +87,7 @@ def _step_labels(path: Path, unit: float | None, notes: list[str]) -> tuple[list
     entities = records(path.read_text(encoding="latin-1"))
     if not entities:
         raise GeometryError(f"'{path.name}' is no STEP file, or it is damaged: there are no entities in it")
-    found = labels(entities, MOST_SOLIDS)
+    entries = labels(entities, MOST_SOLIDS)
     try:
         stated = length_unit(entities)
     except GeometryError as error:
@@ -96,10 +96,10 @@ def _step_labels(path: Path, unit: float | None, notes: list[str]) -> tuple[list
         notes.append(f"names and colours are left out: {error}")
         return [], MILLIMETRE
     to_kernel = stated / MILLIMETRE
-    found = [Label(label.name, label.colour, label.corners * to_kernel) for label in found]
+    entries = [Label(label.name, label.colour, label.corners * to_kernel) for label in entries]
     if unit is not None and abs(unit / stated - 1) > 1e-9:
         notes.append(f"the file states its lengths in {stated:g} m; they are taken as {unit:g} m, as --unit says")
-    return found, MILLIMETRE * (unit / stated if unit is not None else 1.0)
+    return entries, MILLIMETRE * (unit / stated if unit is not None else 1.0)
 
 
 def _import(gmsh: Any, path: Path) -> list[int]:
@@ -166,22 +166,24 @@ def _volume(solid: _Solid) -> float:
     return float(volumes(from_faces([solid.faces], [0], [0], ("",)))[0])
 
 
-def _labelled(found: list[Label], solids: list[_Solid], notes: list[str]) -> tuple[tuple[str, ...], np.ndarray | None]:
-    number = match(found, [solid.corners for solid in solids])
-    names = tuple(found[n].name if n >= 0 else "" for n in number)
-    kept = set(number.tolist())
-    lost = [label.name or "one without a name" for n, label in enumerate(found) if n not in kept]
-    if len(found) > len(solids):
+def _labelled(
+    entries: list[Label], solids: list[_Solid], notes: list[str]
+) -> tuple[tuple[str, ...], np.ndarray | None]:
+    number = match(entries, [solid.corners for solid in solids])
+    names = tuple(entries[n].name if n >= 0 else "" for n in number)
+    matched = set(number.tolist())
+    lost = [label.name or "one without a name" for n, label in enumerate(entries) if n not in matched]
+    if len(entries) > len(solids):
         raise GeometryError(
-            f"the file holds {len(found)} solids and {len(solids)} of them can be read; lost: {', '.join(lost[:10])}; "
+            f"the file holds {len(entries)} solids and {len(solids)} of them can be read; lost: {', '.join(lost[:10])}; "
             "is it damaged?"
         )
-    if found and (number < 0).any():
+    if entries and (number < 0).any():
         notes.append(f"{np.sum(number < 0)} solids have no name: no name in the file belongs to them")
     colours = np.full((len(solids), 3), np.nan)
     for row, n in enumerate(number):
-        if n >= 0 and found[n].colour is not None:
-            colours[row] = found[n].colour
+        if n >= 0 and entries[n].colour is not None:
+            colours[row] = entries[n].colour
     return names, None if np.isnan(colours).all() else colours
 
 
@@ -227,12 +229,12 @@ def triangulate(gmsh: Any, extent: float) -> tuple[np.ndarray, dict[int, np.ndar
     if not np.isfinite(coordinates).all():
         raise GeometryError("the file holds corners at infinity; is it damaged?")
     points = coordinates.reshape(-1, 3)
-    kept, number = weld(points, max(SAME, 1e-9 * extent))
+    first, number = weld(points, max(SAME, 1e-9 * extent))
     of_tag = np.zeros(int(tags.max()) + 1, dtype=np.int64)
     of_tag[tags.astype(np.int64)] = number
     triangles = {}
     for _, surface in gmsh.model.getEntities(2):
-        found = of_tag[gmsh.model.mesh.getElementsByType(TRIANGLE, surface)[1].astype(np.int64).reshape(-1, 3)]
-        flat = (found[:, 0] == found[:, 1]) | (found[:, 1] == found[:, 2]) | (found[:, 2] == found[:, 0])
-        triangles[surface] = found[~flat]
-    return points[kept], triangles
+        corners = of_tag[gmsh.model.mesh.getElementsByType(TRIANGLE, surface)[1].astype(np.int64).reshape(-1, 3)]
+        flat = (corners[:, 0] == corners[:, 1]) | (corners[:, 1] == corners[:, 2]) | (corners[:, 2] == corners[:, 0])
+        triangles[surface] = corners[~flat]
+    return points[first], triangles

@@ -41,21 +41,21 @@ def read_mesh(path: Path, unit: float = 1.0) -> Imported:
     require_lengths("mesh", {"unit": unit})
     size = require_file(path, LARGEST)
     mesh = _meshio(path, size)
-    kept = [(cells.type, i) for i, cells in enumerate(mesh.cells) if not FLAT.fullmatch(cells.type)]
-    others = sorted({f"{len(mesh.cells[i].data)} {kind}" for kind, i in kept if kind not in CORNERS})
+    chosen = [(cells.type, i) for i, cells in enumerate(mesh.cells) if not FLAT.fullmatch(cells.type)]
+    others = sorted({f"{len(mesh.cells[i].data)} {kind}" for kind, i in chosen if kind not in CORNERS})
     if others:
         raise GeometryError(
             f"'{path}' holds {', '.join(others)} elements; only tets can be read: mesh the solids with tets"
         )
-    if not kept:
+    if not chosen:
         raise GeometryError(f"'{path}' holds no tets, only surfaces, lines or points")
-    tets = np.concatenate([np.asarray(mesh.cells[i].data)[:, : CORNERS[kind]] for kind, i in kept]).astype(np.int64)
+    tets = np.concatenate([np.asarray(mesh.cells[i].data)[:, : CORNERS[kind]] for kind, i in chosen]).astype(np.int64)
     points = np.asarray(mesh.points, dtype=float)
     _require_sane(path, points, tets)
-    label, names = _groups(mesh, [i for _, i in kept])
-    part = _parts(mesh, [i for _, i in kept], len(tets))
+    label, names = _groups(mesh, [i for _, i in chosen])
+    part = _parts(mesh, [i for _, i in chosen], len(tets))
     notes = [
-        f"{kind} elements: only their corners are used" for kind in sorted({k for k, _ in kept}) if kind != "tetra"
+        f"{kind} elements: only their corners are used" for kind in sorted({k for k, _ in chosen}) if kind != "tetra"
     ]
     try:
         blocks, solid = blocks_of_tets(points * unit, tets, label, part, names)
@@ -146,7 +146,7 @@ def _groups(mesh: Any, which: list[int]) -> tuple[np.ndarray, tuple[str, ...]]:
 
 def _parts(mesh: Any, which: list[int], count: int) -> np.ndarray:
     """(T,) the same number for tets that all of the file's own divisions put together."""
-    found = [values for values in (_cell_data(mesh, name, which) for name in PARTS) if values is not None]
-    if not found:
+    columns = [values for values in (_cell_data(mesh, name, which) for name in PARTS) if values is not None]
+    if not columns:
         return np.zeros(count, dtype=np.int64)
-    return np.unique(np.stack(found, axis=1), axis=0, return_inverse=True)[1].ravel()
+    return np.unique(np.stack(columns, axis=1), axis=0, return_inverse=True)[1].ravel()

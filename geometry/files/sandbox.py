@@ -101,11 +101,11 @@ def _answer(folder: Path, code: int, name: str, seconds: int) -> Imported:
     if code != 0:
         how = signal.Signals(-code).name if code < 0 else f"exit code {code}"
         raise GeometryError(f"'{name}' cannot be read: the reader crashed on it ({how}); it is damaged or too large")
-    with np.load(folder / ANSWER, allow_pickle=False) as found:
-        words = json.loads(bytes(found["words"]).decode())
-        blocks = Blocks(**{key: found[key] for key in BLOCKS}, groups=tuple(words["groups"]))
-        mesh = TetMesh(**{key: found[key] for key in MESH}) if MESH[0] in found else None
-        colours = found.get("colours", None)
+    with np.load(folder / ANSWER, allow_pickle=False) as archive:
+        words = json.loads(bytes(archive["words"]).decode())
+        blocks = Blocks(**{key: archive[key] for key in BLOCKS}, groups=tuple(words["groups"]))
+        mesh = TetMesh(**{key: archive[key] for key in MESH}) if MESH[0] in archive else None
+        colours = archive.get("colours", None)
     return Imported(blocks, tuple(words["names"]), colours, mesh, tuple(words["notes"]))
 
 
@@ -132,13 +132,13 @@ def serve(task: str) -> int:
     return 0
 
 
-def _save(found: Imported) -> None:
-    words = {"names": found.names, "notes": found.notes, "groups": found.blocks.groups}
-    arrays = {key: getattr(found.blocks, key) for key in BLOCKS}
-    if found.mesh is not None:
-        arrays |= {key: getattr(found.mesh, key) for key in MESH}
-    if found.colours is not None:
-        arrays["colours"] = found.colours
+def _save(imported: Imported) -> None:
+    words = {"names": imported.names, "notes": imported.notes, "groups": imported.blocks.groups}
+    arrays = {key: getattr(imported.blocks, key) for key in BLOCKS}
+    if imported.mesh is not None:
+        arrays |= {key: getattr(imported.mesh, key) for key in MESH}
+    if imported.colours is not None:
+        arrays["colours"] = imported.colours
     text = json.dumps(words, ensure_ascii=False).encode("utf-8", "replace")
     np.savez(ANSWER, words=np.frombuffer(text, dtype=np.uint8), **arrays)
 

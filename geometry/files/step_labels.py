@@ -40,37 +40,39 @@ def labels(entities: Records, most: int) -> list[Label]:
     """The solids of a file by walking down its assemblies; at most `most` of them."""
     products = _products(entities)
     uses = Counter(child for parts in products.parts.values() for child, _, _ in parts)
-    found: list[Label] = []
+    solids: list[Label] = []
     corners: dict[int, np.ndarray] = {}
     roots = [p for p in products.name if p not in products.inner]
     repeated = {child for child, times in uses.items() if times > 1}
     for product, called, matrix in islice(_walk(products, roots, repeated), 10 * most + 1000):
         own = products.solids.get(product, [])
         for solid in own:
-            if len(found) == most:
-                return found
+            if len(solids) == most:
+                return solids
             if solid not in corners:
                 corners[solid] = _corners(entities, solid)
             title = _title(entities, solid)
-            found.append(
+            solids.append(
                 Label(
                     title if title and (len(own) > 1 or not called) else called,
                     products.colour.get(solid),
                     corners[solid] @ matrix[:3, :3].T + matrix[:3, 3],
                 )
             )
-    return found
+    return solids
 
 
-def match(found: list[Label], corners: list[np.ndarray]) -> np.ndarray:
+def match(entries: list[Label], corners: list[np.ndarray]) -> np.ndarray:
     """(B,) number of the label that each solid with these corners (n, 3) has, or -1; in the same unit of length.
 
     Round solids have corners of the kernel's own making. Where only they are left, the order of the file decides.
     """
-    if not found or not corners:
+    if not entries or not corners:
         return np.full(len(corners), -1)
-    key = [np.concatenate([c.min(axis=0), c.max(axis=0), c.mean(axis=0)]) for c in (x.corners for x in found) if len(c)]
-    number = np.array([n for n, x in enumerate(found) if len(x.corners)])
+    key = [
+        np.concatenate([c.min(axis=0), c.max(axis=0), c.mean(axis=0)]) for c in (x.corners for x in entries) if len(c)
+    ]
+    number = np.array([n for n, x in enumerate(entries) if len(x.corners)])
     wanted = np.array([np.concatenate([c.min(axis=0), c.max(axis=0), c.mean(axis=0)]) for c in corners])
     if len(key) == 0:
         return np.full(len(corners), -1)
@@ -78,7 +80,7 @@ def match(found: list[Label], corners: list[np.ndarray]) -> np.ndarray:
     size = np.linalg.norm(wanted[:, 3:6] - wanted[:, :3], axis=1)
     result = np.where(distance <= 1e-4 * size, number[nearest], -1)
     order = np.arange(len(corners))
-    return order if len(found) == len(corners) and np.all((result == order) | (result < 0)) else result
+    return order if len(entries) == len(corners) and np.all((result == order) | (result < 0)) else result
 
 
 def _products(entities: Records) -> _Products:

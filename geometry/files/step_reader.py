@@ -24,7 +24,7 @@ _WIDE = re.compile(r"\\X2\\((?:[0-9A-F]{4})*)\\X0\\")
 def records(text: str) -> Records:
     """Number -> type and arguments of every entity; the type of a complex entity is empty."""
     if "/*" in text:
-        text = _COMMENT.sub(lambda found: found[0] if found[0][0] == "'" else " ", text)
+        text = _COMMENT.sub(lambda match: match[0] if match[0][0] == "'" else " ", text)
     return {int(number): (kind, arguments) for number, kind, arguments in _RECORD.findall(text)}
 
 
@@ -35,23 +35,23 @@ def references(arguments: str) -> list[int]:
 
 def strings(arguments: str) -> list[str]:
     """The strings among the arguments, decoded."""
-    return [_decoded(found[1:-1]) for found in _STRINGS.findall(arguments)]
+    return [_decoded(match[1:-1]) for match in _STRINGS.findall(arguments)]
 
 
 def numbers(arguments: str) -> list[float]:
     """The numbers among the arguments, without the references."""
-    return [float(found) for found in _NUMBER.findall(_REFERENCE.sub("", _STRINGS.sub("", arguments)))]
+    return [float(match) for match in _NUMBER.findall(_REFERENCE.sub("", _STRINGS.sub("", arguments)))]
 
 
 def length_unit(entities: Records) -> float:
     """m, the unit that the file states for its lengths. Raises GeometryError if it states none or several."""
     units = [text for kind, text in entities.values() if kind == "" and "LENGTH_UNIT" in text]
-    found = {_unit(entities, text) for text in units}
-    found -= {_base(entities, text) for text in units}
-    if len(found) != 1:
-        said = ", ".join(f"{unit:g} m" for unit in sorted(found)) or "none"
+    lengths = {_unit(entities, text) for text in units}
+    lengths -= {_base(entities, text) for text in units}
+    if len(lengths) != 1:
+        said = ", ".join(f"{unit:g} m" for unit in sorted(lengths)) or "none"
         raise GeometryError(f"the file must state one unit of length; it states: {said}")
-    return found.pop()
+    return lengths.pop()
 
 
 def _unit(entities: Records, text: str) -> float:
@@ -79,12 +79,12 @@ def _measure(entities: Records, text: str) -> str:
 def placement(entities: Records, number: int) -> np.ndarray:
     """(4, 4) from the axes of an AXIS2_PLACEMENT_3D to those it stands in, in the unit of the file."""
     vectors = [numbers(entities[r][1]) for r in references(entities.get(number, ("", ""))[1]) if r in entities]
-    given = [np.array(v[:3]) for v in vectors if len(v) >= 3]
+    vector = [np.array(v[:3]) for v in vectors if len(v) >= 3]
     matrix = np.eye(4)
-    if given:
-        matrix[:3, 3] = given[0]
-    z = given[1] if len(given) > 1 else np.array([0.0, 0.0, 1.0])
-    x = given[2] if len(given) > 2 else np.array([1.0, 0.0, 0.0])
+    if vector:
+        matrix[:3, 3] = vector[0]
+    z = vector[1] if len(vector) > 1 else np.array([0.0, 0.0, 1.0])
+    x = vector[2] if len(vector) > 2 else np.array([1.0, 0.0, 0.0])
     y = np.cross(z, x)
     if np.linalg.norm(y) > 0:
         axes = np.stack([np.cross(y, z), y, z], axis=1)
@@ -93,9 +93,9 @@ def placement(entities: Records, number: int) -> np.ndarray:
 
 
 def _decoded(text: str) -> str:
-    text = _WIDE.sub(lambda found: bytes.fromhex(found[1]).decode("utf-16-be", "replace"), text)
-    text = re.sub(r"\\X\\([0-9A-F]{2})", lambda found: bytes.fromhex(found[1]).decode("latin-1"), text)
-    return re.sub(r"\\S\\(.)", lambda found: chr((ord(found[1]) + 128) % 256), text).replace("''", "'")
+    text = _WIDE.sub(lambda match: bytes.fromhex(match[1]).decode("utf-16-be", "replace"), text)
+    text = re.sub(r"\\X\\([0-9A-F]{2})", lambda match: bytes.fromhex(match[1]).decode("latin-1"), text)
+    return re.sub(r"\\S\\(.)", lambda match: chr((ord(match[1]) + 128) % 256), text).replace("''", "'")
 
 
 Colour = tuple[float, ...]

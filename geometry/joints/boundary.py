@@ -40,14 +40,14 @@ def faces_in_plane(blocks: Blocks, axis: int, level: float) -> np.ndarray:
     _, normal, centroid = face_areas_normals_centroids(blocks)
     across = np.flatnonzero(np.abs(normal[:, axis]) > 1 - 1e-9)
     width = LEVEL * extent(blocks)
-    found = across[np.abs(centroid[across, axis] - level) <= width]
-    if len(found) == 0:
+    faces = across[np.abs(centroid[across, axis] - level) <= width]
+    if len(faces) == 0:
         levels = centroid[across, axis]
         levels = levels[np.unique(np.round(levels / width), return_index=True)[1]]
         near = sorted(levels[np.argsort(np.abs(levels - level))[:3]].tolist())
         said = ", ".join(f"{'xyz'[axis]} = {value * 1e3:.10g} mm" for value in near)
         raise GeometryError(f"no block has a face there; the nearest planes with faces are {said or 'none'}")
-    return found
+    return faces
 
 
 def free_faces_in_plane(blocks: Blocks, joints: Joints, axis: int, level: float) -> np.ndarray:

@@ -21,10 +21,10 @@ def covered_fractions(blocks: Blocks, joints: Joints) -> np.ndarray:
     polygon, count = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
     size, across, middle = areas_normals_centroids(polygon)
     first = np.unique(joints.patch, return_index=True)[1]
-    found = patch_faces(blocks, joints)
+    sides = patch_faces(blocks, joints)
     covered = np.zeros(len(area))
     for side, (block, sign) in enumerate(((joints.block_a, 1.0), (joints.block_b, -1.0))):
-        face = found[:, side]
+        face = sides[:, side]
         off = np.abs(np.einsum("ni,ni->n", middle - centroid[face], normal[face]))
         on = (face >= 0) & (off <= ON * extent(blocks))
         np.add.at(covered, face[on], size[on])

@@ -38,18 +38,18 @@ def fan_points(corners: np.ndarray, count: np.ndarray, which: np.ndarray, densit
     longest = np.zeros(len(which))
     np.maximum.at(longest, fan.polygon, side)
     wanted = density.of_fans(count, normal, longest)
-    found = []
+    parts_points = []
     for key in np.unique(np.stack([wanted.sectors, wanted.parts, wanted.inside], axis=1), axis=0).tolist():
         sectors, parts, inside = key
         chosen = (wanted.sectors == sectors) & (wanted.parts == parts) & (wanted.inside == inside)
         mine = fan.select(chosen[fan.polygon])
         if sectors:
-            found.append(_in_sectors(mine, sectors))
+            parts_points.append(_in_sectors(mine, sectors))
         elif density.rule == "vertex":
-            found.append(_on_corners(mine, count) if parts == 1 else _on_lattice(mine, count, parts))
+            parts_points.append(_on_corners(mine, count) if parts == 1 else _on_lattice(mine, count, parts))
         else:
-            found.append(_in_triangles(mine, parts, inside))
-    polygon, point, area = (np.concatenate(arrays) for arrays in zip(*found, strict=True))
+            parts_points.append(_in_triangles(mine, parts, inside))
+    polygon, point, area = (np.concatenate(arrays) for arrays in zip(*parts_points, strict=True))
     return which[polygon], point, area
 
 
@@ -71,14 +71,14 @@ def _in_triangles(fan: Triangles, parts: int, inside: int) -> Points:
 
 def _small_triangles(parts: int) -> np.ndarray:
     """(parts^2, 3, 3) barycentric coordinates of the corners of parts^2 equal triangles in one."""
-    found = []
+    triples = []
     for i in range(parts):
         for j in range(parts - i):
             a, b, c = (i, j), (i + 1, j), (i, j + 1)
-            found.append((a, b, c))
+            triples.append((a, b, c))
             if i + j < parts - 1:
-                found.append((b, (i + 1, j + 1), c))
-    pair = np.array(found, dtype=float) / parts
+                triples.append((b, (i + 1, j + 1), c))
+    pair = np.array(triples, dtype=float) / parts
     return np.concatenate([1 - pair.sum(axis=2, keepdims=True), pair], axis=2)
 
 

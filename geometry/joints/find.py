@@ -44,13 +44,13 @@ def face_joints(blocks: Blocks, density: Density, tolerance: float = 1e-9) -> tu
     overlap, corner_count = clip(corners[face_a], count[face_a], corners[face_b], normal[face_b], width)
     touching = corner_count > 0
     overlap, corner_count = tidy(overlap, corner_count, width)
-    kept = touching & (corner_count >= 3)
+    is_joint = touching & (corner_count >= 3)
     owner = blocks.face_block()
-    once = np.flatnonzero(kept)
+    once = np.flatnonzero(is_joint)
     once = once[~_repeated(overlap[once], np.stack([owner[face_a], owner[face_b]], axis=1)[once], width)]
     overlap, corner_count, face_a, face_b = overlap[once], corner_count[once], face_a[once], face_b[once]
 
-    lost = int(np.sum(touching & ~kept)), int(kept.sum()) - len(once)
+    lost = int(np.sum(touching & ~is_joint)), int(is_joint.sum()) - len(once)
     joints = _on_polygons(overlap, corner_count, owner[face_a], owner[face_b], normal[face_a], density, *lost)
     return joints, np.stack([face_a, face_b], axis=1)
 
@@ -118,8 +118,8 @@ def facing_pairs(blocks: Blocks, width: float) -> tuple[np.ndarray, np.ndarray]:
     area, normal, _ = areas_normals_centroids(corners)
     low, high = corners.min(axis=1) - width, corners.max(axis=1) + width
     owner = blocks.face_block()
-    found = [_opposite(owner, normal, low, high, np.flatnonzero(np.abs(normal[:, k]) > STEEP)) for k in range(3)]
-    pairs = np.concatenate(found)
+    by_axis = [_opposite(owner, normal, low, high, np.flatnonzero(np.abs(normal[:, k]) > STEEP)) for k in range(3)]
+    pairs = np.concatenate(by_axis)
     pairs = np.where((owner[pairs[:, 0]] > owner[pairs[:, 1]])[:, None], pairs[:, ::-1], pairs)
     larger = np.where(area[pairs[:, 0]] >= area[pairs[:, 1]], pairs[:, 0], pairs[:, 1])
     smaller = pairs.sum(axis=1) - larger

@@ -65,60 +65,60 @@ def facing_faces(blocks: Blocks, limit: float, tolerance: float) -> Facing:
     farthest = np.argmax(np.abs(height), axis=1) if len(height) else np.zeros(0, dtype=np.int64)
     size = height[np.arange(len(height)), farthest]
     broad = (number >= 3) & (2 * area > np.maximum(tolerance, 2 * np.abs(size)) * perimeter)
-    found = Facing(face_a, face_b, size, place).chosen(broad)
-    return found.chosen(_are_real(blocks, found, width))
+    facing = Facing(face_a, face_b, size, place).chosen(broad)
+    return facing.chosen(_are_real(blocks, facing, width))
 
 
-def _are_real(blocks: Blocks, found: Facing, width: float) -> np.ndarray:
-    real = np.ones(len(found.size), dtype=bool)
+def _are_real(blocks: Blocks, facing: Facing, width: float) -> np.ndarray:
+    real = np.ones(len(facing.size), dtype=bool)
     normal = face_areas_normals_centroids(blocks)[1]
     owner, start = blocks.face_block(), blocks.face_start[blocks.block_face_start]
-    for n in np.flatnonzero(found.size < -width):
-        for face in (found.face_a[n], found.face_b[n]):
+    for n in np.flatnonzero(facing.size < -width):
+        for face in (facing.face_a[n], facing.face_b[n]):
             b = owner[face]
             corners = blocks.points[blocks.face_points[start[b] : start[b + 1]]]
-            thickness = np.max((found.place[n] - corners) @ normal[face])
-            real[n] &= thickness > -2 * found.size[n]
-    gaping = np.flatnonzero(found.size > width)
-    middle = found.place[gaping] + normal[found.face_a[gaping]] * found.size[gaping, None] / 2
+            thickness = np.max((facing.place[n] - corners) @ normal[face])
+            real[n] &= thickness > -2 * facing.size[n]
+    gaping = np.flatnonzero(facing.size > width)
+    middle = facing.place[gaping] + normal[facing.face_a[gaping]] * facing.size[gaping, None] / 2
     low, high = bounds(blocks)
     meeting = overlapping_boxes(np.concatenate([low, middle]), np.concatenate([high, middle]))
     meeting = meeting[(meeting[:, 0] < blocks.count) & (meeting[:, 1] >= blocks.count)]
     for b, n in meeting.tolist():
         gap = gaping[n - blocks.count]
-        if b not in (owner[found.face_a[gap]], owner[found.face_b[gap]]):
+        if b not in (owner[facing.face_a[gap]], owner[facing.face_b[gap]]):
             real[gap] &= not is_inside(solid(blocks, b), middle[n - blocks.count])
     return real
 
 
-def described(blocks: Blocks, found: Facing, names: Sequence[str]) -> list[str]:
+def described(blocks: Blocks, facing: Facing, names: Sequence[str]) -> list[str]:
     """A line for each of the worst pairs: size, names, place."""
     owner = blocks.face_block()
     lines = []
-    for n in np.argsort(-np.abs(found.size), kind="stable")[:LISTED]:
-        kind = "gap" if found.size[n] > 0 else "overlap"
-        one, two = (names[owner[face[n]]] for face in (found.face_a, found.face_b))
-        x, y, z = found.place[n]
+    for n in np.argsort(-np.abs(facing.size), kind="stable")[:LISTED]:
+        kind = "gap" if facing.size[n] > 0 else "overlap"
+        one, two = (names[owner[face[n]]] for face in (facing.face_a, facing.face_b))
+        x, y, z = facing.place[n]
         lines.append(
-            f"{kind} of {abs(found.size[n]) * 1e3:.4g} mm between '{one}' and '{two}' at ({x:.4g}, {y:.4g}, {z:.4g}) m"
+            f"{kind} of {abs(facing.size[n]) * 1e3:.4g} mm between '{one}' and '{two}' at ({x:.4g}, {y:.4g}, {z:.4g}) m"
         )
-    if len(found.size) > LISTED:
-        lines.append(f"and {len(found.size) - LISTED} more")
+    if len(facing.size) > LISTED:
+        lines.append(f"and {len(facing.size) - LISTED} more")
     return lines
 
 
-def require_small(blocks: Blocks, found: Facing, names: Sequence[str], tolerance: float, open_gaps: bool) -> None:
+def require_small(blocks: Blocks, facing: Facing, names: Sequence[str], tolerance: float, open_gaps: bool) -> None:
     """Raise Unmended for gaps and overlaps larger than tolerance (m), with all others; gaps may be left as they are."""
-    large = np.abs(found.size) > tolerance * (1 + ALMOST) + 1e-9 * extent(blocks)
+    large = np.abs(facing.size) > tolerance * (1 + ALMOST) + 1e-9 * extent(blocks)
     if open_gaps:
-        large &= found.size < 0
+        large &= facing.size < 0
     if not large.any():
         return
-    worst = found.chosen(large)
+    worst = facing.chosen(large)
     gaps, overlaps = int(np.sum(worst.size > 0)), int(np.sum(worst.size < 0))
     said = [f"{n} {word}{'s' if n > 1 else ''}" for n, word in ((gaps, "gap"), (overlaps, "overlap")) if n]
     owner, lines = blocks.face_block(), described(blocks, worst, names)
-    known = {(int(owner[f]), int(owner[g])) for f, g in zip(found.face_a, found.face_b, strict=True)}
+    known = {(int(owner[f]), int(owner[g])) for f, g in zip(facing.face_a, facing.face_b, strict=True)}
     others = [o for o in all_overlaps(blocks, names, tolerance) if (o.first, o.second) not in known]
     largest = max([float(np.abs(worst.size).max()), *(overlap.depth for overlap in others)])
     raise Unmended(

@@ -32,7 +32,7 @@ class Mended:
     by how much (m) blocks may still overlap at edges and corners."""
 
     blocks: Blocks
-    found: Facing
+    gaps: Facing
     left: Facing
     volume_change: np.ndarray
     deepest: float = 0.0

@@ -69,7 +69,7 @@ def nearby_joints(blocks: Blocks, rule: Rule) -> JointPolygons:
     owner = blocks.face_block()
     pairs = _pairs(faces, owner, rule, width)
     of = np.stack([owner[pairs.face_a], owner[pairs.face_b]], axis=1)
-    found: list[tuple[int, int, np.ndarray, float, float]] = []
+    polygons: list[tuple[int, int, np.ndarray, float, float]] = []
     order = np.lexsort((of[:, 1], of[:, 0]))
     ends = np.flatnonzero((of[order][1:] != of[order][:-1]).any(axis=1)) + 1
     for mine in np.split(order, ends):
@@ -78,8 +78,8 @@ def nearby_joints(blocks: Blocks, rule: Rule) -> JointPolygons:
             chosen, axis = _alike(pairs, mine, rule)
             mine = np.setdiff1d(mine, chosen)
             for polygon, least, most in _polygons(faces, pairs, chosen, axis, rule, width):
-                found.append((int(two[0]), int(two[1]), polygon, least, most))
-    return _without_blocks_between(blocks, _gathered(found), width)
+                polygons.append((int(two[0]), int(two[1]), polygon, least, most))
+    return _without_blocks_between(blocks, _gathered(polygons), width)
 
 
 def _pairs(faces: _Faces, owner: np.ndarray, rule: Rule, width: float) -> _Pairs:
@@ -95,9 +95,9 @@ def _pairs(faces: _Faces, owner: np.ndarray, rule: Rule, width: float) -> _Pairs
     axis /= np.linalg.norm(axis, axis=1)[:, None]
     over, count, gap = _shared(faces, two[:, 0], two[:, 1], axis, rule, width)
     area, _, middle = areas_normals_centroids(over)
-    kept = (count >= 3) & (area > width**2)
+    is_pair = (count >= 3) & (area > width**2)
     place = middle + 0.5 * gap.mean(axis=1)[:, None] * axis
-    return _Pairs(two[kept, 0], two[kept, 1], axis[kept], place[kept], area[kept])
+    return _Pairs(two[is_pair, 0], two[is_pair, 1], axis[is_pair], place[is_pair], area[is_pair])
 
 
 def _shared(
@@ -145,10 +145,10 @@ def _polygons(
     axes = np.broadcast_to(normal, (len(chosen), 3))
     over, count, gap = _shared(faces, pairs.face_a[chosen], pairs.face_b[chosen], axes, rule, width)
     area, _, middle = areas_normals_centroids(over)
-    kept = (count >= 3) & (area > SLIVER * area.sum())
-    if not kept.any():
+    is_part = (count >= 3) & (area > SLIVER * area.sum())
+    if not is_part.any():
         return []
-    over, count, gap, area, middle = over[kept], count[kept], gap[kept], area[kept], middle[kept]
+    over, count, gap, area, middle = over[is_part], count[is_part], gap[is_part], area[is_part], middle[is_part]
     halfway = np.einsum("nki,i->nk", over, normal) + 0.5 * gap
     used = np.arange(over.shape[1]) < count[:, None]
     level = float(area @ np.array([h[u].mean() for h, u in zip(halfway, used, strict=True)]) / area.sum())
@@ -196,20 +196,20 @@ def _hull(points: np.ndarray, normal: np.ndarray) -> np.ndarray | None:
         return None
 
 
-def _gathered(found: list[tuple[int, int, np.ndarray, float, float]]) -> JointPolygons:
-    start = np.cumsum([0, *(len(polygon) for _, _, polygon, _, _ in found)])
+def _gathered(polygons: list[tuple[int, int, np.ndarray, float, float]]) -> JointPolygons:
+    start = np.cumsum([0, *(len(polygon) for _, _, polygon, _, _ in polygons)])
     return JointPolygons(
-        block_a=np.array([a for a, *_ in found], dtype=np.int64),
-        block_b=np.array([b for _, b, *_ in found], dtype=np.int64),
+        block_a=np.array([a for a, *_ in polygons], dtype=np.int64),
+        block_b=np.array([b for _, b, *_ in polygons], dtype=np.int64),
         start=start.astype(np.int64),
-        points=np.concatenate([polygon for _, _, polygon, _, _ in found]) if found else np.zeros((0, 3)),
-        gap=np.array([[least, most] for *_, least, most in found]).reshape(-1, 2),
+        points=np.concatenate([polygon for _, _, polygon, _, _ in polygons]) if polygons else np.zeros((0, 3)),
+        gap=np.array([[least, most] for *_, least, most in polygons]).reshape(-1, 2),
     )
 
 
 def _without_blocks_between(blocks: Blocks, joints: JointPolygons, width: float) -> JointPolygons:
     """Those without another block in the middle of their gap."""
-    kept = np.ones(len(joints.block_a), dtype=bool)
+    is_free = np.ones(len(joints.block_a), dtype=bool)
     wide = np.flatnonzero(joints.gap[:, 1] > width)
     if len(wide) == 0:
         return joints
@@ -221,7 +221,7 @@ def _without_blocks_between(blocks: Blocks, joints: JointPolygons, width: float)
     for b, n in meeting.tolist():
         j = wide[n - blocks.count]
         if b not in (joints.block_a[j], joints.block_b[j]) and is_inside(solid(blocks, b), middle[n - blocks.count]):
-            kept[j] = False
+            is_free[j] = False
     corners, count = pad(joints.points, joints.start, np.arange(len(joints.points)))
-    start, points = unpad(corners[kept], count[kept])
-    return JointPolygons(joints.block_a[kept], joints.block_b[kept], start, points, joints.gap[kept])
+    start, points = unpad(corners[is_free], count[is_free])
+    return JointPolygons(joints.block_a[is_free], joints.block_b[is_free], start, points, joints.gap[is_free])

@@ -97,8 +97,8 @@ class Density:
         most = int(np.ceil(1.6 * length.max(initial=0.0) / self.spacing)) + 2
         numbers = range(self.least, most + 1)
         different, place = np.unique(length, return_inverse=True)
-        found = [bisect_left(numbers, -self.spacing / x, key=lambda n: -widest_gap(self.rule, n)) for x in different]
-        return self.least + np.array(found, dtype=np.int64)[place.reshape(length.shape)]
+        counts = [bisect_left(numbers, -self.spacing / x, key=lambda n: -widest_gap(self.rule, n)) for x in different]
+        return self.least + np.array(counts, dtype=np.int64)[place.reshape(length.shape)]
 
     def _require_coarse(self, length: np.ndarray) -> None:
         longest = float(length.max(initial=0.0))

@@ -22,9 +22,9 @@ def fan_tets(blocks: Blocks, which: np.ndarray) -> TetMesh:
     owner = np.repeat(np.arange(blocks.count), np.diff(fans.tet_start))
     fraction = np.linalg.det(fans.nodes[fans.tets[:, 1:]] - fans.nodes[fans.tets[:, :1]]) / 6 / volume[owner]
     failed = np.unique(owner[fraction < -NOTHING])
-    kept = fraction > NOTHING
+    is_solid = fraction > NOTHING
     fans = TetMesh(
-        fans.nodes, fans.node_start, fans.tets[kept], np.searchsorted(owner[kept], np.arange(blocks.count + 1))
+        fans.nodes, fans.node_start, fans.tets[is_solid], np.searchsorted(owner[is_solid], np.arange(blocks.count + 1))
     )
     if len(failed) == 0:
         return fans
@@ -54,14 +54,14 @@ def _fans(blocks: Blocks, wanted: np.ndarray) -> TetMesh:
     after = start[of] + (here - start[of] + 1) % size[of]
     fanned = size[of] > 3
     apex = np.where(fanned, len(of) + of, start[of])
-    kept = fanned | (here == start[of] + 1)
+    is_fan = fanned | (here == start[of] + 1)
     centre = len(of) + len(faces) + owner[of]
-    tets = number[np.stack([centre, apex, here, after], axis=1)[kept]]
+    tets = number[np.stack([centre, apex, here, after], axis=1)[is_fan]]
     used, tets = np.unique(tets, return_inverse=True)
     nodes, node_block = place[first][used], block[first][used]
     every = np.arange(blocks.count + 1)
     return TetMesh(
-        nodes, np.searchsorted(node_block, every), tets.reshape(-1, 4), np.searchsorted(owner[of][kept], every)
+        nodes, np.searchsorted(node_block, every), tets.reshape(-1, 4), np.searchsorted(owner[of][is_fan], every)
     )
 
 

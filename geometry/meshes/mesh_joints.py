@@ -45,11 +45,11 @@ def joints_at_nodes(
     meshed, point = np.divmod(pair, len(points))
     has_mesh = np.zeros(len(joints.patch_start) - 1, dtype=bool)
     has_mesh[meshed] = True
-    kept = np.flatnonzero(~has_mesh[joints.patch])
+    unmeshed = np.flatnonzero(~has_mesh[joints.patch])
     first = np.searchsorted(joints.patch, np.arange(len(has_mesh)))
-    source = np.concatenate([kept, first[meshed]])
-    point = np.concatenate([np.full(len(kept), -1), point])
-    area = np.concatenate([joints.area[kept], np.bincount(place, np.repeat(third, 3), len(pair))])
+    source = np.concatenate([unmeshed, first[meshed]])
+    point = np.concatenate([np.full(len(unmeshed), -1), point])
+    area = np.concatenate([joints.area[unmeshed], np.bincount(place, np.repeat(third, 3), len(pair))])
     order = np.argsort(joints.patch[source], kind="stable")
     source, point, area = source[order], point[order], area[order]
     return replace(

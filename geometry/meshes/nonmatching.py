@@ -70,15 +70,15 @@ def _at_nodes(joints: Joints, pieces: Pieces, matched: np.ndarray, of_parent: np
     key = np.stack([np.repeat(pieces.parent[which], 3), node[0].ravel(), node[1].ravel()], axis=1)
     unique, number = np.unique(key, axis=0, return_inverse=True)
     source = of_parent[unique[:, 0]]
-    found = {name: getattr(joints, name)[source] for name in ("block_a", "block_b", "normal")}
-    found |= {
+    columns = {name: getattr(joints, name)[source] for name in ("block_a", "block_b", "normal")}
+    columns |= {
         "node_a": unique[:, 1],
         "node_b": unique[:, 2],
         "point": pieces.tet_nodes[np.where(unique[:, 1] >= 0, unique[:, 1], unique[:, 2])],
         "area": np.bincount(number.ravel(), np.repeat(pieces.area[which] / 3, 3), len(unique)),
         "patch": unique[:, 0],
     }
-    return found | _nothing_between(len(unique))
+    return columns | _nothing_between(len(unique))
 
 
 def _between_nodes(joints: Joints, pieces: Pieces, which: np.ndarray, of_parent: np.ndarray) -> Values:
@@ -88,17 +88,17 @@ def _between_nodes(joints: Joints, pieces: Pieces, which: np.ndarray, of_parent:
     corner = np.stack([pieces.corner[q, 0], pieces.corner[q, k], pieces.corner[q, k + 1]], axis=1)
     place = np.einsum("pc,tci->tpi", INSIDE, corner).reshape(-1, 3)
     area = np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1) / 2
-    kept = area > LEAST * area.max(initial=0.0)
-    q, place, area = np.repeat(q[kept], 3), place[np.repeat(kept, 3)], np.repeat(area[kept] / 3, 3)
+    is_broad = area > LEAST * area.max(initial=0.0)
+    q, place, area = np.repeat(q[is_broad], 3), place[np.repeat(is_broad, 3)], np.repeat(area[is_broad] / 3, 3)
     source = of_parent[pieces.parent[q]]
     none = np.full(len(q), -1)
-    found = {name: getattr(joints, name)[source] for name in ("block_a", "block_b", "normal")}
-    found |= {"node_a": none, "node_b": none, "point": place, "area": area}
+    columns = {name: getattr(joints, name)[source] for name in ("block_a", "block_b", "normal")}
+    columns |= {"node_a": none, "node_b": none, "point": place, "area": area}
     for side, name in enumerate("ab"):
-        found[f"corner_{name}"] = pieces.nodes[pieces.faces[q, side]]
+        columns[f"corner_{name}"] = pieces.nodes[pieces.faces[q, side]]
         fractions = _shape_functions(pieces.places(side)[q], place)
-        found[f"share_{name}"] = np.where(pieces.meshed(side)[q, None], fractions, 0.0)
-    return found | {"patch": len(of_parent) + q}
+        columns[f"share_{name}"] = np.where(pieces.meshed(side)[q, None], fractions, 0.0)
+    return columns | {"patch": len(of_parent) + q}
 
 
 def _shape_functions(corner: np.ndarray, point: np.ndarray) -> np.ndarray:

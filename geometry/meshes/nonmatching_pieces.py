@@ -69,10 +69,10 @@ def tet_surface(blocks: Blocks, mesh: TetMesh) -> tuple[Blocks, np.ndarray]:
     _, place, times = np.unique(ordered, axis=0, return_inverse=True, return_counts=True)
     outer = times[place.ravel()] == 1
     triangle, of = face[outer], np.repeat(owner, 4)[outer]
-    kept = np.flatnonzero(np.diff(mesh.tet_start)[blocks.face_block()] == 0)
-    size = np.diff(blocks.face_start)[kept]
-    _, corner = ranges(blocks.face_start[kept], size)
-    face_block = np.concatenate([blocks.face_block()[kept], of])
+    unmeshed = np.flatnonzero(np.diff(mesh.tet_start)[blocks.face_block()] == 0)
+    size = np.diff(blocks.face_start)[unmeshed]
+    _, corner = ranges(blocks.face_start[unmeshed], size)
+    face_block = np.concatenate([blocks.face_block()[unmeshed], of])
     order = np.argsort(face_block, kind="stable")
     sizes = np.concatenate([size, np.full(len(triangle), 3)])
     start = np.cumsum(sizes) - sizes
@@ -85,7 +85,7 @@ def tet_surface(blocks: Blocks, mesh: TetMesh) -> tuple[Blocks, np.ndarray]:
         face_points=corners[index],
         block_face_start=np.searchsorted(face_block[order], np.arange(blocks.count + 1)),
     )
-    nodes = np.concatenate([np.full((len(kept), 3), -1), triangle])[order]
+    nodes = np.concatenate([np.full((len(unmeshed), 3), -1), triangle])[order]
     return surface, nodes
 
 

@@ -73,9 +73,9 @@ def imprint(blocks: Blocks, wanted: np.ndarray, joints: Joints) -> Imprint:
 def weld_loops(corners: list[np.ndarray], width: float) -> tuple[np.ndarray, list[Loop]]:
     """Vertices (V, 3), points within width taken as one, and the polygons as loops of vertex numbers."""
     points = np.concatenate(corners)
-    kept, number = weld(points, width)
+    first, number = weld(points, width)
     ends = np.cumsum([len(c) for c in corners])[:-1]
-    return points[kept], [loop.tolist() for loop in np.split(number, ends)]
+    return points[first], [loop.tolist() for loop in np.split(number, ends)]
 
 
 def split_edges(vertices: np.ndarray, loops: list[Loop], width: float) -> list[Loop]:

@@ -23,7 +23,7 @@ def surface_triangles(
     Convex surfaces get a fan from the corner that suits best, or from their centroid where every corner gives narrow
     triangles. Surfaces have no holes. Raises GeometryError for one that is not convex and that no triangles fit to.
     """
-    found: list[tuple[np.ndarray, np.ndarray]] = []
+    parts: list[tuple[np.ndarray, np.ndarray]] = []
     added: list[np.ndarray] = []
     count = len(vertices)
     sizes = np.array([len(outline) for (outline,) in surfaces])
@@ -31,19 +31,19 @@ def surface_triangles(
         which = np.flatnonzero(sizes == n)
         loop = np.array([surfaces[s][0] for s in which.tolist()])
         bent = reflex(vertices[loop], np.full(len(loop), n))
-        found += [(triangle, np.full(n - 2, s)) for s, triangle in _ears(vertices, loop[bent], which[bent])]
+        parts += [(triangle, np.full(n - 2, s)) for s, triangle in _ears(vertices, loop[bent], which[bent])]
         loop, which = loop[~bent], which[~bent]
         corner = vertices[loop]
         middle = areas_normals_centroids(corner)[2]
         apex, quality = _best_corner(corner)
         central = quality < NARROW * _central_quality(corner, middle)
         turned = np.take_along_axis(loop, (apex[:, None] + np.arange(n)) % n, axis=1)[~central]
-        found.append(_corner_fans(turned, which[~central]))
+        parts.append(_corner_fans(turned, which[~central]))
         number = count + np.arange(int(central.sum()))
         count += len(number)
         added.append(middle[central])
-        found.append(_central_fans(loop[central], number, which[central]))
-    triangle, surface = (np.concatenate([part[k] for part in found]) for k in (0, 1))
+        parts.append(_central_fans(loop[central], number, which[central]))
+    triangle, surface = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
     return np.concatenate([vertices, *added]), triangle, surface
 
 
@@ -82,12 +82,12 @@ def _central_fans(loop: np.ndarray, centre: np.ndarray, which: np.ndarray) -> tu
 
 def _ears(vertices: np.ndarray, loops: np.ndarray, which: np.ndarray) -> list[tuple[int, np.ndarray]]:
     """Surfaces that are not convex, one by one."""
-    found = []
+    ears = []
     for loop, s in zip(loops, which.tolist(), strict=True):
         triangle = loop[triangles(vertices[loop])]
         if _quality(*(vertices[triangle[:, k]] for k in range(3))).min() < FLAT:
             raise GeometryError(
                 "a fan of tets: no triangles fit to a free part of a face that is not convex; mesh by mesh_size"
             )
-        found.append((s, triangle))
-    return found
+        ears.append((s, triangle))
+    return ears

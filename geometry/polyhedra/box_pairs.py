@@ -40,9 +40,9 @@ def overlapping_boxes(low: np.ndarray, high: np.ndarray) -> np.ndarray:
     for axis, cell in enumerate(cells):  # axis by axis: each leaves fewer pairs to look at
         i, j = box[one], box[two]
         begin, lowest, highest = (np.ascontiguousarray(values[:, axis]) for values in (first, low, high))
-        kept = cell[order[one]] == np.maximum(begin[i], begin[j])
-        kept &= (lowest[i] <= highest[j]) & (lowest[j] <= highest[i])
-        one, two = one[kept], two[kept]
+        overlap = cell[order[one]] == np.maximum(begin[i], begin[j])
+        overlap &= (lowest[i] <= highest[j]) & (lowest[j] <= highest[i])
+        one, two = one[overlap], two[overlap]
     i, j = box[one], box[two]
     pair = np.sort(np.minimum(i, j) * len(low) + np.maximum(i, j))
     return np.stack(np.divmod(pair, len(low)), axis=1)

@@ -56,15 +56,15 @@ def triangles(corners: np.ndarray) -> np.ndarray:
     flat = (corners - corners[0]) @ np.stack([across, np.cross(normal, across)], axis=1)
     if _crosses(flat):
         raise GeometryError("a face whose edges cross cannot be cut into triangles")
-    left, found = list(range(len(corners))), []
+    left, cut = list(range(len(corners))), []
     while len(left) > 3:
         ears = [k for k in range(len(left)) if _is_ear(flat, left, k)]
         if not ears:
             raise GeometryError("a face has corners on its own edges and cannot be cut into triangles")
         best = max(ears, key=lambda k: _narrowest(flat, left, k))
-        found.append([left[best - 1], left[best], left[(best + 1) % len(left)]])
+        cut.append([left[best - 1], left[best], left[(best + 1) % len(left)]])
         del left[best]
-    return np.array([*found, left])
+    return np.array([*cut, left])
 
 
 def _crosses(flat: np.ndarray) -> bool:

@@ -142,7 +142,7 @@ def _cut(polygon: np.ndarray, normal: np.ndarray, origin: np.ndarray, depth: flo
 
 def _faces_at(block: Solid, among: np.ndarray, point: np.ndarray, depth: float) -> np.ndarray:
     """Those of some faces that pass the point within depth, by their numbers."""
-    found = []
+    faces = []
     for f in among.tolist():
         face, normal = block.faces[f], block.normals[f]
         arm = point - face
@@ -150,8 +150,8 @@ def _faces_at(block: Solid, among: np.ndarray, point: np.ndarray, depth: float) 
             edge = np.roll(face, -1, axis=0) - face
             inward = np.cross(normal, edge)
             if np.all(np.einsum("ki,ki->k", arm, inward) >= -depth * np.linalg.norm(edge, axis=1)):
-                found.append(f)
-    return np.array(found, dtype=np.int64)
+                faces.append(f)
+    return np.array(faces, dtype=np.int64)
 
 
 def holds(blocks: Blocks, block: int, point: np.ndarray, width: float) -> bool:

@@ -75,7 +75,7 @@ def bounds(blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
 
 def extents(blocks: Blocks, block: np.ndarray, direction: np.ndarray) -> np.ndarray:
     """(n,) m, how far some blocks (n,) reach from end to end along directions (n, 3) of length 1."""
-    found = np.empty(len(block))
+    extent = np.empty(len(block))
     first, last = (blocks.face_start[blocks.block_face_start[block + i]] for i in (0, 1))
     ends = np.searchsorted(np.cumsum(last - first), np.arange(MOST, (last - first).sum() + MOST, MOST), side="right")
     for part in np.split(np.arange(len(block)), ends):
@@ -83,8 +83,8 @@ def extents(blocks: Blocks, block: np.ndarray, direction: np.ndarray) -> np.ndar
             owner, corner = ranges(first[part], (last - first)[part])
             along = np.einsum("ci,ci->c", blocks.points[blocks.face_points[corner]], direction[part][owner])
             start = np.cumsum((last - first)[part]) - (last - first)[part]
-            found[part] = np.maximum.reduceat(along, start) - np.minimum.reduceat(along, start)
-    return found
+            extent[part] = np.maximum.reduceat(along, start) - np.minimum.reduceat(along, start)
+    return extent
 
 
 def widths(blocks: Blocks) -> np.ndarray:

@@ -107,5 +107,5 @@ def _corners(points: np.ndarray, loop: np.ndarray, size: float) -> np.ndarray | 
     chord = after - before
     length = np.linalg.norm(chord, axis=1)
     height = np.linalg.norm(np.cross(chord, place - before), axis=1) / np.where(length > 0, length, 1.0)
-    kept = loop[height > STRAIGHT * size]
-    return kept if len(kept) >= 3 else None
+    corners = loop[height > STRAIGHT * size]
+    return corners if len(corners) >= 3 else None

@@ -63,11 +63,11 @@ def all_overlaps(blocks: Blocks, names: Sequence[str] | None = None, allowed: fl
     is_box = np.abs(volumes(blocks) / np.prod(high - low, axis=1) - 1) < 1e-12
     convex = np.ones(blocks.count, dtype=bool) if is_box.all() else are_convex(blocks, depth)
     sure = is_box[pairs].all(axis=1)
-    found = [overlap for a, b in pairs[sure].tolist() if (overlap := _of_boxes(low, high, a, b)).depth > depth]
+    overlaps = [overlap for a, b in pairs[sure].tolist() if (overlap := _of_boxes(low, high, a, b)).depth > depth]
     for a, b in overlapping_pairs(blocks, pairs[~sure], depth, convex):
-        closely = len(found) < MEASURED
-        found.append(_of_convex(blocks, a, b) if convex[[a, b]].all() else _of_solids(blocks, a, b, depth, closely))
-    return sorted(found, key=lambda overlap: -overlap.depth)
+        closely = len(overlaps) < MEASURED
+        overlaps.append(_of_convex(blocks, a, b) if convex[[a, b]].all() else _of_solids(blocks, a, b, depth, closely))
+    return sorted(overlaps, key=lambda overlap: -overlap.depth)
 
 
 def least_allowed(blocks: Blocks, most: float) -> float:

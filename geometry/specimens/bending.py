@@ -40,7 +40,7 @@ def bending(
     nominal flexural stress M / W of the gross section, W = H t^2 / 6; at third points that is F span / (H t^2).
     Raises GeometryError for sizes that cannot be built and rollers that do not stand side by side on the wall.
     """
-    given = {"unit_width": unit_width, "load_distance": load_distance, "bottom_plate": bottom_plate}
+    sizes = {"unit_width": unit_width, "load_distance": load_distance, "bottom_plate": bottom_plate}
     lengths = {
         "unit_length": unit_length,
         "unit_height": unit_height,
@@ -48,7 +48,7 @@ def bending(
         "joint_thickness": joint_thickness,
         "support_distance": support_distance,
         "roller_width": roller_width,
-        **{name: value for name, value in given.items() if value is not None},
+        **{name: value for name, value in sizes.items() if value is not None},
     }
     require_lengths("bending", lengths, zero_allowed=("joint_thickness",))
     require_units("bending", bond, courses, units_per_course)

@@ -44,8 +44,8 @@ def divided(specimen: Specimen, filling: Filling, group: str = "units") -> Speci
     else:
         require_counts("file", "divisions", filling, "xyz")
         pieces = [in_grid([one.face(f) for f in one.faces_of(b)], filling) for b in range(one.count)]
-        owner = np.repeat(np.arange(one.count), [len(found) for found in pieces])
-        parts = from_faces([p for found in pieces for p in found], owner.tolist(), [0] * len(owner), (group,))
+        owner = np.repeat(np.arange(one.count), [len(faces) for faces in pieces])
+        parts = from_faces([p for faces in pieces for p in faces], owner.tolist(), [0] * len(owner), (group,))
     parent = np.concatenate([others, chosen[parts.unit]])
     whole = replace(parts, unit=one.unit[parts.unit])
     if len(others):
@@ -76,11 +76,11 @@ def _domain(blocks: Blocks, block: int) -> Domain:
     one = selected(blocks, np.array([block]))
     _, normal, centroid = face_areas_normals_centroids(one)
     offset, near = np.einsum("fi,fi->f", normal, centroid), SAME * extent(blocks)
-    kept: list[int] = []
+    planes: list[int] = []
     for f in range(len(offset)):
-        if not any(normal[f] @ normal[k] > 1 - SAME and abs(offset[f] - offset[k]) <= near for k in kept):
-            kept.append(f)
-    return Domain(normal[kept], offset[kept])
+        if not any(normal[f] @ normal[k] > 1 - SAME and abs(offset[f] - offset[k]) <= near for k in planes):
+            planes.append(f)
+    return Domain(normal[planes], offset[planes])
 
 
 def _require_prisms(blocks: Blocks, which: np.ndarray) -> None:

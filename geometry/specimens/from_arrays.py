@@ -103,17 +103,17 @@ def _points(vertices: Any, name: str) -> np.ndarray:
 def _corners(faces: Any, count: int, name: str) -> list[np.ndarray]:
     """Every face as an array of vertex numbers."""
     try:
-        found = [np.asarray(face) for face in faces]
+        loops = [np.asarray(face) for face in faces]
     except (TypeError, ValueError):
-        found = []
-    if len(found) < 4:
-        raise GeometryError(f"{name}: faces must be 4 or more lists of vertex numbers, there are {len(found)}")
-    for f, corners in enumerate(found):
+        loops = []
+    if len(loops) < 4:
+        raise GeometryError(f"{name}: faces must be 4 or more lists of vertex numbers, there are {len(loops)}")
+    for f, corners in enumerate(loops):
         if corners.ndim != 1 or corners.dtype.kind not in "iu" or len(corners) < 3:
             raise GeometryError(f"{name}: face {f} must be a list of 3 or more vertex numbers")
         if corners.min() < 0 or corners.max() >= count:
             raise GeometryError(f"{name}: face {f} names vertices {corners.tolist()}, allowed: 0 to {count - 1}")
-    return found
+    return loops
 
 
 def _cut(corners: np.ndarray, flat: float, face: str) -> np.ndarray:

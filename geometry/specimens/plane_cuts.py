@@ -24,11 +24,11 @@ def in_grid(body: Body, divisions: Sequence[int]) -> list[Body]:
 
 
 def _slices(body: Body, axis: int, levels: np.ndarray, width: float) -> list[Body]:
-    found = []
+    slices = []
     for level in levels.tolist():
         below, body = _halves(body, axis, level, width)
-        found.append(below)
-    return [part for part in (*found, body) if len(part) >= 4]
+        slices.append(below)
+    return [part for part in (*slices, body) if len(part) >= 4]
 
 
 def _halves(body: Body, axis: int, level: float, width: float) -> tuple[Body, Body]:

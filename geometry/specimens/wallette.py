@@ -72,12 +72,12 @@ def _ends(
     plates: float | None, base: float | None, beam: float | None, laid: Bond, thickness: float
 ) -> dict[str, tuple[Corner, Corner]]:
     """Name -> low and high corner (m) of the blocks at the ends of a wall that stands on z = 0."""
-    length, height, found = laid.length, laid.height, {}
+    length, height, boxes = laid.length, laid.height, {}
     if plates is not None:
-        found["left plate"] = (-plates, 0.0, 0.0), (0.0, thickness, height)
-        found["right plate"] = (length, 0.0, 0.0), (length + plates, thickness, height)
+        boxes["left plate"] = (-plates, 0.0, 0.0), (0.0, thickness, height)
+        boxes["right plate"] = (length, 0.0, 0.0), (length + plates, thickness, height)
     if base is not None:
-        found["base"] = (0.0, 0.0, -base), (length, thickness, 0.0)
+        boxes["base"] = (0.0, 0.0, -base), (length, thickness, 0.0)
     if beam is not None:
-        found["beam"] = (0.0, 0.0, height), (length, thickness, height + beam)
-    return found
+        boxes["beam"] = (0.0, 0.0, height), (length, thickness, height + beam)
+    return boxes

@@ -52,9 +52,9 @@ def straight(bond: str, courses: int, length: float, module: float) -> Coursing:
     per_unit = 1.5 if bond == "flemish" else 1.0
     extra = 0.5 if bond == "flemish" else 0.0
     units = (length / module + extra) / per_unit
-    found = max(round(2 * units) / 2 if half else round(units), 1 if bond in ("running", "stack") else 2)
-    laid = COURSES[bond](found if found % 1 else int(found))
-    if found == 0.5 or abs(sum(laid[0]) * module / WHOLE - length) > NEAR * module:
+    nearest = max(round(2 * units) / 2 if half else round(units), 1 if bond in ("running", "stack") else 2)
+    laid = COURSES[bond](nearest if nearest % 1 else int(nearest))
+    if nearest == 0.5 or abs(sum(laid[0]) * module / WHOLE - length) > NEAR * module:
         pieces = "half units" if half else "whole units" if bond != "flemish" else "stretchers with headers between"
         raise GeometryError(
             f"wall: length is {length:g} m, it must be made of {pieces} of the bond '{bond}', a whole unit with joint "

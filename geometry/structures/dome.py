@@ -87,10 +87,10 @@ def _along(steep: float, sides: int) -> np.ndarray:
 def _body(corner: np.ndarray) -> list[np.ndarray]:
     """Faces of a voussoir with corners (2, 2, k + 1, 3): inner and outer, low and high, along its k facets."""
     (inner_low, inner_high), (outer_low, outer_high) = corner
-    found = []
+    faces = []
     for k in range(corner.shape[2] - 1):
         a, b = k, k + 1
-        found += [
+        faces += [
             np.stack([outer_low[a], outer_low[b], outer_high[b], outer_high[a]]),
             np.stack([inner_low[a], inner_high[a], inner_high[b], inner_low[b]]),
             np.stack([inner_low[a], inner_low[b], outer_low[b], outer_low[a]]),
@@ -98,8 +98,8 @@ def _body(corner: np.ndarray) -> list[np.ndarray]:
         ]
     for end, side in ((0, 1), (-1, -1)):
         face = np.stack([inner_low[end], outer_low[end], outer_high[end], inner_high[end]])
-        found.append(face[::side])
-    return found
+        faces.append(face[::side])
+    return faces
 
 
 def _cap(ring: np.ndarray) -> list[np.ndarray]:

@@ -39,6 +39,6 @@ class Gathering:
 
     def blocks(self) -> Blocks:
         """All of them, numbered as units."""
-        found = concatenate(self.parts)
-        found.unit[:] = np.arange(found.count)
-        return found
+        blocks = concatenate(self.parts)
+        blocks.unit[:] = np.arange(blocks.count)
+        return blocks

@@ -100,9 +100,9 @@ def _headers(coursing: Coursing, module: float, fraction: float) -> list[np.ndar
     whole = [np.diff(cuts) > module * (1 - 0.5 / WHOLE) for cuts in coursing.cuts]
     total = sum(int(mask.sum()) for mask in whole)
     wanted, courses = round(fraction * total), len(whole)
-    found = [np.zeros(len(mask), dtype=bool) for mask in whole]
+    headers = [np.zeros(len(mask), dtype=bool) for mask in whole]
     if wanted == 0:
-        return found
+        return headers
     fewest = min(int(mask.sum()) for mask in whole)
     most = max(fewest // 2, 1) if fraction <= 0.5 else max(fewest, 1)  # every other one where that is enough
     number = min(courses, -(-wanted // most))
@@ -111,13 +111,13 @@ def _headers(coursing: Coursing, module: float, fraction: float) -> list[np.ndar
     for k, c in enumerate(chosen.tolist()):
         places = np.flatnonzero(whole[c])
         here = min(-(-left // (number - k)), len(places))
-        found[c][places[np.floor((np.arange(here) + 0.5) * len(places) / here).astype(int)]] = True
+        headers[c][places[np.floor((np.arange(here) + 0.5) * len(places) / here).astype(int)]] = True
         left -= here
-    for mask, could in zip(found, whole, strict=True):  # what did not fit where it was to be
+    for mask, could in zip(headers, whole, strict=True):  # what did not fit where it was to be
         more = np.flatnonzero(could & ~mask)[:left]
         mask[more] = True
         left -= len(more)
-    return found
+    return headers
 
 
 def _add_units(
@@ -139,20 +139,20 @@ def _rooms(
     coursing: Coursing, through: list[np.ndarray], rise: float, sides: tuple[float, float]
 ) -> list[list[tuple[float, float, float]]]:
     """Low and high corner (m) of each box of the core: lifts between courses of headers, and between headers."""
-    found, begin = [], 0
+    boxes, begin = [], 0
     length, courses = float(coursing.cuts[0][-1]), len(through)
     for c in range(courses + 1):
         if c < courses and not through[c].any():
             continue
         if c > begin:
-            found.append([(0.0, sides[0], begin * rise), (length, sides[1], c * rise)])
+            boxes.append([(0.0, sides[0], begin * rise), (length, sides[1], c * rise)])
         if c < courses:
             cuts = coursing.cuts[c]
             edges = [0.0, *(x for k in np.flatnonzero(through[c]) for x in (cuts[k], cuts[k + 1])), length]
-            found += [
+            boxes += [
                 [(a, sides[0], c * rise), (b, sides[1], (c + 1) * rise)]
                 for a, b in zip(edges[::2], edges[1::2], strict=True)
                 if b > a
             ]
         begin = c + 1
-    return found
+    return boxes

@@ -69,12 +69,12 @@ def holes(opening: Opening, wall: Wall, bearing: float) -> list[Hole]:
     """What an opening and its head take out of the courses."""
     first, top = course_of(opening, wall)
     sides = np.array([opening.left, opening.left + opening.width])
-    found = [Hole(first, *np.tile(sides[:, None, None], (1, top - first, 2)))]
+    cuts = [Hole(first, *np.tile(sides[:, None, None], (1, top - first, 2)))]
     if opening.head == "none":
-        return found
+        return cuts
     rises = np.arange(opening.head_courses)[:, None] + np.arange(2)
     reach = rises * (wall.rise * np.tan(opening.skew)) if opening.head == "flat arch" else bearing + 0.0 * rises
-    return [*found, Hole(top, sides[0] - reach, sides[1] + reach)]
+    return [*cuts, Hole(top, sides[0] - reach, sides[1] + reach)]
 
 
 def course_of(opening: Opening, wall: Wall) -> tuple[int, int]:
@@ -89,15 +89,15 @@ def pieces(cuts: np.ndarray, course: int, cut_out: Sequence[Hole], least: float)
 
     Raises GeometryError where a piece would be shorter than `least` (m), below or above.
     """
-    found = [np.repeat(ends, 2) for ends in np.stack([cuts[:-1], cuts[1:]], axis=1)]
+    outlines = [np.repeat(ends, 2) for ends in np.stack([cuts[:-1], cuts[1:]], axis=1)]
     near = NEAR * least
     for hole in (h for h in cut_out if h.first <= course < h.first + len(h.left)):
         left, right = hole.left[course - hole.first], hole.right[course - hole.first]
-        whole, found = found, []
+        whole, outlines = outlines, []
         for piece in whole:
             begin, end = piece[:2], piece[2:]
             if np.all(end <= left + near) or np.all(begin >= right - near):
-                found.append(piece)
+                outlines.append(piece)
                 continue
             for a, b in ((begin, np.minimum(left, end)), (np.maximum(right, begin), end)):
                 if np.max(b - a) > near:
@@ -105,8 +105,8 @@ def pieces(cuts: np.ndarray, course: int, cut_out: Sequence[Hole], least: float)
                         raise GeometryError(
                             f"a piece {max(np.min(b - a), 0.0) * 1e3:.3g} mm long in course {course + 1}"
                         )
-                    found.append(np.concatenate([a, b]))
-    return np.array(found).reshape(-1, 4)
+                    outlines.append(np.concatenate([a, b]))
+    return np.array(outlines).reshape(-1, 4)
 
 
 def bearing_of(opening: Opening, wall: Wall) -> float:

@@ -52,12 +52,12 @@ def abutment_outlines(ends: np.ndarray, angle: float) -> list[np.ndarray]:
 
 def skewback_outlines(ends: np.ndarray) -> list[np.ndarray]:
     """(4, 2) m: the left and the right block below the springings, upright on both sides and level below."""
-    found = []
+    outlines = []
     for inner, outer in (ends[0], ends[-1]):
         low = min(inner[1], outer[1]) - 0.5 * float(np.linalg.norm(outer - inner))
-        found.append(np.array([inner, outer, [outer[0], low], [inner[0], low]]))
-    found[1] = found[1][::-1]
-    return found
+        outlines.append(np.array([inner, outer, [outer[0], low], [inner[0], low]]))
+    outlines[1] = outlines[1][::-1]
+    return outlines
 
 
 def in_facets(
@@ -78,15 +78,15 @@ def in_facets(
 
 def _faces(outlines: Sequence[np.ndarray], low: float, high: float) -> list[np.ndarray]:
     """Of a body whose outline is these quadrilaterals side by side."""
-    found = []
+    faces = []
     for outline in outlines:
         front, back = (np.insert(outline, 1, y, axis=1) for y in (low, high))
-        found += [front, back[::-1]]
-        found += [np.stack([front[j], front[i], back[i], back[j]]) for i, j in ((0, 1), (2, 3))]
+        faces += [front, back[::-1]]
+        faces += [np.stack([front[j], front[i], back[i], back[j]]) for i, j in ((0, 1), (2, 3))]
     for outline, (i, j) in ((outlines[0], (3, 0)), (outlines[-1], (1, 2))):
         front, back = (np.insert(outline, 1, y, axis=1) for y in (low, high))
-        found.append(np.stack([front[j], front[i], back[i], back[j]]))
-    return found
+        faces.append(np.stack([front[j], front[i], back[i], back[j]]))
+    return faces
 
 
 def crown(count: int) -> np.ndarray:

@@ -56,12 +56,12 @@ def wall(
     "left return", "right return"; "lintel", "flat arch", "keystone", each also with the name of its opening before it;
     "base", "beam". The section is length times thickness. Raises GeometryError for what cannot be built.
     """
-    given = {
+    lengths = {
         **{"length": length, "height": height, "thickness": thickness, "unit_length": unit_length},
         **{"unit_height": unit_height, "joint_thickness": joint_thickness, "unit_width": unit_width},
         **{"return_length": return_length, "return_thickness": return_thickness, "base": base, "beam": beam},
     }
-    require_lengths("wall", {k: v for k, v in given.items() if v is not None}, zero_allowed=("joint_thickness",))
+    require_lengths("wall", {k: v for k, v in lengths.items() if v is not None}, zero_allowed=("joint_thickness",))
     module, rise = unit_length + joint_thickness, unit_height + joint_thickness
     courses = course_count("height", height, rise)
     corners = _corners(bond, returns, thickness, return_length, return_thickness, module)
@@ -133,8 +133,8 @@ def _holes(opening: Sequence[Opening], into: Wall) -> list[Hole]:
             )
         require_fit(one, into)
     require_apart(opening, into)
-    found = [hole for one in opening for hole in holes(one, into, bearing_of(one, into))]
-    return sorted(found, key=lambda hole: float(hole.left.min()))
+    cuts = [hole for one in opening for hole in holes(one, into, bearing_of(one, into))]
+    return sorted(cuts, key=lambda hole: float(hole.left.min()))
 
 
 def _add_facade(built: Gathering, into: Wall, cut_out: Sequence[Hole], thickness: float) -> np.ndarray:

@@ -67,8 +67,8 @@ def _bridged(joints: JointPolygons) -> list[str]:
 def _mended_rows(report: Report) -> list[tuple[str, list[str]]]:
     mended = report.mended
     assert mended is not None
-    rows = [("mended", _counted(report, mended.found) or ["nothing: no gaps and no overlaps"])]
-    if len(mended.found.size):
+    rows = [("mended", _counted(report, mended.gaps) or ["nothing: no gaps and no overlaps"])]
+    if len(mended.gaps.size):
         change, worst = mended.volume_change, int(np.argmax(np.abs(mended.volume_change)))
         after = volumes(mended.blocks)
         total = after.sum() / (after / (1 + change)).sum() - 1

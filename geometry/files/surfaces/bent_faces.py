@@ -61,11 +61,11 @@ def _least(corners: np.ndarray) -> np.ndarray:
             best = min(whole)
             at = next(n for n, value in enumerate(whole) if value <= best * (1 + ALIKE))
             least[first, last], apex[first, last] = whole[at], first + 1 + at
-    found, waiting = [], [(0, count - 1)]
+    triangles, waiting = [], [(0, count - 1)]
     while waiting:
         first, last = waiting.pop()
         if last - first >= 2:
             m = int(apex[first, last])
-            found.append([first, m, last])
+            triangles.append([first, m, last])
             waiting += [(first, m), (m, last)]
-    return np.array(found)
+    return np.array(triangles)

@@ -77,22 +77,22 @@ def bodies_of(surface: Surface, called: str, changes: Changes, holes: float = 0.
     if not size > 0:
         raise GeometryError(f"{called}: all its corners lie in one point")
     tried = Changes()
-    kept = _cleaned(loops, tried)
-    if not _is_closed(kept):
+    clean = _cleaned(loops, tried)
+    if not _is_closed(clean):
         first, number = weld(points, SAME * size)
         points, tried = points[first], Changes()
-        kept = _cleaned([number[loop] for loop in loops], tried)
-        if not _is_closed(kept):
-            mended, tried.junctions = with_corners_on_edges(points, kept, max(flat, SAME * size))
-            kept = mended if tried.junctions else kept
-        kept += _lids(points, kept, holes, tried)
-        _require_closed(points, kept, called)
+        clean = _cleaned([number[loop] for loop in loops], tried)
+        if not _is_closed(clean):
+            mended, tried.junctions = with_corners_on_edges(points, clean, max(flat, SAME * size))
+            clean = mended if tried.junctions else clean
+        clean += _lids(points, clean, holes, tried)
+        _require_closed(points, clean, called)
     changes.doubled += tried.doubled
     changes.collapsed += tried.collapsed
     changes.holes += tried.holes
     changes.junctions += tried.junctions
     changes.widest = max(changes.widest, tried.widest)
-    parts = _parts(kept, len(points))
+    parts = _parts(clean, len(points))
     several = len(parts) > 1
     return [
         _body(points, part, f"{called}, body {n}" if several else called, changes, flat)
@@ -102,7 +102,7 @@ def bodies_of(surface: Surface, called: str, changes: Changes, holes: float = 0.
 
 def _cleaned(loops: Loops, changes: Changes) -> Loops:
     """The faces without corners that follow themselves, each face once."""
-    seen, kept = set(), []
+    seen, clean = set(), []
     for loop in loops:
         loop = loop[loop != np.roll(loop, 1)]
         if len(loop) < 3:
@@ -113,8 +113,8 @@ def _cleaned(loops: Loops, changes: Changes) -> Loops:
             changes.doubled += 1
             continue
         seen.add(key)
-        kept.append(loop)
-    return kept
+        clean.append(loop)
+    return clean
 
 
 def _edges(loops: Loops) -> Counter:
@@ -198,20 +198,20 @@ def _body(points: np.ndarray, loops: Loops, called: str, changes: Changes, flat:
     loops = np.split(place.ravel(), np.cumsum([len(loop) for loop in loops])[:-1])
     size = float(np.ptp(points, axis=0).max())
     _require_areas(points, loops, FLAT * size, called)
-    found, fans, whole = [], [], []
+    parts, fans, whole = [], [], []
     for f, loop in enumerate(loops):
         corners = points[loop]
         cut, bent = TRIANGLE, False
         if len(loop) > 3:
             cut, bent = _cut(corners, size, flat, f"{called}: face {f + 1}", changes)
-        found.append(loop[cut])
+        parts.append(loop[cut])
         fans.append(_fan(corners) if bent else corners[cut])
         whole += [(f, n if bent else 0) for n in range(len(cut))]
-    shell = np.concatenate(found)
+    shell = np.concatenate(parts)
     turned = outward(points, shell, called)
     flipped = (turned != shell).any(axis=1)
     sign = np.where(flipped, -1.0, 1.0)
-    of_face = np.cumsum([0, *(len(part) for part in found)])
+    of_face = np.cumsum([0, *(len(part) for part in parts)])
     fan_sign = np.repeat(sign[of_face[:-1]], [len(fan) for fan in fans])
     middle = points.mean(axis=0)
     volume = _volume(points[turned] - middle)

@@ -29,38 +29,38 @@ def read_obj(path: Path) -> list[Surface]:
 
 def _whole_lines(file):
     """Lines without remarks; one that ends in a backslash goes on in the next, which counts as an empty one."""
-    held, skipped = "", 0
+    whole, skipped = "", 0
     for line in file:
-        held += line.split("#")[0].rstrip("\r\n")
-        if held.endswith("\\"):
-            held, skipped = held[:-1] + " ", skipped + 1
+        whole += line.split("#")[0].rstrip("\r\n")
+        if whole.endswith("\\"):
+            whole, skipped = whole[:-1] + " ", skipped + 1
             continue
-        yield held
+        yield whole
         yield from [""] * skipped
-        held, skipped = "", 0
-    if held:
-        yield held
+        whole, skipped = "", 0
+    if whole:
+        yield whole
 
 
 def _corner(said: str, path: Path, number: int) -> list[float]:
     try:
-        found = [float(word) for word in said.split()[:3]]
+        place = [float(word) for word in said.split()[:3]]
     except ValueError:
-        found = []
-    if len(found) != 3 or not all(abs(x) <= FARTHEST for x in found):
+        place = []
+    if len(place) != 3 or not all(abs(x) <= FARTHEST for x in place):
         raise GeometryError(f"'{path.name}', line {number}: a corner is three numbers, up to {FARTHEST:.0e}")
-    return found
+    return place
 
 
 def _face(said: str, count: int, path: Path, number: int) -> np.ndarray:
     """Numbers from 0 of the corners of a face; a negative one counts from the last corner so far."""
     try:
-        found = np.array([int(word.split("/")[0]) for word in said.split()], dtype=np.int64)
+        numbers = np.array([int(word.split("/")[0]) for word in said.split()], dtype=np.int64)
     except (ValueError, OverflowError):
-        found = np.zeros(0, dtype=np.int64)
-    found = np.where(found < 0, found + count, found - 1)
-    if len(found) < 3 or found.min() < 0 or found.max() >= count:
+        numbers = np.zeros(0, dtype=np.int64)
+    numbers = np.where(numbers < 0, numbers + count, numbers - 1)
+    if len(numbers) < 3 or numbers.min() < 0 or numbers.max() >= count:
         raise GeometryError(
             f"'{path.name}', line {number}: a face is three or more numbers of the {count} corners before it"
         )
-    return found
+    return numbers

@@ -29,10 +29,10 @@ def files_of(path: Path) -> list[Path]:
     """The file itself, or the surface files of a folder by name, numbers in their order: stone_2 before stone_10."""
     if not path.is_dir():
         return [path]
-    found = [file for file in path.iterdir() if file.suffix.lower() in SUFFIXES and file.is_file()]
-    if not found:
+    files = [file for file in path.iterdir() if file.suffix.lower() in SUFFIXES and file.is_file()]
+    if not files:
         raise GeometryError(f"'{path}': the folder holds no {', '.join(SUFFIXES)} files")
-    return sorted(found, key=lambda file: [int(w) if w.isdecimal() else w for w in re.split(r"(\d+)", file.name)])
+    return sorted(files, key=lambda file: [int(w) if w.isdecimal() else w for w in re.split(r"(\d+)", file.name)])
 
 
 def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0, flat: float = 0.0) -> Imported:
@@ -52,9 +52,9 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0, fla
     shift = _shift([surface.points for *_, surface in surfaces])
     changes, shells, names = Changes(), [], []
     for called, name, surface in surfaces:
-        found = bodies_of(surface._replace(points=surface.points - shift), called, changes, holes / unit, flat / unit)
-        shells += [shell._replace(points=shell.points * unit) for shell in found]
-        names += [name] if len(found) == 1 else [f"{name}-{n}" if name else "" for n in range(1, len(found) + 1)]
+        bodies = bodies_of(surface._replace(points=surface.points - shift), called, changes, holes / unit, flat / unit)
+        shells += [shell._replace(points=shell.points * unit) for shell in bodies]
+        names += [name] if len(bodies) == 1 else [f"{name}-{n}" if name else "" for n in range(1, len(bodies) + 1)]
         if len(shells) > MOST_BODIES:
             raise GeometryError(f"'{path.name}' holds more than {MOST_BODIES} bodies")
     if shift.any():
@@ -118,40 +118,40 @@ def _by_trimesh(file: Path) -> list[Surface]:
     except Exception as error:  # its readers raise whatever their parts do: ValueError, IndexError, struct.error, ...
         reason = str(error).strip().split("\n")[0][:200] or type(error).__name__
         raise GeometryError(f"'{file.name}' is damaged, or no {file.suffix} file ({reason})") from None
-    found = []
+    surfaces = []
     for name, mesh in meshes:
         points, faces = np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces, dtype=np.int64)
         if len(faces) and (faces.min() < 0 or faces.max() >= len(points)):
             raise GeometryError(f"'{file.name}': a face names corners that are not there, of {len(points)}")
         if len(faces):
-            found.append(Surface(name if len(meshes) > 1 else "", points, list(faces)))
-    return found
+            surfaces.append(Surface(name if len(meshes) > 1 else "", points, list(faces)))
+    return surfaces
 
 
 def _notes(changes: Changes, unit: float) -> list[str]:
     """What was changed, in sentences."""
-    found = []
+    notes = []
     if changes.doubled:
-        found.append(f"faces that were there twice, of which one was left out: {changes.doubled}")
+        notes.append(f"faces that were there twice, of which one was left out: {changes.doubled}")
     if changes.collapsed:
-        found.append(f"faces without three corners that differ, which were left out: {changes.collapsed}")
+        notes.append(f"faces without three corners that differ, which were left out: {changes.collapsed}")
     if changes.holes:
-        found.append(f"holes that were closed, of up to {changes.widest * unit * 1e3:.3g} mm: {changes.holes}")
+        notes.append(f"holes that were closed, of up to {changes.widest * unit * 1e3:.3g} mm: {changes.holes}")
     if changes.junctions:
-        found.append(
+        notes.append(
             f"corners that lay on an edge of a neighbour, which were put into that edge: {changes.junctions}; the "
             f"bodies have {changes.volume * unit**3:.6g} m^3"
         )
     if changes.turned:
-        found.append(f"blocks with faces that looked inwards, which were turned: {changes.turned}")
+        notes.append(f"blocks with faces that looked inwards, which were turned: {changes.turned}")
     if changes.moved * unit > LEAST:
         moved = changes.moved * unit * 1e3
-        found.append(f"faces that were flat but for noise were made flat: corners moved by up to {moved:.3g} mm")
+        notes.append(f"faces that were flat but for noise were made flat: corners moved by up to {moved:.3g} mm")
     if changes.bent:
         other = changes.other_volume / changes.volume - 1
-        found.append(
+        notes.append(
             f"faces that are not flat, by up to {changes.highest * unit * 1e3:.3g} mm: {changes.bent} of "
             f"{changes.faces}; each became the triangles of least area (fans round their middles would change the "
             f"volume by {other:+.2g})"
         )
-    return found
+    return notes

@@ -18,7 +18,7 @@ def with_corners_on_edges(points: np.ndarray, loops: Loops, width: float) -> tup
     )
     free = {edge for edge, times in edges.items() if times == 1}
     ends = np.array(sorted({v for edge in free for v in edge}), dtype=np.int64)
-    found, count = [], 0
+    rings, count = [], 0
     for loop in loops:
         ring: list[int] = []
         for i, j in zip(loop.tolist(), np.roll(loop, -1).tolist(), strict=True):
@@ -27,8 +27,8 @@ def with_corners_on_edges(points: np.ndarray, loops: Loops, width: float) -> tup
                 between = _between(points, ends, i, j, width)
                 ring += between
                 count += len(between)
-        found.append(np.array(ring, dtype=np.int64))
-    return found, count
+        rings.append(np.array(ring, dtype=np.int64))
+    return rings, count
 
 
 def _between(points: np.ndarray, among: np.ndarray, i: int, j: int, width: float) -> list[int]:

@@ -56,8 +56,8 @@ def _between(points: np.ndarray, i: int, j: int, width: float) -> list[int]:
     length = float(np.linalg.norm(edge))
     along = (points - points[i]) @ edge / length
     off = np.linalg.norm(points - points[i] - along[:, None] * edge / length, axis=1)
-    found = np.flatnonzero((off <= width) & (along > width) & (along < length - width))
-    return [int(v) for v in found[np.argsort(along[found])]]
+    corners = np.flatnonzero((off <= width) & (along > width) & (along < length - width))
+    return [int(v) for v in corners[np.argsort(along[corners])]]
 
 
 def _fan(face: list[int]) -> list[list[int]]:

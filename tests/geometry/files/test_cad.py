@@ -101,8 +101,8 @@ def test_curved_solids_keep_their_volume_within_the_facets(tmp_path):
 def test_gaps_and_overlaps_of_a_twentieth_of_a_millimetre_are_mended(tmp_path, gap):
     found = read(files.write_step(tmp_path / "wall.step", files.wall(4, 3, gap), files.wall_names(4, 3)))
     mended = mend(found.blocks, 1e-4, found.names)
-    assert len(mended.found.size) == 9
-    assert mended.found.size == pytest.approx(np.full(9, gap * 1e-3), rel=1e-6)
+    assert len(mended.gaps.size) == 9
+    assert mended.gaps.size == pytest.approx(np.full(9, gap * 1e-3), rel=1e-6)
     assert np.abs(mended.volume_change).max() == pytest.approx(0.05 / 250, rel=1e-3)
     joints = find_joints(mended.blocks)
     assert joints.area.sum() == pytest.approx(files.wall_joint_area(4, 3), rel=1e-4)

@@ -42,7 +42,7 @@ def test_a_filler_with_some_play_is_closed_on_both_sides(play):
     )
     found = mend(filled, 0.1 * MM, ["below", "strip", "above"])
     assert find_joints(found.blocks).area.sum() == pytest.approx(2 * 0.1 * 0.05, rel=1e-9)
-    assert len(found.found.size) == 2 and found.found.size == pytest.approx([play * MM, play * MM], rel=1e-6)
+    assert len(found.gaps.size) == 2 and found.gaps.size == pytest.approx([play * MM, play * MM], rel=1e-6)
     low, high = bounds(found.blocks)
     for below, above in ((0, 1), (1, 2)):
         assert high[below, 2] == pytest.approx(low[above, 2], abs=1e-12)

@@ -41,8 +41,8 @@ PAIR = ((0, 0, 0), (100, 50, 60)), ((0, 0, 60.05), (100, 50, 120))
 def test_two_blocks_with_a_gap_meet_half_way(rotate, degrees):
     blocks, turn = rotate(boxes(*PAIR), degrees, shift=(0, 0, 0))
     result = mended(blocks)
-    assert result.found.size == pytest.approx([0.05 * MM], rel=1e-9)
-    assert result.found.place[0] == pytest.approx(turn @ (0.05, 0.025, 0.06), abs=1e-4)
+    assert result.gaps.size == pytest.approx([0.05 * MM], rel=1e-9)
+    assert result.gaps.place[0] == pytest.approx(turn @ (0.05, 0.025, 0.06), abs=1e-4)
     joints = find_joints(result.blocks)
     assert joints.area.sum() == pytest.approx(100 * 50 * MM**2, rel=1e-12)
     assert np.ptp(joints.point @ turn[:, 2]) < 1e-12
@@ -72,7 +72,7 @@ def test_the_common_plane_is_the_mean_by_area_and_unmoved_blocks_stay_bit_for_bi
 def test_touching_blocks_are_not_moved_at_all():
     blocks = boxes(((0, 0, 0), (100, 50, 60)), ((50, 0, 60), (150, 50, 120)))
     result = mended(blocks)
-    assert result.blocks is blocks and len(result.found.size) == 0
+    assert result.blocks is blocks and len(result.gaps.size) == 0
 
 
 def test_a_wall_with_gaps_and_overlaps_at_random_is_tight_afterwards():
@@ -84,10 +84,10 @@ def test_a_wall_with_gaps_and_overlaps_at_random_is_tight_afterwards():
             shake = random.uniform(-0.02, 0.02, (2, 3)) * (1, 0, 1)
             spans.append((low + shake[0], low + (250, 120, 60) + shake[1]))
     result = mended(boxes(*spans))
-    assert (result.found.size > 0).sum() > 10 and (result.found.size < 0).sum() > 10
+    assert (result.gaps.size > 0).sum() > 10 and (result.gaps.size < 0).sum() > 10
     joints = find_joints(result.blocks)
     assert joints.area.sum() == pytest.approx((5 * 5 * 60 * 120 + 4 * (6 * 250 - 125) * 120) * MM**2, rel=1e-3)
-    assert len(mended(result.blocks).found.size) == 0
+    assert len(mended(result.blocks).gaps.size) == 0
 
 
 def test_larger_gaps_are_refused_with_the_tolerance_that_would_mend_them():
@@ -97,7 +97,7 @@ def test_larger_gaps_are_refused_with_the_tolerance_that_would_mend_them():
     with pytest.raises(Unmended) as unmended:
         mended(blocks)
     assert unmended.value.needed == pytest.approx(0.41 * MM)
-    assert len(mended(blocks, 0.41).found.size) == 1
+    assert len(mended(blocks, 0.41).gaps.size) == 1
     left = mended(blocks, open_gaps=True)
     assert left.blocks is blocks and left.left.size == pytest.approx([0.4 * MM])
 
