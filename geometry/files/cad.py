@@ -175,8 +175,8 @@ def _labelled(
     lost = [label.name or "one without a name" for n, label in enumerate(entries) if n not in matched]
     if len(entries) > len(solids):
         raise GeometryError(
-            f"the file holds {len(entries)} solids and {len(solids)} of them can be read; lost: {', '.join(lost[:10])}; "
-            "is it damaged?"
+            f"the file holds {len(entries)} solids and {len(solids)} of them can be read; lost: "
+            f"{', '.join(lost[:10])}; is it damaged?"
         )
     if entries and (number < 0).any():
         notes.append(f"{np.sum(number < 0)} solids have no name: no name in the file belongs to them")
