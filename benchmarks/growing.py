@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry import scene
 from masonry.assembly.assemble import Assembly
-from masonry.loading.loading import Chunk
+from masonry.configuration.chunk import Chunk
 from masonry.timeloop import compiled_step
 from verification.scene_runs import FOLDER
 

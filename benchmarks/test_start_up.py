@@ -36,7 +36,7 @@ total(np.zeros(3))
 FIRST_STEP = """
 import numpy as np
 from masonry import scene; from masonry.laboratory import laboratory; from masonry.timeloop import compiled_step
-from masonry.loading.scheduled import Chunk
+from masonry.configuration.chunk import Chunk
 assembly = laboratory.assemble(scene.load("couplet", ["drive.steps=1000"]))
 compiled_step.compile_for(assembly.model, 1)
 chunk = Chunk(assembly.plan.dead_load[:2], assembly.plan.speed[:2], row=False)

@@ -23,6 +23,7 @@ FLOORS = (
         "masonry.patches",
         "masonry.kernels",
         "masonry.model",
+        "masonry.configuration",
     ),
     *("masonry.scene.tables", "masonry.scene"),
     *("masonry.monitors", "masonry.monitors.collisions"),

@@ -22,7 +22,7 @@ from benchmarks.peers.worker import Absent, Worker
 from benchmarks.test_detection import CALLS, brick_pair, clipping
 from masonry import scene
 from masonry.assembly.assemble import assemble
-from masonry.loading.loading import Chunk
+from masonry.configuration.chunk import Chunk
 from masonry.timeloop import compiled_step
 from verification.reference_step import models
 from verification.reference_step.interleaved import in_turn

@@ -8,6 +8,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import FEWEST, plan_of
+from masonry.configuration import model_state
 from masonry.errors import Stopped
 from masonry.loading.drive.predictor import AT_FIRST
 from masonry.loading.plans import Controlled, Growing, Program
@@ -16,7 +17,6 @@ from masonry.rows.history import History
 from masonry.rows.rest_criterion import LONE
 from masonry.scene import Scene
 from masonry.scene.tables.loading import Settle
-from masonry.timeloop import model_state
 from masonry.timeloop.loop import Loop
 from masonry.timeloop.recording import Outcome
 

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from masonry.loading.loading import Chunk
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.energy import Seen
 from masonry.loading.plans import Program
 from masonry.loading.sudden_cracks import Rest
 from masonry.loading.varying_loads import VaryingLoads
 from masonry.model.model import Model
-from masonry.monitors.energy import Seen
 from masonry.monitors.unrest import left_of_motion
 from masonry.rows.rest_criterion import LONE
 from masonry.runtime.state import State, attributes, load_attributes

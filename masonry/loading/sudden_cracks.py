@@ -6,10 +6,10 @@ beyond where it comes to rest, and breaks there as well. So all such runs share 
 
 import numpy as np
 
+from masonry.configuration import energy
 from masonry.kinematics.turning import Turning
 from masonry.loading.moves.impulses import strike, velocities_of
 from masonry.model.model import Model
-from masonry.monitors import energy
 from masonry.monitors.events import PARTED, Events
 from masonry.runtime.state import State, attributes, load_attributes
 

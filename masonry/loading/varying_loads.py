@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from masonry.configuration.energy import present
 from masonry.model.model import Model
-from masonry.monitors.energy import present
 from masonry.monitors.unrest import of_blocks
 from masonry.rows.rest_criterion import LONE
 

@@ -1,1 +1,1 @@
-"""What is observed between chunks of steps: energy, stability, overlap, slip, sudden cracks."""
+"""What is observed between chunks of steps: stability, overlap, slip, sudden cracks."""

@@ -6,9 +6,9 @@ import numpy as np
 
 from geometry.polyhedra.measures import bounds, widths
 from geometry.specimens.placed import FLOOR
+from masonry.configuration.energy import present
 from masonry.errors import Stopped
 from masonry.model.model import Model
-from masonry.monitors.energy import present
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.openings import thinner
 from masonry.patches.press import deepest

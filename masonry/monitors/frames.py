@@ -3,10 +3,10 @@
 import numpy as np
 
 from geometry.blocks import Blocks
+from masonry.configuration.energy import Observation
+from masonry.configuration.joint_forces import forces_on_blocks
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
-from masonry.monitors.energy import Observation
-from masonry.monitors.joint_forces import forces_on_blocks
 from masonry.rows.history import Frame
 
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))

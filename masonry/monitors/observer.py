@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from masonry.configuration.energy import Seen
 from masonry.model.model import Model
-from masonry.monitors.energy import Seen
 from masonry.runtime.state import State, attributes, load_attributes
 
 

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from masonry.configuration.energy import present
 from masonry.model.layout import DOFS, KINDS, Layout
 from masonry.model.loads import Conditions
 from masonry.model.model import Model
-from masonry.monitors.energy import present
 from masonry.monitors.observer import Observer, View
 
 FORCE, MOMENT = slice(0, 3), slice(3, 6)

@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from masonry.configuration.energy import present
 from masonry.model.model import Model
-from masonry.monitors.energy import present
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.unrest import EachBlock
 from masonry.rows.rest_criterion import still_moving

@@ -2,12 +2,12 @@
 
 import numpy as np
 
+from masonry.configuration.energy import open_in_contacts
 from masonry.errors import Stopped, TurnedTooFar
 from masonry.kinematics.matrices import rotation_angles, rotations
 from masonry.kinematics.tets import mean_rotation
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
-from masonry.monitors.energy import open_in_contacts
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.snap_back import SnapBack
 from masonry.runtime.state import State

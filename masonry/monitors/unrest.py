@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from masonry.configuration.energy import present
+from masonry.configuration.joint_forces import forces_on_blocks
 from masonry.kinematics.turning import Turning
 from masonry.model.model import Model
-from masonry.monitors.energy import present
-from masonry.monitors.joint_forces import forces_on_blocks
 from masonry.patches.arrays import AREA
 from masonry.rows.rest_criterion import LONE
 

@@ -1,1 +1,1 @@
-"""The loop over the steps of a run: its rows, its checkpoints, bonds that retire."""
+"""The loop over the steps of a run: its rows and checkpoints."""

@@ -5,10 +5,10 @@ import time
 from collections.abc import Callable
 from typing import Protocol
 
+from masonry.configuration import model_state
 from masonry.errors import SceneError
 from masonry.model.model import Model
 from masonry.runtime.state import State
-from masonry.timeloop import model_state
 from masonry.timeloop.checkpoint import Checkpoints
 
 FIRST = 60.0

@@ -4,15 +4,15 @@ import hashlib
 
 import numpy as np
 
+from masonry.configuration import energy
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.room import advance_large
 from masonry.jit.compiler import is_kept, kind_of, once
 from masonry.kernels.step import advance
-from masonry.loading.loading import Chunk
 from masonry.model.model import Model
-from masonry.monitors import energy
 from masonry.monitors.collisions.collision import compile_look
 from masonry.runtime.interrupts import interruptible_wait
 from masonry.runtime.processors import compiled_for
-from masonry.timeloop.large_motion import advance_large
 
 
 def compile_for(model: Model, threads: int) -> None:

@@ -6,18 +6,19 @@ from dataclasses import fields
 
 import numpy as np
 
+from masonry.configuration import energy
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.joint_forces import JointForces
+from masonry.configuration.retirement import retire
 from masonry.errors import TurnedTooFar
 from masonry.kernels.step import reaction
 from masonry.loading.collapse.growing import GrowingLoading
 from masonry.loading.drive.adaptive import AdaptiveLoading
-from masonry.loading.loading import Chunk
 from masonry.loading.scheduled import ScheduledLoading
 from masonry.model.model import Model
 from masonry.model.motion import set_off
-from masonry.monitors import energy
 from masonry.monitors.collapse import Collapse
 from masonry.monitors.frames import Frames
-from masonry.monitors.joint_forces import JointForces
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.reactions import Standing
 from masonry.monitors.stability import Watch
@@ -29,7 +30,6 @@ from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import advance_model
 from masonry.timeloop.observers import observers_of
 from masonry.timeloop.recording import Outcome, Recording
-from masonry.timeloop.retirement import retire
 
 FOUND = ("peak_force", "displacement_at_peak", "blow", "lowest_force", "displacement_at_lowest", "steps", "log")
 """What an outcome has besides the history before the run is over."""

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numba
 
 from geometry.jit_cache import NOT_KEPT
+from masonry.configuration import model_state
 from masonry.errors import SceneError, Stopped
 from masonry.laws.dispatch import word_of
 from masonry.loading.collapse.growing import GrowingLoading
@@ -18,7 +19,6 @@ from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.rows.history import History
 from masonry.runtime.progress import Progress
-from masonry.timeloop import model_state
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import compile_for, is_compiled
 from masonry.timeloop.loop import Loading, Loop

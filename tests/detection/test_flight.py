@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.loading.loading import Chunk
+from masonry.configuration.chunk import Chunk
 from masonry.timeloop.compiled_step import advance_model
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.loading.loading import Chunk
+from masonry.configuration.chunk import Chunk
 from masonry.runtime.interrupts import interruptible
 from masonry.scene import load
 from masonry.timeloop.compiled_step import advance_model, compile_for

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration import model_state
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.scene import load as load_scene
-from masonry.timeloop import model_state
 from masonry.timeloop.checkpoint import Checkpoints
 from masonry.timeloop.checkpointer import Checkpointer
 from tests.large.test_invariance import scene as toppling

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from masonry.configuration.energy import present
 from masonry.kernels.step import advance
 from masonry.kinematics import deforming, deforming_tets, turning
 from masonry.kinematics.dispatch import move, update_positions
@@ -9,7 +10,6 @@ from masonry.kinematics.turning import Turning
 from masonry.model.arrays import Bodies, in_rows
 from masonry.model.large.bodies import large
 from masonry.model.model import Model
-from masonry.monitors.energy import present
 
 MASS = 2000 * 0.24 * 0.115 * 0.06
 INERTIA = np.array([0.0046437, 0.0168912, 0.0195477])

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration.energy import present
 from masonry.kinematics import affine, tets
 from masonry.kinematics.dispatch import move, update_positions
-from masonry.monitors.energy import present
 from tests.kinematics.bricks import turn
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from masonry import scene
+from masonry.configuration import room as large_motion
 from masonry.laboratory import laboratory
 from masonry.monitors import collapse
 from masonry.patches import press
-from masonry.timeloop import large_motion
 
 BASE = {"drive.displacement": "0.4 mm", "settle.steps": 3000, "specimen.contact_points": "vertex"}
 BASE |= {"specimen.points_per_edge": 2}

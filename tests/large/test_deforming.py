@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration import model_state
+from masonry.configuration.chunk import Chunk
 from masonry.laboratory import laboratory
-from masonry.loading.loading import Chunk
 from masonry.monitors.collapse import Deformation
 from masonry.monitors.observer import View
-from masonry.timeloop import model_state
 from masonry.timeloop.compiled_step import advance_model
 from tests.large.made import DENSITY, G, leaning, slab
 from tests.scenes import box, listed, load, specimen, tables

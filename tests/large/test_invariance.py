@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration import model_state
+from masonry.configuration import room as large_motion
 from masonry.detection.broad import cells_for
 from masonry.laboratory import laboratory
 from masonry.laboratory.cost import candidates
 from masonry.laboratory.text import check_text
 from masonry.patches.arrays import no_pairs, no_points
-from masonry.timeloop import large_motion, model_state
 from tests.large.made import dry, leaning
 from tests.scenes import box
 

@@ -8,16 +8,15 @@ import pytest
 
 from masonry import scene as packaged
 from masonry.assembly.assemble import assemble
+from masonry.configuration import energy, model_state
 from masonry.detection.tet_pieces import FACES
 from masonry.errors import SceneError
 from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
 from masonry.laboratory import laboratory
 from masonry.model.large.motion import outer_tets
-from masonry.monitors import energy
 from masonry.patches.press import stored_energy
 from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import refresh
-from masonry.timeloop import model_state
 from tests.kinematics.bricks import turn
 from tests.large.made import DENSITY, G, leaning, slab
 from tests.large.test_deforming import advanced

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from masonry import scene
+from masonry.configuration.energy import open_in_contacts
+from masonry.configuration.retirement import areas_of, pressures_of
 from masonry.laboratory import laboratory
-from masonry.monitors.energy import open_in_contacts
 from masonry.patches.press import BORN, NORMAL_GAINED, SHEAR_LOST
 from masonry.timeloop import loop
-from masonry.timeloop.retirement import areas_of, pressures_of
 from tests.large.made import G, dry, slab
 from tests.scenes import box
 

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from masonry import scene
+from masonry.configuration.energy import open_in_contacts
 from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
-from masonry.monitors.energy import open_in_contacts
 
 HALF, HIGH, G = 0.125, 0.5, 9.81
 MASS = 2000.0 * 0.25 * 0.5 * 1.0

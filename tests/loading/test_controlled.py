@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration.energy import Seen
 from masonry.errors import SceneError
 from masonry.kinematics.motion import Guided, resist
 from masonry.laboratory import laboratory
@@ -13,7 +14,6 @@ from masonry.laboratory.text import accuracy_text
 from masonry.loading.drive.adaptive import AdaptiveLoading
 from masonry.loading.drive.settings import SETTINGS
 from masonry.loading.plans import controlled
-from masonry.monitors.energy import Seen
 from masonry.scene import load
 from tests.couplet.curve import couplet as curve_of
 from tests.timeloop.test_loop import bits, corner_numbers, couplet

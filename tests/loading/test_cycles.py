@@ -6,11 +6,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration.energy import Seen
 from masonry.laboratory import laboratory
 from masonry.loading.drive.adaptive import AdaptiveLoading
 from masonry.loading.plans import controlled
 from masonry.loading.scheduled import ScheduledLoading
-from masonry.monitors.energy import Seen
 from masonry.rows.cycles import bounds, table
 from masonry.scene import load
 from tests.loading.test_controlled import COARSE, TERMS

@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration import energy
+from masonry.configuration.energy import Seen
 from masonry.loading import scheduled, sudden_cracks
 from masonry.loading.collapse.enclosing import Enclosing
 from masonry.loading.collapse.pace import Pace
@@ -19,8 +21,6 @@ from masonry.loading.plans import Growing, Program
 from masonry.loading.schedule import landmarks, passage, steps_at
 from masonry.loading.scheduled import ScheduledLoading
 from masonry.loading.varying_loads import SharedLoads, knots
-from masonry.monitors import energy
-from masonry.monitors.energy import Seen
 from masonry.scene import load
 
 

@@ -7,11 +7,11 @@ import pytest
 
 import masonry
 from masonry.assembly.assemble import assemble
+from masonry.configuration import energy
 from masonry.errors import Stopped
 from masonry.judgement.trust import trust
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.travels import Limits, Travels
-from masonry.monitors import energy
 from masonry.monitors.unrest import EachBlock
 from masonry.rows.rest_criterion import LONE
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables

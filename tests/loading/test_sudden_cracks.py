@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.energy import kinetic, ledger, observe, velocities
 from masonry.judgement.trust import trust
 from masonry.laboratory.text import sudden_text
-from masonry.loading.loading import Chunk
 from masonry.loading.moves.impulses import momenta
 from masonry.loading.sudden_cracks import brake
-from masonry.monitors.energy import kinetic, ledger, observe, velocities
 from masonry.scene import load as load_scene
 from masonry.timeloop.compiled_step import advance_model, compile_for
 from tests.scenes import load

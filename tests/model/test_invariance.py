@@ -5,10 +5,10 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from geometry.joints.find import find_joints
+from masonry.configuration.energy import present
 from masonry.laws import factory
 from masonry.model.loads import Push
 from masonry.model.model import Stepping, sort_by_group
-from masonry.monitors.energy import present
 from tests.model.eigen import true_limit
 from verification.checks.invariance import contact_forces, momentum
 from verification.fixtures import models, shapes

@@ -6,9 +6,9 @@ from skfem import Basis, ElementTetP1, ElementTetP2, ElementVector, MeshTet, asm
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration import energy
 from masonry.laboratory import laboratory
 from masonry.laboratory.remarks.mesh_remarks import LOCKED
-from masonry.monitors import energy
 from tests.scenes import ELASTIC, box, listed, load, specimen, tables
 
 YOUNG, SIDE = 5e9, 0.1

@@ -5,11 +5,11 @@ import pytest
 from scipy.linalg import eigh
 
 from geometry.blocks import Blocks
+from masonry.configuration.energy import present
 from masonry.model.layout import Material
 from masonry.model.loads import Push
 from masonry.model.model import Stepping
 from masonry.model.supports import Hold
-from masonry.monitors.energy import present
 from tests.model.eigen import frequencies
 from verification.fixtures import models, shapes
 

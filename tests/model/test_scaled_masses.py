@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from masonry.configuration.energy import present
 from masonry.model.model import Stepping
 from masonry.model.supports import Hold
-from masonry.monitors.energy import present
 from tests.model.eigen import true_limit
 from verification.fixtures import models, shapes
 

@@ -5,10 +5,10 @@ import pytest
 
 from masonry import scene
 from masonry.assembly.assemble import assemble
+from masonry.configuration.energy import Seen
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
 from masonry.loading.drive.utilisation import utilisation
-from masonry.monitors.energy import Seen
 from masonry.monitors.snap_back import SnapBack
 
 STRENGTHS = ("tensile_strength", "cohesion", "fracture_energy_mode_1", "fracture_energy_mode_2")

@@ -5,11 +5,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from masonry.configuration.energy import present
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import JointProperties
 from masonry.model.layout import Material
 from masonry.model.model import Stepping
-from masonry.monitors.energy import present
 from tests.model.eigen import frequencies, true_limit
 from verification.fixtures import models, shapes
 

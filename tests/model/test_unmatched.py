@@ -9,10 +9,10 @@ from geometry.joints.find import find_joints
 from geometry.meshes.fan_tets import gathered
 from geometry.meshes.nonmatching import surface_joints
 from geometry.meshes.tetrahedralise import mesh_blocks
+from masonry.configuration import energy
+from masonry.configuration.energy import present
 from masonry.model.layout import KINDS, Material
 from masonry.model.model import Stepping, sort_by_group
-from masonry.monitors import energy
-from masonry.monitors.energy import present
 from tests.model.eigen import true_limit
 from verification.checks import invariance
 from verification.fixtures import models, shapes

@@ -11,12 +11,12 @@ from geometry.specimens.boxes import boxes
 from masonry import write_blocks
 from masonry.assembly.assemble import assemble
 from masonry.cli.main import main
+from masonry.configuration.energy import Seen
 from masonry.errors import Stopped
 from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
 from masonry.monitors.collisions.collision import Collision, overlap_along
 from masonry.monitors.collisions.corners import Corners
-from masonry.monitors.energy import Seen
 from masonry.monitors.observer import View
 from tests.geometry.polyhedra.test_solids import box as solid_box
 from tests.geometry.polyhedra.test_solids import tube

@@ -8,9 +8,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration import energy
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
-from masonry.monitors import energy
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 
 SOFT = """law = "{law}"

@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
+from masonry.configuration import joint_forces
+from masonry.configuration.energy import Seen
+from masonry.configuration.joint_forces import JointForces, Points
 from masonry.errors import Stopped, TurnedTooFar
-from masonry.monitors import collapse, joint_forces
+from masonry.monitors import collapse
 from masonry.monitors.collapse import Collapse, Deformation
-from masonry.monitors.energy import Seen
-from masonry.monitors.joint_forces import JointForces, Points
 from masonry.monitors.observer import View
 from masonry.monitors.openings import Openings
 from masonry.monitors.reactions import Standing, WorkOfLoads, balance, moved_by, of_motion, open_by, resultant

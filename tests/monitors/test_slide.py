@@ -8,10 +8,10 @@ from geometry.joints.find import find_joints
 from geometry.specimens.boxes import boxes
 from masonry.assembly.assemble import assemble, joined
 from masonry.cli.main import main
+from masonry.configuration.energy import Seen
 from masonry.errors import Stopped
 from masonry.judgement.trust import trust
 from masonry.laboratory import laboratory
-from masonry.monitors.energy import Seen
 from masonry.monitors.observer import View
 from masonry.monitors.slide import Slide
 from masonry.scene import load

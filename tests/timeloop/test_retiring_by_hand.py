@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration import retirement
 from masonry.patches.arrays import SHEAR
 from masonry.patches.press import stored_energy
 from masonry.simd import FOUR
-from masonry.timeloop import retirement
 from tests.kinematics.bricks import turn
 from tests.large.made import dry, slab
 from tests.scenes import box

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.loading.loading import Chunk
-from masonry.monitors import energy
+from masonry.configuration import energy
+from masonry.configuration.chunk import Chunk
 from masonry.rows.history import History
 from masonry.scene import load
 from masonry.timeloop import checkpointer as module

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from masonry.configuration.energy import present
 from masonry.model.model import Model, Stepping
-from masonry.monitors.energy import present
 from verification.case import Findings
 from verification.checks.free_motion import follow, glued
 from verification.fixtures import assembled, models, shapes

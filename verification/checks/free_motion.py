@@ -5,9 +5,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from masonry.configuration import energy
 from masonry.laws.factory import build
 from masonry.model.model import Model
-from masonry.monitors import energy
 from verification import balance
 from verification.case import Findings
 from verification.fixtures import models

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from masonry.configuration.energy import present
 from masonry.laws.factory import build
 from masonry.model.loads import Push
 from masonry.model.model import Model, Stepping
-from masonry.monitors.energy import present
 from verification.case import Findings
 from verification.checks.free_motion import STRONG, follow
 from verification.fixtures import assembled, models, shapes

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from masonry.configuration import energy
 from masonry.laboratory.result import Result
-from masonry.monitors import energy
 from verification import balance
 from verification.case import Findings, Line
 from verification.scene_runs import assembled

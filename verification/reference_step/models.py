@@ -7,12 +7,12 @@ import numba
 import numpy as np
 
 from geometry.blocks import Blocks, Joints, TetMesh
+from masonry.configuration.chunk import Chunk
 from masonry.jit.compiler import jit
 from masonry.kernels.contact import sweep
 from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
 from masonry.laws.state import JointProperties
-from masonry.loading.loading import Chunk
 from masonry.model import loads
 from masonry.model.arrays import Bodies
 from masonry.model.layout import KINDS, Material, lay_out

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from masonry.assembly.assemble import assemble
-from masonry.loading.loading import Chunk
+from masonry.configuration.chunk import Chunk
 from masonry.loading.plans import Program
 from masonry.timeloop import compiled_step
 from verification.scene_runs import Run, joint_of, load

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from masonry.assembly.assemble import Assembly, assemble
+from masonry.configuration.chunk import Chunk
 from masonry.kinematics.motion import Guided
-from masonry.loading.loading import Chunk
 from masonry.loading.plans import Program
 from masonry.model.arrays import Bodies, Groups, group_state, in_rows, initial_state
 from masonry.model.model import Model

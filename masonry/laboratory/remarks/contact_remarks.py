@@ -6,10 +6,10 @@ import numpy as np
 
 from geometry.blocks import Joints
 from masonry.assembly.assemble import Assembly
+from masonry.configuration.energy import present
 from masonry.laws.factory import properties_of
 from masonry.laws.state import JointProperties
 from masonry.model.large.meeting import Large
-from masonry.monitors.energy import present
 from masonry.monitors.stability import smallest_block
 from masonry.rows.history import Frame
 from masonry.scene.tables.contact import Contact

@@ -9,11 +9,11 @@ from typing import NamedTuple
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
+from masonry.configuration.energy import present
 from masonry.laboratory.remarks.bending_remarks import MOST, accuracy, at_peak, corners_of, law_of, number_of
 from masonry.laboratory.remarks.contact_remarks import is_dry
 from masonry.laboratory.remarks.joint_faces import Faces, Look, faces_of, look_at
 from masonry.laboratory.remarks.joint_sections import Section, envelope, plane, spread, strength
-from masonry.monitors.energy import present
 from masonry.results.deformation import Corners, Deformation
 from masonry.rows.history import Frame
 from masonry.timeloop.recording import Outcome

@@ -11,13 +11,13 @@ from geometry.specimens.placed import FLOOR
 from masonry import __version__
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import tilt_at
+from masonry.configuration.energy import open_in_contacts
 from masonry.jit.sources import source_hash
 from masonry.laboratory.summary.collapse import of_large, standing_rows
 from masonry.laboratory.summary.rest import farthest_from_rest
 from masonry.laboratory.summary.symmetry import is_loaded_alike, symmetry_lost
 from masonry.loading.plans import Controlled, Growing
 from masonry.monitors import events
-from masonry.monitors.energy import open_in_contacts
 from masonry.monitors.reactions import balance, moved_by, open_by, rounded
 from masonry.results.joint_resultants import unit_joints
 from masonry.results.provenance import own_sources

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from masonry.configuration import energy
 from masonry.loading.collapse.settings import FALLING, FallingSettings
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.moved import Arrays, dofs, kept_dofs, moved_since, reach
@@ -20,7 +21,6 @@ from masonry.loading.plans import Growing
 from masonry.loading.varying_loads import works_of
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
-from masonry.monitors import energy
 from masonry.monitors.stability import smallest_block
 from masonry.runtime.state import State, attributes, load_attributes
 

@@ -11,20 +11,20 @@ from collections.abc import Callable
 
 import numpy as np
 
+from masonry.configuration import energy
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.energy import Seen
 from masonry.loading.collapse.branch import Falling
 from masonry.loading.collapse.enclosing import Enclosing
 from masonry.loading.collapse.pace import Pace
 from masonry.loading.collapse.settings import GROWING, GrowingSettings
 from masonry.loading.collapse.watching import Gathering
-from masonry.loading.loading import Chunk
 from masonry.loading.moves.travels import Limits, Travels
 from masonry.loading.plans import Growing, Program
 from masonry.loading.scheduled import ScheduledLoading
 from masonry.loading.varying_loads import SharedLoads
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
-from masonry.monitors import energy
-from masonry.monitors.energy import Seen
 from masonry.monitors.settling import unbalanced
 from masonry.rows.columns import FACTOR, OFF_BALANCE
 from masonry.runtime.state import State, attributes, load_attributes
@@ -57,7 +57,7 @@ class GrowingLoading:
         gauge: Gauge | None = None,
         gauges: tuple[Gauge, ...] = (),
     ) -> None:
-        """keep, restore  make copies of what changes in a model, and put them back (timeloop/model_state.py)
+        """keep, restore  make copies of what changes in a model, and put them back (configuration/model_state.py)
         gauge  is led on behind the collapse     gauges  stand still at a rest"""
         self.model, self.plan, self.settings = model, plan, settings
         self.state_of, self.restore_model = keep, restore

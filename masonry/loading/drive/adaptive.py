@@ -4,15 +4,15 @@ from dataclasses import replace
 
 import numpy as np
 
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.energy import Seen
 from masonry.loading.drive.predictor import Predictor
 from masonry.loading.drive.settings import SETTINGS, AdaptiveSettings
 from masonry.loading.drive.utilisation import Dry, utilisation
-from masonry.loading.loading import Chunk
 from masonry.loading.plans import Controlled, Program, smooth
 from masonry.loading.schedule import Path
 from masonry.loading.scheduled import ScheduledLoading
 from masonry.model.model import Model
-from masonry.monitors.energy import Seen
 from masonry.monitors.events import PARTED, Events
 from masonry.monitors.stability import LEAP, smallest_block
 from masonry.runtime.state import State, attributes, load_attributes

@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from masonry.configuration.energy import Seen
 from masonry.loading.drive.predictor import Predictor
 from masonry.loading.drive.settings import AdaptiveSettings
 from masonry.model.model import Model
-from masonry.monitors.energy import Seen
 from masonry.patches.press import deepest
 
 

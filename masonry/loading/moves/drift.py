@@ -7,10 +7,10 @@ that what drifts steadily is not dragged.
 
 import numpy as np
 
+from masonry.configuration import energy
 from masonry.loading.moves.impulses import momenta, strike, velocities_of
 from masonry.loading.moves.moved import Arrays, dofs
 from masonry.model.model import Model
-from masonry.monitors import energy
 from masonry.monitors.unrest import of_blocks, rows_of
 from masonry.runtime.state import State
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from masonry.configuration import energy
 from masonry.model.model import Model
-from masonry.monitors import energy
 
 Arrays = dict[str, np.ndarray]
 
@@ -56,5 +56,5 @@ def relative_travel(model: Model, moved: list[np.ndarray]) -> np.ndarray:
 
 
 def kept_dofs(model: Model, kept: Arrays) -> Arrays:
-    """The same of a state that was kept (timeloop/model_state.py)."""
+    """The same of a state that was kept (configuration/model_state.py)."""
     return {kind: kept["u" if kind == "tets" else f"{kind}.q"][: len(now)] for kind, now in dofs(model).items()}

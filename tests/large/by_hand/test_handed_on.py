@@ -4,7 +4,7 @@ off, and each number of their account as a line of the ledger."""
 import numpy as np
 import pytest
 
-from masonry.monitors import energy
+from masonry.configuration import energy
 from masonry.patches.arrays import AREA, PLACE, SHEAR
 from masonry.patches.press import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST, gap_of
 from masonry.patches.press import stored as energies

@@ -11,8 +11,8 @@ Reference: Hooke's law, by hand; Love 1927, art. 123.
 
 import numpy as np
 
+from masonry.configuration import energy
 from masonry.model.model import Model
-from masonry.monitors import energy
 from masonry.monitors.frames import Frames
 from masonry.monitors.observer import View
 from masonry.monitors.openings import Openings

@@ -14,10 +14,10 @@ Reference: statics; Clapeyron.
 
 import numpy as np
 
+from masonry.configuration import energy
 from masonry.model.layout import Material
 from masonry.model.loads import Push
 from masonry.model.model import Model, Stepping
-from masonry.monitors import energy
 from masonry.monitors.settling import unbalanced
 from verification import balance
 from verification.case import Case, Check, Findings

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.monitors import energy
+from masonry.configuration import energy
 from verification.case import Case, Findings
 from verification.scene_runs import assembled, result_of
 

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.polyhedra.measures import extent
+from masonry.configuration.energy import moved
 from masonry.model.model import Model
-from masonry.monitors.energy import moved
 from masonry.patches.arrays import Near
 from masonry.patches.press import point_forces
 

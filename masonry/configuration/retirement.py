@@ -6,17 +6,17 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.joints.extents import joint_extents
+from masonry.configuration.energy import stored_in_contacts
+from masonry.configuration.room import make_room
 from masonry.kinematics.planes import plane_of
 from masonry.laws.state import JointProperties, softens_in_shear
 from masonry.model.large.meeting import keys
 from masonry.model.model import Model
-from masonry.monitors.energy import stored_in_contacts
 from masonry.patches.arrays import AREA, SHEAR, Near
 from masonry.patches.press import NORMAL_GAINED, SHEAR_LOST, gap_of, stored
 from masonry.patches.refreshing import refresh
 from masonry.patches.slack import hold
 from masonry.simd import FOUR
-from masonry.timeloop.large_motion import make_room
 
 STRENGTH_LEFT = 1e-3
 """Share of its strength that a broken bond has left, at most: at seven softening lengths of the exponential law."""

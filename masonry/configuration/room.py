@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from masonry.configuration.chunk import Chunk
 from masonry.detection.broad import cells_for
 from masonry.errors import Stopped
 from masonry.kernels.large_step import advance
-from masonry.loading.loading import Chunk
 from masonry.model.model import Model
 from masonry.patches.arrays import Near, Pairs, no_pairs, no_points
 from masonry.patches.pair_search import NEED_PAIRS, TOO_DEEP, copy_pairs

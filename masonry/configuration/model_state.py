@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from masonry.configuration.energy import present
+from masonry.configuration.room import make_room_for
 from masonry.model.model import Model
-from masonry.monitors.energy import present
 from masonry.runtime.state import Damaged, add_array
-from masonry.timeloop.large_motion import make_room_for
 
 CHANGED = ("q", "v", "contact", "hold", "inner", "work", "guess", "load", "change")
 """Arrays of the bodies that a step writes; the expected motion, which the guide does; and loads, which may vary."""
