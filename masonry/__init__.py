@@ -1,12 +1,12 @@
 """Masonry on the computer: discrete elements with elastic-softening contacts, tested and told how far to trust.
 
 >>> import masonry
->>> scene = masonry.load("couplet").with_(law="linear", confinement="0.1 MPa")
+>>> scene = masonry.load("couplet").with_(confinement="0.1 MPa")
 >>> result = masonry.run(scene)
->>> result.peak.stress
->>> result.curve
->>> result.plot()
->>> result.save("results/couplet-linear")
+>>> print(f"{result.peak.stress / 1e6:.2f} MPa")
+0.97 MPa
+>>> figure = result.plot("curve.png")
+>>> files = result.save("results/couplet-0.1")
 """
 
 from typing import TYPE_CHECKING, Any
@@ -25,14 +25,23 @@ __version__ = "0.1.0"
 
 
 def scenes() -> dict[str, str]:
-    """The scenes that come with the program: name -> title."""
+    """The scenes that come with the program: name -> title.
+
+    >>> masonry.scenes()["couplet"]
+    'Couplet under confinement and shear'
+    """
     from masonry.scene.source import titles
 
     return titles()
 
 
 def load(scene: "str | Path", overrides: Any = ()) -> "Scene":
-    """The scene of a file or of a packaged name; overrides by dotted key, see `Scene.with_`. Raises SceneError."""
+    """The scene of a file or of a packaged name; overrides by dotted key, see `Scene.with_`. Raises SceneError.
+
+    >>> scene = masonry.load("couplet", {"contact.unit_unit.cohesion": "0.6 MPa"})
+    >>> scene.contact["unit_unit"].cohesion  # Pa, as all that a scene holds is in SI
+    600000.0
+    """
     from masonry.scene import load as load_scene
 
     return load_scene(scene, overrides)
@@ -43,6 +52,12 @@ def check(scene: "Scene | str | Path") -> "Report":
 
     scene  a scene, a file of one, or the name of a packaged one
     A dictionary that prints as `masonry check` does. Raises SceneError or GeometryError.
+
+    >>> report = masonry.check("couplet")
+    >>> report["blocks"], report["contact_points"], report["freedoms"]
+    (2, 4, 12)
+    >>> print(f"{report['time_step_s']:.1e} s")
+    2.0e-05 s
     """
     from masonry.laboratory.laboratory import check as check_scene
 
@@ -57,6 +72,16 @@ def run(
     scene     a scene, a file of one, or the name of a packaged one
     progress  True: say how far it is; False: say nothing; None: say it in a notebook only, where the line goes when
               the run ends; or a function of step, steps and a note
+
+    >>> result = masonry.run(masonry.load("couplet", {"confinement": "0.1 MPa"}))
+    >>> peak = result.peak  # m and Pa; by hand c + p tan(phi) = 0.971 MPa
+    >>> print(f"{1e6 * peak.displacement:.0f} um, {peak.stress / 1e6:.2f} MPa")
+    14 um, 0.97 MPa
+    >>> stress = result.curve["stress"]  # a number for each row of the curve
+    >>> stress.shape == (len(result.curve),), result.curve.attrs["units"]["stress"]
+    (True, 'Pa')
+    >>> print(f"{result.energies['fracture_mode_2']:.2f} J")
+    0.79 J
     """
     from masonry.laboratory.arguments import called, whole
     from masonry.laboratory.laboratory import run as run_scene
@@ -91,6 +116,12 @@ def limit(
     points    "corners" of the joints, or the contact points of the "scene"
     What comes back prints as `masonry limit` does; `.factor`, `.velocity`, `.thrust()`, `.save(folder)`. Raises
     SceneError, in one sentence, for what cannot stand, what nothing loads, and what has no limit.
+
+    >>> arch = masonry.limit("arch-tilted")
+    >>> print(f"{arch.factor:.4f}")  # the tangent of the tilt
+    0.3736
+    >>> arch.velocity.shape  # (B, 6): how each block begins to move, along x, y, z and about them
+    (10, 6)
     """
     from masonry.laboratory.arguments import flag, number, stress, whole
     from masonry.limit_analysis.analysis import Wishes, analyse
@@ -124,6 +155,13 @@ def sensitivity(
     workers  processes (default: all processors); tell is called with a line for each run that ends
     What comes back prints as `masonry sensitivity` does; `.rows` are dictionaries. Processes are started afresh, so a
     script needs `if __name__ == "__main__":`. Raises SceneError or GeometryError before anything runs.
+
+    >>> scene = masonry.load("couplet", {"drive.accuracy": "10 %", "confinement": "0.1 MPa"})
+    >>> found = masonry.sensitivity(scene, only=["coupling"], quick=True, workers=1)
+    >>> for row in found.rows:
+    ...     print(f"{row['variant']}: {row['peak_stress_pa'] / 1e6:.2f} MPa")
+    as it is: 0.97 MPa
+    coupling independent: 0.97 MPa
     """
     from masonry.comparison.sensitivity import sensitivity as compare
     from masonry.laboratory.arguments import called, flag, path, whole, words
@@ -135,7 +173,13 @@ def sensitivity(
 
 
 def load_result(folder: "str | Path") -> "Result":
-    """Read the result of an earlier run from its folder. Raises SceneError if the folder is not one of results."""
+    """Read the result of an earlier run from its folder. Raises SceneError if the folder is not one of results.
+
+    >>> files = masonry.run(masonry.load("couplet", {"confinement": "0.1 MPa"})).save("couplet-0.1")
+    >>> result = masonry.load_result("couplet-0.1")
+    >>> print(f"{result.peak.stress / 1e6:.2f} MPa")
+    0.97 MPa
+    """
     from masonry.laboratory.arguments import path
     from masonry.laboratory.result import load_result
 
@@ -165,6 +209,13 @@ def write_blocks(
     open_gaps  gaps larger than the tolerance stay open; else those of up to ten times of it are refused
     Returns the path. Raises GeometryError, with the block to blame, for bodies that are not closed or not flat, or that
     overlap, SceneError for the rest; then nothing is written.
+
+    >>> import numpy as np
+    >>> corners = np.array([[x, y, z] for x in (0, 0.2) for y in (0, 0.1) for z in (0, 0.1)])  # (8, 3) m
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> blocks = [(corners, faces), (corners + [0, 0, 0.1], faces)]
+    >>> masonry.write_blocks("two.blocks.h5", blocks, names=["lower", "upper"]).name
+    'two.blocks.h5'
     """
     from masonry.importing.block_writing import write_blocks as write
 

@@ -1,0 +1,25 @@
+"""The examples in the docstrings of what `masonry` offers run, and print what they say."""
+
+import doctest
+import inspect
+
+import pytest
+
+import masonry
+
+FUNCTIONS = sorted(name for name, _ in inspect.getmembers(masonry, inspect.isfunction) if not name.startswith("_"))
+
+
+def test_these_are_the_functions_that_a_user_has():
+    assert FUNCTIONS == ["check", "limit", "load", "load_result", "run", "scenes", "sensitivity", "write_blocks"]
+
+
+@pytest.mark.parametrize("name", ["masonry", *FUNCTIONS])
+def test_the_example_of_a_docstring_prints_what_it_says(name, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    text = (masonry if name == "masonry" else getattr(masonry, name)).__doc__
+    example = doctest.DocTestParser().get_doctest(text, {"masonry": masonry}, name, masonry.__file__, 0)
+    assert example.examples
+    failures: list[str] = []
+    doctest.DocTestRunner(verbose=False).run(example, out=failures.append)
+    assert not failures, "".join(failures)
