@@ -36,7 +36,7 @@ Summary = dict[str, Any]
 
 
 def run(scene: str, target: str, out: Path) -> Summary:
-    """The summary of a scene, with the sentence of trust; what a run says that ends without one."""
+    """The summary of a scene; what a run says that ends without one."""
     environment = {key: value for key, value in os.environ.items() if not key.startswith("NUMBA_CPU")}
     environment.pop("MASONRY_LANES", None)
     command = [sys.executable, "-m", "masonry", "run", scene, "--out", str(out), "--quiet"]
@@ -44,10 +44,8 @@ def run(scene: str, target: str, out: Path) -> Summary:
     file = out / "summary.json"
     if not file.exists():
         return {"failed": (done.stderr or done.stdout).strip()}
-    from masonry.judgement.trust import trust
-
     summary: Summary = json.loads(file.read_text(encoding="utf-8"))
-    return summary | {"trust": trust(summary)}
+    return summary
 
 
 def numbers(summary: Summary) -> dict[str, tuple[float, float]]:
@@ -78,12 +76,11 @@ def accuracy(summary: Summary) -> float:
 
 def tells(summary: Summary) -> str:
     """Why another run of the same may differ, in the run's own words; "" where it says nothing."""
-    said = summary["trust"]
     if summary["symmetry_lost"]:
         return f"symmetry lost across {summary['symmetry_lost']}"
-    if summary.get("sudden_cracks") and said.startswith("with care"):
+    if summary.get("sudden_cracks") and summary["verdict"] != "sound":
         return "sudden cracks"
-    return "with care" if said.startswith("with care") else ""
+    return "" if summary["verdict"] == "sound" else str(summary["verdict"])
 
 
 def compared(one: Summary, other: Summary) -> tuple[str, float]:

@@ -15,7 +15,7 @@ from geometry.files.blocks_h5 import save_blocks
 from masonry import scene
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import SceneError, Stopped
-from masonry.judgement.trust import trust
+from masonry.judgement.judgement import judgement_of
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
 from masonry.scene import Scene
@@ -26,7 +26,6 @@ Settings = Mapping[str, Any]
 FOLDER = Path(__file__).parent / "scenes"
 """The scenes of the verification, which `masonry run` takes too."""
 BLOCKS = "made.blocks.h5"
-CARE = "with care: "
 
 
 @dataclass
@@ -68,8 +67,9 @@ class Run:
     @property
     def warning(self) -> str:
         """What the program itself says against the result; "" where it says nothing."""
-        word = trust(self.summary) if self.summary else f"{CARE}there is no summary"
-        return word.removeprefix(CARE) if word.startswith(CARE) else ""
+        if not self.summary:
+            return "there is no summary"
+        return "; ".join(doubt.sentence for doubt in judgement_of(self.summary).doubts)
 
     def value(self, quantity: str) -> float:
         """Peak and final stress (Pa), or the energy dissipated by fracture and friction (J)."""

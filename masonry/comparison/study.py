@@ -8,7 +8,8 @@ from typing import Any
 from geometry.files.atomic import WholeFiles
 from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
-from masonry.judgement.trust import trust
+from masonry.judgement.judgement import judgement_of
+from masonry.judgement.sentence import trust
 from masonry.runtime.folder import RESULTS, claim, scene_name, writing
 from masonry.runtime.lock import sole
 from masonry.runtime.progress import Tell
@@ -23,8 +24,6 @@ SCENE, TABLE = "scene.toml", "sensitivity.json"
 DOING = "compares variants of a scene in it"
 LARGEST = 100_000_000
 """Bytes of a scene."""
-CARE = "with care"
-"""How the sentence of a run with doubts begins."""
 DISSIPATED = ("energy_j.fracture_mode_1", "energy_j.fracture_mode_2", "energy_j.friction")
 
 
@@ -92,8 +91,8 @@ def _trust(ended: Row, folder: Path) -> tuple[str, str]:
     """In a word, and in the sentence that the run's own summary would have."""
     if ended["status"] != OK:
         return ended["status"].lower(), ended["reason"]
-    sentence = trust(json_of(folder / "runs" / ended["key"] / "summary.json"))
-    return (CARE if sentence.startswith(CARE) else "sound"), sentence
+    summary = json_of(folder / "runs" / ended["key"] / "summary.json")
+    return judgement_of(summary).verdict, trust(summary)
 
 
 def _deviations(row: dict[str, Any], base: dict[str, Any]) -> dict[str, float | None]:

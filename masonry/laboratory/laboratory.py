@@ -7,6 +7,8 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
+from masonry.judgement.doubt import Doubt
+from masonry.judgement.judgement import judge
 from masonry.kinematics.motion import Guided
 from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
 from masonry.laboratory.quality import quality_lines
@@ -88,8 +90,9 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     remarks += twist_remarks(assembly, outcome)
     remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", []), *_blow(assembly, outcome)]
     remarks += unrest(assembly, outcome)
+    summary = {**summarise(assembly, outcome), "warnings": remarks}
     return Result(
-        summary={**summarise(assembly, outcome), "warnings": remarks},
+        summary=summary | judge(summary, [Doubt("warning", None, None, line) for line in remarks]).as_keys(),
         history=outcome.history,
         specimen=assembly.specimen,
         joints=assembly.joints,

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from masonry.judgement.trust import has_drive, trust
+from masonry.judgement.evidence import has_drive
+from masonry.judgement.sentence import advice, trust
 from masonry.judgement.words import BELOW_0, percent
 from masonry.results.frames import without_noise
 from masonry.results.reactions import reaction_lines
@@ -90,6 +91,7 @@ def summary_rows(summary: dict[str, Any]) -> Rows:
         ("steps", [str(summary.get("steps", "not known"))]),
         ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
         ("trust", [trust(summary)]),
+        *([("advice", lines)] if (lines := advice(summary)) else []),
     ]
 
 

@@ -7,7 +7,10 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen, TetMesh
 from masonry.errors import SceneError
-from masonry.judgement.trust import has_drive, trust
+from masonry.judgement.doubt import Doubt
+from masonry.judgement.evidence import has_drive
+from masonry.judgement.judgement import judgement_of
+from masonry.judgement.sentence import trust
 from masonry.results.table import Table, table_of
 from masonry.rows.history import History
 from masonry.rows.peak import before_a_collapse, peak_row
@@ -105,8 +108,18 @@ class ResultData:
         return dict(self.summary.get("energy_j") or {})
 
     @property
+    def verdict(self) -> str:
+        """How far to trust the numbers, in a word: "sound", "with care", or "stopped" before the end."""
+        return judgement_of(self.summary).verdict
+
+    @property
+    def doubts(self) -> tuple[Doubt, ...]:
+        """What speaks against the numbers, the largest doubt first: name, value, limit, sentence, advice."""
+        return judgement_of(self.summary).doubts
+
+    @property
     def trust(self) -> str:
-        """How far to trust the numbers, in a sentence."""
+        """How far to trust the numbers, in a sentence that begins with the verdict."""
         return trust(self.summary)
 
     def finite(self) -> Self:

@@ -8,7 +8,7 @@ import pytest
 
 from masonry import scene
 from masonry.errors import SceneError
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
 from verification.fixtures.arches import Arch, greatest_thrust, least_thrust

@@ -5,7 +5,7 @@ import pytest
 
 from masonry import scene
 from masonry.errors import Stopped
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 
 TILT = 0.1504653

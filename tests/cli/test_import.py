@@ -9,7 +9,7 @@ from geometry.files.blocks_h5 import load_blocks
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import volumes
 from masonry.cli.main import main
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.scene import load
 from masonry.scene.schema import INVENTED

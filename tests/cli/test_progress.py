@@ -9,7 +9,7 @@ import threading
 
 import pytest
 
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory.text import accuracy_text, summary_text
 from masonry.runtime.progress import Progress, duration
 from tests.results.sample import SUMMARY

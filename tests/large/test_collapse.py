@@ -7,7 +7,7 @@ from math import cos, radians, sin, sqrt, tan
 import pytest
 
 from masonry import scene
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import summary_text
 from tests.large.made import G, dry, leaning, slab

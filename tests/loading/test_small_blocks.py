@@ -9,7 +9,7 @@ import masonry
 from masonry.assembly.assemble import assemble
 from masonry.configuration import energy
 from masonry.errors import Stopped
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.travels import Limits, Travels
 from masonry.monitors.unrest import EachBlock

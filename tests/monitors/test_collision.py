@@ -13,7 +13,7 @@ from masonry.assembly.assemble import assemble
 from masonry.cli.main import main
 from masonry.configuration.energy import Seen
 from masonry.errors import Stopped
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.monitors.collisions.collision import Collision, overlap_along
 from masonry.monitors.collisions.corners import Corners

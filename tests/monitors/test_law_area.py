@@ -6,7 +6,7 @@ import pytest
 
 from masonry import scene
 from masonry.assembly.assemble import assemble
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.monitors.mode_2_area import area
 from verification.fixtures.one_contact import law

@@ -7,7 +7,7 @@ import pytest
 
 from masonry import scene
 from masonry.errors import SceneError
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.pictures.style import plain
 from masonry.runtime.interrupts import interrupt_afterwards

@@ -10,7 +10,7 @@ from masonry.assembly.assemble import assemble, joined
 from masonry.cli.main import main
 from masonry.configuration.energy import Seen
 from masonry.errors import Stopped
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.monitors.observer import View
 from masonry.monitors.slide import Slide

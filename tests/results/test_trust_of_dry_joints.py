@@ -2,7 +2,7 @@
 
 import pytest
 
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.scene import load as load_scene
 from tests.scenes import box, listed, load, specimen, tables

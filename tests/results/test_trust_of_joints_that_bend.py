@@ -9,7 +9,7 @@ import pytest
 import verification
 from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.remarks.joint_faces import faces_of, look_at
 from masonry.laboratory.remarks.joint_sections import envelope, of_points, spread, strength

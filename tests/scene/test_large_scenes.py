@@ -6,7 +6,7 @@ import pytest
 from geometry.polyhedra.measures import bounds, volumes
 from masonry.assembly.assemble import assemble
 from masonry.assembly.schedule import tilt_at
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.scene import load, packaged
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.scene import Scene
 from verification import scene_runs

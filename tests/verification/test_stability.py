@@ -9,7 +9,7 @@ import pytest
 
 from masonry import scene
 from masonry.errors import SceneError
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from verification.html.page import Chapter
 from verification.scene_runs import Run, joint_of, load

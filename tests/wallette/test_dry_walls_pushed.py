@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
 from tests.scenes import load

@@ -8,7 +8,7 @@ import pytest
 
 from masonry import scene
 from masonry.assembly.assemble import assemble
-from masonry.judgement.trust import uneven
+from masonry.judgement.sentence import note
 from masonry.laboratory import laboratory
 from masonry.laboratory.summary.symmetry import is_loaded_alike, symmetry_lost
 
@@ -91,5 +91,5 @@ def test_a_symmetric_wall_that_is_pushed_to_one_side_has_no_symmetry_to_lose():
 
 
 def test_where_a_factor_was_asked_for_nothing_is_said_of_what_is_dissipated():
-    assert "have left the symmetry" in uneven({"symmetry_lost": "x"})
-    assert uneven({"symmetry_lost": "x", "collapse_load": {"borne": 1.0, "falls": 1.01}}) == ""
+    assert "have left the symmetry" in note({"symmetry_lost": "x"})
+    assert note({"symmetry_lost": "x", "collapse_load": {"borne": 1.0, "falls": 1.01}}) == ""

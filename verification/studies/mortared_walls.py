@@ -3,7 +3,7 @@
 import re
 from typing import Any, NamedTuple
 
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from verification.stability.scenes import Knobs, box
 
 WALL, BLOCK = "mortared-wall", "block-bent-at-its-bed"

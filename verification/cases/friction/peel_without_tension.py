@@ -6,7 +6,7 @@
 The drive must be bounded from the first opening on, not only from the first fracture energy: else it overruns the peak.
 """
 
-from masonry.judgement.trust import trust
+from masonry.judgement.sentence import trust
 from verification.case import Case, Findings
 from verification.scene_runs import result_of
 

@@ -1,0 +1,85 @@
+"""What may speak against the numbers of a run: a doubt, and the criterion by which it is raised."""
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from masonry.judgement.evidence import Evidence
+from masonry.judgement.words import percent
+
+SOUND, WITH_CARE, STOPPED = "sound", "with care", "stopped"
+"""The verdicts, from the best to the worst: nothing speaks against a run, something does, it ended before its end."""
+VERDICTS = (SOUND, WITH_CARE, STOPPED)
+
+
+class Doubt(NamedTuple):
+    """What speaks against the numbers of a run, as `summary.json` has it.
+
+    name      of the criterion
+    value     what was measured; None where the doubt is no matter of a number
+    limit     what it should have stayed within, in the same unit
+    sentence  what is wrong
+    advice    what to do about it; "" where nothing helps
+    """
+
+    name: str
+    value: float | None
+    limit: float | None
+    sentence: str
+    advice: str = ""
+
+    @property
+    def excess(self) -> float:
+        """How many times the value is beyond its limit, a largest or a least one; infinite without numbers."""
+        if self.value is None or not self.limit or not self.value:
+            return math.inf
+        ratio = abs(self.value / self.limit)
+        return max(ratio, 1.0 / ratio) if math.isfinite(ratio) else math.inf
+
+    @property
+    def line(self) -> str:
+        """The sentence and the advice."""
+        return f"{self.sentence}: {self.advice}" if self.advice else self.sentence
+
+
+class Criterion(NamedTuple):
+    """A question that is asked of a run, and its limit, in a file of `masonry/judgement/doubts/` that has its reason.
+
+    name      of the doubt
+    measure   a number, whose limit is a largest one; or whether something happened. None where it was not measured
+    limit     a number, or what it is in a run; without one any number but 0 is a doubt
+    sentence  with {value}, {limit} and {percent} (the value in per cent), or a function of evidence and value
+    advice    what to do about it
+    asked_of  whether a run is asked at all
+    unknown   the sentence where it was not measured; "" where that is no doubt
+    verdict   to which the doubt leads
+    """
+
+    name: str
+    measure: Callable[[Evidence], float | bool | None]
+    sentence: str | Callable[[Evidence, float], str]
+    limit: float | Callable[[Evidence], float | None] | None = None
+    advice: str | Callable[[Evidence], str] = ""
+    asked_of: Callable[[Evidence], bool] = lambda evidence: True
+    unknown: str = ""
+    verdict: str = WITH_CARE
+
+    def doubt(self, evidence: Evidence) -> Doubt | None:
+        """The doubt that a run raises; None where all is well, where it is not asked, and where it was not measured."""
+        if not self.asked_of(evidence):
+            return None
+        value = self.measure(evidence)
+        if value is None:
+            return Doubt(self.name, None, None, self.unknown) if self.unknown else None
+        limit = self.limit(evidence) if callable(self.limit) else self.limit
+        if not value > (limit or 0.0):
+            return None
+        advice = self.advice(evidence) if callable(self.advice) else self.advice
+        number = None if isinstance(value, bool) else float(value)
+        return Doubt(self.name, number, limit, self._words(evidence, value, limit), advice)
+
+    def _words(self, evidence: Evidence, value: float, limit: float | None) -> str:
+        if callable(self.sentence):
+            return self.sentence(evidence, value)
+        words: dict[str, Any] = {"value": value, "limit": limit, "percent": percent(value)}
+        return self.sentence.format(**words)

@@ -1,0 +1,1 @@
+"""What contacts of the shape as drawn do not describe: overlaps, long slips, blocks that meet."""

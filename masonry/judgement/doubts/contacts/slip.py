@@ -1,0 +1,26 @@
+"""Do contacts slide far over their joints? They keep the areas that they had at first, which are off by that share.
+
+The limit is a fifth of `solver.slip_limit`, at which a run is ended: 5 % of the joint, where that is 25 %.
+"""
+
+import math
+
+from masonry.judgement.doubt import Criterion
+from masonry.judgement.evidence import Evidence
+
+SHARE = 0.2
+"""Of `solver.slip_limit`."""
+
+
+def sentence(evidence: Evidence, value: float) -> str:
+    """Bonds in large displacement hold their blocks together, so that these are not looked at elsewhere."""
+    bonds = "; blocks held by such bonds do not meet elsewhere" if "in_real_time" in evidence.summary else ""
+    return f"contacts slid by up to {value:.2g} of their joints, but keep the areas that they had at first{bonds}"
+
+
+SLIP = Criterion(
+    name="slip",
+    measure=lambda evidence: evidence.number("slip_max"),
+    limit=lambda evidence: SHARE * (evidence.number("slip_limit") or math.inf),
+    sentence=sentence,
+)

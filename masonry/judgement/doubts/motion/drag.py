@@ -1,0 +1,26 @@
+"""Does damping hold up the peak? Its force over that of the drive, at the peak: the peak may be too high by as much.
+
+The limit is the accuracy that the drive was asked for.
+"""
+
+from masonry.judgement.doubt import Criterion
+from masonry.judgement.evidence import Evidence
+from masonry.judgement.words import percent
+
+
+def accuracy(evidence: Evidence) -> float:
+    """That of the drive; 1 where none was asked for."""
+    value = evidence.number("control.accuracy")
+    return 1.0 if value is None else value
+
+
+DRAG = Criterion(
+    name="drag_at_peak",
+    measure=lambda evidence: evidence.number("control.drag_at_peak"),
+    limit=accuracy,
+    sentence=lambda evidence, value: (
+        f"damping took {percent(min(value, 1.0))} of the force at the peak, which may be too high by as much"
+    ),
+    advice="ask for a smaller accuracy",
+    asked_of=lambda evidence: "drag_at_peak" in evidence.table("control"),
+)

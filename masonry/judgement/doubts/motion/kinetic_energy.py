@@ -1,0 +1,19 @@
+"""Is the kinetic energy small beside the energy that the specimen took up? The largest ratio of all rows that count.
+
+5 to 10 % is the usual limit of quasi-static analyses by explicit integration; the lower one counts.
+"""
+
+from masonry.judgement.doubt import Criterion
+from masonry.judgement.doubts.motion.quasi_static import should_be_slow
+
+LIMIT = 0.05
+KINETIC_ENERGY = Criterion(
+    name="kinetic_energy",
+    measure=lambda evidence: evidence.number("kinetic_over_internal_max"),
+    limit=LIMIT,
+    sentence="not quasi-static: the kinetic energy reaches {value:.2g} of the internal energy (should be under "
+    "{limit:g})",
+    advice="load more slowly: ask for a smaller accuracy, or lower the rate",
+    asked_of=should_be_slow,
+    unknown="the kinetic energy is not known",
+)

@@ -1,0 +1,18 @@
+"""Do the forces at drive and support agree? Their largest difference over the peak: inertia makes it.
+
+The stress is read at the drive: it is uncertain by what the other end reads otherwise, and a test is read to 1 or 2 %.
+"""
+
+from masonry.judgement.doubt import Criterion
+from masonry.judgement.doubts.motion.quasi_static import should_be_slow
+
+REACTION_MISMATCH = Criterion(
+    name="reaction_mismatch",
+    measure=lambda evidence: evidence.number("reaction_mismatch_max"),
+    limit=0.02,
+    sentence="not quasi-static: the forces at drive and support differ by {value:.2g} of the peak (should be under "
+    "{limit:g})",
+    advice="load more slowly: ask for a smaller accuracy, or lower the rate",
+    asked_of=should_be_slow,
+    unknown="by how much the forces at drive and support differ is not known",
+)

@@ -1,0 +1,60 @@
+"""The numbers of a summary as criteria ask for them: what is missing, null or no number was not measured."""
+
+import math
+from typing import Any
+
+Table = dict[str, Any]
+
+
+class Evidence:
+    """A summary to be judged."""
+
+    def __init__(self, summary: Table) -> None:
+        self.summary = summary
+
+    def number(self, key: str) -> float | None:
+        """The number at a dotted key, `energy_j.kinetic`; None where it was not measured."""
+        table: Any = self.summary
+        for name in key.split("."):
+            table = table.get(name) if isinstance(table, dict) else None
+        return None if table is None or math.isnan(table) else table
+
+    def magnitude(self, key: str) -> float | None:
+        """The same without its sign."""
+        value = self.number(key)
+        return None if value is None else abs(value)
+
+    def table(self, key: str) -> Table:
+        """The table of a key; an empty one where there is none."""
+        return self.summary.get(key) or {}
+
+    @property
+    def in_real_time(self) -> bool:
+        """Whether masses are real and displacements large, so that the run is a motion in time."""
+        return bool(self.summary.get("in_real_time"))
+
+    @property
+    def has_drive(self) -> bool:
+        """Whether something is driven."""
+        return has_drive(self.summary)
+
+    @property
+    def grows(self) -> bool:
+        """Whether a load grew, or went to and fro, in search of a collapse."""
+        return bool(self.summary.get("collapse_load"))
+
+    @property
+    def falls(self) -> bool:
+        """Whether something fell under that load."""
+        return self.number("collapse_load.falls") is not None
+
+    @property
+    def branch(self) -> Table:
+        """What became of the gauge that was to be controlled behind the collapse; empty without a collapse."""
+        return (self.table("collapse_load").get("branch") or {}) if self.falls else {}
+
+
+def has_drive(summary: Table) -> bool:
+    """Whether the run has a drive; True where the summary has no reactions to tell."""
+    end = (summary.get("reactions") or {}).get("end")
+    return end is None or "drive" in end

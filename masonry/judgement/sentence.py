@@ -1,0 +1,52 @@
+"""The sentence of trust: the verdict, then the largest doubts, or what is clean. It knows no doubt by name."""
+
+from typing import Any
+
+from masonry.judgement.doubt import SOUND
+from masonry.judgement.evidence import Evidence
+from masonry.judgement.judgement import judgement_of
+from masonry.judgement.words import percent
+
+MOST = 3
+"""Doubts in a sentence; `doubts` of summary.json has all of them."""
+
+
+def trust(summary: dict[str, Any]) -> str:
+    """How far the numbers may be trusted: a sentence that begins with the verdict."""
+    judgement = judgement_of(summary)
+    verdict, doubts = judgement.verdict, judgement.doubts
+    if verdict == SOUND:
+        return f"{verdict}: {motion(Evidence(summary))}, and the energy balance closes.{note(summary)}"
+    more = len(doubts) - MOST
+    words = [doubt.sentence for doubt in doubts[:MOST]] + [f"and {more} more"] * (more > 0)
+    return f"{verdict}: {'; '.join(words)}."
+
+
+def advice(summary: dict[str, Any]) -> list[str]:
+    """What to do about all doubts, the largest first, each once."""
+    return list(dict.fromkeys(doubt.advice for doubt in judgement_of(summary).doubts if doubt.advice))
+
+
+def motion(evidence: Evidence) -> str:
+    """In what state a sound run was."""
+    if evidence.grows:
+        led = evidence.branch
+        behind = f", within {percent(led['out_of_balance_max'])} of equilibrium behind the collapse" if led else ""
+        return f"at rest under each factor that is borne{behind}"
+    if evidence.in_real_time:
+        return "in real time"
+    return "quasi-static" if evidence.has_drive else "at rest"
+
+
+def note(summary: dict[str, Any]) -> str:
+    """What is said of cracks that left the symmetry of the specimen: no doubt of this run, but of one that is alike.
+
+    Nothing where a factor was asked for, not what is dissipated.
+    """
+    if not (axis := summary.get("symmetry_lost")) or summary.get("collapse_load"):
+        return ""
+    return (
+        f" The cracks have left the symmetry of the specimen across {axis}: where two are alike, the pace decides which"
+        " one opens, and what is dissipated behind that may differ by several per cent; [scatter] decides as in a real"
+        " wall."
+    )
