@@ -5,7 +5,7 @@ import pytest
 
 from masonry import scene
 from masonry.errors import Stopped
-from masonry.judgement.sentence import trust
+from masonry.judgement.sentence import advice, trust
 from masonry.laboratory import laboratory
 
 TILT = 0.1504653
@@ -29,7 +29,7 @@ def test_an_arch_that_is_tilted_too_far_is_doubted_however_slowly_it_falls(share
 def test_an_arch_that_is_a_little_too_thin_is_doubted(thickness):
     summary = laboratory.run(scene.load("arch", {"specimen.thickness": f"{thickness} mm"})).summary
     assert summary["unbalanced_after_settling"] < 1e-3, "by limit analysis 106.07 mm are needed"
-    assert "cannot stand under them" in trust(summary)
+    assert any("cannot stand under them" in words for words in advice(summary))
 
 
 def test_steps_that_are_found_leave_no_swing_in_the_thrust():

@@ -103,9 +103,9 @@ def test_durations_read_as_one_says_them(seconds, words):
 
 
 def test_trust_follows_from_the_numbers():
-    assert trust(SUMMARY).startswith("quasi-static")
-    assert "two ends differ by 0.3" in trust(SUMMARY | {"reaction_mismatch_max": 0.3})
-    assert "load more slowly" in trust(SUMMARY | {"kinetic_over_internal_max": 0.5})
+    assert trust(SUMMARY).startswith("sound: quasi-static")
+    assert "drive and support differ by 0.3" in trust(SUMMARY | {"reaction_mismatch_max": 0.3})
+    assert "load more slowly" in summary_text(SUMMARY | {"kinetic_over_internal_max": 0.5})
     assert "open by 0.001" in trust(SUMMARY | {"energy_imbalance": -1e-3})
     assert "not known" in trust(SUMMARY | {"energy_imbalance": None})
     assert "interrupted" in trust(SUMMARY | {"interrupted": True})

@@ -149,7 +149,7 @@ def test_a_number_is_no_doubt_of_a_run_that_it_says_nothing_of(summary, numbers)
         (DRIVEN, {"reaction_mismatch_max": None}, "by how much the forces at drive and support differ is not known"),
         (DRIVEN, {"kinetic_over_internal_max": None}, "the kinetic energy is not known"),
         (DRIVEN, {"interrupted": True}, "the run was interrupted"),
-        (DRIVEN, {"stopped": "unstable"}, "the program ended the run before its end"),
+        (DRIVEN, {"stopped": "unstable"}, "the run was stopped"),
         (DRIVEN, {"energy_j__area": None}, "there is no number of this energy: area"),
         (DRIVEN, {"energy_j__kinetic": float("inf")}, "there is no number of this energy: kinetic"),
         (DRIVEN, {"met": "block 1 and block 2 meet"}, "block 1 and block 2 meet: nothing holds them apart"),

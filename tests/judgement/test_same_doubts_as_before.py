@@ -13,7 +13,7 @@ from tests.judgement.trust_before import trust as trust_before
 
 BEFORE = {
     "interrupted": ("interrupted",),
-    "the run was stopped": ("ended_early",),
+    "the run was stopped": ("stopped",),
     "energy balance is": ("energy_balance",),
     "laws and contacts disagree": ("dissipation",),
     "no number of this energy": ("energy_numbers",),

@@ -54,7 +54,7 @@ def test_a_mechanism_of_the_shape_as_drawn_goes_on_at_the_collapse_factor(fricti
     assert factor[late] == pytest.approx(known * (1.0 + AIMED), rel=1e-4)
     assert result.history.rows[OFF_BALANCE][-len(way) :][late] == pytest.approx(AIMED, rel=0.02)
     assert result.summary["energy_imbalance"] < 1e-12 and found["leaps"] == 0
-    assert "behind the collapse and the energy balance closes" in said(result) and "with care" not in said(result)
+    assert "behind the collapse, and the energy balance closes" in said(result) and "with care" not in said(result)
 
 
 def test_a_row_shows_where_the_branch_ends_and_the_picture_shows_the_factor_over_the_gauge():

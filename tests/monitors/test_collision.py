@@ -13,7 +13,7 @@ from masonry.assembly.assemble import assemble
 from masonry.cli.main import main
 from masonry.configuration.energy import Seen
 from masonry.errors import Stopped
-from masonry.judgement.sentence import trust
+from masonry.judgement.judgement import judge
 from masonry.laboratory import laboratory
 from masonry.monitors.collisions.collision import Collision, overlap_along
 from masonry.monitors.collisions.corners import Corners
@@ -166,8 +166,9 @@ def test_blocks_that_touched_along_an_edge_lie_on_each_other_a_little_with_a_dou
 
 
 def test_the_doubt_is_told():
-    said = trust({"met": "block 1 and block 2 meet around (0, 0, 0) m, where they have no joint, from step 9 on"})
-    assert "from step 9 on: nothing holds them apart" in said
+    met = {"met": "block 1 and block 2 meet around (0, 0, 0) m, where they have no joint, from step 9 on"}
+    doubts = {doubt.name: doubt.sentence for doubt in judge(met).doubts}
+    assert "from step 9 on: nothing holds them apart" in doubts["meeting"]
 
 
 @pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])

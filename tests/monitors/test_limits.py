@@ -32,7 +32,7 @@ def test_a_run_whose_dead_loads_did_not_come_to_rest_says_so():
     hasty = {"settle.steps": 20, "drive.steps": 200, "kinematics": "affine"}
     summary = laboratory.run(scene.load("couplet", hasty)).summary
     assert summary["unbalanced_after_settling"] > 0.01
-    assert "settle.steps" in trust(summary)
+    assert "dead loads had not come to rest" in trust(summary)
     patient = laboratory.run(scene.load("couplet", {"drive.steps": 200, "kinematics": "affine"})).summary
     assert patient["unbalanced_after_settling"] < 1e-6
 
@@ -40,7 +40,7 @@ def test_a_run_whose_dead_loads_did_not_come_to_rest_says_so():
 def test_the_mismatch_of_the_two_ends_is_looked_for_at_the_peak_too():
     """Twenty times too fast: the ends differ most round the peak, which comes before the end of the ramp."""
     summary = laboratory.run(scene.load("wallette-mode-1", {"drive.rate": "20 mm/s", "drive.ramp": 0.9})).summary
-    assert summary["reaction_mismatch_max"] > 0.02 and "two ends differ" in trust(summary)
+    assert summary["reaction_mismatch_max"] > 0.02 and "drive and support differ" in trust(summary)
 
 
 def test_ctrl_c_while_compiling_counts_when_the_compiler_is_done():

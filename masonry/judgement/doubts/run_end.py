@@ -9,10 +9,10 @@ INTERRUPTED = Criterion(
     advice="`masonry resume` continues it from its last checkpoint",
     verdict=STOPPED,
 )
-ENDED = Criterion(
-    name="ended_early",
+STOPPED_EARLY = Criterion(
+    name="stopped",
     measure=lambda evidence: bool(evidence.summary.get("stopped")),
-    sentence="the program ended the run before its end, so this is only its first part",
+    sentence="the run was stopped, so this is only its first part",
     advice="the key `stopped` of summary.json says why",
     verdict=STOPPED,
 )
