@@ -4,12 +4,12 @@ moves most; asked where the dead loads had settled and nothing fell.
 The limits are those of the settling, for the same reasons.
 """
 
-from masonry.rows.rest_criterion import LONE, still_moving
 from masonry.judgement.doubt import Criterion
 from masonry.judgement.doubts.motion.settling import KINETIC, rests
 from masonry.judgement.doubts.motion.settling_block import KINETIC_BLOCK, UNBALANCED_BLOCK
 from masonry.judgement.evidence import Evidence
 from masonry.judgement.words import block_at
+from masonry.rows.rest_criterion import LONE, still_moving
 
 TERMS = ("kinetic", "elastic_blocks", "elastic_contacts", "external_work")
 

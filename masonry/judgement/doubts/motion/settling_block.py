@@ -5,11 +5,11 @@ Where all swing together some blocks swing more than the mean: the force on one 
 the sum ten times, and its energy the square of that.
 """
 
-from masonry.rows.rest_criterion import LONE
 from masonry.judgement.doubt import Criterion
 from masonry.judgement.doubts.motion.settling import ADVICE, KINETIC, UNBALANCED, is_asked, rests
 from masonry.judgement.evidence import Evidence
 from masonry.judgement.words import block_at
+from masonry.rows.rest_criterion import LONE
 
 
 def is_block_asked(evidence: Evidence) -> bool:
