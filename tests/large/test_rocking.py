@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from masonry import scene
+from masonry.configuration.energy import open_in_contacts
 from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.energy import kinetic, ledger, observe, velocities
 from masonry.judgement.sentence import trust
 from masonry.laboratory.text import sudden_text
 from masonry.loading.moves.impulses import momenta
