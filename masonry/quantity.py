@@ -1,19 +1,18 @@
 """Quantities as people write them: "0.87 MPa" becomes an SI float, exactly rounded, or one sentence that says why not.
 
-Pint knows the units, but never sees what the user wrote: the text must first match a short strict grammar (a number,
-then at most six unit symbols with small powers), so no text can be an expression, hang or grow without bound. Factors
-are exact fractions, so "1 N/mm^2" and "1 MPa" give the same bits, and so does an SI value written out and
-read again.
+A text must match a short strict grammar: a number, then at most six units with small powers. So no text can be an
+expression, hang or grow without bound. Factors are exact fractions (masonry/units.py), so "1 N/mm^2" and "1 MPa" give
+the same bits, and so does an SI value written out and read again.
 """
 
 import math
 import re
-from collections import Counter
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from masonry.errors import SceneError, closest
+from masonry.errors import SceneError
+from masonry.units import SYMBOL, measure
 
 
 class Kind(NamedTuple):
@@ -43,26 +42,12 @@ KINDS = {
 }
 
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?"
-_SYMBOL = r"[A-Za-zµμ°]+(?:_[A-Za-z]+)?(?:(?:\^|\*\*)?-?[1-9])?"
+_SYMBOL = rf"{SYMBOL}(?:(?:\^|\*\*)?-?[1-9])?"
 _TEXT = re.compile(rf"\s*({_NUMBER})\s*({_SYMBOL}(?:\s*[*/ ]\s*{_SYMBOL}){{0,5}})?\s*", re.ASCII)
-_FACTOR = re.compile(r"([*/ ]?)\s*([A-Za-zµμ°]+(?:_[A-Za-z]+)?)(?:(?:\^|\*\*)?(-?[1-9]))?\s*")
 _POWERS = str.maketrans({"²": "2", "³": "3", "⁴": "4", "·": "*"})
 _LONGEST = 80
-_COMMON = ("m", "mm", "cm", "in", "s", "ms", "N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "kg", "g", "J", "deg", "rad")
 GRAVITY = Fraction("9.80665")
 """m/s^2, the standard one, by which a unit weight is divided where a density is asked for."""
-_PI = Fraction("3.1415926535897932384626433832795028841971693993751")
-EXACT: dict[str, tuple[Any, int, int, int]] = {
-    **{"m": ("1", 1, 0, 0), "cm": ("0.01", 1, 0, 0), "mm": ("0.001", 1, 0, 0)},
-    **{"kg": ("1", 0, 1, 0), "s": ("1", 0, 0, 1), "ms": ("0.001", 0, 0, 1)},
-    **{"min": ("60", 0, 0, 1), "h": ("3600", 0, 0, 1)},
-    **{"rad": ("1", 0, 0, 0), "deg": (_PI / 180, 0, 0, 0)},
-    **{"N": ("1", 1, 1, -2), "kN": ("1e3", 1, 1, -2), "J": ("1", 2, 1, -2)},
-    **{"Pa": ("1", -1, 1, -2), "kPa": ("1e3", -1, 1, -2), "MPa": ("1e6", -1, 1, -2), "GPa": ("1e9", -1, 1, -2)},
-}
-"""Units for which pint need not be asked: factor to SI, powers of length, mass and time."""
-_COMMON_UNITS = f"common units are {', '.join(_COMMON)}"
-_TRAPS = {"mPa": "MPa (mega; mPa is a thousandth of a pascal)", "gPa": "GPa"}
 _ALLOWED = re.compile(r"([\[(])(-?[\d.e+-]+|-inf), (-?[\d.e+-]+|inf)([\])])(?: (.+))?")
 
 
@@ -116,11 +101,12 @@ def _with_unit(text: str, kind: str, name: str, need: str) -> float:
     number, unit = match.groups()
     if unit is None:
         raise ValueError(f"{_short(text)} has no unit; {need}")
-    factor, dimension = _unit(unit)
-    if kind == "density" and dimension == _unit("N/m^3")[1]:
+    factor, powers = measure(unit)
+    if kind == "density" and powers == measure("N/m^3").powers:
         return float(Fraction(number) * factor / GRAVITY)
-    if dimension != _unit(KINDS[kind].unit)[1]:
-        is_a = next((f"{unit} is {k.words}" for k in KINDS.values() if k.unit and _unit(k.unit)[1] == dimension), None)
+    if powers != measure(KINDS[kind].unit).powers:
+        alike = (k for k in KINDS.values() if k.unit and measure(k.unit).powers == powers)
+        is_a = next((f"{unit} is {k.words}" for k in alike), None)
         raise ValueError(f"{is_a or f'{unit} does not fit'}; {need}")
     try:
         return float(Fraction(number) * factor)
@@ -132,54 +118,9 @@ def is_unit_weight(value: Any) -> bool:
     """Whether a text is a force per volume, such as "18 kN/m^3"."""
     match = _TEXT.fullmatch(value.translate(_POWERS)) if isinstance(value, str) and len(value) <= _LONGEST else None
     try:
-        return match is not None and match[2] is not None and _unit(match[2])[1] == _unit("N/m^3")[1]
+        return match is not None and match[2] is not None and measure(match[2]).powers == measure("N/m^3").powers
     except ValueError:
         return False
-
-
-@lru_cache(maxsize=1)
-def _registry() -> Any:
-    """Pint's units with exact factors; made when a scene has a unit that is not in EXACT: it takes half a second."""
-    import pint
-
-    return pint.UnitRegistry(non_int_type=Fraction)
-
-
-@lru_cache(maxsize=256)
-def _unit(text: str) -> tuple[Fraction, dict[str, int]]:
-    """Factor to SI and dimension of a text that `_TEXT` let through."""
-    factor, dimension = Fraction(1), Counter[str]()
-    for operator, symbol, power in _FACTOR.findall(text):
-        if symbol in _TRAPS:
-            raise ValueError(f"{symbol} is not accepted; did you mean {_TRAPS[symbol]}?")
-        one, powers = _symbol(symbol)
-        times = int(power or 1) * (-1 if operator == "/" else 1)
-        factor *= one**times
-        for base, n in powers.items():
-            dimension[base] += n * times
-    return factor, {base: n for base, n in dimension.items() if n}
-
-
-def _symbol(symbol: str) -> tuple[Fraction, dict[str, int]]:
-    if symbol in EXACT:
-        factor, *powers = EXACT[symbol]
-        return Fraction(factor), dict(zip(("[length]", "[mass]", "[time]"), powers, strict=True))
-    import pint
-
-    try:
-        unit = _registry().Unit(symbol)
-    except (pint.errors.PintError, TypeError, ValueError):
-        same = next((unit for unit in _COMMON if unit.lower() == symbol.lower()), None)
-        alike = same or closest(symbol[:20], _COMMON, 0.5)
-        nearest = f"did you mean '{alike}'?" if alike else _COMMON_UNITS
-        raise ValueError(f"{_short(symbol)} is no known unit; {nearest}") from None
-    if "[temperature]" in unit.dimensionality:
-        raise ValueError(f"{_short(symbol)} has no place in a scene; {_COMMON_UNITS}")
-    try:
-        si = _registry().Quantity(Fraction(1), unit).to_base_units()
-    except TypeError:  # decibels and other logarithms
-        raise ValueError(f"{_short(symbol)} has no place in a scene; {_COMMON_UNITS}") from None
-    return Fraction(si.magnitude), dict(unit.dimensionality)
 
 
 @lru_cache(maxsize=256)
@@ -189,7 +130,7 @@ def _interval(allowed: str) -> tuple[bool, float, float, bool, str]:
     if match is None:
         raise TypeError(f"not an interval: {allowed}")
     left, low, high, right, unit = match.groups()
-    factor = float(_unit(unit)[0]) if unit else 1.0
+    factor = float(measure(unit).factor) if unit else 1.0
     words = f"in {allowed}"
     if high == "inf":
         words = f"more than {low}" if left == "(" else f"{low} or more"

@@ -13,7 +13,15 @@ OURS = ("geometry", "masonry", "verification", "tests", "benchmarks")
 FLOORS = (
     *("geometry.blocks", "geometry.checks", "geometry.jit_cache", "geometry.polyhedra", "geometry.cells"),
     *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.structures", "geometry.files", "geometry"),
-    *("masonry.errors", "masonry.quantity", "masonry.rows", "masonry.plugins", "masonry.jit", "masonry.simd"),
+    *(
+        "masonry.errors",
+        "masonry.units",
+        "masonry.quantity",
+        "masonry.rows",
+        "masonry.plugins",
+        "masonry.jit",
+        "masonry.simd",
+    ),
     *(
         "masonry.runtime",
         "masonry.statics",

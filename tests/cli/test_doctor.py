@@ -48,9 +48,9 @@ def test_a_missing_package_is_a_problem_and_a_missing_optional_one_is_not(monkey
 
         return known
 
-    monkeypatch.setattr(installed.metadata, "version", without("pint"))
+    monkeypatch.setattr(installed.metadata, "version", without("meshio"))
     good, words = installed.others(optional=False)
-    assert not good and words.startswith("pint not installed") and "pip install" in words
+    assert not good and words.startswith("meshio not installed") and "pip install" in words
     monkeypatch.setattr(installed.metadata, "version", without("pandas"))
     assert installed.others(optional=False)[0]
     good, words = installed.others(optional=True)

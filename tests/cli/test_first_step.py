@@ -10,9 +10,8 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from geometry.joints.find import connected
-from masonry import quantity
 
-LATER = "gmsh matplotlib vtk pyvista meshio skfem h5py pint rich scipy.spatial scipy.sparse scipy.optimize scipy.stats"
+LATER = "gmsh matplotlib vtk pyvista meshio skfem h5py rich scipy.spatial scipy.sparse scipy.optimize scipy.stats"
 BUILT = (
     "from masonry import scene; from masonry.laboratory import laboratory; laboratory.assemble(scene.load('couplet'))"
 )
@@ -23,14 +22,6 @@ def test_what_some_scenes_or_the_results_need_is_not_imported_before_the_first_s
     ask = f"import sys; {code}; print(*set(sys.argv[1:]) & sys.modules.keys())"
     done = subprocess.run([sys.executable, "-c", ask, *LATER.split()], capture_output=True, text=True, check=True)
     assert done.stdout.split() == []
-
-
-@pytest.mark.parametrize("symbol", quantity.EXACT)
-def test_a_unit_that_needs_no_pint_is_the_one_that_pint_knows(symbol, monkeypatch):
-    factor, dimension = quantity._symbol(symbol)
-    monkeypatch.setattr(quantity, "EXACT", {})
-    ours = {base: power for base, power in dimension.items() if power}
-    assert (factor, ours) == quantity._symbol(symbol)
 
 
 @pytest.mark.parametrize(("blocks", "joints"), [(1, 0), (5, 2), (200, 90), (200, 190), (200, 800)])
