@@ -25,7 +25,7 @@ from masonry.assembly.specimens import as_turned, blocks_from, is_outside, speci
 from masonry.errors import SceneError, nearest
 from masonry.laws import factory
 from masonry.loading.drive.predictor import LITTLE
-from masonry.loading.plans import Plan, Program
+from masonry.loading.plan import Plan
 from masonry.model import model
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.layout import Material, lay_out
@@ -96,8 +96,9 @@ def assemble(scene: Scene) -> Assembly:
         )
     built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings)
     plan = plan_of(scene, built.dt)
-    if isinstance(plan, Program) and plan.steps > plan.settle == 0:
-        begin(built, None if plan.varying is None else plan.varying[:, 0], scene.has_dead_loads)
+    if plan.moves_at_once:
+        first = plan.factors_at(np.zeros(1))
+        begin(built, None if first is None else first[:, 0], scene.has_dead_loads)
     sign = scene.drive.sign if scene.drive else 1.0
     gauges = gauges_of(scene, specimen, joints, layout)
     recording = Recording(

@@ -20,7 +20,7 @@ Load = dict[str, np.ndarray | None]
 def let_grow(
     scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, materials: dict[str, Material], into: Conditions
 ) -> None:
-    """Add the load of [limit] to those that vary: one, or for a tilt two, see loading.plans.Growing."""
+    """Add the load of [limit] to those that vary: one, or for a tilt two, see loading/collapse/factor_path.py."""
     asked, density = scene.limit, density_of(specimen.blocks, materials)
     assert asked is not None
     gravity = gravity_of(scene)

@@ -2,27 +2,22 @@
 
 from dataclasses import replace
 from math import ceil
-from typing import Any
+from typing import TypeVar
 
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.loading.plans import (
-    Control,
-    Controlled,
-    Growing,
-    Plan,
-    Program,
-    controlled,
-    program,
-    require_few,
-    rise,
-    smooth,
-)
-from masonry.loading.schedule import followed, passage, steps_at
+from masonry.loading.collapse.factor_path import FactorPath
+from masonry.loading.collapse.growing import Control, Growing
+from masonry.loading.drive.adaptive import Controlled
+from masonry.loading.plan import Plan
+from masonry.loading.schedule import followed, passage, program, require_few, rise, smooth, steps_at
+from masonry.loading.scheduled import Program
 from masonry.scene import Scene
 from masonry.scene.tables.history import Timed
 from masonry.scene.tables.loading import Drive
+
+AnyPlan = TypeVar("AnyPlan", Program, Controlled, Growing)
 
 FEWEST = 2000
 """Steps in which dead loads settle where the scene does not say, and nobody has looked how many they need: settling.py
@@ -40,21 +35,35 @@ UP_TO = 100.0
 
 
 def plan_of(scene: Scene, dt: float) -> Plan:
-    """The plan for steps of dt (s): a fixed program, a drive that is paced by its error, or a load that grows."""
-    if scene.limit is not None and scene.limit.accuracy is not None:
-        settle = _settle(scene)
-        dead_load = rise(settle, settle) if settle else np.ones(1)
-        most, tilts = scene.limit.up_to or UP_TO, scene.limit.pattern == "tilt"
-        control = None
-        if scene.limit.control is not None and scene.limit.until is not None:
-            control = Control(scene.limit.control, scene.limit.until)
-        reversals = scene.limit.history or ()
-        growing = Growing(dead_load, scene.limit.accuracy, most, tilts, control=control, reversals=reversals)
-        return replace(growing, **in_layers(scene, growing))
-    plan = _loading(scene, dt)
-    plan = replace(plan, **in_layers(scene, plan))
-    if isinstance(plan, Controlled):
-        return plan
+    """The plan for steps of dt (s): a load that grows, a drive that is paced by its error, or a fixed program."""
+    if scene.grows:
+        return in_layers(scene, growing(scene))
+    if scene.is_controlled:
+        return in_layers(scene, controlled(scene))
+    return program_of(scene, dt)
+
+
+def growing(scene: Scene) -> Growing:
+    """The load of [limit], which grows until nothing balances it."""
+    limit, settle = scene.limit, _settle(scene)
+    assert limit is not None and limit.accuracy is not None
+    path = FactorPath(limit.accuracy, limit.up_to or UP_TO, limit.history or (), limit.pattern == "tilt")
+    control = None if limit.control is None or limit.until is None else Control(limit.control, limit.until)
+    return Growing(rise(settle, settle) if settle else np.ones(1), path, limit.pattern, control, scene.loops_over)
+
+
+def controlled(scene: Scene) -> Controlled:
+    """Dead loads rise over the first half of the settling; then the drive makes its way to an accuracy."""
+    drive, settle = scene.drive, _settle(scene)
+    assert drive is not None and drive.accuracy is not None
+    reversals = () if drive.history is None else tuple(drive.sign * place for place in drive.reversals)
+    displacement = reversals[0] if reversals else drive.sign * drive.farthest
+    return Controlled(rise(settle, settle), displacement, drive.accuracy, reversals)
+
+
+def program_of(scene: Scene, dt: float) -> Program:
+    """What drive, dead loads and histories ask for, step by step."""
+    plan = in_layers(scene, _loading(scene, dt))
     if scene.gravity is not None and scene.gravity.tilt is not None:
         plan = replace(plan, straight=TILTED)
     if scene.solver.until is not None:
@@ -70,18 +79,18 @@ def plan_of(scene: Scene, dt: float) -> Plan:
     return plan
 
 
-def in_layers(scene: Scene, plan: Plan) -> dict[str, Any]:
-    """What changes in a plan as the weight comes on layer by layer, and after it the tractions: one after the other, in
-    the first half of the settling. Before its turn a layer has a little of its weight, so that it stays in place."""
+def in_layers(scene: Scene, plan: AnyPlan) -> AnyPlan:
+    """The plan, where the weight comes on layer by layer, and after it the tractions: one after the other, in the first
+    half of the settling. Before its turn a layer has a little of its weight, so that it stays in place."""
     if not scene.comes_in_layers:
-        return {}
+        return plan
     assert scene.gravity is not None
     tractions = sum(traction.path is None for traction in scene.traction) + len(scene.fill)
     order = np.append(np.arange(scene.gravity.layers), np.full(tractions, scene.gravity.layers))
     slot = 0.5 * plan.settle / (order[-1] + 1)
     k = np.arange(plan.settle + 1)
     layers = WAITING * smooth(k / slot) + (1.0 - WAITING) * smooth(k / slot - order[:, None])
-    return {"dead_load": np.ones_like(plan.dead_load), "layers": layers}
+    return replace(plan, dead_load=np.ones_like(plan.dead_load), layers=layers)
 
 
 def _going_on(plan: Program, steps: int, dt: float) -> Program:
@@ -106,15 +115,15 @@ def _going_on(plan: Program, steps: int, dt: float) -> Program:
 
 def tilt_at(scene: Scene, plan: Plan, steps: np.ndarray) -> np.ndarray | None:
     """(n,) rad, by how much gravity is turned at some steps; None where it never is."""
-    if scene.gravity is None or scene.gravity.tilt is None or not isinstance(plan, Program) or plan.varying is None:
+    if scene.gravity is None or scene.gravity.tilt is None or (load_factors := plan.factors_at(steps)) is None:
         return None
     k = [name for name, (_, path) in scene.gravity.parts.items() if path is not None].index("gravity cos")
-    cos, sin = plan.varying[len(plan.varying) - len(scene.gravity.paths) + k :][:2, steps.astype(np.int64)]
+    cos, sin = load_factors[len(load_factors) - len(scene.gravity.paths) + k :][:2]
     return np.asarray(np.arctan2(sin, cos))
 
 
-def _loading(scene: Scene, dt: float) -> Program | Controlled:
-    """What drive, dead loads and histories ask for."""
+def _loading(scene: Scene, dt: float) -> Program:
+    """Settling, and what drive and histories ask for."""
     settle = _settle(scene)
     drive, loads = scene.drive, [path for traction in scene.traction for path in traction.paths]
     if scene.gravity is not None:
@@ -127,10 +136,7 @@ def _loading(scene: Scene, dt: float) -> Program | Controlled:
         return _along_histories(drive, loads, settle, dt)
     if drive is None:
         return program(dt, settle, 0.0, None, None, 0.0)
-    displacement = drive.sign * drive.farthest
-    if drive.accuracy is not None:
-        return controlled(settle, displacement, drive.accuracy)
-    return program(dt, settle, displacement, drive.steps, drive.rate, drive.ramp)
+    return program(dt, settle, drive.sign * drive.farthest, drive.steps, drive.rate, drive.ramp)
 
 
 def _settle(scene: Scene) -> int:
@@ -138,11 +144,8 @@ def _settle(scene: Scene) -> int:
     return scene.settle.steps if scene.settle else FEWEST * scene.has_dead_loads
 
 
-def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: float) -> Program | Controlled:
+def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: float) -> Program:
     """All histories over the same steps: each load's time runs while the drive makes its whole way."""
-    if drive is not None and drive.accuracy is not None:
-        reversals = tuple(drive.sign * place for place in drive.reversals)
-        return controlled(settle, reversals[0], drive.accuracy, reversals)
     if drive is not None and drive.history is None:
         plain = program(dt, settle, drive.sign * drive.farthest, drive.steps, drive.rate, drive.ramp)
         require_two(plain.steps - settle)

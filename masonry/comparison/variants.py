@@ -8,7 +8,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.errors import SceneError, nearest
-from masonry.laboratory.cost import expected_steps
+from masonry.laboratory.cost import expected
 from masonry.scene import Scene
 
 FINER, LEAST = 3.0, 1e-4
@@ -64,13 +64,13 @@ def pace(assembly: Assembly) -> list[Variant]:
         return [Variant("pace", f"twice the steps, {2 * drive.steps}", {"drive.steps": 2 * drive.steps})]
     if scene.solver.masses == "real":  # the times of its history are those of the motion
         return []
-    steps = 2 * (expected_steps(assembly) - assembly.plan.settle)
+    steps = 2 * (expected(assembly).steps - assembly.plan.settle)
     return [Variant("pace", f"twice the steps, {steps}", {"drive.steps": steps})]
 
 
 def _many(assembly: Assembly) -> int:
     """Steps of a drive at a constant rate that is to be as good as one that was paced by its error."""
-    return max(2 * expected_steps(assembly), SLOWEST)
+    return max(2 * expected(assembly).steps, SLOWEST)
 
 
 def coupling(assembly: Assembly) -> list[Variant]:

@@ -10,7 +10,7 @@ from masonry.errors import Stopped
 from masonry.judgement.doubt import Doubt
 from masonry.judgement.judgement import judge
 from masonry.kinematics.motion import Guided
-from masonry.laboratory.cost import candidates, expected_seconds, expected_steps
+from masonry.laboratory.cost import candidates, expected, expected_seconds
 from masonry.laboratory.quality import quality_lines
 from masonry.laboratory.remarks.bending_remarks import bent_remarks
 from masonry.laboratory.remarks.contact_remarks import (
@@ -142,7 +142,7 @@ def check(scene: Scene) -> "Report":
         "quality": quality_lines(assembly),
         "settling": settling_text(assembly),
         "meeting": meeting_text(assembly),
-        "steps": expected_steps(assembly),
+        "steps": expected(assembly).steps,
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),
         "compiled": compiled(assembly),

@@ -4,15 +4,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
-import numpy as np
-
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import FEWEST, plan_of
 from masonry.configuration import model_state
 from masonry.errors import Stopped
-from masonry.loading.drive.predictor import AT_FIRST
-from masonry.loading.plans import Controlled, Growing, Program
-from masonry.loading.scheduled import ScheduledLoading
 from masonry.rows.history import History
 from masonry.rows.rest_criterion import LONE
 from masonry.scene import Scene
@@ -41,8 +36,7 @@ def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: 
     """
     model, steps, failed_before = assembly.model, FEWEST, ""
     fresh = model_state.state(model)
-    if isinstance(assembly.plan, Controlled):
-        model.damping = AT_FIRST
+    model.damping = assembly.plan.settling_damping(model.damping)
     while True:
         found, left = _trial(assembly, steps, threads, progress, asked)
         model_state.restore(model, fresh)
@@ -108,12 +102,7 @@ def _trial(
     """The dead loads alone, in so many steps. Returns why they had to be ended, nothing where they came to their end;
     and what is left of the motion."""
     model, plan = assembly.model, plan_of(with_settle(assembly.scene, steps), assembly.model.dt)
-    layers = 0 if plan.layers is None else len(plan.layers)
-    varying = np.zeros((len(model.varying) - layers, steps + 1)) if isinstance(plan, Growing) else None
-    if isinstance(plan, Program) and plan.varying is not None:
-        varying = plan.varying[:, : steps + 1]
-    alone = Program(plan.dead_load[: steps + 1], np.zeros(steps + 1), steps, 0, varying, layers=plan.layers)
-    loading, recording = ScheduledLoading(model, alone, ROWS), replace(assembly.recording, frames=1)
+    loading, recording = plan.settling().loading(model, ROWS), replace(assembly.recording, frames=1)
     loop = Loop(model, loading, steps, recording, threads, Outcome(History()))
 
     def look(now: int, whole: int, words: str) -> None:

@@ -1,7 +1,6 @@
 """Whether a run ended at rest."""
 
 from masonry.assembly.assemble import Assembly
-from masonry.loading.plans import Program
 from masonry.loading.scheduled import STILL
 from masonry.monitors.unrest import left_of_motion
 from masonry.rows.rest_criterion import LONE
@@ -21,8 +20,7 @@ def unrest(assembly: Assembly, outcome: Outcome) -> list[str]:
         ]
     left = left_of_motion(assembly.model, float(kinetic.max()))
     block = int(left.argmax())
-    ended = isinstance(assembly.plan, Program) and outcome.steps < assembly.plan.steps
-    if ended or left[block] <= LONE**2 * STILL:
+    if assembly.plan.ends_before(outcome.steps) or left[block] <= LONE**2 * STILL:
         return []
     where = ", ".join(f"{x:.4g}" for x in assembly.model.layout.centroid[block])
     return [

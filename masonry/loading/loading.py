@@ -1,1 +1,89 @@
-"""How a load advances: chunk by chunk."""
+"""How a load advances, chunk by chunk: what the time loop asks of a loading, and what comes of it."""
+
+from abc import ABC, abstractmethod
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.energy import Seen
+from masonry.monitors.events import Event
+from masonry.runtime.state import State
+
+Arrays = dict[str, np.ndarray]
+Rows = dict[str, np.ndarray]
+
+
+class Expected(NamedTuple):
+    """About what a run will take: steps, rows of its curve, and looks at the whole specimen besides."""
+
+    steps: int
+    rows: int
+    looks: float = 0.0
+
+
+class LoadingOutcome:
+    """What came of a loading. One of a program has nothing to say.
+
+    borne, falls  of a load that grew: the factor that was borne last, and the least that was not; None without them
+    """
+
+    borne: float | None = None
+    falls: float | None = None
+
+    def control(self) -> dict[str, float]:
+        """How the load was controlled: what was asked for, and what was reached."""
+        return {}
+
+    def summary(self, rows: Rows, sets: dict[str, np.ndarray]) -> dict[str, Any]:
+        """Keys of the summary that only such a loading has; sets: numbers of blocks, by name."""
+        return {}
+
+
+class Loading(ABC):
+    """How the load of a run advances: the time loop takes one chunk after the other until there is none."""
+
+    @abstractmethod
+    def next(self) -> Chunk | None:
+        """The next chunk; None at the end."""
+
+    @abstractmethod
+    def load_factors(self) -> np.ndarray:
+        """(H,) of the loads that vary, now."""
+
+    @abstractmethod
+    def progress(self) -> tuple[int, int]:
+        """How much is done, and of how much."""
+
+    @abstractmethod
+    def state(self) -> State:
+        """All that the next chunk depends on, but for the model."""
+
+    @abstractmethod
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+
+    def feel(self, step: int, before: list[np.ndarray]) -> None:
+        """Look at the specimen after each chunk; `before`: velocities one step before this one."""
+        return None
+
+    def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
+        """Look at each row: forces of drive and support (N), what contacts show, and the ledger (J)."""
+        return None
+
+    def columns(self) -> dict[str, float]:
+        """What a row says besides, by the name of its column."""
+        return {}
+
+    def turned_too_far(self) -> bool:
+        """A block has turned further than small displacement allows: whether the run goes on nevertheless."""
+        return False
+
+    @property
+    def events(self) -> list[Event]:
+        """The sudden cracks so far."""
+        return []
+
+    def outcome(self) -> LoadingOutcome:
+        """What has come of it."""
+        return LoadingOutcome()

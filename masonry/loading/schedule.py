@@ -1,56 +1,61 @@
-"""Where drives go: legs between turning points, and places over steps."""
+"""Programs, step by step: dead loads that rise, and drives at a rate, in steps, or from place to place."""
 
 from math import ceil
 
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.loading.plans import Program, rise, smooth
+from masonry.loading.scheduled import Program
 
 FASTEST = 1.875
 """The greatest slope of the quintic passage between two turning points, over its mean."""
 STILL = 1e-12
 """Of the farthest place: a drive that moves by less in a step stands still."""
+MOST_STEPS = 100_000_000
 
 
-class Path:
-    """The way of a drive that is paced by its error, leg by leg: to its displacement, or from turn to turn (m, signed).
+def smooth(x: np.ndarray) -> np.ndarray:
+    """Quintic rise from 0 to 1 over [0, 1] with zero slope and curvature at both ends."""
+    x = np.clip(x, 0.0, 1.0)
+    return x**3 * (10.0 + x * (6.0 * x - 15.0))
 
-    begin, end, sign  of the leg that the drive is on; goal: its length, and `moved`, how much of it is made (m)
+
+def rise(settle: int, steps: int) -> np.ndarray:
+    """Share of the dead loads at each step 0..n: they rise over the first half of `settle`, if there is one."""
+    return smooth(np.arange(steps + 1) / (0.5 * settle)) if settle else np.zeros(steps + 1)
+
+
+def require_few(steps: float, dt: float, where: str = "drive", advice: str = "") -> None:
+    """SceneError where a program, that of a key of the scene, would take more steps than anybody waits for."""
+    if steps > MOST_STEPS:
+        raise SceneError(
+            f"{where}: this would take {steps:.2g} steps of {dt:.3g} s; at most {MOST_STEPS:.0e} are allowed: "
+            f"{advice or 'raise drive.rate, or give drive.steps'}"
+        )
+
+
+def program(dt: float, settle: int, displacement: float, steps: int | None, rate: float | None, ramp: float) -> Program:
+    """Dead loads rise over the first half of `settle`; then the drive makes exactly `displacement` (m, signed).
+
+    Either the number of steps or the rate (m/s) after the ramp is given; the ramp takes a share of the steps.
     """
-
-    REMEMBERED = ("leg", "passed", "goal", "moved", "begin", "end", "sign")
-
-    def __init__(self, places: tuple[float, ...]) -> None:
-        self.places = places
-        self.whole = float(np.abs(np.diff(places, prepend=0.0)).sum())
-        self.leg, self.passed, self.goal, self.end = -1, 0.0, 0.0, 0.0
-        self.turn()
-
-    def turn(self) -> bool:
-        """Set out for the next place; False where there is none."""
-        if self.leg + 1 >= len(self.places):
-            return False
-        self.leg += 1
-        self.passed += self.goal
-        self.begin, self.end, self.moved = self.end, self.places[self.leg], 0.0
-        self.goal, self.sign = abs(self.end - self.begin), -1.0 if self.end < self.begin else 1.0
-        return True
-
-    @property
-    def left(self) -> float:
-        """Of this leg, m."""
-        return self.goal - self.moved
-
-    @property
-    def place(self) -> float:
-        """Where the drive is, m, signed."""
-        return self.begin + self.sign * self.moved
-
-    @property
-    def progress(self) -> float:
-        """Share of the whole way."""
-        return min((self.passed + self.moved) / self.whole, 1.0)
+    if displacement == 0.0:
+        count = 0
+    elif steps is not None:
+        count = steps
+    else:
+        assert rate is not None
+        count = max(1, ceil(min(abs(displacement) / (rate * dt * (1.0 - 0.5 * ramp)), 1e18)))
+    if count and settle == 0:
+        count = max(count, 2)  # the first step starts at rest and cannot move anything
+    require_few(settle + count, dt)
+    k = np.arange(settle + count + 1)
+    shape: np.ndarray = np.where(
+        k < settle, 0.0, smooth((k - settle + 0.5) / (ramp * count)) if ramp * count > 0 else 1.0
+    )
+    shape[[0, -1]] = 0.0  # the first step starts at rest; what is set after the last step moves nothing
+    speed = shape * (displacement / (dt * shape.sum())) if count else np.zeros(len(k))
+    return Program(rise(settle, settle + count), speed, settle, int(np.ceil(ramp * count)))
 
 
 def followed(dt: float, settle: int, places: np.ndarray, varying: np.ndarray | None = None) -> Program:

@@ -1,15 +1,18 @@
-"""How a run advances, chunk by chunk: a program that is fixed beforehand."""
+"""A program that is fixed beforehand, step by step: the plan, and how a run advances along it."""
 
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
-from masonry.loading.plans import Program
-from masonry.loading.sudden_cracks import Rest
+from masonry.loading.loading import Expected, Loading
+from masonry.loading.sudden_cracks import CrackWatch
 from masonry.loading.varying_loads import VaryingLoads
+from masonry.model.gauges import Gauge
 from masonry.model.model import Model
+from masonry.monitors.events import Event
 from masonry.monitors.unrest import left_of_motion
 from masonry.rows.rest_criterion import LONE
 from masonry.runtime.state import State, attributes, load_attributes
@@ -21,16 +24,88 @@ STILL, STILL_ROWS = 1e-8, 20
 (monitors/unrest.py): what turns round in the air is still for less than a row."""
 
 
-class ScheduledLoading:
+@dataclass(frozen=True)
+class Program:
+    """What happens at each step 0..n: share of the dead load, velocity of the drive (m/s) after the step.
+
+    settle  steps before the drive starts     ramp  steps over which the drive's velocity rises
+    varying (H, n + 1) share of each load that varies, at each step; None without any
+    marks   steps, rising, after which a row is due besides the regular ones
+    layers  (L, settle + 1) share of each load that comes on in layers, until the end of the settling; None without any
+    straight   of its largest share: how far a history may leave the straight line that the loading takes for it
+    rest_from  step from which on the run may end as soon as all is at rest; None where it goes on to the last step
+    """
+
+    dead_load: np.ndarray
+    speed: np.ndarray
+    settle: int
+    ramp: int
+    varying: np.ndarray | None = None
+    marks: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+    straight: float = 1e-3
+    rest_from: int | None = None
+    layers: np.ndarray | None = None
+
+    hurries_while_elastic = False
+
+    @property
+    def steps(self) -> int:
+        return len(self.speed) - 1
+
+    @property
+    def load_factors(self) -> np.ndarray | None:
+        """(L + H, n + 1) factor of each load that does not simply rise with the others, at each step."""
+        if self.layers is None:
+            return self.varying
+        stay = np.pad(self.layers, ((0, 0), (0, self.steps - self.settle)), mode="edge")
+        return stay if self.varying is None else np.concatenate([stay, self.varying])
+
+    @property
+    def moves_at_once(self) -> bool:
+        """Whether all moves from the first step on, as nothing has to settle."""
+        return self.steps > self.settle == 0
+
+    def factors_at(self, steps: np.ndarray) -> np.ndarray | None:
+        """(L + H, n) factors of the loads that vary, at some steps (n,); None without any."""
+        load_factors = self.load_factors
+        return None if load_factors is None else load_factors[:, steps.astype(np.int64)]
+
+    def ends_before(self, steps: int) -> bool:
+        """Whether so many steps are fewer than it has: a run that ends at rest takes no more."""
+        return steps < self.steps
+
+    def expected(self, model: Model, rows: int, axis: int | None) -> Expected:
+        """Its steps; a row every so many of them, and one at each mark."""
+        return Expected(self.steps, min(rows, self.steps) + len(self.marks))
+
+    def settling(self) -> "Program":
+        """The dead loads alone, as long as they settle; what varies stays as it begins."""
+        count = self.settle + 1
+        varying = None if self.varying is None else self.varying[:, :count]
+        return Program(self.dead_load[:count], np.zeros(count), self.settle, 0, varying, layers=self.layers)
+
+    def settling_damping(self, damping: Any) -> Any:
+        """The damping of a model, while its dead loads are tried."""
+        return damping
+
+    def loading(self, model: Model, rows: int, gauges: tuple[Gauge, ...] = ()) -> "ScheduledLoading":
+        """Sudden cracks are waited for where masses are scaled and no load varies, once all has settled."""
+        goes_on = self.steps > self.settle
+        waits = goes_on and self.varying is None and model.scaled and model.damping is not None
+        return ScheduledLoading(model, self, rows, CrackWatch(model) if waits else None)
+
+
+class ScheduledLoading(Loading):
     """The chunks of a program, with a row every so many steps, and after each step that the program marks."""
 
-    def __init__(self, model: Model, program: Program, rows: int, rest: Rest | None = None) -> None:
-        self.model, self.program, self.done, self.rest, self.speed = model, program, 0, rest, 0.0
+    def __init__(self, model: Model, program: Program, rows: int, cracks: CrackWatch | None = None) -> None:
+        """Cracks  has the drive wait where one is sudden"""
+        self.model, self.program, self.cracks = model, program, cracks
+        self.done, self.speed = 0, 0.0
         load_factors, rises = program.load_factors, program.layers is None
         self.loads = None
         if load_factors is not None:
             self.loads = VaryingLoads(model, load_factors, program.settle if rises else 0, program.straight)
-        self.events = None if rest is None else rest.events
         self.every = max(1, program.steps // rows)
         self.last, self.still, self.most = program.steps, 0, 0.0
 
@@ -38,8 +113,8 @@ class ScheduledLoading:
         """The next chunk; None at the end."""
         if self.done >= self.last:
             return None
-        if self.rest is not None and self.rest.held:
-            return self.hold(self.rest.steps)
+        if self.cracks is not None and self.cracks.pause:
+            return self.hold(self.cracks.steps)
         due = self.row_due()
         first, latest = self.done, self.done + LONGEST_CHUNK if self.loads is None else self.loads.latest(self.done)
         self.done = min(due, latest)
@@ -69,13 +144,13 @@ class ScheduledLoading:
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:
         """The drive is held where the specimen moves by itself; `before`: velocities one step before this one."""
-        if self.rest is not None and self.done > self.program.settle:
-            self.rest.look(step, self.speed, before)
+        if self.cracks is not None and self.done > self.program.settle:
+            self.cracks.look(step, self.speed, before)
 
     def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """The drive is held by what the specimen stores. At rest, the next row may be the last."""
-        if self.rest is not None:
-            self.rest.see(terms["elastic_blocks"] + terms["elastic_contacts"])
+        if self.cracks is not None:
+            self.cracks.see(terms["elastic_blocks"] + terms["elastic_contacts"])
         if self.program.rest_from is not None:
             self.most = max(self.most, terms["kinetic"])
             self.still = self.still + 1 if terms["kinetic"] <= STILL * self.most and self.each_rests() else 0
@@ -90,25 +165,22 @@ class ScheduledLoading:
         """(H,) of the loads that vary, now."""
         return np.zeros(0) if self.loads is None else self.loads.load_factors[:, self.done]
 
-    def columns(self) -> dict[str, float]:
-        """Nothing more for a row to say."""
-        return {}
-
     def progress(self) -> tuple[int, int]:
         """Steps done, and all of them."""
         return self.done, self.last
 
-    def report(self) -> dict[str, float]:
-        """Nothing was asked, and nothing achieved."""
-        return {}
+    @property
+    def events(self) -> list[Event]:
+        """The sudden cracks so far."""
+        return [] if self.cracks is None else self.cracks.events.found
 
     def state(self) -> State:
         """How far it is."""
         own = attributes(self, ("done", "speed", "last", "still", "most"))
-        return {**own, "rest": None if self.rest is None else self.rest.state()}
+        return {**own, "cracks": None if self.cracks is None else self.cracks.state()}
 
     def restore(self, state: State) -> None:
         """Go on from there."""
         load_attributes(self, ("done", "speed", "last", "still", "most"), state)
-        if self.rest is not None:
-            self.rest.restore(state["rest"])
+        if self.cracks is not None:
+            self.cracks.restore(state["cracks"])

@@ -24,13 +24,13 @@ most local damping, as much of it would make a crack creep."""
 STILL, BRAKINGS, MOST = 1e-7, 20, 30_000
 """The drive goes on when the kinetic energy has been below this share of the stored energy for so many brakings, as
 a crack may creep on before it leaps. It is held for so many steps in all: what falls over never comes to rest."""
-REMEMBERED = ("usual", "held", "stored", "most", "learning", "still", "waited")
+REMEMBERED = ("usual", "pause", "stored", "most", "learning", "still", "waited")
 
 
-class Rest:
+class CrackWatch:
     """Looks after each chunk of steps whether the specimen moves by itself, and if so holds the drive until it rests.
 
-    held   steps for which it has been held so far; 0 while it moves
+    pause  steps for which it has been held so far; 0 while it moves
     steps  steps until the next braking
     """
 
@@ -40,7 +40,7 @@ class Rest:
         assert isinstance(model.damping, float)
         self.model, self.events, self.damping = model, Events(model), model.damping
         self.usual = self.stored = self.most = 0.0
-        self.held = self.learning = self.still = self.waited = 0
+        self.pause = self.learning = self.still = self.waited = 0
 
     def see(self, stored: float) -> None:
         """The specimen stores so much (J) now; pieces that came apart are measured by what they stored together."""
@@ -51,13 +51,13 @@ class Rest:
         """The drive moves at `speed` (m/s) after a step; velocities one step earlier (energy.velocities)."""
         kinetic = abs(energy.kinetic(self.model, before))
         expected = self.usual * speed**2
-        if self.held:
+        if self.pause:
             brake(self.model, before, DECAY)
             self.events.sudden(step)
             self.still = self.still + 1 if kinetic <= STILL * self.stored else 0
             self.waited += STEPS
             over = self.still >= BRAKINGS or self.waited >= MOST
-            self.hold(0 if over else self.held + STEPS)
+            self.hold(0 if over else self.pause + STEPS)
             self.learning = LOOKS
         elif self.leaps(kinetic, expected):
             self.events.sudden(step)
@@ -81,7 +81,7 @@ class Rest:
 
     def hold(self, steps: int) -> None:
         """The drive has been held for so many steps, or (0) moves; its damping follows."""
-        self.held = steps
+        self.pause = steps
         self.model.damping = min(self.damping, LITTLE) if steps else self.damping
 
     def state(self) -> State:
@@ -92,7 +92,7 @@ class Rest:
         """Go on from there."""
         load_attributes(self, REMEMBERED, state)
         self.events.restore(state["events"])
-        self.hold(self.held)
+        self.hold(self.pause)
 
 
 def brake(model: Model, before: list[np.ndarray], left: float) -> None:

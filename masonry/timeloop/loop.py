@@ -12,9 +12,7 @@ from masonry.configuration.joint_forces import JointForces
 from masonry.configuration.retirement import retire
 from masonry.errors import TurnedTooFar
 from masonry.kernels.step import reaction
-from masonry.loading.collapse.growing import GrowingLoading
-from masonry.loading.drive.adaptive import AdaptiveLoading
-from masonry.loading.scheduled import ScheduledLoading
+from masonry.loading.loading import Loading
 from masonry.model.model import Model
 from masonry.model.motion import set_off
 from masonry.monitors.collapse import Collapse
@@ -37,7 +35,6 @@ REMEMBERED = ("place", "done", "frames_done", "highest_row", "dead_load_factor",
 ALIKE = 1e-4
 """Share by which one row must be higher than another for both to be kept as the peak, that is, ten at most."""
 Columns = dict[str, list[float]]
-Loading = AdaptiveLoading | ScheduledLoading | GrowingLoading
 
 
 class Loop:
@@ -124,7 +121,7 @@ class Loop:
         try:
             self.watch.check(done + count)
         except TurnedTooFar:
-            if not (isinstance(self.loading, GrowingLoading) and self.loading.turned_too_far()):
+            if not self.loading.turned_too_far():
                 raise
         path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
         self.place = float(path[-1]) if chunk.place is None else chunk.place
@@ -239,11 +236,7 @@ class Loop:
             self.outcome.found |= observer.found()
         frames = {frame.step: frame for frame in [*self.frames, *(frame for _, frame, _ in self.near_peak[:1])]}
         self.outcome.standing = {k: v for k in ("peak", "end") if (v := self.outcome.standing.get(k)) is not None}
-        self.outcome.control = self.loading.report()
-        if isinstance(self.loading, GrowingLoading):
-            self.outcome.found["mechanism"] = self.loading.mechanism()
-            self.outcome.found["branch"] = None if self.loading.branch is None else self.loading.branch.found()
-        self.outcome.events = [] if self.loading.events is None else self.loading.events.found
+        self.outcome.loading, self.outcome.events = self.loading.outcome(), self.loading.events
         self.outcome.history.frames = [frames[step] for step in sorted(frames)]
 
     def state(self) -> State:

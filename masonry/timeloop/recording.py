@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from masonry.loading.loading import LoadingOutcome
 from masonry.model.gauges import Gauge
 from masonry.monitors.events import Event
 from masonry.monitors.reactions import Standing, Surroundings
@@ -16,8 +17,8 @@ from masonry.rows.history import History
 class Outcome:
     """What the loop found besides the rows: the peak seen at any step before a block had fallen, the largest force
     after that (`blow`), and the lowest force; the times; what observers said at each row and of the whole run, by their
-    names for it; the sudden cracks; the forces from outside and of the contacts at the frames of the peak and of the
-    end.
+    names for it; what came of the loading; the sudden cracks; the forces from outside and of the contacts at the frames
+    of the peak and of the end.
     """
 
     history: History
@@ -33,7 +34,7 @@ class Outcome:
     steps: int = 0
     interrupted: bool = False
     stopped: str = ""
-    control: dict[str, float] = field(default_factory=dict)
+    loading: LoadingOutcome = field(default_factory=LoadingOutcome)
     events: list[Event] = field(default_factory=list)
     standing: dict[str, Standing] = field(default_factory=dict)
     log: list[str] = field(default_factory=list)

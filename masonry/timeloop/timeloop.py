@@ -7,21 +7,15 @@ from collections.abc import Callable
 import numba
 
 from geometry.jit_cache import NOT_KEPT
-from masonry.configuration import model_state
 from masonry.errors import SceneError, Stopped
 from masonry.laws.dispatch import word_of
-from masonry.loading.collapse.growing import GrowingLoading
-from masonry.loading.drive.adaptive import AdaptiveLoading
-from masonry.loading.plans import Controlled, Growing, Plan
-from masonry.loading.scheduled import ScheduledLoading
-from masonry.loading.sudden_cracks import Rest
-from masonry.model.gauges import Gauge
+from masonry.loading.plan import Plan
 from masonry.model.model import Model
 from masonry.rows.history import History
 from masonry.runtime.progress import Progress
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import compile_for, is_compiled
-from masonry.timeloop.loop import Loading, Loop
+from masonry.timeloop.loop import Loop
 from masonry.timeloop.recording import Outcome, Recording
 
 
@@ -39,7 +33,7 @@ def run(
     """
     outcome = Outcome(History())
     outcome.seconds_compile = prepare(model, threads, progress)
-    loading = loading_of(model, plan, recording.rows, recording.gauges)
+    loading = plan.loading(model, recording.rows, recording.gauges)
     if NOT_KEPT:
         outcome.log.append(f"what was compiled could not be kept, so the next run compiles it again: {NOT_KEPT[0]}")
     loop = Loop(model, loading, plan.settle, recording, threads, outcome)
@@ -56,18 +50,6 @@ def run(
     outcome.seconds_run = loop.seconds
     loop.finish()
     return outcome
-
-
-def loading_of(model: Model, plan: Plan, rows: int, gauges: tuple[Gauge, ...] = ()) -> Loading:
-    """How the load of a plan advances; sudden cracks are waited for where masses are scaled and no load varies."""
-    if isinstance(plan, Controlled):
-        return AdaptiveLoading(model, plan, rows)
-    if isinstance(plan, Growing):
-        control = plan.control
-        led = None if control is None else next(gauge for gauge in gauges if gauge.name == control.gauge)
-        return GrowingLoading(model, plan, rows, model_state.state, model_state.restore, gauge=led, gauges=gauges)
-    waits = plan.varying is None and model.scaled and model.damping is not None
-    return ScheduledLoading(model, plan, rows, Rest(model) if waits else None)
 
 
 def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None] | None) -> float:

@@ -4,7 +4,7 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
-from masonry.laboratory.cost import expected_rows
+from masonry.laboratory.cost import expected
 from masonry.scene import load
 
 
@@ -26,7 +26,7 @@ def test_steps_and_rows_come_within_a_factor(name, over):
     result = laboratory.run(scene)
     ratio = laboratory.check(scene)["steps"] / result.summary["steps"]
     assert 1 / 1.6 < ratio < 1.6
-    assert 1 / 1.6 < expected_rows(assemble(scene)) / len(result.history.rows["step"]) < 1.6
+    assert 1 / 1.6 < expected(assemble(scene)).rows / len(result.history.rows["step"]) < 1.6
 
 
 def test_a_finer_accuracy_is_expected_to_take_longer():

@@ -11,9 +11,9 @@ from masonry.errors import SceneError
 from masonry.kinematics.motion import Guided, resist
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import accuracy_text
-from masonry.loading.drive.adaptive import AdaptiveLoading
+from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
 from masonry.loading.drive.settings import SETTINGS
-from masonry.loading.plans import controlled
+from masonry.loading.schedule import rise
 from masonry.scene import load
 from tests.couplet.curve import couplet as curve_of
 from tests.timeloop.test_loop import bits, corner_numbers, couplet
@@ -125,7 +125,7 @@ def test_increments_add_up_whatever_the_energies_say():
     scene = load("wallette-mode-1", {"drive.accuracy": 0.05})
     assembly = assemble(scene)
     rng = np.random.default_rng(0)
-    pace, moved = AdaptiveLoading(assembly.model, controlled(10, -3e-4, 0.05), 100, COARSE), 0.0
+    pace, moved = AdaptiveLoading(assembly.model, Controlled(rise(10, 10), -3e-4, 0.05), 100, COARSE), 0.0
     while (chunk := pace.next()) is not None:
         moved += chunk.speed[:-1].sum() * assembly.model.dt
         assert np.all(chunk.speed <= 0.0)
@@ -177,7 +177,7 @@ def test_a_specimen_that_came_apart_holds_up_the_drive_no_longer() -> None:
 def test_the_lag_is_the_force_over_the_way_that_a_spring_follows_late():
     """A mass m on a spring k, driven at v, follows by v / w late: the force k u does k u v / w of work too early."""
     mass, spring, v, u = 3.0, 700.0, 0.02, 0.4
-    pace = AdaptiveLoading(assemble(load("wallette-mode-1")).model, controlled(10, 1.0, 0.01), 100)
+    pace = AdaptiveLoading(assemble(load("wallette-mode-1")).model, Controlled(rise(10, 10), 1.0, 0.01), 100)
     pace.guide.kinetic, pace.made, pace.most_force, pace.most_stored = 0.5 * mass * v**2, 1e-3, spring * u, 56.0
     pace.work = 0.5 * spring * u**2
     pace.through_damage(pace.work, 0.0, spring * u, spring * u, dict.fromkeys(TERMS, 0.0))

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from masonry.assembly.assemble import assemble
 from masonry.configuration.energy import Seen
 from masonry.laboratory import laboratory
-from masonry.loading.drive.adaptive import AdaptiveLoading
-from masonry.loading.plans import controlled
+from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
+from masonry.loading.schedule import rise
 from masonry.loading.scheduled import ScheduledLoading
 from masonry.rows.cycles import bounds, table
 from masonry.scene import load
@@ -105,7 +105,8 @@ def test_increments_reach_every_turning_point_whatever_the_energies_say():
     assembly = assemble(load("couplet", {"drive.accuracy": 0.05}))
     rng = np.random.default_rng(0)
     turns = (-3e-4, 1e-6, 2e-6, -1e-3, 1e-3)
-    pace, place, visited = AdaptiveLoading(assembly.model, controlled(10, turns[0], 0.05, turns), 100, COARSE), 0.0, []
+    plan, place, visited = Controlled(rise(10, 10), turns[0], 0.05, turns), 0.0, []
+    pace = AdaptiveLoading(assembly.model, plan, 100, COARSE)
     while (chunk := pace.next()) is not None:
         before = place
         place += chunk.speed[:-1].sum() * assembly.model.dt

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.loading.drive.adaptive import AdaptiveLoading
-from masonry.loading.plans import controlled
+from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
+from masonry.loading.schedule import rise
 from masonry.monitors.events import Event, Events, table
 from masonry.rows.cycles import bounds
 from masonry.rows.peak import at_peak, peak_row
@@ -19,7 +19,7 @@ STORED, FORCE, MADE = 50.0, 2000.0, 1e-3
 
 def paced(accuracy: float = 0.01) -> AdaptiveLoading:
     """A drive behind an increment of 1 mm, at 2 kN; 50 J are stored, and so much work was done."""
-    pace = AdaptiveLoading(assemble(load("couplet")).model, controlled(10, 1.0, accuracy), 100)
+    pace = AdaptiveLoading(assemble(load("couplet")).model, Controlled(rise(10, 10), 1.0, accuracy), 100)
     pace.stored = pace.most_stored = pace.work = STORED
     pace.most_force, pace.made, pace.guide.kinetic = FORCE, MADE, 0.0
     return pace
@@ -61,11 +61,11 @@ def test_a_sudden_crack_is_no_drag_and_drag_at_the_peak_is_that_of_the_force_tha
     factor(pace, stored=STORED - 4.0, damping=6.0)
     assert pace.looks[-1] == (pytest.approx(0.0), MADE, pytest.approx(2.0 / (FORCE * MADE)), FORCE)
     pace.looks = [(0.01, 1.0, 0.5, 10.0), (0.03, 3.0, 0.02, 30.0), (0.0, 4.0, 0.03, 40.0), (0.02, 2.0, 0.9, 20.0)]
-    report = pace.report()
-    assert report["mean_lag"] == pytest.approx((0.01 + 0.09 + 0.04) / 10.0)
-    assert report["largest_lag"] == 0.03 and report["drag_at_peak"] == 0.03
+    outcome = pace.outcome()
+    assert outcome.mean_lag == pytest.approx((0.01 + 0.09 + 0.04) / 10.0)
+    assert outcome.largest_lag == 0.03 and outcome.drag_at_peak == 0.03
     pace.settled_force = 40.0
-    assert pace.report()["drag_at_peak"] == 0.0, "the force was as high before the drive"
+    assert pace.outcome().drag_at_peak == 0.0, "the force was as high before the drive"
 
 
 def test_an_increment_makes_four_tenths_of_the_way_that_is_left_to_the_first_damage():
@@ -82,7 +82,7 @@ def test_a_looser_accuracy_is_aimed_at_less_than_in_proportion_and_deforming_uni
     assert paced(0.01).unit == pytest.approx(0.01) and paced(0.001).unit == pytest.approx(0.001)
     assert paced(0.05).unit == pytest.approx(0.01 * 5.0**0.4)
     built = assemble(load("couplet", {"kinematics": "affine"}))
-    assert AdaptiveLoading(built.model, controlled(10, 1.0, 0.01), 100).unit == pytest.approx(0.005)
+    assert AdaptiveLoading(built.model, Controlled(rise(10, 10), 1.0, 0.01), 100).unit == pytest.approx(0.005)
 
 
 def test_a_sudden_crack_is_what_damping_took_since_all_was_calm_and_the_contact_that_broke_most():

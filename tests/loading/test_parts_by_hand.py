@@ -11,22 +11,24 @@ from masonry.configuration import energy
 from masonry.configuration.energy import Seen
 from masonry.loading import scheduled, sudden_cracks
 from masonry.loading.collapse.enclosing import Enclosing
+from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.pace import Pace
 from masonry.loading.collapse.settings import GROWING
 from masonry.loading.collapse.watching import Gathering
 from masonry.loading.drive.utilisation import utilisation
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.moved import places, reach, relative_travel
-from masonry.loading.plans import Growing, Program
 from masonry.loading.schedule import landmarks, passage, steps_at
-from masonry.loading.scheduled import ScheduledLoading
+from masonry.loading.scheduled import Program, ScheduledLoading
 from masonry.loading.varying_loads import SharedLoads, knots
 from masonry.scene import load
 
+STEPWISE = {"drive.accuracy": None, "drive.steps": 100}
 
-def enclosed(plan: Growing, falls_from: float) -> tuple[Enclosing, list[float]]:
+
+def enclosed(path: FactorPath, falls_from: float) -> tuple[Enclosing, list[float]]:
     """The search for a factor that is borne below a bound, and what it tried."""
-    search, tried = Enclosing(plan, 0.0, GROWING), []
+    search, tried = Enclosing(path, 0.0, GROWING), []
     for _ in range(200):
         search.begin()
         tried.append(search.tried)
@@ -45,7 +47,7 @@ def enclosed(plan: Growing, falls_from: float) -> tuple[Enclosing, list[float]]:
 @pytest.mark.parametrize("limit", [3e-3, 0.0411, 0.37, 1.0, 29.0])
 @pytest.mark.parametrize("accuracy", [0.02, 1e-3])
 def test_a_factor_is_enclosed_to_the_accuracy_from_both_sides_in_few_trials(limit, accuracy):
-    search, tried = enclosed(Growing(np.ones(11), accuracy, 100.0), limit)
+    search, tried = enclosed(FactorPath(accuracy, 100.0), limit)
     assert search.stands <= limit < search.falls
     assert search.falls - search.stands <= accuracy * search.falls * (1.0 + 1e-12)
     assert tried[0] == pytest.approx(0.0103)
@@ -54,27 +56,26 @@ def test_a_factor_is_enclosed_to_the_accuracy_from_both_sides_in_few_trials(limi
     assert len(tried) < 12 + np.log2(max(limit, 0.0103) / 0.0103) + np.log2(1.0 / accuracy)
     first = next(k for k, factor in enumerate(tried) if factor > limit)
     assert tried[first + 1] == pytest.approx(0.5 * (tried[first] + max([0.0, *tried[:first]])))
-    report = search.report()
-    assert (report["factor"], report["factor_falls"], report["trials"]) == (search.stands, search.falls, len(tried))
+    assert (search.borne, search.fallen, search.trials) == (search.stands, search.falls, len(tried))
 
 
 def test_a_load_that_ends_before_it_falls_is_borne_whole():
-    search, tried = enclosed(Growing(np.ones(11), 0.01, 0.5), 9.0)
-    assert search.borne == tried[-1] == 0.5 and "factor_falls" not in search.report()
+    search, tried = enclosed(FactorPath(0.01, 0.5), 9.0)
+    assert search.borne == tried[-1] == 0.5 and search.fallen is None
 
 
 def test_a_load_to_and_fro_goes_through_its_turns_and_is_enclosed_by_the_greatest_that_was_borne():
-    plan = Growing(np.ones(11), 0.05, 100.0, reversals=(0.5, -0.5, 0.2))
-    search, tried = enclosed(plan, 9.0)
+    path = FactorPath(0.05, 100.0, reversals=(0.5, -0.5, 0.2))
+    search, tried = enclosed(path, 9.0)
     assert {0.5, -0.5, 0.2} <= set(tried) and search.borne == 0.2
     assert np.abs(np.diff([0.0, *tried])).max() <= 0.05 + 1e-12, "a twentieth of all it goes through, at most"
-    search, tried = enclosed(replace(plan, reversals=(0.5, -1.0)), 0.6)
+    search, tried = enclosed(replace(path, reversals=(0.5, -1.0)), 0.6)
     assert search.fallen == pytest.approx(-0.6, abs=0.05 * 0.65) and abs(search.borne) <= 0.6
     assert abs(search.fallen - search.borne) <= 0.05 * 0.65
 
 
 def test_a_fall_that_is_borne_from_nearer_is_taken_back():
-    search = Enclosing(Growing(np.ones(11), 0.01, 100.0), 0.0, GROWING)
+    search = Enclosing(FactorPath(0.01, 100.0), 0.0, GROWING)
     search.stands, search.falls, search.target = 1.0, 1.2, 1.3
     search.bear()
     assert search.falls == np.inf and search.stands == 1.3
@@ -196,7 +197,7 @@ def test_what_goes_a_fifth_further_in_the_last_third_than_in_the_one_before_acce
 
 @pytest.mark.parametrize(("kinetic", "leaps"), [(0.99, False), (1.01, True)])
 def test_a_leap_is_ten_times_the_usual_energy_or_a_hundred_thousandth_of_what_is_stored(kinetic, leaps, monkeypatch):
-    watch = sudden_cracks.Rest(assemble(load("couplet").with_({"drive.accuracy": None, "drive.steps": 100})).model)
+    watch = sudden_cracks.CrackWatch(assemble(load("couplet").with_(STEPWISE)).model)
     monkeypatch.setattr(watch.events, "anything_dissipated", lambda: True)
     watch.usual = 1.0
     watch.see(2.0)
@@ -210,7 +211,7 @@ def test_a_leap_is_ten_times_the_usual_energy_or_a_hundred_thousandth_of_what_is
 
 @pytest.mark.parametrize(("share", "rests"), [(0.99, True), (1.01, False)])
 def test_the_drive_goes_on_when_twenty_brakings_on_end_found_it_still(share, rests, monkeypatch):
-    watch = sudden_cracks.Rest(assemble(load("couplet").with_({"drive.accuracy": None, "drive.steps": 100})).model)
+    watch = sudden_cracks.CrackWatch(assemble(load("couplet").with_(STEPWISE)).model)
     watch.see(3.0)
     watch.hold(10)
     monkeypatch.setattr(sudden_cracks, "brake", lambda *_: None)
@@ -219,7 +220,7 @@ def test_the_drive_goes_on_when_twenty_brakings_on_end_found_it_still(share, res
     held = []
     for step in range(21):
         watch.look(step, 0.0, [])
-        held.append(bool(watch.held))
+        held.append(bool(watch.pause))
     assert held == [True] * 20 + [not rests]
 
 

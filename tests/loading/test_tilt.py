@@ -9,7 +9,6 @@ from masonry.curves.settling import settling_figure
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import summary_text
 from masonry.monitors.reactions import Surroundings
-from masonry.timeloop.timeloop import loading_of
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
 MU, DENSITY, G = 0.4, 1900.0, 9.81
@@ -86,7 +85,7 @@ def test_the_weight_has_its_size_and_direction_at_every_row(about, vector, acros
     given = "\n".join(f'{axis} = "{g} m/s^2"' for axis, g in zip("xyz", vector, strict=True))
     scene = incline(tilt("60 deg", "steps = 3000", about, given), ELASTIC)
     built = assemble(scene)
-    pace = loading_of(built.model, built.plan, 100)
+    pace = built.plan.loading(built.model, 100)
     layout, loads = built.model.layout, built.recording.surroundings
     along = np.eye(3)["xyz".index(about)] * np.array(vector)
     turning = np.array(vector) - along

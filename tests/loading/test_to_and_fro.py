@@ -11,8 +11,8 @@ from masonry.curves.curve import curve_figure
 from masonry.errors import SceneError
 from masonry.laboratory.text import summary_text
 from masonry.loading.collapse.enclosing import Enclosing
+from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.settings import GROWING
-from masonry.loading.plans import Growing
 from masonry.scene import load as load_scene
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 from verification.cases.friction.beam_to_and_fro import FOOT, FORCE, SCENE, SLIDES, slip
@@ -128,8 +128,8 @@ def test_a_block_falls_on_the_leg_and_the_side_on_which_it_bears_less(displaceme
 
 
 def test_the_leg_of_a_fall_is_enclosed_to_a_share_of_the_greatest_factor_that_was_borne():
-    plan = Growing(np.zeros(1), 0.01, 100.0, reversals=(0.4, -0.2, 0.1))
-    search, tried = Enclosing(plan, 0.0, GROWING), []
+    path = FactorPath(0.01, 100.0, reversals=(0.4, -0.2, 0.1))
+    search, tried = Enclosing(path, 0.0, GROWING), []
     while True:
         search.begin()
         tried.append(search.tried)
@@ -147,8 +147,8 @@ def test_the_leg_of_a_fall_is_enclosed_to_a_share_of_the_greatest_factor_that_wa
 
 @pytest.mark.parametrize("size", [1.0, 1e6, 1e-6])
 def test_what_rounding_leaves_of_a_leg_is_no_increment(size):
-    plan = Growing(np.zeros(1), 0.01, 100.0, reversals=tuple(size * factor for factor in (0.8, -0.8, 0.9, -0.95)))
-    search, tried = Enclosing(plan, 0.0, GROWING), [0.0]
+    path = FactorPath(0.01, 100.0, reversals=tuple(size * factor for factor in (0.8, -0.8, 0.9, -0.95)))
+    search, tried = Enclosing(path, 0.0, GROWING), [0.0]
     search.begin()
     while True:
         tried.append(search.tried)

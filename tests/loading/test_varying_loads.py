@@ -8,7 +8,6 @@ from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.loading.varying_loads import knots
-from masonry.timeloop.timeloop import loading_of
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
 KN, KS, AREA = 200e9, 80e9, 0.2 * 0.1
@@ -61,7 +60,7 @@ def test_each_load_follows_its_own_history_beside_one_that_stays():
 def acting(scene, rows: int) -> np.ndarray:
     """Shear (N) on the top block at each step, as the chunks of a run hand it to the step."""
     assembly = assemble(scene)
-    loading, body = loading_of(assembly.model, assembly.plan, rows), assembly.model.bodies.rigid
+    loading, body = assembly.plan.loading(assembly.model, rows), assembly.model.bodies.rigid
     found = np.zeros(1)
     while (chunk := loading.next()) is not None:
         stays, comes = np.minimum(chunk.dead_load, 1.0), np.maximum(chunk.dead_load - 1.0, 0.0)

@@ -15,7 +15,7 @@ FAST = {"drive.accuracy": "5 %", "settle.steps": 400}
 
 
 def loop_of(built) -> Loop:
-    loading = timeloop.loading_of(built.model, built.plan, built.recording.rows)
+    loading = built.plan.loading(built.model, built.recording.rows)
     return Loop(built.model, loading, built.plan.settle, built.recording, 1, Outcome(History()))
 
 

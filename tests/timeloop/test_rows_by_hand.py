@@ -14,7 +14,6 @@ from masonry.timeloop import checkpointer as module
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.loop import Loop
 from masonry.timeloop.recording import Outcome
-from masonry.timeloop.timeloop import loading_of
 from tests.kinematics.bricks import turn
 
 
@@ -22,7 +21,7 @@ def loop_of(**changes) -> Loop:
     """The loop of a couplet, before its first step."""
     scene = load("couplet").with_({"drive.accuracy": None, "drive.steps": 100} | changes)
     built = assemble(scene)
-    loading = loading_of(built.model, built.plan, 10)
+    loading = built.plan.loading(built.model, 10)
     return Loop(built.model, loading, built.plan.settle, built.recording, 1, Outcome(History()))
 
 

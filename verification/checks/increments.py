@@ -8,7 +8,8 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
-from masonry.loading.plans import Program, smooth
+from masonry.loading.schedule import smooth
+from masonry.loading.scheduled import Program
 from masonry.timeloop import timeloop
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry.assembly.assemble import assemble
 from masonry.configuration.chunk import Chunk
-from masonry.loading.plans import Program
+from masonry.loading.scheduled import Program
 from masonry.timeloop import compiled_step
 from verification.scene_runs import Run, joint_of, load
 from verification.stability.cells import Cell, Exact, Grid

@@ -207,7 +207,7 @@ def at_peak(assembly: Assembly, outcome: Outcome) -> int:
     if assembly.scene.drive is not None and "peak" in outcome.standing:
         step = outcome.standing["peak"].step
     elif FACTOR in rows:
-        borne = rows[FACTOR] <= outcome.control["factor"]
+        borne = rows[FACTOR] <= outcome.loading.borne
         step = int(rows["step"][np.argmax(np.where(borne, rows[FACTOR], -np.inf))])
     else:
         step = int(rows["step"][-1])

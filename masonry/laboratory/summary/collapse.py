@@ -7,7 +7,6 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory.summary.beginning_of_fall import beginning
-from masonry.loading.plans import Program
 from masonry.rows.columns import TILT
 from masonry.rows.peak import before_a_collapse
 from masonry.timeloop.recording import Outcome
@@ -90,12 +89,12 @@ def _moment(assembly: Assembly, rows: dict[str, np.ndarray], row: int) -> dict[s
 def _varying(assembly: Assembly, step: int) -> dict[str, float]:
     """By load that has a history: its share at a step. A tilt of gravity is told as such."""
     plan = assembly.plan
-    if not isinstance(plan, Program) or plan.load_factors is None:
+    if (load_factors := plan.factors_at(np.array([step]))) is None:
         return {}
     tilts = assembly.scene.gravity is not None and assembly.scene.gravity.tilt is not None
     layers = 0 if plan.layers is None else len(plan.layers)
     return {
-        load.name: float(plan.load_factors[load.varies, step])
+        load.name: float(load_factors[load.varies, 0])
         for load in assembly.recording.surroundings.loads
         if load.varies is not None and load.varies >= layers and not (tilts and load.name.startswith("gravity"))
     }

@@ -16,12 +16,11 @@ from masonry.jit.sources import source_hash
 from masonry.laboratory.summary.collapse import of_large, standing_rows
 from masonry.laboratory.summary.rest import farthest_from_rest
 from masonry.laboratory.summary.symmetry import is_loaded_alike, symmetry_lost
-from masonry.loading.plans import Controlled, Growing
 from masonry.monitors import events
 from masonry.monitors.reactions import balance, moved_by, open_by, rounded
 from masonry.results.joint_resultants import unit_joints
 from masonry.results.provenance import own_sources
-from masonry.rows.columns import DISSIPATED, FACTOR, LARGE_UNITS, TILT, UNITS
+from masonry.rows.columns import DISSIPATED, LARGE_UNITS, TILT, UNITS
 from masonry.rows.cycles import table
 from masonry.rows.peak import at_peak, before_a_fall, only_rises
 from masonry.scene import Scene
@@ -32,8 +31,6 @@ BROKEN, DAMAGED = 0.95, 0.05
 SUDDEN = 1e-3
 """Share of all energy lost, by cracks, friction and damping, from which on what a sudden crack released is told."""
 
-MOVING = 0.05
-"""Of the block that moves most: from which on a block belongs to the mechanism."""
 MOVED = 1e-12
 """Openings and slips (m) up to this one, far less than an atom, are but rounding."""
 ROUNDING = 1e-9
@@ -67,11 +64,11 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     work = float(np.abs(rows["external_work"]).max())
     work_of_loads, observed = outcome.found["work_of_loads"], outcome.observed
     moved = max(work, float(np.abs(work_of_loads).max(initial=0.0)))  # a load that is lifted takes all work
-    dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if isinstance(plan, Controlled) else after
+    dynamic = after & (rows["step"] >= min(first_damage(rows), at_peak)) if plan.hurries_while_elastic else after
     after_settling = work_of_loads - outcome.found["work_of_loads_settling"]
     begun = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1  # the last row of the settling
     dissipated = sum(float(rows[key][-1]) for key in DISSIPATED)
-    rest = before_a_fall(rows, outcome.control.get("factor_falls")) if scene.loops_over else rows
+    rest = before_a_fall(rows, outcome.loading.falls) if scene.loops_over else rows
     driven = float(np.abs(rest["external_work"][begun:] - rest["external_work"][begun]).max(initial=0.0))
     if model.dry:
         driven = max(driven, float(pushed[len(rest["step"]) - 1]))
@@ -106,7 +103,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
         "freedoms": model.dofs,
         "steps": outcome.steps,
-        "control": outcome.control,
+        "control": outcome.loading.control(),
         "seconds_run": outcome.seconds_run,
         "seconds_compile": outcome.seconds_compile,
         "time_step_s": model.dt,
@@ -152,7 +149,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
         "slip_max": float(observed["slip"].max()) if "slip" in observed else 0.0,
         "met": outcome.found.get("met", ""),
         **({} if model.large is None else of_large(assembly, outcome)),
-        **(_collapse_load(assembly, outcome) if isinstance(plan, Growing) else {}),
+        **outcome.loading.summary(rows, assembly.specimen.sets),
         "slip_limit": scene.solver.slip_limit,
         "section_m2": assembly.specimen.section,
         "interrupted": outcome.interrupted,
@@ -168,42 +165,6 @@ def add_tilt(assembly: Assembly, outcome: Outcome) -> None:
     tilt = tilt_at(assembly.scene, assembly.plan, rows["step"])
     if tilt is not None:
         rows[TILT] = tilt
-
-
-def _collapse_load(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
-    """The factor of the load that grew: the greatest that was borne, and the least that was not; and who moves then."""
-    control, moved = outcome.control, outcome.found["mechanism"]
-    first, sets = int(moved.argmax()), assembly.specimen.sets
-    limit = assembly.scene.limit
-    assert limit is not None
-    return {
-        "collapse_load": {
-            "pattern": limit.pattern,
-            "borne": control["factor"],
-            "falls": control.get("factor_falls"),
-            "accuracy": control["accuracy"],
-            "trials": control["trials"],
-            "undecided": control["undecided"],
-            "falls_by_turning": bool(control["falls_by_turning"]),
-            "swayed_over_block": control["swayed"] if assembly.scene.displacements == "small" else None,
-            "moving": int((moved > MOVING).sum()),
-            "first": first,
-            "sets": sorted(name for name, members in sets.items() if first in members),
-            "moved": moved.tolist(),
-            **({} if (led := outcome.found["branch"]) is None else {"branch": _branch(led, outcome.history.rows)}),
-            **({} if limit.history is None else {"loops": _loops(assembly.scene, limit.history, control)}),
-        }
-    }
-
-
-def _loops(scene: Scene, history: tuple[float, ...], control: dict[str, Any]) -> dict[str, Any]:
-    """The way of a load that goes to and fro, and on which leg of it the run ended."""
-    return {"gauge": scene.loops_over, "history": list(history), "leg": control["leg"]}
-
-
-def _branch(led: dict[str, Any], rows: dict[str, np.ndarray]) -> dict[str, Any]:
-    """What became of the gauge that was to be led on behind the collapse."""
-    return led | {"reached_m": float(rows[led["gauge"]][-1]), "factor_at_end": float(rows[FACTOR][-1])}
 
 
 def _sources(scene: Scene) -> str:

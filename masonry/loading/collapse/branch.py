@@ -9,15 +9,16 @@ half the error takes 1.4 times the steps.
 """
 
 from math import exp, sqrt
-from typing import Any
 
 import numpy as np
 
 from masonry.configuration import energy
+from masonry.loading.collapse.factor_path import FactorPath
+from masonry.loading.collapse.outcome import BranchOutcome
 from masonry.loading.collapse.settings import FALLING, FallingSettings
+from masonry.loading.loading import Arrays
 from masonry.loading.moves.drift import Drift
-from masonry.loading.moves.moved import Arrays, dofs, kept_dofs, moved_since, reach
-from masonry.loading.plans import Growing
+from masonry.loading.moves.moved import dofs, kept_dofs, moved_since, reach
 from masonry.loading.varying_loads import works_of
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
@@ -48,10 +49,12 @@ class Falling:
             row is from equilibrium
     """
 
-    def __init__(self, model: Model, plan: Growing, gauge: Gauge, settings: FallingSettings = FALLING) -> None:
-        assert plan.control is not None
-        self.model, self.plan, self.gauge, self.settings = model, plan, gauge, settings
-        self.until, self.ends, self.due = plan.control.until, "", False
+    def __init__(
+        self, model: Model, path: FactorPath, gauge: Gauge, until: float, settings: FallingSettings = FALLING
+    ) -> None:
+        """until: the reading (m) to which the gauge is led"""
+        self.model, self.path, self.gauge, self.settings = model, path, gauge, settings
+        self.until, self.ends, self.due = until, "", False
         self.size = max(float(np.ptp(model.layout.centroid, axis=0).max()), smallest_block(model))
         self.sense = self.start = self.gain = self.rate = self.swing = self.scale = 0.0
         self.look, self.most_steps, self.steps, self.rows, self.leaps = settings.longest, 0, 0, 0, 0
@@ -84,7 +87,7 @@ class Falling:
     @property
     def aim(self) -> float:
         """Share of the collapse factor that the motion may take."""
-        return self.settings.aim * self.plan.accuracy
+        return self.settings.aim * self.path.accuracy
 
     def learn(self, rested: Arrays, by: float) -> None:
         """The specimen has come from one rest to another as the factor grew by so much: the first such move gives its
@@ -95,7 +98,7 @@ class Falling:
 
     def pushed(self, moved: Arrays, factor: float) -> float:
         """J, the work of the load for each unit of the factor."""
-        slope = self.plan.slope(factor)
+        slope = self.path.slope(factor)
         return float(slope @ works_of(self.model, moved)[-len(slope) :])
 
     def inertia(self, moved: Arrays) -> float:
@@ -164,7 +167,7 @@ class Falling:
 
     def account(self, before: list[np.ndarray]) -> None:
         """Whether a row is due; and what damping and inertia took since the row before, for what the load did."""
-        works, slope = works_of(self.model, dofs(self.model)), self.plan.slope(self.factor)
+        works, slope = works_of(self.model, dofs(self.model)), self.path.slope(self.factor)
         lost = energy.kinetic(self.model, before)
         lost -= sum(float(body.work[:, 1].sum()) for _, body in energy.present(self.model))
         if not len(self.works):
@@ -177,7 +180,7 @@ class Falling:
             self.off = (lost - self.lost) / max(abs(self.work) * self.scale, 1e-300)
             self.rows, self.lost, self.work = row, lost, 0.0
             self.worst = max(self.worst, abs(self.off))
-            if self.worst <= self.plan.accuracy:
+            if self.worst <= self.path.accuracy:
                 self.near = self.start + self.sense * self.travel
 
     def steer(self, rises: float, passed: float) -> None:
@@ -199,7 +202,7 @@ class Falling:
         self.balance += self.rate * passed * (found - self.balance)
         pushes = faster + 2.0 * self.rate * (self.pace - self.speed) + lags
         self.earlier = self.factor
-        self.factor = float(np.clip(self.balance + pushes / self.gain, 0.0, self.plan.most))
+        self.factor = float(np.clip(self.balance + pushes / self.gain, 0.0, self.path.most))
 
     def ended(self) -> str:
         """How the branch ends here, if it does."""
@@ -209,7 +212,7 @@ class Falling:
             return ZERO
         if self.balance <= 0.0 and self.speed > self.settings.runs * self.pace:
             return AWAY
-        if self.factor >= self.plan.most:
+        if self.factor >= self.path.most:
             return MOST
         return LATE if self.steps > self.most_steps else ""
 
@@ -217,20 +220,19 @@ class Falling:
         """In thousandths: half for how far the collapse factor is enclosed, half for the fraction of the travel."""
         return 500 + int(499 * min(max(self.travel / self.far, 0.0), 1.0)) if self.led else enclosed // 2
 
-    def found(self) -> dict[str, Any]:
-        """How it went, in SI; up to the reading `near_to_m` all rows are as near to equilibrium as the accuracy
-        asks."""
-        return {
-            "gauge": self.gauge.name,
-            "until_m": self.until,
-            "ends": self.ends,
-            "led": self.led,
-            "from_m": self.start,
-            "steps": self.steps,
-            "leaps": self.leaps,
-            "out_of_balance_max": self.worst,
-            "near_to_m": self.near,
-        }
+    def outcome(self) -> BranchOutcome:
+        """How it went."""
+        return BranchOutcome(
+            gauge=self.gauge.name,
+            until_m=self.until,
+            ends=self.ends,
+            led=self.led,
+            from_m=self.start,
+            steps=self.steps,
+            leaps=self.leaps,
+            out_of_balance_max=self.worst,
+            near_to_m=self.near,
+        )
 
     def state(self) -> State:
         """All that the next chunk depends on."""

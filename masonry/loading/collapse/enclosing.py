@@ -6,8 +6,8 @@ that grows.
 
 from math import inf, log
 
+from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.settings import GrowingSettings
-from masonry.loading.plans import Growing
 from masonry.runtime.state import State, attributes, load_attributes
 
 REMEMBERED = ("leg", "stands", "falls", "target", "increment", "greatest", "trials")
@@ -24,33 +24,33 @@ class Enclosing:
     stands  the greatest that was borne     falls  the least that was not; inf if none     target  what is tried
     """
 
-    def __init__(self, plan: Growing, least: float, settings: GrowingSettings) -> None:
+    def __init__(self, path: FactorPath, least: float, settings: GrowingSettings) -> None:
         """least: factor below which a load is none"""
-        self.plan, self.settings, self.least = plan, settings, max(least, LEAST)
+        self.path, self.settings, self.least = path, settings, max(least, LEAST)
         self.leg = self.trials = 0
         self.stands = self.target = self.greatest = 0.0
-        self.falls, self.increment = inf, min(self.longest, plan.legs[0].length)
+        self.falls, self.increment = inf, min(self.longest, path.legs[0].length)
 
     @property
     def borne(self) -> float:
         """The factor that was borne last."""
-        return self.plan.legs[self.leg].at(self.stands)
+        return self.path.legs[self.leg].at(self.stands)
 
     @property
     def tried(self) -> float:
         """The factor that is tried."""
-        return self.plan.legs[self.leg].at(self.target)
+        return self.path.legs[self.leg].at(self.target)
 
     @property
     def fallen(self) -> float | None:
         """The least factor that was not borne on this leg; None where there is none."""
-        return None if self.falls == inf else self.plan.legs[self.leg].at(self.falls)
+        return None if self.falls == inf else self.path.legs[self.leg].at(self.falls)
 
     @property
     def longest(self) -> float:
         """The longest increment: a fraction of what is borne, or, to and fro, of all that the load goes through."""
-        if self.plan.reversals:
-            return self.settings.to_and_fro(self.plan.accuracy) * self.plan.span
+        if self.path.reversals:
+            return self.settings.to_and_fro(self.path.accuracy) * self.path.span
         return max(self.settings.first, self.settings.coarsest * self.stands)
 
     @property
@@ -61,12 +61,12 @@ class Enclosing:
     @property
     def narrow(self) -> float:
         """How narrowly that is: a share of the factor; of one that went to and fro, of the greatest that was borne."""
-        factor = max(abs(self.plan.legs[self.leg].at(self.falls)), self.greatest)
-        return max(self.plan.accuracy * factor, self.least)
+        factor = max(abs(self.path.legs[self.leg].at(self.falls)), self.greatest)
+        return max(self.path.accuracy * factor, self.least)
 
     def begin(self) -> None:
         """Set out for a higher factor."""
-        end = self.plan.legs[self.leg].length
+        end = self.path.legs[self.leg].length
         self.target = self.stands + self.increment
         if self.target > end - SLIVER * self.increment:
             self.target = end
@@ -76,7 +76,7 @@ class Enclosing:
         """What was tried is borne."""
         self.stands = self.target
         if self.stands >= self.falls:  # what was taken for a fall is borne after all, coming from nearer
-            self.falls, self.increment = inf, 0.5 * self.plan.accuracy * self.stands
+            self.falls, self.increment = inf, 0.5 * self.path.accuracy * self.stands
         if self.falls == inf:
             self.increment = min(2.0 * self.increment, self.longest)
 
@@ -90,8 +90,8 @@ class Enclosing:
     def go_on(self) -> bool:
         """By how much to raise the factor from here, on this leg or the next; False where the load has come to its
         end. Where the factor is known, what follows is the fall."""
-        if self.stands >= self.plan.legs[self.leg].length:
-            if self.leg + 1 == len(self.plan.legs):
+        if self.stands >= self.path.legs[self.leg].length:
+            if self.leg + 1 == len(self.path.legs):
                 return False
             self.greatest = max(self.greatest, abs(self.borne))
             self.leg, self.stands, self.falls, self.increment = self.leg + 1, 0.0, inf, self.longest
@@ -101,19 +101,12 @@ class Enclosing:
 
     def progress(self) -> int:
         """How far the factor is known, in thousandths; to and fro, how far it has come."""
-        if self.plan.reversals:
-            done = sum(leg.length for leg in self.plan.legs[: self.leg]) + self.stands
-            return int(999 * done / self.plan.path)
+        if self.path.reversals:
+            done = sum(leg.length for leg in self.path.legs[: self.leg]) + self.stands
+            return int(999 * done / self.path.length)
         if self.falls == inf:
             return 500 * self.trials // (self.trials + 20)
         return 500 + int(450 / (1.0 + log(max((self.falls - self.stands) / self.narrow, 1.0))))
-
-    def report(self) -> dict[str, float]:
-        """The interval, and how it was found; `factor_falls` is missing where nothing fell. A load that is less than
-        what may be unbalanced at a rest is none."""
-        borne = self.borne if abs(self.borne) > self.least else 0.0
-        found = {"accuracy": self.plan.accuracy, "factor": borne, "trials": self.trials, "leg": self.leg + 1}
-        return found if self.fallen is None else found | {"factor_falls": self.fallen}
 
     def state(self) -> State:
         """All that the next trial depends on."""

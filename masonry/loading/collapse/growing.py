@@ -1,4 +1,4 @@
-"""How a run advances, chunk by chunk: a load that grows until nothing balances it.
+"""A load that grows until nothing balances it: the plan, and how a run advances along it.
 
 Each trial raises the factor from one at which the specimen rests, and waits. Where it comes to rest again, the factor
 is borne. Where it accelerates, the model goes back to where it rested, and the next trial raises the factor by half as
@@ -7,30 +7,30 @@ that was not. Where the scene names a gauge, that is then led on behind the coll
 and fro is borne at each of its turning points, or ends where nothing balances it before.
 """
 
-from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
-from masonry.configuration import energy
+from masonry.configuration import energy, model_state
 from masonry.configuration.chunk import Chunk
-from masonry.configuration.energy import Seen
 from masonry.loading.collapse.branch import Falling
 from masonry.loading.collapse.enclosing import Enclosing
+from masonry.loading.collapse.factor_path import FactorPath
+from masonry.loading.collapse.outcome import CollapseOutcome
 from masonry.loading.collapse.pace import Pace
-from masonry.loading.collapse.settings import GROWING, GrowingSettings
+from masonry.loading.collapse.settings import FALLING, GROWING, GrowingSettings
 from masonry.loading.collapse.watching import Gathering
+from masonry.loading.loading import Arrays, Expected, Loading
 from masonry.loading.moves.travels import Limits, Travels
-from masonry.loading.plans import Growing, Program
-from masonry.loading.scheduled import ScheduledLoading
+from masonry.loading.plan import PacedPlan
+from masonry.loading.scheduled import Program
 from masonry.loading.varying_loads import SharedLoads
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.monitors.settling import unbalanced
 from masonry.rows.columns import FACTOR, OFF_BALANCE
 from masonry.runtime.state import State, attributes, load_attributes
-
-Arrays = dict[str, np.ndarray]
-
 
 REMEMBERED = (
     *("phase", "factor", "calm", "slowest", "undecided", "looked"),
@@ -41,50 +41,95 @@ SETTLES, RISES, WAITS, SHOWS, DROPS, LEADS, OVER = "settles", "rises", "waits", 
 is led on; the end."""
 
 
-class GrowingLoading:
-    """The chunks of a run whose load grows."""
+TRIALS, FEWEST_OF_TRIAL, ROWS_OF_TRIAL = 20, 2000, 5
+"""What a run takes: trials, the steps of one at least, and rows of one, with the fall's."""
+STEPS_OF_INCREMENT = 1500
+"""The same of one that goes to and fro: 400 to 4,500 in single cases."""
+STEPS_OF_BRANCH, ROWS_OF_BRANCH = 150_000, 200
+"""Of a gauge that is led on behind the collapse: from 3,000 steps to a million in single cases."""
 
-    events = None
+
+class Control(NamedTuple):
+    """Behind its collapse a load is led by a gauge, by its name, until it reads so much (m)."""
+
+    gauge: str
+    until: float
+
+
+@dataclass(frozen=True)
+class Growing(PacedPlan):
+    """A load whose factor grows along a path until nothing balances it.
+
+    pattern     what the factor multiplies, in a word of the scene
+    loops_over  the gauge over which the loops of a load that goes to and fro are seen
+    """
+
+    path: FactorPath
+    pattern: str = "weight"
+    control: Control | None = None
+    loops_over: str | None = None
+
+    @property
+    def trials(self) -> int:
+        """About how many: of a load that goes to and fro, increments."""
+        if not self.path.reversals:
+            return TRIALS
+        return round(self.path.length / (GROWING.to_and_fro(self.path.accuracy) * self.path.span))
+
+    def expected(self, model: Model, rows: int, axis: int | None) -> Expected:
+        """About: a trial has few rows, and looks in between."""
+        of_trial = STEPS_OF_INCREMENT if self.path.reversals else max(self.settle // 6, FEWEST_OF_TRIAL)
+        before, behind = self.settle + self.trials * of_trial, 0 if self.control is None else STEPS_OF_BRANCH
+        looks = before / GROWING.look + behind / FALLING.longest
+        return Expected(before + behind, ROWS_OF_TRIAL * self.trials + (ROWS_OF_BRANCH if behind else 0), looks)
+
+    def settling(self) -> Program:
+        """The dead loads alone, as long as they settle; the load that grows is none yet."""
+        varying = np.zeros((len(self.path.load_factors(0.0)), self.settle + 1))
+        return replace(super().settling(), varying=varying)
+
+    def loading(self, model: Model, rows: int, gauges: tuple[Gauge, ...] = ()) -> "GrowingLoading":
+        """One trial after the other; what falls is put back to where it rested."""
+        return GrowingLoading(model, self, rows, gauges)
+
+
+class GrowingLoading(Loading):
+    """The chunks of a run whose load grows."""
 
     def __init__(
         self,
         model: Model,
         plan: Growing,
         rows: int,
-        keep: Callable[[Model], Arrays],
-        restore: Callable[[Model, Arrays], None],
-        settings: GrowingSettings = GROWING,
-        gauge: Gauge | None = None,
         gauges: tuple[Gauge, ...] = (),
+        settings: GrowingSettings = GROWING,
     ) -> None:
-        """keep, restore  make copies of what changes in a model, and put them back (configuration/model_state.py)
-        gauge  is led on behind the collapse     gauges  stand still at a rest"""
+        """Gauges  stand still at a rest; the one that the plan names is led on behind the collapse"""
         self.model, self.plan, self.settings = model, plan, settings
-        self.state_of, self.restore_model = keep, restore
-        layers = 0 if plan.layers is None else len(plan.layers)
-        grows = np.zeros((len(model.varying) - layers, plan.settle + 1)) if layers else None
-        still = Program(plan.dead_load, np.zeros(plan.settle + 1), plan.settle, 0, grows, layers=plan.layers)
-        self.settling = ScheduledLoading(model, still, max(1, rows // 10))
-        self.loads = SharedLoads(model, layers)
+        self.settling = plan.settling().loading(model, max(1, rows // 10))
+        self.loads = SharedLoads(model, 0 if plan.layers is None else len(plan.layers))
         limits = Limits(settings.still, settings.reading, settings.away, settings.usual)
         self.travels = Travels(model, limits, gauges)
         self.size = self.travels.size
-        least = settings.at_rest * plan.accuracy * self.loads.rest_over_each()
-        self.enclosing, self.gathering = Enclosing(plan, least, settings), Gathering(model, settings)
+        least = settings.at_rest * plan.path.accuracy * self.loads.rest_over_each()
+        self.enclosing, self.gathering = Enclosing(plan.path, least, settings), Gathering(model, settings)
         self.fall, self.most_looks = self.size * settings.fall, settings.fall_looks
         if model.large is not None:
             self.fall, self.most_looks = self.size * settings.far, settings.far_looks
         self.phase, self.factor = SETTLES, 0.0
         self.rested: Arrays = {}
-        self.pace, self.booked = Pace(plan.accuracy, settings), energy.works(model)
+        self.pace, self.booked = Pace(plan.path.accuracy, settings), energy.works(model)
         self.calm = self.undecided = self.looked = self.steps_of_trial = self.risen = self.slowest = 0
         self.swayed = 0.0
         self.turned = self.falls_by_turning = False
-        self.branch = None if gauge is None else Falling(model, plan, gauge)
+        self.branch = None
+        if plan.control is not None:
+            gauge = next(gauge for gauge in gauges if gauge.name == plan.control.gauge)
+            self.branch = Falling(model, plan.path, gauge, plan.control.until)
 
     def load_factors(self) -> np.ndarray:
         """(L + H,) of the loads that come on in layers, and of those that grow, now."""
-        growing = self.plan.load_factors(self.factor)
+        growing = self.plan.path.load_factors(self.factor)
         return np.concatenate([self.settling.load_factors()[: -len(growing)], growing])
 
     def columns(self) -> dict[str, float]:
@@ -117,13 +162,14 @@ class GrowingLoading:
     def passing(self, factor: float, steps: int, row: bool = False) -> Chunk:
         """Some steps in which the factor goes to another one."""
         dead = np.full(steps + 1, float(self.plan.dead_load[-1]))
-        load_factor = self.loads.pass_over(self.plan.load_factors(self.factor), self.plan.load_factors(factor), steps)
+        begin, end = (self.plan.path.load_factors(one) for one in (self.factor, factor))
+        load_factor = self.loads.pass_over(begin, end, steps)
         self.factor = factor
         return Chunk(dead + load_factor, np.zeros(steps + 1), row)
 
     def keep(self) -> None:
         """The specimen rests here: trials begin from here."""
-        self.rested, self.booked = self.state_of(self.model), energy.works(self.model)
+        self.rested, self.booked = model_state.state(self.model), energy.works(self.model)
         self.travels.rest()
 
     def begin(self) -> None:
@@ -200,9 +246,9 @@ class GrowingLoading:
         """Whether the specimen rests, accelerates, or has still to be waited for."""
         now = energy.observe(self.model)
         kinetic, stored = abs(energy.kinetic(self.model, before)), now.elastic_blocks + now.elastic_contacts
-        loose = unbalanced(self.model, before) > self.settings.at_rest * self.plan.accuracy
+        loose = unbalanced(self.model, before) > self.settings.at_rest * self.plan.path.accuracy
         rests = not loose and kinetic <= self.settings.still * stored
-        alone = rests and self.travels.moves_alone(before, self.settings.at_rest * self.plan.accuracy, self.calm)
+        alone = rests and self.travels.moves_alone(before, self.settings.at_rest * self.plan.path.accuracy, self.calm)
         self.calm = self.calm + 1 if rests and not alone else 0
         travelled = self.travels.travelled
         far = travelled > self.travels.away or self.travels.fallen()
@@ -219,7 +265,7 @@ class GrowingLoading:
         if self.branch is not None:
             self.branch.learn(self.rested, self.enclosing.target - self.enclosing.stands)
         self.enclosing.bear()
-        if self.plan.reversals:
+        if self.plan.path.reversals:
             _, damped, work, *_ = energy.works(self.model) - self.booked
             self.pace.learn(work, -damped)
         self.slowest = max(self.slowest, self.steps_of_trial)
@@ -242,16 +288,13 @@ class GrowingLoading:
         if self.enclosing.found and (self.branch is None or not self.branch.begin(self.rested, stands, falls)):
             self.phase, self.looked = DROPS, 0
             return
-        self.restore_model(self.model, self.rested)
+        model_state.restore(self.model, self.rested)
         self.gathering.hold()
         self.factor = self.enclosing.borne
         if self.enclosing.found:
             self.phase = LEADS
         else:
             self.go_on()
-
-    def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
-        """Rows change nothing."""
 
     def progress(self) -> tuple[int, int]:
         """How far the factor is known, in thousandths; where a gauge is to be led on, that is the first half."""
@@ -260,14 +303,24 @@ class GrowingLoading:
         enclosed = self.enclosing.progress()
         return enclosed if self.branch is None else self.branch.progress(enclosed), 1000
 
-    def report(self) -> dict[str, float]:
-        """The interval, and how it was found."""
-        motion = {"falls_by_turning": float(self.falls_by_turning), "swayed": self.swayed / self.size}
-        return self.enclosing.report() | {"undecided": self.undecided} | motion
-
-    def mechanism(self) -> np.ndarray:
-        """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""
-        return self.travels.relative()
+    def outcome(self) -> CollapseOutcome:
+        """The interval of the factor, the mechanism, and the branch behind it."""
+        enclosing = self.enclosing
+        return CollapseOutcome(
+            pattern=self.plan.pattern,
+            path=self.plan.path,
+            loops_over=self.plan.loops_over,
+            borne=enclosing.borne if abs(enclosing.borne) > enclosing.least else 0.0,
+            falls=enclosing.fallen,
+            trials=enclosing.trials,
+            leg=enclosing.leg + 1,
+            undecided=self.undecided,
+            falls_by_turning=self.falls_by_turning,
+            swayed=self.swayed / self.size,
+            freely=self.model.large is not None,
+            mechanism=self.travels.relative(),
+            branch=None if self.branch is None else self.branch.outcome(),
+        )
 
     def state(self) -> State:
         """All that the next chunk depends on."""
