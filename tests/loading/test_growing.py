@@ -11,10 +11,10 @@ import masonry
 import verification
 from masonry.errors import SceneError
 from masonry.laboratory.text import summary_text
+from masonry.loading.collapse import growing
 from masonry.loading.collapse.growing import GrowingLoading
 from masonry.loading.collapse.settings import GROWING
 from masonry.scene import load as load_scene
-from masonry.timeloop import timeloop
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 from verification.cases.friction.collapse_in_one_run import DILATES
 
@@ -109,7 +109,7 @@ def test_dilation_as_large_as_friction_reaches_the_bound_of_limit_analysis():
 def test_what_creeps_for_long_below_its_collapse_comes_to_rest_once_it_is_let_go(first, monkeypatch):
     """By these increments the wall comes to 0.6365, and creeps there for more than 25,000 steps where it is dragged."""
     other = partial(GrowingLoading, settings=replace(GROWING, first=first))
-    monkeypatch.setattr(timeloop, "GrowingLoading", other)
+    monkeypatch.setattr(growing, "GrowingLoading", other)
     found = collapse_load(load_scene("wall-tilted", DILATES))
     assert found["borne"] <= 0.64286 <= found["falls"] and found["moving"] == 12
 
