@@ -76,10 +76,10 @@ def assemble(scene: Scene) -> Assembly:
             require_held(specimen, joints, layout, replace(conditions, load=varying), loaded=True)
     if scene.comes_in_layers:
         lay_in_layers(scene, blocks, layout, materials, conditions)
-    given = {name: scene.contact_of(name).properties(scene.turns_back) for name in names}
-    laws = {name: factory.build(name, given[name], compressions) for name in names}
+    properties = {name: scene.contact_of(name).properties(scene.turns_back) for name in names}
+    laws = {name: factory.build(name, properties[name], compressions) for name in names}
     drawn = _draws(scene, blocks, joints, names, group)
-    laws |= {d.group: laws_of(d, given[d.group], compressions) for d in drawn}
+    laws |= {d.group: laws_of(d, properties[d.group], compressions) for d in drawn}
     s = scene.solver
     stepping = model.Stepping(
         s.masses, s.time_step, s.step_fraction, LITTLE if scene.is_controlled else s.damping, scene.is_controlled

@@ -92,21 +92,21 @@ def _set_moving(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout
         return
     motion = {kind: np.zeros((layout.rows(kind), DOFS[kind])) for kind in KINDS}
     spin = np.zeros((specimen.blocks.count, 3))
-    for k, given in enumerate(scene.motion):
+    for k, start in enumerate(scene.motion):
         where = f"motion.{k}.on"
-        chosen, faces = select(specimen, joints, given.on, where)
+        chosen, faces = select(specimen, joints, start.on, where)
         if faces is not None:
-            raise SceneError(f"{where} = '{given.on}': whole blocks start in motion; name a set, without a face")
+            raise SceneError(f"{where} = '{start.on}': whole blocks start in motion; name a set, without a face")
         volume = layout.volume[chosen]
-        centre = np.average(layout.centroid[chosen], axis=0, weights=volume) if given.about is None else given.about
-        angular_velocity = np.array(given.spin)
+        centre = np.average(layout.centroid[chosen], axis=0, weights=volume) if start.about is None else start.about
+        angular_velocity = np.array(start.spin)
         spin[chosen] += angular_velocity
         for kind in KINDS:
             if len(rows := rows_of(layout, kind, chosen)) == 0:
                 continue
-            moves = velocities_of(layout, kind, rows, np.array(given.velocity), angular_velocity, np.array(centre))
+            moves = velocities_of(layout, kind, rows, np.array(start.velocity), angular_velocity, np.array(centre))
             if (moves[conditions.prescribed[kind][rows]] != 0.0).any():
-                raise SceneError(f"{where} = '{given.on}': a support or the drive holds what this sets in motion")
+                raise SceneError(f"{where} = '{start.on}': a support or the drive holds what this sets in motion")
             motion[kind][rows] += moves
     conditions.motion, conditions.spin = motion, spin
 

@@ -49,8 +49,10 @@ def pairs_of(scene: Scene, blocks: Blocks, compressions: list[float]) -> Pairs:
     number = np.full((len(blocks.groups), len(blocks.groups), 2), NONE, dtype=np.int64)
     for (g, h, same), name in name_of.items():
         number[g, h, same] = number[h, g, same] = names.index(name)
-    given = {name: scene.contact_of(name).properties(scene.turns_back) for name in names}
-    return Pairs(names, number, given, {name: factory.build(name, given[name], compressions) for name in names})
+    properties = {name: scene.contact_of(name).properties(scene.turns_back) for name in names}
+    return Pairs(
+        names, number, properties, {name: factory.build(name, properties[name], compressions) for name in names}
+    )
 
 
 def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
@@ -71,7 +73,7 @@ def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
 
 def _names(blocks: Blocks) -> dict[tuple[int, int, int], str]:
     """The contact group of two blocks of groups g <= h, of two units (0) or of one (1), for all that there are."""
-    found = {}
+    names = {}
     units = [np.unique(blocks.unit[blocks.group == g], return_counts=True) for g in range(len(blocks.groups))]
     for g, h in combinations_with_replacement(range(len(units)), 2):
         (own, count), (others, _) = units[g], units[h]
@@ -82,5 +84,5 @@ def _names(blocks: Blocks) -> dict[tuple[int, int, int], str]:
         }
         for same in (0, 1):
             if there[same]:
-                found[g, h, same] = contact_group_name(blocks.groups[g], blocks.groups[h], bool(same))
-    return found
+                names[g, h, same] = contact_group_name(blocks.groups[g], blocks.groups[h], bool(same))
+    return names

@@ -22,13 +22,13 @@ TOUCH = 1e-7
 
 def gauges_of(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout) -> tuple[Gauge, ...]:
     """The gauges of a scene; raises SceneError for a place where there is nothing."""
-    found = []
-    for k, asked in enumerate(scene.gauge):
-        at = _place(specimen, joints, layout, asked.at, f"gauge.{k}.at")
-        base = asked.relative_to
+    gauges = []
+    for k, table in enumerate(scene.gauge):
+        at = _place(specimen, joints, layout, table.at, f"gauge.{k}.at")
+        base = table.relative_to
         still = None if base is None else _place(specimen, joints, layout, base, f"gauge.{k}.relative_to")
-        found.append(gauge(asked.name, layout, at, still, "xyz".index(asked.direction[-1]), asked.sign))
-    return tuple(found)
+        gauges.append(gauge(table.name, layout, at, still, "xyz".index(table.direction[-1]), table.sign))
+    return tuple(gauges)
 
 
 def _place(specimen: Specimen, joints: Joints, layout: Layout, where: str | Coordinates, key: str) -> Place:
@@ -74,15 +74,15 @@ def _on_line(specimen: Specimen, layout: Layout, where: Coordinates, key: str) -
     _, normal, centre = face_areas_normals_centroids(blocks)
     level = np.einsum("fi,fi->f", normal, centre)
     planes, _ = pad(np.column_stack([normal, level]), blocks.block_face_start, np.arange(len(level)))
-    found = pieces(planes[:, :, :3], planes[:, :, 3], place, width)
-    solid = layout.kind[found.body] != KINDS.index("tets")
-    if len(found.body) == 0:
+    cut = pieces(planes[:, :, :3], planes[:, :, 3], place, width)
+    solid = layout.kind[cut.body] != KINDS.index("tets")
+    if len(cut.body) == 0:
         raise SceneError(f"{key}: no block lies at {_said(place)}; the specimen reaches over {_said(low, high)}")
     node, node_weight = np.zeros(0, dtype=np.int64), np.zeros(0)
     if mesh is not None and not solid.all():
         node, node_weight = _between_nodes(mesh, place, width)
-        node_weight = node_weight * found.fraction[~solid].sum()
-    return Place(found.body[solid], found.middle[solid], found.fraction[solid], node, node_weight)
+        node_weight = node_weight * cut.fraction[~solid].sum()
+    return Place(cut.body[solid], cut.middle[solid], cut.fraction[solid], node, node_weight)
 
 
 def _said(*places: Sequence[float | None]) -> str:
@@ -98,7 +98,7 @@ def _between_nodes(mesh: TetMesh, place: list[float | None], width: float) -> tu
     steep = np.linalg.norm(gradient, axis=2)
     normal = -gradient / steep[:, :, None]
     level = np.einsum("tki,tki->tk", normal, np.roll(corner, 1, axis=1))
-    found: Pieces = pieces(normal, level, place, width)
-    arm = found.middle[:, None] - corner[found.body]
-    weight = 1.0 + np.einsum("nki,nki->nk", gradient[found.body], arm)
-    return mesh.tets[found.body].ravel(), (found.fraction[:, None] * weight).ravel()
+    cut: Pieces = pieces(normal, level, place, width)
+    arm = cut.middle[:, None] - corner[cut.body]
+    weight = 1.0 + np.einsum("nki,nki->nk", gradient[cut.body], arm)
+    return mesh.tets[cut.body].ravel(), (cut.fraction[:, None] * weight).ravel()

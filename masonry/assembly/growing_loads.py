@@ -21,17 +21,17 @@ def let_grow(
     scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, materials: dict[str, Material], into: Conditions
 ) -> None:
     """Add the load of [limit] to those that vary: one, or for a tilt two, see loading/collapse/factor_path.py."""
-    asked, density = scene.limit, density_of(specimen.blocks, materials)
-    assert asked is not None
+    limit, density = scene.limit, density_of(specimen.blocks, materials)
+    assert limit is not None
     gravity = gravity_of(scene)
-    loads = {"limit": growing_load(specimen, joints, layout, asked, density, gravity)[0]}
-    if asked.pattern == "tilt":
+    loads = {"limit": growing_load(specimen, joints, layout, limit, density, gravity)[0]}
+    if limit.pattern == "tilt":
         turning: Load = dict.fromkeys(KINDS)
-        add_gravity(layout, turning, density, np.where(np.arange(3) == _axis(asked.about), 0.0, gravity))
+        add_gravity(layout, turning, density, np.where(np.arange(3) == _axis(limit.about), 0.0, gravity))
         loads = {"limit cos": turning, "limit sin": loads["limit"]}
     acting = [load[~into.prescribed[k]] for one in loads.values() for k, load in one.items() if load is not None]
     if not any(load.any() for load in acting):
-        raise SceneError(f"nothing loads this: {asked.pattern} of [limit] acts on no block that can move")
+        raise SceneError(f"nothing loads this: {limit.pattern} of [limit] acts on no block that can move")
     into.each_load |= loads
     into.varying += loads.values()
 
@@ -42,33 +42,33 @@ def gravity_of(scene: Scene) -> np.ndarray:
 
 
 def growing_load(
-    specimen: Specimen, joints: Joints, layout: Layout, asked: LimitLoad, density: np.ndarray, gravity: np.ndarray
+    specimen: Specimen, joints: Joints, layout: Layout, limit: LimitLoad, density: np.ndarray, gravity: np.ndarray
 ) -> tuple[Load, str]:
     """The load by kind, and what it is in words; the force of a drive is no load. Raises SceneError."""
     load: Load = dict.fromkeys(KINDS)
-    if asked.pattern == "weight":
-        towards = _sign(asked.direction) * np.linalg.norm(gravity) * np.eye(3)[_axis(asked.direction)]
+    if limit.pattern == "weight":
+        towards = _sign(limit.direction) * np.linalg.norm(gravity) * np.eye(3)[_axis(limit.direction)]
         add_gravity(layout, load, density, towards)
-        return load, f"the weight along {asked.direction}"
-    if asked.pattern == "tilt":
-        add_gravity(layout, load, density, np.cross(_sign(asked.about) * np.eye(3)[_axis(asked.about)], gravity))
-        return load, f"gravity turned about {asked.about}: the factor is the tangent of the angle"
-    assert asked.on is not None
-    chosen, faces = select(specimen, joints, asked.on, "limit.on")
-    if asked.pattern == "traction":
+        return load, f"the weight along {limit.direction}"
+    if limit.pattern == "tilt":
+        add_gravity(layout, load, density, np.cross(_sign(limit.about) * np.eye(3)[_axis(limit.about)], gravity))
+        return load, f"gravity turned about {limit.about}: the factor is the tangent of the angle"
+    assert limit.on is not None
+    chosen, faces = select(specimen, joints, limit.on, "limit.on")
+    if limit.pattern == "traction":
         if faces is None:
             raise SceneError(
-                f"limit.on = '{asked.on}': a traction acts on a face, for example '{asked.on}.z+'; "
+                f"limit.on = '{limit.on}': a traction acts on a face, for example '{limit.on}.z+'; "
                 "a force acts on whole blocks"
             )
-        add_traction(specimen.blocks, layout, load, Push(faces, np.array(asked.stress)))
-        return load, f"the traction on '{asked.on}'"
+        add_traction(specimen.blocks, layout, load, Push(faces, np.array(limit.stress)))
+        return load, f"the traction on '{limit.on}'"
     if faces is not None:
-        raise SceneError(f"limit.on = '{asked.on}': a force acts on whole blocks; a traction acts on a face")
-    if asked.at is not None:
-        _require_in(specimen, chosen, asked.on, np.array(asked.at))
-    _add_force(layout, load, chosen, np.array(asked.force), asked.at)
-    return load, f"the force on '{asked.on}'"
+        raise SceneError(f"limit.on = '{limit.on}': a force acts on whole blocks; a traction acts on a face")
+    if limit.at is not None:
+        _require_in(specimen, chosen, limit.on, np.array(limit.at))
+    _add_force(layout, load, chosen, np.array(limit.force), limit.at)
+    return load, f"the force on '{limit.on}'"
 
 
 def _require_in(specimen: Specimen, chosen: np.ndarray, on: str, at: np.ndarray) -> None:

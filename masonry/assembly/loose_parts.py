@@ -31,10 +31,10 @@ def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions:
         if not loaded:
             continue
         squares, vectors = np.linalg.eigh(rows.T @ rows)
-        directions, held = vectors.T, squares > LOOSE * squares.max()
-        work = np.abs(directions[~held] @ load)
+        directions, is_fixed = vectors.T, squares > LOOSE * squares.max()
+        work = np.abs(directions[~is_fixed] @ load)
         if np.any(work > LOOSE * max(np.abs(load).max(), 1e-300)):
-            mode = directions[~held][int(np.argmax(work))]
+            mode = directions[~is_fixed][int(np.argmax(work))]
             motion = f"along {'xyz'[int(np.argmax(np.abs(mode[:3])))]}"
             if np.abs(mode[3:]).max() > np.abs(mode[:3]).max():
                 motion = f"from turning about {'xyz'[int(np.argmax(np.abs(mode[3:])))]}"
@@ -65,7 +65,7 @@ def _rigid_motions(
 
     Held turns and strains are taken times the size: all rows are then lengths, and the answer is the same in any unit.
     """
-    held, load = [np.zeros((0, 6))], np.zeros(6)
+    rows, load = [np.zeros((0, 6))], np.zeros(6)
     for kind in KINDS:
         if layout.rows(kind) == 0:
             continue
@@ -74,11 +74,11 @@ def _rigid_motions(
         motion[~member[owner]] = 0.0
         alike = motion.copy()
         alike[:, 3:] *= size
-        held.append(alike[conditions.prescribed[kind] & member[owner][:, None]])
+        rows.append(alike[conditions.prescribed[kind] & member[owner][:, None]])
         dead = conditions.load[kind]
         if dead is not None:
             load += np.einsum("ri,rim->m", dead, motion)
-    return np.concatenate(held), load
+    return np.concatenate(rows), load
 
 
 def _row_start(layout: Layout) -> np.ndarray:

@@ -57,14 +57,14 @@ class Drawn:
         """The same in words, a line for each key."""
         within = self.pairs[:, 0] == self.pairs[:, 1]
         what = "units" if within.all() else "joints"
-        found = []
+        lines = []
         for key, numbers in self.summary().items():
             factor, unit = UNITS.get(key, (1.0, "N/m"))
             least, mean, greatest = (f"{numbers[name] * factor:.4g}" for name in ("least", "mean", "greatest"))
-            found.append(
+            lines.append(
                 f"{self.group}.{key}: {least} to {greatest} {unit}, mean {mean}, over {numbers['draws']} {what}"
             )
-        return found
+        return lines
 
 
 def draw(scatter: Scatter, contact: Mapping[str, Any], group: str, blocks: Blocks, joints: Joints, own: slice) -> Drawn:
@@ -111,19 +111,19 @@ def _require_no_snap_back(
     """Raise SceneError for the draw that lacks most, if any snaps back."""
     refused = {}
     for j, (parameters, joint) in enumerate(laws):
-        found = factory.refusal(parameters, joint, compressions)
-        if found is not None:
-            given = drawn.values[found.key][j] if found.key in drawn.values else properties[found.key]
-            refused[j] = found.least / given, given, found
+        lack = factory.refusal(parameters, joint, compressions)
+        if lack is not None:
+            value = drawn.values[lack.key][j] if lack.key in drawn.values else properties[lack.key]
+            refused[j] = lack.least / value, value, lack
     if not refused:
         return
     worst = max(refused, key=lambda j: refused[j][0])
-    _, given, found = refused[worst]
+    _, value, lack = refused[worst]
     raise SceneError(
-        f"contact.{drawn.group}.{found.key} = {given:.6g} (SI), as [scatter.{drawn.group}] draws it for "
-        f"{drawn.words(worst)}, does not work with law '{properties['law']}': it must be above {found.wanted}; "
-        f"{found.why}; {len(refused)} of {len(laws)} draws are refused, this one lacks most: raise "
-        f"contact.{drawn.group}.{found.key}, lower the coefficients of variation, or choose law exponential"
+        f"contact.{drawn.group}.{lack.key} = {value:.6g} (SI), as [scatter.{drawn.group}] draws it for "
+        f"{drawn.words(worst)}, does not work with law '{properties['law']}': it must be above {lack.wanted}; "
+        f"{lack.why}; {len(refused)} of {len(laws)} draws are refused, this one lacks most: raise "
+        f"contact.{drawn.group}.{lack.key}, lower the coefficients of variation, or choose law exponential"
     )
 
 

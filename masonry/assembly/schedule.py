@@ -151,7 +151,7 @@ def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: f
         require_two(plain.steps - settle)
         return replace(plain, varying=_load_factors(loads, settle, plain.steps - settle))
     path = None if drive is None else drive.path
-    duration = max(found.duration for found in [*loads, *([path] if path else [])]) if loads or path else 0.0
+    duration = max(history.duration for history in [*loads, *([path] if path else [])]) if loads or path else 0.0
     if drive is not None and drive.steps is not None:
         count = drive.steps
     elif drive is not None and drive.rate is not None:

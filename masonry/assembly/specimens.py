@@ -49,14 +49,18 @@ def specimen_of(scene: Scene) -> Specimen:
     section = scene.specimen.section
     if scene.specimen.kind == "file" and blocks_from(scene.specimen.path)[0].joints is not None:
         _require_what_goes_with_gaps(scene, scene.specimen.is_divided)
-    found = _specimen_of(scene)
-    found = found if section is None else replace(found, section=section)
-    found = numbered_by_place(found) if scene.is_large and scene.specimen.kind in ("file", "boxes") else found
+    specimen = _specimen_of(scene)
+    specimen = specimen if section is None else replace(specimen, section=section)
+    specimen = numbered_by_place(specimen) if scene.is_large and scene.specimen.kind in ("file", "boxes") else specimen
     if scene.specimen.turned is not None:
-        stated = found.joints and replace(found.joints, points=as_turned(scene, found.joints.points))
-        blocks = replace(found.blocks, points=as_turned(scene, found.blocks.points))
-        found = replace(found, blocks=blocks, joints=stated)
-    return found if scene.floor is None else on_floor(found, scene.floor.level, scene.floor.size, scene.floor.thickness)
+        stated = specimen.joints and replace(specimen.joints, points=as_turned(scene, specimen.joints.points))
+        blocks = replace(specimen.blocks, points=as_turned(scene, specimen.blocks.points))
+        specimen = replace(specimen, blocks=blocks, joints=stated)
+    return (
+        specimen
+        if scene.floor is None
+        else on_floor(specimen, scene.floor.level, scene.floor.size, scene.floor.thickness)
+    )
 
 
 def as_turned(scene: Scene, points: np.ndarray) -> np.ndarray:
@@ -154,13 +158,13 @@ def _of_file(spec: Any) -> Specimen:
     return _divided(blocks_from(spec.path)[0], spec)
 
 
-def _divided(found: Specimen, spec: Any) -> Specimen:
+def _divided(specimen: Specimen, spec: Any) -> Specimen:
     """The units of a specimen divided as its table asks."""
     if not spec.is_divided:
-        return found
+        return specimen
     from geometry.specimens.divided import divided
 
-    return divided(found, _filling(spec))
+    return divided(specimen, _filling(spec))
 
 
 def _filling(table: Any) -> Sequence[int] | CellRequest:
@@ -172,8 +176,8 @@ def _filling(table: Any) -> Sequence[int] | CellRequest:
 def _cells(cells: Cells) -> CellRequest:
     """The cells that a table asks for."""
     plain = ("total", "per_unit", "size", "spread", "sizes", "sites", "seed", "regularise")
-    given = {key: getattr(cells, key) for key in plain}
-    return CellRequest(**given, space=cells.form == "space", laguerre=cells.kind == "laguerre")
+    sizes = {key: getattr(cells, key) for key in plain}
+    return CellRequest(**sizes, space=cells.form == "space", laguerre=cells.kind == "laguerre")
 
 
 def blocks_from(path: str) -> tuple[Specimen, TetMesh | None]:

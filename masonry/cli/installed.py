@@ -74,13 +74,13 @@ def _requirements() -> list[tuple[str, str]]:
         requirements = metadata.requires(DISTRIBUTION) or []
     except metadata.PackageNotFoundError:
         return []
-    found = []
+    names = []
     for line in requirements:
         name = re.match(r"[\w.-]+", line)
         extra = re.search(r"extra == ['\"]([\w-]+)['\"]", line)
         if name and name[0] != DISTRIBUTION:
-            found.append((name[0], extra[1] if extra else ""))
-    return found
+            names.append((name[0], extra[1] if extra else ""))
+    return names
 
 
 def cached_code() -> Finding:

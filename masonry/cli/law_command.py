@@ -60,14 +60,14 @@ def main(arguments: list[str] | None = None) -> int:
     from masonry.model.law_portrait import COMPRESSIONS, portrait
 
     parameters, joint = build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS))
-    found = portrait(parameters, joint)
+    measured = portrait(parameters, joint)
     from masonry.runtime.tables import aligned
 
-    print(aligned([*_about(words.name, contact, parameters), *_energies(contact, found)]))
+    print(aligned([*_about(words.name, contact, parameters), *_energies(contact, measured)]))
     if plot is not None:
         from masonry.drawings.law_picture import draw_law
 
-        print(draw_law(words.name, found, plot))
+        print(draw_law(words.name, measured, plot))
     return OK
 
 
@@ -100,13 +100,13 @@ def _contact(name: str, changes: list[str]) -> Any:
     if own is None and name not in law_names():
         raise SceneError(f"there is no law '{name[:60]}'; {nearest(name, all_law_names())}")
     example = {} if own is None else {f"{GROUP}.{key}": value for key, value in own.example.items()}
-    given = {}
+    strengths = {}
     for text in changes:
         key, equals, value = (part.strip() for part in text.partition("="))
         if not equals or not key.isidentifier():
             raise SceneError(f"--set {text[:80]}: write KEY=VALUE with a key of a contact: --set cohesion='0.6 MPa'")
-        given[f"{GROUP}.{key}"] = value
-    return load(COUPLET, {"law": name, **example, **given}).contact["unit_unit"]
+        strengths[f"{GROUP}.{key}"] = value
+    return load(COUPLET, {"law": name, **example, **strengths}).contact["unit_unit"]
 
 
 def _about(name: str, contact: Any, parameters: Any) -> list[tuple[str, list[str]]]:
@@ -152,11 +152,11 @@ def _kind(table: Any, key: str) -> str:
         return [mark for part in get_args(annotation) for mark in ([part] if isinstance(part, Given) else marks(part))]
 
     field = table.model_fields.get(key)
-    found = [*field.metadata, *marks(field.annotation)] if field is not None else []
-    return next((mark.kind for mark in found if isinstance(mark, Given)), "number")
+    metadata = [*field.metadata, *marks(field.annotation)] if field is not None else []
+    return next((mark.kind for mark in metadata if isinstance(mark, Given)), "number")
 
 
-def _energies(contact: Any, found: Any) -> list[tuple[str, list[str]]]:
+def _energies(contact: Any, measured: Any) -> list[tuple[str, list[str]]]:
     """What was measured, against what is given."""
     from masonry.laws.factory import properties_of
 
@@ -166,25 +166,26 @@ def _energies(contact: Any, found: Any) -> list[tuple[str, list[str]]]:
         getattr(contact, key) if key in read else None
         for key in ("fracture_energy_mode_1", "fracture_energy_mode_2", "fracture_energy_mode_2_slope")
     )
-    if found.mode_1 is not None:
-        rows.append(("G_I, measured", [_energy(found.mode_1, mode_1)]))
-        if abs(found.mode_1.booked - found.mode_1.whole) > AGREE * found.mode_1.whole:
+    if measured.mode_1 is not None:
+        rows.append(("G_I, measured", [_energy(measured.mode_1, mode_1)]))
+        if abs(measured.mode_1.booked - measured.mode_1.whole) > AGREE * measured.mode_1.whole:
             rows.append(
                 (
                     "WARNING",
                     [
-                        f"the law books {found.mode_1.booked:.4g} N/m where the curve takes {found.mode_1.whole:.4g}: "
+                        f"the law books {measured.mode_1.booked:.4g} N/m where the curve takes "
+                        f"{measured.mode_1.whole:.4g}: "
                         "its tension_area is not the integral of its tension_intact"
                     ],
                 )
             )
     lines = []
-    for compression, energy in found.mode_2.items():
-        given = None if mode_2 is None else mode_2 + (slope or 0.0) * compression
-        lines.append(f"at {compression * 1e-6:g} MPa: {_energy(energy, given)}")
+    for compression, energy in measured.mode_2.items():
+        expected = None if mode_2 is None else mode_2 + (slope or 0.0) * compression
+        lines.append(f"at {compression * 1e-6:g} MPa: {_energy(energy, expected)}")
     return [*rows, ("G_II, measured", lines)] if lines else rows
 
 
-def _energy(energy: Any, given: float | None) -> str:
-    compared = "" if given is None else f"; given: {given:.4g}"
+def _energy(energy: Any, expected: float | None) -> str:
+    compared = "" if expected is None else f"; given: {expected:.4g}"
     return f"{energy.beyond:.4g} N/m beyond the peak, {energy.whole:.4g} with the elastic part{compared}"

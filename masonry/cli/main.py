@@ -169,12 +169,12 @@ def _geometry_error() -> type[Exception]:
 
 
 def _act(arguments: list[str] | None) -> int:
-    given = sys.argv[1:] if arguments is None else arguments
+    argv = sys.argv[1:] if arguments is None else arguments
     with ended_by_signals() as command:
         try:
-            if given and given[0] in APART:
-                return int(_apart(given[0]).main(given[1:]))
-            words = parser().parse_args(given)
+            if argv and argv[0] in APART:
+                return int(_apart(argv[0]).main(argv[1:]))
+            words = parser().parse_args(argv)
             return int(words.action(words))
         except BaseException as error:
             if command.number:  # whatever native code made of it

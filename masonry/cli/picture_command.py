@@ -72,8 +72,8 @@ def _require_fitting(words: argparse.Namespace) -> None:
             raise SceneError(
                 f"'{source}' is a folder; --geometry draws a scene: `masonry picture {source}/scene.toml --geometry`"
             )
-        for name, given in (("--step", words.step), ("--scale", words.scale)):
-            if given is not None:
+        for name, option in (("--step", words.step), ("--scale", words.scale)):
+            if option is not None:
                 raise SceneError(f"{name} is for a folder of results; --geometry draws a scene before it is run")
         if words.view in ("back", "side"):
             raise SceneError(f"--view {words.view} is for a folder of results; --geometry draws front or iso")

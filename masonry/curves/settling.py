@@ -54,10 +54,10 @@ def settling_figure(result: "ResultData") -> Any:
 def across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], str]:
     """What is drawn over what: from steps (n,) to values, and their label: the factor of a load that grows, or the tilt
     of gravity where the scene asks; else the time from the first step in a run in real time, and the step in others."""
-    rows, asked = result.history.rows, result.scene_table.get("curve", {})
+    rows, curve = result.history.rows, result.scene_table.get("curve", {})
     if FACTOR in rows:
         return lambda steps: np.interp(steps, rows["step"], rows[FACTOR]), "load factor [1]"
-    tilts = TILT in rows and isinstance(asked, dict) and asked.get("x") == TILT
+    tilts = TILT in rows and isinstance(curve, dict) and curve.get("x") == TILT
     if tilts and result.summary.get("collapse") is None:  # a fall takes no tilt, but time
         sign, label = tilt_axis(rows)
         return lambda steps: sign * np.degrees(np.interp(steps, rows["step"], rows[TILT])), label

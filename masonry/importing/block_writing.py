@@ -52,11 +52,11 @@ def write_blocks(
     area = None if section is None else parse(section, "area", "section", f"[{SECTIONS[0]}, {SECTIONS[1]}]")
     build = partial(polyhedra, solids, called, of_unit, of_group)
     mended = _mended(build, Wishes(tolerance=width, open_gaps=open_gaps), called)
-    found = mended.blocks
-    require_sound(found)
-    _require_own_names(found, named)
+    sound = mended.blocks
+    require_sound(sound)
+    _require_own_names(sound, named)
     left = mended.deepest
-    save_blocks(path, Specimen(found, sets_of(found, named), section_of(found, area), "file", overlap=left))
+    save_blocks(path, Specimen(sound, sets_of(sound, named), section_of(sound, area), "file", overlap=left))
     return path
 
 
@@ -92,11 +92,11 @@ def _for_each(values: Any, count: int, what: str, kind: type, example: Any) -> l
     if isinstance(values, str) or len(values) != count:
         got = "one text" if isinstance(values, str) else f"{len(values)}"
         raise SceneError(f"{what}: one for each of the {count} blocks, not {got}")
-    found = [value.item() if isinstance(value, np.generic) else value for value in values]
-    for b, value in enumerate(found):
+    items = [value.item() if isinstance(value, np.generic) else value for value in values]
+    for b, value in enumerate(items):
         if not isinstance(value, kind) or isinstance(value, bool) or value == "" != example:
             raise SceneError(f"{what}: block {b} has {value!r:.60}, for example {example!r}")
-    return found
+    return items
 
 
 def _mended(build: Callable[[float], Blocks], wishes: Wishes, names: Sequence[str]) -> Mended:

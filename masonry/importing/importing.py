@@ -90,10 +90,10 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
     _require_free(source, out, target, overwrite)
     read = Reading(source, reader)
     try:
-        found, names, mended, stated = joined_up(read, wishes)
+        solids, names, mended, stated = joined_up(read, wishes)
     except (Unmended, Overlapping) as error:
         raise with_ways_out(error, ways_out(partial(joined_up, read), wishes, error)) from None
-    blocks = mended.blocks if mended else found.blocks
+    blocks = mended.blocks if mended else solids.blocks
     require_sound(blocks)
     section = section_of(blocks, wishes.section)
     if not SECTIONS[0] <= section <= SECTIONS[1]:
@@ -101,7 +101,7 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
             f"'{source}': its section, {section_words(blocks, wishes.section)}, has {section:.3g} m^2, allowed: "
             f"{SECTIONS[0]:g} to {SECTIONS[1]:g} m^2; say by --unit which length 1 in the file means"
         )
-    sets = sets_of(blocks, found.names, wishes.gap or 0.0)
+    sets = sets_of(blocks, solids.names, wishes.gap or 0.0)
     left = mended.deepest if mended else 0.0
     specimen = Specimen(blocks, sets, section, "file", joints=stated, overlap=left)
     joints = find_joints(blocks) if stated is None else stated_joints(stated, Density())
@@ -109,8 +109,8 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
     text = scene_text(specimen, joints, how)
     with whole_file(out) as place:
         place.write_text(text, encoding="utf-8")
-        save_blocks(target, specimen, found.mesh)
-    notes = (*found.notes, *_lone(blocks))
+        save_blocks(target, specimen, solids.mesh)
+    notes = (*solids.notes, *_lone(blocks))
     words = section_words(blocks, wishes.section)
     return Report(specimen, joints, mended, names, notes, (out, target), words)
 
@@ -140,24 +140,24 @@ class Reading:
         key = repr(words)
         if key not in self._read:
             self._read[key] = upright(guarded(*self.reader, self.source, **words), wishes.up)
-        found = self._read[key]
-        require_near(found.blocks)
-        names = tuple(name or f"solid {number}" for number, name in enumerate(found.names, start=1))
-        return grouped(found, names, wishes.groups), names
+        solids = self._read[key]
+        require_near(solids.blocks)
+        names = tuple(name or f"solid {number}" for number, name in enumerate(solids.names, start=1))
+        return grouped(solids, names, wishes.groups), names
 
 
 def joined_up(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str, ...], Mended | None, JointPolygons | None]:
     """The solids of a file, their names, and what was mended, or the joints that were laid over gaps."""
     if wishes.gap is not None:
-        found, names = read(wishes)
-        return found, names, None, bridged(found, names, wishes)
+        solids, names = read(wishes)
+        return solids, names, None, bridged(solids, names, wishes)
     if read.reader == SURFACES:
         return (*_mended_surfaces(read, wishes), None)
-    found, names = read(wishes)
+    solids, names = read(wishes)
     if read.reader[0] == "geometry.files.cad":
-        return found, names, mend(found.blocks, wishes.tolerance, names, wishes.open_gaps), None
-    check_overlaps(found.blocks, names)
-    return found, names, None, None
+        return solids, names, mend(solids.blocks, wishes.tolerance, names, wishes.open_gaps), None
+    check_overlaps(solids.blocks, names)
+    return solids, names, None, None
 
 
 def _words_of_one_kind(source: Path, reader: tuple[str, str], wishes: Wishes) -> dict[str, Any]:
@@ -176,13 +176,13 @@ def _words_of_one_kind(source: Path, reader: tuple[str, str], wishes: Wishes) ->
     return words
 
 
-def upright(found: Imported, up: str) -> Imported:
+def upright(solids: Imported, up: str) -> Imported:
     """The solids turned so that an axis of the file points up: z, with the other two in their order round."""
     if up == "z":
-        return found
+        return solids
     order = list(UPWARD[up])
-    mesh = found.mesh and replace(found.mesh, nodes=found.mesh.nodes[:, order])
-    return replace(found, blocks=replace(found.blocks, points=found.blocks.points[:, order]), mesh=mesh)
+    mesh = solids.mesh and replace(solids.mesh, nodes=solids.mesh.nodes[:, order])
+    return replace(solids, blocks=replace(solids.blocks, points=solids.blocks.points[:, order]), mesh=mesh)
 
 
 def _mended_surfaces(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str, ...], Mended]:
@@ -193,28 +193,28 @@ def _mended_surfaces(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str
     """
     refused: GeometryError | None = None
     for share in FLAT:
-        found, names = read(wishes, share * wishes.tolerance)
+        solids, names = read(wishes, share * wishes.tolerance)
         try:
-            return found, names, mend(found.blocks, wishes.tolerance, names, wishes.open_gaps)
+            return solids, names, mend(solids.blocks, wishes.tolerance, names, wishes.open_gaps)
         except GeometryError as error:
             refused = refused or error
     assert refused is not None
-    if far := [note for note in found.notes if "from the origin" in note]:
+    if far := [note for note in solids.notes if "from the origin" in note]:
         raise GeometryError(f"{refused}; {far[0]}")
     raise refused
 
 
-def bridged(found: Imported, names: Sequence[str], wishes: Wishes) -> JointPolygons:
+def bridged(solids: Imported, names: Sequence[str], wishes: Wishes) -> JointPolygons:
     """The joints over gaps of up to `wishes.gap`, between blocks that overlap by no more than the tolerance.
 
     Raises GeometryError for deeper overlaps, and where nothing is near anything.
     """
     assert wishes.gap is not None
-    if found.mesh is not None:
+    if solids.mesh is not None:
         raise SceneError("--gap: tets need blocks that meet; leave it out")
-    check_overlaps(found.blocks, names, wishes.tolerance)
-    stated = nearby_joints(found.blocks, Rule(wishes.gap * (1 + ALMOST), wishes.tolerance, wishes.angle))
-    if len(stated.block_a) == 0 and found.blocks.count > 1:
+    check_overlaps(solids.blocks, names, wishes.tolerance)
+    stated = nearby_joints(solids.blocks, Rule(wishes.gap * (1 + ALMOST), wishes.tolerance, wishes.angle))
+    if len(stated.block_a) == 0 and solids.blocks.count > 1:
         raise GeometryError(
             f"--gap {wishes.gap * 1e3:.4g} mm: no two blocks are so near each other; is the unit right, and the gap?"
         )
@@ -240,10 +240,10 @@ def _readable(name: str) -> str:
     return name.encode("utf-8", "replace").decode()
 
 
-def grouped(found: Imported, names: Sequence[str], rules: Sequence[tuple[str, str]]) -> Imported:
+def grouped(solids: Imported, names: Sequence[str], rules: Sequence[tuple[str, str]]) -> Imported:
     """The blocks in the groups of the first rule that fits their name or colour ("#c04020"); else in the file's own."""
-    blocks, own = found.blocks, [found.blocks.groups[g] for g in found.blocks.group]
-    painted = [""] * blocks.count if found.colours is None else [_hex(colour) for colour in found.colours]
+    blocks, own = solids.blocks, [solids.blocks.groups[g] for g in solids.blocks.group]
+    painted = [""] * blocks.count if solids.colours is None else [_hex(colour) for colour in solids.colours]
     used = set()
     for b, (name, colour) in enumerate(zip(names, painted, strict=True)):
         for pattern, wanted in reversed(rules):
@@ -258,7 +258,7 @@ def grouped(found: Imported, names: Sequence[str], rules: Sequence[tuple[str, st
             )
     groups = tuple(dict.fromkeys(own))
     number = np.array([groups.index(name) for name in own], dtype=np.int64)
-    return replace(found, blocks=replace(blocks, group=number, groups=groups))
+    return replace(solids, blocks=replace(blocks, group=number, groups=groups))
 
 
 def _hex(colour: np.ndarray) -> str:

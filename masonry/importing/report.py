@@ -80,9 +80,9 @@ def _mended_rows(report: Report) -> list[tuple[str, list[str]]]:
     return rows
 
 
-def _counted(report: Report, found: Facing) -> list[str]:
-    gaps, overlaps = int(np.sum(found.size > 0)), int(np.sum(found.size < 0))
+def _counted(report: Report, facing: Facing) -> list[str]:
+    gaps, overlaps = int(np.sum(facing.size > 0)), int(np.sum(facing.size < 0))
     if gaps + overlaps == 0:
         return []
     assert report.mended is not None
-    return [f"{gaps} gaps and {overlaps} overlaps", *described(report.mended.blocks, found, report.names)]
+    return [f"{gaps} gaps and {overlaps} overlaps", *described(report.mended.blocks, facing, report.names)]

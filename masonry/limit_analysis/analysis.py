@@ -24,7 +24,7 @@ from masonry.scene import Scene
 from masonry.statics.jammed import jammed
 from masonry.statics.no_dilation import without_dilation
 from masonry.statics.plane import plane_of
-from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.problem import Bodies, Contacts, Solution
 from masonry.statics.safety import factor_of_safety
 from masonry.statics.solve import ANY, STANDS, UPWARD, Method, Range, largest_factor, method_word, standing
 from masonry.statics.tilted import tilt_factor
@@ -105,7 +105,7 @@ def analyse(scene: Scene, wishes: Wishes = Wishes(), progress: LimitProgress | N
 
 def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: Method, wishes: Wishes) -> None:
     if wishes.dilation:
-        found = _with_dilation(loads, contacts, method)
+        solution = _with_dilation(loads, contacts, method)
     else:
         if loads.steady is not None and (loads.steady.any() or contacts.has_strength):
             raise SceneError(
@@ -113,38 +113,38 @@ def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: M
                 "or add --no-strength"
             )
         flat = without_dilation(loads.bodies, contacts, method, _range(loads))
-        found = flat.found
+        solution = flat.solution
         result.with_dilation, result.steps = flat.with_dilation, flat.steps
         result.excess, result.open = flat.excess, flat.open
-        if flat.left < (1.0 - LESS) * found.factor:
+        if flat.left < (1.0 - LESS) * solution.factor:
             result.remarks.append(
                 f"what slides loses the pressure that held it: of the greatest factor {flat.left:.5g} is left then"
             )
-        if not flat.converged and found.status == "solved":
+        if not flat.converged and solution.status == "solved":
             result.remarks.append(
                 f"the factor came to no rest in {flat.steps} steps: the normal forces at the end bear up to "
-                f"{(1.0 + flat.open) * found.factor:.5g}; take no more digits than these two share"
+                f"{(1.0 + flat.open) * solution.factor:.5g}; take no more digits than these two share"
             )
-    if found.status == "unbounded":
+    if solution.status == "unbounded":
         jams = ", by jamming, which a run decides" if jammed(loads.bodies, contacts, method) else ""
         raise SceneError(f"there is no limit: forces in the joints can balance every factor of {loads.words}{jams}")
-    if found.status != "solved":
+    if solution.status != "solved":
         raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
-    result.take(found)
+    result.take(solution)
     if wishes.dilation:
-        say_of_sliding(result, loads.bodies, contacts, found)
+        say_of_sliding(result, loads.bodies, contacts, solution)
     if loads.bodies.together is None:
         say_of_jams(result, loads.bodies, contacts, method)
     if loads.bodies.together is not None and wishes.dilation:
         back = replace(loads.bodies, live=-loads.bodies.live)
         least = largest_factor(back, contacts, method, ANY)
         if least.status == "solved":
-            result.least = 0.0 if abs(least.factor) <= CLOSED * abs(found.factor) else -least.factor
-    if loads.bodies.together is None and found.factor <= 1e-9:
+            result.least = 0.0 if abs(least.factor) <= CLOSED * abs(solution.factor) else -least.factor
+    if loads.bodies.together is None and solution.factor <= 1e-9:
         result.remarks.append(f"nothing resists {loads.words}: it moves at the least of it")
 
 
-def _with_dilation(loads: Loads, contacts: Contacts, method: Method) -> Found:
+def _with_dilation(loads: Loads, contacts: Contacts, method: Method) -> Solution:
     if loads.steady is None:
         return largest_factor(loads.bodies, contacts, method, _range(loads))
     return tilt_factor(loads.bodies, contacts, loads.steady, method)
@@ -159,14 +159,14 @@ def _set_safety(result: LimitResult, loads: Loads, contacts: Contacts, method: M
     loaded = loads.at(wishes.at)
     if not (loaded.dead[loaded.free] != 0.0).any():
         raise SceneError("nothing loads this, so there is no factor of safety; add [gravity], a traction, or --at")
-    factor, _, found = factor_of_safety(loaded, contacts, method, wishes.dilation)
+    factor, _, mechanism = factor_of_safety(loaded, contacts, method, wishes.dilation)
     if not wishes.dilation:
         result.with_dilation = factor_of_safety(loaded, contacts, method)[0]
     still = replace(loaded, live=np.zeros_like(loaded.live))
     if wishes.dilation:
-        say_of_sliding(result, still, contacts, found)
+        say_of_sliding(result, still, contacts, mechanism)
     say_of_jams(result, still, contacts, method)
-    result.take(replace(found, factor=factor))
+    result.take(replace(mechanism, factor=factor))
     result.is_safety, result.at = True, wishes.at
     result.words = f"friction and cohesion over it balance {result.words}" + (
         f" at a factor of {wishes.at:g}" if wishes.at else ""
@@ -177,13 +177,13 @@ def _require_standing(specimen: Specimen, bodies: Bodies, contacts: Contacts, me
     """The dead loads alone must be balanced."""
     if not (bodies.dead[bodies.free] != 0.0).any():
         return
-    found = standing(bodies, contacts, method)
-    if found.status == "solved" and found.factor >= STANDS:
+    solution = standing(bodies, contacts, method)
+    if solution.status == "solved" and solution.factor >= STANDS:
         return
-    reach = np.linalg.norm(found.velocity[:, :3], axis=1)
+    reach = np.linalg.norm(solution.velocity[:, :3], axis=1)
     first = int(np.argmax(reach))
     what = block_words(specimen, bodies, first)
-    balanced = f"{found.factor:.3g} of them is balanced" if found.factor > 1e-6 else "nothing of them is balanced"
+    balanced = f"{solution.factor:.3g} of them is balanced" if solution.factor > 1e-6 else "nothing of them is balanced"
     raise SceneError(f"it cannot stand under its dead loads: {balanced}, and {what} is the first to move")
 
 

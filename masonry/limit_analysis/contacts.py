@@ -11,7 +11,7 @@ from masonry.model.contact_groups import contact_groups
 from masonry.scene import Scene
 from masonry.scene.tables.points import PerAxis
 from masonry.statics.crushing import crushing_of
-from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.problem import Bodies, Contacts, Solution
 
 POINTS = ("corners", "scene")
 DILATES = 0.99
@@ -79,14 +79,14 @@ def rises(scene: Scene, specimen: Specimen, joints: Joints) -> bool:
     return True
 
 
-def sliding_fraction(bodies: Bodies, contacts: Contacts, found: Found) -> float:
+def sliding_fraction(bodies: Bodies, contacts: Contacts, solution: Solution) -> float:
     """Work of shear forces on the slip of a mechanism, over the work of all loads on it; whatever its sign."""
     speeds = []
     for block in (contacts.block_a, contacts.block_b):
         arm = contacts.point - bodies.centre[block]
-        speeds.append(found.velocity[block, :3] + np.cross(found.velocity[block, 3:], arm))
-    work = np.abs((found.shear * (speeds[1] - speeds[0])).sum(axis=1)).sum()
-    loads = (np.abs(bodies.dead) + np.abs(found.factor * bodies.live)) * np.abs(found.velocity)
+        speeds.append(solution.velocity[block, :3] + np.cross(solution.velocity[block, 3:], arm))
+    work = np.abs((solution.shear * (speeds[1] - speeds[0])).sum(axis=1)).sum()
+    loads = (np.abs(bodies.dead) + np.abs(solution.factor * bodies.live)) * np.abs(solution.velocity)
     return float(work / max(loads.sum(), 1e-300))
 
 

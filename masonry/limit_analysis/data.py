@@ -10,7 +10,7 @@ from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.measures import centroids
 from masonry.results.joint_resultants import COLUMNS, resultants
 from masonry.scene import Scene
-from masonry.statics.problem import Found
+from masonry.statics.problem import Solution
 
 MOVING = 1e-6
 """Share of the fastest block's speed at which a block counts as moving."""
@@ -58,11 +58,11 @@ class LimitData:
     open: float | None = None
     seconds: float = 0.0
 
-    def take(self, found: Found) -> None:
+    def take(self, solution: Solution) -> None:
         """What an optimisation found."""
-        self.factor, self.gap, self.unbalance = found.factor, found.gap, found.unbalance
-        self.worst = found.worst
-        self.velocity, self.normal, self.shear = found.velocity, found.normal, found.shear
+        self.factor, self.gap, self.unbalance = solution.factor, solution.gap, solution.unbalance
+        self.worst = solution.worst
+        self.velocity, self.normal, self.shear = solution.velocity, solution.normal, solution.shear
 
     @property
     def title(self) -> str:
@@ -89,9 +89,9 @@ class LimitData:
     def speeds(self) -> np.ndarray:
         """(B,) of the fastest corner of each block."""
         block, velocity = self.corner_velocities()
-        found = np.zeros(self.specimen.blocks.count)
-        np.maximum.at(found, block, np.linalg.norm(velocity, axis=1))
-        return found
+        speed = np.zeros(self.specimen.blocks.count)
+        np.maximum.at(speed, block, np.linalg.norm(velocity, axis=1))
+        return speed
 
     def thrust(self) -> dict[str, np.ndarray]:
         """Column by column what each joint between units carries: as `resultants.csv` of a run, without `moment`."""
@@ -103,7 +103,7 @@ class LimitData:
         """All of it as plain values for JSON, in SI."""
         top = max(float(self.speeds().max(initial=0.0)), 1e-300)
         thrust = {name: [_plain(x) for x in values.tolist()] for name, values in self.thrust().items()}
-        found = {
+        content = {
             "scene": self.scene.name,
             "factor": self.factor,
             "unit": self.unit or "1",
@@ -130,14 +130,14 @@ class LimitData:
             "thrust": {"units": COLUMNS, **thrust},
         }
         if self.with_dilation is not None:
-            found |= {"with_dilation": _plain(self.with_dilation)}
+            content |= {"with_dilation": _plain(self.with_dilation)}
         if self.steps is not None:
-            found |= {"steps": self.steps, "excess": self.excess, "open": self.open}
+            content |= {"steps": self.steps, "excess": self.excess, "open": self.open}
         if self.least is not None:
-            found |= {"least": self.least}
+            content |= {"least": self.least}
         if self.is_safety:
-            found |= {"at": self.at}
-        return found
+            content |= {"at": self.at}
+        return content
 
 
 def set_of(specimen: Specimen, block: int) -> str:

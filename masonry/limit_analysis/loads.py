@@ -53,8 +53,8 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     density, gravity = density_of(specimen.blocks, materials), gravity_of(scene)
     mass = density * layout.volume
     varying = _varying(scene)
-    asked = None if dead_alone else scene.limit or _asked(scene, varying)
-    if asked is not None and varying:
+    load = None if dead_alone else scene.limit or _asked(scene, varying)
+    if load is not None and varying:
         raise SceneError(
             f"{varying[0]} varies in time, so it is neither dead nor what [limit] names; leave out its history"
         )
@@ -63,44 +63,44 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     if "gravity" not in varying:
         weight[:, :3] = mass[:, None] * gravity
     free = ~_held(scene, specimen, layout, conditions)
-    together = _driven(scene, conditions) if asked is not None and asked.pattern == "drive" else None
+    together = _driven(scene, conditions) if load is not None and load.pattern == "drive" else None
     if together is not None:
         free |= together
     if dead_alone:
         live, words = np.zeros_like(dead), "the dead loads"
-    elif asked is None:
+    elif load is None:
         live = sum((_loads(conditions, layout, name) for name in varying), np.zeros_like(dead))
         words = " and ".join(varying) + " at a share of 1"
     else:
-        live, words = _live(scene, specimen, joints, layout, asked, density, together)
-    tilts = asked is not None and asked.pattern == "tilt"
+        live, words = _live(scene, specimen, joints, layout, load, density, together)
+    tilts = load is not None and load.pattern == "tilt"
     bodies = Bodies(layout.centroid, free, dead + weight, live, together)
     if not dead_alone and not (live[free] != 0.0).any():
         raise SceneError(f"nothing loads this: {words} acts on no block that can move; {PATTERNS}")
-    steady = dead + _along(weight, asked) if tilts and asked is not None else None
+    steady = dead + _along(weight, load) if tilts and load is not None else None
     return Loads(bodies, words, "N" if together is not None else "", steady)
 
 
 def _varying(scene: Scene) -> list[str]:
     """Loads with a history, by name."""
-    found = [f"traction.{k}" for k, traction in enumerate(scene.traction) if traction.paths]
+    names = [f"traction.{k}" for k, traction in enumerate(scene.traction) if traction.paths]
     history = scene.gravity is not None and scene.gravity.tilt is None and scene.gravity.paths
-    return [*found, "gravity"] if history else found
+    return [*names, "gravity"] if history else names
 
 
 def _driven(scene: Scene, conditions: Conditions) -> np.ndarray:
     """(B, 6) what the drive moves."""
     assert scene.drive is not None
-    held = conditions.held_by["drive"]["rigid"]
-    return held & (np.arange(6) == scene.drive.axis)
+    fixed = conditions.held_by["drive"]["rigid"]
+    return fixed & (np.arange(6) == scene.drive.axis)
 
 
 def _asked(scene: Scene, varying: list[str]) -> LimitLoad | None:
     """What the scene itself varies: None for loads with a history. Raises SceneError for nothing, and for several."""
     tilt = scene.gravity.tilt if scene.gravity is not None else None
-    found = [*(["gravity.tilt"] if tilt else []), *(["drive"] if scene.drive else []), *varying[:1]]
-    if len(found) != 1:
-        which = f"{' and '.join(found)} vary" if found else "nothing in this scene grows"
+    sources = [*(["gravity.tilt"] if tilt else []), *(["drive"] if scene.drive else []), *varying[:1]]
+    if len(sources) != 1:
+        which = f"{' and '.join(sources)} vary" if sources else "nothing in this scene grows"
         raise SceneError(f"{which}, so there is no one load for a factor: {PATTERNS}")
     if tilt is not None:
         about = tilt.about if tilt.angle > 0 else f"-{tilt.about}"
@@ -124,22 +124,22 @@ def _about_axes(load: np.ndarray, layout: Layout) -> np.ndarray:
     return np.concatenate([load[:, :3], np.einsum("bij,bj->bi", layout.axes, load[:, 3:])], axis=1)
 
 
-def _along(weight: np.ndarray, asked: LimitLoad) -> np.ndarray:
+def _along(weight: np.ndarray, limit: LimitLoad) -> np.ndarray:
     """The part of the weight along the axis of a tilt, which does not turn."""
     part = np.zeros_like(weight)
-    if asked.about is not None:
-        k = "xyz".index(asked.about[-1])
+    if limit.about is not None:
+        k = "xyz".index(limit.about[-1])
         part[:, k] = weight[:, k]
     return part
 
 
 def _live(
-    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, asked: LimitLoad, density: np.ndarray,
+    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, limit: LimitLoad, density: np.ndarray,
     together: np.ndarray | None,
 ) -> tuple[np.ndarray, str]:  # fmt: skip
     """(B, 6) the load at a factor of 1, and what it is in words."""
-    if asked.pattern != "drive":
-        load, words = growing_load(specimen, joints, layout, asked, density, gravity_of(scene))
+    if limit.pattern != "drive":
+        load, words = growing_load(specimen, joints, layout, limit, density, gravity_of(scene))
         assert load["rigid"] is not None
         return _about_axes(load["rigid"], layout), words
     assert scene.drive is not None and together is not None
@@ -156,25 +156,25 @@ def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditio
     the turns about the two others.
     """
     deforms = np.array([scene.kinematics_of(g) != "rigid" for g in specimen.blocks.groups])[specimen.blocks.group]
-    held = conditions.prescribed["rigid"].copy()
-    held[:, 3:] = _rotations_about_axes(held[:, 3:], layout)
+    fixed = conditions.prescribed["rigid"].copy()
+    fixed[:, 3:] = _rotations_about_axes(fixed[:, 3:], layout)
     for by in conditions.held_by.values():
         for k in range(3):
             which = deforms & by["rigid"][:, k]
-            held[np.ix_(which, [3 + other for other in range(3) if other != k])] = True
-    return held
+            fixed[np.ix_(which, [3 + other for other in range(3) if other != k])] = True
+    return fixed
 
 
-def _rotations_about_axes(held: np.ndarray, layout: Layout) -> np.ndarray:
+def _rotations_about_axes(fixed: np.ndarray, layout: Layout) -> np.ndarray:
     """Turns about principal axes that are held, as turns about x, y and z.
 
     A scene that holds one or two turns of a block has an axis of it along x, y or z (see masonry/model/supports.py).
     """
-    found = np.repeat(np.all(held, axis=1)[:, None], 3, axis=1)
-    number = held.sum(axis=1).tolist()
+    about_axes = np.repeat(np.all(fixed, axis=1)[:, None], 3, axis=1)
+    number = fixed.sum(axis=1).tolist()
     for block in (b for b, rotations in enumerate(number) if rotations in (1, 2)):
         one = number[block] == 1
-        odd = int(np.argmax(held[block] if one else ~held[block]))
+        odd = int(np.argmax(fixed[block] if one else ~fixed[block]))
         along = int(np.argmax(np.abs(layout.axes[block, :, odd])))
-        found[block] = np.eye(3)[along] == (1.0 if one else 0.0)
-    return found
+        about_axes[block] = np.eye(3)[along] == (1.0 if one else 0.0)
+    return about_axes

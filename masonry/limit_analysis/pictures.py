@@ -62,12 +62,12 @@ def thrust_figure(result: LimitData, view: str | None = None) -> Any:
     Where a joint pulls at one edge and presses at another, the force passes outside: it is drawn in the middle, hollow.
     """
     camera, blocks = camera_of(view or view_of(result), result.specimen), result.specimen.blocks
-    found, table = unit_joints(blocks, result.joints), result.thrust()
+    between, table = unit_joints(blocks, result.joints), result.thrust()
     force, place = (np.column_stack([table[f"{name}_{axis}"] for axis in "xyz"]) for name in ("force", "place"))
     size = np.linalg.norm(force, axis=1)
     largest = float(size.max(initial=0.0))
     outside = ~(table["eccentricity"] <= 1.0 + INSIDE)
-    place[outside] = _middles(result.joints, found)[outside]
+    place[outside] = _middles(result.joints, between)[outside]
     faces = FaceDrawing(blocks, camera)
     for piece in _pieces(result, camera):
         faces.add_piece(piece)
@@ -80,17 +80,17 @@ def thrust_figure(result: LimitData, view: str | None = None) -> Any:
         axes.plot(*ends[k].T, color=COLOUR, lw=1.2, zorder=4.0)
     for which, fill in ((shown & ~outside, COLOUR), (shown & outside, "white")):
         axes.plot(*camera.project(place[which]).T, "o", color=COLOUR, mfc=fill, ms=3.0, mew=0.8, zorder=4.1)
-    row = row_of(found.units)
+    row = row_of(between.units)
     if row is not None and len(row) >= ROW and not outside.any():
         axes.plot(*camera.project(place[row]).T, "--", color=COLOUR, lw=0.9, zorder=4.0)
     return _fitted(figure, axes)
 
 
-def _middles(joints: Joints, found: UnitJoints) -> np.ndarray:
+def _middles(joints: Joints, between: UnitJoints) -> np.ndarray:
     """(J, 3) m the centroid of each joint between units."""
-    area = joints.area[found.contact]
-    moment = np.add.reduceat(area[:, None] * joints.point[found.contact], found.start[:-1], axis=0)
-    return np.asarray(moment / np.add.reduceat(area, found.start[:-1])[:, None])
+    area = joints.area[between.contact]
+    moment = np.add.reduceat(area[:, None] * joints.point[between.contact], between.start[:-1], axis=0)
+    return np.asarray(moment / np.add.reduceat(area, between.start[:-1])[:, None])
 
 
 def _factor(result: LimitData) -> str:

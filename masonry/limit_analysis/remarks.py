@@ -8,7 +8,7 @@ from masonry.limit_analysis.contacts import rises, sliding_fraction, strong_grou
 from masonry.limit_analysis.data import LimitData, set_of
 from masonry.scene import Scene
 from masonry.statics.jammed import jammed
-from masonry.statics.problem import STEEP, Bodies, Contacts, Found
+from masonry.statics.problem import STEEP, Bodies, Contacts, Solution
 from masonry.statics.solve import Method
 
 RIGID = "rigid blocks, and joints that dilate by their friction angle as they slide"
@@ -54,9 +54,9 @@ def scene_remarks(scene: Scene, specimen: Specimen, joints: Joints, contacts: Co
     return remarks
 
 
-def say_of_sliding(result: LimitData, bodies: Bodies, contacts: Contacts, found: Found) -> None:
+def say_of_sliding(result: LimitData, bodies: Bodies, contacts: Contacts, mechanism: Solution) -> None:
     """A word where a mechanism slides, and rises by that in limit analysis but not in the scene."""
-    slides = sliding_fraction(bodies, contacts, found) > SLIDES
+    slides = sliding_fraction(bodies, contacts, mechanism) > SLIDES
     if slides and not rises(result.scene, result.specimen, result.joints):
         result.remarks.append(
             "joints slide in this mechanism, and rise as they slide; in this scene they do not, or rise less, so that "
@@ -66,8 +66,8 @@ def say_of_sliding(result: LimitData, bodies: Bodies, contacts: Contacts, found:
 
 def say_of_jams(result: LimitData, bodies: Bodies, contacts: Contacts, method: Method) -> None:
     """A word where something stands under its dead loads only if it is jammed."""
-    if (found := jammed(bodies, contacts, method)) is not None:
-        first = int(np.argmax(np.linalg.norm(found.velocity[:, :3], axis=1)))
+    if (mechanism := jammed(bodies, contacts, method)) is not None:
+        first = int(np.argmax(np.linalg.norm(mechanism.velocity[:, :3], axis=1)))
         result.remarks.append(
             f"{block_words(result.specimen, bodies, first)} stands only if it is jammed: joints can press against each "
             "other there without any load, and friction is reckoned with that holds it; a run decides"

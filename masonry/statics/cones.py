@@ -72,13 +72,13 @@ def solve_cones(
         cost = near.push * cost - near.weight * size * near.before
     matrix = sparse.csc_matrix(sparse.vstack(parts, format="csc"))
     programme = Programme(square, cost, matrix, np.concatenate(sides), kinds)
-    found = solved(programme, tell)
-    status = str(found.status)
-    gap = abs(found.obj_val - found.obj_val_dual) / max(1.0, abs(found.obj_val))
-    if status in SOLVED or (status in SLOW and max(gap, found.r_prim, found.r_dual) < GOOD_ENOUGH):
-        unknown = np.array(found.x)
+    solution = solved(programme, tell)
+    status = str(solution.status)
+    gap = abs(solution.obj_val - solution.obj_val_dual) / max(1.0, abs(solution.obj_val))
+    if status in SOLVED or (status in SLOW and max(gap, solution.r_prim, solution.r_dual) < GOOD_ENOUGH):
+        unknown = np.array(solution.x)
         unknown[:-1] *= scale
-        return "solved", unknown, np.array(found.z[:equations]) / scale, true_gap(programme, found)
+        return "solved", unknown, np.array(solution.z[:equations]) / scale, true_gap(programme, solution)
     if status in INFEASIBLE or status in UNBOUNDED:
         word = "infeasible" if status in INFEASIBLE else "unbounded"
         return word, np.zeros(unknowns), np.zeros(equations), 0.0

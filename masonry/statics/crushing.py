@@ -88,7 +88,7 @@ def crushing_cones(
 
     strength = crush.strength / force[crush.total.indices[crush.total.indptr[:-1]]]
     alike = [_same_rows(rows, crush.total) for rows in (crush.first, crush.second)]
-    whole, found = alike[0] & alike[1], []
+    whole, cones = alike[0] & alike[1], []
     square = np.flatnonzero((alike[0] | alike[1]) & ~whole)
     if len(square):
         total, pressed = crush.total[square], np.where(alike[0][square], 1.0, 0.0)[:, None]
@@ -96,21 +96,21 @@ def crushing_cones(
         rows, side = _interleaved(
             [-away, away, -2.0 * total], [strength[square], strength[square], 0 * square], unknowns
         )
-        found.append((rows, side, [clarabel.SecondOrderConeT(3)] * len(square)))
+        cones.append((rows, side, [clarabel.SecondOrderConeT(3)] * len(square)))
     if whole.any():
         which = np.flatnonzero(whole)
         rows, side = _interleaved([crush.total[which]], [strength[which]], unknowns)
-        found.append((rows, side, [clarabel.NonnegativeConeT(len(which))]))
+        cones.append((rows, side, [clarabel.NonnegativeConeT(len(which))]))
     twice = ~(alike[0] | alike[1]) & _same_rows(crush.first, crush.second)
     if len(which := np.flatnonzero(twice)):
         parts = [-crush.first[which], 0.0 * crush.total[which], -crush.total[which]]
         rows, side = _interleaved(parts, [0.0 * which, strength[which], 0.0 * which], unknowns)
-        found.append((rows, side, [clarabel.PowerConeT(2 / 3)] * len(which)))
+        cones.append((rows, side, [clarabel.PowerConeT(2 / 3)] * len(which)))
     if len(which := np.flatnonzero(~(alike[0] | alike[1] | twice))):
         parts = [0.0 * crush.total[which], -crush.first[which], -crush.second[which], -crush.total[which]]
         rows, side = _interleaved(parts, [strength[which], *3 * [0.0 * which]], unknowns)
-        found.append((rows, side, [clarabel.GenPowerConeT([1 / 3, 1 / 3, 1 / 3], 1)] * len(which)))
-    return found
+        cones.append((rows, side, [clarabel.GenPowerConeT([1 / 3, 1 / 3, 1 / 3], 1)] * len(which)))
+    return cones
 
 
 def _same_rows(one: sparse.csr_array, other: sparse.csr_array) -> np.ndarray:

@@ -64,13 +64,13 @@ def _proven(now: Any, cones: int) -> bool:
     return bool(now.iterations > 0 and done)
 
 
-def true_gap(programme: Programme, found: Any) -> float:
+def true_gap(programme: Programme, solution: Any) -> float:
     """Between the two objectives, over the objective, with what the residuals of both may have added to them."""
-    x, z = np.array(found.x), np.array(found.z)
-    forces = programme.matrix @ x + np.array(found.s) - programme.sides
+    x, z = np.array(solution.x), np.array(solution.z)
+    forces = programme.matrix @ x + np.array(solution.s) - programme.sides
     velocities = programme.square @ x + programme.matrix.T @ z + programme.cost
-    apart = abs(found.obj_val - found.obj_val_dual) + abs(z @ forces) + abs(x @ velocities)
-    return float(apart / max(SMALL, abs(found.obj_val)))
+    apart = abs(solution.obj_val - solution.obj_val_dual) + abs(z @ forces) + abs(x @ velocities)
+    return float(apart / max(SMALL, abs(solution.obj_val)))
 
 
 def clarabel_package() -> Any:

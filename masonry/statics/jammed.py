@@ -15,7 +15,7 @@ from masonry.statics.equilibrium import equilibrium
 from masonry.statics.linear import pyramids
 from masonry.statics.no_dilation import forces_without_sliding
 from masonry.statics.plane import flattened, plane_of
-from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.problem import Bodies, Contacts, Solution
 from masonry.statics.sizes import alike
 from masonry.statics.solve import EXACTLY, STANDS, Method, standing
 
@@ -27,7 +27,7 @@ OPENS = 1e-7
 """How fast, over the speed of the blocks, all joints must open for a proof that there is no self-stress."""
 
 
-def jammed(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Found | None:
+def jammed(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Solution | None:
     """The mechanism of what falls under its dead loads unless it is jammed; None where nothing is.
 
     In joints that can press without any load friction is bounded by the pressure that the loads themselves give them,
@@ -45,7 +45,7 @@ def jammed(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Foun
     patches = int(contacts.patch.max()) + 1
     area, on_joint = (np.bincount(contacts.patch, x, patches) for x in (contacts.area, np.maximum(normal, 0.0)))
     bears = contacts.friction * (on_joint / np.maximum(area, 1e-300))[contacts.patch] * contacts.area
-    found = standing(
+    solution = standing(
         bodies,
         replace(
             contacts,
@@ -54,7 +54,7 @@ def jammed(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Foun
         ),
         method,
     )
-    return None if found.status == "solved" and found.factor >= STANDS else found
+    return None if solution.status == "solved" and solution.factor >= STANDS else solution
 
 
 def _all_open(bodies: Bodies, contacts: Contacts) -> bool:
@@ -84,8 +84,8 @@ def _all_open(bodies: Bodies, contacts: Contacts) -> bool:
     matrix = np.concatenate(rows)
     upper = np.column_stack([-matrix, np.ones(len(matrix))])
     cost = np.append(np.zeros(12), -1.0)
-    found = linprog(cost, upper, np.zeros(len(matrix)), bounds=[(-1.0, 1.0)] * 13, method="highs")
-    return bool(found.status == 0 and -found.fun > OPENS)
+    optimum = linprog(cost, upper, np.zeros(len(matrix)), bounds=[(-1.0, 1.0)] * 13, method="highs")
+    return bool(optimum.status == 0 and -optimum.fun > OPENS)
 
 
 def _self_stressed(bodies: Bodies, contacts: Contacts) -> np.ndarray:
@@ -109,5 +109,5 @@ def _self_stressed(bodies: Bodies, contacts: Contacts) -> np.ndarray:
     low = np.concatenate([np.where(dry.solid, -np.inf, 0.0), np.full(tangents, -np.inf), np.zeros(1 + count)])
     high = np.concatenate([np.full(count + tangents, np.inf), [0.0], np.where(dry.solid, 0.0, 1.0)])
     sides = np.concatenate([bound, np.zeros(count)])
-    found: Any = linprog(cost, upper, sides, matrix, np.zeros(rows), np.column_stack([low, high]), method="highs")
-    return np.asarray(found.x[-count:] > PRESSED)[owner] if found.status == 0 else np.zeros(len(owner), dtype=bool)
+    optimum: Any = linprog(cost, upper, sides, matrix, np.zeros(rows), np.column_stack([low, high]), method="highs")
+    return np.asarray(optimum.x[-count:] > PRESSED)[owner] if optimum.status == 0 else np.zeros(len(owner), dtype=bool)

@@ -46,17 +46,17 @@ def solve_linear(
         if tell is not None:
             tell(0, f"linear programme (HiGHS), which does not say how far it is: {seconds:.0f} s")
 
-    found = optimise() if _is_little(forces) else interruptible_wait(optimise, every)
-    status = _status(found, cost, upper, bound, matrix, -forces.dead, bounds)
+    optimum = optimise() if _is_little(forces) else interruptible_wait(optimise, every)
+    status = _status(optimum, cost, upper, bound, matrix, -forces.dead, bounds)
     if status != "solved":
         return status, np.zeros(len(low)), np.zeros(len(forces.dead)), 0.0
-    dual = bound @ found.ineqlin.marginals - forces.dead @ found.eqlin.marginals
-    for side, values in ((found.lower, low), (found.upper, high)):
+    dual = bound @ optimum.ineqlin.marginals - forces.dead @ optimum.eqlin.marginals
+    for side, values in ((optimum.lower, low), (optimum.upper, high)):
         finite = np.isfinite(values)
         dual += values[finite] @ side.marginals[finite]
-    left = matrix @ found.x + forces.dead
-    apart = abs(found.fun - dual) + np.abs(left) @ np.abs(found.eqlin.marginals)
-    return status, found.x, -found.eqlin.marginals, float(apart / max(SMALL, abs(found.fun)))
+    left = matrix @ optimum.x + forces.dead
+    apart = abs(optimum.fun - dual) + np.abs(left) @ np.abs(optimum.eqlin.marginals)
+    return status, optimum.x, -optimum.eqlin.marginals, float(apart / max(SMALL, abs(optimum.fun)))
 
 
 def _method(forces: Equilibrium) -> str:
@@ -69,11 +69,11 @@ def _is_little(forces: Equilibrium) -> bool:
 
 
 def _status(
-    found: Any, cost: np.ndarray, upper: Any, bound: np.ndarray, matrix: Any, dead: np.ndarray, bounds: np.ndarray
+    optimum: Any, cost: np.ndarray, upper: Any, bound: np.ndarray, matrix: Any, dead: np.ndarray, bounds: np.ndarray
 ) -> str:
     """The word for an ending; one that presolving could not tell (infeasible or unbounded) is told without a load."""
-    if found.status in STATUS:
-        return STATUS[found.status]
+    if optimum.status in STATUS:
+        return STATUS[optimum.status]
     still = linprog(0.0 * cost, upper, bound, matrix, dead, bounds, method="highs-ipm", options=EXACT)
     return "unbounded" if still.status == 0 else "infeasible"
 
@@ -93,8 +93,8 @@ def pyramids(forces: Equilibrium, contacts: Contacts, sides: int) -> tuple[spars
         (-inside * contacts.cone_friction, (forces.group, np.arange(contacts.count))), shape=(groups, contacts.count)
     )
     cohesion = inside * np.bincount(forces.group, contacts.cohesion / forces.force, groups)
-    kept = np.flatnonzero(np.repeat(hard, sides))
+    rigid = np.flatnonzero(np.repeat(hard, sides))
     shear = sparse.kron(sparse.eye_array(groups), directions, format="csr")
     normal = sparse.kron(friction, np.ones((sides, 1)), format="csr")
     rows = sparse.hstack([normal, shear, sparse.csr_array((groups * sides, 1))], format="csr")
-    return rows[kept], np.repeat(cohesion, sides)[kept]
+    return rows[rigid], np.repeat(cohesion, sides)[rigid]

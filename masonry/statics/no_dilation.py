@@ -22,7 +22,7 @@ from masonry.statics.balance import unbalanced
 from masonry.statics.cones import Near, solve_cones
 from masonry.statics.equilibrium import equilibrium
 from masonry.statics.plane import flattened, plane_of
-from masonry.statics.problem import Bodies, Contacts, Found, Sizes
+from masonry.statics.problem import Bodies, Contacts, Sizes, Solution
 from masonry.statics.sizes import alike
 from masonry.statics.solve import ANY, EXACTLY, STANDS, UPWARD, Method, Range, in_space, largest_factor
 
@@ -57,7 +57,7 @@ class Flat:
     left           the factor at the end of the path, less than that found where a peak was passed
     """
 
-    found: Found
+    solution: Solution
     with_dilation: float
     steps: int
     converged: bool
@@ -107,7 +107,7 @@ def standing_without_dilation(bodies: Bodies, contacts: Contacts, method: Method
     for steps in range(1, MOST):
         now, pace = path.step(now, pace), pace * FASTER
         end = path.end(now, 1.0, steps)
-        if end.converged and end.found.factor >= STANDS:
+        if end.converged and end.solution.factor >= STANDS:
             break
     return end
 
@@ -163,18 +163,18 @@ class _LoadPath:
         """Forces whose friction goes with their own normal forces."""
         near = Near(before, pace * self.weight, push)
         bounds = (between[0] * self.unit, between[1] * self.unit)
-        given = before if before.any() else self.solve(self.flat, bounds, near)[1]
+        guess = before if before.any() else self.solve(self.flat, bounds, near)[1]
         last: tuple[np.ndarray, np.ndarray] | None = None
         for _ in range(tries):
-            status, after = self.solve(self.cylinders(given), bounds, near)
+            status, after = self.solve(self.cylinders(guess), bounds, near)
             if status != "solved":  # these cylinders are too narrow; the cones are not
                 status, after = self.solve(self.flat, bounds, near)
             if status != "solved":
-                return given
-            off = (after - given)[: self.flat.count]
+                return guess
+            off = (after - guess)[: self.flat.count]
             if np.abs(off).max() <= SAME:
                 break
-            given, last = _secant(after, off, last), (after, off)
+            guess, last = _secant(after, off, last), (after, off)
         return after
 
     def solve(self, contacts: Contacts, bounds: Range, near: Near) -> tuple[str, np.ndarray]:
@@ -190,25 +190,27 @@ class _LoadPath:
     def end(self, forces: np.ndarray, with_dilation: float, steps: int) -> Flat:
         """What is handed back, with the mechanism of the cylinders and the bound that it proves."""
         still = np.zeros(len(self.forces.dead))
-        found = in_space(self.bodies, self.forces, self.contacts, self.flat, self.owner, "solved", forces, still, 0.0)
+        solution = in_space(
+            self.bodies, self.forces, self.contacts, self.flat, self.owner, "solved", forces, still, 0.0
+        )
         any_force = replace(self.flat, solid=np.ones_like(self.flat.solid))
         left = unbalanced(self.bodies, self.forces, any_force, forces)
-        strength = np.maximum(self.contacts.cohesion + self.contacts.cone_friction * found.normal, 0.0)
-        held = replace(self.contacts, friction=np.zeros_like(strength), cohesion=strength)
-        bound = largest_factor(self.bodies, held, self.method, self.between)
-        open_by = (bound.factor - found.factor) / max(abs(bound.factor), 1e-9)
+        strength = np.maximum(self.contacts.cohesion + self.contacts.cone_friction * solution.normal, 0.0)
+        cylinders = replace(self.contacts, friction=np.zeros_like(strength), cohesion=strength)
+        bound = largest_factor(self.bodies, cylinders, self.method, self.between)
+        open_by = (bound.factor - solution.factor) / max(abs(bound.factor), 1e-9)
         excess = self.excess(forces)
         converged = bound.status == "solved" and abs(open_by) <= OPEN and excess <= BEYOND
         status = "solved" if converged or with_dilation < inf else "unbounded"
-        found = replace(
-            found,
+        solution = replace(
+            solution,
             status=status,
             velocity=bound.velocity,
             gap=bound.gap,
             unbalance=float(left.max()),
             worst=int(np.argmax(left)),
         )
-        return Flat(found, with_dilation, steps, converged, excess, open_by, found.factor)
+        return Flat(solution, with_dilation, steps, converged, excess, open_by, solution.factor)
 
     def excess(self, forces: np.ndarray) -> float:
         """Shear beyond what friction and cohesion allow."""

@@ -98,7 +98,7 @@ class Sizes:
 
 
 @dataclass(frozen=True)
-class Found:
+class Solution:
     """What an optimisation found.
 
     status    "solved", "infeasible" (no factor is balanced), "unbounded" (every factor is)

@@ -7,7 +7,7 @@ import numpy as np
 from masonry.errors import SceneError
 from masonry.statics.jammed import jammed
 from masonry.statics.no_dilation import standing_without_dilation
-from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.problem import Bodies, Contacts, Solution
 from masonry.statics.solve import EXACTLY, STANDS, Method, standing
 
 CLOSE = {True: 1e-6, False: 1e-4}
@@ -18,7 +18,7 @@ LARGEST = 1e4
 
 def factor_of_safety(
     bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, dilation: bool = True
-) -> tuple[float, Found, Found]:
+) -> tuple[float, Solution, Solution]:
     """The factor by bisection, the forces at it, and the mechanism just beyond it.
 
     Friction (its tangent), cohesion and tensile strength are divided by one number; loads stay. Without dilation it is
@@ -26,13 +26,13 @@ def factor_of_safety(
     least of it is enough, as joints are jammed.
     """
 
-    def at(by: float) -> tuple[Found, bool]:
+    def at(by: float) -> tuple[Solution, bool]:
         weak = contacts.weakened(by)
         if dilation:
-            found = standing(bodies, weak, method)
-            return found, found.status == "solved" and found.factor >= STANDS
+            solution = standing(bodies, weak, method)
+            return solution, solution.status == "solved" and solution.factor >= STANDS
         flat = standing_without_dilation(bodies, weak, method)
-        return flat.found, flat.converged and flat.found.factor >= STANDS
+        return flat.solution, flat.converged and flat.solution.factor >= STANDS
 
     low = high = 1.0
     best, stands = at(1.0)
@@ -51,11 +51,11 @@ def factor_of_safety(
         best, stands = at(low)
     while high > (1.0 + CLOSE[dilation]) * low:
         middle = (low * high) ** 0.5
-        found, holds = at(middle)
+        solution, holds = at(middle)
         if holds:
-            low, best = middle, found
+            low, best = middle, solution
         else:
-            high, worst = middle, found
+            high, worst = middle, solution
     off = best if best.unbalance > worst.unbalance else worst
     both = replace(worst, normal=best.normal, shear=best.shear, gap=max(best.gap, worst.gap))
     return low, best, replace(both, unbalance=off.unbalance, worst=off.worst)

@@ -15,7 +15,7 @@ from masonry.statics.equilibrium import Equilibrium, equilibrium
 from masonry.statics.interior_point import Tell
 from masonry.statics.linear import solve_linear
 from masonry.statics.plane import flattened, plane_of
-from masonry.statics.problem import Bodies, Contacts, Found, Sizes
+from masonry.statics.problem import Bodies, Contacts, Sizes, Solution
 from masonry.statics.sizes import alike, of_each
 
 MUCH = 2000
@@ -48,7 +48,7 @@ EXACTLY = Method()
 """True cones in space, a linear programme in a plane."""
 
 
-def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, between: Range = UPWARD) -> Found:
+def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, between: Range = UPWARD) -> Solution:
     """The largest factor within a range at which forces that the contacts bear balance all bodies."""
     axis = plane_of(bodies, contacts) if method.plane else None
     sides = _sides(axis, contacts, method)
@@ -61,12 +61,12 @@ def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY,
             answer = solve_linear(forces, flat, sides, bounds, method.tell)
         else:
             answer = solve_cones(forces, flat, bounds, tell=method.tell)
-        found = replace(in_space(bodies, forces, contacts, flat, owner, *answer), sizes=sizes)
-        best = found if best is None or _is_better(found, best) else best
-        if found.status == "solved" and max(found.unbalance, found.gap) <= CLOSED:
+        solution = replace(in_space(bodies, forces, contacts, flat, owner, *answer), sizes=sizes)
+        best = solution if best is None or _is_better(solution, best) else best
+        if solution.status == "solved" and max(solution.unbalance, solution.gap) <= CLOSED:
             break
-        sizes = of_each(bodies, contacts, found.factor, found.normal, found.shear)
-        if not _unlike(bodies, sizes) or (tries and found.status != "solved"):
+        sizes = of_each(bodies, contacts, solution.factor, solution.normal, solution.shear)
+        if not _unlike(bodies, sizes) or (tries and solution.status != "solved"):
             break
     assert best is not None
     if best.status == "no end":
@@ -74,11 +74,11 @@ def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY,
     return best
 
 
-def _is_better(found: Found, best: Found) -> bool:
+def _is_better(solution: Solution, best: Solution) -> bool:
     """Any ending is better than none, an answer than a later ending without one, and the later of two that are none."""
-    if "solved" not in (found.status, best.status):
-        return found.status != "no end"
-    return found.status == "solved" and (best.status != "solved" or found.unbalance < best.unbalance)
+    if "solved" not in (solution.status, best.status):
+        return solution.status != "no end"
+    return solution.status == "solved" and (best.status != "solved" or solution.unbalance < best.unbalance)
 
 
 def _unlike(bodies: Bodies, sizes: Sizes) -> bool:
@@ -96,7 +96,7 @@ def _sides(axis: int | None, contacts: Contacts, method: Method) -> int:
     return 0 if contacts.count > MUCH else 2
 
 
-def standing(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Found:
+def standing(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Solution:
     """The share of the dead loads that can be balanced, 1 at most, and the mechanism where it is less."""
     return largest_factor(
         replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead), contacts, method, (0.0, 1.0)
@@ -116,7 +116,7 @@ def method_word(bodies: Bodies, contacts: Contacts, method: Method, cones: bool 
 def in_space(
     bodies: Bodies, forces: Equilibrium, contacts: Contacts, flat: Contacts, owner: np.ndarray, status: str,
     unknown: np.ndarray, velocity: np.ndarray, gap: float,
-) -> Found:  # fmt: skip
+) -> Solution:  # fmt: skip
     """Unknowns and velocities of a problem, back in units, for all blocks and contact points."""
     groups, k = forces.tangent.shape[:2]
     pressing, sliding = unknown[: flat.count], unknown[flat.count : -1]
@@ -124,7 +124,7 @@ def in_space(
     shear = np.einsum("gk,gki->gi", sliding.reshape(groups, k), forces.tangent)
     part = _part_of_group(forces, flat, pressing)
     left = unbalanced(bodies, forces, flat, unknown) if status == "solved" else np.zeros(1)
-    return Found(
+    return Solution(
         status, float(unknown[-1] * forces.factor),
         fraction * pressing[owner],
         (fraction * part[owner])[:, None] * shear[forces.group[owner]],

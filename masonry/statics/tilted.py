@@ -4,35 +4,35 @@ from dataclasses import replace
 
 import numpy as np
 
-from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.problem import Bodies, Contacts, Solution
 from masonry.statics.solve import Method, largest_factor
 
 SAME, MOST, UPRIGHT = 1e-9, 200, 1e6
 """Change of the factor at which the row of analyses ends, how many there are, and a factor that is as good as none."""
 
 
-def tilt_factor(bodies: Bodies, contacts: Contacts, steady: np.ndarray, method: Method) -> Found:
+def tilt_factor(bodies: Bodies, contacts: Contacts, steady: np.ndarray, method: Method) -> Solution:
     """The tangent of the first angle at which there is no equilibrium.
 
     With all forces over the cosine of the angle, the weight stays, its part sideways is the tangent, and strengths and
     steady loads (B, 6) grow by 1 / cosine. The row of factors rises from that for the cosine 1 to the first one that
     fits its own cosine. In dry joints under weight alone nothing grows, and the first is the answer.
     """
-    found = largest_factor(bodies, contacts, method)
+    solution = largest_factor(bodies, contacts, method)
     if not (steady.any() or contacts.has_strength):
-        return found
+        return solution
     for _ in range(MOST):
-        if found.status != "solved" or found.factor > UPRIGHT:
+        if solution.status != "solved" or solution.factor > UPRIGHT:
             break
-        grown, before = float(np.hypot(1.0, found.factor)), found.factor
-        found = largest_factor(
+        grown, before = float(np.hypot(1.0, solution.factor)), solution.factor
+        solution = largest_factor(
             replace(bodies, dead=bodies.dead + (grown - 1.0) * steady), contacts.with_strength(grown), method
         )
-        if abs(found.factor - before) <= SAME * max(1.0, before):
-            return _in_place(found, grown)
-    return replace(found, status="unbounded")
+        if abs(solution.factor - before) <= SAME * max(1.0, before):
+            return _in_place(solution, grown)
+    return replace(solution, status="unbounded")
 
 
-def _in_place(found: Found, grown: float) -> Found:
+def _in_place(solution: Solution, grown: float) -> Solution:
     """The forces at the angle itself."""
-    return replace(found, normal=found.normal / grown, shear=found.shear / grown)
+    return replace(solution, normal=solution.normal / grown, shear=solution.shear / grown)

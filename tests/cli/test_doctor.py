@@ -69,9 +69,9 @@ def test_the_self_test_holds_its_numbers_against_closed_forms_and_times_a_step(m
     said: list[str] = []
     assert doctor.self_tested(said.append)
     assert said[1].startswith("tension-exponential") and "numbers against closed forms" in said[1]
-    found = re.search(r"takes ([\d.]+) ns .* by hand ([\d.]+) ns: ([\d.]+) of it", " ".join(said[-1].split()))
-    assert found, said[-1]
-    ours, by_hand, ratio = map(float, found.groups())
+    match = re.search(r"takes ([\d.]+) ns .* by hand ([\d.]+) ns: ([\d.]+) of it", " ".join(said[-1].split()))
+    assert match, said[-1]
+    ours, by_hand, ratio = map(float, match.groups())
     assert ratio == pytest.approx(ours / by_hand, abs=0.03)
 
 

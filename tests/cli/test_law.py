@@ -104,10 +104,10 @@ def test_the_energies_of_our_laws_are_those_of_their_closed_forms(name):
 
 
 def test_the_ways_of_a_portrait_go_back_and_forth():
-    found = portrait(*law("exponential"))
-    assert np.sum(np.diff(np.sign(np.diff(found.tension.opening))) != 0) == 2
-    assert found.tension.sigma.min() < 0.0 < found.tension.sigma.max() == pytest.approx(0.58e6, rel=1e-2)
-    for compression, path in found.shear.items():
+    measured = portrait(*law("exponential"))
+    assert np.sum(np.diff(np.sign(np.diff(measured.tension.opening))) != 0) == 2
+    assert measured.tension.sigma.min() < 0.0 < measured.tension.sigma.max() == pytest.approx(0.58e6, rel=1e-2)
+    for compression, path in measured.shear.items():
         np.testing.assert_allclose(path.sigma, -compression, rtol=1e-12)
         assert path.tau.min() < 0.0 and np.all(np.diff(path.fracture) >= -1e-9)
 
@@ -142,22 +142,22 @@ def test_a_law_is_drawn_at_every_zero_that_a_scene_may_hold(name, monkeypatch):
     for changes in zeros():
         try:
             contact = law_command._contact(name, changes)
-            found = portrait(*build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS)))
+            measured = portrait(*build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS)))
         except SceneError:
             continue
         drawn += 1
-        assert "nan" not in str(law_command._energies(contact, found)), changes
-        for path in (found.tension, *found.shear.values()):
+        assert "nan" not in str(law_command._energies(contact, measured)), changes
+        for path in (measured.tension, *measured.shear.values()):
             assert np.isfinite(np.array(path)).all() and np.ptp(path.slip) + np.ptp(path.opening) > 0.0, changes
         torn_by_nothing = not contact.tensile_strength or (contact.tan_friction and not contact.cohesion)  # at the apex
-        assert (found.mode_1 is None) == (name in ("elastic", "friction") or bool(torn_by_nothing))
+        assert (measured.mode_1 is None) == (name in ("elastic", "friction") or bool(torn_by_nothing))
     assert drawn > 9
-    law_figure(name, found)
+    law_figure(name, measured)
 
 
 def test_a_contact_without_stiffness_in_shear_slides_without_stress():
-    found = portrait(*law("elastic", shear_stiffness=0.0))
-    assert all(not path.tau.any() and not path.stored[-1] - path.stored[0] for path in found.shear.values())
+    measured = portrait(*law("elastic", shear_stiffness=0.0))
+    assert all(not path.tau.any() and not path.stored[-1] - path.stored[0] for path in measured.shear.values())
 
 
 @pytest.mark.parametrize(("name", "changes"), [("elastic", "shear_stiffness=0 Pa/m"), ("brittle", "cohesion=0 Pa")])
@@ -168,17 +168,17 @@ def test_a_law_that_takes_0_does_not_say_that_it_refuses_it(name, changes, capsy
 
 @pytest.mark.parametrize("energy", [1e-8, 1e-6, 5.8, 1e9])
 def test_an_energy_of_any_size_is_measured_beyond_the_peak(energy):
-    found = portrait(*law("exponential", fracture_energy_mode_1=energy, fracture_energy_mode_2=energy))
-    assert found.mode_1.beyond == pytest.approx(energy, rel=1e-4)
-    assert found.mode_2[0.0].beyond == pytest.approx(energy, rel=1e-4)
+    measured = portrait(*law("exponential", fracture_energy_mode_1=energy, fracture_energy_mode_2=energy))
+    assert measured.mode_1.beyond == pytest.approx(energy, rel=1e-4)
+    assert measured.mode_2[0.0].beyond == pytest.approx(energy, rel=1e-4)
 
 
 def test_what_is_left_beyond_the_peak_just_above_a_snap_back_is_measured():
     triangle = 0.5 * 0.58e6**2 / 150e9
-    found = portrait(*law("linear", fracture_energy_mode_1=1.1214))
-    assert found.mode_1.beyond == pytest.approx(1.1214 - triangle, rel=1e-3)
+    measured = portrait(*law("linear", fracture_energy_mode_1=1.1214))
+    assert measured.mode_1.beyond == pytest.approx(1.1214 - triangle, rel=1e-3)
 
 
 def test_a_brittle_law_has_no_energy_beyond_the_peak():
-    found = portrait(*law("brittle"))
-    assert [found.mode_1.beyond, *(energy.beyond for energy in found.mode_2.values())] == [0.0] * 5
+    measured = portrait(*law("brittle"))
+    assert [measured.mode_1.beyond, *(energy.beyond for energy in measured.mode_2.values())] == [0.0] * 5

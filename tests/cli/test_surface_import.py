@@ -70,9 +70,9 @@ def test_the_run_and_the_limit_analysis_have_the_same_joints(wall):
 def test_the_gap_that_is_mended_and_the_gap_that_is_bridged_bear_alike(tmp_path, wall):
     """Closed gaps make each stone longer; friction alone decides when the wall slides."""
     mended = imported(tmp_path, "wall.obj", "--tolerance", "25 mm")
-    found = load_blocks(tmp_path / "new.blocks.h5")[0]
-    assert found.joints is None
-    assert volumes(found.blocks).sum() == pytest.approx(5.1 * 0.5 * 1.75, rel=1e-9)
+    specimen = load_blocks(tmp_path / "new.blocks.h5")[0]
+    assert specimen.joints is None
+    assert volumes(specimen.blocks).sum() == pytest.approx(5.1 * 0.5 * 1.75, rel=1e-9)
     assert masonry.limit(load(mended, TILT)).factor == pytest.approx(0.6, rel=1e-9)
 
 
@@ -144,9 +144,9 @@ def test_an_arch_in_seven_digits_has_the_factor_to_seven_digits(tmp_path):
 def test_the_axis_that_points_up_becomes_z(tmp_path, axis, order):
     imported(tmp_path, "wall.obj", "--up", axis)
     size = np.array([5.1, 0.5, 1.75])
-    found = load_blocks(tmp_path / "new.blocks.h5")[0]
-    assert np.ptp(found.blocks.points, axis=0) == pytest.approx(size[list(order)])
-    assert np.all(volumes(found.blocks) > 0)
+    specimen = load_blocks(tmp_path / "new.blocks.h5")[0]
+    assert np.ptp(specimen.blocks.points, axis=0) == pytest.approx(size[list(order)])
+    assert np.all(volumes(specimen.blocks) > 0)
 
 
 def test_what_was_mended_is_listed(tmp_path, capsys):

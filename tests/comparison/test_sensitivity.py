@@ -48,8 +48,8 @@ def test_the_table_stands_in_three_forms_and_the_picture_beside_it(done):
     assert [row["variant"] for row in rows] == [row["variant"] for row in done.rows]
     assert float(rows[2]["peak_stress_pa"]) == done.rows[2]["peak_stress_pa"]
     assert rows[2]["settings"] == "contact.unit_unit.coupling = 'independent'"
-    found = json.loads((done.folder / "sensitivity.json").read_text(encoding="utf-8"))
-    assert found["runs"] == done.rows and found["sentence"] == table.sentence(done.rows)
+    content = json.loads((done.folder / "sensitivity.json").read_text(encoding="utf-8"))
+    assert content["runs"] == done.rows and content["sentence"] == table.sentence(done.rows)
     assert (done.folder / "sensitivity.png").read_bytes()[1:4] == b"PNG"
     assert repr(done).splitlines()[0].split("  ")[0] == "run" and "as it is" in repr(done)
 

@@ -50,9 +50,9 @@ def test_a_name_with_codes_of_a_terminal_is_shown_as_codes(tmp_path, capsys):
 def test_findings_stay_findings_when_they_are_met_elsewhere():
     import pickle
 
-    found = Findings(["a", "b\nc"]).within("x")
-    assert found.lines == ["x: a", "b\\nc"]
-    assert pickle.loads(pickle.dumps(found)).lines == found.lines
+    findings = Findings(["a", "b\nc"]).within("x")
+    assert findings.lines == ["x: a", "b\\nc"]
+    assert pickle.loads(pickle.dumps(findings)).lines == findings.lines
 
 
 def test_no_message_is_longer_than_a_screen(capsys):

@@ -80,15 +80,15 @@ def test_points_of_a_block_move_with_it():
 
 def slope(energy, place: np.ndarray, step: float) -> np.ndarray:
     """The derivative of an energy with regard to an array of dofs, by differences."""
-    found = np.zeros(place.shape)
+    values = np.zeros(place.shape)
     for at in np.ndindex(place.shape):
         was = place[at]
         place[at] = was + step
         more = energy()
         place[at] = was - step
-        found[at] = (more - energy()) / (2.0 * step)
+        values[at] = (more - energy()) / (2.0 * step)
         place[at] = was
-    return found
+    return values
 
 
 def test_the_stiffness_of_an_affine_block_is_the_slope_of_its_energy_and_its_stress_that_of_hooke():
@@ -130,6 +130,6 @@ def test_the_mean_turn_of_a_mesh_is_that_of_its_nodes_whatever_its_strain():
     body, u, nodes = model.bodies.tets, model.contacts.u, model.layout.mesh.nodes
     spin, strain = np.array([1e-3, -2e-3, 4e-3]), 1e-2 * rng.normal(size=(3, 3))
     u[: len(nodes), :3] = np.cross(spin, nodes) + nodes @ (strain + strain.T) + [0.1, 0.2, 0.3]
-    found = np.zeros((1, 3))
-    tets.mean_rotation(body, u, found)
-    assert found[0] == pytest.approx(spin, abs=1e-12)
+    values = np.zeros((1, 3))
+    tets.mean_rotation(body, u, values)
+    assert values[0] == pytest.approx(spin, abs=1e-12)

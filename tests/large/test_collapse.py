@@ -65,11 +65,11 @@ def test_a_block_that_slides_off_the_floor_is_told_and_falls_on():
     result = laboratory.run(dry([block], 0.2, leaning(40.0), 0.5, supports=(), more=met[0.2]))
     (remark,) = [words for words in result.summary["warnings"] if "left the floor" in words]
     assert remark in trust(result.summary)
-    found = re.search(r"block 0 had left the floor after ([\d.]+) s: what leaves it falls on", remark)
-    assert found is not None
+    match = re.search(r"block 0 had left the floor after ([\d.]+) s: what leaves it falls on", remark)
+    assert match is not None
     pace = G * (sin(radians(40.0)) - 0.2 * cos(radians(40.0)))
     at_edge = sqrt(2.0 * edge / pace)  # its middle is above the edge; then it falls by half of it and the floor
-    assert at_edge < float(found[1]) < at_edge + sqrt(2.0 * (0.5 * half + 0.05) / (G * cos(radians(40.0)))) + 0.05
+    assert at_edge < float(match[1]) < at_edge + sqrt(2.0 * (0.5 * half + 0.05) / (G * cos(radians(40.0)))) + 0.05
     assert result.summary["energy_imbalance"] < 1e-12
 
     stays = laboratory.run(dry([block], 1.0, leaning(40.0), 0.5, supports=(), more=met[1.0]))

@@ -154,8 +154,8 @@ def test_a_run_that_goes_on_from_what_was_kept_has_the_bits_of_a_whole_one():
     advanced(model, 100)
     model_state.restore(other, kept)
     advanced(other, 100)
-    found = model_state.state(other)
-    assert all(array.tobytes() == found[name].tobytes() for name, array in model_state.state(model).items())
+    state = model_state.state(other)
+    assert all(array.tobytes() == state[name].tobytes() for name, array in model_state.state(model).items())
 
 
 def gather(model) -> None:

@@ -18,9 +18,9 @@ ENERGIES = {
 
 
 def least_of(message: str) -> float:
-    found = re.search(r"above ([-+.\de]+?)(?:[ ;]|$)", message)
-    assert found, message
-    return float(found[1])
+    match = re.search(r"above ([-+.\de]+?)(?:[ ;]|$)", message)
+    assert match, message
+    return float(match[1])
 
 
 def refusal(name, compressions=(0.0,), **changes) -> str:
@@ -67,8 +67,8 @@ def test_snap_back_in_tension_is_refused_up_to_the_least_energy_and_runs_just_ab
     assert least_of(refusal("linear", fracture_energy_mode_1=least * 0.5)) == pytest.approx(least, rel=1e-5)
     assert "fracture_energy_mode_1" in refusal("linear", fracture_energy_mode_1=least * (1 - 1e-9))
     assert "fracture_energy_mode_1" in refusal("linear", fracture_energy_mode_1=least)
-    found = walk(law("linear", fracture_energy_mode_1=least * (1 + 1e-6)), along([(0, 0, 0), (0, 0, 10e-6)], 0.01e-6))
-    assert found.sigma.max() <= 0.58e6 * (1 + 1e-12)
+    trace = walk(law("linear", fracture_energy_mode_1=least * (1 + 1e-6)), along([(0, 0, 0), (0, 0, 10e-6)], 0.01e-6))
+    assert trace.sigma.max() <= 0.58e6 * (1 + 1e-12)
 
 
 @pytest.mark.parametrize("compression", [0.0, 0.1e6, 1.0e6])

@@ -17,19 +17,19 @@ PERFECT = {"residual_cohesion": 0.87e6, "tan_residual_friction": 1.01, "dilation
 
 @pytest.mark.parametrize("name", LAWS)
 def test_held_down_the_compression_grows_by_kn_tan_psi_times_the_plastic_slip(name):
-    found = walk(law(name, dilation_angle=PSI, dilation_cutoff=1.0), along([(0, 0, -2 * UM), (0.2e-3, 0, -2 * UM)]))
-    wanted = -KN * (2 * UM + tan(PSI) * found.slip[:, 0])
-    np.testing.assert_allclose(found.sigma, wanted, rtol=1e-11)
-    assert found.slip[-1, 0] > 100 * UM
+    trace = walk(law(name, dilation_angle=PSI, dilation_cutoff=1.0), along([(0, 0, -2 * UM), (0.2e-3, 0, -2 * UM)]))
+    wanted = -KN * (2 * UM + tan(PSI) * trace.slip[:, 0])
+    np.testing.assert_allclose(trace.sigma, wanted, rtol=1e-11)
+    assert trace.slip[-1, 0] > 100 * UM
 
 
 def test_held_down_the_shear_stress_stays_on_the_cone_of_the_compression_that_acts():
     """Perfect slip: ks (us - p) = c + tan(phi) (s + kn tan(psi) p), solved for the plastic slip p."""
-    found = walk(law("linear", **PERFECT), along([(0, 0, -2 * UM), (0.2e-3, 0, -2 * UM)], 1 * UM))
+    trace = walk(law("linear", **PERFECT), along([(0, 0, -2 * UM), (0.2e-3, 0, -2 * UM)], 1 * UM))
     peak = 0.87e6 + 1.01 * 0.3e6
-    plastic = np.maximum(KS * found.path[:, 0] - peak, 0.0) / (KS + 1.01 * KN * tan(PSI))
-    np.testing.assert_allclose(found.tau, KS * (found.path[:, 0] - plastic), rtol=1e-11)
-    np.testing.assert_allclose(found.sigma, -0.3e6 - KN * tan(PSI) * plastic, rtol=1e-11)
+    plastic = np.maximum(KS * trace.path[:, 0] - peak, 0.0) / (KS + 1.01 * KN * tan(PSI))
+    np.testing.assert_allclose(trace.tau, KS * (trace.path[:, 0] - plastic), rtol=1e-11)
+    np.testing.assert_allclose(trace.sigma, -0.3e6 - KN * tan(PSI) * plastic, rtol=1e-11)
 
 
 @pytest.mark.parametrize("cutoff", [30 * UM, 1.0])
@@ -40,12 +40,12 @@ def test_under_constant_compression_the_faces_rise_by_tan_psi_times_the_plastic_
     plastic = slip - shear(name, joint, slip, compression) / KS
     rise = psi * np.minimum(plastic, cutoff)
     path = np.column_stack([slip, 0 * slip, rise - compression / KN])
-    found = walk(law(name, dilation_angle=PSI, dilation_cutoff=cutoff), path)
+    trace = walk(law(name, dilation_angle=PSI, dilation_cutoff=cutoff), path)
     smooth = np.ones(len(slip), dtype=bool)
     if name == "brittle":  # the drop of one step lifts the faces at once
         smooth[np.argmax(plastic > 0)] = False
-    np.testing.assert_allclose(found.sigma[smooth], -compression, rtol=5e-3)
-    np.testing.assert_allclose(found.slip[:, 0], plastic, atol=0.05 * UM)
+    np.testing.assert_allclose(trace.sigma[smooth], -compression, rtol=5e-3)
+    np.testing.assert_allclose(trace.slip[:, 0], plastic, atol=0.05 * UM)
 
 
 @pytest.mark.parametrize("cutoff", [30.05 * UM, 60 * UM])
@@ -53,32 +53,32 @@ def test_the_rise_ends_exactly_at_the_cutoff(cutoff):
     for name in LAWS:
         parameters, joint = law(name, dilation_angle=PSI, dilation_cutoff=cutoff)
         state = contact(joint)
-        found = walk((parameters, joint), along([(0, 0, -2 * UM), (0.4e-3, 0, -2 * UM)], 0.7 * UM), state)
-        assert found.slip[-1, 0] > 2 * cutoff
+        trace = walk((parameters, joint), along([(0, 0, -2 * UM), (0.4e-3, 0, -2 * UM)], 0.7 * UM), state)
+        assert trace.slip[-1, 0] > 2 * cutoff
         assert state.dilation[0] == pytest.approx(tan(PSI) * cutoff, rel=1e-12)
-        assert found.sigma[-1] == pytest.approx(-KN * (2 * UM + tan(PSI) * cutoff), rel=1e-12)
+        assert trace.sigma[-1] == pytest.approx(-KN * (2 * UM + tan(PSI) * cutoff), rel=1e-12)
 
 
 @pytest.mark.parametrize("name", LAWS)
 def test_the_path_of_slip_counts_not_its_end(name):
     parameters, joint = law(name, dilation_angle=PSI, dilation_cutoff=1.0)
     state = contact(joint)
-    found = walk(
+    trace = walk(
         (parameters, joint), along([(0, 0, -2 * UM), *[(60 * UM, 0, -2 * UM), (-60 * UM, 0, -2 * UM)] * 2]), state
     )
-    length = np.abs(np.diff(found.slip[:, 0])).sum()
+    length = np.abs(np.diff(trace.slip[:, 0])).sum()
     assert state.dilation[0] == pytest.approx(tan(PSI) * length, rel=1e-9)
 
 
 def test_perfect_slip_dissipates_tau_less_sigma_tan_psi():
     """verification 2.2: (tau - sigma tan(psi)) x slip at constant sigma, here as the sum over a locked normal."""
-    found = walk(law("linear", **PERFECT), along([(0, 0, -2 * UM), (0.2e-3, 0, -2 * UM)], 1 * UM))
-    tau, sigma, plastic = found.tau, -found.sigma, found.slip[:, 0]
+    trace = walk(law("linear", **PERFECT), along([(0, 0, -2 * UM), (0.2e-3, 0, -2 * UM)], 1 * UM))
+    tau, sigma, plastic = trace.tau, -trace.sigma, trace.slip[:, 0]
     rate = tau - sigma * tan(PSI)
     sliding = plastic > 0
     wanted = np.sum((0.5 * (rate[1:] + rate[:-1]) * np.diff(plastic))[sliding[:-1]])
     first = int(np.argmax(sliding))
-    assert found.dissipated[-1] - found.dissipated[first] == pytest.approx(wanted, rel=1e-9)
+    assert trace.dissipated[-1] - trace.dissipated[first] == pytest.approx(wanted, rel=1e-9)
 
 
 @pytest.mark.parametrize("step", [0.1 * UM, 1 * UM, 30 * UM])
@@ -88,8 +88,8 @@ def test_sliding_makes_no_energy_even_where_dilation_is_as_steep_as_friction(nam
     steep = law(name, cohesion=0.1e6, dilation_angle=atan(0.73) * (1 - 1e-12), dilation_cutoff=1.0)
     z = -compression / KN
     corners = [(0, 0, z), (90 * UM, 0, z), (-90 * UM, 30 * UM, z), (50 * UM, 0, -compression / KN - 3 * UM)]
-    found = walk(steep, along(corners, step))
-    total = found.dissipated
+    trace = walk(steep, along(corners, step))
+    total = trace.dissipated
     assert np.all(np.diff(total) >= -1e-12 * total[-1])
 
 
@@ -106,13 +106,13 @@ def dry(tangent: float = 0.65, ratio: float = 1.0, cutoff: float = 1.0, **option
 def test_faces_that_slide_at_an_opening_meet_once_they_have_risen_by_it_and_press_from_then_on(ratio, ninth):
     """Beyond gap / tan(psi): tau = mu kn tan(psi) p with the plastic slip p, as if they had been closed there."""
     gap, tangent = 20 * UM, ratio * 0.65
-    found = walk(dry(ratio=ratio), along([(0, 0, gap), (60 * UM, 80 * UM, gap)], 0.05 * UM), ninth=ninth)
-    beyond = np.maximum(np.hypot(*found.path[:, :2].T) - gap / tangent, 0.0)
+    trace = walk(dry(ratio=ratio), along([(0, 0, gap), (60 * UM, 80 * UM, gap)], 0.05 * UM), ninth=ninth)
+    beyond = np.maximum(np.hypot(*trace.path[:, :2].T) - gap / tangent, 0.0)
     plastic = KS * beyond / (KS + 0.65 * KN * tangent)
-    np.testing.assert_allclose(found.sigma, -KN * tangent * plastic, rtol=1e-9, atol=1e-3)
-    np.testing.assert_allclose(found.tau, 0.65 * KN * tangent * plastic, rtol=1e-9, atol=1e-3)
-    assert found.sigma[-1] < -1e5 and not found.stress[beyond == 0.0].any()
-    assert not found.stored[beyond == 0.0].any(), "what floats is off its springs"
+    np.testing.assert_allclose(trace.sigma, -KN * tangent * plastic, rtol=1e-9, atol=1e-3)
+    np.testing.assert_allclose(trace.tau, 0.65 * KN * tangent * plastic, rtol=1e-9, atol=1e-3)
+    assert trace.sigma[-1] < -1e5 and not trace.stress[beyond == 0.0].any()
+    assert not trace.stored[beyond == 0.0].any(), "what floats is off its springs"
 
 
 @pytest.mark.parametrize("cutoff", [1.0, 10 * UM])
@@ -126,12 +126,12 @@ def test_faces_that_are_let_down_meet_at_the_height_of_the_slope_they_stand_over
         (0, side, top),
         (0, side, 0),
     ]
-    found = walk(dry(cutoff=cutoff), along(wanders, 0.05 * UM))
+    trace = walk(dry(cutoff=cutoff), along(wanders, 0.05 * UM))
     height = 0.65 * min(side, cutoff)
     falling = slice(-int(np.ceil(top / (0.05 * UM))), None)
-    above = found.path[falling, 2] > height + 1e-12
-    assert not found.stress[falling][above].any()
-    assert np.all(found.sigma[falling][~above][1:] < 0.0)
+    above = trace.path[falling, 2] > height + 1e-12
+    assert not trace.stress[falling][above].any()
+    assert np.all(trace.sigma[falling][~above][1:] < 0.0)
     assert above.sum() == pytest.approx((top - height) / (0.05 * UM), abs=1.5)
 
 
@@ -141,11 +141,11 @@ def test_faces_with_as_much_dilation_as_friction_spend_nothing_and_others_what_i
     path = [(0, 0, 0), (20 * UM, 0, 20 * UM), (60 * UM, 0, 15 * UM), (60 * UM, 30 * UM, 3 * UM), (0, 30 * UM, 60 * UM)]
     gaps = []
     for step in (0.04 * UM, 0.01 * UM):
-        found = walk(dry(ratio=ratio), along([*path, (0, 10 * UM, 5 * UM), (0, 0, -1 * UM)], step))
-        assert found.stored.max() > 1.0 and np.all(found.stored >= 0.0)
-        assert np.all(np.diff(found.dissipated) >= -1e-12 * found.stored.max())
-        gaps.append(np.abs(found.gap).max() / found.stored.max())
-        spent = found.dissipated[-1] / found.stored.max()
+        trace = walk(dry(ratio=ratio), along([*path, (0, 10 * UM, 5 * UM), (0, 0, -1 * UM)], step))
+        assert trace.stored.max() > 1.0 and np.all(trace.stored >= 0.0)
+        assert np.all(np.diff(trace.dissipated) >= -1e-12 * trace.stored.max())
+        gaps.append(np.abs(trace.gap).max() / trace.stored.max())
+        spent = trace.dissipated[-1] / trace.stored.max()
         assert spent == pytest.approx(0.0, abs=1e-9) if ratio == 1.0 else spent > 0.1
     assert gaps[1] < 0.3 * gaps[0] and gaps[1] < 2e-3
 

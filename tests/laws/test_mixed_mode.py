@@ -18,13 +18,13 @@ def test_a_proportional_path_is_elastic_up_to_the_cutoff_or_the_cone_whichever_i
     cutoff = JOINT.fT / (KN * s) if s > 0 else np.inf
     cone = JOINT.c0 / (KS * c + KN * s * JOINT.tan0)
     limit, most = min(cutoff, cone), 0.005 * UM
-    found = walk(law(name), along([(0, 0, 0), (c * 20 * UM, 0, s * 20 * UM)], most))
-    far = np.linalg.norm(found.path, axis=1)
+    trace = walk(law(name), along([(0, 0, 0), (c * 20 * UM, 0, s * 20 * UM)], most))
+    far = np.linalg.norm(trace.path, axis=1)
     elastic = far < limit * (1 - 1e-12)
-    np.testing.assert_allclose(found.sigma[elastic], KN * found.path[elastic, 2], rtol=1e-13, atol=1e-9)
-    np.testing.assert_allclose(found.tau[elastic], KS * found.path[elastic, 0], rtol=1e-13, atol=1e-9)
-    assert not found.dissipated[elastic].any()
-    yielded = (found.dissipated > 0) | (found.intact_n < 1) | (found.slip[:, 0] != 0)
+    np.testing.assert_allclose(trace.sigma[elastic], KN * trace.path[elastic, 2], rtol=1e-13, atol=1e-9)
+    np.testing.assert_allclose(trace.tau[elastic], KS * trace.path[elastic, 0], rtol=1e-13, atol=1e-9)
+    assert not trace.dissipated[elastic].any()
+    yielded = (trace.dissipated > 0) | (trace.intact_n < 1) | (trace.slip[:, 0] != 0)
     assert far[np.argmax(yielded)] == pytest.approx(limit, abs=1.01 * most)
 
 
@@ -33,21 +33,21 @@ def test_a_proportional_path_is_elastic_up_to_the_cutoff_or_the_cone_whichever_i
 @pytest.mark.parametrize("name", LAWS)
 def test_a_proportional_path_never_leaves_the_strength_that_damage_has_left(name, degrees, coupling):
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    found = walk(law(name, coupling=coupling), along([(0, 0, 0), (c * 60 * UM, 0, s * 60 * UM)], 0.05 * UM))
-    left_n, left_s = (found.intact_n, found.intact_s)
+    trace = walk(law(name, coupling=coupling), along([(0, 0, 0), (c * 60 * UM, 0, s * 60 * UM)], 0.05 * UM))
+    left_n, left_s = (trace.intact_n, trace.intact_s)
     both = left_n * left_s
     tensile = both if coupling == "combined" else left_n
     cohesive = both if coupling == "combined" else left_s
-    peak = np.maximum(JOINT.c0 - found.sigma * JOINT.tan0, 0.0)
-    assert np.all(found.sigma <= tensile * JOINT.fT * (1 + 1e-12))
-    assert np.all(found.tau <= cohesive * peak * (1 + 1e-12) + 1e-9)
-    assert np.all(np.diff(found.dissipated) >= 0.0)
+    peak = np.maximum(JOINT.c0 - trace.sigma * JOINT.tan0, 0.0)
+    assert np.all(trace.sigma <= tensile * JOINT.fT * (1 + 1e-12))
+    assert np.all(trace.tau <= cohesive * peak * (1 + 1e-12) + 1e-9)
+    assert np.all(np.diff(trace.dissipated) >= 0.0)
 
 
 def torn_then_sheared(name, coupling):
     corners = [(0, 0, 0), (0, 0, 8 * UM), (0, 0, -2 * UM), (0.3e-3, 0, -2 * UM)]
-    found = walk(law(name, coupling=coupling), along(corners, 0.05 * UM))
-    return found, found.path[:, 0] > 0
+    trace = walk(law(name, coupling=coupling), along(corners, 0.05 * UM))
+    return trace, trace.path[:, 0] > 0
 
 
 def test_combined_loss_in_tension_lowers_the_cohesion_by_the_same_share():
@@ -74,12 +74,12 @@ def sheared_then_torn(name, coupling, unloading):
     slid = 60 * UM
     rest = slid - float(shear(name, JOINT, slid, 0.3e6)) / KS
     corners = [(0, 0, -2 * UM), (slid, 0, -2 * UM), (rest, 0, -2 * UM), (rest, 0, 0), (rest, 0, 30 * UM)]
-    found = walk(law(name, coupling=coupling, unloading=unloading), along(corners, 0.02 * UM))
+    trace = walk(law(name, coupling=coupling, unloading=unloading), along(corners, 0.02 * UM))
     residual = float(JOINT.residual(0.3e6))
     kept = (float(shear(name, JOINT, slid, 0.3e6)) - residual) / (float(JOINT.peak(0.3e6)) - residual)
-    opening = np.flatnonzero(found.path[:, 2] > 0)
-    assert np.max(found.tau[opening]) < 1.0
-    return found, opening, kept
+    opening = np.flatnonzero(trace.path[:, 2] > 0)
+    assert np.max(trace.tau[opening]) < 1.0
+    return trace, opening, kept
 
 
 @pytest.mark.parametrize("unloading", ["secant", "elastic"])
@@ -114,10 +114,10 @@ def test_tension_ends_at_the_apex_of_the_cone():
     apex = 0.3e6 / 1.01
     for name in LAWS:
         weak = law(name, cohesion=0.3e6)
-        found = walk(weak, along([(0, 0, 0), (0, 0, 3 * UM), (10 * UM, 0, 3 * UM)], 0.1 * UM))
+        trace = walk(weak, along([(0, 0, 0), (0, 0, 3 * UM), (10 * UM, 0, 3 * UM)], 0.1 * UM))
         assert weak[1].tensile_strength == pytest.approx(apex, rel=1e-15)
-        assert found.sigma.max() <= apex * (1 + 1e-12) and found.intact_n[-1] < 1.0
-        assert np.isfinite(found.stress).all()
+        assert trace.sigma.max() <= apex * (1 + 1e-12) and trace.intact_n[-1] < 1.0
+        assert np.isfinite(trace.stress).all()
 
 
 @pytest.mark.parametrize("coupling", ["combined", "independent"])

@@ -75,26 +75,26 @@ def test_names_of_arguments_are_free(law_and_other):
 def test_opening_follows_the_two_lines():
     end = AT_PEAK + (2 * 5.8 / 0.58e6 - 8e-6) / 0.3
     corner = np.array([0.0, AT_PEAK, AT_PEAK + 8e-6, end, 1.2 * end])
-    found = walk(own(), along([(0.0, 0.0, z) for z in corner], 0.1e-6))
-    wanted = np.interp(found.path[:, 2], corner, 0.58e6 * np.array([0.0, 1.0, 0.3, 0.0, 0.0]))
-    np.testing.assert_allclose(found.sigma, wanted, rtol=0, atol=1e-9 * 0.58e6)
+    trace = walk(own(), along([(0.0, 0.0, z) for z in corner], 0.1e-6))
+    wanted = np.interp(trace.path[:, 2], corner, 0.58e6 * np.array([0.0, 1.0, 0.3, 0.0, 0.0]))
+    np.testing.assert_allclose(trace.sigma, wanted, rtol=0, atol=1e-9 * 0.58e6)
 
 
 @pytest.mark.parametrize("widest", [5e-6, 10e-6, 25e-6, 80e-6])
 def test_energy_of_opening_is_the_area_at_any_step(widest):
-    found = walk(own(), along([(0.0, 0.0, 0.0), (0.0, 0.0, widest)], 3.3e-6))
+    trace = walk(own(), along([(0.0, 0.0, 0.0), (0.0, 0.0, widest)], 3.3e-6))
     path = np.linspace(0.0, widest, 200001)
     sigma = np.interp(path, [0.0, AT_PEAK, AT_PEAK + 8e-6, AT_PEAK + 40e-6], 0.58e6 * np.array([0.0, 1.0, 0.3, 0.0]))
     wanted = np.trapezoid(sigma, path) - 0.5 * sigma[-1] * widest
-    assert found.dissipated_by_mode[-1, 0] == pytest.approx(wanted, rel=1e-6)
+    assert trace.dissipated_by_mode[-1, 0] == pytest.approx(wanted, rel=1e-6)
 
 
 def test_the_energies_of_the_portrait_are_those_given():
-    found = portrait(*own())
-    assert found.mode_1.beyond == pytest.approx(5.8, rel=1e-4)
-    assert found.mode_1.whole == pytest.approx(5.8 + TRIANGLE, rel=1e-4)
-    assert found.mode_1.booked == pytest.approx(5.8 + TRIANGLE, rel=1e-9)
-    for energy in found.mode_2.values():
+    measured = portrait(*own())
+    assert measured.mode_1.beyond == pytest.approx(5.8, rel=1e-4)
+    assert measured.mode_1.whole == pytest.approx(5.8 + TRIANGLE, rel=1e-4)
+    assert measured.mode_1.booked == pytest.approx(5.8 + TRIANGLE, rel=1e-9)
+    for energy in measured.mode_2.values():
         assert energy.beyond == pytest.approx(58.0, rel=1e-4)
 
 

@@ -138,15 +138,15 @@ def test_force_is_continuous_where_the_faces_meet_again(name, options, points, v
     for steps in (400, 800, 1600):
         state = contact(joint)
         walk((parameters, joint), before, state)
-        found = walk(
+        trace = walk(
             (parameters, joint), before[-1] + np.arange(steps + 1)[:, None] / steps * (end - before[-1]), state
         )
-        jump = np.linalg.norm(np.diff(found.stress, axis=0), axis=1)
+        jump = np.linalg.norm(np.diff(trace.stress, axis=0), axis=1)
         step = np.linalg.norm(end - before[-1]) / steps
         rest = 0.0 if state.permanent_opening is None else float(state.permanent_opening[0])
         lift = 0.0 if state.dilation is None else float(state.dilation[0])
-        touching = np.abs(found.path[1:, 2] - rest - lift) <= 2 * step
-        closing = touching | (np.abs(found.path[1:, 2]) <= 2 * step) | (np.abs(found.path[1:, 2] - lift) <= 2 * step)
+        touching = np.abs(trace.path[1:, 2] - rest - lift) <= 2 * step
+        closing = touching | (np.abs(trace.path[1:, 2]) <= 2 * step) | (np.abs(trace.path[1:, 2] - lift) <= 2 * step)
         stiffest = (KN + KS) * (2.0 + joint.tan_friction)
         assert np.all(jump[closing] <= stiffest * step)
 
@@ -190,17 +190,17 @@ def test_a_closed_path_takes_no_more_of_mode_2_than_the_law_has_at_the_largest_c
     A residual cohesion that torn faces lose as they open, and find again on closing, is booked with mode II as well.
     """
     given = chosen(name, options, values)
-    found = walk(given, closed(points, 1600))
-    joint, most = given[1], max(float(-found.sigma.min()), 0.0)
+    trace = walk(given, closed(points, 1600))
+    joint, most = given[1], max(float(-trace.sigma.min()), 0.0)
     closed_form = Joint(c0=joint.cohesion, c_res=joint.residual_cohesion, tan_res=joint.tan_residual_friction,
                   G_II_slope=values["fracture_energy_mode_2_slope"])  # fmt: skip
-    fades = joint.residual_cohesion > 0.0 and found.intact_n[-1] < 1.0
+    fades = joint.residual_cohesion > 0.0 and trace.intact_n[-1] < 1.0
     if closed_form.peak(most) > closed_form.residual(most) and not fades:
         between = (0.0, most) if joint.cohesion else (most,)
-        step = np.linalg.norm(np.diff(found.path, axis=0), axis=1).max()
+        step = np.linalg.norm(np.diff(trace.path, axis=0), axis=1).max()
         one_step = step * float(closed_form.peak(most) - closed_form.residual(most)) if name == "brittle" else 0.0
         assert (
-            found.dissipated_by_mode[-1, 1] <= 1.005 * max(shear_area(name, closed_form, p) for p in between) + one_step
+            trace.dissipated_by_mode[-1, 1] <= 1.005 * max(shear_area(name, closed_form, p) for p in between) + one_step
         )
 
 
@@ -211,13 +211,13 @@ def test_a_closed_path_without_damage_gives_all_its_work_back(name, options, poi
     strong = {"tensile_strength": values["tensile_strength"] or 0.2e6, "cohesion": values["cohesion"] or 0.3e6}
     chosen_law, path = chosen(name, options, {**values, **strong}), closed(points, 20)
     for _ in range(12):
-        found = walk(chosen_law, path)
-        if not found.dissipated.any() and not found.slip.any() and found.intact_n[-1] == 1.0:
+        trace = walk(chosen_law, path)
+        if not trace.dissipated.any() and not trace.slip.any() and trace.intact_n[-1] == 1.0:
             break
         path = 0.5 * path
-    most = np.abs(found.work).max()
-    assert not found.dissipated.any() and np.abs(found.gap[-1]) <= 1e-12 * most
-    assert found.stored[-1] <= 1e-12 * found.stored.max()
+    most = np.abs(trace.work).max()
+    assert not trace.dissipated.any() and np.abs(trace.gap[-1]) <= 1e-12 * most
+    assert trace.stored[-1] <= 1e-12 * trace.stored.max()
 
 
 @every_law_and_option

@@ -34,9 +34,9 @@ def closed_form_of(which: int) -> Joint:
 @pytest.mark.parametrize("ninth", [False, True], ids=["first", "ninth"])
 @pytest.mark.parametrize("name", LAWS)
 def test_each_contact_opens_along_the_envelope_of_its_own_strength(name, ninth):
-    found = walk(scattered(name), along([(0.0, 0.0, 0.0), (0.0, 0.0, 60e-6)], 0.05e-6), ninth=ninth)
-    wanted = closed_forms.tension(name, closed_form_of(8 if ninth else 0), found.path[:, 2])
-    np.testing.assert_allclose(found.sigma, wanted, rtol=0, atol=1e-12 * 0.58e6)
+    trace = walk(scattered(name), along([(0.0, 0.0, 0.0), (0.0, 0.0, 60e-6)], 0.05e-6), ninth=ninth)
+    wanted = closed_forms.tension(name, closed_form_of(8 if ninth else 0), trace.path[:, 2])
+    np.testing.assert_allclose(trace.sigma, wanted, rtol=0, atol=1e-12 * 0.58e6)
 
 
 @pytest.mark.parametrize("ninth", [False, True], ids=["first", "ninth"])
@@ -44,9 +44,9 @@ def test_each_contact_opens_along_the_envelope_of_its_own_strength(name, ninth):
 @pytest.mark.parametrize("name", LAWS)
 def test_each_contact_slips_along_the_envelope_of_its_own_strength(name, compression, ninth):
     z = -compression / 150e9
-    found = walk(scattered(name), along([(0.0, 0.0, z), (1e-3, 0.0, z)], 0.5e-6), ninth=ninth)
-    wanted = closed_forms.shear(name, closed_form_of(8 if ninth else 0), found.path[:, 0], compression)
-    np.testing.assert_allclose(found.stress[:, 0], wanted, rtol=0, atol=1e-12 * wanted.max())
+    trace = walk(scattered(name), along([(0.0, 0.0, z), (1e-3, 0.0, z)], 0.5e-6), ninth=ninth)
+    wanted = closed_forms.shear(name, closed_form_of(8 if ninth else 0), trace.path[:, 0], compression)
+    np.testing.assert_allclose(trace.stress[:, 0], wanted, rtol=0, atol=1e-12 * wanted.max())
 
 
 CASES = [

@@ -46,9 +46,11 @@ def test_bending_about_two_axes_bears_what_a_smaller_rectangle_bears():
 def test_the_factor_of_an_arch_rises_with_strength_to_that_of_strong_stone():
     blocks = arch(1.0, np.radians(157.5), 7, 0.15, 0.3).blocks
     bodies, contacts = dry(blocks, [7, 8], 0.7)
-    found = [largest_factor(bodies, crushed(blocks, contacts, strength)).factor for strength in (3.0, 10.0, 100.0, 1e3)]
+    factors = [
+        largest_factor(bodies, crushed(blocks, contacts, strength)).factor for strength in (3.0, 10.0, 100.0, 1e3)
+    ]
     strong = largest_factor(bodies, contacts).factor
-    assert found == sorted(found) and found[0] < 0.5 * strong and 0.99 * strong < found[-1] < strong
+    assert factors == sorted(factors) and factors[0] < 0.5 * strong and 0.99 * strong < factors[-1] < strong
 
 
 def test_a_triangle_pressed_in_its_middle_bears_its_whole_area_and_less_off_it():
@@ -64,5 +66,5 @@ def test_a_triangle_pressed_in_its_middle_bears_its_whole_area_and_less_off_it()
         arm = share * (np.array([end[0], 0.0, end[1]]) - bodies.centre[1] * (1.0, 0.0, 1.0))
         live = bodies.live.copy()
         live[1, 3:] = np.cross(arm, live[1, :3])
-        found = largest_factor(replace(bodies, live=live), limited)
-        assert found.factor * 0.5 == pytest.approx(strength * area * (1 - share) ** 2, rel=1e-6)
+        solution = largest_factor(replace(bodies, live=live), limited)
+        assert solution.factor * 0.5 == pytest.approx(strength * area * (1 - share) ** 2, rel=1e-6)

@@ -20,8 +20,8 @@ def thin(thickness: float, courses: int, sectors: int) -> tuple[Blocks, np.ndarr
 
 @pytest.mark.parametrize(("thickness", "stands"), [(0.0412, False), (0.0425, True)])
 def test_a_hemisphere_of_480_voussoirs_stands_from_its_least_thickness_on(thickness, stands):
-    found = standing(*dry(*thin(thickness, 20, 24), 0.7), CONES)
-    assert (found.factor >= STANDS) == stands
+    solution = standing(*dry(*thin(thickness, 20, 24), 0.7), CONES)
+    assert (solution.factor >= STANDS) == stands
 
 
 def test_a_dome_falls_alike_whichever_way_it_is_pushed():
@@ -49,11 +49,11 @@ def test_a_load_on_the_crown_of_a_dome_without_bond_is_borne_by_orange_slices(th
     courses, sectors = 8, 12
     sizes = {"bond": "stack", "courses": courses, "voussoirs": sectors, "thickness": f"{thickness} m"}
     down = {"pattern": "force", "on": "keystone", "force": {"z": "-1 N"}}
-    found = masonry.limit(
+    limit = masonry.limit(
         masonry.load("dome-own-weight", {**{f"specimen.{key}": value for key, value in sizes.items()}, "limit": down})
     )
-    by_hand = load_on_slices(found.specimen, courses, sectors, 3.0, thickness, 0.4)
-    assert found.factor == pytest.approx(by_hand, rel=1e-6)
+    by_hand = load_on_slices(limit.specimen, courses, sectors, 3.0, thickness, 0.4)
+    assert limit.factor == pytest.approx(by_hand, rel=1e-6)
 
 
 def test_a_vault_in_bond_has_the_least_and_the_greatest_thrust_of_an_arch():

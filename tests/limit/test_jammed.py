@@ -36,10 +36,10 @@ def between_walls(lean: float, more: tuple[np.ndarray, ...] = ()) -> Blocks:
 )
 def test_a_stone_between_two_walls_is_jammed_unless_it_is_a_wedge_that_its_weight_drives_in(lean, friction, falls):
     bodies, contacts = dry(between_walls(lean), [0, 1], friction)
-    found = jammed(bodies, contacts)
-    assert (found is not None) == falls
-    if found is not None:
-        assert found.factor < 0.5 and np.argmax(np.linalg.norm(found.velocity[:, :3], axis=1)) == 2
+    solution = jammed(bodies, contacts)
+    assert (solution is not None) == falls
+    if solution is not None:
+        assert solution.factor < 0.5 and np.argmax(np.linalg.norm(solution.velocity[:, :3], axis=1)) == 2
     askew = turned(bodies, contacts, np.array([[0.6, 0.0, 0.8], [0.0, 1.0, 0.0], [-0.8, 0.0, 0.6]]))
     assert (jammed(*askew) is not None) == falls
 

@@ -45,9 +45,9 @@ def strip_by_hand(thickness: float, height: float, courses: int, overburden: flo
 def test_a_strip_between_floors_bulges_out_at_its_three_hinges(method, thickness, height, courses, overburden, known):
     by_hand = strip_by_hand(thickness, height, courses, overburden)
     assert by_hand == pytest.approx(known, abs=5e-6)
-    found = largest_factor(*strip(thickness, height, courses, overburden), method)
-    assert found.factor == pytest.approx(by_hand, rel=1e-6)
-    assert found.gap < 1e-6 and found.unbalance < 1e-7
+    solution = largest_factor(*strip(thickness, height, courses, overburden), method)
+    assert solution.factor == pytest.approx(by_hand, rel=1e-6)
+    assert solution.gap < 1e-6 and solution.unbalance < 1e-7
 
 
 @EVERY_WAY
@@ -68,8 +68,8 @@ def test_a_stack_of_blocks_leans_as_far_as_the_harmonic_series_and_no_farther(me
         shifts = np.cumsum([of_the_limit / (2 * k) for k in range(10, 0, -1)])
         ends = np.concatenate([[0.0], shifts[:-1]])  # the lowest block on the ground is block 10 of the series
         blocks = stack([(1.0, 0.2)] * 11, np.concatenate([ends, [shifts[-1]]]))
-        found = standing(*dry(blocks, [0], 0.7), method)
-        return found.factor if found.status == "solved" else 0.0
+        solution = standing(*dry(blocks, [0], 0.7), method)
+        return solution.factor if solution.status == "solved" else 0.0
 
     assert share(0.9999) >= STANDS
     assert share(1.0001) < 1e-3
@@ -85,8 +85,8 @@ def test_oppenheims_arch_falls_at_its_tilt(method):
 def test_the_least_thickness_of_a_semicircle_of_16_voussoirs(method):
     def stands(thickness: float) -> bool:
         blocks = arch(1.0, np.pi, 16, thickness, 0.3).blocks
-        found = standing(*dry(blocks, [16, 17], 0.7), method)
-        return found.status == "solved" and found.factor >= STANDS
+        solution = standing(*dry(blocks, [16, 17], 0.7), method)
+        return solution.status == "solved" and solution.factor >= STANDS
 
     low, high = 0.10, 0.12
     while high - low > 1e-6:
@@ -97,8 +97,8 @@ def test_the_least_thickness_of_a_semicircle_of_16_voussoirs(method):
 
 def test_one_block_slides_or_topples_whichever_is_first():
     for friction, slender in ((0.3, 0.5), (0.7, 0.5), (0.7, 3.0)):
-        found = largest_factor(*dry(stack([(slender, 1.0)]), [0], friction))
-        assert found.factor == pytest.approx(min(friction, slender), rel=1e-9)
+        solution = largest_factor(*dry(stack([(slender, 1.0)]), [0], friction))
+        assert solution.factor == pytest.approx(min(friction, slender), rel=1e-9)
 
 
 def test_strength_of_a_joint_holds_a_block_as_a_plastic_hinge_by_hand():
@@ -136,6 +136,6 @@ def test_blocks_that_are_glued_move_as_one_and_glue_that_slides_bears_any_pull(m
 def test_the_gap_that_is_told_is_no_less_than_the_error_of_a_solve_that_ends_early(accuracy, monkeypatch):
     monkeypatch.setattr("masonry.statics.interior_point.ACCURACY", accuracy)
     bodies, contacts = dry(wall(12, halves_below=True), [0], 0.65, live=(0.3, 1.0, 0.0))
-    found = largest_factor(bodies, contacts, CONES)
-    error = abs(found.factor - 0.1 / (0.175 * 12))
-    assert 1e-12 < error <= found.gap * found.factor <= accuracy
+    solution = largest_factor(bodies, contacts, CONES)
+    error = abs(solution.factor - 0.1 / (0.175 * 12))
+    assert 1e-12 < error <= solution.gap * solution.factor <= accuracy

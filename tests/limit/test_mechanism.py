@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from geometry.structures.arch import arch
-from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.problem import Bodies, Contacts, Solution
 from masonry.statics.solve import largest_factor, standing
 from tests.limit.blocks import CONES, PLANE, PYRAMIDS, dry, turned, wall
 
@@ -29,10 +29,10 @@ def jumps(bodies: Bodies, contacts: Contacts, velocity: np.ndarray) -> np.ndarra
     return at(contacts.block_b) - at(contacts.block_a)
 
 
-def resultants(bodies: Bodies, contacts: Contacts, found: Found) -> np.ndarray:
+def resultants(bodies: Bodies, contacts: Contacts, solution: Solution) -> np.ndarray:
     """(B, 6) all forces and moments on each block, loads included."""
-    force = found.normal[:, None] * contacts.normal + found.shear
-    total = bodies.dead + found.factor * bodies.live
+    force = solution.normal[:, None] * contacts.normal + solution.shear
+    total = bodies.dead + solution.factor * bodies.live
     for block, sign in ((contacts.block_a, -1.0), (contacts.block_b, 1.0)):
         moment = np.cross(contacts.point - bodies.centre[block], force)
         np.add.at(total, block, sign * np.concatenate([force, moment], axis=1))
@@ -43,12 +43,12 @@ def resultants(bodies: Bodies, contacts: Contacts, found: Found) -> np.ndarray:
 @pytest.mark.parametrize("method", [PLANE, CONES, PYRAMIDS], ids=["plane", "cones", "pyramids"])
 def test_the_forces_balance_every_block_within_what_the_contacts_bear(problem, method):
     bodies, contacts = problem()
-    found = largest_factor(bodies, contacts, method)
+    solution = largest_factor(bodies, contacts, method)
     weight = np.abs(bodies.dead).max()
-    assert np.abs(resultants(bodies, contacts, found)[bodies.free]).max() < 1e-7 * weight
-    assert found.normal.min() > -1e-7 * weight
-    assert (np.linalg.norm(found.shear, axis=1) <= contacts.friction * found.normal + 1e-6 * weight).all()
-    assert np.abs(np.einsum("ci,ci->c", found.shear, contacts.normal)).max() < 1e-12 * weight
+    assert np.abs(resultants(bodies, contacts, solution)[bodies.free]).max() < 1e-7 * weight
+    assert solution.normal.min() > -1e-7 * weight
+    assert (np.linalg.norm(solution.shear, axis=1) <= contacts.friction * solution.normal + 1e-6 * weight).all()
+    assert np.abs(np.einsum("ci,ci->c", solution.shear, contacts.normal)).max() < 1e-12 * weight
 
 
 @EVERY
@@ -57,15 +57,15 @@ def test_the_mechanism_proves_the_factor_from_above(problem, method):
     """Nothing goes into anything, what slides rises by the friction angle, held blocks stand still, and the factor is
     the work against the dead load over that of the live load."""
     bodies, contacts = problem()
-    found = largest_factor(bodies, contacts, method)
-    assert not found.velocity[~bodies.free].any()
-    jump = jumps(bodies, contacts, found.velocity)
+    solution = largest_factor(bodies, contacts, method)
+    assert not solution.velocity[~bodies.free].any()
+    jump = jumps(bodies, contacts, solution.velocity)
     opening = np.einsum("ci,ci->c", jump, contacts.normal)
     slip = np.linalg.norm(jump - opening[:, None] * contacts.normal, axis=1)
     assert (opening >= contacts.friction * slip - 1e-6 * np.abs(jump).max()).all()
-    assert (bodies.live * found.velocity).sum() == pytest.approx(1.0, rel=1e-6)
-    assert -(bodies.dead * found.velocity).sum() == pytest.approx(found.factor, rel=1e-6)
-    assert found.gap < 1e-6
+    assert (bodies.live * solution.velocity).sum() == pytest.approx(1.0, rel=1e-6)
+    assert -(bodies.dead * solution.velocity).sum() == pytest.approx(solution.factor, rel=1e-6)
+    assert solution.gap < 1e-6
 
 
 @EVERY
@@ -92,8 +92,8 @@ def test_a_live_load_in_other_units_divides_the_factor():
     bodies, contacts = PROBLEMS["wall"]()
     straight = largest_factor(bodies, contacts).factor
     for method in (PLANE, CONES):
-        found = largest_factor(replace(bodies, live=1e-5 * bodies.live), contacts, method)
-        assert found.factor == pytest.approx(1e5 * straight, rel=1e-6)
+        solution = largest_factor(replace(bodies, live=1e-5 * bodies.live), contacts, method)
+        assert solution.factor == pytest.approx(1e5 * straight, rel=1e-6)
 
 
 def test_more_points_on_a_dry_joint_change_nothing():
@@ -107,6 +107,6 @@ def test_dead_loads_alone_say_how_much_of_them_stands_and_who_falls():
     assert standing(bodies, contacts).factor == pytest.approx(1.0, abs=1e-9)
     tilted = replace(bodies, dead=bodies.dead + 0.7 * bodies.live)
     for method in (PLANE, CONES):
-        found = standing(tilted, contacts, method)
-        assert found.factor < 1e-6
-        assert (tilted.dead * found.velocity).sum() > 0.99, "the loads do work on what falls"
+        solution = standing(tilted, contacts, method)
+        assert solution.factor < 1e-6
+        assert (tilted.dead * solution.velocity).sum() > 0.99, "the loads do work on what falls"

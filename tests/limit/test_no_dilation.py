@@ -22,46 +22,46 @@ LEFT, RIGHT = ((40.0, 130.0), (60.0, 220.0))
 
 @pytest.mark.parametrize("method", [PLANE, CONES], ids=["plane", "cones"])
 def test_wall_1_of_ferris_and_tin_loi_is_within_2_per_mille_of_what_was_published(method):
-    found = without_dilation(*dry(wall(6, halves_below=True), [0], 0.65), method)
-    assert found.converged and found.found.factor == pytest.approx(0.6403, rel=2e-3)
-    assert found.with_dilation == pytest.approx(0.642859, rel=1e-6)
+    solution = without_dilation(*dry(wall(6, halves_below=True), [0], 0.65), method)
+    assert solution.converged and solution.solution.factor == pytest.approx(0.6403, rel=2e-3)
+    assert solution.with_dilation == pytest.approx(0.642859, rel=1e-6)
 
 
 def test_the_forces_at_the_end_balance_all_loads_and_keep_to_friction():
     bodies, contacts = dry(wall(10, halves_below=True), [0], 0.65)
     way = without_dilation(bodies, contacts)
-    assert way.converged and abs(way.open) < 1e-3 and way.found.unbalance < 1e-7
-    assert way.found.factor < 0.98 * way.with_dilation, "a higher wall falls earlier than with dilation"
-    assert way.found.normal.min() > -1e-6
-    shear = np.abs(np.bincount(contacts.patch, way.found.shear[:, 0]))
-    bears = 0.65 * np.bincount(contacts.patch, way.found.normal)
-    assert (shear - bears).max() < 1e-2 * way.found.normal.sum() / len(bears)
+    assert way.converged and abs(way.open) < 1e-3 and way.solution.unbalance < 1e-7
+    assert way.solution.factor < 0.98 * way.with_dilation, "a higher wall falls earlier than with dilation"
+    assert way.solution.normal.min() > -1e-6
+    shear = np.abs(np.bincount(contacts.patch, way.solution.shear[:, 0]))
+    bears = 0.65 * np.bincount(contacts.patch, way.solution.normal)
+    assert (shear - bears).max() < 1e-2 * way.solution.normal.sum() / len(bears)
 
 
 def test_the_mechanism_slides_without_rising():
     """Joints that slide and stay closed do not open: work is lost by friction alone, as much as the loads do."""
     bodies, contacts = dry(wall(6, halves_below=True), [0], 0.65)
     way = without_dilation(bodies, contacts)
-    loads = bodies.dead + way.found.factor * bodies.live
-    gained = float((loads * way.found.velocity).sum())
-    move, arm = way.found.velocity, contacts.point[:, None] - bodies.centre
+    loads = bodies.dead + way.solution.factor * bodies.live
+    gained = float((loads * way.solution.velocity).sum())
+    move, arm = way.solution.velocity, contacts.point[:, None] - bodies.centre
     speed = [
         move[block, :3] + np.cross(move[block, 3:], arm[np.arange(len(block)), block])
         for block in (contacts.block_a, contacts.block_b)
     ]
     slip = speed[1] - speed[0]
     along = slip - (slip * contacts.normal).sum(axis=1)[:, None] * contacts.normal
-    lost = float((0.65 * way.found.normal * np.linalg.norm(along, axis=1)).sum())
+    lost = float((0.65 * way.solution.normal * np.linalg.norm(along, axis=1)).sum())
     assert gained == pytest.approx(lost, rel=0.01) and lost > 0.0
     assert ((slip * contacts.normal).sum(axis=1) > -1e-6 * np.abs(slip).max()).all(), "nothing goes into anything"
-    pressed = way.found.normal > 0.02 * way.found.normal.max()
+    pressed = way.solution.normal > 0.02 * way.solution.normal.max()
     assert np.abs((slip * contacts.normal).sum(axis=1)[pressed]).max() < 1e-3 * np.abs(slip).max()
 
 
 def test_a_block_that_slides_alone_needs_no_dilation_to_be_right():
     for friction, slender in ((0.3, 2.0), (0.7, 0.5)):
-        found = without_dilation(*dry(stack([(slender, 1.0)]), [0], friction))
-        assert found.found.factor == pytest.approx(min(friction, slender), rel=1e-6)
+        solution = without_dilation(*dry(stack([(slender, 1.0)]), [0], friction))
+        assert solution.solution.factor == pytest.approx(min(friction, slender), rel=1e-6)
 
 
 def normal_of(dip: float, direction: float) -> np.ndarray:
@@ -156,18 +156,20 @@ def test_a_wedge_slides_at_its_critical_friction_angle_of_33_36_degrees():
     assert push_by_hand(np.tan(np.radians(33.3572))) == pytest.approx(0.0, abs=2e-6)
     for angle in (34.0, 36.0, 40.0):
         friction = np.tan(np.radians(angle))
-        found = without_dilation(*wedge(friction)[:2])
-        assert found.converged
+        solution = without_dilation(*wedge(friction)[:2])
+        assert solution.converged
         by_hand = push_by_hand(friction)
-        assert found.with_dilation - by_hand > 0.05, "with dilation it has to climb out of the notch"
-        assert 0.998 * by_hand < found.found.factor < 1.04 * by_hand, "held a little before it slides along the notch"
+        assert solution.with_dilation - by_hand > 0.05, "with dilation it has to climb out of the notch"
+        assert 0.998 * by_hand < solution.solution.factor < 1.04 * by_hand, (
+            "held a little before it slides along the notch"
+        )
 
 
 def test_a_wedge_that_dilation_would_lock_for_ever_slides_without_it():
     friction = np.tan(np.radians(60.0))
-    found = without_dilation(*wedge(friction)[:2])
-    assert found.with_dilation == np.inf and found.converged
-    assert found.found.factor == pytest.approx(push_by_hand(friction), rel=2e-3)
+    solution = without_dilation(*wedge(friction)[:2])
+    assert solution.with_dilation == np.inf and solution.converged
+    assert solution.solution.factor == pytest.approx(push_by_hand(friction), rel=2e-3)
 
 
 def test_the_factor_of_safety_of_a_wedge_without_dilation_is_that_of_the_textbook():

@@ -77,10 +77,10 @@ def seconds_of_a_wall(courses: int, units: int) -> tuple[float, int]:
     bodies, contacts = dry(wall(courses, halves_below=True, units=units), [0], 0.65, live=(0.3, 1.0, 0.0))
     begun = perf_counter()
     assert standing(bodies, contacts, CONES).factor == pytest.approx(1.0, abs=1e-7)
-    found = largest_factor(bodies, contacts, CONES)
+    solution = largest_factor(bodies, contacts, CONES)
     seconds = perf_counter() - begun
-    assert found.factor == pytest.approx(0.1 / (0.175 * courses), rel=1e-6)
-    assert found.gap < 1e-6
+    assert solution.factor == pytest.approx(0.1 / (0.175 * courses), rel=1e-6)
+    assert solution.gap < 1e-6
     return seconds, len(np.unique(contacts.patch))
 
 

@@ -13,7 +13,7 @@ from masonry.errors import SceneError
 from masonry.statics.balance import unbalanced
 from masonry.statics.equilibrium import equilibrium
 from masonry.statics.no_dilation import without_dilation
-from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.problem import Bodies, Contacts, Solution
 from masonry.statics.safety import factor_of_safety
 from masonry.statics.sizes import alike
 from masonry.statics.solve import Method, largest_factor
@@ -55,8 +55,8 @@ def any_pair(seed: int) -> tuple[Bodies, Contacts, float]:
     return bodies, contacts, min(friction, small[0] / small[2], (length - arm) / lever)
 
 
-def is_doubted(found: Found) -> bool:
-    return found.status != "solved" or max(found.gap, found.unbalance) > CLEAN
+def is_doubted(solution: Solution) -> bool:
+    return solution.status != "solved" or max(solution.gap, solution.unbalance) > CLEAN
 
 
 @pytest.mark.parametrize("seed", range(40))
@@ -65,9 +65,9 @@ def test_a_pair_of_any_two_sizes_falls_where_it_does_by_hand_or_is_doubted(seed)
     bodies, contacts, by_hand = any_pair(seed)
     askew = turned(bodies, contacts, Rotation.random(random_state=seed).as_matrix())
     for problem, method in (((bodies, contacts), PLANE), ((bodies, contacts), CONES), (askew, CONES)):
-        found = largest_factor(*problem, method)
-        assert is_doubted(found) or found.factor == pytest.approx(by_hand, rel=1e-5)
-        assert not is_doubted(found), "none of these needs a doubt"
+        solution = largest_factor(*problem, method)
+        assert is_doubted(solution) or solution.factor == pytest.approx(by_hand, rel=1e-5)
+        assert not is_doubted(solution), "none of these needs a doubt"
 
 
 SLENDER = {ratio: pair((4.0, 4.0, 2.0), (4 / ratio, 4 / ratio, 16 / ratio), (1.0, 1.0)) for ratio in (1e2, 1e4, 1e5)}
@@ -83,16 +83,16 @@ def test_a_push_on_the_small_block_alone_and_on_the_large_one_alone(ratio, metho
     for block, by_hand in ((2, 0.25 * weights[2]), (1, 0.65 * (weights[1] + weights[2]))):
         live = np.zeros_like(bodies.live)
         live[block, 0] = 1.0
-        found = largest_factor(replace(bodies, live=live), contacts, method)
+        solution = largest_factor(replace(bodies, live=live), contacts, method)
         least = by_hand * (np.cos(np.pi / 16) if block == 1 and method is PYRAMIDS else 1.0)
-        assert not is_doubted(found) and least * (1 - 1e-5) < found.factor < by_hand * (1 + 1e-5)
+        assert not is_doubted(solution) and least * (1 - 1e-5) < solution.factor < by_hand * (1 + 1e-5)
 
 
 @EVERY_RATIO
 def test_without_dilation_and_for_its_safety_the_small_block_counts_as_well(ratio):
     bodies, contacts = dry(SLENDER[ratio], [0], 0.65, density=WEIGHT)
     end = without_dilation(bodies, contacts, CONES)
-    assert end.converged and end.found.factor == pytest.approx(0.25, rel=1e-4)
+    assert end.converged and end.solution.factor == pytest.approx(0.25, rel=1e-4)
     at_a_tenth = replace(bodies, dead=bodies.dead + 0.1 * bodies.live)
     assert factor_of_safety(at_a_tenth, contacts, CONES)[0] == pytest.approx(6.5, rel=1e-5)
     beyond = replace(bodies, dead=bodies.dead + 0.26 * bodies.live)
@@ -108,8 +108,8 @@ def test_a_large_block_on_four_pebbles_tips_about_them(ratio):
     places = [(x, y, 0.0) for x in (0.0, 4.0 - size) for y in (0.0, 4.0 - size)]
     rows += [(f"pebble {k}", place, (size, size, size)) for k, place in enumerate(places)]
     blocks = boxes([(name, at, by, "units", k, (1, 1, 1)) for k, (name, at, by) in enumerate(rows)], 1.0).blocks
-    found = largest_factor(*dry(blocks, [0], 0.9, density=WEIGHT), CONES)
-    assert not is_doubted(found) and found.factor == pytest.approx(2.0 / (4.0 + size), rel=1e-5)
+    solution = largest_factor(*dry(blocks, [0], 0.9, density=WEIGHT), CONES)
+    assert not is_doubted(solution) and solution.factor == pytest.approx(2.0 / (4.0 + size), rel=1e-5)
 
 
 @pytest.mark.parametrize(("friction", "drawn", "most"), [(0.7, 0.0, 0.0), (0.5, 0.0, 0.027), (0.7, 0.3, 0.047)])
@@ -131,9 +131,9 @@ def test_a_solve_that_ends_too_early_is_told_by_its_block_or_refused(monkeypatch
     """A solve that ends early is told by the block, whichever it is."""
     monkeypatch.setattr("masonry.statics.solve.TRIES", 1)
     bodies, contacts = dry(SLENDER[1e4], [0], 0.65, density=WEIGHT)
-    found = largest_factor(bodies, contacts, CONES)
-    assert found.factor > 0.6, "in one unit for all the small block floats"
-    assert found.unbalance > 0.01 and found.worst == 2
+    solution = largest_factor(bodies, contacts, CONES)
+    assert solution.factor > 0.6, "in one unit for all the small block floats"
+    assert solution.unbalance > 0.01 and solution.worst == 2
     scene = load(SCENE)
     with pytest.raises(SceneError, match=r"no answer: block 2 \('small'\) at .* is balanced only to"):
         masonry.limit(scene)
@@ -181,8 +181,8 @@ def test_a_slender_block_of_millimetres_on_one_of_two_metres_tips_in_a_scene(siz
 @pytest.mark.parametrize("method", [PLANE, CONES], ids=["plane", "cones"])
 def test_however_great_friction_is_a_wall_tips_where_it_does_with_10(friction, method):
     """A wall of six courses, 0.9525 over 0.5: it falls as one about its edge, 2 m by 1.05 m."""
-    found = largest_factor(*dry(wall(6, halves_below=True), [0], friction), method)
-    assert not is_doubted(found) and found.factor == pytest.approx(2.0 / 1.05, rel=1e-6)
+    solution = largest_factor(*dry(wall(6, halves_below=True), [0], friction), method)
+    assert not is_doubted(solution) and solution.factor == pytest.approx(2.0 / 1.05, rel=1e-6)
 
 
 def test_friction_that_is_too_great_to_be_reckoned_with_has_a_word():
@@ -196,5 +196,5 @@ def test_a_small_load_across_the_plane_of_large_ones_is_no_plane_problem():
     bodies, contacts = dry(pair((4.0, 4.0, 2.0), (1e-4, 4.0, 1e-4), (1.0, 0.0)), [0], 0.65, density=WEIGHT)
     across = bodies.dead.copy()
     across[2, 1] = 0.6 * -bodies.dead[2, 2]
-    found = largest_factor(replace(bodies, dead=across), contacts, Method())
-    assert found.factor == pytest.approx(np.sqrt(0.65**2 - 0.6**2), rel=1e-5), "it slides askew"
+    solution = largest_factor(replace(bodies, dead=across), contacts, Method())
+    assert solution.factor == pytest.approx(np.sqrt(0.65**2 - 0.6**2), rel=1e-5), "it slides askew"

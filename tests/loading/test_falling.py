@@ -95,10 +95,10 @@ def test_a_gauge_that_is_stopped_on_its_way_ends_the_branch_late(monkeypatch):
             + listed("gauge", ['name = "sway"\nat = "block"\ndirection = "x"'])
         )
     )
-    found = result.summary["collapse_load"]["branch"]
-    assert found["ends"] == "late" and found["reached_m"] == pytest.approx(0.5e-3, rel=0.05)
-    at = f"{1e3 * found['reached_m']:.4g} mm"
-    assert f"gauge 'sway' came no further than {at} in {found['steps']} steps" in said(result)
+    collapse = result.summary["collapse_load"]["branch"]
+    assert collapse["ends"] == "late" and collapse["reached_m"] == pytest.approx(0.5e-3, rel=0.05)
+    at = f"{1e3 * collapse['reached_m']:.4g} mm"
+    assert f"gauge 'sway' came no further than {at} in {collapse['steps']} steps" in said(result)
 
 
 @pytest.mark.parametrize(
@@ -112,8 +112,8 @@ def test_a_gauge_that_is_stopped_on_its_way_ends_the_branch_late(monkeypatch):
 )
 def test_a_gauge_that_cannot_be_led_leaves_the_collapse_as_it_is_and_says_why(scene, ends, words):
     result = masonry.run(scene())
-    found = result.summary["collapse_load"]
-    assert found["branch"]["ends"] == ends and not found["branch"]["led"] and found["falls"] is not None
+    collapse = result.summary["collapse_load"]
+    assert collapse["branch"]["ends"] == ends and not collapse["branch"]["led"] and collapse["falls"] is not None
     assert words in said(result) and "was not led on" in said(result)
 
 

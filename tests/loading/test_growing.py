@@ -63,8 +63,8 @@ def test_a_force_at_a_height_pushes_a_block_over_at_its_lever():
 
 def test_a_face_that_is_pulled_up_leaves_at_the_weight():
     pull = 'pattern = "traction"\non = "block.z+"\nstress = {z = "1 kPa"}'
-    found = collapse_load(block(0.05, 0.1, 0.9, pull))
-    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(1900.0 * 9.81 * 0.2 / 1e3, rel=ACCURACY)
+    collapse = collapse_load(block(0.05, 0.1, 0.9, pull))
+    assert 0.5 * (collapse["borne"] + collapse["falls"]) == pytest.approx(1900.0 * 9.81 * 0.2 / 1e3, rel=ACCURACY)
 
 
 @pytest.fixture(scope="module")
@@ -101,8 +101,8 @@ def test_twice_the_accuracy_moves_the_factor_by_less_than_it(wall):
 
 
 def test_dilation_as_large_as_friction_reaches_the_bound_of_limit_analysis():
-    found = collapse_load(load_scene("wall-tilted", DILATES))
-    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(0.64286, rel=ACCURACY)
+    collapse = collapse_load(load_scene("wall-tilted", DILATES))
+    assert 0.5 * (collapse["borne"] + collapse["falls"]) == pytest.approx(0.64286, rel=ACCURACY)
 
 
 @pytest.mark.parametrize("first", [0.0131, 0.0149])
@@ -110,24 +110,24 @@ def test_what_creeps_for_long_below_its_collapse_comes_to_rest_once_it_is_let_go
     """By these increments the wall comes to 0.6365, and creeps there for more than 25,000 steps where it is dragged."""
     other = partial(GrowingLoading, settings=replace(GROWING, first=first))
     monkeypatch.setattr(growing, "GrowingLoading", other)
-    found = collapse_load(load_scene("wall-tilted", DILATES))
-    assert found["borne"] <= 0.64286 <= found["falls"] and found["moving"] == 12
+    collapse = collapse_load(load_scene("wall-tilted", DILATES))
+    assert collapse["borne"] <= 0.64286 <= collapse["falls"] and collapse["moving"] == 12
 
 
 def test_a_wall_that_is_glued_falls_at_the_peak_of_the_wall_that_is_driven():
     """Nothing else loads it; the largest force of a drive is the most that the wall bears."""
     pull = {"pattern": "traction", "on": "right plate.x+", "stress": {"x": "0.1 MPa"}, "accuracy": "0.5 %"}
-    found = collapse_load(load_scene("wallette-mode-1", {"drive": None, "assumptions": {}, "limit": pull}))
+    collapse = collapse_load(load_scene("wallette-mode-1", {"drive": None, "assumptions": {}, "limit": pull}))
     driven = masonry.run(load_scene("wallette-mode-1", {"drive.displacement": "0.06 mm", "drive.accuracy": "0.1 %"}))
-    assert 0.1e6 * found["borne"] < driven.summary["peak_stress_pa"] < 0.1e6 * found["falls"]
+    assert 0.1e6 * collapse["borne"] < driven.summary["peak_stress_pa"] < 0.1e6 * collapse["falls"]
 
 
 @pytest.mark.slow
 def test_large_displacement_finds_the_factor_of_a_tilted_arch_as_well():
     for displacements in ("small", "large"):
         scene = load_scene(SCENES / "arch-of-oppenheim.toml", {"displacements": displacements})
-        found = collapse_load(scene)
-        assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(0.37361, rel=ACCURACY)
+        collapse = collapse_load(scene)
+        assert 0.5 * (collapse["borne"] + collapse["falls"]) == pytest.approx(0.37361, rel=ACCURACY)
 
 
 SOFT = {"contact.unit_unit.normal_stiffness": "0.1 GPa/m", "contact.unit_unit.shear_stiffness": "0.04 GPa/m"}

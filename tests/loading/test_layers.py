@@ -102,6 +102,6 @@ def test_what_layers_cannot_be_is_said(layers, more, said):
 
 def test_what_friction_remembers_of_the_order_moves_the_collapse_load_of_wall_1_by_little():
     result = masonry.run(load_scene("wall-tilted", {"gravity.layers": 15}))
-    found = result.summary["collapse_load"]
-    assert 0.630 < found["borne"] < found["falls"] < 0.6435 and found["moving"] == 12
+    collapse = result.summary["collapse_load"]
+    assert 0.630 < collapse["borne"] < collapse["falls"] < 0.6435 and collapse["moving"] == 12
     assert result.summary["energy_imbalance"] < 1e-12

@@ -49,19 +49,19 @@ def pair(
 )
 def test_a_small_block_on_a_large_one_tips_or_slides_as_by_itself(limit, size, slenderness, friction):
     result = masonry.run(pair(size, slenderness, friction, f"[settle]\nsteps = 4000\n[limit]\n{limit}"))
-    found = result.summary["collapse_load"]
+    collapse = result.summary["collapse_load"]
     known = min(1.0 / slenderness, friction)
-    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(known, rel=0.01)
+    assert 0.5 * (collapse["borne"] + collapse["falls"]) == pytest.approx(known, rel=0.01)
     if friction * slenderness > 1.0:
-        assert (found["moving"], found["first"], found["undecided"]) == (1, 2, 0)
+        assert (collapse["moving"], collapse["first"], collapse["undecided"]) == (1, 2, 0)
     assert "with care" not in trust(result.summary) or size < 1e-3
 
 
 def test_a_force_on_the_small_block_is_measured_by_its_own_weight():
     """Over the weight of both, it is nothing."""
     push = 'pattern = "force"\non = "small"\nforce = {x = "1 N"}\naccuracy = "1 %"\nup_to = 1000'
-    found = masonry.run(pair(0.02, 4.0, 0.65, f"[limit]\n{push}")).summary["collapse_load"]
-    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(1900.0 * 9.81 * 0.02**2 * 0.08 * 0.25, rel=0.01)
+    result = masonry.run(pair(0.02, 4.0, 0.65, f"[limit]\n{push}")).summary["collapse_load"]
+    assert 0.5 * (result["borne"] + result["falls"]) == pytest.approx(1900.0 * 9.81 * 0.02**2 * 0.08 * 0.25, rel=0.01)
 
 
 @pytest.mark.parametrize("steps", [None, 2000])
@@ -179,9 +179,9 @@ def test_a_block_that_creeps_alone_under_damping_is_let_go_until_it_falls():
     stiff = {"contact.unit_unit.normal_stiffness": "128 GPa/m", "contact.unit_unit.shear_stiffness": "51 GPa/m"}
     scene = pair(2.67e-3, 4.307, 0.349, f"[settle]\nsteps = 4000\n[limit]\n{TILT}").with_(stiff)
     result = masonry.run(scene)
-    found = result.summary["collapse_load"]
-    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(1.0 / 4.307, rel=0.01)
-    assert found["undecided"] == 0 and result.summary["steps"] < 60_000
+    collapse = result.summary["collapse_load"]
+    assert 0.5 * (collapse["borne"] + collapse["falls"]) == pytest.approx(1.0 / 4.307, rel=0.01)
+    assert collapse["undecided"] == 0 and result.summary["steps"] < 60_000
 
 
 def test_a_block_that_drifts_alone_is_not_braked_and_all_others_are():

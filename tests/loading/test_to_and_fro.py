@@ -78,9 +78,9 @@ def test_a_fall_belongs_to_no_cycle_and_leaves_the_loops_large_in_the_picture():
 
 def test_a_first_increment_far_beyond_the_strength_is_taken_back():
     result = beam([60.0 * SLIDES, -60.0 * SLIDES], limit__accuracy=0.02)
-    found = result.summary["collapse_load"]
-    assert result.summary["stopped"] == "" and found["loops"]["leg"] == 1
-    assert found["borne"] <= 3.0 * SLIDES * (1.0 + 1e-6) and found["falls"] >= 3.0 * SLIDES * (1.0 - 1e-6)
+    collapse = result.summary["collapse_load"]
+    assert result.summary["stopped"] == "" and collapse["loops"]["leg"] == 1
+    assert collapse["borne"] <= 3.0 * SLIDES * (1.0 + 1e-6) and collapse["falls"] >= 3.0 * SLIDES * (1.0 - 1e-6)
 
 
 def test_what_cracks_suddenly_under_a_force_is_told():

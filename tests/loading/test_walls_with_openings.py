@@ -70,5 +70,5 @@ def test_joints_that_soon_stop_to_rise_have_a_word_as_well(more):
     angle = f"{float(np.degrees(np.arctan(0.6))) - 1e-9!r} deg" if "tan_residual_friction_angle" in more else None
     if angle is not None:
         keys["contact.unit_unit.dilation_angle"] = angle
-    found = masonry.limit(masonry.load(WALL, {**wall_3(), **dilating(FRICTION), **keys}))
-    assert any("--no-dilation" in remark for remark in found.remarks)
+    limit = masonry.limit(masonry.load(WALL, {**wall_3(), **dilating(FRICTION), **keys}))
+    assert any("--no-dilation" in remark for remark in limit.remarks)

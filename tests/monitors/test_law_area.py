@@ -58,11 +58,11 @@ def test_the_area_of_a_law_is_that_of_its_closed_form(name, compression):
     ],
 )
 def test_a_number_that_cannot_do_what_it_says_is_remarked(over, said):
-    found = laboratory.check(scene.load("couplet", {JOINT + key: value for key, value in over.items()}))["warnings"]
+    report = laboratory.check(scene.load("couplet", {JOINT + key: value for key, value in over.items()}))["warnings"]
     if said is None:
-        assert not found
+        assert not report
     else:
-        assert len(found) == 1 and re.search(said, found[0])
+        assert len(report) == 1 and re.search(said, report[0])
 
 
 def test_a_joint_that_dilates_beyond_the_skin_is_remarked_in_large_displacement_alone():

@@ -19,5 +19,5 @@ def greatest_crown_load(weight: np.ndarray, out: np.ndarray, cap: float, inner: 
             turns_in = (weight[k:] * (x - out[k:])).sum() + cap * x
             rows.append(sign * np.array([z, -1.0, x]))  # of the thrust, of its moment about the axis, of the load
             most.append(-sign * turns_in)
-    found = linprog([0.0, 0.0, -1.0], A_ub=rows, b_ub=most, bounds=[(0, None), (None, None), (0, None)])
-    return float(found.x[2])
+    optimum = linprog([0.0, 0.0, -1.0], A_ub=rows, b_ub=most, bounds=[(0, None), (None, None), (0, None)])
+    return float(optimum.x[2])

@@ -18,8 +18,8 @@ def by_hand(specimen) -> float:
 
 
 def test_the_keystone_bears_what_a_line_of_thrust_does():
-    found = masonry.limit("arch-own-weight")
-    assert 1e3 * found.factor == pytest.approx(by_hand(found.specimen), rel=1e-6)
+    limit = masonry.limit("arch-own-weight")
+    assert 1e3 * limit.factor == pytest.approx(by_hand(limit.specimen), rel=1e-6)
 
 
 @pytest.mark.parametrize(("share", "stands"), [(0.98, True), (1.02, False)])

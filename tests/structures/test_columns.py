@@ -36,8 +36,8 @@ TILT = {"drive": None, "limit": {"pattern": "tilt", "about": "y"}}
 
 
 def test_a_push_at_its_head_turns_it_over_the_edge_of_a_joint():
-    found = masonry.limit("column-pushed")
-    assert found.factor == pytest.approx(by_hand(found.specimen, HEAD), rel=1e-6)
+    limit = masonry.limit("column-pushed")
+    assert limit.factor == pytest.approx(by_hand(limit.specimen, HEAD), rel=1e-6)
 
 
 def test_a_straight_column_falls_sideways_at_half_its_width_over_half_its_height():

@@ -83,8 +83,8 @@ def test_a_strip_whose_tilt_waits_falls_at_the_tilt_of_its_hinges_less_what_it_b
     contact = {f"contact.default.{key}_stiffness": f"{share * stiffness!r} GPa/m" for key, share in KINDS}
     still = {"gravity.tilt": None, "solver": {}, "curve": None, "assumptions": {}, "settle.steps": 4000}
     scene = masonry.load("wall-out-of-plane", contact | still | {"limit.accuracy": 0.002})
-    found = masonry.run(scene).summary["collapse_load"]
-    assert 0.5 * (found["borne"] + found["falls"]) == pytest.approx(known, rel=0.003)
+    result = masonry.run(scene).summary["collapse_load"]
+    assert 0.5 * (result["borne"] + result["falls"]) == pytest.approx(known, rel=0.003)
 
 
 KINDS = (("normal", 1.0), ("shear", 0.4))

@@ -31,12 +31,12 @@ def without_steps(scene):
 @pytest.mark.parametrize("name", SCENES)
 def test_a_run_that_finds_its_steps_has_the_bits_of_one_that_was_given_them(name):
     scene = without_steps(SCENES[name]())
-    found = laboratory.run(scene)
+    result = laboratory.run(scene)
     given = laboratory.run(scene.with_({"settle.steps": FEWEST}))
-    assert found.scene_toml == given.scene_toml and f"[settle]\nsteps = {FEWEST}" in found.scene_toml
-    first, second = everything(found), everything(given)
+    assert result.scene_toml == given.scene_toml and f"[settle]\nsteps = {FEWEST}" in result.scene_toml
+    first, second = everything(result), everything(given)
     assert not [key for key in first if first[key] != second[key]]
-    assert found.summary["unbalanced_after_settling"] < AT_REST
+    assert result.summary["unbalanced_after_settling"] < AT_REST
 
 
 def column(damping: float):

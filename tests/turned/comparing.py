@@ -62,24 +62,24 @@ def numbers(summary: dict[str, Any]) -> dict[str, tuple[float, float]]:
     """By name: a number that does not depend on axes and numbering, and the size against which a difference counts."""
     energy, fell, load = summary["energy_j"], summary.get("collapse"), summary.get("collapse_load")
     force = max(abs(summary["peak_stress_pa"]), abs(summary["lowest_stress_pa"]))
-    found = {
+    value = {
         "peak": (summary["peak_stress_pa"], force),
         "lowest": (summary["lowest_stress_pa"], force),
         "blocks": (summary["blocks"], 1.0),
         "contacts": (summary["contacts"], 1.0),
     }
     if fell is not None:
-        found["time of the fall"] = (fell["time_s"], fell["time_s"])
+        value["time of the fall"] = (fell["time_s"], fell["time_s"])
     if load is not None:
-        found["factor"] = (load["borne"], load["borne"])
-        found["moving"] = (load["moving"], 1.0)
+        value["factor"] = (load["borne"], load["borne"])
+        value["moving"] = (load["moving"], 1.0)
     if fell is None and (load is None or load["falls"] is None):  # else they hang on how it falls
         work = abs(energy["external_work"])
-        found["final"] = (summary["final_stress_pa"], force)
-        found["elastic energy"] = (energy["elastic_contacts"], energy["elastic_contacts"])
-        found["friction"] = (energy["friction"], work)
-        found["overlap"] = (summary["overlap_max"], summary["overlap_max"])
-    return found
+        value["final"] = (summary["final_stress_pa"], force)
+        value["elastic energy"] = (energy["elastic_contacts"], energy["elastic_contacts"])
+        value["friction"] = (energy["friction"], work)
+        value["overlap"] = (summary["overlap_max"], summary["overlap_max"])
+    return value
 
 
 def apart(one: dict[str, Any], other: dict[str, Any]) -> dict[str, float]:

@@ -86,8 +86,8 @@ def test_the_list_names_all_cases_and_runs_none(capsys):
 
 def test_json_and_markdown_are_what_they_say(capsys):
     verify("--format", "json")
-    found = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
-    assert [r["status"] for r in found] == ["PASS", "NOT BUILT"]
+    content = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
+    assert [r["status"] for r in content] == ["PASS", "NOT BUILT"]
     verify("--format", "md")
     assert "| joint-in-shear | T1 | PASS |" in capsys.readouterr().out
 
@@ -95,13 +95,13 @@ def test_json_and_markdown_are_what_they_say(capsys):
 def test_records_and_page_are_written_and_a_later_run_is_compared_with_them(tmp_path, capsys):
     assert verify("joint-in-shear", "--out", str(tmp_path)) == 0
     path = tmp_path / "records.json"
-    found = json.loads(path.read_text(encoding="utf-8"))
-    path.write_text(json.dumps([r | {"source_hash": "older"} for r in found]), encoding="utf-8")
+    content = json.loads(path.read_text(encoding="utf-8"))
+    path.write_text(json.dumps([r | {"source_hash": "older"} for r in content]), encoding="utf-8")
     assert "Sample holds" in (tmp_path / "verify.html").read_text(encoding="utf-8")
     assert verify("joint-in-shear", "--compare", str(path)) == 0
     assert "no number moved" in capsys.readouterr().out
     moved = tmp_path / "moved.json"
-    moved.write_text(json.dumps([r | {"value": 2e6, "source_hash": "older"} for r in found]), encoding="utf-8")
+    moved.write_text(json.dumps([r | {"value": 2e6, "source_hash": "older"} for r in content]), encoding="utf-8")
     assert verify("joint-in-shear", "--compare", str(moved)) == 1
     assert main(["verify", "--compare", str(path), str(moved)]) == 1
     assert "Moved" in capsys.readouterr().out

@@ -40,9 +40,9 @@ def test_a_new_run_replaces_its_own_records_and_those_of_no_other_version_or_cas
     records.save(new, tmp_path)
     again = [r | {"value": 1.0} for r in new if r["case"] == "off"][:1]
     path = records.save(again, tmp_path)
-    found = json.loads(path.read_text(encoding="utf-8"), parse_constant=pytest.fail)
-    assert [r["source_hash"] == "older" for r in found] == [True] * 4 + [False] * 3
-    assert [(r["case"], r["value"]) for r in found[4:] if r["case"] == "off"] == [("off", 1.0)]
+    content = json.loads(path.read_text(encoding="utf-8"), parse_constant=pytest.fail)
+    assert [r["source_hash"] == "older" for r in content] == [True] * 4 + [False] * 3
+    assert [(r["case"], r["value"]) for r in content[4:] if r["case"] == "off"] == [("off", 1.0)]
     assert sorted(p.name for p in tmp_path.iterdir()) == ["records.json"]
 
 

@@ -13,8 +13,8 @@ NAMES = sorted(file.stem for file in FOLDER.glob("*.toml"))
 
 @pytest.mark.parametrize("name", NAMES)
 def test_each_scene_can_be_built_and_has_a_name_of_its_own(name):
-    found = laboratory.check(load(name))
-    assert (found["blocks"] > 1 and found["contact_points"] > 0) or load(name).motion, "alone it flies"
+    report = laboratory.check(load(name))
+    assert (report["blocks"] > 1 and report["contact_points"] > 0) or load(name).motion, "alone it flies"
     assert load(name).title and name not in scene.packaged()
 
 

@@ -175,8 +175,8 @@ def test_a_run_beyond_the_proven_bound_says_so_even_where_it_ends_well():
 @pytest.mark.parametrize(("ratio", "kinematics", "warned"), [(0.35, "tets", 1), (0.3, "tets", 0), (0.49, "rigid", 0)])
 def test_tets_that_lock_are_warned_of_where_no_run_is_off_by_five_percent_without_a_word(ratio, kinematics, warned):
     knobs = {"kinematics": kinematics, "specimen.mesh": "fan", "material.units.poisson_ratio": ratio}
-    found = laboratory.check(scene.load(COUPLET, knobs))["warnings"]
-    assert len(found) == warned and all("lock" in words for words in found)
+    report = laboratory.check(scene.load(COUPLET, knobs))["warnings"]
+    assert len(report) == warned and all("lock" in words for words in report)
 
 
 @pytest.mark.parametrize("value", ["1e-300", "1e300"])

@@ -54,9 +54,9 @@ def rocked(_: Run) -> dict[str, float]:
     """From the angle by quadrature."""
     radius, slender = hypot(HALF, HIGH), atan(HALF / HIGH)
     start = [0.5 * slender, 0.0]
-    found = solve_ivp(lambda _, s: [s[1], -0.75 * G / radius * sin(slender - s[0])], (0.0, ROCKED), start,
+    solution = solve_ivp(lambda _, s: [s[1], -0.75 * G / radius * sin(slender - s[0])], (0.0, ROCKED), start,
                       rtol=1e-12, atol=1e-14)  # fmt: skip
-    fallen = radius * (cos(0.5 * slender) - cos(slender - found.y[0, -1]))
+    fallen = radius * (cos(0.5 * slender) - cos(slender - solution.y[0, -1]))
     return {"energy of motion": DENSITY * THICK * 4.0 * HALF * HIGH * G * fallen}
 
 

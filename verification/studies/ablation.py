@@ -100,14 +100,14 @@ def shipped(name: str, tell: Callable[[str], None]) -> list[str]:
     """What the step of a packaged scene contains and what not."""
     tell(f"left out: {name}")
     loaded = scene.load(name)
-    found = laboratory.check(loaded)
-    contacts = ", ".join(f"{count} {group}" for group, count in found["contacts"].items())
+    report = laboratory.check(loaded)
+    contacts = ", ".join(f"{count} {group}" for group, count in report["contacts"].items())
     sizes = (
-        f"{found['blocks']} blocks, {found['contact_points']} contact points ({contacts}), {found['freedoms']} "
-        f"degrees of freedom, {found['steps']} steps of {found['time_step_s']:.3g} s."
+        f"{report['blocks']} blocks, {report['contact_points']} contact points ({contacts}), {report['freedoms']} "
+        f"degrees of freedom, {report['steps']} steps of {report['time_step_s']:.3g} s."
     )
-    lists = [page.Cell("\n".join(found[key]), "text") for key in ("compiled", "left_out")]
-    warned = page.bullets(found["warnings"]) if found["warnings"] else ""
+    lists = [page.Cell("\n".join(report[key]), "text") for key in ("compiled", "left_out")]
+    warned = page.bullets(report["warnings"]) if report["warnings"] else ""
     return [page.heading(f"{name}: {loaded.title}"), sizes, page.table(["in the step", "left out"], [lists]), warned]
 
 

@@ -125,9 +125,9 @@ def read_again(blocks: Blocks, path, tolerance: float = TOLERANCE) -> tuple[Bloc
     export(path, Specimen(blocks))
     refused: GeometryError | None = None
     for share in FLAT:
-        found = read_surfaces(path, 1.0, flat=share * tolerance)
+        solids = read_surfaces(path, 1.0, flat=share * tolerance)
         try:
-            mended = mend(found.blocks, tolerance, [f"block {b}" for b in range(found.blocks.count)])
+            mended = mend(solids.blocks, tolerance, [f"block {b}" for b in range(solids.blocks.count)])
             break
         except GeometryError as error:
             refused = refused or error
@@ -135,7 +135,7 @@ def read_again(blocks: Blocks, path, tolerance: float = TOLERANCE) -> tuple[Bloc
         raise refused
     require_sound(mended.blocks)
     check_overlaps(mended.blocks, allowed=mended.deepest)
-    return mended.blocks, found
+    return mended.blocks, solids
 
 
 def worst_joint(exact: Blocks, found: Blocks) -> tuple[float, int, int]:

@@ -36,17 +36,17 @@ def wall(tmp_path_factory):
 
 
 def test_a_wall_comes_in_with_volumes_names_colours_and_joints(wall):
-    found = read(wall)
-    assert found.names == tuple(files.wall_names(4, 3))
-    assert volumes(found.blocks) == pytest.approx(np.full(12, 0.25 * 0.12 * 0.06), rel=1e-12)
-    assert np.diff(found.blocks.block_face_start).tolist() == [6] * 12
-    assert found.colours[1].tolist() == [0.75, 0.25, 0.125] and np.isnan(found.colours[0]).all()
-    low, _ = bounds(found.blocks)
+    solids = read(wall)
+    assert solids.names == tuple(files.wall_names(4, 3))
+    assert volumes(solids.blocks) == pytest.approx(np.full(12, 0.25 * 0.12 * 0.06), rel=1e-12)
+    assert np.diff(solids.blocks.block_face_start).tolist() == [6] * 12
+    assert solids.colours[1].tolist() == [0.75, 0.25, 0.125] and np.isnan(solids.colours[0]).all()
+    low, _ = bounds(solids.blocks)
     assert low[4] == pytest.approx([0.125, 0, 0.06], abs=1e-12)
-    check_overlaps(found.blocks)
-    joints = find_joints(found.blocks)
+    check_overlaps(solids.blocks)
+    joints = find_joints(solids.blocks)
     assert joints.area.sum() == pytest.approx(files.wall_joint_area(4, 3), rel=1e-9)
-    assert found.notes == ()
+    assert solids.notes == ()
 
 
 def test_inches_are_read_as_such_and_overruled_on_demand(tmp_path):
@@ -60,10 +60,10 @@ def test_inches_are_read_as_such_and_overruled_on_demand(tmp_path):
 
 
 def test_an_arch_of_wedges_has_plane_joints(tmp_path):
-    found = read(files.write_step(tmp_path / "arch.step", files.arch(9), [f"v{k}" for k in range(9)]))
+    solids = read(files.write_step(tmp_path / "arch.step", files.arch(9), [f"v{k}" for k in range(9)]))
     wedge = (1.25**2 - 1.0**2) / 2 * math.sin(math.pi / 9) * 0.2
-    assert volumes(found.blocks) == pytest.approx(np.full(9, wedge), rel=1e-9)
-    joints = find_joints(mend(found.blocks, 1e-4, found.names).blocks)
+    assert volumes(solids.blocks) == pytest.approx(np.full(9, wedge), rel=1e-9)
+    joints = find_joints(mend(solids.blocks, 1e-4, solids.names).blocks)
     assert joints.area.sum() == pytest.approx(8 * 0.25 * 0.2, rel=1e-9)
     assert len(np.unique(joints.patch)) == 8
 
@@ -90,17 +90,17 @@ def test_curved_solids_keep_their_volume_within_the_facets(tmp_path):
         occ.addSphere(400, 0, 0, 30)
         occ.cut([(3, occ.addBox(600, 0, 0, 100, 100, 100))], [(3, occ.addBox(620, 20, 20, 10, 10, 10))])
 
-    found = read(files.write_step(tmp_path / "curved.step", build, ["cone", "torus", "ball", "hollow"]), facet=2e-5)
+    solids = read(files.write_step(tmp_path / "curved.step", build, ["cone", "torus", "ball", "hollow"]), facet=2e-5)
     exact = [math.pi * 400 * 50 / 3, 2 * math.pi**2 * 50 * 100, 4 / 3 * math.pi * 30**3, 1e6 - 1e3]
-    assert volumes(found.blocks) == pytest.approx(1e-9 * np.array(exact), rel=2e-3)
-    assert volumes(found.blocks)[3] == pytest.approx(1e-9 * exact[3], rel=1e-12)
-    assert found.names == ("cone", "torus", "ball", "hollow")
+    assert volumes(solids.blocks) == pytest.approx(1e-9 * np.array(exact), rel=2e-3)
+    assert volumes(solids.blocks)[3] == pytest.approx(1e-9 * exact[3], rel=1e-12)
+    assert solids.names == ("cone", "torus", "ball", "hollow")
 
 
 @pytest.mark.parametrize("gap", [0.05, -0.05])
 def test_gaps_and_overlaps_of_a_twentieth_of_a_millimetre_are_mended(tmp_path, gap):
-    found = read(files.write_step(tmp_path / "wall.step", files.wall(4, 3, gap), files.wall_names(4, 3)))
-    mended = mend(found.blocks, 1e-4, found.names)
+    solids = read(files.write_step(tmp_path / "wall.step", files.wall(4, 3, gap), files.wall_names(4, 3)))
+    mended = mend(solids.blocks, 1e-4, solids.names)
     assert len(mended.gaps.size) == 9
     assert mended.gaps.size == pytest.approx(np.full(9, gap * 1e-3), rel=1e-6)
     assert np.abs(mended.volume_change).max() == pytest.approx(0.05 / 250, rel=1e-3)
@@ -130,13 +130,13 @@ def test_names_follow_the_solids_to_their_places_in_an_assembly(tmp_path):
         text = re.sub(rf"#{axis} = .*;", f"#{axis} = DIRECTION('',(0.,0.,1.));", text)
         text = re.sub(rf"#{across} = .*;", f"#{across} = DIRECTION('',(0.,1.,0.));", text)
     path.write_text(text)
-    found = read(path)
-    low, high = bounds(found.blocks)
-    for b, name in enumerate(found.names):
+    solids = read(path)
+    low, high = bounds(solids.blocks)
+    for b, name in enumerate(solids.names):
         k = int(name.split()[-1])
         assert low[b] == pytest.approx([-0.12, 0.25 * k, 0.1 * k], abs=1e-12)
         assert high[b] == pytest.approx([0, 0.25 * (k + 1), 0.1 * k + 0.06], abs=1e-12)
-    assert sorted(found.names) == [f"unit {k}" for k in range(5)]
+    assert sorted(solids.names) == [f"unit {k}" for k in range(5)]
 
 
 def test_unreadable_files_end_in_one_message(wall, tmp_path):
@@ -191,6 +191,6 @@ def test_assemblies_that_hold_themselves_and_multiply_come_to_an_end():
 
 def test_strings_with_semicolons_quotes_and_comments_do_not_confuse_the_records():
     text = "/* #7 = A('x'); */ #1 = PRODUCT('a;b','it''s #5 /* no */','',(#2));\n#2=B((1.5,-2.E-3),#1);"
-    found = records(text)
-    assert set(found) == {1, 2} and found[2][0] == "B"
+    entities = records(text)
+    assert set(entities) == {1, 2} and entities[2][0] == "B"
     assert length_unit(records("#1 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.) );")) == 1.0

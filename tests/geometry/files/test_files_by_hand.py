@@ -21,10 +21,10 @@ from tests.geometry.files.test_mesh_files import tower
 def test_a_mesh_in_mm_has_its_blocks_and_its_nodes_in_m(tmp_path):
     points, tets = tower(2)
     meshio.vtu.write(tmp_path / "mm.vtu", meshio.Mesh(points * 250.0, [("tetra", tets)]))
-    found = read_mesh(tmp_path / "mm.vtu", unit=1e-3)
-    assert volumes(found.blocks).sum() == pytest.approx(2 * 0.25**3)
-    assert np.ptp(found.mesh.nodes, axis=0) == pytest.approx([0.25, 0.25, 0.5])
-    assert bounds(found.blocks)[1].max(axis=0) == pytest.approx([0.25, 0.25, 0.5])
+    solids = read_mesh(tmp_path / "mm.vtu", unit=1e-3)
+    assert volumes(solids.blocks).sum() == pytest.approx(2 * 0.25**3)
+    assert np.ptp(solids.mesh.nodes, axis=0) == pytest.approx([0.25, 0.25, 0.5])
+    assert bounds(solids.blocks)[1].max(axis=0) == pytest.approx([0.25, 0.25, 0.5])
 
 
 def test_groups_of_solids_are_not_called_by_groups_of_faces_of_the_same_number(tmp_path):

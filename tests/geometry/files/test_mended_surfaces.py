@@ -25,11 +25,11 @@ def turn(points, seed):
 def test_a_corner_on_the_edge_of_a_neighbour_is_put_into_it(tmp_path, seed):
     for digits in (np.float64, np.float32):
         path = obj(tmp_path / "t.obj", turn(STONE, seed).astype(digits).astype(float), faces=PARTED)
-        found = read_surfaces(path, 1.0, flat=1e-4)
-        require_sound(found.blocks)
-        assert volumes(found.blocks) == pytest.approx([0.016], rel=1e-6)
-        assert "put into that edge: 2; the bodies have 0.016 m^3" in found.notes[0]
-        assert len(found.blocks.face_start) - 1 == 6
+        solids = read_surfaces(path, 1.0, flat=1e-4)
+        require_sound(solids.blocks)
+        assert volumes(solids.blocks) == pytest.approx([0.016], rel=1e-6)
+        assert "put into that edge: 2; the bodies have 0.016 m^3" in solids.notes[0]
+        assert len(solids.blocks.face_start) - 1 == 6
 
 
 def test_a_hint_for_an_open_surface_is_given_only_if_it_closes_it(tmp_path):
@@ -45,8 +45,8 @@ def test_a_hint_for_an_open_surface_is_given_only_if_it_closes_it(tmp_path):
 def test_bodies_far_from_the_origin_are_moved_there_and_keep_their_joint(tmp_path, far):
     shift = np.array([far, -far / 7, 300.0])
     pair = [corners((0, 0, 0.13 * k), (0.6, 0.2, 0.13)) + shift for k in range(2)]
-    found = read_surfaces(obj(tmp_path / "far.obj", *pair), 1.0, flat=1e-4)
-    (note,) = found.notes
+    solids = read_surfaces(obj(tmp_path / "far.obj", *pair), 1.0, flat=1e-4)
+    (note,) = solids.notes
     assert f"{far:.3g} m from the origin" in note and f"rounded to {far * 2**-24 * 1e3:.2g} mm" in note
-    assert np.abs(found.blocks.points).max() < 2.0
-    assert find_joints(found.blocks).area.sum() == pytest.approx(0.12, rel=1e-6)
+    assert np.abs(solids.blocks.points).max() < 2.0
+    assert find_joints(solids.blocks).area.sum() == pytest.approx(0.12, rel=1e-6)

@@ -17,11 +17,11 @@ from tests.geometry.files.surface_files import CUBE, corners, obj
 
 def test_groups_of_an_obj_file_are_blocks_in_its_unit(tmp_path):
     path = obj(tmp_path / "a.obj", corners(), corners((1, 0, 0), (2, 1, 1)))
-    found = read_surfaces(path, unit=0.1)
-    assert found.names == ("body0", "body1")
-    assert volumes(found.blocks) == pytest.approx([1e-3, 2e-3], rel=1e-12)
-    assert find_joints(found.blocks).area.sum() == pytest.approx(0.01, rel=1e-12)
-    assert found.notes == ()
+    solids = read_surfaces(path, unit=0.1)
+    assert solids.names == ("body0", "body1")
+    assert volumes(solids.blocks) == pytest.approx([1e-3, 2e-3], rel=1e-12)
+    assert find_joints(solids.blocks).area.sum() == pytest.approx(0.01, rel=1e-12)
+    assert solids.notes == ()
     assert "taken as 1 m" in read_surfaces(path).notes[0]
 
 
@@ -29,34 +29,34 @@ def test_every_way_of_writing_a_face_is_read(tmp_path):
     lines = ["# a cube", *("v {} {} {} 0.5 0.5 0.5".format(*point) for point in corners().tolist()), "vn 0 0 1"]
     lines += ["f 1//1 4/2 3/2/1 \\", "2", "f -4 -3 -2 -1", *("f {} {} {} {}".format(*face) for face in CUBE[2:])]
     (tmp_path / "a.obj").write_text("\n".join(lines))
-    found = read_surfaces(tmp_path / "a.obj")
-    assert volumes(found.blocks) == pytest.approx([1.0]) and found.names == ("a",)
+    solids = read_surfaces(tmp_path / "a.obj")
+    assert volumes(solids.blocks) == pytest.approx([1.0]) and solids.names == ("a",)
 
 
 def test_bodies_without_groups_are_told_apart_by_their_corners(tmp_path):
-    found = read_surfaces(obj(tmp_path / "a.obj", corners(), corners((1, 0, 0)), head=""))
-    assert found.blocks.count == 2 and len(find_joints(found.blocks).patch_start) == 2
+    solids = read_surfaces(obj(tmp_path / "a.obj", corners(), corners((1, 0, 0)), head=""))
+    assert solids.blocks.count == 2 and len(find_joints(solids.blocks).patch_start) == 2
 
 
 def test_a_surface_whose_faces_share_no_corners_is_closed(tmp_path):
     points = np.concatenate([corners()[np.array(face) - 1] for face in CUBE])
     faces = np.arange(1, 25).reshape(6, 4).tolist()
-    found = read_surfaces(obj(tmp_path / "a.obj", points, faces=faces))
-    assert volumes(found.blocks) == pytest.approx([1.0])
+    solids = read_surfaces(obj(tmp_path / "a.obj", points, faces=faces))
+    assert volumes(solids.blocks) == pytest.approx([1.0])
 
 
 @pytest.mark.parametrize("turned", [range(6), (0, 3)])
 def test_faces_that_look_inwards_are_turned_and_told(tmp_path, turned):
     faces = [face[::-1] if f in turned else face for f, face in enumerate(CUBE)]
-    found = read_surfaces(obj(tmp_path / "a.obj", corners(), corners((2, 0, 0)), faces=faces), 1.0)
-    assert volumes(found.blocks) == pytest.approx([1.0, 1.0])
-    assert found.notes == ("blocks with faces that looked inwards, which were turned: 2",)
+    solids = read_surfaces(obj(tmp_path / "a.obj", corners(), corners((2, 0, 0)), faces=faces), 1.0)
+    assert volumes(solids.blocks) == pytest.approx([1.0, 1.0])
+    assert solids.notes == ("blocks with faces that looked inwards, which were turned: 2",)
 
 
 def test_a_face_that_is_there_twice_is_left_out_and_told(tmp_path):
-    found = read_surfaces(obj(tmp_path / "a.obj", corners(), faces=[*CUBE, CUBE[0], CUBE[4][::-1], (1, 1, 2)]), 1.0)
-    assert volumes(found.blocks) == pytest.approx([1.0])
-    assert found.notes[0].endswith("left out: 2") and found.notes[1].endswith("left out: 1")
+    solids = read_surfaces(obj(tmp_path / "a.obj", corners(), faces=[*CUBE, CUBE[0], CUBE[4][::-1], (1, 1, 2)]), 1.0)
+    assert volumes(solids.blocks) == pytest.approx([1.0])
+    assert solids.notes[0].endswith("left out: 2") and solids.notes[1].endswith("left out: 1")
 
 
 def test_a_hole_is_closed_only_if_it_is_asked_for(tmp_path):
@@ -64,9 +64,9 @@ def test_a_hole_is_closed_only_if_it_is_asked_for(tmp_path):
     for holes in (0.0, 1.4):  # the hole is a square, sqrt(2) wide
         with pytest.raises(GeometryError, match=r"'a.obj' is not closed: 4 of 12 edges .* at \(0, 0.5, 0\).*--holes"):
             read_surfaces(path, holes=holes)
-    found = read_surfaces(path, 1.0, holes=1.42)
-    assert volumes(found.blocks) == pytest.approx([1.0])
-    assert found.notes == ("holes that were closed, of up to 1.41e+03 mm: 1",)
+    solids = read_surfaces(path, 1.0, holes=1.42)
+    assert volumes(solids.blocks) == pytest.approx([1.0])
+    assert solids.notes == ("holes that were closed, of up to 1.41e+03 mm: 1",)
 
 
 def test_neighbours_cut_the_bent_face_that_they_share_alike(tmp_path):
@@ -77,13 +77,13 @@ def test_neighbours_cut_the_bent_face_that_they_share_alike(tmp_path):
     for i, j, k in np.ndindex(3, 3, 3):
         unit = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
         cells.append(np.array([grid[i + a, j + b, k + c] for a, b, c in unit]))
-    found = read_surfaces(obj(tmp_path / "a.obj", *cells), 1.0)
-    require_sound(found.blocks)
-    assert volumes(found.blocks).sum() == pytest.approx(27.0, rel=1e-12)  # nothing overlaps, nothing gapes
-    joints = find_joints(found.blocks)
+    solids = read_surfaces(obj(tmp_path / "a.obj", *cells), 1.0)
+    require_sound(solids.blocks)
+    assert volumes(solids.blocks).sum() == pytest.approx(27.0, rel=1e-12)  # nothing overlaps, nothing gapes
+    joints = find_joints(solids.blocks)
     pairs = np.unique(np.stack([joints.block_a, joints.block_b]), axis=1)
     assert pairs.shape[1] == 3 * 2 * 3 * 3  # every inner face
-    assert "faces that are not flat" in found.notes[0]
+    assert "faces that are not flat" in solids.notes[0]
 
 
 def test_equal_cuts_of_a_face_are_made_the_same_on_both_sides(tmp_path):
@@ -92,9 +92,9 @@ def test_equal_cuts_of_a_face_are_made_the_same_on_both_sides(tmp_path):
     for v, rise in enumerate((0.2, -0.2, 0.2, -0.2)):
         lower[4 + v, 2] += rise
         upper[v, 2] += rise
-    found = read_surfaces(obj(tmp_path / "a.obj", lower, upper), 1.0)
-    assert volumes(found.blocks).sum() == pytest.approx(2.0, rel=1e-12)
-    assert len(find_joints(found.blocks).patch_start) == 3
+    solids = read_surfaces(obj(tmp_path / "a.obj", lower, upper), 1.0)
+    assert volumes(solids.blocks).sum() == pytest.approx(2.0, rel=1e-12)
+    assert len(find_joints(solids.blocks).patch_start) == 3
 
 
 @pytest.mark.parametrize("degrees", [0, 50, 100, 170, 250])
@@ -104,8 +104,8 @@ def test_a_polygon_that_is_bent_along_a_line_is_cut_along_it(tmp_path, degrees):
     top = points + np.array([(0, 0, 1.0 if x else 1.2) for x in points[:, 0]])
     faces = [(1, 4, 5, 6, 3, 2), (7, 8, 9, 12, 11, 10), (1, 2, 3, 9, 8, 7), (4, 10, 11, 12, 6, 5), (1, 7, 10, 4)]
     turned = np.concatenate([points, top]) @ rotation((0.0, 0.0, 1.0), np.radians(degrees)).T
-    found = read_surfaces(obj(tmp_path / "a.obj", turned, faces=[*faces, (3, 6, 12, 9)]), 1.0)
-    assert volumes(found.blocks) == pytest.approx([2 * 2 * 1.1], rel=1e-12)
+    solids = read_surfaces(obj(tmp_path / "a.obj", turned, faces=[*faces, (3, 6, 12, 9)]), 1.0)
+    assert volumes(solids.blocks) == pytest.approx([2 * 2 * 1.1], rel=1e-12)
 
 
 def write(path, specimen):
@@ -119,16 +119,16 @@ def test_stl_and_ply_are_read(tmp_path):
     mesh = trimesh.creation.box((1.0, 2.0, 3.0))
     for name in ("a.stl", "b.ply", "c.obj"):
         mesh.export(tmp_path / name)
-        found = read_surfaces(tmp_path / name)
-        assert volumes(found.blocks) == pytest.approx([6.0]) and len(found.blocks.face_start) == 7
+        solids = read_surfaces(tmp_path / name)
+        assert volumes(solids.blocks) == pytest.approx([6.0]) and len(solids.blocks.face_start) == 7
     folder = tmp_path / "blocks"
     folder.mkdir()
     for number in (10, 2, 1):
         mesh.apply_translation((0, 0, 3.0))
         mesh.export(folder / f"stone_{number}.ply")
-    found = read_surfaces(folder)
-    assert found.names == ("stone_1", "stone_2", "stone_10")
-    assert np.argsort(-centroids(found.blocks)[:, 2]).tolist() == [0, 1, 2]
+    solids = read_surfaces(folder)
+    assert solids.names == ("stone_1", "stone_2", "stone_10")
+    assert np.argsort(-centroids(solids.blocks)[:, 2]).tolist() == [0, 1, 2]
 
 
 @pytest.mark.parametrize("suffix", [".obj", ".stl"])
@@ -144,10 +144,10 @@ def test_what_is_written_comes_back_to_the_last_digits(tmp_path, suffix):
     sides = [(k, (k + 1) % n, n + (k + 1) % n, n + k) for k in range(n)]
     cross = polyhedra([(points, [list(range(n))[::-1], list(range(n, 2 * n)), *sides])], ["cross"], [0], ["units"])
     for blocks in (boxes, cross):
-        found = write(tmp_path / f"a{suffix}", Specimen(blocks, {"lone": np.array([0])}))
-        assert found.names[0] == ("a" if blocks is cross and suffix == ".stl" else "lone") and found.notes == ()
-        assert volumes(found.blocks) == pytest.approx(volumes(blocks), rel=1e-12)
-        assert len(find_joints(found.blocks).patch_start) == len(find_joints(blocks).patch_start)
+        copy = write(tmp_path / f"a{suffix}", Specimen(blocks, {"lone": np.array([0])}))
+        assert copy.names[0] == ("a" if blocks is cross and suffix == ".stl" else "lone") and copy.notes == ()
+        assert volumes(copy.blocks) == pytest.approx(volumes(blocks), rel=1e-12)
+        assert len(find_joints(copy.blocks).patch_start) == len(find_joints(blocks).patch_start)
     assert len(write(tmp_path / f"a{suffix}", Specimen(boxes)).blocks.face_start) == len(boxes.face_start)
 
 

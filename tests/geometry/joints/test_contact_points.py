@@ -104,9 +104,9 @@ def test_a_hexagon_gets_just_as_many_points_of_equal_area_as_are_asked_for_up_to
 @given(st.integers(0, 10**6), st.integers(4, 400), st.sampled_from(["gauss", "vertex"]))
 def test_a_polygon_gets_about_as_many_points_as_are_asked_for(seed, number, rule):
     """Within a factor of two: a fan of k triangles has k, 3k, 4k, 9k, ... places and no numbers in between."""
-    found = len(points_of(convex_polygon(seed, 0.6), rule, {"per_face": number})[1])
+    count = len(points_of(convex_polygon(seed, 0.6), rule, {"per_face": number})[1])
     most = 2.2 * number if rule == "gauss" or number > 8 else 8
-    assert number / 2.2 <= found <= most
+    assert number / 2.2 <= count <= most
 
 
 @pytest.mark.parametrize(

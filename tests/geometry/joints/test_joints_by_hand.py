@@ -40,14 +40,14 @@ def test_a_filler_with_some_play_is_closed_on_both_sides(play):
         ((0, 0, 60 + play), (100, 50, 60.4 + play)),
         ((0, 0, 60.4 + 2 * play), (100, 50, 120)),
     )
-    found = mend(filled, 0.1 * MM, ["below", "strip", "above"])
-    assert find_joints(found.blocks).area.sum() == pytest.approx(2 * 0.1 * 0.05, rel=1e-9)
-    assert len(found.gaps.size) == 2 and found.gaps.size == pytest.approx([play * MM, play * MM], rel=1e-6)
-    low, high = bounds(found.blocks)
+    mended = mend(filled, 0.1 * MM, ["below", "strip", "above"])
+    assert find_joints(mended.blocks).area.sum() == pytest.approx(2 * 0.1 * 0.05, rel=1e-9)
+    assert len(mended.gaps.size) == 2 and mended.gaps.size == pytest.approx([play * MM, play * MM], rel=1e-6)
+    low, high = bounds(mended.blocks)
     for below, above in ((0, 1), (1, 2)):
         assert high[below, 2] == pytest.approx(low[above, 2], abs=1e-12)
         assert high[below, 2] == pytest.approx((60 + (0.4 + play) * below + play / 2) * MM, abs=1e-9), "half-way"
-    assert volumes(found.blocks).sum() == pytest.approx(0.1 * 0.05 * 0.12, rel=1e-9)
+    assert volumes(mended.blocks).sum() == pytest.approx(0.1 * 0.05 * 0.12, rel=1e-9)
 
 
 def test_a_filler_that_is_narrower_than_its_gap_leaves_the_rest_of_it_to_be_refused():
@@ -85,20 +85,20 @@ def test_points_at_the_ends_of_an_edge_stand_for_half_of_a_step(number):
 def test_a_joint_over_a_gap_lies_half_way_be_it_wide_or_narrow():
     """Two stones beside each other, 1 and 3 mm above a third one."""
     blocks = boxes(((0, 0, 0), (100, 100, 50)), ((0, 0, 51), (60, 100, 90)), ((70, 0, 53), (100, 100, 90)))
-    found = nearby_joints(blocks, Rule(5 * MM, 0.1 * MM, 0.1))
-    assert (found.block_a.tolist(), found.block_b.tolist()) == ([0, 0], [1, 2])
-    corners, _ = pad(found.points, found.start, np.arange(len(found.points)))
+    joints = nearby_joints(blocks, Rule(5 * MM, 0.1 * MM, 0.1))
+    assert (joints.block_a.tolist(), joints.block_b.tolist()) == ([0, 0], [1, 2])
+    corners, _ = pad(joints.points, joints.start, np.arange(len(joints.points)))
     assert areas_normals_centroids(corners)[2][:, 2] == pytest.approx([50.5 * MM, 51.5 * MM])
-    assert found.gap == pytest.approx(np.array([[1.0, 1.0], [3.0, 3.0]]) * MM)
+    assert joints.gap == pytest.approx(np.array([[1.0, 1.0], [3.0, 3.0]]) * MM)
 
 
 def test_the_plane_of_a_joint_of_two_faces_is_their_mean_by_area():
     """A stone whose underside is level for 60 mm, and rises by 1 in 20 for 40: half of that, for 0.4 of the area."""
     loop = np.array([(0, 0), (60, 0), (100, 2), (100, 60), (0, 60)]) * MM
     ground = upright(np.array([(-50, -50), (150, -50), (150, 0), (-50, 0)]) * MM, 0.0, 0.1)
-    found = nearby_joints(concatenate([ground, upright(loop, 0.0, 0.1, 1)]), Rule(5 * MM, 0.1 * MM, 0.1))
-    assert len(found.block_a) == 1
-    corners, _ = pad(found.points, found.start, np.arange(len(found.points)))
+    joints = nearby_joints(concatenate([ground, upright(loop, 0.0, 0.1, 1)]), Rule(5 * MM, 0.1 * MM, 0.1))
+    assert len(joints.block_a) == 1
+    corners, _ = pad(joints.points, joints.start, np.arange(len(joints.points)))
     normal = areas_normals_centroids(corners)[1][0]
     assert -normal[0] / normal[2] == pytest.approx(0.4 * 0.5 * 0.05, rel=0.01)
 
@@ -114,8 +114,8 @@ def test_pieces_that_meet_are_one_joint_where_they_fill_98_per_cent_of_their_hul
     faces = [[piece.face(f) for f in piece.faces_of(0)] for piece in feet]
     stone = from_faces([faces[0] + faces[1]], [1], [0], ["units"])
     ground = boxes(((0, 0, 0), (100, 100, 50)))
-    found = nearby_joints(concatenate([ground, stone]), Rule(2 * MM, 2 * MM, 0.1))
-    assert len(found.block_a) == pieces
+    joints = nearby_joints(concatenate([ground, stone]), Rule(2 * MM, 2 * MM, 0.1))
+    assert len(joints.block_a) == pieces
 
 
 def test_within_a_unit_a_joint_reaches_as_far_as_the_smaller_of_its_blocks():
@@ -154,5 +154,5 @@ def test_a_flat_tet_is_told_by_three_inradii_over_the_circumradius():
     """Of a right corner with legs of 1: r = 1 / (3 + root 3), R = root 3 / 2."""
     nodes = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
     mesh = TetMesh(nodes, np.array([0, 4]), np.array([[0, 1, 2, 3]]), np.array([0, 1]))
-    found = quality(boxes(((0, 0, 0), (1, 1, 1))), find_joints(boxes(((0, 0, 0), (1, 1, 1)))), mesh).flattest_tet
-    assert found.value == pytest.approx(3.0 / (3.0 + 3.0**0.5) / (3.0**0.5 / 2.0))
+    measures = quality(boxes(((0, 0, 0), (1, 1, 1))), find_joints(boxes(((0, 0, 0), (1, 1, 1)))), mesh).flattest_tet
+    assert measures.value == pytest.approx(3.0 / (3.0 + 3.0**0.5) / (3.0**0.5 / 2.0))

@@ -51,24 +51,24 @@ def test_a_tet_flattened_to_nothing_has_radius_ratio_0_and_its_block_is_blamed()
 
 def test_the_thin_block_among_equal_ones_is_found_with_its_edge_its_size_and_its_joints():
     blocks = row_of_boxes([0.1, 0.1, 0.002, 0.1, 0.1])
-    found = quality(blocks, find_joints(blocks))
+    measures = quality(blocks, find_joints(blocks))
     mean = 0.402 * 0.01 / 5
-    assert found.shortest_edge.value == pytest.approx(0.002) and found.shortest_edge.blocks == (2,)
-    assert found.shortest_edge.ratio == pytest.approx(0.002 / np.cbrt(mean))
-    assert found.smallest_block.value == pytest.approx(2e-5) and found.smallest_block.blocks == (2,)
-    assert found.smallest_block.ratio == pytest.approx(2e-5 / mean)
-    assert found.smallest_joint.value == pytest.approx(0.01)
-    assert found.shortest_joint_edge.value == pytest.approx(0.1)
-    assert found.flattest_tet is None
+    assert measures.shortest_edge.value == pytest.approx(0.002) and measures.shortest_edge.blocks == (2,)
+    assert measures.shortest_edge.ratio == pytest.approx(0.002 / np.cbrt(mean))
+    assert measures.smallest_block.value == pytest.approx(2e-5) and measures.smallest_block.blocks == (2,)
+    assert measures.smallest_block.ratio == pytest.approx(2e-5 / mean)
+    assert measures.smallest_joint.value == pytest.approx(0.01)
+    assert measures.shortest_joint_edge.value == pytest.approx(0.1)
+    assert measures.flattest_tet is None
 
 
 def test_a_sliver_of_joint_between_whole_blocks_is_found_with_both_blocks():
     low = np.array([[0, 0, 0], [0.1, 0, 0], [0.001, 0, 0.1]])
     blocks = from_boxes(low, low + 0.1, np.arange(3), np.zeros(3), ["units"])
-    found = quality(blocks, find_joints(blocks))
-    assert found.shortest_joint_edge.value == pytest.approx(0.001) and found.shortest_joint_edge.blocks == (1, 2)
-    assert found.smallest_joint.value == pytest.approx(1e-4) and found.smallest_joint.blocks == (1, 2)
-    assert found.smallest_joint.ratio == pytest.approx(0.01)
+    measures = quality(blocks, find_joints(blocks))
+    assert measures.shortest_joint_edge.value == pytest.approx(0.001) and measures.shortest_joint_edge.blocks == (1, 2)
+    assert measures.smallest_joint.value == pytest.approx(1e-4) and measures.smallest_joint.blocks == (1, 2)
+    assert measures.smallest_joint.ratio == pytest.approx(0.01)
 
 
 def test_a_block_is_small_beside_the_others_of_its_group_not_beside_a_plate():
@@ -78,8 +78,8 @@ def test_a_block_is_small_beside_the_others_of_its_group_not_beside_a_plate():
 
 def test_blocks_without_joints_have_no_joint_measures():
     blocks = row_of_boxes([0.1])
-    found = quality(blocks, find_joints(blocks))
-    assert found.shortest_joint_edge is None and found.smallest_joint is None
+    measures = quality(blocks, find_joints(blocks))
+    assert measures.shortest_joint_edge is None and measures.smallest_joint is None
 
 
 def test_the_cost_grows_as_the_number_of_blocks():

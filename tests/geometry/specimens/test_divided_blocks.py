@@ -57,17 +57,17 @@ FILLINGS = {
 
 @pytest.mark.parametrize("filling", FILLINGS.values(), ids=FILLINGS)
 def test_parts_fill_their_blocks_and_units_meet_as_before(arch, filling):
-    found = divided(arch, filling)
-    require_sound(found.blocks)
-    check_overlaps(found.blocks)
-    before, after = arch.blocks, found.blocks
+    parts = divided(arch, filling)
+    require_sound(parts.blocks)
+    check_overlaps(parts.blocks)
+    before, after = arch.blocks, parts.blocks
     assert after.count > before.count
     whole = np.bincount(before.unit, volumes(before))
     assert np.bincount(after.unit, volumes(after)) == pytest.approx(whole, rel=1e-9)
     assert areas(after) == pytest.approx(areas(before), rel=1e-9)
-    assert set(after.unit[found.sets["key"]]) == {9} and set(after.unit[found.sets["ends"]]) == {7, 11}
-    assert len(found.sets["foot"]) == 1, "a plate is no unit and stays whole"
-    assert sum(map(len, (found.sets["ends"], found.sets["key"]))) == np.isin(after.unit, [7, 9, 11]).sum()
+    assert set(after.unit[parts.sets["key"]]) == {9} and set(after.unit[parts.sets["ends"]]) == {7, 11}
+    assert len(parts.sets["foot"]) == 1, "a plate is no unit and stays whole"
+    assert sum(map(len, (parts.sets["ends"], parts.sets["key"]))) == np.isin(after.unit, [7, 9, 11]).sum()
 
 
 def test_a_grid_in_boxes_is_that_of_a_built_wall():
@@ -83,8 +83,8 @@ def test_a_grid_in_boxes_is_that_of_a_built_wall():
 def test_given_sites_say_where_cells_lie(arch):
     inner = [tuple(voussoir(k)[0].mean(axis=0)) for k in range(ARCH)]
     more = (*inner, (1.1, 0.15, 0.1))
-    found = divided(arch, CellRequest(total=6, sites=more, space=True, laguerre=False, regularise=False))
-    assert np.bincount(found.blocks.unit, minlength=13)[7:].tolist() == [2, 1, 1, 1, 1, 1]
+    parts = divided(arch, CellRequest(total=6, sites=more, space=True, laguerre=False, regularise=False))
+    assert np.bincount(parts.blocks.unit, minlength=13)[7:].tolist() == [2, 1, 1, 1, 1, 1]
     with pytest.raises(GeometryError, match=r"the site \(0, 0, 0\) m lies in no unit"):
         divided(arch, CellRequest(total=6, sites=(*inner, (0.0, 0.0, 0.0))))
 

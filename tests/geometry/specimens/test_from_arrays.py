@@ -17,9 +17,9 @@ CUBE = np.array([[0, 0, 0], [0, 1, 0], [1, 1, 0], [1, 0, 0], [0, 0, 1], [0, 1, 1
 
 def build(*solids):
     count = len(solids)
-    found = polyhedra(solids, [f"stone {b}" for b in range(count)], range(count), ["units"] * count)
-    require_sound(found)
-    return found
+    specimen = polyhedra(solids, [f"stone {b}" for b in range(count)], range(count), ["units"] * count)
+    require_sound(specimen)
+    return specimen
 
 
 def in_triangles(faces):

@@ -28,17 +28,17 @@ def test_volume_and_principal_moments_stay_whatever_the_turn(axis):
 
 def test_a_floor_is_one_block_more_with_names_of_its_own_and_carries_the_specimen():
     stack = prism(3, 0.2, 0.1, 0.05)
-    found = on_floor(stack)
-    assert found.blocks.count == stack.blocks.count + 1
-    assert found.blocks.groups == ("units", "floor") and found.sets["floor"].tolist() == [3]
-    assert found.blocks.unit[3] not in found.blocks.unit[:3]
-    assert np.array_equal(found.blocks.points[: len(stack.blocks.points)], stack.blocks.points)
-    joints = find_joints(found.blocks)
+    placed = on_floor(stack)
+    assert placed.blocks.count == stack.blocks.count + 1
+    assert placed.blocks.groups == ("units", "floor") and placed.sets["floor"].tolist() == [3]
+    assert placed.blocks.unit[3] not in placed.blocks.unit[:3]
+    assert np.array_equal(placed.blocks.points[: len(stack.blocks.points)], stack.blocks.points)
+    joints = find_joints(placed.blocks)
     below = joints.block_b == 3
     assert set(joints.block_a[below]) == {0}
     assert joints.area[below].sum() == pytest.approx(0.2 * 0.1, rel=1e-12)
-    assert np.ptp(found.blocks.points[-8:, :2], axis=0) == pytest.approx((0.2 + 0.8, 0.1 + 0.8))
-    assert found.blocks.points[-8:, 2].max() == 0.0
+    assert np.ptp(placed.blocks.points[-8:, :2], axis=0) == pytest.approx((0.2 + 0.8, 0.1 + 0.8))
+    assert placed.blocks.points[-8:, 2].max() == 0.0
 
 
 def test_a_floor_lies_where_it_is_asked_for():

@@ -133,7 +133,7 @@ def test_cohesion_and_tension_count_once_whatever_the_number_of_points(points, m
     assert contacts.count == points**2
     glue = replace(contacts, cohesion=0.1 * contacts.area)
     assert largest_factor(flat, glue, method).factor == pytest.approx(0.4 + 0.1 * 0.6 / 0.6, rel=1e-6)
-    assert without_dilation(flat, glue, method).found.factor == pytest.approx(0.4 + 0.1 * 0.6 / 0.6, rel=1e-3)
+    assert without_dilation(flat, glue, method).solution.factor == pytest.approx(0.4 + 0.1 * 0.6 / 0.6, rel=1e-3)
     tall, contacts = dry(stack([(0.5, 1.0)]), [0], 5.0, points=points)
     glue = replace(contacts, tension=0.2 * contacts.area, cohesion=10.0 * contacts.area)
     assert largest_factor(tall, glue, method).factor == pytest.approx((0.15 + 0.2 * 0.15) * 0.5 / 0.15, rel=1e-6)

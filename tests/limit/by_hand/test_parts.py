@@ -12,7 +12,7 @@ import masonry
 from masonry.limit_analysis.contacts import contacts_of, sliding_fraction, touching
 from masonry.statics.interior_point import Programme, true_gap
 from masonry.statics.no_dilation import _LoadPath, without_dilation
-from masonry.statics.problem import Bodies, Contacts, Found
+from masonry.statics.problem import Bodies, Contacts, Solution
 from masonry.statics.safety import factor_of_safety
 from masonry.statics.solve import Method, largest_factor
 from tests.limit.blocks import CONES, PLANE, dry, stack
@@ -42,9 +42,9 @@ def test_no_point_of_a_joint_bears_more_shear_than_its_own_friction_and_cohesion
     """One edge of the base is glued, the other is dry."""
     bodies, contacts = dry(stack([(2.0, 1.0)]), [0], 0.4)
     glued = replace(contacts, cohesion=0.3 * contacts.area * (contacts.point[:, 0] > 1.0))
-    found = largest_factor(bodies, glued, method)
-    shear, bears = np.linalg.norm(found.shear, axis=1), glued.friction * found.normal + glued.cohesion
-    assert found.factor == pytest.approx(0.4 + 0.3 * 0.5, rel=1e-7)
+    solution = largest_factor(bodies, glued, method)
+    shear, bears = np.linalg.norm(solution.shear, axis=1), glued.friction * solution.normal + glued.cohesion
+    assert solution.factor == pytest.approx(0.4 + 0.3 * 0.5, rel=1e-7)
     assert shear == pytest.approx(bears, abs=1e-6)
     assert len({*np.round(shear, 3)}) > 1, "they do not bear alike"
 
@@ -72,7 +72,7 @@ def test_the_mechanism_of_a_factor_of_safety_is_that_of_what_falls_just_beyond_i
     assert found.velocity[1, 0] > 0.0 and found.normal.sum() == pytest.approx(2.0 * 0.2 * 0.3, rel=1e-6)
 
 
-def at_rest(monkeypatch, bodies: Bodies, contacts: Contacts) -> Found:
+def at_rest(monkeypatch, bodies: Bodies, contacts: Contacts) -> Solution:
     """The forces under the dead loads alone, with which the way to a factor without dilation begins."""
     begin, begun = _LoadPath.at_rest, []
 
@@ -83,7 +83,7 @@ def at_rest(monkeypatch, bodies: Bodies, contacts: Contacts) -> Found:
     monkeypatch.setattr(_LoadPath, "at_rest", noted)
     without_dilation(bodies, contacts, CONES)
     path, forces = begun[0]
-    return path.end(forces, 1.0, 0).found
+    return path.end(forces, 1.0, 0).solution
 
 
 @pytest.mark.parametrize("degrees", [20.0, 45.0])
@@ -99,24 +99,24 @@ def test_before_any_load_a_groove_shares_a_weight_as_springs_do(degrees, monkeyp
     blocks = np.zeros(2, dtype=int), np.ones(2, dtype=int)
     point = np.array([[-0.3, 0.0, 0.2], [0.3, 0.0, 0.2]])
     contacts = Contacts(*blocks, point, normal, np.arange(2), one, 9.0 * one, none, none, none > 0.0)
-    found = at_rest(monkeypatch, bodies, contacts)
+    forces = at_rest(monkeypatch, bodies, contacts)
     pressing = weight * np.cos(slope) / (2.0 * (np.cos(slope) ** 2 + np.sin(slope) ** 2 / 2.5))
-    assert found.normal == pytest.approx([pressing, pressing], rel=1e-5)
-    assert np.linalg.norm(found.shear, axis=1) == pytest.approx([pressing * np.tan(slope) / 2.5] * 2, rel=1e-5)
+    assert forces.normal == pytest.approx([pressing, pressing], rel=1e-5)
+    assert np.linalg.norm(forces.shear, axis=1) == pytest.approx([pressing * np.tan(slope) / 2.5] * 2, rel=1e-5)
 
 
 def test_before_any_load_an_even_pressure_gives_each_point_its_share_of_the_area(monkeypatch):
     bodies, contacts = dry(stack([(0.5, 1.0)]), [0], 0.7, points=3)
-    found = at_rest(monkeypatch, bodies, contacts)
-    assert found.normal == pytest.approx(0.15 * contacts.area / contacts.area.sum(), rel=1e-4)
+    forces = at_rest(monkeypatch, bodies, contacts)
+    assert forces.normal == pytest.approx(0.15 * contacts.area / contacts.area.sum(), rel=1e-4)
 
 
 def test_what_turns_about_an_edge_does_not_slide_there_and_what_slides_does_half_of_the_work_by_shear():
     """A block that slides by v rises by mu v: W goes up by mu v, mu W pushes by v, and shear takes mu W v."""
     for friction, fraction in ((5.0, 0.0), (0.3, 0.5)):
         bodies, contacts = dry(stack([(0.5, 1.0)]), [0], friction)
-        found = largest_factor(bodies, contacts, CONES)
-        assert sliding_fraction(bodies, contacts, found) == pytest.approx(fraction, abs=1e-5)
+        solution = largest_factor(bodies, contacts, CONES)
+        assert sliding_fraction(bodies, contacts, solution) == pytest.approx(fraction, abs=1e-5)
 
 
 def test_the_edge_about_which_a_block_topples_stands_still():
@@ -141,5 +141,5 @@ def test_the_gap_counts_what_forces_and_velocities_are_off_by(scale):
     matrix, square = sparse.csc_matrix([[2.0]]), sparse.csc_matrix([[0.5]])
     x, z, s = 5.0, 2.0, 0.7
     programme = Programme(square, np.array([0.3 - 2.0 * z - 0.5 * x]), matrix, np.array([2.0 * x + s - 0.1]), [])
-    found = SimpleNamespace(x=[x], z=[z], s=[s], obj_val=-scale, obj_val_dual=-scale + 0.2)
-    assert true_gap(programme, found) == pytest.approx((0.2 + 2.0 * 0.1 + 5.0 * 0.3) / scale)
+    solution = SimpleNamespace(x=[x], z=[z], s=[s], obj_val=-scale, obj_val_dual=-scale + 0.2)
+    assert true_gap(programme, solution) == pytest.approx((0.2 + 2.0 * 0.1 + 5.0 * 0.3) / scale)

@@ -97,10 +97,10 @@ def ended(findings: Findings) -> None:
 
 def run() -> Findings:
     """All of the above."""
-    found = Findings()
+    findings = Findings()
     for part in (free, locked, as_steep_as_friction, ended):
-        part(found)
-    return found
+        part(findings)
+    return findings
 
 
 CASE = Case(

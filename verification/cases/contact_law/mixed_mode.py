@@ -48,7 +48,7 @@ def by_points(name: str, paths: np.ndarray) -> np.ndarray:
     return np.array(found)
 
 
-def softening(found: Findings, name: str) -> None:
+def softening(findings: Findings, name: str) -> None:
     """Along all paths at once: the strength left, and the stresses of the joint that is integrated apart."""
     directions = [np.array([np.cos(a), 0.0, np.sin(a)]) for a in np.radians(ANGLES)]
     paths = np.stack([along([(0, 0, 0), FAR * d], STEP) for d in directions], axis=1)
@@ -61,25 +61,25 @@ def softening(found: Findings, name: str) -> None:
         cone = left * np.maximum(JOINT.c0 - walked.sigma * JOINT.tan0, 0.0)
         beyond = max(beyond, *(walked.sigma - envelope), *(walked.tau - cone))
     apart = np.abs(np.stack([walked.stress for walked in walks], axis=1) - by_points(name, paths)).max()
-    found.check(f"stress beyond the envelope of pure tension and its share of the cone, {name}", "Pa",
+    findings.check(f"stress beyond the envelope of pure tension and its share of the cone, {name}", "Pa",
                 float(max(beyond, 0.0)), 0.0, "closed form", 1e-12, 1e-15, "the return ends on the cone: " + ROUNDING,
                 JOINT.fT)  # fmt: skip
-    found.check(f"stresses against a joint integrated apart, {name}, largest deviation", "Pa", float(apart), 0.0,
+    findings.check(f"stresses against a joint integrated apart, {name}, largest deviation", "Pa", float(apart), 0.0,
                 "same discretisation", 3 * APART[name], APART[name],
                 "of first order in the step of 0.05 um", JOINT.c0)  # fmt: skip
 
 
-def alone(found: Findings) -> None:
+def alone(findings: Findings) -> None:
     """With independent coupling slip takes nothing from the tension."""
     chosen, off = law("linear", coupling="independent"), 0.0
     for angle in np.radians(ANGLES):
         walked = walk(chosen, along([(0, 0, 0), FAR * np.array([np.cos(angle), 0.0, np.sin(angle)])], STEP))
         off = max(off, float(np.abs(walked.sigma - tension("linear", JOINT, walked.path[:, 2])).max()))
-    found.check("normal stress with independent coupling, largest deviation", "Pa", off, 0.0, "closed form", 1e-12,
+    findings.check("normal stress with independent coupling, largest deviation", "Pa", off, 0.0, "closed form", 1e-12,
                 1e-14, ROUNDING, JOINT.fT)  # fmt: skip
 
 
-def closed_again(found: Findings) -> None:
+def closed_again(findings: Findings) -> None:
     """What shear a torn contact bears at most under compression, short of the slip at which an intact one softens."""
     torn, s = 10 * UM, 0.5e6
     peak, residual = float(JOINT.peak(s)), float(JOINT.residual(s))
@@ -87,7 +87,7 @@ def closed_again(found: Findings) -> None:
     for coupling, wanted in (("combined", residual + fraction * (peak - residual)), ("independent", JOINT.ks * slip)):
         path = along([(0, 0, 0), (0, 0, torn), (0, 0, z), (wanted / JOINT.ks, 0, z), (slip, 0, z)], STEP)
         tau = float(walk(law("linear", coupling=coupling), path).tau.max())
-        found.check(f"largest shear stress of a torn contact under compression, {coupling}", "Pa", tau, wanted,
+        findings.check(f"largest shear stress of a torn contact under compression, {coupling}", "Pa", tau, wanted,
                     "closed form", 1e-12, 1e-14, "the return ends on the cone: " + ROUNDING)  # fmt: skip
 
 
@@ -103,7 +103,7 @@ def first_yield(chosen: tuple, direction: np.ndarray) -> float:
 
 def run() -> Findings:
     """First yield at each angle, the strength left beyond it, and the apex of the cone."""
-    found, stress, limit = Findings(), [], []
+    findings, stress, limit = Findings(), [], []
     for name in LAWS:
         chosen, worst = law(name), 0.0
         for angle in np.radians(ANGLES):
@@ -117,23 +117,23 @@ def run() -> Findings:
             worst = max(worst, abs(had / wanted - 1.0))
             stress.append((JOINT.kn * had * s, JOINT.ks * had * c))
             limit.append((JOINT.kn * wanted * s, JOINT.ks * wanted * c))
-        found.check(f"first yield, {name}, largest deviation over all angles", "1", worst, 0.0, "closed form", 1e-12,
+        findings.check(f"first yield, {name}, largest deviation over all angles", "1", worst, 0.0, "closed form", 1e-12,
                     1e-14, "bisection of a comparison of stresses: rounding", 1.0)  # fmt: skip
-        softening(found, name)
+        softening(findings, name)
         apex = WEAK / JOINT.tan0
         weak = walk(law(name, cohesion=WEAK), along([(0, 0, 0), (0, 0, apex / JOINT.kn), (0, 0, 3 * UM)], 0.1 * UM))
         pulled = weak.sigma.max()
-        found.check(f"most tension, cone below the cut-off, {name}", "Pa", float(pulled), apex, "closed form", 1e-12,
+        findings.check(f"most tension, cone below the cut-off, {name}", "Pa", float(pulled), apex, "closed form", 1e-12,
                     1e-15, "the path comes to the apex: rounding")  # fmt: skip
-    alone(found)
-    closed_again(found)
+    alone(findings)
+    closed_again(findings)
     yields, wanted_at = 1e-6 * np.array(stress), 1e-6 * np.array(limit[: len(ANGLES)])
     lines = (
         Line("first yield", yields[:, 0], yields[:, 1], "points"),
         Line("cone and cut-off", wanted_at[:, 0], wanted_at[:, 1], "dashed"),
     )
-    found.plot("First yield", "normal stress (MPa)", "shear stress (MPa)", *lines)
-    return found
+    findings.plot("First yield", "normal stress (MPa)", "shear stress (MPa)", *lines)
+    return findings
 
 
 CASE = Case(

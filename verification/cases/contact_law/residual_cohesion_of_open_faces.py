@@ -31,7 +31,7 @@ def slid(kappa: float, e: float, coupling: str) -> float:
 
 def run() -> Findings:
     """Partly and wholly torn contacts, at some openings."""
-    found = Findings()
+    findings = Findings()
     for kappa in WIDEST:
         left = float(tension("linear", JOINT, kappa))
         for fraction in FRACTIONS:
@@ -40,12 +40,12 @@ def run() -> Findings:
             alone = JOINT.c_res - left * fraction * JOINT.tan_res
             for coupling, wanted in (("combined", lost), ("independent", max(alone, 0.0))):
                 where = f"torn to {kappa / UM:g} um, at {fraction:g} of it, {coupling}"
-                found.check(f"shear stress, {where}", "Pa", slid(kappa, e, coupling), wanted, "closed form", 1e-12,
+                findings.check(f"shear stress, {where}", "Pa", slid(kappa, e, coupling), wanted, "closed form", 1e-12,
                             1e-14, ROUNDING, JOINT.c_res)  # fmt: skip
         wanted = JOINT.c_res + JOINT.kn * PRESSED * JOINT.tan_res
-        found.check(f"shear stress, torn to {kappa / UM:g} um, pressed", "Pa", slid(kappa, -PRESSED, "combined"),
+        findings.check(f"shear stress, torn to {kappa / UM:g} um, pressed", "Pa", slid(kappa, -PRESSED, "combined"),
                     wanted, "closed form", 1e-12, 1e-14, ROUNDING)  # fmt: skip
-    return found
+    return findings
 
 
 CASE = Case(

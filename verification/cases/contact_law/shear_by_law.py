@@ -61,43 +61,51 @@ def area(law: str, s: float) -> float:
 
 def softening(law: str) -> Findings:
     """Envelope and energies; of the linear law what lies about its brittle limit as well."""
-    found = Findings()
-    envelope(found, law)
-    energies(found, law, partial(area, law))
+    findings = Findings()
+    envelope(findings, law)
+    energies(findings, law, partial(area, law))
     if law == "linear":
-        limit(found)
-    return found
+        limit(findings)
+    return findings
 
 
-def limit(found: Findings) -> None:
+def limit(findings: Findings) -> None:
     """The least energy that the linear law accepts, and a compression beyond its brittle limit."""
     least = JOINT.c0**2 / (2 * JOINT.ks)
     given = least_accepted("linear", "fracture_energy_mode_2", 580.0, fracture_energy_mode_2_slope=0.0)
     compression, energy = 20e6, {"fracture_energy_mode_2": 1.01 * least, "fracture_energy_mode_2_slope": 0.0}
     top = JOINT.c0 + compression * JOINT.tan0
     beyond = slid("linear", compression, top / JOINT.ks, 2e-3, most=1e-6, **energy)
-    found.check("least energy that is accepted", "N/m", given, least, "closed form", 1e-13, 1e-15,
+    findings.check("least energy that is accepted", "N/m", given, least, "closed form", 1e-13, 1e-15,
                 "bisection of a comparison: rounding")  # fmt: skip
-    found.check("largest stress beyond the brittle limit", "Pa", float(beyond.tau.max()), top, "closed form", 1e-12,
+    findings.check("largest stress beyond the brittle limit", "Pa", float(beyond.tau.max()), top, "closed form", 1e-12,
                 1e-14, "strength never grows: rounding")  # fmt: skip
-    found.check("stress after the drop", "Pa", float(beyond.tau[-1]), compression * JOINT.tan_res, "closed form", 1e-12,
-                1e-14, "the residual friction: rounding")  # fmt: skip
+    findings.check(
+        "stress after the drop",
+        "Pa",
+        float(beyond.tau[-1]),
+        compression * JOINT.tan_res,
+        "closed form",
+        1e-12,
+        1e-14,
+        "the residual friction: rounding",
+    )
 
 
 def brittle() -> Findings:
     """Envelope, and the energy of the drop."""
-    found = Findings()
-    envelope(found, "brittle")
+    findings = Findings()
+    envelope(findings, "brittle")
     for s in COMPRESSIONS:
         top, rest = JOINT.c0 + s * JOINT.tan0, s * JOINT.tan_res
         us0 = top / JOINT.ks
         walked = slid("brittle", s, us0, BROKEN)
         du = (BROKEN - us0) / -(-(BROKEN - us0) // STEP)
         wanted = (top - rest) ** 2 / (2 * JOINT.ks) + rest * (BROKEN - rest / JOINT.ks) + 0.5 * (top - rest) * du
-        found.check(f"dissipated at 0.1 mm at {s / 1e6:g} MPa", "J/m2", float(walked.dissipated[-1]), wanted,
+        findings.check(f"dissipated at 0.1 mm at {s / 1e6:g} MPa", "J/m2", float(walked.dissipated[-1]), wanted,
                     "closed form", 1e-12, 1e-14,
                     "the drop in one step is exact with its d du/2: rounding of 1000 sums")  # fmt: skip
-    return found
+    return findings
 
 
 def cases() -> Iterator[Case]:

@@ -22,7 +22,7 @@ LAWS = ("linear", "polynomial", "exponential")
 
 def run() -> Findings:
     """Each limit for each law."""
-    found = Findings()
+    findings = Findings()
     perfect = {"cohesion": 0.4e6, "residual_cohesion": 0.4e6, "tan_residual_friction": 1.01}
     limits: tuple[tuple[str, float, Joint, dict[str, float]], ...] = (
         ("no compression", 0.0, Joint(), {}),
@@ -39,14 +39,14 @@ def run() -> Findings:
             else:
                 wanted = shear(name, joint, walked.path[:, 0], compression)
             off = float(np.abs(walked.tau - wanted).max())
-            found.check(f"{words}, {name}: stress, largest deviation", "Pa", off, 0.0, "closed form", 1e-12, 1e-14,
+            findings.check(f"{words}, {name}: stress, largest deviation", "Pa", off, 0.0, "closed form", 1e-12, 1e-14,
                         "the same formula: rounding", top)  # fmt: skip
     for name in LAWS:
         walked = slid(name, 0.0, LAST, cohesion=0.0)
         most = float(max(walked.tau.max(), np.abs(walked.dissipated).max()))
-        found.check(f"no cohesion and no compression, {name}: stress or dissipation, largest", "Pa", most, 0.0,
+        findings.check(f"no cohesion and no compression, {name}: stress or dissipation, largest", "Pa", most, 0.0,
                     "closed form", 1e-14, 1e-16, "nothing holds: exactly zero", 1.0)  # fmt: skip
-    return found
+    return findings
 
 
 CASE = Case(

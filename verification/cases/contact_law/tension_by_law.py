@@ -76,32 +76,40 @@ LEAST = {
 
 def softening(law: str) -> Findings:
     """Envelope, works, slope, cycle, and the least values that are accepted."""
-    found, known = Findings(), LAWS[law]
-    envelope(found, law)
-    works(found, law, known.last, known.work + ELASTIC, known.work)
-    first_slope(found, law, known.slope, known.third)
-    cycle(found, law)
-    recoverable(found, law)
+    findings, known = Findings(), LAWS[law]
+    envelope(findings, law)
+    works(findings, law, known.last, known.work + ELASTIC, known.work)
+    first_slope(findings, law, known.slope, known.third)
+    cycle(findings, law)
+    recoverable(findings, law)
     for name, unit, key, end, least in LEAST.get(law, []):
-        found.check(f"least {name} that is accepted", unit, least_accepted(law, key, end), least, "closed form", 1e-13,
-                    1e-15, "bisection of a comparison: rounding")  # fmt: skip
-    return found
+        findings.check(
+            f"least {name} that is accepted",
+            unit,
+            least_accepted(law, key, end),
+            least,
+            "closed form",
+            1e-13,
+            1e-15,
+            "bisection of a comparison: rounding",
+        )
+    return findings
 
 
 def brittle() -> Findings:
     """Envelope, the energy of a break, and the cycle."""
-    found = Findings()
-    envelope(found, "brittle")
-    cycle(found, "brittle")
+    findings = Findings()
+    envelope(findings, "brittle")
+    cycle(findings, "brittle")
     for most in (1.0 * UM, 0.01 * UM):
         broken = opened("brittle", PEAK, BROKEN, most=most)
         du = (BROKEN - PEAK) / -(-(BROKEN - PEAK) // most)
-        found.check(f"energy of a break, steps of {1e6 * most:g} um", "J/m2", float(broken.dissipated[-1]), ELASTIC,
+        findings.check(f"energy of a break, steps of {1e6 * most:g} um", "J/m2", float(broken.dissipated[-1]), ELASTIC,
                     "closed form", 1e-12, 1e-14, "a closed area at any step: rounding")  # fmt: skip
-        found.check(f"trapezoid of its work, steps of {1e6 * most:g} um", "J/m2", float(broken.work[-1]),
+        findings.check(f"trapezoid of its work, steps of {1e6 * most:g} um", "J/m2", float(broken.work[-1]),
                     ELASTIC + 0.5 * JOINT.fT * du, "closed form", 1e-12, 1e-14,
                     "half the drop times the step in which it falls, exactly")  # fmt: skip
-    return found
+    return findings
 
 
 def cases() -> Iterator[Case]:

@@ -21,17 +21,17 @@ from verification.references.closed_forms import LAWS, tension
 
 def run() -> Findings:
     """The cycle of each law, and the opening that stays."""
-    found = Findings()
+    findings = Findings()
     for name in LAWS:
-        walked = cycle(found, name, "elastic")
+        walked = cycle(findings, name, "elastic")
         opening, first = walked.path[:, 2], int(np.argmax(walked.path[:, 2] >= WIDEST))
         below = first + int(np.argmax(walked.sigma[first:] < 0.0))
         a, b = walked.sigma[below - 1], walked.sigma[below]
         stays = float(opening[below - 1] + (opening[below] - opening[below - 1]) * a / (a - b))
         wanted = WIDEST - float(tension(name, JOINT, WIDEST)) / JOINT.kn
-        found.check(f"opening that stays, {name}", "m", stays, wanted, "closed form", 1e-12, 1e-14,
+        findings.check(f"opening that stays, {name}", "m", stays, wanted, "closed form", 1e-12, 1e-14,
                     "a straight line between two points: rounding")  # fmt: skip
-    return found
+    return findings
 
 
 CASE = Case(

@@ -27,17 +27,17 @@ GIVEN = {"law": "exponential", "drive.steps": 8000, "settle.steps": 20000, "solv
 
 def rigid() -> Findings:
     """A stack of three blocks, and the couplet on both sides of its limit."""
-    found = Findings()
-    critical.study(found, ["rigid"] * 3, "rigid")
+    findings = Findings()
+    critical.study(findings, ["rigid"] * 3, "rigid")
     model = assemble(scene.load("couplet", GIVEN)).model
     omega, _ = assembled.fastest(model, assembled.stiffness(model, models.STONE))
     mass, spring = 1900.0 * 0.2 * 0.05 * 0.05, 150e9 * 0.2 * 0.05
-    found.check("couplet: highest frequency", "rad/s", omega, float(np.sqrt(spring / mass)), "closed form", 1e-12,
+    findings.check("couplet: highest frequency", "rad/s", omega, float(np.sqrt(spring / mass)), "closed form", 1e-12,
                 1e-15, "one degree of freedom that is free: sqrt(k_n A/m)")  # fmt: skip
     limit = float(2.0 / omega / np.sqrt(1.8))
     result = laboratory.run(scene.load("couplet", {**GIVEN, "solver.time_step": f"{critical.BELOW * limit!r} s"}))
-    found.note("couplet at 0.99 of the limit", result)
-    found.check("couplet: residual stress at 0.99 of the limit", "Pa", result.summary["final_stress_pa"],
+    findings.note("couplet at 0.99 of the limit", result)
+    findings.check("couplet: residual stress at 0.99 of the limit", "Pa", result.summary["final_stress_pa"],
                 0.73 * 0.5e6 + 1.01e6 * float(np.exp(-0.87e6 / 123.0 * (1e-3 - 1.375e6 / 70e9))), "closed form", 1e-12,
                 1e-14, "as at any stable step: the settled confinement")  # fmt: skip
     said = ""
@@ -46,20 +46,20 @@ def rigid() -> Findings:
     except Stopped as stop:
         said = str(stop)
         rows = stop.result.history.rows
-        found.remarks.append(f"At 1.05 of the limit: {said}")
+        findings.remarks.append(f"At 1.05 of the limit: {said}")
         said = said if all(np.isfinite(values).all() for values in rows.values()) else ""
     named = "unstable at step" in said and "block 1" in said and "gershgorin" in said
-    found.check("couplet: stopped at 1.05 of the limit, its block named, rows finite", "1", float(named), 1.0,
+    findings.check("couplet: stopped at 1.05 of the limit, its block named, rows finite", "1", float(named), 1.0,
                 "closed form", 1e-14, 0.0, "yes or no")  # fmt: skip
-    return found
+    return findings
 
 
 def deformable() -> Findings:
     """A stack on a held rigid block, of each kind."""
-    found = Findings()
+    findings = Findings()
     for kind in ("affine", "tets"):
-        critical.study(found, ["rigid", kind, kind], kind)
-    return found
+        critical.study(findings, ["rigid", kind, kind], kind)
+    return findings
 
 
 LIMIT = "the limit of the step itself: what a shorter one costs is a knob of most problems"

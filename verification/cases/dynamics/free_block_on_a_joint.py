@@ -53,16 +53,16 @@ def by_hand() -> tuple[np.ndarray, np.ndarray]:
 
 def rotations() -> np.ndarray:
     """(12, 6) the dofs of an affine block for those of a rigid one: H = theta x."""
-    found = np.zeros((12, 6))
-    found[:3, :3] = EYE
+    values = np.zeros((12, 6))
+    values[:3, :3] = EYE
     for k in range(3):
-        found[3:, 3 + k] = np.cross(EYE[k], EYE).T.ravel()
-    return found
+        values[3:, 3 + k] = np.cross(EYE[k], EYE).T.ravel()
+    return values
 
 
 def run() -> Findings:
     """Six frequencies of the rigid block, twelve of the affine one."""
-    found = Findings()
+    findings = Findings()
     inertia, stiffness = by_hand()
     for kind, base in (("rigid", rotations()), ("affine", np.eye(12))):
         squares = np.linalg.eigvals(np.linalg.solve(base.T @ inertia @ base, base.T @ stiffness @ base))
@@ -71,10 +71,10 @@ def run() -> Findings:
         model = models.make(shapes.setup(blocks, [kind, kind]), glued(KN, KS), holds=[models.everything(0)])
         had = np.sort(np.sqrt(np.linalg.eigvals(-models.acceleration_matrix(model)).real))
         for k, (value, reference) in enumerate(zip(had, wanted, strict=True)):
-            found.check(f"{kind}: frequency {k + 1} of {len(wanted)}", "rad/s", float(value), float(reference),
+            findings.check(f"{kind}: frequency {k + 1} of {len(wanted)}", "rad/s", float(value), float(reference),
                         "closed form", 1e-12, 1e-13,
                         "sums of some hundred products and an eigenvalue: rounding")  # fmt: skip
-    return found
+    return findings
 
 
 CASE = Case(

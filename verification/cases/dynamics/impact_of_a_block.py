@@ -50,9 +50,9 @@ def hit(findings: Findings, count: int) -> tuple[np.ndarray, float, float, float
 
 def run() -> Findings:
     """Duration, peak force and restitution at four steps."""
-    found = Findings()
+    findings = Findings()
     exact = np.array([np.pi / OMEGA, SPEED * np.sqrt(MASS * STIFFNESS), SPEED])
-    runs = [hit(found, count) for count in COUNTS]
+    runs = [hit(findings, count) for count in COUNTS]
     errors = np.array([np.array(values[1:]) / exact - 1.0 for values in runs])
     square = (np.pi / (COUNTS[-1] + 0.5)) ** 2
     names = ("duration", "peak force", "velocity after over velocity before")
@@ -61,18 +61,18 @@ def run() -> Findings:
     ):
         size = float(exact[k]) if k < 2 else 1.0
         order = float(np.log2(errors[-2, k] / errors[-1, k]) / np.log2((COUNTS[-1] + 0.5) / (COUNTS[-2] + 0.5)))
-        found.check(f"{name}, {COUNTS[-1]} steps", unit, float(errors[-1, k] + 1) * size, size, "closed form",
+        findings.check(f"{name}, {COUNTS[-1]} steps", unit, float(errors[-1, k] + 1) * size, size, "closed form",
                     3 * expected, expected, "three times the leading term of leapfrog")  # fmt: skip
-        found.check(f"order of the {name} in dt", "1", order, 2.0, "closed form", 5e-4, 1e-4,
+        findings.check(f"order of the {name} in dt", "1", order, 2.0, "closed form", 5e-4, 1e-4,
                     "leapfrog; the next term is (w dt)^2 = 4e-4 of the first")  # fmt: skip
     t, force = runs[1][0]
     wanted = exact[1] * np.maximum(np.sin(OMEGA * np.minimum(t, exact[0])), 0.0)
     lines = (Line("40 steps", 1e3 * t, force, "points"), Line("half sine", 1e3 * t, wanted, "dashed"))
-    found.plot("Force of the impact", "time (ms)", "force (N)", *lines)
+    findings.plot("Force of the impact", "time (ms)", "force (N)", *lines)
     steps = np.array(COUNTS) + 0.5
     curves = tuple(Line(name, steps, np.abs(errors[:, k])) for k, name in enumerate(names))
-    found.plot("Error against steps", "steps of the impact", "error (1)", *curves, log=True)
-    return found
+    findings.plot("Error against steps", "steps of the impact", "error (1)", *curves, log=True)
+    return findings
 
 
 CASE = Case(

@@ -28,17 +28,17 @@ SCENE = "loads-that-rise"
 
 def run() -> Findings:
     """Kinetic energy and work at the end."""
-    found = Findings()
-    result = found.note("impulse", result_of(SCENE))
+    findings = Findings()
+    result = findings.note("impulse", result_of(SCENE))
     momentum = 0.5 * AREA * STEP * STEPS * np.array(STRESS) * RISES
     wanted = float(momentum @ momentum) / (2.0 * MASS)
     rows = result.history.rows
     why = "the line over the first 200 steps: 5e-5 of the impulse, twice of its square"
     for name, key in (("kinetic energy", "kinetic"), ("work of the loads", "external_work")):
-        found.check(f"{name} at the end", "J", float(rows[key][-1]), wanted, "closed form", 3e-4, 1e-4, why)
-    found.check("time at the end", "s", float(rows["time"][-1]), STEP * (SETTLE + 1 + STEPS), "closed form", 1e-13,
+        findings.check(f"{name} at the end", "J", float(rows[key][-1]), wanted, "closed form", 3e-4, 1e-4, why)
+    findings.check("time at the end", "s", float(rows["time"][-1]), STEP * (SETTLE + 1 + STEPS), "closed form", 1e-13,
                 1e-15, "steps times the step: rounding")  # fmt: skip
-    return found
+    return findings
 
 
 CASE = Case(

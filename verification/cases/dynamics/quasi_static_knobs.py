@@ -43,17 +43,17 @@ def answers(result: Result) -> dict[str, float]:
 
 def run() -> Findings:
     """The base and each knob against it."""
-    found = Findings()
+    findings = Findings()
     names: dict[str, dict[str, Any]] = {"base": {}} | KNOBS
     runs = {
-        name: found.note(name, masonry.run(masonry.load("wallette-mode-1", BASE | knob)))
+        name: findings.note(name, masonry.run(masonry.load("wallette-mode-1", BASE | knob)))
         for name, knob in names.items()
     }
     base = answers(runs["base"])
     for name in KNOBS:
         ratios = {quantity: value / base[quantity] for quantity, value in answers(runs[name]).items()}
         worst = max(ratios, key=lambda quantity: abs(ratios[quantity] - 1))
-        found.check(f"{worst} over that of the base, {name}", "1", ratios[worst], 1.0, "converged run", 5e-3, 1e-3,
+        findings.check(f"{worst} over that of the base, {name}", "1", ratios[worst], 1.0, "converged run", 5e-3, 1e-3,
                     "the catalogue allows 1 %; the larger change of peak and energy. At half the rate the base moves "
                     "by 0.05 %, and where a crack turns depends on the last digits")  # fmt: skip
     for what, key in (
@@ -61,16 +61,16 @@ def run() -> Findings:
         ("difference of the forces of the two ends, over the peak", "reaction_mismatch_max"),
     ):
         worst = max(runs, key=lambda name: runs[name].summary[key])
-        found.at_most(f"{what}, the largest: {worst}", "1", float(runs[worst].summary[key]), 1e-2,
+        findings.at_most(f"{what}, the largest: {worst}", "1", float(runs[worst].summary[key]), 1e-2,
                       "the catalogue's 1 %: more is a test that inertia has a say in")  # fmt: skip
     curves = {name: runs[name].history.rows for name in ("base", "half the rate", "four times the density")}
-    found.plot(
+    findings.plot(
         "Stress over displacement",
         "displacement (m)",
         "stress (Pa)",
         *(Line(name, rows["displacement"], rows["stress"]) for name, rows in curves.items()),
     )
-    return found
+    return findings
 
 
 CASE = Case(

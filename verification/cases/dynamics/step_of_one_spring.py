@@ -39,7 +39,7 @@ def moving(model: Model) -> float:
 
 def run() -> Findings:
     """Bounds and steps over the limit."""
-    found = Findings()
+    findings = Findings()
     plain = blocks(Stepping("real", damping=0.0, step_fraction=FRACTION))
     ratios = {
         "bound over the limit 2/w": (plain.bound / LIMIT, 1.0),
@@ -55,11 +55,11 @@ def run() -> Findings:
         ratios[f"scaled masses, xi = {damping:g}: w dt/2 sqrt(1 + xi)"] = ratio, FRACTION
     printed = blocks(Stepping("real", "equation-11", FRACTION, 0.0))
     ratios["eq. (11) by name, 2 f sqrt(m/k), over the limit"] = printed.dt / LIMIT, FRACTION * np.sqrt(2.0)
-    found.checks += [
+    findings.checks += [
         Check(name, "1", float(value), wanted, "closed form", 1e-12, 1e-15, "one spring: rounding")
         for name, (value, wanted) in ratios.items()
     ]
-    return found
+    return findings
 
 
 CASE = Case(

@@ -66,13 +66,13 @@ def transmitted_fraction(bar: Bar, wave: Wave) -> float:
 
 def run() -> Findings:
     """All stiffnesses of the joint."""
-    found = Findings()
+    findings = Findings()
     for ratio, expected in STIFFNESSES.items():
-        waves(found, ratio, expected)
-    return found
+        waves(findings, ratio, expected)
+    return findings
 
 
-def waves(found: Findings, ratio: float, expected: float) -> None:
+def waves(findings: Findings, ratio: float, expected: float) -> None:
     """One stiffness of the joint: errors over the ladder, their order, and |T|."""
     k = ratio * 2 * np.pi * IMPEDANCE / PERIOD
     bar = Bar(shear=False, joint=f'normal_stiffness = "{k!r} Pa/m"\nshear_stiffness = "{k!r} Pa/m"')
@@ -81,21 +81,21 @@ def waves(found: Findings, ratio: float, expected: float) -> None:
     passed: list[float] = []
     for n in COUNTS:
         wave = bar.run(n, moved, 8.0 * PERIOD)
-        found.note(f"k/(wZ) = {ratio}, {n} cells a wavelength", wave.result)
+        findings.note(f"k/(wZ) = {ratio}, {n} cells a wavelength", wave.result)
         reference = exact(bar, rate, wave)
         passed.append(transmitted_fraction(bar, wave))
         errors.append(float(np.sqrt(np.mean((wave.u - reference) ** 2)) / np.abs(reference).max()))
     theory = float(1 / np.sqrt(1 + 1 / (2 * ratio) ** 2))
     limit = (4 * passed[-1] - passed[-2]) / 3
     order = float(np.log2(errors[-2] / errors[-1]))
-    found.check(f"order of the error in h, k/(wZ) = {ratio}", "1", order, 2.0, "closed form", 0.05, 0.01,
+    findings.check(f"order of the error in h, k/(wZ) = {ratio}", "1", order, 2.0, "closed form", 0.05, 0.01,
                 f"space and time are of second order; the errors are {errors[0]:.1e}, {errors[1]:.1e}, "
                 f"{errors[2]:.1e} of the largest displacement, and the next order is still felt a little")  # fmt: skip
-    found.check(f"|T|, k/(wZ) = {ratio}, {COUNTS[-1]} cells a wavelength", "1", passed[-1], theory, "closed form",
+    findings.check(f"|T|, k/(wZ) = {ratio}, {COUNTS[-1]} cells a wavelength", "1", passed[-1], theory, "closed form",
                 3 * expected, expected, "a quarter of what a chain of masses has with half as many cells")  # fmt: skip
-    found.check(f"|T| extrapolated by h^2, k/(wZ) = {ratio}", "1", limit, theory, "closed form", 5e-4, 1e-4,
+    findings.check(f"|T| extrapolated by h^2, k/(wZ) = {ratio}", "1", limit, theory, "closed form", 5e-4, 1e-4,
                 "what is left is of the order h^4, some hundredths of the errors above")  # fmt: skip
-    found.plot(
+    findings.plot(
         f"Displacement of the bar, k/(wZ) = {ratio}",
         "x (m)",
         "u (m)",

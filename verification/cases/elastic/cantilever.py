@@ -81,34 +81,34 @@ def deflection(cells: int) -> tuple[float, float, Result]:
 
 def run() -> Findings:
     """The ladder of meshes, its order, and what it tends to."""
-    found, exact = Findings(), theory()
+    findings, exact = Findings(), theory()
     values: list[float] = []
     same: list[float] = []
     for cells in COUNTS:
         value, still, result = deflection(cells)
-        found.note(f"{cells} tets over the height", result)
+        findings.note(f"{cells} tets over the height", result)
         values.append(value)
         same.append(value / still)
     worst = int(np.argmax(np.abs(np.array(same) - 1)))
-    found.check(f"deflection over that of the sparse solve, the farthest: {COUNTS[worst]} tets over the height", "1",
+    findings.check(f"deflection over that of the sparse solve, the farthest: {COUNTS[worst]} tets over the height", "1",
                 same[worst], 1.0, "same discretisation", 3e-5, 3e-6, "the same discretisation solved at once; what is "
                 "left is how far the run has come to rest")  # fmt: skip
     errors = np.abs(np.array(values) / exact - 1)
     orders = np.log2(errors[:-1] / errors[1:])
     limit = values[-1] + (values[-1] - values[-2]) / 3
     for k, wrong in ((1, 0.15), (2, 0.06)):
-        found.check(f"order of the error in h, {COUNTS[k]} and {COUNTS[k + 1]} tets", "1", float(orders[k]), 2.0,
+        findings.check(f"order of the error in h, {COUNTS[k]} and {COUNTS[k + 1]} tets", "1", float(orders[k]), 2.0,
                     "closed form", 3 * wrong / 2, wrong / 2, "constant-strain tets and joints with points at the "
                     "nodes are of second order; the next order still adds a little")  # fmt: skip
-    found.check("deflection extrapolated by h^2 from 8 and 16 tets", "m", limit, exact, "closed form", 2e-3, 6e-4,
+    findings.check("deflection extrapolated by h^2 from 8 and 16 tets", "m", limit, exact, "closed form", 2e-3, 6e-4,
                 "a plane model of biquadratic elements tends to 0.06 % more than theory, which knows no "
                 "warping")  # fmt: skip
-    found.remarks.append(
+    findings.remarks.append(
         "errors with "
         + ", ".join(f"{n}: {e:.1%}" for n, e in zip(COUNTS, -errors, strict=True))
         + " tets over the height"
     )
-    found.plot(
+    findings.plot(
         "Error of the deflection",
         "tets over the height (1)",
         "error (1)",
@@ -116,7 +116,7 @@ def run() -> Findings:
         Line("h^2", np.array(COUNTS, dtype=float), errors[-1] * (16 / np.array(COUNTS)) ** 2, "dashed"),
         log=True,
     )
-    return found
+    return findings
 
 
 CASE = Case(

@@ -23,7 +23,7 @@ SIZES = (1.0, 2.0, 3.0, 4.0, 5.0)
 SIDES = (0.2, 0.05, 0.08)
 
 
-def of_draws(found: Findings) -> None:
+def of_draws(findings: Findings) -> None:
     """Moments of the distribution, and of the normals that it is made of."""
     node, weight = np.polynomial.hermite_e.hermegauss(60)
     weight /= weight.sum()
@@ -33,49 +33,54 @@ def of_draws(found: Findings) -> None:
         ("mean square", "Pa2", weight @ value**2, MEAN**2 * (1 + VARIATION**2)),
         ("median", "Pa", lognormal(MEAN, VARIATION, np.zeros(1))[0], MEAN / np.sqrt(1 + VARIATION**2)),
     ):
-        found.check(f"lognormal: {name}", unit, float(had), float(wanted), "closed form", 1e-12, 1e-14,
+        findings.check(f"lognormal: {name}", unit, float(had), float(wanted), "closed form", 1e-12, 1e-14,
                     "a quadrature that is exact here: rounding")  # fmt: skip
     pairs = np.column_stack([np.arange(JOINTS), np.arange(JOINTS) + 1])
     normals = standard_normals(7, "unit_unit", pairs)
     count = np.sqrt(normals.size)
-    found.at_most("draws: mean of the normals, over its standard error", "1", float(abs(normals.mean()) * count), 3.0,
-                  "three standard errors")  # fmt: skip
-    found.at_most("draws: mean square of the normals less 1, over its standard error", "1",
+    findings.at_most(
+        "draws: mean of the normals, over its standard error",
+        "1",
+        float(abs(normals.mean()) * count),
+        3.0,
+        "three standard errors",
+    )
+    findings.at_most("draws: mean square of the normals less 1, over its standard error", "1",
                   float(abs((normals**2).mean() - 1.0) * count / np.sqrt(2.0)), 3.0,
                   "three standard errors")  # fmt: skip
     one, other = correlated(normals, PROPERTIES[:2], CORRELATION).values()
     had = np.corrcoef(one, other)[0, 1]
     error = (1.0 - CORRELATION**2) / np.sqrt(JOINTS)
-    found.at_most("draws: correlation of two properties off what was asked for, over its standard error", "1",
+    findings.at_most("draws: correlation of two properties off what was asked for, over its standard error", "1",
                   float(abs(had - CORRELATION) / error), 3.0, "three standard errors")  # fmt: skip
 
 
-def of_cells(found: Findings) -> None:
+def of_cells(findings: Findings) -> None:
     """Volumes of the cells of one unit, as in the list of sizes: of given sizes, of equal ones, and a spread."""
     low, high, whole = np.zeros((1, 3)), np.array([SIDES]), float(np.prod(SIDES))
     off = []
     for given, sizes in ((SIZES, SIZES), (None, (1.0,) * 5)):
         volume = volumes(fill_with_cells(low, high, CellRequest(per_unit=5, sizes=given), "units")[0])
         off.append(np.abs(volume * sum(sizes) / (whole * np.array(sizes)) - 1.0).max())
-    found.check("given and equal sizes: volumes of the cells, largest relative error", "1", float(max(off)), 0.0,
+    findings.check("given and equal sizes: volumes of the cells, largest relative error", "1", float(max(off)), 0.0,
                 "closed form", 1e-9, 1e-10, "Newton's method on the weights of the power diagram", 1.0)  # fmt: skip
     asked = CellRequest(total=CELLS, spread=VARIATION)
     volume = volumes(fill_with_cells(low, high, asked, "units")[0])
     wished = target_sizes(asked, np.array([MANY]), np.array([whole]), np.random.default_rng(3))
     error = VARIATION * np.sqrt((1.0 + 2.0 * VARIATION**2) / (2.0 * MANY))
-    found.check("spread sizes: sum", "m3", float(volume.sum()), whole, "closed form", 1e-12, 1e-14,
+    findings.check("spread sizes: sum", "m3", float(volume.sum()), whole, "closed form", 1e-12, 1e-14,
                 "cells fill the unit: rounding")  # fmt: skip
-    found.at_most("spread sizes: coefficient of variation off what was asked for, over its standard error", "1",
+    findings.at_most("spread sizes: coefficient of variation off what was asked for, over its standard error", "1",
                   float(abs(wished.std() / wished.mean() - VARIATION) / error), 3.0,
                   "three standard errors")  # fmt: skip
 
 
 def run() -> Findings:
     """Draws and cells."""
-    found = Findings()
-    of_draws(found)
-    of_cells(found)
-    return found
+    findings = Findings()
+    of_draws(findings)
+    of_cells(findings)
+    return findings
 
 
 CASE = Case(

@@ -40,16 +40,16 @@ BEAM = (
 )
 
 
-def patch(found: Findings) -> None:
+def patch(findings: Findings) -> None:
     """Three blocks in uniaxial tension between rollers."""
     specimen, mesh = row_of_boxes(CUTS, CELLS, DEPTH, HEIGHT, HEIGHT * DEPTH)
-    result = found.note("patch", run_text(PATCH, None, specimen, mesh))
+    result = findings.note("patch", run_text(PATCH, None, specimen, mesh))
     strain, box = STRESS / MODULUS, np.repeat(np.arange(3), np.diff(mesh.node_start))
     exact = mesh.nodes * strain * np.array([1.0, -POISSON, -POISSON])
     exact[:, 0] += box * STRESS / NORMAL
     moved = result.history.frames[-1].nodes
     worst = int(np.argmax(np.abs(moved - exact).max(axis=1)))
-    found.check("displacement, the worst node", "m", float(np.abs(moved - exact)[worst].max()), 0.0, "closed form",
+    findings.check("displacement, the worst node", "m", float(np.abs(moved - exact)[worst].max()), 0.0, "closed form",
                 1e-12, 1e-14, "exact in principle: what is left is how far the run has come to rest, and rounding",
                 float(np.abs(exact).max()))  # fmt: skip
 
@@ -64,25 +64,25 @@ def beam(cells: int, other: int) -> tuple[float, Result]:
 
 def run() -> Findings:
     """The patch, and the ladder of beams."""
-    found = Findings()
-    patch(found)
+    findings = Findings()
+    patch(findings)
     values: list[float] = []
     matching: list[float] = []
     for n in COUNTS:
         for other, kept in ((3 * n // 2, values), (n, matching)):
             value, result = beam(n, other)
-            found.note(f"{n} and {other} cells over the height", result)
+            findings.note(f"{n} and {other} cells over the height", result)
             kept.append(value)
     limits = [kept[-1] + (kept[-1] - kept[-2]) / 3 for kept in (values, matching)]
     errors = [np.abs(np.array(kept) / limits[1] - 1) for kept in (values, matching)]
-    found.check("order of the error in h", "1", float(np.log2(errors[0][-2] / errors[0][-1])), 2.0, "converged run",
+    findings.check("order of the error in h", "1", float(np.log2(errors[0][-2] / errors[0][-1])), 2.0, "converged run",
                 0.05, 0.02, "8:12 and 16:24 cells over the height against the limit of faces that match; tets of "
                 "constant strain are of second order, and points in the common refinement take nothing "
                 "from it")  # fmt: skip
-    found.check("deflection extrapolated by h^2", "m", limits[0], limits[1], "converged run", 5e-4, 1e-4,
+    findings.check("deflection extrapolated by h^2", "m", limits[0], limits[1], "converged run", 5e-4, 1e-4,
                 "faces that match tend to the same; the difference is of the order h^4")  # fmt: skip
     cells = np.array(COUNTS, dtype=float)
-    found.plot(
+    findings.plot(
         "Error of the deflection of two blocks",
         "cells over the height of the coarser block (1)",
         "error (1)",
@@ -90,7 +90,7 @@ def run() -> Findings:
         Line("n : n", cells, errors[1], "dashed"),
         log=True,
     )
-    return found
+    return findings
 
 
 CASE = Case(

@@ -23,18 +23,18 @@ EXACT = "the same at any setting, to rounding"
 
 def rigid() -> Findings:
     """Five rigid blocks."""
-    found = Findings()
-    study(found, ["rigid"] * 5, "rigid", 15000)
-    return found
+    findings = Findings()
+    study(findings, ["rigid"] * 5, "rigid", 15000)
+    return findings
 
 
 def deformable() -> Findings:
     """Five affine blocks, five of tets, and all kinds together."""
-    found = Findings()
-    study(found, ["affine"] * 5, "affine", 15000)
-    study(found, ["tets"] * 5, "tets", 40000)
-    study(found, ["rigid", "affine", "tets", "affine", "tets"], "mixed", 40000)
-    return found
+    findings = Findings()
+    study(findings, ["affine"] * 5, "affine", 15000)
+    study(findings, ["tets"] * 5, "tets", 40000)
+    study(findings, ["rigid", "affine", "tets", "affine", "tets"], "mixed", 40000)
+    return findings
 
 
 CASES = (

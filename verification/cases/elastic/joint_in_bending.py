@@ -28,10 +28,10 @@ CELLS = (1, 2, 3, 4, 9, 16)
 SCENE = "joint-in-bending"
 
 
-def stiffness(found: Findings, rule: str, points: int) -> float:
+def stiffness(findings: Findings, rule: str, points: int) -> float:
     """N m/rad of a run at rest under the couple."""
     knobs = {"specimen.contact_points": rule, "specimen.points_per_edge": points}
-    result = found.note(f"{points} points, {rule}", result_of(SCENE, knobs))
+    result = findings.note(f"{points} points, {rule}", result_of(SCENE, knobs))
     corner, moved = result.specimen.blocks.points, result.history.frames[-1].corners
     upper = moved[:, 2] != 0.0
     slope = np.polyfit(corner[upper, 0], moved[upper, 2], 1)[0]
@@ -49,16 +49,40 @@ def of_facets(cells: int) -> float:
 
 def run() -> Findings:
     """The identity for points of runs and of facets, and Gauss's points without the excess."""
-    found = Findings()
+    findings = Findings()
     for n in CELLS:
         identity = EXACT * (1 + 2 / n**2)
-        found.check(f"bending stiffness, {n + 1} points at vertices", "N m/rad", stiffness(found, "vertex", n + 1),
-                    identity, "closed form", 1e-12, 1e-13, "an identity: rounding, once all is at rest")  # fmt: skip
-        found.check(f"bending stiffness, facets of tets, {n} cells", "N m/rad", of_facets(n), identity, "closed form",
-                    1e-12, 1e-14, "an identity: rounding")  # fmt: skip
-    found.check("bending stiffness, 2 Gauss points", "N m/rad", stiffness(found, "gauss", 2), EXACT, "closed form",
-                1e-12, 1e-13, "two Gauss points are exact to the third power: rounding")  # fmt: skip
-    return found
+        findings.check(
+            f"bending stiffness, {n + 1} points at vertices",
+            "N m/rad",
+            stiffness(findings, "vertex", n + 1),
+            identity,
+            "closed form",
+            1e-12,
+            1e-13,
+            "an identity: rounding, once all is at rest",
+        )
+        findings.check(
+            f"bending stiffness, facets of tets, {n} cells",
+            "N m/rad",
+            of_facets(n),
+            identity,
+            "closed form",
+            1e-12,
+            1e-14,
+            "an identity: rounding",
+        )
+    findings.check(
+        "bending stiffness, 2 Gauss points",
+        "N m/rad",
+        stiffness(findings, "gauss", 2),
+        EXACT,
+        "closed form",
+        1e-12,
+        1e-13,
+        "two Gauss points are exact to the third power: rounding",
+    )
+    return findings
 
 
 CASE = Case(

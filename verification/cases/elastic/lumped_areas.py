@@ -68,29 +68,39 @@ def partly(findings: Findings) -> None:
 
 def run() -> Findings:
     """Rules of points on a rectangle, nodes of two meshes, a triangle, and faces that overlap in part."""
-    found = Findings()
-    partly(found)
+    findings = Findings()
+    partly(findings)
     blocks = shapes.stack([0.05, 0.05], SIDES)
     for n in (2, 3, 4, 9):
         joints = find_joints(blocks, rule="vertex", points_per_edge=n)
-        moments(found, f"vertex, {n} x {n} points", joints.point, joints.area, 1 + 2 / (n - 1) ** 2,
+        moments(findings, f"vertex, {n} x {n} points", joints.point, joints.area, 1 + 2 / (n - 1) ** 2,
                 "1 + 2/(n - 1)^2 for n - 1 equal cells: rounding")  # fmt: skip
         joints = find_joints(blocks, points_per_edge=n)
-        moments(found, f"gauss, {n} x {n} points", joints.point, joints.area, 1.0, "exact from two points on: rounding")
+        moments(
+            findings, f"gauss, {n} x {n} points", joints.point, joints.area, 1.0, "exact from two points on: rounding"
+        )
     fan = mesh_by_fans(blocks, np.array([True, True]), find_joints(blocks))[1]
     corner = np.array([(x, y) for x in (0.0, SIDES[0]) for y in (0.0, SIDES[1])])
     fraction = np.sort([fan.area[np.abs(fan.point[:, :2] - c).max(axis=1) < 1e-12].sum() / AREA for c in corner])
     for k, wanted in enumerate((1 / 6, 1 / 6, 1 / 3, 1 / 3)):
-        found.check(f"two triangles: share of corner {k + 1} in order", "1", float(fraction[k]), wanted, "closed form",
-                    1e-13, 1e-15, ROUNDING)  # fmt: skip
+        findings.check(
+            f"two triangles: share of corner {k + 1} in order",
+            "1",
+            float(fraction[k]),
+            wanted,
+            "closed form",
+            1e-13,
+            1e-15,
+            ROUNDING,
+        )
     for size in (1.0, 0.03, 0.011):
         joints = shapes.setup(blocks, ["tets", "tets"], mesh_size=size).joints
         arm = joints.point[:, :2] - 0.5 * np.array(SIDES)
         words = f"mesh of {1e3 * size:g} mm, {len(joints.area)} nodes on the face"
-        found.check(f"{words}: sum", "m2", float(joints.area.sum()), AREA, "closed form", 1e-13, 1e-15, ROUNDING)
-        found.check(f"{words}: first moments, largest", "m3", float(np.abs(joints.area @ arm).max()), 0.0,
+        findings.check(f"{words}: sum", "m2", float(joints.area.sum()), AREA, "closed form", 1e-13, 1e-15, ROUNDING)
+        findings.check(f"{words}: first moments, largest", "m3", float(np.abs(joints.area @ arm).max()), 0.0,
                     "closed form", 1e-13, 1e-15, ROUNDING, AREA * SIDES[0])  # fmt: skip
-    return found
+    return findings
 
 
 CASE = Case(

@@ -125,11 +125,11 @@ def hold_three_nodes(conditions: Conditions, layout: Layout) -> None:
     conditions.supported["tets"] = held.copy()
 
 
-def explicit(found: Findings, specimen: Specimen, mesh: TetMesh) -> float:
+def explicit(findings: Findings, specimen: Specimen, mesh: TetMesh) -> float:
     """Largest error of a run's nodes (m)."""
     assembly = rebuilt(assembled(SCENE, specimen, mesh), hold_three_nodes)
     outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording)
-    result = found.note("patch", laboratory.result_of(assembly, outcome))
+    result = findings.note("patch", laboratory.result_of(assembly, outcome))
     block = np.repeat(np.arange(3), np.diff(mesh.node_start))
     error = result.history.frames[-1].nodes - exact(mesh.nodes, block)
     return float(np.abs(without_rigid_motion(mesh.nodes, error)).max())
@@ -150,18 +150,20 @@ def implicit(mesh: TetMesh, degree: int, rule: str | int) -> float:
 
 def run() -> Findings:
     """Errors of all nodes, over the largest displacement."""
-    found, (specimen, mesh) = Findings(), patch()
+    findings, (specimen, mesh) = Findings(), patch()
     size = float(np.abs(exact(mesh.nodes, np.repeat(np.arange(3), np.diff(mesh.node_start)))).max())
     why = "the field is in the space of both elements, and both rules integrate it: rounding"
     for name, degree, rule in (("linear, vertices", 1, "vertex"), ("linear, Gauss", 1, 4), ("quadratic, Gauss", 2, 4)):
         value = implicit(mesh, degree, rule)
-        found.check(f"interface model, {name}: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14, why, size)
-    value = explicit(found, specimen, mesh)
-    found.check("run, points at nodes: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14,
+        findings.check(
+            f"interface model, {name}: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14, why, size
+        )
+    value = explicit(findings, specimen, mesh)
+    findings.check("run, points at nodes: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14,
                 "as above, and how far the run comes to rest", size)  # fmt: skip
     wrong = implicit(mesh, 2, "vertex") / size
-    found.remarks.append(f"quadratic tets with points at the corners, which fail by rule: error {wrong:.2%}")
-    return found
+    findings.remarks.append(f"quadratic tets with points at the corners, which fail by rule: error {wrong:.2%}")
+    return findings
 
 
 CASE = Case(

@@ -55,24 +55,24 @@ rows = 40
 """
 
 
-def beams(found: Findings) -> None:
+def beams(findings: Findings) -> None:
     """The tip of each beam against its own sum, and the order against the beam of infinitely many."""
     force, second = STRESS * HEIGHT * WIDTH, WIDTH * HEIGHT**3 / 12
     bent, sheared = force * LENGTH**3 / (3 * MODULUS * second), force * LENGTH / (SHEAR * HEIGHT * WIDTH)
     tips = []
     for n in JOINTS:
-        result = found.note(f"{n} joints", run_text(beam(n)))
+        result = findings.note(f"{n} joints", run_text(beam(n)))
         end = np.abs(result.specimen.blocks.points[:, 0] - LENGTH) < 1e-9
         tips.append(float(result.history.frames[-1].corners[end, 2].mean()))
-        found.check(f"deflection of a bar of {n} joints", "m", tips[-1], bent * (1 - 0.25 / n**2) + sheared,
+        findings.check(f"deflection of a bar of {n} joints", "m", tips[-1], bent * (1 - 0.25 / n**2) + sheared,
                     "closed form", 1e-12, 1e-14, "the sum is exact for rigid blocks; what is left is how far the run "
                     "has come to rest")  # fmt: skip
     errors = np.abs(np.array(tips) / (bent + sheared) - 1)
-    found.check("order of the error in h", "1", float(np.log2(errors[-2] / errors[-1])), 2.0, "closed form", 1e-11,
+    findings.check("order of the error in h", "1", float(np.log2(errors[-2] / errors[-1])), 2.0, "closed form", 1e-11,
                 1e-12, "the midpoint rule of x^2 is in error by exactly 1/(4 n^2); rounding is multiplied by 1/error "
                 "= 1000")  # fmt: skip
     joints = np.array(JOINTS, dtype=float)
-    found.plot(
+    findings.plot(
         "Error of the deflection",
         "joints (1)",
         "error (1)",
@@ -82,22 +82,22 @@ def beams(found: Findings) -> None:
     )
 
 
-def tears(found: Findings) -> None:
+def tears(findings: Findings) -> None:
     """Energy per area of the joint, for each division of the units."""
     for n in DIVISIONS:
-        result = found.note(f"{n} x {n} blocks a unit", result_of(TEAR, {"specimen.divisions": [n, n, 1]}))
+        result = findings.note(f"{n} x {n} blocks a unit", result_of(TEAR, {"specimen.divisions": [n, n, 1]}))
         dissipated = float(result.summary["energy_j"]["fracture_mode_1"]) / float(result.summary["section_m2"])
-        found.check(f"energy of the open joint per area, {n} x {n} blocks a unit", "N/m", dissipated, ENERGY,
+        findings.check(f"energy of the open joint per area, {n} x {n} blocks a unit", "N/m", dissipated, ENERGY,
                     "closed form", 1e-12, 1e-14, "the law books the area under its curve between two openings "
                     "exactly, however far apart")  # fmt: skip
 
 
 def run() -> Findings:
     """Bars, then couplets."""
-    found = Findings()
-    beams(found)
-    tears(found)
-    return found
+    findings = Findings()
+    beams(findings)
+    tears(findings)
+    return findings
 
 
 CASE = Case(

@@ -55,31 +55,31 @@ def continuous(pulled: Floats) -> Floats:
 
 def run() -> Findings:
     """The ladder against the continuous joint."""
-    found = Findings()
+    findings = Findings()
     pulled = np.linspace(0.0, PULL, 401)
     force = continuous(pulled)
     peak, work = float(force.max()), float(np.trapezoid(force, pulled))
     runs = {
-        n: found.note(f"{n} points along the joint", result_of(SCENE, {"specimen.points_per_edge.x": n}))
+        n: findings.note(f"{n} points along the joint", result_of(SCENE, {"specimen.points_per_edge.x": n}))
         for n in COUNTS
     }
     peaks = np.array([r.summary["peak_stress_pa"] for r in runs.values()]) * BREADTH * DEPTH
     works = np.array([r.history.rows["contact_work"][-1] for r in runs.values()])
-    found.check("peak force, 32 points", "N", float(peaks[-1]), peak, "refined model", 3e-3, 1e-3,
+    findings.check("peak force, 32 points", "N", float(peaks[-1]), peak, "refined model", 3e-3, 1e-3,
                 "the kink of the law at its peak passes over the points one by one: 7, 3, 0.9, 0.3 and 0.1 % from 2 "
                 "to 32")  # fmt: skip
-    found.check("peak force, 32 points over 16", "1", float(peaks[-1] / peaks[-2]), 1.0, "converged run", 1e-2, 2e-3,
+    findings.check("peak force, 32 points over 16", "1", float(peaks[-1] / peaks[-2]), 1.0, "converged run", 1e-2, 2e-3,
                 "the catalogue allows 2 % between the last two")  # fmt: skip
-    found.check("work of the joint, 32 points", "J", float(works[-1]), work, "refined model", 1e-3, 1e-4,
+    findings.check("work of the joint, 32 points", "J", float(works[-1]), work, "refined model", 1e-3, 1e-4,
                 "ups and downs of points that pass the peak cancel in the work")  # fmt: skip
     errors = ", ".join(f"{n}: {e:.2%}" for n, e in zip(COUNTS, peaks / peak - 1, strict=True))
-    found.remarks.append(f"error of the peak by points along the joint: {errors}")
+    findings.remarks.append(f"error of the peak by points along the joint: {errors}")
     lines = [
         Line(f"{n} points", runs[n].history.rows["displacement"], runs[n].history.rows["stress"] * BREADTH * DEPTH)
         for n in (2, 8, 32)
     ]
-    found.plot("Force", "w (m)", "P (N)", *lines, Line("continuous joint", pulled, force, "dashed"))
-    return found
+    findings.plot("Force", "w (m)", "P (N)", *lines, Line("continuous joint", pulled, force, "dashed"))
+    return findings
 
 
 CASE = Case(

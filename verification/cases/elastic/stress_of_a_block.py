@@ -32,7 +32,7 @@ SIZE = np.array([0.2, 0.1, 0.08])
 ROUNDING = "sums of some products: rounding"
 
 
-def of_strains(found: Findings) -> None:
+def of_strains(findings: Findings) -> None:
     """Affine blocks and tets in uniform strain."""
     lame, mu = models.STONE.lame()
     strain = 0.5 * (GRADIENT + GRADIENT.T)
@@ -43,29 +43,38 @@ def of_strains(found: Findings) -> None:
         )
         model = models.make(shapes.setup(blocks, [kind, kind], mesh_size=0.1), GLUE)
         models.put(model, models.positions(model), models.linear_field(model, np.zeros(3), GRADIENT))
-        compare(found, kind, energy.observe(model).stress[1], wanted)
-        turned(found, kind, model, GRADIENT)
+        compare(findings, kind, energy.observe(model).stress[1], wanted)
+        turned(findings, kind, model, GRADIENT)
         if kind == "affine":
-            corners(found, kind, model, GRADIENT)
+            corners(findings, kind, model, GRADIENT)
 
 
-def corners(found: Findings, kind: str, model: Model, gradient: np.ndarray) -> None:
+def corners(findings: Findings, kind: str, model: Model, gradient: np.ndarray) -> None:
     """Displacement of all corners of blocks whose points x move by gradient @ x."""
     place = model.blocks.points
     off = np.abs(Frames(model).corners() - place @ gradient.T).max()
-    found.check(f"{kind}: displacement of the corners, largest deviation", "m", float(off), 0.0, "closed form", 1e-12,
-                1e-14, ROUNDING, float(np.abs(place @ gradient.T).max()))  # fmt: skip
+    findings.check(
+        f"{kind}: displacement of the corners, largest deviation",
+        "m",
+        float(off),
+        0.0,
+        "closed form",
+        1e-12,
+        1e-14,
+        ROUNDING,
+        float(np.abs(place @ gradient.T).max()),
+    )
 
 
-def turned(found: Findings, kind: str, model: Model, gradient: np.ndarray) -> None:
+def turned(findings: Findings, kind: str, model: Model, gradient: np.ndarray) -> None:
     """The largest rotation that a run would report: of the antisymmetric part of the gradient."""
     watch = Watch(model, 1.0)
     watch.check(1)
     wanted = float(np.abs(0.5 * (gradient - gradient.T)).max())
-    found.check(f"{kind}: largest rotation", "rad", watch.rotation, wanted, "closed form", 1e-12, 1e-14, ROUNDING)
+    findings.check(f"{kind}: largest rotation", "rad", watch.rotation, wanted, "closed form", 1e-12, 1e-14, ROUNDING)
 
 
-def of_contacts(found: Findings) -> None:
+def of_contacts(findings: Findings) -> None:
     """A rigid block between six others."""
     low = np.zeros(3)
     sides = [sign * SIZE * axis for axis in np.eye(3) for sign in (-1.0, 1.0)]
@@ -73,45 +82,45 @@ def of_contacts(found: Findings) -> None:
     model = models.make(shapes.setup(blocks, ["rigid"] * 7), GLUE)
     joints = model.joints
     model.contacts.force[:] = joints.area[:, None] * (joints.normal @ STRESS)
-    compare(found, "rigid", Frames(model).contact_stress()[0], STRESS)
+    compare(findings, "rigid", Frames(model).contact_stress()[0], STRESS)
     rotation = 0.5 * (GRADIENT - GRADIENT.T)
     models.put(model, models.positions(model), models.linear_field(model, np.zeros(3), rotation))
-    corners(found, "rigid", model, rotation)
-    turned(found, "rigid", model, rotation)
+    corners(findings, "rigid", model, rotation)
+    turned(findings, "rigid", model, rotation)
 
 
-def compare(found: Findings, kind: str, had: np.ndarray, wanted: np.ndarray) -> None:
+def compare(findings: Findings, kind: str, had: np.ndarray, wanted: np.ndarray) -> None:
     """Six components, each relative to the largest."""
-    found.checks += [
+    findings.checks += [
         Check(f"{kind}: stress {name}", "Pa", float(had[k]), float(wanted[i, j]), "closed form", 1e-12, 1e-14, ROUNDING,
               float(np.abs(wanted).max()))
         for k, (name, (i, j)) in enumerate(zip(NAMES, COMPONENTS, strict=True))
     ]  # fmt: skip
 
 
-def overlapping(found: Findings) -> None:
+def overlapping(findings: Findings) -> None:
     """The closure of a joint is taken over the thinner of its two blocks."""
     model = models.make(shapes.setup(shapes.stack([0.05, 0.1]), ["rigid"] * 2), GLUE)
     seen = energy.Seen(np.full(4, -1e-6), *np.zeros((3, 4)))
     overlap = Openings(model).look(model, View(seen), 0)["overlap"]
-    found.check("closure of a joint over the thinner block", "1", overlap, 1e-6 / 0.05, "closed form", 1e-12,
+    findings.check("closure of a joint over the thinner block", "1", overlap, 1e-6 / 0.05, "closed form", 1e-12,
                 1e-15, ROUNDING)  # fmt: skip
 
 
-def in_order(found: Findings) -> None:
+def in_order(findings: Findings) -> None:
     """Where the file for ParaView has each component."""
     had = [NAMES[k] for k in TO_VTK]
-    found.check("components that stand where ParaView looks for them", "1",
+    findings.check("components that stand where ParaView looks for them", "1",
                 sum(a == b for a, b in zip(had, IN_PARAVIEW, strict=True)), 6.0, "closed form", 1e-14, 0.0,
                 "names: exact")  # fmt: skip
 
 
 def run() -> Findings:
     """Affine blocks and tets, rigid blocks, and the order of the components."""
-    found = Findings()
+    findings = Findings()
     for part in (of_strains, of_contacts, overlapping, in_order):
-        part(found)
-    return found
+        part(findings)
+    return findings
 
 
 CASE = Case(

@@ -45,29 +45,29 @@ def column(kind: str, load_factor: np.ndarray) -> Model:
     return models.make(setup, glued(KN, KS), stepping, [models.everything(0)], [top], load_factor * GRAVITY, STONE)
 
 
-def at_rest(found: Findings, words: str, model: Model) -> dict[str, float]:
+def at_rest(findings: Findings, words: str, model: Model) -> dict[str, float]:
     """The ledger of a column that has come to rest."""
     models.march(model, STEPS - 1)
     before = energy.velocities(model)
     models.march(model, 1)
     terms = energy.ledger(model, energy.observe(model), before)
-    found.imbalance[words] = abs(float(balance.residual(terms))) / balance.largest(terms)
+    findings.imbalance[words] = abs(float(balance.residual(terms))) / balance.largest(terms)
     return terms
 
 
-def oblique(found: Findings, kind: str) -> None:
+def oblique(findings: Findings, kind: str) -> None:
     """Reactions along x, y and z, their moments about the middle of the joint, and Clapeyron's theorem."""
     model = column(kind, np.ones(3))
     before = energy.velocities(model)
     models.march(model, 1)
-    found.check(f"{kind}: unbalanced force over the loads, in the first step", "1", unbalanced(model, before),
+    findings.check(f"{kind}: unbalanced force over the loads, in the first step", "1", unbalanced(model, before),
                 1.0, "closed form", 1e-12, 1e-14, "no contact answers yet: rounding")  # fmt: skip
-    terms = at_rest(found, f"{kind}, oblique", model)
+    terms = at_rest(findings, f"{kind}, oblique", model)
     for upper in (1, 2):
         below = model.joints.block_b == upper
         had = -model.contacts.force[below].sum(axis=0)
         wanted = -(TRACTION * AREA + WEIGHTS[upper - 1 :].sum(axis=0))
-        found.checks += [
+        findings.checks += [
             Check(f"{kind}: reaction below block {upper} along {axis}", "N", float(value), float(reference),
                   "closed form", 1e-12, 1e-13, STATICS)
             for axis, value, reference in zip("xyz", had, wanted, strict=True)
@@ -77,20 +77,20 @@ def oblique(found: Findings, kind: str) -> None:
         places = [(sum(HEIGHTS[: b + 1]) - 0.5 * HEIGHTS[b], WEIGHTS[b - 1]) for b in range(upper, 3)]
         places.append((sum(HEIGHTS), TRACTION * AREA))
         upset = -np.sum([np.cross([0.0, 0.0, level - foot[2]], force) for level, force in places], axis=0)
-        found.checks += [
+        findings.checks += [
             Check(f"{kind}: moment of the reaction below block {upper} about {axis}", "N m", float(turning[k]),
                   float(upset[k]), "closed form", 1e-12, 1e-13, STATICS)
             for k, axis in enumerate("xy")
         ]  # fmt: skip
     stored = terms["elastic_blocks"] + terms["elastic_contacts"]
-    found.check(f"{kind}: work of the loads, twice what is stored", "J", terms["external_work"], 2.0 * stored,
+    findings.check(f"{kind}: work of the loads, twice what is stored", "J", terms["external_work"], 2.0 * stored,
                 "closed form", 1e-12, 1e-13, STATICS)  # fmt: skip
 
 
-def upright(found: Findings, kind: str) -> None:
+def upright(findings: Findings, kind: str) -> None:
     """Settling and the work of the loads, by hand."""
     model = column(kind, np.array([0.0, 0.0, 1.0]))
-    terms = at_rest(found, f"{kind}, upright", model)
+    terms = at_rest(findings, f"{kind}, upright", model)
     load, weight = TRACTION[2] * AREA, WEIGHTS[:, 2]
     foot = load + weight[::-1].cumsum()[::-1]
     own = (foot - 0.5 * weight) * HEIGHTS[1:] / (YOUNG * AREA) if kind == "affine" else np.zeros(2)
@@ -100,7 +100,7 @@ def upright(found: Findings, kind: str) -> None:
     moved = models.displacements(model)[0][:, 2]
     pairs = (("settling of block 1", "m", moved[1], low), ("settling of block 2", "m", moved[2], high),
              ("work of the loads", "J", terms["external_work"], work))  # fmt: skip
-    found.checks += [
+    findings.checks += [
         Check(f"{kind}: {name}", unit, float(value), float(reference), "closed form", 1e-12, 1e-13, STATICS)
         for name, unit, value, reference in pairs
     ]
@@ -108,12 +108,12 @@ def upright(found: Findings, kind: str) -> None:
 
 def run() -> Findings:
     """Reactions of each kind of block; settling and works where they can be written down."""
-    found = Findings()
+    findings = Findings()
     for kind in ("rigid", "affine", "tets"):
-        oblique(found, kind)
+        oblique(findings, kind)
         if kind != "tets":
-            upright(found, kind)
-    return found
+            upright(findings, kind)
+    return findings
 
 
 CASE = Case(

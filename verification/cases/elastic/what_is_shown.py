@@ -24,10 +24,10 @@ KN, PULLS = 150e9, (20e-6, 30e-6)
 ROUNDING = "sums of some products: rounding"
 
 
-def of_a_frame(found: Findings) -> None:
+def of_a_frame(findings: Findings) -> None:
     """The last frame of the triplet whose middle unit has slid by 1 mm, and the cracks drawn of it."""
     joint, s = Joint(), triplet.S
-    result = found.note("triplet", result_of(triplet.SCENE))
+    result = findings.note("triplet", result_of(triplet.SCENE))
     frame, blocks, joints = result.history.frames[-1], result.specimen.blocks, result.joints
     slip, upwards = frame.displacement, joints.normal[:, 2]
     owner = np.unique(blocks.face_points[blocks.face_start[blocks.block_face_start[1]] :][:24])
@@ -45,34 +45,43 @@ def of_a_frame(found: Findings) -> None:
     )
     for name, unit, values, wanted, scale in pairs:
         worst = values[int(np.argmax(np.abs(values - wanted)))]
-        found.check(f"frame: {name}, where it is furthest off", unit, float(worst), float(wanted), "closed form", 1e-12,
-                    4e-13, "what the settled compression still swings by, and rounding", scale)  # fmt: skip
+        findings.check(
+            f"frame: {name}, where it is furthest off",
+            unit,
+            float(worst),
+            float(wanted),
+            "closed form",
+            1e-12,
+            4e-13,
+            "what the settled compression still swings by, and rounding",
+            scale,
+        )
     view = front_view(blocks.points)
     for words, opening, width in (("open", 3e-6, 5e-6), ("pressed", -3e-6, 4e-6)):
         apart = replace(frame, opening=np.full(len(upwards), opening), slip=np.full(len(upwards), 4e-6))
         shown = crack_lines(joints, apart, view).opening
-        found.check(f"width of a crack, {words}, where it is furthest off", "m",
+        findings.check(f"width of a crack, {words}, where it is furthest off", "m",
                     float(shown[int(np.argmax(np.abs(shown - width)))]), width, "closed form", 1e-13,
                     1e-15, ROUNDING)  # fmt: skip
 
 
-def of_a_summary(found: Findings) -> None:
+def of_a_summary(findings: Findings) -> None:
     """Areas that count as damaged (5 % and more) and broken (95 %), on both sides of each threshold."""
     joint, s = Joint(), triplet.S
     both = 2.0 * triplet.AREA
     for damage, broken, damaged in ((0.04, 0.0, 0.0), (0.06, 0.0, both), (0.94, 0.0, both), (0.96, both, both)):
         slip = float(joint.peak(s) / joint.ks - np.log1p(-damage) * joint.mode_2_energy(s) / joint.c0)
         few = {"drive.displacement": f"{slip!r} m", "drive.steps": 4000, "solver.rows": 20}
-        summary = found.note(f"triplet, damage {damage:g}", result_of(triplet.SCENE, few)).summary
+        summary = findings.note(f"triplet, damage {damage:g}", result_of(triplet.SCENE, few)).summary
         for name, wanted in (("broken", broken), ("damaged", damaged)):
-            found.check(f"{name} area at a damage of {damage:g}", "m2", sum(summary[f"{name}_area_m2"].values()),
+            findings.check(f"{name} area at a damage of {damage:g}", "m2", sum(summary[f"{name}_area_m2"].values()),
                         wanted, "closed form", 1e-13, 1e-15, "a sum of areas: rounding", both)  # fmt: skip
 
 
-def of_cycles(found: Findings) -> None:
+def of_cycles(findings: Findings) -> None:
     """An elastic joint pulled twice and let go: widest opening, greatest stress, farthest place, nothing spent."""
-    cycles = found.note("two cycles", result_of("joint-pulled-twice")).summary["cycles"]
-    found.check("cycles", "1", len(cycles), len(PULLS), "closed form", 1e-14, 0.0, "a count: exact")
+    cycles = findings.note("two cycles", result_of("joint-pulled-twice")).summary["cycles"]
+    findings.check("cycles", "1", len(cycles), len(PULLS), "closed form", 1e-14, 0.0, "a count: exact")
     for number, (cycle, pull) in enumerate(zip(cycles, PULLS, strict=False), start=1):
         for key, unit, wanted, scale in (
             ("widest_opening_m", "m", pull, pull),
@@ -81,16 +90,16 @@ def of_cycles(found: Findings) -> None:
             ("stiffness_pa_per_m", "Pa/m", KN, KN),
             ("dissipated_j", "J", 0.0, 1e-3),
         ):
-            found.check(f"cycle {number}: {key}", unit, cycle[key], wanted, "closed form", 1e-12, 1e-14,
+            findings.check(f"cycle {number}: {key}", unit, cycle[key], wanted, "closed form", 1e-12, 1e-14,
                         "the drive turns at a step, and a row is taken there: rounding", scale)  # fmt: skip
 
 
 def run() -> Findings:
     """Frames and cracks, summaries, and cycles."""
-    found = Findings()
+    findings = Findings()
     for part in (of_a_frame, of_a_summary, of_cycles):
-        part(found)
-    return found
+        part(findings)
+    return findings
 
 
 CASE = Case(

@@ -42,7 +42,7 @@ OPENINGS = np.concatenate(
 SCENE = "bar-and-joint"
 
 
-def implicit(found: Findings, law: str, length: float) -> None:
+def implicit(findings: Findings, law: str, length: float) -> None:
     """F and U of the interface model under control of the opening, against the closed form."""
     side, half = np.array([0.0, SIDE]), 0.5 * length
     body = grids([(side, side, np.array([0.0, half])), (side, side, np.array([half, length]))])
@@ -66,27 +66,27 @@ def implicit(found: Findings, law: str, length: float) -> None:
         ("U", moved, OPENINGS + exact * length / YOUNG, "m"),
     ):
         k = int(np.argmax(np.abs(value - reference)))
-        found.check(f"{name}: {what} where it is worst", unit, float(value[k]), float(reference[k]), "closed form",
+        findings.check(f"{name}: {what} where it is worst", unit, float(value[k]), float(reference[k]), "closed form",
                     1e-12, 1e-13, "Newton's residual of 1e-12 of the force, and rounding",
                     scale=float(reference.max()))  # fmt: skip
-    found.check(f"{name}: snaps back as L_c says (1 yes, 0 no)", "1", float(back), float(length > CRITICAL[law]),
+    findings.check(f"{name}: snaps back as L_c says (1 yes, 0 no)", "1", float(back), float(length > CRITICAL[law]),
                 "closed form", 0.0, 0.0, "yes or no", scale=1.0)  # fmt: skip
     if law == "exponential":
         line = Line(f"interface model, L = {length:g} m", moved * 1e6, stress / 1e6, "dashed")
-        found.plot(f"Bar of {length:g} m, exponential law", "U (um)", "stress (MPa)", line)
+        findings.plot(f"Bar of {length:g} m, exponential law", "U (um)", "stress (MPa)", line)
 
 
-def drawn(found: Findings, length: float, places: Array) -> tuple[Array, Array]:
+def drawn(findings: Findings, length: float, places: Array) -> tuple[Array, Array]:
     """Stress (Pa) and work per area (J/m2) of a run at each place of the drive (m)."""
     half = f"{0.5 * length!r} m"
     size, above = ["50 mm", "50 mm", half], ["0 m", "0 m", half]
     boxes = {"specimen.box.0.size": size, "specimen.box.1.size": size, "specimen.box.1.origin": above}
     assembly = assembled(SCENE, boxes)
     result = increments.run(assembly, places.tolist(), move=2000, wait=1000)
-    rows = found.note(f"L = {length:g} m", result).history.rows
-    plot = next(plot for plot in found.plots if f"of {length:g} m" in plot.title)
+    rows = findings.note(f"L = {length:g} m", result).history.rows
+    plot = next(plot for plot in findings.plots if f"of {length:g} m" in plot.title)
     line = Line(f"run, L = {length:g} m", rows["displacement"] * 1e6, rows["stress"] / 1e6, "points")
-    found.plots[found.plots.index(plot)] = replace(plot, lines=(*plot.lines, line))
+    findings.plots[findings.plots.index(plot)] = replace(plot, lines=(*plot.lines, line))
     return rows["stress"][1:], rows["external_work"][1:] / SIDE**2
 
 
@@ -98,32 +98,32 @@ def torn(moved: Array, length: float) -> Array:
     return tension("exponential", JOINT, np.interp(moved, u[rising], s[rising]))
 
 
-def below(found: Findings) -> None:
+def below(findings: Findings) -> None:
     """A run of a short bar follows the whole curve."""
     top = JOINT.fT * (1 / JOINT.kn + SHORT / YOUNG)
     places = top * np.concatenate([[0.5, 0.9, 1.0], np.linspace(1.0, 8.0, 30)[1:]])
-    stress, _ = drawn(found, SHORT, places)
+    stress, _ = drawn(findings, SHORT, places)
     exact = np.where(places < top, JOINT.fT * places / top, torn(places, SHORT))
     k = int(np.argmax(np.abs(stress - exact)))
-    found.check("run of a bar below L_c: stress where it is worst", "Pa", float(stress[k]), float(exact[k]),
+    findings.check("run of a bar below L_c: stress where it is worst", "Pa", float(stress[k]), float(exact[k]),
                 "closed form", 1e-5, 1e-6,
                 "smooth increments and waits: what a swing unloads is reloaded on the secant",
                 scale=JOINT.fT)  # fmt: skip
 
 
-def above(found: Findings) -> None:
+def above(findings: Findings) -> None:
     """A run of a long bar falls at the peak, to the other branch, and loses what the joint does not take."""
     top = JOINT.fT * (1 / JOINT.kn + LONG / YOUNG)
     step = 1e-3 * top
     places = np.concatenate([top * np.linspace(0.1, 0.9, 9), [top - step, top + step], top * np.linspace(1.1, 2.5, 15)])
-    stress, work = drawn(found, LONG, places)
-    found.check("run of a bar above L_c: stress just before the peak", "Pa", float(stress[9]),
+    stress, work = drawn(findings, LONG, places)
+    findings.check("run of a bar above L_c: stress just before the peak", "Pa", float(stress[9]),
                 JOINT.fT * (1.0 - step / top), "closed form", 1e-8, 1e-9, "elastic, and at rest",
                 scale=JOINT.fT)  # fmt: skip
-    found.check("run of a bar above L_c: work up to the fall", "J/m2", float(work[10]), 0.5 * JOINT.fT * top,
+    findings.check("run of a bar above L_c: work up to the fall", "J/m2", float(work[10]), 0.5 * JOINT.fT * top,
                 "closed form", 3e-3, 1.5e-3,
                 "an increment of 2e-3 of U while the bar falls, and the drag of damping on the way up")  # fmt: skip
-    found.check("run of a bar above L_c: stress on the other branch at 2.5 U_peak", "Pa", float(stress[-1]),
+    findings.check("run of a bar above L_c: stress on the other branch at 2.5 U_peak", "Pa", float(stress[-1]),
                 float(torn(places[-1:], LONG)[0]), "closed form", 1e-6, 1e-7,
                 "the swing after the fall opened the joint farther than rest does; at 2.5 U_peak that is passed",
                 scale=JOINT.fT)  # fmt: skip
@@ -131,13 +131,13 @@ def above(found: Findings) -> None:
 
 def run() -> Findings:
     """Interface model with three laws above and below L_c; runs of the exponential one."""
-    found = Findings()
+    findings = Findings()
     for law in CRITICAL:
-        implicit(found, law, LONG)
-        implicit(found, law, SHORT)
-    below(found)
-    above(found)
-    return found
+        implicit(findings, law, LONG)
+        implicit(findings, law, SHORT)
+    below(findings)
+    above(findings)
+    return findings
 
 
 CASE = Case(

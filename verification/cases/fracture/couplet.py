@@ -58,11 +58,11 @@ def sheared(findings: Findings, law: str, mpa: float) -> tuple[Line, Line]:
 
 def run() -> Findings:
     """Three laws at three confinements."""
-    found = Findings()
+    findings = Findings()
     for law in LAWS:
-        lines = [line for mpa in BETA for line in sheared(found, law, mpa)]
-        found.plot(f"Couplet, {law} law", "slip (mm)", "shear stress (MPa)", *lines)
-    return found
+        lines = [line for mpa in BETA for line in sheared(findings, law, mpa)]
+        findings.plot(f"Couplet, {law} law", "slip (mm)", "shear stress (MPa)", *lines)
+    return findings
 
 
 CASE = Case(

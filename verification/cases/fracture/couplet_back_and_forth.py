@@ -20,9 +20,9 @@ ROUNDING = "a rigid unit is where the drive puts it, and the law sees every turn
 
 def run() -> Findings:
     """The scene as shipped."""
-    found = Findings()
-    cycled(found, "exponential", "displacement", (1e-12, 1e-14, ROUNDING))
-    return found
+    findings = Findings()
+    cycled(findings, "exponential", "displacement", (1e-12, 1e-14, ROUNDING))
+    return findings
 
 
 CASE = Case(

@@ -13,13 +13,13 @@ from verification.fixtures.sheared_in_cycles import cycled
 
 def run() -> Findings:
     """Two laws by displacement, one by plastic slip."""
-    found = Findings()
+    findings = Findings()
     for law in ("linear", "polynomial"):
-        cycled(found, law, "displacement", (1e-12, 1e-14, ROUNDING))
+        cycled(findings, law, "displacement", (1e-12, 1e-14, ROUNDING))
     curve = "the plastic slip of a step is found by secants: what they leave"
     energy = "booked by the trapezoid: second order in steps of up to 1 um"
-    cycled(found, "exponential", "plastic", (1e-10, 1e-11, curve), (1e-6, 1e-7, energy))
-    return found
+    cycled(findings, "exponential", "plastic", (1e-10, 1e-11, curve), (1e-6, 1e-7, energy))
+    return findings
 
 
 CASE = Case(

@@ -35,12 +35,20 @@ def conditions(model: Model) -> None:
 
 def run() -> Findings:
     """Curve and nodes, before the first damage and until half of the strength above the residual is gone."""
-    found = Findings()
+    findings = Findings()
     allowed = Allowed(elastic=(1e-14, 1e-12), softening=(3e-6, 1e-5), nodes=(3e-6, 1e-5))
     compare(
-        found, "couplet of tets", lambda: assembled(SCENE), conditions, PLACES, allowed, move=1000, wait=1000, parts=16
+        findings,
+        "couplet of tets",
+        lambda: assembled(SCENE),
+        conditions,
+        PLACES,
+        allowed,
+        move=1000,
+        wait=1000,
+        parts=16,
     )
-    return found
+    return findings
 
 
 CASE = Case(

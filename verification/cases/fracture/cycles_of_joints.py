@@ -35,7 +35,7 @@ def through(*reversals: float, step: float) -> list[float]:
 
 def run() -> Findings:
     """Curves and nodes of all three."""
-    found = Findings()
+    findings = Findings()
     for name, scene, places, allowed in (
         (
             *("opened, pressed, opened, half closed, opened", eccentric_tension),
@@ -54,8 +54,8 @@ def run() -> Findings:
         ),
     ):
         make = partial(assembled, scene.SCENE)
-        compare(found, name, make, scene.conditions, places, allowed, move=3000, wait=1000, parts=8)
-    return found
+        compare(findings, name, make, scene.conditions, places, allowed, move=3000, wait=1000, parts=8)
+    return findings
 
 
 CASE = Case(

@@ -39,8 +39,8 @@ def critical(a: Floats | float) -> Floats:
 
 def run() -> Findings:
     """One pull, through the first tear and over most of the ligament."""
-    found = Findings()
-    result = found.note("pull", result_of(SCENE))
+    findings = Findings()
+    result = findings.note("pull", result_of(SCENE))
     w, force = result.history.rows["displacement"], result.history.rows["stress"] * HEIGHT * WIDTH
     top = int(np.argmax(force))
     elastic = (w > 0.2 * w[top]) & (w < 0.5 * w[top])
@@ -50,20 +50,28 @@ def run() -> Findings:
     path, limit = compliance(lengths) * critical(lengths), critical(lengths)
     after = w > 1.1 * w[top]
     ratio = force[after] / np.interp(w[after], path, limit)
-    found.check("compliance", "m/N", slope, float(compliance(start)), "closed form", 0.03, 0.01,
+    findings.check("compliance", "m/N", slope, float(compliance(start)), "closed form", 0.03, 0.01,
                 "the arm also shears a little: with ks = 5 kn, which theory has not")  # fmt: skip
-    found.check("greatest force", "N", peak * HEIGHT * WIDTH, float(critical(start)), "closed form", 0.10, 0.03,
+    findings.check("greatest force", "N", peak * HEIGHT * WIDTH, float(critical(start)), "closed form", 0.10, 0.03,
                 "the catalogue's band of 10 %: "
                 "at the peak the process zone takes a part of the foundation's stiffness")  # fmt: skip
-    found.check("force while it tears over that of theory, mean", "1", float(ratio.mean()), 1.0,
+    findings.check("force while it tears over that of theory, mean", "1", float(ratio.mean()), 1.0,
                 "closed form", 0.03, 0.01,
                 "ups and downs as blocks come off one by one cancel; "
                 "the rest is energy that damping takes at each")  # fmt: skip
-    found.check("force while it tears over that of theory, farthest", "1", float(ratio[np.argmax(np.abs(ratio - 1))]),
-                1.0, "closed form", 0.10, 0.03, "the catalogue's band of 10 %, at every row")  # fmt: skip
+    findings.check(
+        "force while it tears over that of theory, farthest",
+        "1",
+        float(ratio[np.argmax(np.abs(ratio - 1))]),
+        1.0,
+        "closed form",
+        0.10,
+        0.03,
+        "the catalogue's band of 10 %, at every row",
+    )
     lines = (Line("masonry", w, force), Line("theory", path, limit, "dashed"))
-    found.plot("Half of a double cantilever beam", "w (m)", "P (N)", *lines)
-    return found
+    findings.plot("Half of a double cantilever beam", "w (m)", "P (N)", *lines)
+    return findings
 
 
 CASE = Case(

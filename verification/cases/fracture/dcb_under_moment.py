@@ -87,7 +87,7 @@ def implicit(layers: int, degree: int) -> Curve:
     return np.array(rotation), np.array(moment)
 
 
-def explicit(found: Findings, layers: int) -> Curve:
+def explicit(findings: Findings, layers: int) -> Curve:
     """The same of a run on the same tets."""
     part = MeshTet.init_tensor(*lines(layers))
     nodes, tets = part.p.T.copy(), part.t.T.astype(np.int64)
@@ -101,7 +101,7 @@ def explicit(found: Findings, layers: int) -> Curve:
     assembly = turned(assembled(SCENE, None, Specimen(blocks, sets, 1.0), mesh), "y")
     plan = program(assembly.model.dt, 0, 1.04 * PLATEAU[1], STEPS, None, 0.2)
     outcome = timeloop.run(assembly.model, plan, assembly.recording)
-    rows = found.note(f"{layers} layers", laboratory.result_of(assembly, outcome)).history.rows
+    rows = findings.note(f"{layers} layers", laboratory.result_of(assembly, outcome)).history.rows
     return rows["displacement"], rows["stress"]
 
 
@@ -114,30 +114,30 @@ def plateau(curve: Curve) -> float:
 
 def run() -> Findings:
     """Plateaus of tier 2, of tier 1 and of runs at two sizes of elements."""
-    found = Findings()
+    findings = Findings()
     fine = implicit(8, 2)
     curves = {f"interface model, quadratic tets, {8} layers": fine}
-    found.check("plateau of quadratic tets, 8 layers", "N m", plateau(fine), MOMENT, "closed form", 5e-4, 1e-4,
+    findings.check("plateau of quadratic tets, 8 layers", "N m", plateau(fine), MOMENT, "closed form", 5e-4, 1e-4,
                 "a process zone of 13 elements: "
                 "the moment swings by 3e-4 as the crack passes them, its mean by less")  # fmt: skip
     excess = []
     for layers, band in zip(LAYERS, (0.072, 0.019), strict=True):
-        same, ran = implicit(layers, 1), explicit(found, layers)
+        same, ran = implicit(layers, 1), explicit(findings, layers)
         curves |= {f"interface model, {layers} layers": same, f"run, {layers} layers": ran}
         excess.append(plateau(ran) / MOMENT - 1.0)
-        found.check(f"plateau of a run against linear tets of the interface model, {layers} layers", "N m",
+        findings.check(f"plateau of a run against linear tets of the interface model, {layers} layers", "N m",
                     plateau(ran), plateau(same), "same discretisation", 5e-3, 1e-3,
                     "the drive is steady and slow: "
                     "inertia and a little damping add what falls as its speed")  # fmt: skip
-        found.check(f"excess of linear tets over the closed form, interface model, {layers} layers", "1",
+        findings.check(f"excess of linear tets over the closed form, interface model, {layers} layers", "1",
                     plateau(same) / MOMENT - 1.0, band, "refined model", 2e-3, 1e-3,
                     "that program gave the moment to three digits", scale=1.0)  # fmt: skip
-    found.check("order of the run's excess over the closed form", "1", float(np.log2(excess[0] / excess[1])), 2.0,
+    findings.check("order of the run's excess over the closed form", "1", float(np.log2(excess[0] / excess[1])), 2.0,
                 "closed form", 0.1, 0.03,
                 "h^2, with what the speed of the drive adds, which does not fall with h")  # fmt: skip
-    found.plot("Moment against the turn of the arm's end", "turn (mrad)", "moment (N m)",
+    findings.plot("Moment against the turn of the arm's end", "turn (mrad)", "moment (N m)",
                *(Line(k, t * 1e3, m, "line" if "run" in k else "dashed") for k, (t, m) in curves.items()))  # fmt: skip
-    return found
+    return findings
 
 
 CASE = Case(

@@ -38,10 +38,10 @@ def conditions(model: Model) -> None:
 
 def run() -> Findings:
     """Curve and nodes, before the first damage and through 94 % of the softening."""
-    found = Findings()
+    findings = Findings()
     allowed = Allowed(elastic=(3e-11, 3e-10), softening=(5e-6, 2e-5), nodes=(5e-6, 2e-5))
-    compare(found, "eccentric tension", lambda: assembled(SCENE), conditions, PLACES, allowed, move=2000, wait=1000)
-    return found
+    compare(findings, "eccentric tension", lambda: assembled(SCENE), conditions, PLACES, allowed, move=2000, wait=1000)
+    return findings
 
 
 CASE = Case(

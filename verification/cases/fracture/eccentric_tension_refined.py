@@ -55,7 +55,7 @@ def made(cells: int) -> tuple[Specimen, TetMesh]:
 
 def run() -> Findings:
     """First stiffness and peak of runs on two grids."""
-    found = Findings()
+    findings = Findings()
     specimen = {cells: assembled(SCENE, None, *made(cells)) for cells in BRICKS}
     material, contact = (getattr(specimen[BRICKS[0]].scene, key) for key in ("material", "contact"))
     law = law_of(contact["unit_unit"])
@@ -68,7 +68,7 @@ def run() -> Findings:
     curves = [Line("quadratic tets", np.array(PLACES) * 1e6, truth / 1e6, "dashed")]
     errors = []
     for cells, assembly in specimen.items():
-        result = found.note(f"{cells} bricks", increments.run(assembly, PLACES, move=1500, wait=1000))
+        result = findings.note(f"{cells} bricks", increments.run(assembly, PLACES, move=1500, wait=1000))
         stress = result.history.rows["stress"][1:]
         curves.append(Line(f"run, {cells} bricks in height", np.array(PLACES) * 1e6, stress / 1e6))
         errors.append((stress[ELASTIC] / truth[ELASTIC] - 1.0, stress.max() / truth.max() - 1.0))
@@ -76,15 +76,15 @@ def run() -> Findings:
             ("elastic stress", stress[ELASTIC], truth[ELASTIC], 1.2),
             ("peak", stress.max(), truth.max(), 0.5),
         ):
-            found.check(f"{what}, {cells} bricks in a block's height", "Pa", float(value), float(reference),
+            findings.check(f"{what}, {cells} bricks in a block's height", "Pa", float(value), float(reference),
                         "refined model", 1.5 * scale / cells**2, scale / cells**2,
                         "too stiff in bending by 1.2/n^2 for n bricks, "
                         "of which the peak feels less than half")  # fmt: skip
     for k, what in enumerate(("elastic stress", "peak")):
-        found.check(f"order of the error, {what}", "1", float(np.log2(errors[0][k] / errors[1][k])), 2.0,
+        findings.check(f"order of the error, {what}", "1", float(np.log2(errors[0][k] / errors[1][k])), 2.0,
                     "refined model", 0.2, 0.1, "h^2, from below while bricks are few")  # fmt: skip
-    found.plot("Joint pulled open from one side", "displacement (um)", "stress (MPa)", *curves)
-    return found
+    findings.plot("Joint pulled open from one side", "displacement (um)", "stress (MPa)", *curves)
+    return findings
 
 
 CASE = Case(

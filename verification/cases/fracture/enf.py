@@ -41,8 +41,8 @@ def critical(a: Floats | float) -> Floats:
 
 def run() -> Findings:
     """One push, through the first tear and on towards the middle."""
-    found = Findings()
-    result = found.note("push", result_of(SCENE))
+    findings = Findings()
+    result = findings.note("push", result_of(SCENE))
     w, force = result.history.rows["displacement"], result.history.rows["stress"] * HEIGHT * WIDTH
     start = NOTCH - CELL / 2
     lengths = np.linspace(start, 0.93 * HALF, 400)
@@ -52,18 +52,18 @@ def run() -> Findings:
     slope, peak = float(np.polyfit(force[elastic], w[elastic], 1)[0]), float(result.summary["peak_stress_pa"])
     tears = (w > w[top]) & (w < path[-1])
     ratio = force[tears] / np.interp(w[tears], path, limit)
-    found.check("compliance", "m/N", slope, float(compliance(start)), "closed form", 0.03, 0.01,
+    findings.check("compliance", "m/N", slope, float(compliance(start)), "closed form", 0.03, 0.01,
                 "the halves also shear a little, and press into each other under the load")  # fmt: skip
-    found.check("greatest force", "N", peak * HEIGHT * WIDTH, float(critical(start)), "closed form", 0.10, 0.02,
+    findings.check("greatest force", "N", peak * HEIGHT * WIDTH, float(critical(start)), "closed form", 0.10, 0.02,
                 "the catalogue's band of 10 %: "
                 "joints that soften ahead of the notch make it a little longer at the peak")  # fmt: skip
-    found.check("force while it tears over that of theory, mean", "1", float(ratio.mean()), 1.0,
+    findings.check("force while it tears over that of theory, mean", "1", float(ratio.mean()), 1.0,
                 "closed form", 0.10, 0.03,
                 "the catalogue's band of 10 %: 1 % of the compliance is 2 % of the force at the same displacement, and "
                 "points come off one by one")  # fmt: skip
     lines = (Line("masonry", w, force), Line("theory", path, limit, "dashed"))
-    found.plot("End-notched beam", "w (m)", "P (N)", *lines)
-    return found
+    findings.plot("End-notched beam", "w (m)", "P (N)", *lines)
+    return findings
 
 
 CASE = Case(

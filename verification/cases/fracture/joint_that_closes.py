@@ -52,11 +52,11 @@ def cycled(findings: Findings, law: str, unloading: str) -> None:
 
 def run() -> Findings:
     """Three laws, and both ways to unload."""
-    found = Findings()
+    findings = Findings()
     for law in LAWS:
         for unloading in ("secant", "elastic"):
-            cycled(found, law, unloading)
-    return found
+            cycled(findings, law, unloading)
+    return findings
 
 
 CASE = Case(

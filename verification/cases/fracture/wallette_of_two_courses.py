@@ -36,10 +36,10 @@ def conditions(model: Model) -> None:
 
 def run() -> Findings:
     """Curve and nodes, from the elastic range to a quarter of the peak."""
-    found = Findings()
+    findings = Findings()
     allowed = Allowed(elastic=(1e-9, 1e-8), softening=(1e-5, 5e-5), nodes=(1e-7, 1e-6))
-    compare(found, "two courses", lambda: assembled(SCENE), conditions, PLACES, allowed, move=3000, wait=1000)
-    return found
+    compare(findings, "two courses", lambda: assembled(SCENE), conditions, PLACES, allowed, move=3000, wait=1000)
+    return findings
 
 
 CASE = Case(

@@ -26,29 +26,29 @@ VOUSSOIRS = (7, 15)
 SCENE = "arch-of-voussoirs"
 
 
-def falls(found: Findings, voussoirs: int, thickness: float) -> bool:
+def falls(findings: Findings, voussoirs: int, thickness: float) -> bool:
     """Whether the arch goes on moving: it turns too far, or has gone 30 times as far as its springs let it."""
     ran = run_scene(SCENE, {"specimen.voussoirs": voussoirs, "specimen.thickness": f"{thickness!r} m"})
-    result = found.note(f"{voussoirs} voussoirs, t/R = {thickness:.5f}", ran)
+    result = findings.note(f"{voussoirs} voussoirs, t/R = {thickness:.5f}", ran)
     thrust = DENSITY * G * 1.0 / NORMAL
     return not ran.ok or bool(abs(result.history.frames[-1].corners).max() > 30 * voussoirs * thrust / thickness)
 
 
 def run() -> Findings:
     """Few voussoirs and many; and the program for so many that the arch can open nearly anywhere."""
-    found = Findings()
+    findings = Findings()
     for n in VOUSSOIRS:
         limit = least_thickness(n, FRICTION)
-        value, width = threshold(partial(falls, found, n), 1.03 * limit, 0.97 * limit, 7)
-        found.check(f"t/R at which an arch of {n} voussoirs falls", "1", value, limit, "limit analysis", 2e-3,
+        value, width = threshold(partial(falls, findings, n), 1.03 * limit, 0.97 * limit, 7)
+        findings.check(f"t/R at which an arch of {n} voussoirs falls", "1", value, limit, "limit analysis", 2e-3,
                     width / limit + 3e-4,
                     "the catalogue's bracket of 3 %, halved seven times; springs without tension and forces at the "
                     "ends of joints are what the program has too, "
                     "so nothing else is missing but time to fall in")  # fmt: skip
-    found.check("t/R by the program, 201 voussoirs", "1", least_thickness(201, FRICTION, 10), MILANKOVITCH,
+    findings.check("t/R by the program, 201 voussoirs", "1", least_thickness(201, FRICTION, 10), MILANKOVITCH,
                 "closed form", 2e-3, 5e-4,
                 "201 voussoirs do not open quite anywhere; the reference is rounded to four digits")  # fmt: skip
-    return found
+    return findings
 
 
 CASE = Case(

@@ -42,27 +42,27 @@ def largest_eccentricity(result: Result) -> float:
 
 def run() -> Findings:
     """The thrust at the end, the line within the arch, and the thrust under the weight alone between the bounds."""
-    found, lines = Findings(), []
+    findings, lines = Findings(), []
     for words, arch, by in ARCHES:
-        result = found.note(words, moved(arch, by))
+        result = findings.note(words, moved(arch, by))
         least, greatest = (WEIGHT * bound(arch) for bound in (least_thrust, greatest_thrust))
         limit, rows = least if by.startswith("-") else greatest, result.history.rows
         settled = float(rows["force"][np.flatnonzero(rows["displacement"] == 0.0)[-1]])
-        found.check(f"{words}: thrust", "N", float(rows["force"][-1]), limit, "limit analysis", 4e-12, 1e-12,
+        findings.check(f"{words}: thrust", "N", float(rows["force"][-1]), limit, "limit analysis", 4e-12, 1e-12,
                     "points at the edges make hinges exact, joints keep their places: "
                     "how far all has come to rest")  # fmt: skip
-        found.at_most(f"{words}: eccentricity of the thrust, 1 at the edge", "1", largest_eccentricity(result),
+        findings.at_most(f"{words}: eccentricity of the thrust, 1 at the edge", "1", largest_eccentricity(result),
                       1.0 + 1e-9,
                       "the line of thrust lies in the arch, and touches its edge at the hinges")  # fmt: skip
-        found.at_most(f"{words}: least thrust over that of the weight alone", "1", least / settled, 1.0,
+        findings.at_most(f"{words}: least thrust over that of the weight alone", "1", least / settled, 1.0,
                       "the safe theorem: any thrust that stands lies between the two")  # fmt: skip
-        found.at_most(f"{words}: thrust of the weight alone over the greatest", "1", settled / greatest, 1.0,
+        findings.at_most(f"{words}: thrust of the weight alone over the greatest", "1", settled / greatest, 1.0,
                       "the safe theorem: any thrust that stands lies between the two")  # fmt: skip
         if arch.voussoirs == ARCHES[0][1].voussoirs:
             travel = np.abs(1e3 * rows["displacement"])
             lines += [Line(words, travel, rows["force"]), Line("by hand", travel[[0, -1]], np.full(2, limit), "dashed")]
-    found.plot("Semicircle of 15 voussoirs", "movement of the abutment (mm)", "thrust (N)", *lines)
-    return found
+    findings.plot("Semicircle of 15 voussoirs", "movement of the abutment (mm)", "thrust (N)", *lines)
+    return findings
 
 
 CASE = Case(

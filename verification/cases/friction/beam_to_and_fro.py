@@ -32,17 +32,25 @@ def slip(force: float) -> float:
 
 def run() -> Findings:
     """Energies of both cycles and the way of the beam, to three accuracies."""
-    found, once = Findings(), SLIDES * slip(FORCE)
+    findings, once = Findings(), SLIDES * slip(FORCE)
     for accuracy in ACCURACIES:
-        result = found.note(f"to {100 * accuracy:g} %", result_of(SCENE, {"limit.accuracy": accuracy}))
+        result = findings.note(f"to {100 * accuracy:g} %", result_of(SCENE, {"limit.accuracy": accuracy}))
         first, second = result.summary["cycles"]
         asked = f"to {100 * accuracy:g} %"
         for name, cycle, wanted in (("first", first, 3.0 * once), ("second", second, 4.0 * once)):
-            found.check(f"dissipated in the {name} cycle, {asked}", "J", cycle["dissipated_j"], wanted, "closed form",
-                        1e-3, 6e-4, WHY)  # fmt: skip
-        found.check(f"way of the beam, {asked}", "m", second["farthest_m"] - second["farthest_back_m"],
+            findings.check(
+                f"dissipated in the {name} cycle, {asked}",
+                "J",
+                cycle["dissipated_j"],
+                wanted,
+                "closed form",
+                1e-3,
+                6e-4,
+                WHY,
+            )
+        findings.check(f"way of the beam, {asked}", "m", second["farthest_m"] - second["farthest_back_m"],
                     2.0 * (FORCE - SLIDES) / FOOT, "closed form", 1e-3, 1e-4, WHY)  # fmt: skip
-        found.at_most(f"work that damping took, {asked}", "1", result.summary["damping_over_external"], accuracy,
+        findings.at_most(f"work that damping took, {asked}", "1", result.summary["damping_over_external"], accuracy,
                       "rests follow on each other slowly")  # fmt: skip
     rows = result.history.rows
     reading = 1e6 * (rows["beam"] - rows["beam"][int(np.flatnonzero(rows["load_factor"])[0]) - 1])
@@ -50,7 +58,7 @@ def run() -> Findings:
     way = 1e6 * np.array([0.0, SLIDES / FOOT, (FORCE - SLIDES) / FOOT])
     back = 1e6 * np.array([0.0, 2.0 * SLIDES / FOOT, 2.0 * (FORCE - SLIDES) / FOOT])
     half = np.array([0.0, 4.0 * SLIDES, 2.0 * FORCE])
-    found.plot(
+    findings.plot(
         "Force on the beam over its way",
         "beam (um)",
         "force (N)",
@@ -59,7 +67,7 @@ def run() -> Findings:
         Line("half loop down", way[-1] - back, FORCE - half, "dashed"),
         Line("half loop up", way[-1] - back[-1] + back, half - FORCE, "dashed"),
     )
-    return found
+    return findings
 
 
 CASE = Case(

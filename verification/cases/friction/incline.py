@@ -40,26 +40,26 @@ def slid(result: Result) -> np.ndarray:
 
 def run() -> Findings:
     """The angle at which it begins to slide, and the slide."""
-    found = Findings()
+    findings = Findings()
     elastic = DENSITY * HEIGHT * G / SHEAR
 
     def slides(angle: float) -> bool:
-        result = found.note(f"theta = {angle:.5f} rad", result_of(SCENE, weight(angle)))
+        result = findings.note(f"theta = {angle:.5f} rad", result_of(SCENE, weight(angle)))
         return bool(slid(result)[-1] > 20 * elastic)
 
     angle, width = threshold(slides, 0.95 * atan(MU), 1.05 * atan(MU), 9)
-    found.check("tan(theta) at which it slides", "1", tan(angle), MU, "closed form", 1e-3, width * (1 + MU**2) / MU,
+    findings.check("tan(theta) at which it slides", "1", tan(angle), MU, "closed form", 1e-3, width * (1 + MU**2) / MU,
                 "the catalogue's 0.1 %; bisection ends within 1e-4, "
                 "and a block is called sliding after 20 elastic slips")  # fmt: skip
-    motion(found)
-    return found
+    motion(findings)
+    return findings
 
 
-def motion(found: Findings) -> None:
+def motion(findings: Findings) -> None:
     """The free slide at 45 degrees, without damping and with xi = 0.8."""
     theta = radians(45.0)
     plain, damped = (
-        found.note(
+        findings.note(
             f"sliding, xi = {xi}", result_of(SCENE, weight(theta) | {"solver.masses": "real", "solver.damping": xi})
         )
         for xi in (0.0, 0.8)
@@ -71,16 +71,16 @@ def motion(found: Findings) -> None:
     x = slid(plain)
     worst = int(np.argmax(np.where(after, np.abs(x / exact - 1), 0)))
     lag = DENSITY * HEIGHT * G * cos(theta) * MU / SHEAR
-    found.check("x(t), the worst of all frames after the rise", "m", float(x[worst]), float(exact[worst]),
+    findings.check("x(t), the worst of all frames after the rise", "m", float(x[worst]), float(exact[worst]),
                 "closed form", 5 * lag / exact[after][0], lag / exact[after][0],
                 "the block is ahead by the elastic slip mu N/ks, 1e-5 of the way; "
                 "rounding in dt/rise adds as much")  # fmt: skip
     dt = float(damped.summary["time_step_s"]) / float(plain.summary["time_step_s"])
     ratio = slid(damped)[-1] / dt**2 / x[-1]
-    found.check("x with xi = 0.8 over x with xi = 0", "1", float(ratio), 0.2, "closed form", 1e-4, 2e-5,
+    findings.check("x with xi = 0.8 over x with xi = 0", "1", float(ratio), 0.2, "closed form", 1e-4, 2e-5,
                 "(1 - xi) of the force accelerates; the elastic slip is a larger share of the shorter way")  # fmt: skip
     lines = (Line("masonry", times, x, "points"), Line("closed form", times[after], exact[after], "dashed"))
-    found.plot("Slide at 45 degrees", "time (s)", "x (m)", *lines)
+    findings.plot("Slide at 45 degrees", "time (s)", "x (m)", *lines)
 
 
 CASE = Case(

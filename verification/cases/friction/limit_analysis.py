@@ -23,11 +23,11 @@ def run() -> Findings:
     """Factors, the gap to those of the mechanisms, and what is left unbalanced."""
     findings = Findings()
     for scene, (wanted, tolerance) in FACTORS.items():
-        found = masonry.limit(load(scene))
-        findings.check(f"load factor of {scene}", "1", found.factor, wanted, "limit analysis", tolerance,
+        limit = masonry.limit(load(scene))
+        findings.check(f"load factor of {scene}", "1", limit.factor, wanted, "limit analysis", tolerance,
                        0.1 * tolerance, "the reference has as many digits")  # fmt: skip
-        findings.at_most(f"duality gap of {scene}", "1", found.gap, 1e-6, "the mechanism needs the same load")
-        findings.at_most(f"left on the block of {scene} that is balanced worst", "1", found.unbalance, 1e-9,
+        findings.at_most(f"duality gap of {scene}", "1", limit.gap, 1e-6, "the mechanism needs the same load")
+        findings.at_most(f"left on the block of {scene} that is balanced worst", "1", limit.unbalance, 1e-9,
                          "over its own loads")  # fmt: skip
     return findings
 

@@ -27,26 +27,33 @@ SCENES = {1: "wall-of-one-course", 3: "wall-of-three-courses"}
 """Of walls of so many courses on a base."""
 
 
-def falls(found: Findings, courses: int, mu: float, a: float) -> bool:
+def falls(findings: Findings, courses: int, mu: float, a: float) -> bool:
     """Whether the wall goes on moving: it runs away, or has gone 20 times as far as springs let it."""
     overrides = {"gravity.x": f"{a * G!r} m/s^2", "contact.unit_unit.tan_friction_angle": mu}
     ran = run_scene(SCENES[courses], overrides)
-    result = found.note(f"{courses} courses, mu = {mu}, a/g = {a:.6f}", ran)
+    result = findings.note(f"{courses} courses, mu = {mu}, a/g = {a:.6f}", ran)
     elastic = DENSITY * G * HEIGHT / NORMAL * (HEIGHT / WIDTH) ** 2
     return not ran.ok or abs(result.history.frames[-1].corners).max() > 20 * elastic
 
 
 def run() -> Findings:
     """One block and a stack, with much friction and with little."""
-    found = Findings()
+    findings = Findings()
     for courses, mu, what in ((1, 0.7, "topples"), (1, 0.25, "slides"), (3, 0.7, "topples"), (3, 0.25, "slides")):
         limit = min(mu, WIDTH / HEIGHT)
-        value, width = threshold(partial(falls, found, courses, mu), 0.97 * limit, 1.03 * limit, HALVINGS)
-        found.check(f"a/g at which a wall of {courses} course(s) {what} (mu = {mu})", "1", value, limit, "closed form",
-                    3e-3, width / limit + 4e-4,
-                    "edge contacts make the limit exact; what is left is that a fall just above it has to get "
-                    "somewhere in the time that the run has")  # fmt: skip
-    return found
+        value, width = threshold(partial(falls, findings, courses, mu), 0.97 * limit, 1.03 * limit, HALVINGS)
+        findings.check(
+            f"a/g at which a wall of {courses} course(s) {what} (mu = {mu})",
+            "1",
+            value,
+            limit,
+            "closed form",
+            3e-3,
+            width / limit + 4e-4,
+            "edge contacts make the limit exact; what is left is that a fall just above it has to get "
+            "somewhere in the time that the run has",
+        )
+    return findings
 
 
 CASE = Case(

@@ -26,13 +26,13 @@ def turned(most: float) -> tuple[Walk, np.ndarray]:
     """The path round the corner in steps of `most` (m), and which points are beyond the corner."""
     z = -COMPRESSION / JOINT.kn
     corners = [(0.0, 0.0, z), (60 * UM, 0.0, z), (60 * UM, 100 * UM, z)]
-    found = walk(law("linear", residual_cohesion=0.87e6, tan_residual_friction=1.01), along(corners, most))
-    return found, found.path[:, 1] > 0.0
+    trace = walk(law("linear", residual_cohesion=0.87e6, tan_residual_friction=1.01), along(corners, most))
+    return trace, trace.path[:, 1] > 0.0
 
 
 def run() -> Findings:
     """Size and direction of the stress after the corner, and the order of the latter."""
-    found, off = Findings(), []
+    findings, off = Findings(), []
     for most in (0.2 * UM, 0.1 * UM, 0.05 * UM):
         walked, beyond = turned(most)
         y = walked.path[beyond, 1]
@@ -45,20 +45,20 @@ def run() -> Findings:
     size = np.hypot(*slipped.T) * np.hypot(*stress.T)
     skew = float(np.abs(cross[moving] / size[moving]).max())
     first = 0.05 * UM * JOINT.ks / STRENGTH
-    found.check("|t| beyond the corner, largest deviation", "Pa", float(np.abs(walked.tau[beyond] - STRENGTH).max()),
+    findings.check("|t| beyond the corner, largest deviation", "Pa", float(np.abs(walked.tau[beyond] - STRENGTH).max()),
                 0.0, "closed form", 1e-12, 1e-14, "the return ends on the cone: rounding", STRENGTH)  # fmt: skip
-    found.check("sine of the angle from slip to stress, largest", "1", skew, 0.0, "closed form", 5e-12, 1e-13,
+    findings.check("sine of the angle from slip to stress, largest", "1", skew, 0.0, "closed form", 5e-12, 1e-13,
                 "a difference of slips of 0.05 um in 100 um: rounding", 1.0)  # fmt: skip
-    found.check("direction of the stress, largest deviation", "rad", off[2], 0.0, "closed form", first, 0.3 * first,
+    findings.check("direction of the stress, largest deviation", "rad", off[2], 0.0, "closed form", first, 0.3 * first,
                 "a step turns the stress by up to k_s du/T; an implicit step of first order errs by less",
                 1.0)  # fmt: skip
-    found.check("order of the direction in du", "1", float(np.log2(off[1] / off[2])), 1.0, "closed form", 0.02, 5e-3,
+    findings.check("order of the direction in du", "1", float(np.log2(off[1] / off[2])), 1.0, "closed form", 0.02, 5e-3,
                 "implicit step: the next term is du k_s/T of it")  # fmt: skip
     x = 1e6 * y
     some = slice(0, None, 50)
     lines = (Line("contact", x, had), Line("closed form", x[some], angle[some], "points"))
-    found.plot("Direction of the stress after the corner", "slip along y (um)", "angle (rad)", *lines)
-    return found
+    findings.plot("Direction of the stress after the corner", "slip along y (um)", "angle (rad)", *lines)
+    return findings
 
 
 CASE = Case(

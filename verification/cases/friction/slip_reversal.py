@@ -26,7 +26,7 @@ LAWS = ("linear", "polynomial", "exponential")
 
 def run() -> Findings:
     """Stress on the way back, and the area of the loop."""
-    found, lines = Findings(), []
+    findings, lines = Findings(), []
     us0 = float(JOINT.peak(COMPRESSION)) / JOINT.ks
     for name in LAWS:
         top = float(shear(name, JOINT, 80 * UM, COMPRESSION))
@@ -47,13 +47,13 @@ def run() -> Findings:
         expected = abs(trapezoid - loop) / loop
         rough = expected > 1e-13
         reason = "three times the error of the trapezoid along the envelope"
-        found.check(f"stress after the turn, {name}, largest deviation", "Pa", off, 0.0, "closed form", 1e-12, 1e-14,
+        findings.check(f"stress after the turn, {name}, largest deviation", "Pa", off, 0.0, "closed form", 1e-12, 1e-14,
                     "the same straight lines and envelope: rounding", top)  # fmt: skip
-        found.check(f"dissipated in the loop, {name}", "J/m2", float(walked.dissipated[again]), loop, "closed form",
+        findings.check(f"dissipated in the loop, {name}", "J/m2", float(walked.dissipated[again]), loop, "closed form",
                     3 * expected if rough else 1e-12, expected if rough else 1e-14, reason)  # fmt: skip
         lines.append(Line(name, 1e6 * x, 1e-6 * walked.stress[:, 0]))
-    found.plot("Slip that turns back", "slip (um)", "shear stress (MPa)", *lines)
-    return found
+    findings.plot("Slip that turns back", "slip (um)", "shear stress (MPa)", *lines)
+    return findings
 
 
 CASE = Case(

@@ -88,12 +88,14 @@ def slip_again(findings: Findings) -> None:
 
 def run() -> Findings:
     """The path with and without softening, and slip that goes on under less compression."""
-    found = Findings()
+    findings = Findings()
     path = along(CORNERS, 0.1 * UM)
     for name in ("linear", "exponential"):
         walked = walk(law(name, **PERFECT), path)
         s = -JOINT.kn * path[:, 2]
-        check(found, f"{name} without softening", walked, np.minimum(JOINT.ks * path[:, 0], JOINT.c0 + s * JOINT.tan0))
+        check(
+            findings, f"{name} without softening", walked, np.minimum(JOINT.ks * path[:, 0], JOINT.c0 + s * JOINT.tan0)
+        )
     offs = []
     for most in (0.1 * UM, 0.05 * UM):
         path = along(CORNERS, most)
@@ -101,14 +103,22 @@ def run() -> Findings:
         wanted = softened(path[:, 0])
         offs.append(float(np.abs(walked.tau - wanted)[path[:, 0] > 20 * UM].max()))
         fall = float(min(np.diff(walked.dissipated).min(), 0.0))
-    found.check("stress, exponential, largest deviation", "Pa", offs[1], 0.0, "closed form", 1e-5, 2e-6,
+    findings.check("stress, exponential, largest deviation", "Pa", offs[1], 0.0, "closed form", 1e-5, 2e-6,
                 "the compression of a step is that at its end: first order", JOINT.c0)  # fmt: skip
-    found.check("deviation, exponential, over that in half the steps", "1", offs[0] / offs[1], 2.0, "order", 1e-3, 2e-4,
-                "first order")  # fmt: skip
-    found.check("dissipation never falls, largest fall", "J/m2", fall, 0.0, "closed form", 1e-12, 1e-14,
+    findings.check(
+        "deviation, exponential, over that in half the steps",
+        "1",
+        offs[0] / offs[1],
+        2.0,
+        "order",
+        1e-3,
+        2e-4,
+        "first order",
+    )
+    findings.check("dissipation never falls, largest fall", "J/m2", fall, 0.0, "closed form", 1e-12, 1e-14,
                 "sliding against a cone: rounding", float(walked.dissipated[-1]))  # fmt: skip
-    slip_again(found)
-    return found
+    slip_again(findings)
+    return findings
 
 
 CASE = Case(

@@ -76,18 +76,18 @@ def measured(bar: Bar, wave: Wave) -> tuple[float, float, float]:
 
 def run() -> Findings:
     """Three strengths of the joint."""
-    found = Findings()
+    findings = Findings()
     for s in STRENGTHS:
         bar = Bar(shear=True, joint=joint(s * INCIDENT))
         wave = bar.run(CELLS, moved, 8.0 * PERIOD)
-        found.note(f"ts/t0 = {s}", wave.result)
+        findings.note(f"ts/t0 = {s}", wave.result)
         for name, value, reference in zip("TRA", measured(bar, wave), coefficients(s), strict=True):
-            found.check(f"{name}, ts/t0 = {s}", "1", value, reference, "closed form", 2e-3, 5e-4,
+            findings.check(f"{name}, ts/t0 = {s}", "1", value, reference, "closed form", 2e-3, 5e-4,
                         "the joint's stiffness takes (1/100)^2 of an elastic wave and delays the clipped one's "
                         "corners; cells of 1/80 wavelength round them", 1.0)  # fmt: skip
         came_in = CYCLES * 0.5 * INCIDENT**2 / IMPEDANCE * PERIOD * wave.area
         heat = dissipated(wave.result.summary) / came_in
-        found.check(f"heat that the joint booked over the incident energy, ts/t0 = {s}", "1", heat,
+        findings.check(f"heat that the joint booked over the incident energy, ts/t0 = {s}", "1", heat,
                     coefficients(s)[2] ** 2, "closed form", 2e-3, 5e-4,
                     "the same A^2 from the law's own account, over all three cycles",
                     1.0)  # fmt: skip
@@ -99,8 +99,8 @@ def run() -> Findings:
         )
         came = (wave.time - place / bar.speed > 0) & (wave.time - place / bar.speed < CYCLES * PERIOD)
         lines = (Line("masonry", place, -stress), Line("closed form", place, np.where(came, exact, 0.0), "dashed"))
-        found.plot(f"Stress that has passed, ts/t0 = {s}", "x (m)", "tau (Pa)", *lines)
-    return found
+        findings.plot(f"Stress that has passed, ts/t0 = {s}", "x (m)", "tau (Pa)", *lines)
+    return findings
 
 
 CASE = Case(

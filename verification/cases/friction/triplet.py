@@ -25,25 +25,33 @@ NEAR = 1e-3
 """Share of the peak within which it counts as reached, on the elastic way up to it."""
 
 
-def at_every_step(found: Findings) -> None:
+def at_every_step(findings: Findings) -> None:
     """A short run with few rows finds the peak of the same run with a row at every step, and its displacement."""
     short = {"settle.steps": 2000, "drive.displacement": "0.03 mm", "drive.steps": 2000}
-    rows = found.note("triplet, a row a step", result_of(SCENE, short | {"solver.rows": 4000})).history.rows
-    few = found.note("triplet, few rows", result_of(SCENE, short | {"solver.rows": 20})).summary
+    rows = findings.note("triplet, a row a step", result_of(SCENE, short | {"solver.rows": 4000})).history.rows
+    few = findings.note("triplet, few rows", result_of(SCENE, short | {"solver.rows": 20})).summary
     highest = int(np.argmax(rows["stress"]))
     near = int(np.argmax(rows["stress"] >= (1.0 - NEAR) * rows["stress"].max()))
     for name, key, unit, column, row in (
         ("peak stress", "peak_stress_pa", "Pa", "stress", highest),
         ("displacement at the peak", "displacement_at_peak_m", "m", "displacement", near),
     ):
-        found.check(f"{name}, of the row that has it", unit, few[key], float(rows[column][row]), "closed form", 1e-12,
-                    1e-13, "the same step: rounding of sums")  # fmt: skip
+        findings.check(
+            f"{name}, of the row that has it",
+            unit,
+            few[key],
+            float(rows[column][row]),
+            "closed form",
+            1e-12,
+            1e-13,
+            "the same step: rounding of sums",
+        )
 
 
 def run() -> Findings:
     """Force on the middle unit, and what both joints dissipate."""
-    found, joint, kind = Findings(), Joint(), "closed form"
-    result = found.note("triplet", result_of(SCENE))
+    findings, joint, kind = Findings(), Joint(), "closed form"
+    result = findings.note("triplet", result_of(SCENE))
     rows = result.history.rows
     moved = rows["displacement"] > 0.0
     slip, force = rows["displacement"][moved], AREA * rows["stress"][moved]
@@ -56,27 +64,27 @@ def run() -> Findings:
     at = (1.0 - NEAR) * float(joint.peak(S)) / joint.ks
     k = int(np.searchsorted(slip, at))
     step = float((slip[k] - slip[k - 1]) / (rows["step"][moved][k] - rows["step"][moved][k - 1]))
-    found.check("peak force", "N", AREA * result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
+    findings.check("peak force", "N", AREA * result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
                 "the step that misses the peak, at most du k_s q/(k_s + q)")  # fmt: skip
-    found.check("force at every slip, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0, kind, 1e-12,
+    findings.check("force at every slip, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0, kind, 1e-12,
                 1e-13, "what the settled confinement still swings by, and rounding", peak)  # fmt: skip
-    found.check("force of the supports at every slip, largest deviation from that of the drive", "N",
+    findings.check("force of the supports at every slip, largest deviation from that of the drive", "N",
                 float(AREA * np.abs(rows["support_stress"] - rows["stress"])[moved].max()), 0.0, kind, 1e-12, 1e-13,
                 "nothing that could hold back a force moves along x: rounding", peak)  # fmt: skip
-    found.check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, kind, step / at,
+    findings.check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, kind, step / at,
                 0.5 * step / at, "the step in which the force comes within 0.1 % of the peak")  # fmt: skip
-    found.check("displacement at the end", "m", float(slip[-1]), LAST, kind, 1e-12, 1e-13,
+    findings.check("displacement at the end", "m", float(slip[-1]), LAST, kind, 1e-12, 1e-13,
                 "what the scene asks for; a sum of 20,000 steps: rounding")  # fmt: skip
-    found.check("dissipated by both joints", "J", dissipated_energy, gone, kind, 3 * rough, rough,
+    findings.check("dissipated by both joints", "J", dissipated_energy, gone, kind, 3 * rough, rough,
                 "the trapezoid: of the envelope, and of the corner at the peak that no step hits")  # fmt: skip
-    at_every_step(found)
+    at_every_step(findings)
     some = slice(None, None, 20)
     lines = (
         Line("triplet", 1e3 * slip, 1e-3 * force),
         Line("2 A tau", 1e3 * slip[some], 1e-3 * wanted[some], "points"),
     )
-    found.plot("Triplet under 0.5 MPa", "slip (mm)", "force (kN)", *lines)
-    return found
+    findings.plot("Triplet under 0.5 MPa", "slip (mm)", "force (kN)", *lines)
+    return findings
 
 
 CASE = Case(

@@ -48,10 +48,10 @@ def by_hand(gradient: np.ndarray) -> tuple[np.ndarray, float]:
 def quarter(axis: int) -> np.ndarray:
     """A rotation by 90 degrees about x, y or z."""
     i, j = (axis + 1) % 3, (axis + 2) % 3
-    found = np.zeros((3, 3))
-    found[axis, axis] = found[j, i] = 1.0
-    found[i, j] = -1.0
-    return found
+    values = np.zeros((3, 3))
+    values[axis, axis] = values[j, i] = 1.0
+    values[i, j] = -1.0
+    return values
 
 
 def put_there(findings: Findings) -> None:

@@ -33,15 +33,15 @@ def finer(times: int, **solver: object) -> dict[str, object]:
 
 def run() -> Findings:
     """Two ways of stepping, each at three steps; the ledger of the coarsest."""
-    found = Findings()
-    planted(found, SCENE)
+    findings = Findings()
+    planted(findings, SCENE)
     for words, masses in SOLVERS.items():
         runs = [result_of(SCENE, finer(times, masses=masses)) for times in (2, 4, 8)]
-        identity(found, words, runs[0], ("elastic_blocks",))
-        found.note(f"{words}, half the step", runs[1])
-        found.note(f"{words}, a quarter of the step", runs[2])
-        two_sums(found, words, runs, EXPECTED)
-    return found
+        identity(findings, words, runs[0], ("elastic_blocks",))
+        findings.note(f"{words}, half the step", runs[1])
+        findings.note(f"{words}, a quarter of the step", runs[2])
+        two_sums(findings, words, runs, EXPECTED)
+    return findings
 
 
 CASE = Case(

@@ -28,18 +28,18 @@ EXPECTED = 1e-3
 
 def run() -> Findings:
     """All kinds with the exponential law; rigid blocks with the others, with each option, and without damping."""
-    found = Findings()
-    identity(found, "all kinds, exponential", result_of(ALL_KINDS))
+    findings = Findings()
+    identity(findings, "all kinds, exponential", result_of(ALL_KINDS))
     for law in ("brittle", "linear", "polynomial"):
-        identity(found, f"rigid, {law}", result_of(SCENE, {"law": law}), ("elastic_blocks",))
+        identity(findings, f"rigid, {law}", result_of(SCENE, {"law": law}), ("elastic_blocks",))
     for key, value in OPTIONS.items():
         result = result_of(SCENE, {f"contact.unit_unit.{key}": value})
-        identity(found, f'rigid, exponential, {key} = "{value}"', result, ("elastic_blocks",))
+        identity(findings, f'rigid, exponential, {key} = "{value}"', result, ("elastic_blocks",))
     runs = [result_of(SCENE, finer(times, masses="real", damping=0.0)) for times in (2, 4)]
-    identity(found, "rigid, no damping", runs[0], ("elastic_blocks", "damping"))
-    found.note("rigid, no damping, half the step", runs[1])
-    two_sums(found, "rigid, no damping", runs, EXPECTED)
-    return found
+    identity(findings, "rigid, no damping", runs[0], ("elastic_blocks", "damping"))
+    findings.note("rigid, no damping, half the step", runs[1])
+    two_sums(findings, "rigid, no damping", runs, EXPECTED)
+    return findings
 
 
 CASE = Case(

@@ -99,7 +99,7 @@ def error(cells: int, degree: int) -> Error:
 
 def run() -> Findings:
     """Orders between the two finest meshes, and the errors there."""
-    found, lines = Findings(), []
+    findings, lines = Findings(), []
     h = np.array([2 * HALF_WIDTH / n for n in CELLS]) * 1e3
     measured = (
         (1, "displacement", 2.0, "linear tets, vertices: displacement"),
@@ -109,12 +109,12 @@ def run() -> Findings:
     errors = {degree: [error(n, degree) for n in CELLS] for degree in (1, 2)}
     for degree, what, order, name in measured:
         values = np.array([getattr(e, what) for e in errors[degree]])
-        found.check(f"{name}: order of the error", "1", float(np.log2(values[-2] / values[-1])), order,
+        findings.check(f"{name}: order of the error", "1", float(np.log2(values[-2] / values[-1])), order,
                     "closed form", 0.1, 0.03,
                     "the order of the elements, with what the next power of h still adds on these meshes")  # fmt: skip
         lines.append(Line(name, h, values))
-    found.plot("Error against the size of elements", "h (mm)", "relative error", *lines, log=True)
-    return found
+    findings.plot("Error against the size of elements", "h (mm)", "relative error", *lines, log=True)
+    return findings
 
 
 CASE = Case(

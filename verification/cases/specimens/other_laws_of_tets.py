@@ -28,14 +28,14 @@ VARIANTS: dict[str, dict[str, object]] = {
 
 def run() -> Findings:
     """Curves and nodes by each variant."""
-    found = Findings()
+    findings = Findings()
     smooth = Allowed(elastic=(1e-9, 1e-8), softening=(1e-5, 5e-5), nodes=(1e-7, 1e-6))
     kinked = Allowed(elastic=(1e-9, 1e-8), softening=(3e-5, 1e-4), nodes=(1e-6, 1e-5))
     for name, keys in VARIANTS.items():
         allowed, parts = {"linear": (kinked, 8), "polynomial": (kinked, 16)}.get(name, (smooth, 1))
         make = partial(assembled, SCENE, keys)
-        compare(found, f"two courses, {name}", make, conditions, PLACES, allowed, 3000, 1000, parts)
-    return found
+        compare(findings, f"two courses, {name}", make, conditions, PLACES, allowed, 3000, 1000, parts)
+    return findings
 
 
 CASE = Case(
