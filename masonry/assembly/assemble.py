@@ -21,7 +21,7 @@ from masonry.assembly.loose_parts import require_held
 from masonry.assembly.scatter import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of
 from masonry.assembly.size_limits import require_sane_size
-from masonry.assembly.specimens import as_turned, blocks_from, is_outside, specimen_of
+from masonry.assembly.specimens import as_turned, blocks_from, specimen_of
 from masonry.errors import SceneError, nearest
 from masonry.laws import factory
 from masonry.loading.drive.predictor import LITTLE
@@ -115,7 +115,7 @@ def joined(scene: Scene) -> tuple[Specimen, Joints]:
     points = scene.contact_points, scene.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
     if specimen.joints is not None:  # overlaps were looked at as these were laid
         return specimen, stated_joints(specimen.joints, Density(*points))
-    if spec.kind == "file" or is_outside(spec.kind):  # the others were looked at as they were built
+    if spec.kind == "file":  # the others were looked at as they were built
         overlaps.check_overlaps(specimen.blocks, allowed=specimen.overlap)
     return specimen, find_joints(specimen.blocks, *points)
 

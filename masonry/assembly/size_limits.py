@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from geometry.polyhedra.measures import volumes
-from masonry.assembly.specimens import blocks_from, is_outside, outside_specimen
+from masonry.assembly.specimens import blocks_from
 from masonry.errors import SceneError
 from masonry.scene import Scene
 from masonry.scene.tables.points import DENSITIES
@@ -36,10 +36,10 @@ def require_sane_size(scene: Scene) -> None:
 
 def blocks_and_volume(spec: Any) -> tuple[float, float]:
     """About how many blocks a specimen has, and the volume (m3) of its units."""
-    if spec.kind == "file" or is_outside(spec.kind):
-        blocks = (blocks_from(spec.path)[0] if spec.kind == "file" else outside_specimen(spec)).blocks
+    if spec.kind == "file":
+        blocks = blocks_from(spec.path)[0].blocks
         volume = float(volumes(blocks).sum())
-        if spec.kind == "file" and spec.is_divided:
+        if spec.is_divided:
             depth = float(np.ptp(blocks.points[:, 1])) if blocks.count else 0.0
             return blocks.count + _blocks(spec, blocks.count, volume, depth), volume
         return blocks.count, volume

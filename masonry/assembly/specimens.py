@@ -29,8 +29,6 @@ from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
 from masonry.scene import Scene
 from masonry.scene.tables.cells import Cells
-from masonry.scene.tables.specimen import kinds
-from masonry.scene.tables.specimen_plugins import built, parameters_of
 from masonry.scene.tables.specimens.structures import OpeningTable
 
 STRUCTURES: dict[str, Callable[..., Specimen]] = {
@@ -85,20 +83,7 @@ def _specimen_of(scene: Scene) -> Specimen:
         return _built(spec)
 
 
-def is_outside(kind: str) -> bool:
-    """Whether another package brings this kind of specimen."""
-    return kind not in kinds()
-
-
-@lru_cache(maxsize=2)
-def outside_specimen(spec: Any) -> Specimen:
-    """The specimen of another package; raises GeometryError for what it cannot build, or does not build soundly."""
-    return built(spec.kind, parameters_of(spec))
-
-
 def _built(spec: Any) -> Specimen:
-    if is_outside(spec.kind):
-        return outside_specimen(spec)
     if spec.kind == "couplet" or spec.kind == "prism":
         mortar = (spec.mortar.thickness, _filling(spec.mortar)) if spec.mortar else None
         size = (spec.length, spec.width, spec.height)

@@ -16,8 +16,6 @@ from masonry.jit.sources import ALL, package_hash, source_hash
 from masonry.laws import law_names
 from masonry.laws.plugins import plugin_law
 from masonry.runtime.processors import compiled_for
-from masonry.scene.tables.specimen import kinds
-from masonry.scene.tables.specimen_plugins import plugin_specimen
 
 SHOWING = (
     *("masonry/__main__.py", "masonry/cli/*", "masonry/sweep/*", "masonry/comparison/*", "masonry/importing/*"),
@@ -47,7 +45,7 @@ def other_sources(toml: str) -> str:
     """Hash of the packages that a scene has laws or its specimen from; nothing where all are ours."""
     scene = tomllib.loads(toml)
     laws = scene.get("law"), *(contact.get("law") for contact in scene["contact"].values())
-    return own_sources(laws, scene["specimen"]["kind"])
+    return own_sources(laws)
 
 
 def provenance_of(toml: str) -> dict[str, str]:
@@ -92,10 +90,8 @@ def _version(package: str) -> str:
         return "none"
 
 
-def own_sources(laws: Iterable[str | None], kind: str) -> str:
-    """Hash (hex) of the packages that bring some laws (None is none) and a kind of specimen; "" where all are ours."""
+def own_sources(laws: Iterable[str | None]) -> str:
+    """Hash (hex) of the packages that bring some laws (None is none); "" where all are ours."""
     found = [plugin_law(law) for law in sorted({law for law in laws if law is not None and law not in law_names()})]
     hashes = [package_hash(law.parameters_class) for law in found if law is not None]
-    if kind not in kinds() and (specimen := plugin_specimen(kind)) is not None:
-        hashes.append(package_hash(specimen.function))
     return hashlib.sha256(" ".join(hashes).encode()).hexdigest()[:16] if hashes else ""

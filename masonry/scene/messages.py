@@ -13,11 +13,11 @@ from masonry.scene.schema import SceneData
 from masonry.scene.source import Source
 from masonry.scene.tables.law_keys import contact_class
 from masonry.scene.tables.specimen import kinds
-from masonry.scene.tables.specimen_plugins import plugin_specimen_names, specimen_class
 from masonry.scene.tables.types import Given, KeyedError
 from masonry.scene.variant import Keys
 
 MOST = 5
+OWN_BLOCKS = "blocks of another shape: kind = 'file', which masonry.write_blocks writes"
 HIDDEN = {"exponent_shear_table"}
 UNKNOWN = ("extra_forbidden", "unexpected_keyword_argument")
 MISSING = ("missing", "missing_argument")
@@ -109,9 +109,9 @@ def _text(found: ErrorDetails, loc: Keys, name: str, raw: Any) -> str:
     if kind in MISSING:
         return f"missing{_hint(loc, name, raw)}"
     if kind == "union_tag_not_found":
-        return f"missing; allowed: {', '.join((*kinds(), *plugin_specimen_names()))}"
+        return f"missing; allowed: {', '.join(kinds())}"
     if kind == "union_tag_invalid":
-        return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], [*kinds(), *plugin_specimen_names()])}"
+        return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], kinds())}; {OWN_BLOCKS}"
     if kind == "literal_error":
         return f"{shown} is not allowed; {_choice(shown, re.findall(QUOTED, ctx['expected']))}"
     return PLAIN[kind].format(shown=shown, name=name, **ctx) if kind in PLAIN else found["msg"][:200]
@@ -167,12 +167,9 @@ def _fields(loc: Keys, raw: Any) -> dict[str, Any]:
 
 
 def _outside(model: Any, path: Keys, raw: Any) -> Any:
-    """The table of a law or a specimen of another package, where the scene names one there."""
+    """The table of a law of another package, where the scene names one there."""
     if len(path) == 2 and path[0] == "contact" and isinstance(table := raw["contact"].get(path[1]), dict):
         return contact_class(table.get("law", raw.get("law")), ())
-    if path == ("specimen",) and isinstance(table := raw.get("specimen"), dict):
-        kind = table.get("kind")
-        return specimen_class(kind) or model if isinstance(kind, str) and kind not in kinds() else model
     return model
 
 

@@ -16,7 +16,7 @@ from masonry.scene.tables.loading import Drive, Fill, Settle, Solver, Support, T
 from masonry.scene.tables.motion import Floor, Gravity, InitialMotion
 from masonry.scene.tables.points import DENSITIES, PerAxis
 from masonry.scene.tables.scatter import Scatter, require_contacts
-from masonry.scene.tables.specimen_plugins import AnySpecimen
+from masonry.scene.tables.specimen import Specimen
 from masonry.scene.tables.types import KeyedError, Law, Motion, ReadOnly, Strength, Table
 
 INVENTED = "a placeholder that the import made up: put in your own"
@@ -39,7 +39,7 @@ class SceneData(Table):
         default="rigid"
     )
     confinement: Strength | None = None
-    specimen: AnySpecimen
+    specimen: Specimen
     material: Annotated[dict[str, Material], Field(min_length=1), AfterValidator(ReadOnly)]
     contact: Annotated[dict[str, AnyContact], Field(min_length=1), AfterValidator(ReadOnly)]
     scatter: Scatter | None = None

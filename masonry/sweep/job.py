@@ -41,7 +41,7 @@ class Job:
 
     def key(self) -> str:
         """Hash (hex) of the resolved scene, of a file that its blocks come from and of the sources that compute,
-        those of laws and specimens of other packages too: the same key means the same result. Raises SceneError.
+        those of laws of other packages too: the same key means the same result. Raises SceneError.
         """
         return self._key
 

@@ -1,4 +1,4 @@
-"""The package of docs/own-laws.md, as a reader makes it: the page is the single source of law, tunnel and scenes."""
+"""The package of docs/own-laws.md, as a reader makes it: the page is the single source of law and scenes."""
 
 import re
 import sys
@@ -10,14 +10,11 @@ from pathlib import Path
 
 from masonry import plugins
 from masonry.laws import plugins as outside
-from masonry.scene.tables import law_keys, specimen_plugins
+from masonry.scene.tables import law_keys
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "own-laws.md"
 BLOCK = re.compile(r"^```\{code-block\} \w+\n:caption: ([\w.]+)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-CACHES = (
-    *(plugins.plugins, outside.plugin_law, specimen_plugins.plugin_specimen),
-    *(law_keys.keys_of, law_keys._with_keys, specimen_plugins.specimen_class),
-)
+CACHES = (plugins.plugins, outside.plugin_law, law_keys.keys_of, law_keys._with_keys)
 
 
 def files_of_page() -> dict[str, str]:

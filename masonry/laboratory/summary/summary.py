@@ -169,7 +169,7 @@ def add_tilt(assembly: Assembly, outcome: Outcome) -> None:
 
 def _sources(scene: Scene) -> str:
     """Hash of our sources; behind a plus that of other packages, where the scene has a law or a specimen of them."""
-    own = own_sources((contact.law for contact in scene.contact.values()), scene.specimen.kind)
+    own = own_sources(contact.law for contact in scene.contact.values())
     return f"{source_hash()}+{own}" if own else source_hash()
 
 
