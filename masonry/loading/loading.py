@@ -8,7 +8,7 @@ import numpy as np
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
 from masonry.monitors.events import Event
-from masonry.runtime.state import State
+from masonry.runtime.state import Remembering
 
 Arrays = dict[str, np.ndarray]
 Rows = dict[str, np.ndarray]
@@ -40,8 +40,11 @@ class LoadingOutcome:
         return {}
 
 
-class Loading(ABC):
-    """How the load of a run advances: the time loop takes one chunk after the other until there is none."""
+class Loading(Remembering, ABC):
+    """How the load of a run advances: the time loop takes one chunk after the other until there is none.
+
+    REMEMBERED, parts  all that the next chunk depends on, but for the model (runtime/state.py): a checkpoint keeps it
+    """
 
     @abstractmethod
     def next(self) -> Chunk | None:
@@ -54,14 +57,6 @@ class Loading(ABC):
     @abstractmethod
     def progress(self) -> tuple[int, int]:
         """How much is done, and of how much."""
-
-    @abstractmethod
-    def state(self) -> State:
-        """All that the next chunk depends on, but for the model."""
-
-    @abstractmethod
-    def restore(self, state: State) -> None:
-        """Go on from there."""
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:
         """Look at the specimen after each chunk; `before`: velocities one step before this one."""

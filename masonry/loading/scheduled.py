@@ -15,7 +15,6 @@ from masonry.model.model import Model
 from masonry.monitors.events import Event
 from masonry.monitors.unrest import left_of_motion
 from masonry.rows.rest_criterion import LONE
-from masonry.runtime.state import State, attributes, load_attributes
 
 LONGEST_CHUNK = 100
 """Steps between two looks at the motion: an instability cannot grow into infinities unseen, nor a sudden crack far."""
@@ -98,6 +97,8 @@ class Program:
 class ScheduledLoading(Loading):
     """The chunks of a program, with a row every so many steps, and after each step that the program marks."""
 
+    REMEMBERED = ("done", "speed", "last", "still", "most")
+
     def __init__(self, model: Model, program: Program, rows: int, cracks: CrackWatch | None = None) -> None:
         """Cracks  has the drive wait where one is sudden"""
         self.model, self.program, self.cracks = model, program, cracks
@@ -174,13 +175,6 @@ class ScheduledLoading(Loading):
         """The sudden cracks so far."""
         return [] if self.cracks is None else self.cracks.events.found
 
-    def state(self) -> State:
-        """How far it is."""
-        own = attributes(self, ("done", "speed", "last", "still", "most"))
-        return {**own, "cracks": None if self.cracks is None else self.cracks.state()}
-
-    def restore(self, state: State) -> None:
-        """Go on from there."""
-        load_attributes(self, ("done", "speed", "last", "still", "most"), state)
-        if self.cracks is not None:
-            self.cracks.restore(state["cracks"])
+    def parts(self) -> dict[str, CrackWatch]:
+        """What waits for sudden cracks, where anything does."""
+        return {} if self.cracks is None else {"cracks": self.cracks}

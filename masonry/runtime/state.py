@@ -4,9 +4,9 @@ The file is an .npz without pickles, with a checksum of all."""
 
 import hashlib
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -23,6 +23,34 @@ def load_attributes(thing: object, names: Iterable[str], state: State) -> None:
     """Make them what they were."""
     for name in names:
         setattr(thing, name, state[name])
+
+
+class Remembers(Protocol):
+    """What remembers something from one chunk of steps to the next: a snapshot of it, and back."""
+
+    def state(self) -> State: ...
+
+    def restore(self, state: State) -> None: ...
+
+
+class Remembering:
+    """Remembers attributes by name (REMEMBERED), and parts that remember something themselves."""
+
+    REMEMBERED: tuple[str, ...] = ()
+
+    def parts(self) -> Mapping[str, Remembers]:
+        """By the name under which a snapshot keeps them."""
+        return {}
+
+    def state(self) -> State:
+        """All that it remembers."""
+        return {**attributes(self, self.REMEMBERED), **{name: part.state() for name, part in self.parts().items()}}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        load_attributes(self, self.REMEMBERED, state)
+        for name, part in self.parts().items():
+            part.restore(state[name])
 
 
 FORMAT = "masonry state 1"

@@ -3,24 +3,15 @@
 import math
 import time
 from collections.abc import Callable
-from typing import Protocol
 
 from masonry.configuration import model_state
 from masonry.errors import SceneError
 from masonry.model.model import Model
-from masonry.runtime.state import State
+from masonry.runtime.state import Remembers, State
 from masonry.timeloop.checkpoint import Checkpoints
 
 FIRST = 60.0
 """Seconds of stepping after which the first checkpoint is due at the latest."""
-
-
-class Remembers(Protocol):
-    """What remembers something from one chunk of steps to the next: a snapshot of it, and back."""
-
-    def state(self) -> State: ...
-
-    def restore(self, state: State) -> None: ...
 
 
 class Checkpointer:

@@ -12,6 +12,7 @@ from masonry.kinematics.motion import Guided, resist
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import accuracy_text
 from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
+from masonry.loading.drive.increments import DriveRow
 from masonry.loading.drive.settings import SETTINGS
 from masonry.loading.schedule import rise
 from masonry.scene import load
@@ -178,8 +179,9 @@ def test_the_lag_is_the_force_over_the_way_that_a_spring_follows_late():
     """A mass m on a spring k, driven at v, follows by v / w late: the force k u does k u v / w of work too early."""
     mass, spring, v, u = 3.0, 700.0, 0.02, 0.4
     pace = AdaptiveLoading(assemble(load("wallette-mode-1")).model, Controlled(rise(10, 10), 1.0, 0.01), 100)
-    pace.guide.kinetic, pace.made, pace.most_force, pace.most_stored = 0.5 * mass * v**2, 1e-3, spring * u, 56.0
-    pace.work = 0.5 * spring * u**2
-    pace.through_damage(pace.work, 0.0, spring * u, spring * u, dict.fromkeys(TERMS, 0.0))
+    last, work = pace.increments, 0.5 * spring * u**2
+    last.made, last.most_force, last.most_stored, last.work = 1e-3, spring * u, 56.0, work
+    row = DriveRow(spring * u, spring * u, None, work, 0.0, 0.0, 0.0)
+    pace.bounds.factor(row, last, 0.5 * mass * v**2, 0.0, takes_few_steps=False)
     late = v / np.sqrt(spring / mass)
-    assert pace.looks[-1][0] == pytest.approx(spring * u * late / pace.work, rel=1e-12)
+    assert pace.bounds.looks[-1].lag == pytest.approx(spring * u * late / work, rel=1e-12)

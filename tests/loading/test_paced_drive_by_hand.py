@@ -7,26 +7,28 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
+from masonry.loading.drive.increments import DriveRow
 from masonry.loading.schedule import rise
 from masonry.monitors.events import Event, Events, table
 from masonry.rows.cycles import bounds
 from masonry.rows.peak import at_peak, peak_row
 from masonry.scene import load
 
-TERMS = ("elastic_blocks", "elastic_contacts", "fracture_mode_1", "fracture_mode_2", "damping", "kinetic")
 STORED, FORCE, MADE = 50.0, 2000.0, 1e-3
 
 
 def paced(accuracy: float = 0.01) -> AdaptiveLoading:
     """A drive behind an increment of 1 mm, at 2 kN; 50 J are stored, and so much work was done."""
     pace = AdaptiveLoading(assemble(load("couplet")).model, Controlled(rise(10, 10), 1.0, accuracy), 100)
-    pace.stored = pace.most_stored = pace.work = STORED
-    pace.most_force, pace.made, pace.guide.kinetic = FORCE, MADE, 0.0
+    last = pace.increments
+    last.stored = last.most_stored = last.work = STORED
+    last.most_force, last.made = FORCE, MADE
     return pace
 
 
-def factor(pace, stored=STORED, broken=0.0, support=FORCE, **terms: float) -> float:
-    return pace.through_damage(stored, broken, FORCE, support, dict.fromkeys(TERMS, 0.0) | terms)
+def factor(pace, stored=STORED, broken=0.0, support=FORCE, expected=0.0, kinetic=0.0, damped=0.0) -> float:
+    row = DriveRow(FORCE, support, None, stored, broken, kinetic, damped)
+    return pace.bounds.factor(row, pace.increments, expected, damped, takes_few_steps=False)
 
 
 BOUNDS = {
@@ -34,7 +36,7 @@ BOUNDS = {
     "energy of fracture, 5 accuracies, by its root": {"broken": STORED * 4.0 * 0.05},
     "root of kinetic over stored energy, 7 accuracies": {"kinetic": STORED * (2.0 * 0.07) ** 2},
     "difference of the ends, 0.4 accuracies": {"support": FORCE * (1.0 - 2.0 * 0.004)},
-    "what damping took of the increment, half an accuracy": {"damping": 2.0 * 0.005 * FORCE * MADE},
+    "what damping took of the increment, half an accuracy": {"damped": 2.0 * 0.005 * FORCE * MADE},
 }
 
 
@@ -45,9 +47,7 @@ def test_what_is_twice_its_bound_halves_the_speed(bound):
 
 def test_what_runs_ahead_by_twice_the_accuracy_halves_the_speed():
     """2 root(K W) over the work: K = (0.01)^2 W."""
-    pace = paced()
-    pace.guide.kinetic = 1e-4 * STORED
-    assert factor(pace) == pytest.approx(0.5)
+    assert factor(paced(), expected=1e-4 * STORED) == pytest.approx(0.5)
 
 
 def test_the_speed_changes_by_no_more_than_it_may():
@@ -58,31 +58,36 @@ def test_the_speed_changes_by_no_more_than_it_may():
 def test_a_sudden_crack_is_no_drag_and_drag_at_the_peak_is_that_of_the_force_that_is_highest():
     """Of 6 J that damping took 4 J had been stored, and none of them broke anything."""
     pace = paced()
-    factor(pace, stored=STORED - 4.0, damping=6.0)
-    assert pace.looks[-1] == (pytest.approx(0.0), MADE, pytest.approx(2.0 / (FORCE * MADE)), FORCE)
-    pace.looks = [(0.01, 1.0, 0.5, 10.0), (0.03, 3.0, 0.02, 30.0), (0.0, 4.0, 0.03, 40.0), (0.02, 2.0, 0.9, 20.0)]
+    factor(pace, stored=STORED - 4.0, damped=6.0)
+    assert pace.bounds.looks[-1] == (pytest.approx(0.0), MADE, pytest.approx(2.0 / (FORCE * MADE)), FORCE)
+    pace.bounds.looks = [
+        (0.01, 1.0, 0.5, 10.0),
+        (0.03, 3.0, 0.02, 30.0),
+        (0.0, 4.0, 0.03, 40.0),
+        (0.02, 2.0, 0.9, 20.0),
+    ]
     outcome = pace.outcome()
     assert outcome.mean_lag == pytest.approx((0.01 + 0.09 + 0.04) / 10.0)
     assert outcome.largest_lag == 0.03 and outcome.drag_at_peak == 0.03
-    pace.settled_force = 40.0
+    pace.increments.settled_force = 40.0
     assert pace.outcome().drag_at_peak == 0.0, "the force was as high before the drive"
 
 
 def test_an_increment_makes_four_tenths_of_the_way_that_is_left_to_the_first_damage():
     """Used by 0.5, after 0.3 before this millimetre: 2.5 mm are left; at the present speed an increment is 1 mm."""
     pace = paced()
-    pace.used, pace.increments = 0.3, 9
-    pace.target = MADE / (pace.steps * pace.dt)
-    assert pace.towards_damage(0.5) == pytest.approx(0.4 * 2.5) and pace.used == 0.5
+    pace.approach.used, pace.increments.count = 0.3, 9
+    pace.speed.target = MADE / pace.speed.duration
+    assert pace.towards_damage(0.5) == pytest.approx(0.4 * 2.5) and pace.approach.used == 0.5
     assert pace.towards_damage(0.501) == 2.0, "no more than twice as fast"
     assert pace.towards_damage(0.999) == pytest.approx(0.1), "no less than a tenth"
 
 
 def test_a_looser_accuracy_is_aimed_at_less_than_in_proportion_and_deforming_units_at_half():
-    assert paced(0.01).unit == pytest.approx(0.01) and paced(0.001).unit == pytest.approx(0.001)
-    assert paced(0.05).unit == pytest.approx(0.01 * 5.0**0.4)
+    assert paced(0.01).bounds.unit == pytest.approx(0.01) and paced(0.001).bounds.unit == pytest.approx(0.001)
+    assert paced(0.05).bounds.unit == pytest.approx(0.01 * 5.0**0.4)
     built = assemble(load("couplet", {"kinematics": "affine"}))
-    assert AdaptiveLoading(built.model, Controlled(rise(10, 10), 1.0, 0.01), 100).unit == pytest.approx(0.005)
+    assert AdaptiveLoading(built.model, Controlled(rise(10, 10), 1.0, 0.01), 100).bounds.unit == pytest.approx(0.005)
 
 
 def test_a_sudden_crack_is_what_damping_took_since_all_was_calm_and_the_contact_that_broke_most():
@@ -116,7 +121,9 @@ def test_readings_at_the_peak_lie_between_its_rows_and_on_a_plateau_the_first_ro
 
 def test_rows_of_the_settling_are_fewer_and_a_paced_drive_takes_each_increment_as_a_row():
     pace = paced()
-    chunk = replace(pace.made_of(np.linspace(0.0, 1.0, 81)), row=True)
+    chunk = replace(pace.increment(np.linspace(0.0, 1.0, 81)), row=True)
     assert chunk.steps == 80 and chunk.row
-    assert pace.made == pytest.approx(np.linspace(0.0, 1.0, 81)[:-1].sum() * pace.dt)
-    assert (pace.speed, pace.increments) == (1.0, 1) and pace.path.moved == pytest.approx(pace.made)
+    assert pace.increments.made == pytest.approx(np.linspace(0.0, 1.0, 81)[:-1].sum() * pace.model.dt)
+    assert (pace.speed.now, pace.increments.count) == (1.0, 1) and pace.path.moved == pytest.approx(
+        pace.increments.made
+    )

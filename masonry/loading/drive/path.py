@@ -2,8 +2,10 @@
 
 import numpy as np
 
+from masonry.runtime.state import Remembering
 
-class DrivePath:
+
+class DrivePath(Remembering):
     """Where the drive goes: to its displacement, or from turn to turn (m, signed).
 
     begin, end, sign  of the leg that the drive is on; goal: its length, and `moved`, how much of it is made (m)

@@ -7,6 +7,7 @@ from masonry.loading.drive.predictor import Predictor
 from masonry.loading.drive.settings import AdaptiveSettings
 from masonry.model.model import Model
 from masonry.patches.press import deepest
+from masonry.runtime.state import Remembering
 
 
 def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
@@ -30,7 +31,7 @@ def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
     return min(most, 1.0)
 
 
-class Dry:
+class Dry(Remembering):
     """What a drive goes by where contacts are patches (Model.dry): these do not tell how near they are to part or to
     slide, so nothing counts as elastic; and what rocks on them stores next to nothing.
 
@@ -52,7 +53,7 @@ class Dry:
             self.parting = self.settings.parting * pressed
 
     def shortest(self, moved: float) -> float:
-        """The least increment (m) after a way (m)."""
+        """The least increment (m) after a path (m)."""
         return max(self.parting, self.settings.shortest * moved)
 
     def factor(self, rise: float, unit: float) -> float:
@@ -60,12 +61,13 @@ class Dry:
         such a speed hardly overshoots."""
         return float(np.clip(self.settings.rises * unit / max(rise, 1e-12), self.settings.slower, self.settings.faster))
 
-    def stiffness(self, way: float, force: float) -> float | None:
-        """N/m, after the drive's force (N) at the end of its longest way (m) so far; None where nothing has parted."""
-        if way > self.parting:
-            self.stiffest = max(self.stiffest, force / way)
+    def stiffness(self, reach: float, force: float) -> float | None:
+        """N/m, after the drive's force (N) at the farthest place (m) so far; None where nothing has parted."""
+        if reach > self.parting:
+            self.stiffest = max(self.stiffest, force / reach)
         return self.stiffest or None
 
-    def damping(self, terms: dict[str, float], guide: Predictor) -> float:
-        """J that damping took so far; of dry contacts less what it lent to the expected motion, which it gets back."""
-        return terms["damping"] + (guide.kinetic if self.model.dry else 0.0)
+    def damping(self, damped: float, guide: Predictor) -> float:
+        """J that damping took so far, of J in the ledger; of dry contacts less what it lent to the expected motion,
+        which it gets back."""
+        return damped + (guide.kinetic if self.model.dry else 0.0)

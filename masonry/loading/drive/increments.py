@@ -1,0 +1,69 @@
+"""What the increments of a drive have brought so far."""
+
+from typing import NamedTuple
+
+from masonry.configuration.energy import Seen
+from masonry.runtime.state import Remembering
+
+
+class DriveRow(NamedTuple):
+    """What a row shows to a drive: forces of drive and support (N), what contacts show, and energies (J): stored,
+    dissipated by fracture, of motion, and what damping took."""
+
+    force: float
+    support: float
+    seen: Seen
+    stored: float
+    broken: float
+    kinetic: float
+    damped: float
+
+    @classmethod
+    def of(cls, force: float, support: float, seen: Seen, terms: dict[str, float]) -> "DriveRow":
+        """From the ledger (J)."""
+        stored = terms["elastic_blocks"] + terms["elastic_contacts"]
+        broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
+        return cls(force, support, seen, stored, broken, terms["kinetic"], terms["damping"])
+
+
+class Increments(Remembering):
+    """The last increment, and the most that all of them brought.
+
+    count                        how many there were
+    made                         m, by the last one
+    stored, broken, damped       J at its end, see DriveRow
+    place, force                 m, signed, and N: of the drive, when it was seen last
+    most_stored, most_force      the most so far (J, N); farthest: of the places (m)
+    work                         J, of the drive; on the way back it counts as well
+    settled_force                N, before the drive moved
+    """
+
+    REMEMBERED = (
+        *("count", "made", "stored", "broken", "damped", "place", "force"),
+        *("most_stored", "most_force", "farthest", "work", "settled_force"),
+    )
+
+    def __init__(self) -> None:
+        self.count = 0
+        self.made = self.stored = self.broken = self.damped = self.place = self.force = 0.0
+        self.most_stored = self.most_force = self.farthest = self.work = self.settled_force = 0.0
+
+    def begin(self, row: DriveRow) -> None:
+        """The dead loads have settled."""
+        self.stored = self.most_stored = row.stored
+        self.force, self.settled_force = row.force, abs(row.force)
+
+    def book(self, made: float) -> None:
+        """Another one sets out, of so much (m)."""
+        self.made = made
+        self.count += 1
+
+    def see(self, row: DriveRow) -> None:
+        """What it brought, in the extremes."""
+        self.most_stored = max(self.most_stored, row.stored, 1e-300)
+        self.most_force = max(self.most_force, abs(row.force), 1e-300)
+        self.work += abs(row.force) * self.made
+
+    def close(self, row: DriveRow, damped: float) -> None:
+        """The next one is measured from here."""
+        self.stored, self.broken, self.damped = row.stored, row.broken, damped
