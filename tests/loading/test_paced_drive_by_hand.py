@@ -124,6 +124,5 @@ def test_rows_of_the_settling_are_fewer_and_a_paced_drive_takes_each_increment_a
     chunk = replace(pace.increment(np.linspace(0.0, 1.0, 81)), row=True)
     assert chunk.steps == 80 and chunk.row
     assert pace.increments.made == pytest.approx(np.linspace(0.0, 1.0, 81)[:-1].sum() * pace.model.dt)
-    assert (pace.speed.now, pace.increments.count) == (1.0, 1) and pace.path.moved == pytest.approx(
-        pace.increments.made
-    )
+    assert (pace.speed.now, pace.increments.count) == (1.0, 1)
+    assert pace.path.moved == pytest.approx(pace.increments.made)
