@@ -39,7 +39,7 @@ class Doubt(NamedTuple):
     @property
     def line(self) -> str:
         """The sentence and the advice."""
-        return f"{self.sentence}: {self.advice}" if self.advice else self.sentence
+        return f"{self.sentence}; {self.advice}" if self.advice else self.sentence
 
 
 class Criterion(NamedTuple):

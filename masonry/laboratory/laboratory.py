@@ -7,32 +7,20 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
-from masonry.judgement.doubt import Doubt
 from masonry.judgement.judgement import judge
 from masonry.kinematics.motion import Guided
 from masonry.laboratory.cost import candidates, expected, expected_seconds
 from masonry.laboratory.quality import quality_lines
-from masonry.laboratory.remarks.bending_remarks import bent_remarks
-from masonry.laboratory.remarks.contact_remarks import (
-    closed_remarks,
-    contact_remarks,
-    rocked_remarks,
-    rocking_remarks,
-)
-from masonry.laboratory.remarks.hinge_remarks import hinge_remarks, hinged_remarks
-from masonry.laboratory.remarks.mesh_remarks import mesh_remarks
-from masonry.laboratory.remarks.scene_remarks import scene_remarks, size_remarks, unit_weights
-from masonry.laboratory.remarks.twist_remarks import twist_remarks
+from masonry.laboratory.remarks.catalogue import doubts_of_run, remarks_of_check
+from masonry.laboratory.remarks.checks.unit_weights import unit_weights
+from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
-from masonry.laboratory.summary.collapse import standing_rows
 from masonry.laboratory.summary.summary import add_tilt, cells_text, summarise
-from masonry.laboratory.unrest import unrest
 from masonry.laws.dispatch import word_of
 from masonry.results.joint_resultants import resultants
 from masonry.results.provenance import provenance_of
 from masonry.scene import Scene, to_toml
-from masonry.scene.schema import INVENTED
 from masonry.timeloop import timeloop
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.recording import Outcome
@@ -41,9 +29,6 @@ if TYPE_CHECKING:
     from masonry.laboratory.text import Report
 
 Progress = Callable[[int, int, str], None]
-
-BLOW = 1.2
-"""Peak over the highest row from which on it is a blow: rows of a slow test lie much closer."""
 
 
 def run(
@@ -84,15 +69,10 @@ def run(
 def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     """What is kept of a run."""
     add_tilt(assembly, outcome)
-    frames = outcome.history.frames
-    remarks = [*warnings(assembly), *rocked_remarks(assembly, frames), *bent_remarks(assembly, outcome)]
-    remarks += [*hinged_remarks(assembly, outcome), *closed_remarks(assembly, frames)]
-    remarks += twist_remarks(assembly, outcome)
-    remarks += [*outcome.found.get("deformation", []), *outcome.found.get("left_floor", []), *_blow(assembly, outcome)]
-    remarks += unrest(assembly, outcome)
-    summary = {**summarise(assembly, outcome), "warnings": remarks}
+    doubts = doubts_of_run(Inspection(assembly, outcome))
+    summary = {**summarise(assembly, outcome), "warnings": [doubt.line for doubt in doubts]}
     return Result(
-        summary=summary | judge(summary, [Doubt("warning", None, None, line) for line in remarks]).as_keys(),
+        summary=summary | judge(summary, doubts).as_keys(),
         history=outcome.history,
         specimen=assembly.specimen,
         joints=assembly.joints,
@@ -109,19 +89,6 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
         ],
         resultants=resultants(assembly.specimen.blocks, assembly.joints, outcome.standing),
     )
-
-
-def _blow(assembly: Assembly, outcome: Outcome) -> list[str]:
-    """Where the peak lies far above all rows: it is a blow, and no strength."""
-    rows, section = standing_rows(outcome), assembly.specimen.section
-    after = rows["step"] >= assembly.plan.settle
-    highest = float(rows["stress"][after].max(initial=0.0))
-    if outcome.peak_force <= BLOW * highest * section or not outcome.displacement_at_peak:
-        return []
-    return [
-        f"the peak is a blow between two rows, of which the highest shows {1e-6 * highest:.4g} MPa: how hard things "
-        "strike depends on the stiffness of their contacts"
-    ]
 
 
 def check(scene: Scene) -> "Report":
@@ -146,10 +113,7 @@ def check(scene: Scene) -> "Report":
         "expected_seconds": expected_seconds(assembly),
         "left_out": left_out(assembly),
         "compiled": compiled(assembly),
-        "warnings": [
-            *(*warnings(assembly), *rocking_remarks(assembly), *hinge_remarks(assembly)),
-            *(*size_remarks(assembly), *unit_weights(scene)),
-        ],
+        "warnings": remarks_of_check(assembly),
     }
     from masonry.laboratory.text import Report
 
@@ -240,24 +204,3 @@ def damping_text(damping: float | Guided | None) -> str:
     if isinstance(damping, Guided):
         return f"viscous damping of the unexpected motion, local damping {damping.xi:g}"
     return f"local damping {damping:g}" if damping else "no damping"
-
-
-def warnings(assembly: Assembly) -> list[str]:
-    """What the user should know before running."""
-    found = []
-    m = assembly.model
-    if m.dt > m.bound * (1 + 1e-12):
-        found.append(f"the time step {m.dt:.3g} s is above the proven bound {m.bound:.3g} s: the run may be stopped")
-    remarks = [*mesh_remarks(assembly), *contact_remarks(assembly), *scene_remarks(assembly)]
-    return [*found, *remarks, *_placeholders(assembly.scene)]
-
-
-def _placeholders(scene: Scene) -> list[str]:
-    """What an import made up, and nobody has replaced since."""
-    keys = [key for key, why in scene.assumptions.items() if why == INVENTED]
-    if not keys:
-        return []
-    return [
-        f"placeholders that `masonry import` made up: {', '.join(keys)}; put in your own, and take their lines out of "
-        "[assumptions]"
-    ]

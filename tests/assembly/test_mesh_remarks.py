@@ -5,7 +5,8 @@ import pytest
 
 from geometry.polyhedra.construct import from_faces
 from masonry.assembly.assemble import assemble
-from masonry.laboratory.remarks.mesh_remarks import inertia_excess, mesh_remarks, sharpest_edge
+from masonry.laboratory.remarks.scenes.mesh_inertia import doubts, inertia_excess
+from masonry.laboratory.remarks.scenes.sharp_edges import sharpest_edge
 from masonry.scene import Scene
 from tests.large.made import slab
 from tests.large.test_meshed_blocks import scene
@@ -42,8 +43,8 @@ def test_the_excess_of_inertia_is_that_of_the_masses_at_the_nodes_and_falls_with
 
 @pytest.mark.parametrize(("size", "told"), [("100 mm", True), ("25 mm", False)])
 def test_a_mesh_that_is_too_heavy_to_turn_is_told(size, told):
-    remarks = mesh_remarks(assemble(cube(size)))
-    assert len(remarks) == told and all("too much rotational inertia" in text for text in remarks)
+    raised = doubts(assemble(cube(size)))
+    assert len(raised) == told and all("too much rotational inertia" in doubt.sentence for doubt in raised)
 
 
 @pytest.mark.parametrize("angle", [20.0, 60.0, 100.0])

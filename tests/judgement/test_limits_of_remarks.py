@@ -8,8 +8,11 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
-from masonry.laboratory import laboratory, unrest
-from masonry.laboratory.remarks import contact_remarks, mesh_remarks, twist_remarks
+from masonry.judgement.doubt import Doubt
+from masonry.laboratory.remarks.checks import rocking as may_rock
+from masonry.laboratory.remarks.inspection import Inspection
+from masonry.laboratory.remarks.runs import blow, closed_joints, rocking, turned_beds, unrest
+from masonry.laboratory.remarks.scenes import dilation, locking, mesh_inertia, sharp_edges, tension, time_step
 from masonry.scene import load
 from tests.judgement.frames import HEIGHT, SIDE, frame, moved, on_a_slab
 from tests.large.made import slab
@@ -22,16 +25,22 @@ EITHER_SIDE = [(0.99, False), (1.01, True)]
 """A share of the limit, and whether something is said."""
 
 
-def said(lines: list[str], words: str) -> bool:
-    """Whether exactly one line is said, with these words; nothing else may be."""
-    assert len(lines) <= 1 and all(words in line for line in lines)
-    return bool(lines)
+def said(doubts: list[Doubt], words: str) -> bool:
+    """Whether exactly one doubt is raised, with these words and beyond its limit; nothing else may be."""
+    assert len(doubts) <= 1 and all(words in doubt.sentence and doubt.excess >= 1.0 for doubt in doubts)
+    return bool(doubts)
+
+
+def inspected(assembly, frames: list | None = None, **outcome) -> Inspection:
+    """A run of these frames."""
+    history = outcome.pop("history", SimpleNamespace(frames=frames or []))
+    return Inspection(assembly, SimpleNamespace(history=history, **outcome))
 
 
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
 def test_tets_lock_from_a_poisson_ratio_of_three_tenths_on(share, told):
     scene = load("couplet").with_({"material.units.poisson_ratio": share * 0.3, "kinematics": "tets"})
-    lines = mesh_remarks.mesh_remarks(SimpleNamespace(scene=scene, mesh=None, model=None))
+    lines = locking.doubts(SimpleNamespace(scene=scene))
     assert said(lines, "constant-strain tets lock at a Poisson ratio of 0.3") == told
 
 
@@ -46,7 +55,7 @@ def test_tets_lock_from_a_poisson_ratio_of_three_tenths_on(share, told):
     ],
 )
 def test_locking_is_that_of_the_next_ratio_of_the_table(ratio, words):
-    assert words in mesh_remarks.locking_text(ratio)
+    assert words in locking.locking_text(ratio)
 
 
 @pytest.fixture(scope="module")
@@ -59,15 +68,14 @@ def meshed() -> Assembly:
 
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
 def test_inertia_may_be_a_twentieth_too_large(meshed, share, told, monkeypatch):
-    monkeypatch.setattr(mesh_remarks, "inertia_excess", lambda mesh, centroid: np.array([0.0, share * 0.05, 0.0]))
-    assert said(mesh_remarks.mesh_remarks(meshed), "gives block 1 (meshed) 5 % too much") == told
+    monkeypatch.setattr(mesh_inertia, "inertia_excess", lambda mesh, centroid: np.array([0.0, share * 0.05, 0.0]))
+    assert said(mesh_inertia.doubts(meshed), "gives block 1 (meshed) 5 % too much") == told
 
 
 @pytest.mark.parametrize(("share", "told"), [(1.01, False), (0.99, True)])
 def test_edges_may_be_as_sharp_as_36_deg(meshed, share, told, monkeypatch):
-    monkeypatch.setattr(mesh_remarks, "inertia_excess", lambda mesh, centroid: np.zeros(3))
-    monkeypatch.setattr(mesh_remarks, "sharpest_edge", lambda blocks, which: (1, share * 36.0))
-    assert said(mesh_remarks.mesh_remarks(meshed), "has an edge of 35.6 deg") == told
+    monkeypatch.setattr(sharp_edges, "sharpest_edge", lambda blocks, which: (1, share * 36.0))
+    assert said(sharp_edges.doubts(meshed), "has an edge of 35.6 deg") == told
 
 
 TURNS = [
@@ -86,14 +94,14 @@ TURNS = [
 @pytest.mark.parametrize(("changes", "told"), TURNS)
 def test_turns_on_beds_are_told_where_they_are_large_and_take_much_of_what_friction_takes(changes, told, monkeypatch):
     now = {"turned": 0.5, "slid": 0.5, "most": 0.1, "friction": 5.0, "kinetic": 1.0} | changes
-    monkeypatch.setattr(twist_remarks, "turns_and_slides", lambda *_: tuple(now[k] for k in ("turned", "slid", "most")))
+    monkeypatch.setattr(turned_beds, "turns_and_slides", lambda *_: tuple(now[k] for k in ("turned", "slid", "most")))
     assembly = on_a_slab()
     rows = {"external_work": np.array([0.0, -10.0]), "kinetic": np.array([0.0, now["kinetic"]])}
     rows["friction"] = np.array([0.0, now["friction"]])
     history = SimpleNamespace(frames=[frame(assembly, k) for k in (0, 1)], rows=rows)
-    outcome = SimpleNamespace(history=history, found={"collapse": None})
+    inspection = inspected(assembly, history=history, found={"collapse": None})
     share = 100.0 * now["turned"] / (now["turned"] + now["slid"])
-    assert said(twist_remarks.twist_remarks(assembly, outcome), f"about {share:.0f} % of what slid") == told
+    assert said(turned_beds.doubts(inspection), f"about {share:.0f} % of all sliding") == told
 
 
 @pytest.mark.parametrize(("turn", "slide"), [(0.02, 0.0), (-0.02, 0.0), (0.0, 0.003), (0.02, 0.003)])
@@ -103,19 +111,19 @@ def test_a_turn_and_a_slide_under_a_pressure_have_the_lengths_of_their_ways(turn
     pressed = {"normal_stress": np.full(len(assembly.joints.area), -pressure)}
     ways = [moved(assembly, 1, share * turn, (share * slide, 0.0, 0.0)) for share in (0.0, 0.5, 1.0, 0.0)]
     frames = [frame(assembly, k, corners=corners, **pressed) for k, corners in enumerate(ways)]
-    turned, slid, most = twist_remarks.turns_and_slides(assembly, frames)
+    turned, slid, most = turned_beds.turns_and_slides(assembly, frames)
     force, lever = pressure * SIDE**2, 0.5 * sqrt(2.0) * SIDE
     assert turned == pytest.approx(force * lever * 2.0 * abs(turn), rel=1e-3)
     assert slid == pytest.approx(force * 2.0 * slide, rel=1e-3)
     assert most == pytest.approx(0.0, abs=1e-5), "but for squares of the turn"
-    assert twist_remarks.turns_and_slides(assembly, frames[:3])[2] == pytest.approx(abs(turn), rel=1e-3)
+    assert turned_beds.turns_and_slides(assembly, frames[:3])[2] == pytest.approx(abs(turn), rel=1e-3)
 
 
 def test_what_lifts_while_it_turns_rubs_nothing():
     assembly = on_a_slab()
     pressed = {"normal_stress": np.full(len(assembly.joints.area), -1e4)}
     frames = [frame(assembly, 0, **pressed), frame(assembly, 1, corners=moved(assembly, 1, 0.02, (0.01, 0.0, 0.0)))]
-    assert twist_remarks.turns_and_slides(assembly, frames) == (0.0, 0.0, 0.0)
+    assert turned_beds.turns_and_slides(assembly, frames) == (0.0, 0.0, 0.0)
 
 
 def drawn_in(share: float) -> Assembly:
@@ -130,7 +138,8 @@ def drawn_in(share: float) -> Assembly:
 
 @pytest.mark.parametrize(("share", "told"), [(1.01, False), (0.99, True)])
 def test_points_count_as_at_the_edge_from_nine_tenths_of_the_way_on(share, told):
-    assert said(contact_remarks.rocking_remarks(drawn_in(0.9 * share)), "which reach 0.89 of the way") == told
+    lines = may_rock.remarks(drawn_in(0.9 * share))
+    assert len(lines) == told and all("these reach 0.89 of the way" in line for line in lines)
 
 
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
@@ -142,8 +151,8 @@ def test_a_joint_has_rocked_where_it_opened_by_a_thousandth_of_the_largest_movem
     opening, stress = np.zeros((2, len(assembly.joints.area)))
     opening[second], stress[first[1:]] = farthest, -1e4
     opening[first[0]] = share * 1e-6
-    lines = contact_remarks.rocked_remarks(assembly, [frame(assembly, opening=opening, normal_stress=stress)])
-    assert said(lines, "joints without tension opened on one side") == told
+    doubts = rocking.doubts(inspected(assembly, [frame(assembly, opening=opening, normal_stress=stress)]))
+    assert said(doubts, "joints without tension opened on one side") == told
 
 
 @pytest.mark.parametrize(("share", "told"), [(1.01, False), (0.99, True)])
@@ -151,15 +160,15 @@ def test_dry_joints_decide_where_no_block_has_moved_by_a_thousandth_of_the_small
     assembly = on_a_slab()
     edge = (SIDE**2 * HEIGHT) ** (1.0 / 3.0)
     corners = moved(assembly, 1, 0.0, (0.0, -share * 1e-3 * edge, 0.0))
-    lines = contact_remarks.closed_remarks(assembly, [frame(assembly), frame(assembly, 1, corners=corners)])
-    assert said(lines, "no block moved by more than a thousandth of its size") == told
+    doubts = closed_joints.doubts(inspected(assembly, [frame(assembly), frame(assembly, 1, corners=corners)]))
+    assert said(doubts, "no block moved by more than a thousandth of its size") == told
 
 
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
 def test_a_tension_beyond_the_apex_is_cut_and_told(share, told):
     """1 MPa of cohesion over a tangent of 0.5."""
-    lines = contact_remarks.contact_remarks(assemble(glued(tensile_strength=f"{share * 2.0} MPa")))
-    assert said(lines, "is beyond the apex of the Coulomb line") == told
+    doubts = tension.doubts(assemble(glued(tensile_strength=f"{share * 2.0} MPa")))
+    assert said(doubts, "is beyond the apex of the Coulomb line") == told
 
 
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
@@ -167,19 +176,20 @@ def test_a_fracture_energy_may_hold_a_joint_over_an_opening_of_a_block(share, to
     scene = glued(tensile_strength="0.1 MPa")
     edge = float(np.cbrt(assemble(scene).model.layout.volume.min()))
     scene = glued(tensile_strength="0.1 MPa", fracture_energy_mode_1=f"{share * 1e5 * edge!r} N/m")
-    assert said(contact_remarks.contact_remarks(assemble(scene)), "keeps the joint together over an opening of") == told
+    assert said(tension.doubts(assemble(scene)), "keeps the joint together over an opening of") == told
 
 
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
 def test_a_dilation_that_does_not_end_within_the_travel_of_the_drive_or_the_skin_is_told_in_mm(share, told):
     given, joint = SimpleNamespace(dilation_cutoff=None), SimpleNamespace(dilation_cutoff=share * 2e-3)
-    lines = contact_remarks._of_dilation("bed", given, joint, 2e-3, None)
+    doubts = dilation.of_group("bed", given, joint, 2e-3, None)
     assert (
-        said(lines, "within the drive's 2 mm: by its fracture energy the cohesion is gone at a slip of 2.02 mm") == told
+        said(doubts, "within the drive's 2 mm: by its fracture energy the cohesion is gone at a slip of 2.02 mm")
+        == told
     )
     skin = SimpleNamespace(near=SimpleNamespace(search=SimpleNamespace(skin=np.array([2e-3]))))
-    lines = contact_remarks._of_dilation("bed", given, joint, 1.0, skin)
-    assert said(lines, "faces without strength that have slid 2 mm are found anew") == told
+    doubts = dilation.of_group("bed", given, joint, 1.0, skin)
+    assert said(doubts, "faces without strength that have slid 2 mm are detected anew") == told
 
 
 @pytest.mark.parametrize(
@@ -199,24 +209,24 @@ def test_what_moves_to_the_end_of_a_run_that_was_to_end_at_rest_is_told(of_all, 
     model = SimpleNamespace(layout=SimpleNamespace(centroid=np.array([[0.0, 0.0, 0.0], [0.0, 2.0, 0.0]])))
     assembly = SimpleNamespace(scene=SimpleNamespace(solver=SimpleNamespace(until="rest")), model=model, plan=None)
     rows = {"kinetic": np.array([0.0, 4.0, 4.0 * of_all])}
-    lines = unrest.unrest(assembly, SimpleNamespace(history=SimpleNamespace(rows=rows)))
-    assert said(lines, words) == bool(words)
+    doubts = unrest.doubts(inspected(assembly, history=SimpleNamespace(rows=rows)))
+    assert said(doubts, words) == bool(words)
 
 
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
 def test_a_peak_is_a_blow_where_it_is_a_fifth_above_all_rows(share, told):
     assembly = SimpleNamespace(specimen=SimpleNamespace(section=0.5), plan=SimpleNamespace(settle=10))
     rows = {"step": np.array([5, 10, 20]), "stress": np.array([9e6, 1e6, 2e6])}
-    outcome = SimpleNamespace(history=SimpleNamespace(rows=rows), found={}, displacement_at_peak=1e-3)
-    outcome.peak_force = share * 1.2 * 2e6 * 0.5
-    assert said(laboratory._blow(assembly, outcome), "the peak is a blow between two rows, of which the highe") == told
+    force = share * 1.2 * 2e6 * 0.5
+    run = inspected(assembly, history=SimpleNamespace(rows=rows), found={}, displacement_at_peak=1e-3, peak_force=force)
+    assert said(blow.doubts(run), "the peak is a blow between two rows, and the highest row shows 2 MPa") == told
 
 
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
 def test_a_time_step_above_its_proven_bound_is_told(share, told):
     assembly = assemble(load("couplet"))
     model = replace(assembly.model, dt=share * assembly.model.bound)
-    assert any("above the proven bound" in line for line in laboratory.warnings(replace(assembly, model=model))) == told
+    assert said(time_step.doubts(replace(assembly, model=model)), "above the proven bound") == told
 
 
 def glued(**contact: str):

@@ -7,7 +7,7 @@ import pytest
 
 import masonry
 from masonry.cli.main import main
-from masonry.laboratory.remarks.scene_remarks import accelerations
+from masonry.laboratory.remarks.scenes.shaken_drive import accelerations
 from masonry.scene import load, to_toml
 
 G = 9.80665
@@ -23,7 +23,7 @@ def test_a_unit_weight_is_divided_by_gravity_and_the_scene_says_so(text, tmp_pat
     assert load(tmp_path / "again.toml") == scene
     assert main(["check", "couplet", "--set", f"material.units.density={text}"]) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert f"; {text} is a unit weight: divided by the standard gravity, 9.80665 m/s^2, which is 1835 kg/m3" in said
+    assert f"; {text} is a unit weight: divided by the standard gravity, 9.80665 m/s^2; this is 1835 kg/m3" in said
 
 
 def test_weight_under_gravity_is_that_of_the_unit_weight():

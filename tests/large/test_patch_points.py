@@ -10,7 +10,7 @@ from masonry.laboratory import laboratory
 from tests.large.made import DENSITY, G, dry, leaning, slab
 from tests.scenes import box, load
 
-WORD = "three times as stiff"
+WORD = "three times as stiffly"
 
 
 def leant(points: str, slope: float = 2.0, friction: float = 2.0) -> dict:

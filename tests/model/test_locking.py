@@ -8,7 +8,7 @@ from skfem.models.elasticity import lame_parameters, linear_elasticity
 from masonry.assembly.assemble import assemble
 from masonry.configuration import energy
 from masonry.laboratory import laboratory
-from masonry.laboratory.remarks.mesh_remarks import LOCKED
+from masonry.laboratory.remarks.scenes.locking import LOCKED
 from tests.scenes import ELASTIC, box, listed, load, specimen, tables
 
 YOUNG, SIDE = 5e9, 0.1

@@ -69,6 +69,6 @@ def test_a_joint_that_dilates_beyond_the_skin_is_remarked_in_large_displacement_
     over = {JOINT + "law": "brittle", JOINT + "dilation_angle": "2 deg", JOINT + "dilation_cutoff": "5 mm"}
     assert not laboratory.check(scene.load("couplet", over))["warnings"]
     (found,) = laboratory.check(scene.load("couplet", {**over, "displacements": "large"}))["warnings"]
-    assert "have slid 1.59 mm are found anew where they touch, and dilate no more" in found
+    assert "have slid 1.59 mm are detected anew, and dilate no more" in found
     within = {**over, JOINT + "dilation_cutoff": "1 mm", "displacements": "large"}
     assert not laboratory.check(scene.load("couplet", within))["warnings"]

@@ -3,7 +3,8 @@
 import re
 from typing import Any, NamedTuple
 
-from masonry.judgement.sentence import trust
+from masonry.judgement.doubt import Doubt
+from masonry.judgement.judgement import judgement_of
 from verification.stability.scenes import Knobs, box
 
 WALL, BLOCK = "mortared-wall", "block-bent-at-its-bed"
@@ -70,18 +71,21 @@ def walls() -> dict[str, Wall]:
 
 
 def said(summary: dict[str, Any]) -> float:
-    """The factor by which a strength is off for its contact points, by the sentence of trust; 1 where it is silent."""
-    words = re.search(r"may be about (\S+) (times what|% too high|% too low)", trust(summary))
-    if words is None:
-        return 1.0
-    number = float(words[1])
-    return number if words[2] == "times what" else 1.0 + number / (100.0 if words[2] == "% too high" else -100.0)
+    """The factor by which the run says that its strength is off for its contact points; 1 where it is silent."""
+    doubt = few_points(summary)
+    return 1.0 if doubt is None or doubt.value is None else 1.0 + doubt.value
 
 
 def proposed(summary: dict[str, Any]) -> int:
-    """The number of points along edges that the sentence of trust proposes; 0 where it is silent."""
-    words = re.search(r"take specimen.points_per_edge = (\d+)", trust(summary))
+    """The number of points along edges that the run proposes; 0 where it is silent."""
+    doubt = few_points(summary)
+    words = None if doubt is None else re.search(r"take specimen.points_per_edge = (\d+)", doubt.advice)
     return int(words[1]) if words else 0
+
+
+def few_points(summary: dict[str, Any]) -> Doubt | None:
+    """What a run says of the number of its contact points; None where it is silent."""
+    return next((doubt for doubt in judgement_of(summary).doubts if doubt.name == "few_points"), None)
 
 
 def _solid(length: str, height: str, pressure: str, unit: str = "0.5 m", **mortar: str) -> Knobs:

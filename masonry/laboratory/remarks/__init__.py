@@ -1,1 +1,1 @@
-"""What a user should know of a scene and of what moved in it, before and after the run."""
+"""What is said of a scene and of its run from blocks, joints and frames: doubts, one a file, found by folder."""

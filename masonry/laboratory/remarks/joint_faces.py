@@ -1,9 +1,10 @@
 """What each joint face carries, how it turns and what work it does, in a frame of a run: all faces at once."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from geometry.blocks import Joints
 from masonry.assembly.assemble import Assembly
 from masonry.laws.state import JointProperties
 from masonry.results.dry_joints import LEAST_DAMAGE
@@ -12,6 +13,9 @@ from masonry.rows.history import Frame
 FLAT = 1e-9
 """Of the largest second moment of the points of a face: a smaller one is that of points in one row. Of the square of
 its area: where all are smaller, its points are at one place."""
+
+MOST = 50
+"""Joint faces that are looked at closely, those that matter most."""
 
 
 class Faces(NamedTuple):
@@ -119,3 +123,20 @@ def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:
 
 def _work(moment: np.ndarray, turn: np.ndarray) -> np.ndarray:
     return np.maximum(np.einsum("ja,ja->j", moment, turn), 0.0)
+
+
+def law_of(assembly: Assembly, faces: Faces, face: int) -> tuple[Any, JointProperties]:
+    """Parameters and properties of a face: those of one of its contacts, where they scatter."""
+    groups, group = assembly.model.groups, faces.group[face]
+    contact = faces.contacts(face)[0] - groups.bounds[group]
+    return _of(groups[0][group], contact), _of(groups[1][group], contact)
+
+
+def _of(fields: Any, contact: int) -> Any:
+    """The same NamedTuple with numbers of one contact of its group, where they scatter."""
+    return type(fields)(*(value if np.ndim(value) == 0 else value[contact] for value in fields))
+
+
+def corners_of(joints: Joints, patch: int) -> np.ndarray:
+    """(K, 3) m of the polygon of a joint face."""
+    return joints.patch_points[joints.patch_start[patch] : joints.patch_start[patch + 1]]

@@ -1,29 +1,26 @@
-"""What few contact points make of joints that bend: by how much the strength of the specimen is off, and how many do.
+"""Are the contact points of joints that bend too few? Each row of them tears at once, and few rows bear another moment
+than many.
 
 Each joint is held against one of many points (`joint_sections.py`) under the normal force that it has at the peak. By
 virtual work, the strength is off by the sum over the joints of the error of their moment times their share of the work.
+The limit is the accuracy that the scene asks for, but no less than the 1.5 % of this estimate.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-from geometry.blocks import Joints
 from geometry.joints.contact_points import contact_points
 from geometry.joints.point_density import Density
 from masonry.assembly.assemble import Assembly
-from masonry.laboratory.remarks.joint_faces import Faces, Look, faces_of, is_glued, look_at
+from masonry.judgement.doubt import Doubt
+from masonry.laboratory.remarks.inspection import Inspection
+from masonry.laboratory.remarks.joint_faces import MOST, Faces, Look, corners_of, is_glued, law_of
 from masonry.laboratory.remarks.joint_sections import Envelope, envelope, of_points, spread, strength
-from masonry.laws.state import JointProperties
-from masonry.rows.columns import FACTOR
-from masonry.rows.peak import before_a_collapse
-from masonry.timeloop.recording import Outcome
 
-LEAST, WITHOUT = 0.015, 0.02
-"""Error of the strength below which nothing is said, whatever accuracy is asked for; that from which on, if none is."""
-MOST, LITTLE, FIRST = 50, 1e-4, 10
-"""Joints that are looked at, those with the largest shares of the work; share below which none is; those of them for
-which other numbers of points are tried."""
+LITTLE, FIRST = 1e-4, 10
+"""Share of the work below which no joint is looked at; those with the largest shares for which other numbers of points
+are tried."""
 FURTHER = 10.0
 """Times the opening at which a joint tears, up to which one that is whole could open were there more points."""
 ROWS = (3, 4, 5, 6, 8, 10, 12, 16, 20, 30)
@@ -54,34 +51,34 @@ class Bent(NamedTuple):
         return strength(section, self.law, self.force, self.moment, self.turn) / self.bears
 
 
-def bent_remarks(assembly: Assembly, outcome: Outcome) -> list[str]:
-    """One line where the contact points of joints that bend are so few that the strength is off by more than the
-    accuracy that was asked for."""
-    joints, asked = assembly.joints, accuracy(assembly)
-    bent = _that_bend(assembly, outcome)
+def doubts(inspection: Inspection) -> list[Doubt]:
+    """One where the strength is off by more than the accuracy that was asked for."""
+    assembly, joints, limit = inspection.assembly, inspection.assembly.joints, inspection.accuracy
+    bent = _that_bend(inspection)
     if not bent:
         return []
     own = [one.contacts for one in bent]
     borne = np.array([one.by(joints.point[c], joints.area[c]) for one, c in zip(bent, own, strict=True)])
     carried = np.array([_carried(one, ratio) for one, ratio in zip(bent, borne, strict=True)])
     off = _off(bent, carried)
-    if abs(off - 1.0) <= asked:
+    if abs(off - 1.0) <= limit:
         return []
     worst = int(np.argmax(np.array([one.shares.max() for one in bent]) * np.log(carried) * np.sign(off - 1.0)))
-    return [
-        "joints that bend have few rows of contact points, of which each tears at once, and bear as much as "
-        f"{(borne if bent[worst].torn else carried)[worst]:.3g} times the moment that they would with many: the "
-        f"{number_of(assembly)} may be {_size(off)}; {_advice(assembly, bent, own, asked)}"
-    ]
+    sentence = (
+        "the contact points of joints that bend are too few: a joint bears "
+        f"{(borne if bent[worst].torn else carried)[worst]:.3g} times the moment that it would bear with many, and the "
+        f"{inspection.strength} may be {_size(off)}"
+    )
+    return [Doubt("few_points", off - 1.0, limit, sentence, _advice(assembly, bent, own, limit))]
 
 
-def _that_bend(assembly: Assembly, outcome: Outcome) -> list[Bent]:
+def _that_bend(inspection: Inspection) -> list[Bent]:
     """The joints that may matter: those that tore at any time, and those whose moment only few points can bear."""
-    frames, model = outcome.history.frames, assembly.model
-    if not frames or not any(map(is_glued, model.groups.properties)):
+    frames, assembly = inspection.frames, inspection.assembly
+    if not frames or not any(map(is_glued, assembly.model.groups.properties)):
         return []
-    faces = faces_of(assembly)
-    looks, peak = [look_at(assembly, faces, frame) for frame in frames], at_peak(assembly, outcome)
+    faces, peak = inspection.faces, inspection.peak
+    looks = [inspection.look(number) for number in range(len(frames))]
     behind = min(peak + 1, len(looks) - 1) if assembly.scene.drive is not None else -1
     now, torn = looks[peak], faces.glued & np.any([look.torn for look in looks], axis=0)
     turn = np.max([np.linalg.norm(look.turn, axis=1) for look in looks], axis=0)
@@ -131,18 +128,6 @@ def _bent(
     return Bent(faces.contacts(face), torn, force, moment, shares, law, turn, along, middle, bears)
 
 
-def law_of(assembly: Assembly, faces: Faces, face: int) -> tuple[Any, JointProperties]:
-    """Parameters and properties of a face: those of one of its contacts, where they scatter."""
-    groups, group = assembly.model.groups, faces.group[face]
-    contact = faces.contacts(face)[0] - groups.bounds[group]
-    return _of(groups[0][group], contact), _of(groups[1][group], contact)
-
-
-def _of(fields: Any, contact: int) -> Any:
-    """The same NamedTuple with numbers of one contact of its group, where they scatter."""
-    return type(fields)(*(value if np.ndim(value) == 0 else value[contact] for value in fields))
-
-
 def _carried(one: Bent, borne: float) -> float:
     """What a joint carries at the peak over what it would, as a stress spread over it.
 
@@ -157,11 +142,6 @@ def _off(bent: list[Bent], carried: np.ndarray) -> float:
     """The strength over what it should be, by the one of the two reckonings by which it is further off."""
     off = 1.0 / (1.0 - (1.0 - 1.0 / carried) @ np.array([one.shares for one in bent]))
     return float(off[np.argmax(np.abs(np.log(off)))])
-
-
-def number_of(assembly: Assembly) -> str:
-    """The number that is off."""
-    return "peak" if assembly.scene.drive is not None else "load that is borne"
 
 
 def _size(off: float) -> str:
@@ -186,29 +166,3 @@ def _advice(assembly: Assembly, bent: list[Bent], own: list[np.ndarray], asked: 
             break
         enough = rows
     return f"take specimen.points_per_edge = {enough}{' or more' * (enough == ROWS[-1])}"
-
-
-def corners_of(joints: Joints, patch: int) -> np.ndarray:
-    """(K, 3) m of the polygon of a joint face."""
-    return joints.patch_points[joints.patch_start[patch] : joints.patch_start[patch + 1]]
-
-
-def accuracy(assembly: Assembly) -> float:
-    """The accuracy that the scene asks for, but no less than that of the estimate."""
-    drive, limit = assembly.scene.drive, assembly.scene.limit
-    wanted = drive.accuracy if drive is not None else None if limit is None else limit.accuracy
-    return max(WITHOUT if wanted is None else wanted, LEAST)
-
-
-def at_peak(assembly: Assembly, outcome: Outcome) -> int:
-    """Number of the frame of the peak; without a drive, of the last one before anything fell."""
-    steps, fallen = [frame.step for frame in outcome.history.frames], outcome.found.get("collapse")
-    rows = before_a_collapse(outcome.history.rows, None if fallen is None else fallen[1])
-    if assembly.scene.drive is not None and "peak" in outcome.standing:
-        step = outcome.standing["peak"].step
-    elif FACTOR in rows:
-        borne = rows[FACTOR] <= outcome.loading.borne
-        step = int(rows["step"][np.argmax(np.where(borne, rows[FACTOR], -np.inf))])
-    else:
-        step = int(rows["step"][-1])
-    return max(int(np.searchsorted(steps, step, side="right")) - 1, 0)

@@ -1,25 +1,28 @@
-"""What a user should know where blocks turn on their beds: points at the corners alone resist that too much."""
+"""Did blocks turn on their beds? Contact points at the corners of patches alone resist that by up to 1.85 times what an
+even pressure does; large displacement takes them where the scene chooses none.
+
+Told where such turns make up a tenth of all sliding, by their work, the largest of them is 0.01 rad, and friction took
+a tenth of the work: less does not change the answer.
+"""
 
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
+from masonry.judgement.doubt import Doubt
+from masonry.laboratory.remarks.inspection import Inspection
 from masonry.results.deformation import Corners, Deformation
 from masonry.rows.history import Frame
-from masonry.timeloop.recording import Outcome
 
-TURNED = 0.01
-"""rad, about the normal of a joint: with less no block has turned on its bed."""
-MATTERS = 0.1
-"""Of what friction took, by turns on beds: less is not told. So is what friction took, of the work, below a tenth."""
+TURNED, MATTERS = 0.01, 0.1
+"""rad, about the normal of a joint; share of the sliding, and of the work."""
 
 
-def twist_remarks(assembly: Assembly, outcome: Outcome) -> list[str]:
-    """One line where, until a block falls, much of what friction took was taken as blocks turned on their beds, and
-    patches have points at their corners, which the scene has not chosen."""
-    model, frames, rows = assembly.model, outcome.history.frames, outcome.history.rows
-    if model.large is None or assembly.scene.specimen.patch_points is not None or len(frames) < 2:
+def doubts(inspection: Inspection) -> list[Doubt]:
+    """One at most, of what was until a block fell."""
+    assembly, outcome, frames = inspection.assembly, inspection.outcome, inspection.frames
+    if assembly.model.large is None or assembly.scene.specimen.patch_points is not None or len(frames) < 2:
         return []
-    fallen = outcome.found["collapse"]
+    rows, fallen = outcome.history.rows, outcome.found["collapse"]
     frames = [frame for frame in frames if fallen is None or frame.step <= fallen[1]]
     work = max(float(np.abs(rows[key]).max()) for key in ("external_work", "kinetic"))
     if not len(assembly.joints.area) or float(rows["friction"].max()) < MATTERS * work:
@@ -27,11 +30,13 @@ def twist_remarks(assembly: Assembly, outcome: Outcome) -> list[str]:
     turned, slid, most = turns_and_slides(assembly, frames)
     if most < TURNED or turned < MATTERS * (turned + slid):
         return []
-    return [
-        f"blocks turned on their beds, which makes up about {100 * turned / (turned + slid):.0f} % of what slid: "
-        "points at the corners of patches alone resist that by up to 1.85 times what an even pressure does; take "
-        'specimen.patch_points = "spread", or say "corners" where that does not matter'
-    ]
+    share = turned / (turned + slid)
+    sentence = (
+        f"blocks turned on their beds: these turns are about {100 * share:.0f} % of all sliding, and contact points at "
+        "the corners alone resist them by up to 1.85 times what an even pressure does"
+    )
+    advice = 'take specimen.patch_points = "spread", or say "corners" where that does not matter'
+    return [Doubt("turned_beds", share, MATTERS, sentence, advice)]
 
 
 def turns_and_slides(assembly: Assembly, frames: list[Frame]) -> tuple[float, float, float]:

@@ -1,0 +1,25 @@
+"""May joints rock about points within their edges? A run says so of joints that did."""
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.configuration.energy import present
+from masonry.laboratory.remarks.dry_joints import rocking
+
+
+def remarks(assembly: Assembly) -> list[str]:
+    """A line for each contact group with such joints."""
+    rotates, joints = may_rotate(assembly), assembly.joints
+    which = rotates[joints.block_a] | rotates[joints.block_b]
+    return [doubt.line for doubt in rocking(assembly, which, "turn, where they rock,")]
+
+
+def may_rotate(assembly: Assembly) -> np.ndarray:
+    """(B,) which blocks are free to rotate about some axis."""
+    model, rotates = assembly.model, np.zeros(assembly.specimen.blocks.count, dtype=bool)
+    for kind, body in present(model):
+        if kind == "tets":
+            rotates[model.layout.members[kind]] = True
+        else:
+            rotates[model.layout.members[kind]] = np.any(body.dt_over_mass[:, 3:] > 0.0, axis=1)
+    return rotates

@@ -1,0 +1,67 @@
+"""A run that is looked at: what it was made of, what came of it, and its joint faces, found once for all who ask."""
+
+from functools import cached_property
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.laboratory.remarks.joint_faces import Faces, Look, faces_of, look_at
+from masonry.rows.columns import FACTOR
+from masonry.rows.history import Frame
+from masonry.rows.peak import before_a_collapse
+from masonry.timeloop.recording import Outcome
+
+LEAST, WITHOUT = 0.015, 0.02
+"""Least error of a strength that an estimate from joint faces can tell, whatever accuracy is asked for; that from which
+on it is told, if none is."""
+
+
+class Inspection:
+    """An assembly, the outcome of its run, and what several doubts are measured from."""
+
+    def __init__(self, assembly: Assembly, outcome: Outcome) -> None:
+        self.assembly, self.outcome = assembly, outcome
+        self._looks: dict[int, Look] = {}
+
+    @property
+    def frames(self) -> list[Frame]:
+        """Those of the run, in order."""
+        return self.outcome.history.frames
+
+    @cached_property
+    def faces(self) -> Faces:
+        """The joint faces of the specimen."""
+        return faces_of(self.assembly)
+
+    def look(self, number: int) -> Look:
+        """The joint faces in the frame of a number."""
+        if number not in self._looks:
+            self._looks[number] = look_at(self.assembly, self.faces, self.frames[number])
+        return self._looks[number]
+
+    @cached_property
+    def peak(self) -> int:
+        """Number of the frame of the peak; without a drive, of the last one before anything fell."""
+        outcome = self.outcome
+        steps, fallen = [frame.step for frame in self.frames], outcome.found.get("collapse")
+        rows = before_a_collapse(outcome.history.rows, None if fallen is None else fallen[1])
+        if self.assembly.scene.drive is not None and "peak" in outcome.standing:
+            step = outcome.standing["peak"].step
+        elif FACTOR in rows:
+            borne = rows[FACTOR] <= outcome.loading.borne
+            step = int(rows["step"][np.argmax(np.where(borne, rows[FACTOR], -np.inf))])
+        else:
+            step = int(rows["step"][-1])
+        return max(int(np.searchsorted(steps, step, side="right")) - 1, 0)
+
+    @property
+    def accuracy(self) -> float:
+        """The accuracy that the scene asks for, but no less than that of an estimate from joint faces."""
+        drive, limit = self.assembly.scene.drive, self.assembly.scene.limit
+        wanted = drive.accuracy if drive is not None else None if limit is None else limit.accuracy
+        return max(WITHOUT if wanted is None else wanted, LEAST)
+
+    @property
+    def strength(self) -> str:
+        """What the number is called that the run is made for."""
+        return "peak" if self.assembly.scene.drive is not None else "load that is borne"

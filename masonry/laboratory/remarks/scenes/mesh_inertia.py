@@ -1,0 +1,44 @@
+"""Does a mesh give its block too much rotational inertia? The mass of a tet lies at its corners, so that a coarsely
+meshed block turns too slowly.
+
+Of a motion in real time alone, and of blocks that nothing holds. 5 % more inertia is 2.5 % less speed.
+"""
+
+import numpy as np
+
+from geometry.blocks import TetMesh
+from masonry.assembly.assemble import Assembly
+from masonry.judgement.doubt import Doubt
+from masonry.model.layout import tet_volumes
+
+LIMIT = 0.05
+
+
+def doubts(assembly: Assembly) -> list[Doubt]:
+    """One, of the worst block."""
+    mesh, model, blocks = assembly.mesh, assembly.model, assembly.specimen.blocks
+    if mesh is None or model.large is None or model.scaled:
+        return []
+    held = np.zeros(blocks.count, dtype=bool)
+    node_block = np.repeat(np.arange(blocks.count), np.diff(mesh.node_start))
+    held[node_block[~model.bodies.tets.dt_over_mass.any(axis=1)]] = True
+    excess = np.where(held, 0.0, inertia_excess(mesh, model.layout.centroid))
+    if excess.max(initial=0.0) <= LIMIT:
+        return []
+    worst = int(np.argmax(excess))
+    sentence = (
+        f"the mesh gives block {worst} ({blocks.groups[blocks.group[worst]]}) {100 * excess[worst]:.0f} % too much "
+        "rotational inertia, so that it turns too slowly"
+    )
+    return [Doubt("mesh_inertia", float(excess[worst]), LIMIT, sentence, "take a smaller specimen.mesh_size")]
+
+
+def inertia_excess(mesh: TetMesh, centroid: np.ndarray) -> np.ndarray:
+    """(B,) by what share the polar moment of masses at the nodes, a quarter of each tet, is larger than that of the
+    tets; 0 for blocks without. Of a tet it is V/20 (sum |r|^2 + |sum r|^2), at its corners V/4 sum |r|^2."""
+    block = np.repeat(np.arange(len(centroid)), np.diff(mesh.tet_start))
+    arm, volume = mesh.nodes[mesh.tets] - centroid[block][:, None], tet_volumes(mesh)
+    squares = np.einsum("tki,tki->t", arm, arm)
+    spread = (squares + np.sum(arm.sum(axis=1) ** 2, axis=1)) / 20.0
+    lumped, exact = (np.bincount(block, volume * part, len(centroid)) for part in (squares / 4.0, spread))
+    return np.asarray(np.divide(lumped - exact, exact, out=np.zeros_like(exact), where=exact > 0.0))
