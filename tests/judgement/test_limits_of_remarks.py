@@ -207,9 +207,10 @@ def test_a_dilation_that_does_not_end_within_the_travel_of_the_drive_or_the_skin
 def test_what_moves_to_the_end_of_a_run_that_was_to_end_at_rest_is_told(of_all, of_one, words, monkeypatch):
     monkeypatch.setattr(unrest, "left_of_motion", lambda model, most: np.array([0.0, of_one]))
     model = SimpleNamespace(layout=SimpleNamespace(centroid=np.array([[0.0, 0.0, 0.0], [0.0, 2.0, 0.0]])))
-    assembly = SimpleNamespace(scene=SimpleNamespace(solver=SimpleNamespace(until="rest")), model=model, plan=None)
+    plan = SimpleNamespace(ends_before=lambda steps: False)
+    assembly = SimpleNamespace(scene=SimpleNamespace(solver=SimpleNamespace(until="rest")), model=model, plan=plan)
     rows = {"kinetic": np.array([0.0, 4.0, 4.0 * of_all])}
-    doubts = unrest.doubts(inspected(assembly, history=SimpleNamespace(rows=rows)))
+    doubts = unrest.doubts(inspected(assembly, history=SimpleNamespace(rows=rows), steps=9))
     assert said(doubts, words) == bool(words)
 
 
