@@ -240,8 +240,8 @@ def accuracy_text(summary: dict[str, Any]) -> str:
         what = f"{moved} joint{'s'[: moved > 1]} opened or slid; " if moved else "no contact was damaged; "
         return f"{asked}; {'' if moved is None else what}{damping}"
     return (
-        f"{asked}; after the first damage the drive did {percent(control['mean_lag'])} of its work too early on "
-        f"average, {percent(control['largest_lag'])} at most, as it ran ahead of the specimen; {damping}"
+        f"{asked}; after the first damage the specimen lagged behind the drive, by {percent(control['mean_lag'])} of "
+        f"the work on average, {percent(control['largest_lag'])} at most; {damping}"
     )
 
 

@@ -49,12 +49,12 @@ FIELDS = {
     "damage": Shown("damage [1]", 1.0, "Purples", (0.0, 1.0)),
     "damage_tension": Shown("damage by tension [1]", 1.0, "Reds", (0.0, 1.0)),
     "damage_shear": Shown("damage by shear [1]", 1.0, "Blues", (0.0, 1.0)),
-    "mode": Shown("damage [1]\n+ tension leads\n- shear leads", 1.0, "coolwarm", (-1.0, 1.0)),
+    "mode": Shown("damage [1]\n+ mostly tension\n- mostly shear", 1.0, "coolwarm", (-1.0, 1.0)),
 }
 
 
 def values_of(frame: Frame, name: str) -> np.ndarray:
-    """(C,) a field of FIELDS in SI: opening without closing, `mode` as damage with a minus where shear leads."""
+    """(C,) a field of FIELDS in SI: opening without closing, `mode` as damage with a minus where shear damaged more."""
     if name == "mode":
         return np.where(frame.damage_tension >= frame.damage_shear, frame.damage, -frame.damage)
     values: np.ndarray = getattr(frame, name)

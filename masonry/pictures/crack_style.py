@@ -1,4 +1,4 @@
-"""How cracks are drawn: red where tension leads and blue where shear does, darker by damage, wider by opening."""
+"""How cracks are drawn: red where tension damaged more and blue where shear did, darker by damage, wider by opening."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,7 @@ from masonry.rows.history import Frame
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
-KINDS = {"shear": ("Blues", "shear leads"), "tension": ("Reds", "tension leads")}
+KINDS = {"shear": ("Blues", "mostly shear"), "tension": ("Reds", "mostly tension")}
 """What a crack may be led by: its colours, and how that is said."""
 DRY = "#3a7d34"
 """The colour of joints without strength that slid or opened."""

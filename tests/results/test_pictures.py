@@ -179,7 +179,7 @@ def test_the_key_lists_the_kinds_of_cracks_that_occur_and_no_others():
     assert kinds_of(cracks) == ["shear", "tension"] and kinds_of(cracks[:1]) == ["tension"]
     assert kinds_of([SimpleNamespace(tension_led=led, dry=led)]) == ["dry"]
     assert kinds_of([]) == [] and crack_keys(0.0, []) == []
-    assert [key.get_label() for key in crack_keys(0.0, ["shear"])] == ["crack, shear leads"]
+    assert [key.get_label() for key in crack_keys(0.0, ["shear"])] == ["crack, mostly shear"]
     sound, cracked = cracks_figure(sample(damaged=False)), cracks_figure(sample())
     assert len(cracked.axes) - len(sound.axes) == 2, "no bars of damage where there is none"
 

@@ -21,7 +21,7 @@ TABLE_1 = {
     "fracture_energy_mode_2_slope": (130.0, "N/m/MPa"),
 }
 LEAST, LED = 0.05, 0.5
-"""Shares: of the section that is broken, to be a crack; of a crack at which tension leads, to be one of tension."""
+"""Shares: of the section that is broken, to be a crack; of a crack that tension damaged more, to be one of tension."""
 HEADER = ("bed / interfaces", "model", "peak / tests", "plateau / law", "broken: interfaces", "bed", "bed, by tension")
 
 
@@ -79,10 +79,10 @@ def tensile(by_model: dict[str, dict[int, Cracks]]) -> Claim:
     """Tension leads within a bed that cracks."""
     led = [c for by_ratio in by_model.values() for c in by_ratio.values() if c.bed > LEAST]
     return claim("The meso-model captures tensile cracks in the mortar joint", "4",
-                 f"tension leads at more than {LED:.0%} of the broken area within each bed that cracks",
+                 f"tension damaged more than shear on over {LED:.0%} of the broken area within each bed that cracks",
                  f"{len(led)} of {sum(map(len, by_model.values()))} beds crack; led by tension: "
                  + (", ".join(f"{c.bed_tension:.0%}" for c in led) or "none"),
-                 bool(led) and all(c.bed_tension > LED for c in led), "shear leads, or no bed cracks")  # fmt: skip
+                 bool(led) and all(c.bed_tension > LED for c in led), "shear did more, or no bed cracks")  # fmt: skip
 
 
 def at_once(by_model: dict[str, dict[int, Cracks]], peaks: dict[str, dict[int, float]]) -> Claim:

@@ -68,7 +68,7 @@ class Cracks:
     """Broken areas of a couplet with a bed of mortar, as shares of its section.
 
     lower, upper  of the two interfaces       bed      within the mortar
-    bed_tension   share of the broken area within the mortar at which tension leads
+    bed_tension   share of the broken area within the mortar that tension damaged more
     """
 
     lower: float
