@@ -25,9 +25,9 @@ def run(checkout: Path, scene: str, out: Path) -> None:
 
 
 def stripped(value: object) -> object:
-    """A summary without what passes: seconds, versions and hashes."""
+    """A summary without what passes: seconds, versions and hashes; nor what was not measured, written or not."""
     if isinstance(value, dict):
-        return {key: stripped(below) for key, below in value.items() if key not in PASSING}
+        return {key: stripped(below) for key, below in value.items() if key not in PASSING and below is not None}
     return [stripped(below) for below in value] if isinstance(value, list) else value
 
 

@@ -43,7 +43,7 @@ class Run:
     knobs: dict[str, Any] = field(default_factory=dict)
     status: str = "OK"
     reason: str = ""
-    summary: dict[str, Any] = field(default_factory=dict)
+    summary: Mapping[str, Any] = field(default_factory=dict)
     rows: dict[str, np.ndarray] = field(default_factory=dict)
     times: list[float] = field(default_factory=list)
     threads: int = 1
@@ -177,6 +177,6 @@ def loaded(
 
 
 def _finite(value: Any) -> bool:
-    if isinstance(value, dict):
+    if isinstance(value, Mapping):
         return all(map(_finite, value.values()))
     return not isinstance(value, float) or math.isfinite(value)

@@ -66,7 +66,7 @@ class _Run:
     def __init__(
         self, scene: Any, checkpoints: Any, threads: int, every: float, interrupts: Interrupts, quiet: bool
     ) -> None:
-        from masonry.results.provenance import provenance_of
+        from masonry.laboratory.summary.provenance import provenance_of
         from masonry.scene import to_toml
         from masonry.timeloop.checkpointer import Checkpointer
 
@@ -81,7 +81,7 @@ class _Run:
 
     def find_checkpoint(self) -> None:
         """Have the checkpointer go on from the newest checkpoint that is whole, if the run got to one."""
-        from masonry.results.provenance import require_same
+        from masonry.laboratory.summary.provenance import require_same
 
         self.new = False
         saved, wrong = self.checkpoints.newest()
@@ -129,7 +129,7 @@ class _Run:
             self._print(paths, error.result)
             return complain([f"{error}", f"masonry: the results up to there are in '{self.out}'"], STOPPED)
         paths = self._save(result)
-        interrupted = result.summary.get("interrupted")
+        interrupted = result.summary.interrupted
         if not interrupted:
             self.checkpoints.clear()
         self._print(paths, result)

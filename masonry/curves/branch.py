@@ -20,20 +20,20 @@ def branch_figure(result: "ResultData") -> Any:
     figure = ShownFigure(figsize=(10, 8), layout="constrained")
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     heading(figure, result)
-    collapse, rows = result.summary["collapse_load"], result.history.rows
-    led, reading, factor = collapse["branch"], MILLI * rows[collapse["branch"]["gauge"]], rows[FACTOR]
-    grown = int(np.flatnonzero(rows["step"] <= rows["step"][-1] - led["steps"])[-1])  # the last rest
-    late = reading[grown] > reading.min() + 0.5 * np.ptp(reading)
+    grown, rows = result.summary.collapse_load or {}, result.history.rows
+    led, reading, factor = grown["branch"], MILLI * rows[grown["branch"]["gauge"]], rows[FACTOR]
+    rest = int(np.flatnonzero(rows["step"] <= rows["step"][-1] - led["steps"])[-1])  # the last one
+    late = reading[rest] > reading.min() + 0.5 * np.ptp(reading)
     for axes in (curve, ledger):
         tidy(axes)
     curve.plot(
-        reading[: grown + 1], factor[: grown + 1], "o-", color="#e07b00", markersize=3, linewidth=1.2, label="at rest"
+        reading[: rest + 1], factor[: rest + 1], "o-", color="#e07b00", markersize=3, linewidth=1.2, label="at rest"
     )
-    curve.plot(reading[grown:], factor[grown:], color="#1f3b5c", linewidth=2.0, label="led on")
-    curve.plot(reading[grown], collapse["borne"], "o", color="#b2182b", markersize=7, label="collapse")
+    curve.plot(reading[rest:], factor[rest:], color="#1f3b5c", linewidth=2.0, label="led on")
+    curve.plot(reading[rest], grown["borne"], "o", color="#b2182b", markersize=7, label="collapse")
     curve.annotate(
-        f"{collapse['borne']:.4g} is borne, {collapse['falls']:.4g} is not",
-        (reading[grown], collapse["borne"]),
+        f"{grown['borne']:.4g} is borne, {grown['falls']:.4g} is not",
+        (reading[rest], grown["borne"]),
         xytext=(-12 if late else 12, 6),
         ha="right" if late else "left",
         textcoords="offset points",

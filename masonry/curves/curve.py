@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 def curve_figure(result: "ResultData") -> Any:
     """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger; loops and cycles
     of a drive that turns back; movements and reactions where there is none; the load factor where a gauge was led."""
-    if result.summary.get("cycles"):
+    if result.summary.cycles:
         from masonry.curves.hysteresis import hysteresis_figure
 
         return hysteresis_figure(result)
-    if (result.summary.get("collapse_load") or {}).get("branch", {}).get("led"):
+    if (result.summary.collapse_load or {}).get("branch", {}).get("led"):
         from masonry.curves.branch import branch_figure
 
         return branch_figure(result)
@@ -46,7 +46,7 @@ def curve_figure(result: "ResultData") -> Any:
     curve.set_ylabel(f"{drawn.name} [{drawn.unit}]")
     ledger.set_xlabel(drawn.label)
     _draw_curve(curve, result, drawn)
-    blow = (result.summary.get("collapse") or {}).get("blow_pa")
+    blow = result.summary.collapse and result.summary.collapse.blow_pa
     later = f"\nlater blows to {blow * drawn.factor:.4g} {drawn.unit}" if blow else ""
     mark_fall([curve, ledger], result, lambda steps: np.interp(steps, rows["step"], drawn.across), later, begins=False)
     draw_ledger(ledger, rows, drawn.across)

@@ -25,12 +25,12 @@ def mark_fall(
     more    what is said of the first line besides
     begins  whether the second line is wanted
     """
-    if (fallen := result.summary.get("collapse")) is None:
+    if (fallen := result.summary.collapse) is None:
         return
-    marks = [(fallen["step"], "--", f"{FALLEN}{more}")]
-    if begins and (began := fallen["began"]) is not None:
-        tilt = f", at {degrees(began['tilt_rad']):.4g} deg" if "tilt_rad" in began else ""
-        marks = [(began["step"], ":", f"{BEGINS}{tilt}"), *marks]
+    marks = [(fallen.step, "--", f"{FALLEN}{more}")]
+    if begins and (began := fallen.began) is not None:
+        tilt = "" if began.tilt_rad is None else f", at {degrees(began.tilt_rad):.4g} deg"
+        marks = [(began.step, ":", f"{BEGINS}{tilt}"), *marks]
     for step, style, label in marks:
         place = float(over(np.array([float(step)]))[0])
         for axes in panels:

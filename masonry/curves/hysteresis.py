@@ -39,7 +39,7 @@ class Loops(NamedTuple):
 
 def loops_of(result: "ResultData") -> Loops:
     """The loops of the drive; of a load that goes to and fro, those of its factor over a gauge."""
-    rows, grown = result.history.rows, result.summary.get("collapse_load") or {}
+    rows, grown = result.history.rows, result.summary.collapse_load or {}
     if "loops" in grown:
         gauge, rest = grown["loops"]["gauge"], before_a_fall(rows, grown["falls"])
         factor, x, path = rest[FACTOR], plain(f"{gauge} [mm]"), "way of the load factor, to and fro [1]"
@@ -68,7 +68,7 @@ def hysteresis_figure(result: "ResultData") -> Any:
     ledger.set_xlabel(drawn.path)
     ledger.set_ylabel("energy [J]")
     figure.legend(*ledger.get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False, fontsize=9)
-    _draw_bars(bars, result.summary["cycles"])
+    _draw_bars(bars, result.summary.cycles or [])
     return figure
 
 

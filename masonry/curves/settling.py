@@ -38,7 +38,7 @@ def settling_figure(result: "ResultData") -> Any:
     for (name, (steps, path)), colour in zip(movements(result).items(), 9 * COLOURS, strict=False):
         moved.plot(over(steps), MILLI * path, color=colour, linewidth=2.0, label=plain(name))
     moved.set_ylabel("displacement [mm]")
-    if lines := reaction_lines(result.summary):
+    if lines := reaction_lines(result.summary.reactions):
         shown = lines if len(lines) <= MOST else [*lines[:MOST], f"and {len(lines) - MOST} more in summary.json"]
         words = ["reactions at the end, along x, y, z", *shown]
         moved.set_title("\n".join(map(plain, words)), fontsize=10, loc="left")
@@ -58,7 +58,7 @@ def across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], st
     if FACTOR in rows:
         return lambda steps: np.interp(steps, rows["step"], rows[FACTOR]), "load factor [1]"
     tilts = TILT in rows and isinstance(curve, dict) and curve.get("x") == TILT
-    if tilts and result.summary.get("collapse") is None:  # a fall takes no tilt, but time
+    if tilts and result.summary.collapse is None:  # a fall takes no tilt, but time
         sign, label = tilt_axis(rows)
         return lambda steps: sign * np.degrees(np.interp(steps, rows["step"], rows[TILT])), label
     if result.in_real_time:

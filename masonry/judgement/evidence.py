@@ -1,9 +1,10 @@
 """The numbers of a summary as criteria ask for them: what is missing, null or no number was not measured."""
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
-Table = dict[str, Any]
+Table = Mapping[str, Any]
 
 
 class Evidence:
@@ -16,7 +17,7 @@ class Evidence:
         """The number at a dotted key, `energy_j.kinetic`; None where it was not measured."""
         table: Any = self.summary
         for name in key.split("."):
-            table = table.get(name) if isinstance(table, dict) else None
+            table = table.get(name) if isinstance(table, Mapping) else None
         return None if table is None or math.isnan(table) else table
 
     def magnitude(self, key: str) -> float | None:

@@ -1,6 +1,6 @@
 """How far the numbers of a run may be trusted, as data: a verdict of one word, and the doubts behind it."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 from masonry.judgement.catalogue import criteria
@@ -26,7 +26,7 @@ class Judgement(NamedTuple):
         return {"verdict": self.verdict, "doubts": doubts, "not_measured": list(self.not_measured)}
 
 
-def judge(summary: dict[str, Any], others: Iterable[Doubt] = ()) -> Judgement:
+def judge(summary: Mapping[str, Any], others: Iterable[Doubt] = ()) -> Judgement:
     """The judgement of a run by the numbers of its summary, and by doubts that were measured elsewhere."""
     evidence, doubts = Evidence(summary), list(others)
     verdict = WITH_CARE if doubts else SOUND
@@ -39,9 +39,9 @@ def judge(summary: dict[str, Any], others: Iterable[Doubt] = ()) -> Judgement:
     return Judgement(verdict, tuple(sorted(doubts, key=lambda doubt: -doubt.excess)), unknown)
 
 
-def judgement_of(summary: dict[str, Any]) -> Judgement:
+def judgement_of(summary: Mapping[str, Any]) -> Judgement:
     """The judgement that a summary holds; one of an older result is judged now, with its `warnings` as doubts."""
-    if "doubts" in summary:
+    if summary.get("doubts") is not None:
         doubts = tuple(Doubt(**doubt) for doubt in summary["doubts"])
         return Judgement(summary["verdict"], doubts, tuple(summary["not_measured"]))
     return judge(summary, [Doubt("warning", None, None, line) for line in summary.get("warnings") or []])

@@ -1,5 +1,6 @@
 """The sentence of trust: the verdict, then the largest doubts, or what is clean. It knows no doubt by name."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from masonry.judgement.doubt import SOUND
@@ -11,7 +12,7 @@ MOST = 3
 """Doubts in a sentence; `doubts` of summary.json has all of them."""
 
 
-def trust(summary: dict[str, Any]) -> str:
+def trust(summary: Mapping[str, Any]) -> str:
     """How far the numbers may be trusted: a sentence that begins with the verdict."""
     judgement = judgement_of(summary)
     verdict, doubts = judgement.verdict, judgement.doubts
@@ -22,7 +23,7 @@ def trust(summary: dict[str, Any]) -> str:
     return f"{verdict}: {'; '.join(words)}."
 
 
-def advice(summary: dict[str, Any]) -> list[str]:
+def advice(summary: Mapping[str, Any]) -> list[str]:
     """What to do about all doubts, the largest first, each once."""
     return list(dict.fromkeys(doubt.advice for doubt in judgement_of(summary).doubts if doubt.advice))
 
@@ -38,7 +39,7 @@ def motion(evidence: Evidence) -> str:
     return "quasi-static" if evidence.has_drive else "at rest"
 
 
-def note(summary: dict[str, Any]) -> str:
+def note(summary: Mapping[str, Any]) -> str:
     """What is said of cracks that left the symmetry of the specimen: no doubt of this run, but of one that is alike.
 
     Nothing where a factor was asked for, not what is dissipated.

@@ -1,7 +1,7 @@
 """Run a scene, or look at it first: what a Python user and the command line both call."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,16 +10,16 @@ from masonry.errors import Stopped
 from masonry.judgement.judgement import judge
 from masonry.kinematics.motion import Guided
 from masonry.laboratory.cost import candidates, expected, expected_seconds
-from masonry.laboratory.quality import quality_lines
+from masonry.laboratory.quality import cells_text, quality_lines
 from masonry.laboratory.remarks.catalogue import doubts_of_run, remarks_of_check
 from masonry.laboratory.remarks.checks.unit_weights import unit_weights
 from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import AT_REST, settled
-from masonry.laboratory.summary.summary import add_tilt, cells_text, summarise
+from masonry.laboratory.summary.provenance import provenance_of
+from masonry.laboratory.summary.summary import add_tilt, summarise
 from masonry.laws.dispatch import word_of
 from masonry.results.joint_resultants import resultants
-from masonry.results.provenance import provenance_of
 from masonry.scene import Scene, to_toml
 from masonry.timeloop import timeloop
 from masonry.timeloop.checkpointer import Checkpointer
@@ -70,7 +70,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
     """What is kept of a run."""
     add_tilt(assembly, outcome)
     doubts = doubts_of_run(Inspection(assembly, outcome))
-    summary = {**summarise(assembly, outcome), "warnings": [doubt.line for doubt in doubts]}
+    summary = summarise(assembly, outcome) | {"warnings": [doubt.line for doubt in doubts]}
     return Result(
         summary=summary | judge(summary, doubts).as_keys(),
         history=outcome.history,
@@ -96,28 +96,27 @@ def check(scene: Scene) -> "Report":
     assembly = assemble(scene)
     model = assembly.model
     counts = np.bincount(model.group, minlength=len(model.group_names))
-    found: dict[str, Any] = {
-        "blocks": assembly.specimen.blocks.count,
-        "cells": [cells_text(report) for report in assembly.specimen.cells],
-        "scatter": scatter_lines(assembly),
-        "contacts": {name: int(n) for name, n in zip(model.group_names, counts, strict=True)},
-        "contact_points": len(model.group),
-        "tets": 0 if assembly.mesh is None else len(assembly.mesh.tets),
-        "freedoms": model.dofs,
-        "time_step_s": model.dt,
-        "limited_by": model.limited_by,
-        "quality": quality_lines(assembly),
-        "settling": settling_text(assembly),
-        "meeting": meeting_text(assembly),
-        "steps": expected(assembly).steps,
-        "expected_seconds": expected_seconds(assembly),
-        "left_out": left_out(assembly),
-        "compiled": compiled(assembly),
-        "warnings": remarks_of_check(assembly),
-    }
     from masonry.laboratory.text import Report
 
-    return Report(found)
+    return Report(
+        blocks=assembly.specimen.blocks.count,
+        cells=[cells_text(report) for report in assembly.specimen.cells],
+        scatter=scatter_lines(assembly),
+        contacts={name: int(n) for name, n in zip(model.group_names, counts, strict=True)},
+        contact_points=len(model.group),
+        tets=0 if assembly.mesh is None else len(assembly.mesh.tets),
+        freedoms=model.dofs,
+        time_step_s=model.dt,
+        limited_by=model.limited_by,
+        quality=quality_lines(assembly),
+        settling=settling_text(assembly),
+        meeting=meeting_text(assembly),
+        steps=expected(assembly).steps,
+        expected_seconds=expected_seconds(assembly),
+        left_out=left_out(assembly),
+        compiled=compiled(assembly),
+        warnings=remarks_of_check(assembly),
+    )
 
 
 def settling_text(assembly: Assembly) -> str:

@@ -1,5 +1,6 @@
 """What `masonry check` says of the quality of a specimen: worst values, and the block to blame for each."""
 
+from geometry.blocks import CellReport
 from geometry.joints.quality import Worst, quality
 from geometry.polyhedra.measures import bounds
 from masonry.assembly.assemble import Assembly
@@ -56,3 +57,12 @@ def _cost(assembly: Assembly) -> str:
 
 def _longer(ratio: float) -> str:
     return f"{ratio:.2g} times as long" if ratio >= 2 else f"{ratio - 1:.1%} longer"
+
+
+def cells_text(report: CellReport) -> str:
+    """What a division into cells came to, in one line; h is the mean size of a cell."""
+    joint = "" if report.shortest_joint is None else f", shortest joint piece {report.shortest_joint:.2g} h"
+    return (
+        f"{report.count} of h = {report.h * 1e3:.3g} mm: shortest edge {report.shortest_over_mean:.2g} of the mean, "
+        f"{report.small_edges:.1%} small, sizes within {report.size_error:.1%}{joint}"
+    )

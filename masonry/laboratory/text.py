@@ -1,5 +1,6 @@
 """What the command line says about a scene and about a result, aligned for a person."""
 
+from dataclasses import dataclass
 from math import atan, degrees, tan
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,9 @@ from masonry.judgement.sentence import advice, trust
 from masonry.judgement.words import BELOW_0, percent
 from masonry.results.frames import without_noise
 from masonry.results.reactions import reaction_lines
+from masonry.results.summary import FirstFall, Readings, SuddenCrack, Summary
 from masonry.runtime.progress import duration
+from masonry.runtime.record import Record
 from masonry.runtime.tables import Rows, aligned, html_table
 
 FEW = 6
@@ -19,8 +22,31 @@ TOLD = 0.1
 """Share of the work of the drive from which on the work of a dead load is printed."""
 
 
-class Report(dict[str, Any]):
-    """What `masonry.check` found, by key; it prints as `masonry check` does."""
+@dataclass(frozen=True, eq=False, repr=False)
+class Report(Record):
+    """What `masonry.check` says of a scene; it prints as `masonry check` does.
+
+    contacts     number of joints by contact group
+    limited_by   what bounds the time step, in words, as all that follows but for steps, seconds and warnings
+    """
+
+    blocks: int
+    cells: list[str]
+    scatter: list[str]
+    contacts: dict[str, int]
+    contact_points: int
+    tets: int
+    freedoms: int
+    time_step_s: float
+    limited_by: str
+    quality: dict[str, str]
+    settling: str
+    meeting: str
+    steps: int
+    expected_seconds: float
+    left_out: list[str]
+    compiled: list[str]
+    warnings: list[str]
 
     def __repr__(self) -> str:
         return check_text(self)
@@ -29,32 +55,31 @@ class Report(dict[str, Any]):
         return html_table("What this scene would run", check_rows(self))
 
 
-def check_text(report: dict[str, Any]) -> str:
+def check_text(report: Report) -> str:
     """The report of `masonry.laboratory.laboratory.check` as lines."""
     return aligned(check_rows(report))
 
 
-def check_rows(report: dict[str, Any]) -> Rows:
+def check_rows(report: Report) -> Rows:
     """The same, row by row."""
-    contacts = report["contacts"]
-    longest = max((len(name) for name in contacts), default=0)
+    longest = max((len(name) for name in report.contacts), default=0)
     return [
-        ("blocks", [f"{report['blocks']}"]),
-        *([("cells", report["cells"])] if report.get("cells") else []),
-        ("contacts", [f"{name:<{longest}}  {number}" for name, number in contacts.items()] or ["none"]),
-        *([("scatter", report["scatter"])] if report.get("scatter") else []),
-        ("contact points", [f"{report['contact_points']}"]),
-        ("tets", [f"{report['tets']}"]),
-        ("degrees of freedom", [f"{report['freedoms']}"]),
-        ("time step", [f"{report['time_step_s']:.4g} s, limited by {report['limited_by']}"]),
-        *((word, [sentence]) for word, sentence in report["quality"].items()),
-        *([("settling", [report["settling"]])] if report.get("settling") else []),
-        *([("may meet", [report["meeting"]])] if report.get("meeting") else []),
-        ("steps", [f"{report['steps']}"]),
-        ("expected time", [f"about {duration(report['expected_seconds'])}"]),
-        ("compiled in", report["compiled"] or ["nothing beyond contacts"]),
-        ("not used", report["left_out"] or ["nothing"]),
-        ("warnings", report["warnings"] or ["none"]),
+        ("blocks", [f"{report.blocks}"]),
+        *([("cells", report.cells)] if report.cells else []),
+        ("contacts", [f"{name:<{longest}}  {number}" for name, number in report.contacts.items()] or ["none"]),
+        *([("scatter", report.scatter)] if report.scatter else []),
+        ("contact points", [f"{report.contact_points}"]),
+        ("tets", [f"{report.tets}"]),
+        ("degrees of freedom", [f"{report.freedoms}"]),
+        ("time step", [f"{report.time_step_s:.4g} s, limited by {report.limited_by}"]),
+        *((word, [sentence]) for word, sentence in report.quality.items()),
+        *([("settling", [report.settling])] if report.settling else []),
+        *([("may meet", [report.meeting])] if report.meeting else []),
+        ("steps", [f"{report.steps}"]),
+        ("expected time", [f"about {duration(report.expected_seconds)}"]),
+        ("compiled in", report.compiled or ["nothing beyond contacts"]),
+        ("not used", report.left_out or ["nothing"]),
+        ("warnings", report.warnings or ["none"]),
     ]
 
 
@@ -66,77 +91,75 @@ def paths_text(paths: dict[str, Path]) -> str:
     return aligned([*rows, ("also there", [", ".join(others)])] if others else rows, wrap=False)
 
 
-def summary_text(summary: dict[str, Any]) -> str:
+def summary_text(summary: Summary) -> str:
     """The figures that matter, and a sentence on how far to trust them."""
     return aligned(summary_rows(summary))
 
 
-def summary_rows(summary: dict[str, Any]) -> Rows:
+def summary_rows(summary: Summary) -> Rows:
     """The same, row by row."""
-    driven = has_drive(summary)
+    driven, grown, cracks = has_drive(summary), summary.collapse_load, summary.sudden_cracks
+    branch = grown.get("branch") if grown else None
     return [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
-        *([("load factor", factor_text(summary))] if (found := summary.get("collapse_load")) else []),
-        *([("past the collapse", [branch_text(led)])] if found and (led := found.get("branch")) else []),
-        *([("cycles", [cycles_text(summary["cycles"])])] if summary.get("cycles") else []),
-        *([("tilt of gravity", [tilt_text(summary["tilt_rad"], " at the end")])] if "tilt_rad" in summary else []),
-        *([("collapse", [collapse_text(summary)])] if summary.get("collapse") else []),
-        *((name, [gauge_text(readings, driven)]) for name, readings in (summary.get("gauges") or {}).items()),
+        *([("load factor", factor_text(grown, bool(summary.interrupted)))] if grown else []),
+        *([("past the collapse", [branch_text(branch)])] if branch else []),
+        *([("cycles", [cycles_text(summary.cycles)])] if summary.cycles else []),
+        *([("tilt of gravity", [tilt_text(summary.tilt_rad, " at the end")])] if summary.tilt_rad is not None else []),
+        *([("collapse", [collapse_text(summary.collapse, summary.section_m2)])] if summary.collapse else []),
+        *((name, [gauge_text(readings, driven)]) for name, readings in (summary.gauges or {}).items()),
         *([("work of dead loads", [words])] if driven and (words := loads_text(summary)) else []),
-        ("energy balance", [f"open by {_number(summary, 'energy_imbalance', 1.0, 'of the external work')}"]),
-        *([("force balance", [balance_text(summary)])] if summary.get("force_balance") is not None else []),
-        *(_slow_rows(summary) if driven and not summary.get("in_real_time") else []),
-        *([("accuracy", [accuracy_text(summary)])] if summary.get("control") and driven else []),
-        *([("sudden cracks", [sudden_text(summary)])] if summary.get("sudden_cracks") else []),
-        ("steps", [str(summary.get("steps", "not known"))]),
-        ("time", [f"{_seconds(summary, 'seconds_run')} run + {_seconds(summary, 'seconds_compile')} compile"]),
+        ("energy balance", [f"open by {_number(summary.energy_imbalance, 1.0, 'of the external work')}"]),
+        *([("force balance", [balance_text(summary)])] if summary.force_balance is not None else []),
+        *(_slow_rows(summary) if driven and not summary.in_real_time else []),
+        *([("accuracy", [accuracy_text(summary)])] if summary.control and driven else []),
+        *([("sudden cracks", [sudden_text(cracks, summary.released_over_dissipated)])] if cracks else []),
+        ("steps", ["not known" if summary.steps is None else f"{summary.steps}"]),
+        ("time", [f"{_seconds(summary.seconds_run)} run + {_seconds(summary.seconds_compile)} compile"]),
         ("trust", [trust(summary)]),
         *([("advice", lines)] if (lines := advice(summary)) else []),
     ]
 
 
-def _slow_rows(summary: dict[str, Any]) -> Rows:
+def _slow_rows(summary: Summary) -> Rows:
     """By what it can be seen whether the test was slow enough to be static."""
+    apart, kinetic = summary.reaction_mismatch_max, summary.kinetic_over_internal_max
     return [
-        (
-            "drive and support",
-            [f"differ by at most {_number(summary, 'reaction_mismatch_max', 100.0, '% of the peak')}"],
-        ),
-        ("kinetic energy", [f"at most {_kinetic(summary)} of the internal energy"]),
+        ("drive and support", [f"differ by at most {_number(apart, 100.0, '% of the peak')}"]),
+        ("kinetic energy", [f"at most {_share(kinetic, 4)} of the internal energy"]),
     ]
 
 
-def balance_text(summary: dict[str, Any]) -> str:
+def balance_text(summary: Summary) -> str:
     """How well forces and moments add up to nothing, and how far the specimen is from rest."""
-    what = "inertia makes" if (summary.get("energy_j") or {}).get("damping") == 0.0 else "damping and inertia make"
-    return (
-        f"open by {summary['force_balance']:.2g} of the largest force; at the end {what} "
-        f"{summary['motion_at_end']:.2g} of it"
-    )
+    makes = "inertia makes" if (summary.energy_j or {}).get("damping") == 0.0 else "damping and inertia make"
+    motion = "" if summary.motion_at_end is None else f"; at the end {makes} {summary.motion_at_end:.2g} of it"
+    return f"open by {summary.force_balance:.2g} of the largest force{motion}"
 
 
-def _peak_rows(summary: dict[str, Any]) -> Rows:
+def _peak_rows(summary: Summary) -> Rows:
+    section = summary.section_m2
     return [
-        ("peak stress", [stress_text(summary, "peak_stress_pa")]),
-        ("displacement at peak", [_number(summary, "displacement_at_peak_m", 1e3, "mm")]),
-        ("stress at the end", [stress_text(summary, "final_stress_pa")]),
+        ("peak stress", [stress_text(summary.peak_stress_pa, section)]),
+        ("displacement at peak", [_number(summary.displacement_at_peak_m, 1e3, "mm")]),
+        ("stress at the end", [stress_text(summary.final_stress_pa, section)]),
     ]
 
 
-def _rest_rows(summary: dict[str, Any]) -> Rows:
+def _rest_rows(summary: Summary) -> Rows:
     """Of a scene without a drive: how far the dead loads have settled, if they do, and what the supports bear at the
     end."""
-    left = [_number(summary, "unbalanced_after_settling", 1.0, "of the dead loads still unbalanced")]
+    unbalanced = summary.unbalanced_after_settling
+    left = [_number(unbalanced, 1.0, "of the dead loads still unbalanced")]
     return [
-        *([] if summary.get("unbalanced_after_settling") is None else [("settling", left)]),
-        ("reactions x, y, z", reaction_lines(summary) or ["no supports"]),
+        *([] if unbalanced is None else [("settling", left)]),
+        ("reactions x, y, z", reaction_lines(summary.reactions) or ["no supports"]),
     ]
 
 
-def stress_text(summary: dict[str, Any], key: str) -> str:
-    """A stress, and the force that it stands for, with the section between them."""
-    stress, section = summary.get(key), summary.get("section_m2")
-    words = _number(summary, key, 1e-6, "MPa")
+def stress_text(stress: float | None, section: float | None) -> str:
+    """A stress (Pa), and the force that it stands for, with the section (m2) between them."""
+    words = _number(stress, 1e-6, "MPa")
     if stress is None or section is None:
         return words
     return f"{words} (force {1e-3 * stress * section:.4g} kN over a section of {section:.4g} m2)"
@@ -156,46 +179,46 @@ def tilt_text(tilt: float, when: str = "") -> str:
     return f"{degrees(tilt):.4g} deg{when}, tangent {tan(tilt):.4g}"
 
 
-def collapse_text(summary: dict[str, Any]) -> str:
-    """Which block fell first, when, and when and at what its fall began; and how hard it hit the drive later."""
-    fallen = summary["collapse"]
-    blow = stress_text({**summary, **fallen}, "blow_pa") if fallen.get("blow_pa") else ""
-    return f"{_first_to_fall(fallen)}" + (f"; later, blocks that fell hit the drive with up to {blow}" if blow else "")
+def collapse_text(fallen: FirstFall, section: float | None = None) -> str:
+    """Which block fell first, when, and when and at what its fall began; and how hard it hit the drive later.
+
+    section: m2, of the drive.
+    """
+    blow = f"; later, blocks that fell hit the drive with up to {stress_text(fallen.blow_pa, section)}"
+    return f"{_first_to_fall(fallen)}{blow if fallen.blow_pa else ''}"
 
 
-def _first_to_fall(fallen: dict[str, Any]) -> str:
-    sets, place = ", ".join(fallen["sets"]), np.array(fallen["at_m"])
+def _first_to_fall(fallen: FirstFall) -> str:
+    sets, place = ", ".join(fallen.sets), np.array(fallen.at_m)
     at = ", ".join(f"{without_noise(x, place):.4g}" for x in place)
-    what = f"block {fallen['block']} ({sets}), at ({at}) m at the start, is the first to fall, after "
-    what += f"{fallen['time_s']:.4g} s"
-    if (began := fallen["began"]) is None:
-        unknown = fallen.get("began_unknown")
-        return f"{what}; when the fall began is not known: {unknown}" if unknown else what
+    what = f"block {fallen.block} ({sets}), at ({at}) m at the start, is the first to fall, after "
+    what += f"{fallen.time_s:.4g} s"
+    if (began := fallen.began) is None:
+        return f"{what}; when the fall began is not known: {fallen.began_unknown}" if fallen.began_unknown else what
     late = "; it falls at a smaller tilt already, as gravity turned on while the fall gathered way"
-    tilt = f", with gravity turned by {tilt_text(began['tilt_rad'])}{late}" if "tilt_rad" in began else ""
-    drive = f", with the drive at {1e3 * began['displacement_m']:.4g} mm" if began["displacement_m"] else ""
-    loads = "".join(f", with {name} at {share:.4g} of its value" for name, share in began.get("loads", {}).items())
-    return f"{what}; the fall began after {began['time_s']:.4g} s{drive}{loads}{tilt}"
+    tilt = "" if began.tilt_rad is None else f", with gravity turned by {tilt_text(began.tilt_rad)}{late}"
+    drive = f", with the drive at {1e3 * began.displacement_m:.4g} mm" if began.displacement_m else ""
+    loads = "".join(f", with {name} at {share:.4g} of its value" for name, share in (began.loads or {}).items())
+    return f"{what}; the fall began after {began.time_s:.4g} s{drive}{loads}{tilt}"
 
 
-def factor_text(summary: dict[str, Any]) -> list[str]:
+def factor_text(grown: dict[str, Any], interrupted: bool) -> list[str]:
     """The factor at which the load that grows is borne no more, and who moves then."""
-    found = summary["collapse_load"]
-    borne, falls, tilts = found["borne"], found["falls"], found["pattern"] == "tilt"
+    borne, falls, tilts = grown["borne"], grown["falls"], grown["pattern"] == "tilt"
     angle = f", at {degrees(atan(borne)):.4g} deg" if tilts else ""
-    loops = found.get("loops")
+    loops = grown.get("loops")
     leg = leg_text(loops) if loops else ""
-    if falls is None and loops and not summary["interrupted"]:
+    if falls is None and loops and not interrupted:
         points = [f"{factor:g}" for factor in loops["history"]]
         return [f"borne on all of its way, through {', '.join(points[:FEW])}{', ...' * (len(points) > FEW)}"]
     if falls is None:
-        ends = "the run was interrupted here" if summary["interrupted"] else "the load ends here (limit.up_to)"
+        ends = "the run was interrupted here" if interrupted else "the load ends here (limit.up_to)"
         return [f"{borne:.6g} is borne{leg}{angle}: {ends}, and nothing has fallen"]
-    sets, moving = ", ".join(found["sets"]), found["moving"]
+    sets, moving = ", ".join(grown["sets"]), grown["moving"]
     return [
-        f"{borne:.6g} is borne{leg}{angle}, {falls:.6g} is not; found in {found['trials']} trials, to "
-        f"{percent(found['accuracy'])}",
-        f"{moving} of {len(found['moved'])} blocks move; block {found['first']}"
+        f"{borne:.6g} is borne{leg}{angle}, {falls:.6g} is not; found in {grown['trials']} trials, to "
+        f"{percent(grown['accuracy'])}",
+        f"{moving} of {len(grown['moved'])} blocks move; block {grown['first']}"
         + (f" of '{sets}' moves most" if sets else " moves most"),
     ]
 
@@ -217,63 +240,62 @@ def branch_text(led: dict[str, Any]) -> str:
     return f"the factor is {factor:.4g} where '{led['gauge']}' is {1e3 * led['reached_m']:.4g} mm{stands}; {near}"
 
 
-def gauge_text(readings: dict[str, float], driven: bool = True) -> str:
+def gauge_text(readings: Readings, driven: bool = True) -> str:
     """What a gauge showed; without a drive there is no peak."""
-    at_peak, final = (_number(readings, key, 1e3, "mm") for key in ("at_peak_m", "final_m"))
+    at_peak, final = _number(readings.at_peak_m, 1e3, "mm"), _number(readings.final_m, 1e3, "mm")
     return f"{at_peak} at the peak, {final} at the end" if driven else f"{final} at the end"
 
 
-def loads_text(summary: dict[str, Any]) -> str:
+def loads_text(summary: Summary) -> str:
     """What dead loads did after settling, where that is not little beside the work of the drive; else nothing."""
-    drive, loads = summary.get("work_of_drive_j") or 0.0, summary.get("work_of_loads_after_settling_j") or {}
-    told = [f"{name} {work:.3g} J" for name, work in loads.items() if work and abs(work) > TOLD * abs(drive)]
-    return f"{', '.join(told)} (the drive {drive:.3g} J); a load that is lifted does negative work" if told else ""
+    drive, loads = summary.work_of_drive_j or 0.0, summary.work_of_loads_after_settling_j or {}
+    much = [f"{name} {work:.3g} J" for name, work in loads.items() if work and abs(work) > TOLD * abs(drive)]
+    return f"{', '.join(much)} (the drive {drive:.3g} J); a load that is lifted does negative work" if much else ""
 
 
-def accuracy_text(summary: dict[str, Any]) -> str:
+def accuracy_text(summary: Summary) -> str:
     """What a drive to an accuracy was asked for, and by what it can be seen how far it came."""
-    control = summary["control"]
-    asked = f"{100 * control['accuracy']:g} % asked for"
-    damping = damping_words(summary["damping_over_external"])
-    if not any((summary.get("energy_j") or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
-        moved = summary.get("joints_opened_or_slid", 0)
+    control = summary.control or {}
+    wanted = f"{100 * control['accuracy']:g} % asked for"
+    damping = damping_words(summary.damping_over_external)
+    if not any((summary.energy_j or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
+        moved = summary.joints_opened_or_slid
         what = f"{moved} joint{'s'[: moved > 1]} opened or slid; " if moved else "no contact was damaged; "
-        return f"{asked}; {'' if moved is None else what}{damping}"
+        return f"{wanted}; {'' if moved is None else what}{damping}"
     return (
-        f"{asked}; after the first damage the specimen lagged behind the drive, by {percent(control['mean_lag'])} of "
+        f"{wanted}; after the first damage the specimen lagged behind the drive, by {percent(control['mean_lag'])} of "
         f"the work on average, {percent(control['largest_lag'])} at most; {damping}"
     )
 
 
-def damping_words(fraction: float) -> str:
+def damping_words(fraction: float | None) -> str:
     """What damping took of the work of the drive; or gave, where it pulls along what lags behind."""
+    if fraction is None:
+        return "the drive did no work"
     if fraction >= -BELOW_0:
         return f"damping took {percent(fraction)} of the work"
     return f"damping gave {percent(-fraction)} of the work, by pulling along what lagged behind the drive"
 
 
-def sudden_text(summary: dict[str, Any]) -> str:
-    """How many sudden cracks there were, what they released, and where and when the largest came."""
-    found = summary["sudden_cracks"]
-    largest = max(found, key=lambda event: event["released_j"])
-    what = "one" if len(found) == 1 else f"{len(found)}, the largest"
-    place = largest["place"] or "where a contact slipped or opened without a crack"
+def sudden_text(cracks: list[SuddenCrack], released: float | None) -> str:
+    """How many sudden cracks there were, where and when the largest came, and what they released, as a share of all
+    energy that was lost."""
+    largest = max(cracks, key=lambda crack: crack.released_j)
+    what = "one" if len(cracks) == 1 else f"{len(cracks)}, the largest"
+    place = largest.place or "where a contact slipped or opened without a crack"
     return (
-        f"{what} at {1e3 * largest['displacement_m']:.4g} mm, {place}; together they released "
-        f"{percent(summary['released_over_dissipated'])} of all energy that was lost"
+        f"{what} at {1e3 * largest.displacement_m:.4g} mm, {place}; together they released "
+        f"{_share(released)} of all energy that was lost"
     )
 
 
-def _number(summary: dict[str, Any], key: str, factor: float, unit: str) -> str:
-    value = summary.get(key)
+def _number(value: float | None, factor: float, unit: str) -> str:
     return "not known" if value is None else f"{value * factor:.4g} {unit}"
 
 
-def _kinetic(summary: dict[str, Any]) -> str:
-    ratio = summary.get("kinetic_over_internal_max")
-    return "not known" if ratio is None else percent(ratio, 4)
+def _share(value: float | None, digits: int = 2) -> str:
+    return "not known" if value is None else percent(value, digits)
 
 
-def _seconds(summary: dict[str, Any], key: str) -> str:
-    value = summary.get(key)
+def _seconds(value: float | None) -> str:
     return "not known" if value is None else duration(value)

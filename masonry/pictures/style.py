@@ -45,7 +45,7 @@ def plain(title: str) -> str:
 
 def heading(figure: Any, result: "ResultData") -> None:
     """Title of the scene, its laws and kinds of motion."""
-    words = [result.title, *(_words(result.summary.get(key)) for key in ("law", "kinematics"))]
+    words = [result.title, _words(result.summary.law), _words(result.summary.kinematics)]
     figure.suptitle(plain(", ".join(filter(None, words))), fontsize=13, wrap=True)
 
 

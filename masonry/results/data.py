@@ -11,6 +11,7 @@ from masonry.judgement.doubt import Doubt
 from masonry.judgement.evidence import has_drive
 from masonry.judgement.judgement import judgement_of
 from masonry.judgement.sentence import trust
+from masonry.results.summary import Summary
 from masonry.results.table import Table, table_of
 from masonry.rows.history import History
 from masonry.rows.peak import before_a_collapse, peak_row
@@ -32,7 +33,7 @@ class Peak(NamedTuple):
 class ResultData:
     """What a run leaves behind.
 
-    summary       numbers and words of summary.json
+    summary       numbers and words of summary.json; a table of them becomes one
     joint_group   (C,) index into joint_groups, the contact group of each contact point
     mesh          tets, None where every block is rigid or affine
     scene_toml    the resolved scene: enough to run it again
@@ -40,7 +41,7 @@ class ResultData:
     resultants    column by column, what each joint between units carries at the peak and at the end
     """
 
-    summary: dict[str, Any]
+    summary: Summary
     history: History
     specimen: Specimen
     joints: Joints
@@ -51,10 +52,14 @@ class ResultData:
     log: list[str] = field(default_factory=list)
     resultants: dict[str, np.ndarray] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        if not isinstance(self.summary, Summary):
+            self.summary = Summary.read(self.summary)
+
     @property
     def title(self) -> str:
         """The scene's title, or its name where it has none."""
-        return str(self.scene_table.get("title") or self.summary.get("scene", "masonry"))
+        return str(self.scene_table.get("title") or self.summary.scene or "masonry")
 
     @property
     def scene_table(self) -> dict[str, Any]:
@@ -77,7 +82,7 @@ class ResultData:
     @property
     def in_real_time(self) -> bool:
         """Whether masses are real and displacements large, so that the run is a motion in time."""
-        return bool(self.summary.get("in_real_time"))
+        return bool(self.summary.in_real_time)
 
     @property
     def curve(self) -> "DataFrame | Table":
@@ -90,7 +95,7 @@ class ResultData:
     def peak(self) -> Peak:
         """`peak.stress` (Pa) and `peak.displacement` (m) of the drive: the largest of all steps, not of rows, before
         a block had fallen."""
-        at, stress = (self.summary.get(key) for key in ("displacement_at_peak_m", "peak_stress_pa"))
+        at, stress = self.summary.displacement_at_peak_m, self.summary.peak_stress_pa
         if isinstance(at, float) and isinstance(stress, float):
             return Peak(at, stress)
         rows = self.standing_rows
@@ -100,12 +105,13 @@ class ResultData:
     @property
     def standing_rows(self) -> dict[str, np.ndarray]:
         """The rows at which no block had fallen, and that at which the first one had; all where none falls."""
-        return before_a_collapse(self.history.rows, (self.summary.get("collapse") or {}).get("step"))
+        fallen = self.summary.collapse
+        return before_a_collapse(self.history.rows, None if fallen is None else fallen.step)
 
     @property
     def energies(self) -> dict[str, float]:
         """The energy ledger at the end, J: external work, what is stored, what was dissipated and how."""
-        return dict(self.summary.get("energy_j") or {})
+        return dict(self.summary.energy_j or {})
 
     @property
     def verdict(self) -> str:
@@ -130,5 +136,5 @@ class ResultData:
         frames = [frame for frame in self.history.frames if is_finite(frame) and frame.step <= last_step]
         if len(frames) < len(self.history.frames):
             log.append(f"{len(self.history.frames) - len(frames)} frames with values that are not finite were dropped")
-        summary = {key: without_nan(value, key, log) for key, value in self.summary.items()}
+        summary = Summary.read({key: without_nan(value, key, log) for key, value in self.summary.items()})
         return replace(self, summary=summary, history=History(rows, frames), log=log)

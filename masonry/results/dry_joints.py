@@ -33,7 +33,7 @@ def as_it_stands(result: "ResultData", frame: Frame) -> Frame:
     The law keeps that a contact opened or slid at any time, be it by rounding while the loads were small.
     """
     frame = without_parted(result, frame)
-    laws = result.summary.get("law_by_group") or {}
+    laws = result.summary.law_by_group or {}
     dry = np.array([laws.get(name) == "friction" for name in result.joint_groups], dtype=bool)[result.joint_group]
     if not dry.any():
         return frame

@@ -1,14 +1,15 @@
 """What supports and the drive exert on a specimen, in words."""
 
+from collections.abc import Mapping
 from typing import Any
 
 NOTHING = 1e-9
 """Share of the largest force up to which another is printed as 0."""
 
 
-def reaction_lines(summary: dict[str, Any]) -> list[str]:
+def reaction_lines(reactions: Mapping[str, Any] | None) -> list[str]:
     """A line for each support and the drive: what it exerts at the end; 0 for what is rounding beside the largest."""
-    end = (summary.get("reactions") or {}).get("end") or {}
+    end = (reactions or {}).get("end") or {}
     acts = {name: one for name, one in end.items() if isinstance(one, dict) and "on" in one}
     least = NOTHING * max((abs(force) for one in acts.values() for force in one["force_n"]), default=0.0)
     words = {name: [f"{f:.4g}" if abs(f) > least else "0" for f in one["force_n"]] for name, one in acts.items()}

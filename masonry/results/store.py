@@ -1,6 +1,7 @@
 """The files of a result without its pictures: written whole or not at all, and read back."""
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -32,7 +33,7 @@ def save_numbers(result: ResultData, folder: Path) -> dict[str, Path]:
         files.text("resultants.csv", resultants_csv(result.resultants))
         files.text("scene.toml", result.scene_toml)
         files.text("run.log", "".join(line + "\n" for line in result.log))
-        files.text("summary.json", json.dumps(result.summary, indent=2, allow_nan=False, default=_plain) + "\n")
+        files.text("summary.json", json.dumps(dict(result.summary), indent=2, allow_nan=False, default=_plain) + "\n")
     return {name: folder / name for name in NUMBERS}
 
 
@@ -65,7 +66,9 @@ def read(folder: Path | str) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """Numpy's numbers, arrays and paths for JSON."""
+    """Records, Numpy's numbers, arrays and paths for JSON."""
+    if isinstance(value, Mapping):
+        return dict(value)
     if isinstance(value, np.generic | np.ndarray):
         return value.tolist()
     if isinstance(value, Path):

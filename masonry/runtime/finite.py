@@ -1,6 +1,7 @@
 """What of a result is finite: rows, frames and values of the summary; what is lost becomes a line of its log."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
 
@@ -30,7 +31,7 @@ def is_finite(frame: Frame) -> bool:
 
 def without_nan(value: Any, key: str, log: list[str]) -> Any:
     """A value of the summary with None in place of what is not finite."""
-    if isinstance(value, dict):
+    if isinstance(value, Mapping):
         return {name: without_nan(entry, f"{key}.{name}", log) for name, entry in value.items()}
     if isinstance(value, list | tuple):
         return [without_nan(entry, key, log) for entry in value]

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry.jit.sources import ALL, source_hash
-from masonry.results.provenance import SHOWING, file_of_blocks, other_sources
+from masonry.laboratory.summary.provenance import SHOWING, file_of_blocks, other_sources
 
 
 @dataclass(frozen=True)

@@ -62,6 +62,6 @@ def _run(toml: str) -> Any:
 
 
 def _files(result: Any, begun: float) -> dict[str, bytes]:
-    result.summary["seconds"] = time.perf_counter() - begun
+    result.summary |= {"seconds": time.perf_counter() - begun}
     with TemporaryDirectory(prefix="masonry-") as folder:
         return {name: path.read_bytes() for name, path in result.save_numbers(Path(folder)).items()}

@@ -11,6 +11,7 @@ from masonry.model.gauges import Gauge
 from masonry.monitors.events import Event
 from masonry.monitors.reactions import Standing, Surroundings
 from masonry.rows.history import History
+from masonry.rows.peak import before_a_collapse
 
 
 @dataclass
@@ -38,6 +39,12 @@ class Outcome:
     events: list[Event] = field(default_factory=list)
     standing: dict[str, Standing] = field(default_factory=dict)
     log: list[str] = field(default_factory=list)
+
+    @property
+    def standing_rows(self) -> dict[str, np.ndarray]:
+        """The rows at which no block had fallen, and that at which the first one had."""
+        fallen = self.found.get("collapse")
+        return before_a_collapse(self.history.rows, None if fallen is None else fallen[1])
 
 
 @dataclass(frozen=True)

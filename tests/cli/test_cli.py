@@ -100,7 +100,7 @@ def test_a_stopped_run_writes_what_it_has_and_exits_with_3(laboratory, tmp_path,
     said = capsys.readouterr().err.splitlines()
     assert said[0] == said[2] == "masonry: block 7 at step 1200: velocity is not finite"
     assert "results/couplet-1" in said[1]
-    stopped.result.summary["stopped"] = "velocity is not finite"
+    stopped.result.summary |= {"stopped": "velocity is not finite"}
     laboratory.run = raising(stopped)
     assert main(["run", "couplet"]) == 3
     out = " ".join(capsys.readouterr().out.split())
@@ -126,7 +126,7 @@ def test_a_word_that_is_not_known_names_the_place_where_it_belongs(words, said, 
 
 def test_an_interrupted_run_writes_what_it_has_and_exits_with_130(laboratory, tmp_path, capsys):
     part = sample()
-    part.summary["interrupted"] = True
+    part.summary |= {"interrupted": True}
     laboratory.run = lambda *_, **__: part
     assert main(["run", "couplet"]) == 130
     assert (tmp_path / "results/couplet-1/cracks.png").is_file()

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.results.provenance import PROCESSOR, provenance_of
+from masonry.laboratory.summary.provenance import PROCESSOR, provenance_of
 from masonry.scene import load, to_toml
 from masonry.timeloop.compiled_step import compile_for, is_compiled
 from tests.cli.test_cache import RUN

@@ -219,7 +219,7 @@ def test_a_peak_is_a_blow_where_it_is_a_fifth_above_all_rows(share, told):
     assembly = SimpleNamespace(specimen=SimpleNamespace(section=0.5), plan=SimpleNamespace(settle=10))
     rows = {"step": np.array([5, 10, 20]), "stress": np.array([9e6, 1e6, 2e6])}
     force = share * 1.2 * 2e6 * 0.5
-    run = inspected(assembly, history=SimpleNamespace(rows=rows), found={}, displacement_at_peak=1e-3, peak_force=force)
+    run = inspected(assembly, standing_rows=rows, displacement_at_peak=1e-3, peak_force=force)
     assert said(blow.doubts(run), "the peak is a blow between two rows, and the highest row shows 2 MPa") == told
 
 

@@ -15,6 +15,7 @@ from masonry.laboratory import quality, settling
 from masonry.laboratory.summary.symmetry import symmetry_lost
 from masonry.laboratory.text import loads_text
 from masonry.model.step_cost import StepCost
+from masonry.results.summary import Summary
 from masonry.scene import load
 from tests.judgement.frames import frame
 from tests.scenes import box, tables
@@ -144,7 +145,7 @@ def test_the_quality_of_a_row_of_cubes_is_that_of_a_cube(row):
 
 @pytest.mark.parametrize(("work", "told"), [(0.99, False), (1.01, True), (-0.99, False), (-1.01, True)])
 def test_the_work_of_a_load_is_told_from_a_tenth_of_that_of_the_drive_on(work, told):
-    told_loads = loads_text({"work_of_drive_j": -10.0, "work_of_loads_after_settling_j": {"gravity": work}})
+    told_loads = loads_text(Summary(work_of_drive_j=-10.0, work_of_loads_after_settling_j={"gravity": work}))
     assert bool(told_loads) == told and ("gravity" in told_loads) == told
 
 

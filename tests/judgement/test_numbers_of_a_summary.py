@@ -2,16 +2,18 @@
 
 from dataclasses import replace
 from functools import cache
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
-from masonry.laboratory.summary.summary import _collapse_load, summarise
+from masonry.laboratory.summary.summary import summarise
+from masonry.loading.collapse.factor_path import FactorPath
+from masonry.loading.collapse.outcome import CollapseOutcome
 from masonry.monitors.events import Event
 from masonry.monitors.reactions import Standing
+from masonry.results.summary import Summary
 from masonry.rows.columns import UNITS
 from masonry.rows.history import Frame, History
 from masonry.scene import load
@@ -44,7 +46,7 @@ def summary(
     events: tuple[Event, ...] = (),
     last: Frame | None = None,
     **columns: dict[int, float],
-) -> dict[str, Any]:
+) -> Summary:
     """That of the rows, where some columns have other numbers in some rows, with such a last frame."""
     assembly = assembly or couplet()
     rows = {key: np.zeros(8) for key in UNITS} | {key: np.array(values) for key, values in CLOSED.items()}
@@ -148,13 +150,22 @@ def test_areas_are_broken_from_95_per_cent_on_and_damaged_from_5(share, broken):
 
 
 def test_blocks_that_move_by_a_twentieth_of_the_fastest_belong_to_the_mechanism():
-    limit = SimpleNamespace(pattern="weight", history=None)
-    scene = SimpleNamespace(limit=limit, displacements="small")
     sets = {"top": np.array([2]), "rest": np.array([0, 1]), "all": np.arange(3)}
-    control = {"factor": 0.5, "factor_falls": 0.6, "accuracy": 0.01, "trials": 7, "undecided": 0, "swayed": 1e-3}
-    outcome = SimpleNamespace(control=control | {"falls_by_turning": 0.0}, history=None)
-    outcome.found = {"mechanism": np.array([0.0505, 0.0495, 1.0]), "branch": None}
-    assembly = SimpleNamespace(scene=scene, specimen=SimpleNamespace(sets=sets))
-    found = _collapse_load(assembly, outcome)["collapse_load"]
+    outcome = CollapseOutcome(
+        pattern="weight",
+        path=FactorPath(accuracy=0.01, most=1.0),
+        loops_over=None,
+        borne=0.5,
+        falls=0.6,
+        trials=7,
+        leg=1,
+        undecided=0,
+        falls_by_turning=False,
+        swayed=1e-3,
+        freely=False,
+        mechanism=np.array([0.0505, 0.0495, 1.0]),
+        branch=None,
+    )
+    found = outcome.summary({}, sets)["collapse_load"]
     assert (found["moving"], found["first"], found["sets"]) == (2, 2, ["all", "top"])
     assert (found["borne"], found["falls"], found["trials"], found["swayed_over_block"]) == (0.5, 0.6, 7, 1e-3)

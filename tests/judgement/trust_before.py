@@ -1,6 +1,7 @@
 """The sentence of trust as it was before each doubt had a file: what is said there must be said now, and no more."""
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 from masonry.judgement.words import percent
@@ -102,7 +103,7 @@ SLID = 0.2
 """Share of `solver.slip_limit` from which a slip is a doubt: 5 % of the joint where the limit is 25 %."""
 
 
-def trust(summary: dict[str, Any]) -> str:
+def trust(summary: Mapping[str, Any]) -> str:
     """How far the numbers may be trusted, from the numbers themselves."""
     doubts = []
     if summary.get("interrupted"):
@@ -142,7 +143,7 @@ def trust(summary: dict[str, Any]) -> str:
             "the law where it is your own"
         )
     if (slip := summary.get("slip_max") or 0.0) > SLID * (summary.get("slip_limit") or math.inf):
-        bonds = "; blocks held by such bonds do not meet elsewhere" if "in_real_time" in summary else ""
+        bonds = "; blocks held by such bonds do not meet elsewhere" if summary.get("in_real_time") is not None else ""
         doubts.append(
             f"contacts slid by up to {slip:.2g} of their joints, but keep the areas that they had at first{bonds}"
         )
@@ -180,7 +181,7 @@ def trust(summary: dict[str, Any]) -> str:
     return "with care: " + "; ".join(doubts) + "."
 
 
-def uneven(summary: dict[str, Any]) -> str:
+def uneven(summary: Mapping[str, Any]) -> str:
     """What is said of cracks that left the symmetry of the specimen: no doubt of this run, but of one that is alike.
 
     Nothing where a factor was asked for, not what is dissipated.
@@ -194,7 +195,7 @@ def uneven(summary: dict[str, Any]) -> str:
     )
 
 
-def found_anew(summary: dict[str, Any]) -> float:
+def found_anew(summary: Mapping[str, Any]) -> float:
     """What re-detection lost and changes of area gained or took, over the external work, or that of the drive alone
     where its weight takes that from what is pushed over."""
     energies = summary.get("energy_j") or {}
@@ -203,14 +204,14 @@ def found_anew(summary: dict[str, Any]) -> float:
     return changed / work if work > 0.0 and math.isfinite(changed) else 0.0
 
 
-def no_numbers(summary: dict[str, Any]) -> list[str]:
+def no_numbers(summary: Mapping[str, Any]) -> list[str]:
     """What is said of energies that are no numbers: beyond what floating point holds; None in a file."""
     energies = (summary.get("energy_j") or {}).items()
     lost = [name.replace("_", " ") for name, value in energies if value is None or not math.isfinite(value)]
     return [f"there is no number of this energy: {', '.join(lost)}; look for a stiffness near 0"] if lost else []
 
 
-def slowed(summary: dict[str, Any]) -> list[str]:
+def slowed(summary: Mapping[str, Any]) -> list[str]:
     """What local damping took from a motion in real time."""
     energies = summary.get("energy_j") or {}
     work, taken = (abs(energies.get(key) or 0.0) for key in ("external_work", "damping"))
@@ -222,7 +223,7 @@ def slowed(summary: dict[str, Any]) -> list[str]:
     ]
 
 
-def not_at_rest(summary: dict[str, Any]) -> list[str]:
+def not_at_rest(summary: Mapping[str, Any]) -> list[str]:
     """What speaks against dead loads that have settled."""
     ratio, moving = (summary.get(f"{what}_after_settling") or 0.0 for what in ("unbalanced", "kinetic"))
     if ratio > UNBALANCED or moving > STILL:
@@ -246,12 +247,12 @@ def not_at_rest(summary: dict[str, Any]) -> list[str]:
     return []
 
 
-def block_at(alone: dict[str, Any]) -> str:
+def block_at(alone: Mapping[str, Any]) -> str:
     """A block in words."""
     return f"block {alone['block']} at ({', '.join(f'{x:.4g}' for x in alone['at_m'])}) m"
 
 
-def not_slow(summary: dict[str, Any], damping: float) -> list[str]:
+def not_slow(summary: Mapping[str, Any], damping: float) -> list[str]:
     """What speaks against a test that is slow enough to be static; damping over the work."""
     slow = (
         ("reaction_mismatch_max", MISMATCH, "the two ends differ by {:.2g} of the peak"),
@@ -271,14 +272,14 @@ def not_slow(summary: dict[str, Any], damping: float) -> list[str]:
     return doubts
 
 
-def moving_at_end(summary: dict[str, Any]) -> float:
+def moving_at_end(summary: Mapping[str, Any]) -> float:
     """Kinetic over stored energy at the end."""
     energies = summary.get("energy_j") or {}
     terms = ("kinetic", "elastic_blocks", "elastic_contacts", "external_work")
     return still_moving({key: energies.get(key) or 0.0 for key in terms})
 
 
-def has_drive(summary: dict[str, Any]) -> bool:
+def has_drive(summary: Mapping[str, Any]) -> bool:
     """Whether the run has a drive; True where the summary has no reactions to tell."""
     end = (summary.get("reactions") or {}).get("end")
     return end is None or "drive" in end

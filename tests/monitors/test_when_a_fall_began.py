@@ -5,8 +5,9 @@ import pytest
 
 import masonry
 from masonry.laboratory.summary.beginning_of_fall import beginning
-from masonry.laboratory.summary.collapse import LATE, not_known
+from masonry.laboratory.summary.motion import LATE, not_known
 from masonry.laboratory.text import collapse_text
+from masonry.results.summary import FirstFall, Moment
 from masonry.scene import load as load_scene
 
 SPREAD, PACE, GROWS = 34e-3, 2e-3, 4.0
@@ -49,16 +50,15 @@ def test_slow_motion_is_told_by_the_energy_of_the_fall_as_where_nothing_drives()
 
 def test_a_fall_of_which_it_is_not_known_when_it_began_is_told_so():
     unknown = "the drive went from 31.87 to 35.88 mm while it gathered way: drive or load more slowly"
-    fallen = {"block": 3, "sets": ["keystone"], "at_m": [0.0, 0.15, 0.98], "time_s": 1.0, "began": None}
-    words = collapse_text({"collapse": {**fallen, "began_unknown": unknown}})
+    fallen = FirstFall(block=3, sets=["keystone"], at_m=[0.0, 0.15, 0.98], time_s=1.0, began_unknown=unknown)
+    words = collapse_text(fallen)
     assert words.endswith(f"after 1 s; when the fall began is not known: {unknown}")
 
 
 def test_what_changed_while_it_gathered_way_is_named_from_four_per_cent_on():
     def words(share: float, **more) -> str:
-        set_out = {"displacement_m": -0.03 * (1.0 - share), "tilt_rad": 0.3, "loads": {"traction.0": 0.5}}
-        began = {"displacement_m": -0.03, "tilt_rad": 0.3, "loads": {"traction.0": 0.5}}
-        return not_known(set_out | more, began)
+        began = Moment(displacement_m=-0.03, tilt_rad=0.3, loads={"traction.0": 0.5})
+        return not_known(began | {"displacement_m": -0.03 * (1.0 - share)} | more, began)
 
     assert words(0.039) == ""
     assert words(0.041) == "the drive went from -28.77 to -30 mm while it gathered way: drive or load more slowly"

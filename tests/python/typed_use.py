@@ -23,6 +23,8 @@ def use(folder: Path) -> float:
     assert_type(result, Result)
     assert_type(result.peak, Peak)
     assert_type(result.energies, dict[str, float])
+    assert_type(result.summary.energy_imbalance, float | None)
+    assert_type(masonry.check(scene).steps, int)
     assert_type(result.plot(folder / "curve.png"), Figure)
     assert_type(result.save(folder), dict[str, Path])
     assert_type(masonry.limit("arch-tilted", dilation=False), LimitResult)

@@ -16,6 +16,7 @@ from masonry.pictures.front import FlatDrawing
 from masonry.pictures.oblique import SolidDrawing
 from masonry.results.deformation import Corners, Deformation
 from masonry.results.dry_joints import as_it_stands
+from masonry.results.summary import Summary
 from tests.results.sample import HEIGHT, LENGTH, joints_of, opened, sample, wall, with_tets
 
 
@@ -65,9 +66,9 @@ def test_the_curve_is_drawn_at_1200_pixels_with_its_peak_and_its_ledger(tmp_path
 
 def test_the_peak_is_that_of_the_summary_and_without_one_that_of_the_rows(tmp_path):
     result = sample()
-    result.summary["peak_stress_pa"] = 190001.0
+    result.summary |= {"peak_stress_pa": 190001.0}
     assert result.peak == (4e-5, 190001.0)
-    result.summary = {"peak_stress_pa": None, "law": {"a": "elastic", "b": "linear"}}
+    result.summary = Summary.read({"peak_stress_pa": None, "law": {"a": "elastic", "b": "linear"}})
     result.plot(tmp_path / "curve.png")
     assert result.peak == pytest.approx((4e-5, 190000.0))
 
@@ -213,7 +214,7 @@ def resting(**gauges):
     result = sample()
     acts = {"on": "bottom", "force_n": [1e-14, 0.0, 134.2], "moment_nm": [0.0, 0.0, 0.0]}
     end = {"step": 1000, "displacement_m": 0.0, "support.0": acts, "gravity": {"force_n": [0.0, 0.0, -134.2]}}
-    result.summary["reactions"] = {"end": end}
+    result.summary |= {"reactions": {"end": end}}
     rows = result.history.rows
     rows |= {"displacement": 0.0 * rows["step"], "stress": 0.0 * rows["step"], **gauges}
     return result

@@ -14,7 +14,7 @@ from tests.results.test_pictures import resting
 def falling(**gauges):
     """The same as a motion in real time: the sample has 0.1 ms a step."""
     result = resting(**gauges)
-    result.summary["in_real_time"] = True
+    result.summary |= {"in_real_time": True}
     return result
 
 
@@ -26,7 +26,7 @@ def test_a_motion_in_real_time_is_drawn_over_the_time_and_its_titles_say_it():
     (title,) = [axes.get_title() for axes in result.picture().axes if axes.get_title()]
     assert title.startswith("at the end: after 0.1 s\ndisplacements drawn ")
     driven = sample()
-    driven.summary["in_real_time"] = True
+    driven.summary |= {"in_real_time": True}
     title = panel_title(driven, "at the peak", driven.history.frames[1], 1.0)
     assert title == "at the peak: displacement 0.04 mm, stress 0.19 MPa\nafter 0.02 s, drawn at true scale"
 
@@ -50,7 +50,7 @@ def test_a_tilt_is_drawn_to_the_right_whichever_way_gravity_turns(sign, label):
 def test_what_fell_under_a_tilt_is_drawn_over_the_time_with_its_fall_marked():
     result = tilted(-1.0)
     began = {"step": 300, "time_s": 0.03, "displacement_m": 0.0, "tilt_rad": -0.24}
-    result.summary["collapse"] = {"step": 600, "began": began}
+    result.summary |= {"collapse": {"step": 600, "began": began}}
     moved, ledger = result.plot().axes
     assert ledger.get_xlabel() == "time from the first step [s]"
     marks = {line.get_label(): line.get_xdata()[0] for line in moved.get_lines()[1:]}

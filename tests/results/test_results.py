@@ -106,8 +106,8 @@ def test_rows_and_frames_from_the_first_that_is_not_finite_are_dropped_and_logge
     result = sample()
     result.history.rows["stress"][60] = np.nan
     result.history.rows["kinetic"][61:] = np.inf
-    result.summary["final_stress_pa"] = float("nan")
-    result.summary["energy_j"] = {"kinetic": np.float64("inf")}
+    result.summary |= {"final_stress_pa": float("nan")}
+    result.summary |= {"energy_j": {"kinetic": np.float64("inf")}}
     result.save(tmp_path)
     loaded = load_result(tmp_path)
     assert len(loaded.history.rows["stress"]) == 60
@@ -121,8 +121,8 @@ def test_rows_and_frames_from_the_first_that_is_not_finite_are_dropped_and_logge
 
 def test_the_summary_is_strict_json_with_numpy_numbers_as_numbers(tmp_path):
     result = sample()
-    result.summary["blocks"] = np.int64(18)
-    result.summary["time_step_s"] = np.float64(1) / 3
+    result.summary |= {"blocks": np.int64(18)}
+    result.summary |= {"time_step_s": np.float64(1) / 3}
     result.save(tmp_path)
     summary = json.loads((tmp_path / "summary.json").read_text(), parse_constant=pytest.fail)
     assert summary["blocks"] == 18 and summary["time_step_s"] == 1 / 3

@@ -57,7 +57,7 @@ def test_a_drive_that_came_back_says_0_in_titles():
 def test_numbers_over_the_bars_of_cycles_stay_within_their_axes(parts):
     result = sample()
     dissipated = dict(zip(("fracture_mode_1_j", "fracture_mode_2_j", "friction_j"), parts, strict=True))
-    result.summary["cycles"] = [{**dissipated, "dissipated_j": sum(parts), "closed": False}]
+    result.summary |= {"cycles": [{**dissipated, "dissipated_j": sum(parts), "closed": False}]}
     figure = curve_figure(result)
     texts, legends = boxes(figure)
     (over,) = (box for words, box in texts.items() if "not closed" in words)

@@ -9,12 +9,13 @@ import masonry
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import check_text, collapse_text, summary_text
+from masonry.results.summary import FirstFall, Moment
 from masonry.timeloop.timeloop import compiling_text
 from tests.large.made import dry, slab
 from tests.scenes import box
 
-BEGAN = {"step": 1, "time_s": 0.5, "displacement_m": 0.0}
-FALLEN = {"block": 3, "sets": ["keystone"], "at_m": [-2.776e-17, 0.15, 0.98], "time_s": 1.0, "began": BEGAN}
+BEGAN = Moment(step=1, time_s=0.5)
+FALLEN = FirstFall(block=3, sets=["keystone"], at_m=[-2.776e-17, 0.15, 0.98], time_s=1.0, began=BEGAN)
 
 
 def in_a_line(text):
@@ -31,17 +32,17 @@ def test_where_nothing_settles_and_nothing_is_damped_neither_is_told():
     assert summary["unbalanced_after_settling"] is None and summary["kinetic_after_settling"] is None
     assert summary["damping_over_external"] == 0.0
     assert "settling" not in text and "at the end inertia makes" in text and "damping" not in text
-    damped = {**summary, "energy_j": {**summary["energy_j"], "damping": 1e-6}}
+    damped = summary | {"energy_j": {**summary["energy_j"], "damping": 1e-6}}
     assert "at the end damping and inertia make" in in_a_line(summary_text(damped))
 
 
 def test_a_collapse_is_told_with_its_place_at_the_start_and_no_rounding():
-    text = collapse_text({"collapse": FALLEN})
+    text = collapse_text(FALLEN)
     assert (
         text == "block 3 (keystone), at (0, 0.15, 0.98) m at the start, is the first to fall, after 1 s; the fall "
         "began after 0.5 s"
     )
-    tilted = collapse_text({"collapse": {**FALLEN, "began": {**BEGAN, "tilt_rad": 0.37}}})
+    tilted = collapse_text(FALLEN | {"began": BEGAN | {"tilt_rad": 0.37}})
     assert tilted.endswith("it falls at a smaller tilt already, as gravity turned on while the fall gathered way")
 
 
@@ -57,7 +58,7 @@ def test_a_load_that_grows_while_the_fall_gathers_way_is_told_from_where_to_wher
     assert float(shares[1]) == pytest.approx(0.3 * 2000.0 * 1e-3 * 9.81 / 20.0, rel=0.05)
     assert float(shares[2]) > 1.2 * float(shares[1])
     assert f"is not known: {fallen['began_unknown']}" in in_a_line(summary_text(result.summary))
-    known = collapse_text({"collapse": {**FALLEN, "began": {**BEGAN, "loads": {"traction.0": 0.37}}}})
+    known = collapse_text(FALLEN | {"began": BEGAN | {"loads": {"traction.0": 0.37}}})
     assert known.endswith("with traction.0 at 0.37 of its value")
 
 

@@ -24,7 +24,7 @@ def require_balance(summary):
             assert balance["sum"][key] == pytest.approx(left.tolist(), rel=0.0, abs=1e-14 * most)
     assert set(summary["reactions"]) == {"peak", "end"}
     assert summary["force_balance"] < 1e-12
-    if "collapse_load" not in summary:  # which ends in a fall
+    if summary["collapse_load"] is None:  # which ends in a fall
         soft = summary["law"] == "friction"  # what rocks on dry joints hardly has a stiffness that brings it to rest
         assert summary["motion_at_end"] < (1e-4 if soft else 1e-5)
 

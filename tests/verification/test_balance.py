@@ -33,7 +33,7 @@ def test_a_term_that_is_wrong_is_found_whatever_the_program_says_of_the_balance(
     rows = ran.history.rows
     wrong = rows.get(term, 0.0) + 1e-3 * np.abs(rows["external_work"])
     hidden = changed(ran, **{term: wrong, "imbalance": np.zeros_like(wrong)})
-    hidden.summary["energy_imbalance"] = 0.0
+    hidden.summary |= {"energy_imbalance": 0.0}
     findings = Findings()
     findings.note("run", hidden)
     assert not findings.imbalance["run"] < 1e-4

@@ -1,6 +1,7 @@
 """Mortared walls and blocks whose joints bend, slide, or both; and what a run says of their contact points."""
 
 import re
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from masonry.judgement.doubt import Doubt
@@ -70,20 +71,20 @@ def walls() -> dict[str, Wall]:
     }
 
 
-def said(summary: dict[str, Any]) -> float:
+def said(summary: Mapping[str, Any]) -> float:
     """The factor by which the run says that its strength is off for its contact points; 1 where it is silent."""
     doubt = few_points(summary)
     return 1.0 if doubt is None or doubt.value is None else 1.0 + doubt.value
 
 
-def proposed(summary: dict[str, Any]) -> int:
+def proposed(summary: Mapping[str, Any]) -> int:
     """The number of points along edges that the run proposes; 0 where it is silent."""
     doubt = few_points(summary)
     words = None if doubt is None else re.search(r"take specimen.points_per_edge = (\d+)", doubt.advice)
     return int(words[1]) if words else 0
 
 
-def few_points(summary: dict[str, Any]) -> Doubt | None:
+def few_points(summary: Mapping[str, Any]) -> Doubt | None:
     """What a run says of the number of its contact points; None where it is silent."""
     return next((doubt for doubt in judgement_of(summary).doubts if doubt.name == "few_points"), None)
 

@@ -8,7 +8,6 @@ from masonry.assembly.assemble import Assembly
 from masonry.laboratory.remarks.joint_faces import Faces, Look, faces_of, look_at
 from masonry.rows.columns import FACTOR
 from masonry.rows.history import Frame
-from masonry.rows.peak import before_a_collapse
 from masonry.timeloop.recording import Outcome
 
 LEAST, WITHOUT = 0.015, 0.02
@@ -43,8 +42,7 @@ class Inspection:
     def peak(self) -> int:
         """Number of the frame of the peak; without a drive, of the last one before anything fell."""
         outcome = self.outcome
-        steps, fallen = [frame.step for frame in self.frames], outcome.found.get("collapse")
-        rows = before_a_collapse(outcome.history.rows, None if fallen is None else fallen[1])
+        steps, rows = [frame.step for frame in self.frames], outcome.standing_rows
         if self.assembly.scene.drive is not None and "peak" in outcome.standing:
             step = outcome.standing["peak"].step
         elif FACTOR in rows:

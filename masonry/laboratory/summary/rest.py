@@ -1,26 +1,38 @@
-"""Which block is farthest from rest, after the settling and at the end."""
-
-from typing import Any
+"""How far from rest the specimen is after the settling, and at the end."""
 
 from masonry.assembly.assemble import Assembly
+from masonry.results.summary import Rest, Restless
 from masonry.timeloop.recording import Outcome
 
 
-def farthest_from_rest(assembly: Assembly, outcome: Outcome, settles: bool) -> dict[str, Any]:
-    """What is left of the motion of single blocks, on their own scales; nothing where nothing need be at rest.
-
-    After the settling: the most of any block, and the one that is farthest from rest, unless the sums over all blocks
-    are far from it; at the end, the one that moves most.
-    """
-    observed, moving = outcome.observed, outcome.found.get("moving_at_end")
-    settled = None
-    if settles and observed["of_a_block"][-1] >= 0.0:
-        shares = {"unbalanced": float(observed["of_a_block"][-1]), "kinetic": float(observed["energy_of_a_block"][-1])}
-        settled = _place(assembly, int(observed["block"][-1])) | shares
-    end = None if moving is None else _place(assembly, moving[0]) | {"kinetic": moving[1]}
-    return {"unrest_after_settling": settled, "moving_at_end": end}
+def rest(assembly: Assembly, outcome: Outcome) -> Rest:
+    """Of all blocks together, and of the one that is farthest from rest, on its own scales; nothing where nothing need
+    be at rest."""
+    observed, settles = outcome.observed, assembly.model.large is None or assembly.plan.settle > 0
+    return Rest(
+        unbalanced_after_settling=float(observed["unbalanced"][-1]) if settles else None,
+        kinetic_after_settling=float(observed["still_moving"][-1]) if settles else None,
+        unrest_after_settling=_after_settling(assembly, outcome) if settles else None,
+        moving_at_end=_at_end(assembly, outcome),
+    )
 
 
-def _place(assembly: Assembly, block: int) -> dict[str, Any]:
-    """A block, and where it was made."""
-    return {"block": block, "at_m": assembly.model.layout.centroid[block].tolist()}
+def _after_settling(assembly: Assembly, outcome: Outcome) -> Restless | None:
+    """The most of any block, and the one that is farthest from rest; None where the sums over all are far from it."""
+    unbalanced, kinetic, block = (
+        float(outcome.observed[name][-1]) for name in ("of_a_block", "energy_of_a_block", "block")
+    )
+    if unbalanced < 0.0:
+        return None
+    return Restless(int(block), _place(assembly, int(block)), unbalanced, kinetic)
+
+
+def _at_end(assembly: Assembly, outcome: Outcome) -> Restless | None:
+    """The block that moves most."""
+    moving = outcome.found.get("moving_at_end")
+    return None if moving is None else Restless(moving[0], _place(assembly, moving[0]), kinetic=moving[1])
+
+
+def _place(assembly: Assembly, block: int) -> list[float]:
+    """m, where a block was made."""
+    return list(assembly.model.layout.centroid[block].tolist())

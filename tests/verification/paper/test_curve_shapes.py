@@ -23,7 +23,7 @@ def curve(after: np.ndarray) -> Result:
     u = np.concatenate([[0.0], np.linspace(PEAK_AT, END, len(after))])
     made.history.rows = {"displacement": u, "stress": PEAK * np.concatenate([[0.0], after])}
     made.summary |= {"peak_stress_pa": PEAK, "displacement_at_peak_m": PEAK_AT, "section_m2": 0.002}
-    made.summary["energy_j"] = {"fracture_mode_1": 0.02, "fracture_mode_2": 0.01, "friction": 0.03}
+    made.summary |= {"energy_j": {"fracture_mode_1": 0.02, "fracture_mode_2": 0.01, "friction": 0.03}}
     return made
 
 

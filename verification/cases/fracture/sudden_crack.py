@@ -6,6 +6,7 @@ converged in its own way. A drive at a rate is therefore held while the wall com
 drive to an accuracy damps what it did not expect as heavily; then all of them give one answer, that of no swing.
 """
 
+from collections.abc import Mapping
 from typing import Any
 
 from verification.balance import dissipated
@@ -37,7 +38,7 @@ def run() -> Findings:
     return findings
 
 
-def _answer(summary: dict) -> dict[tuple[str, str], float]:
+def _answer(summary: Mapping[str, Any]) -> dict[tuple[str, str], float]:
     dissipated_energy = dissipated(summary)
     return {("dissipated energy", "J"): dissipated_energy, ("end stress", "Pa"): summary["final_stress_pa"]}
 

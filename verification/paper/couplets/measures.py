@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from masonry.laboratory.result import Result
-from masonry.laboratory.summary.summary import BROKEN
+from masonry.laboratory.summary.cracks import BROKEN
 
 Rows = Mapping[str, np.ndarray]
 

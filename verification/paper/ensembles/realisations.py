@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from masonry.laboratory.result import Result
-from masonry.laboratory.summary.summary import BROKEN
+from masonry.laboratory.summary.cracks import BROKEN
 from masonry.pictures.camera import front_view
 from masonry.pictures.crack_lines import CrackLines, crack_lines
 from verification.paper.experiment import Done

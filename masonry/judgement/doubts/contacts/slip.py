@@ -14,7 +14,9 @@ SHARE = 0.2
 
 def sentence(evidence: Evidence, value: float) -> str:
     """Bonds in large displacement hold their blocks together, so that these are not looked at elsewhere."""
-    bonds = "; blocks held by such bonds do not meet elsewhere" if "in_real_time" in evidence.summary else ""
+    bonds = (
+        "; blocks held by such bonds do not meet elsewhere" if evidence.summary.get("in_real_time") is not None else ""
+    )
     return f"contacts slid by up to {value:.2g} of their joints, but keep the areas that they had at first{bonds}"
 
 

@@ -5,7 +5,6 @@ Rows of a slow test lie much closer to its peak than the 20 % that are let throu
 
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
-from masonry.laboratory.summary.collapse import standing_rows
 
 LIMIT = 1.2
 """Peak over the highest row."""
@@ -14,7 +13,7 @@ LIMIT = 1.2
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most."""
     assembly, outcome = inspection.assembly, inspection.outcome
-    rows, section = standing_rows(outcome), assembly.specimen.section
+    rows, section = outcome.standing_rows, assembly.specimen.section
     after = rows["step"] >= assembly.plan.settle
     highest = float(rows["stress"][after].max(initial=0.0))
     if outcome.peak_force <= LIMIT * highest * section or not outcome.displacement_at_peak:

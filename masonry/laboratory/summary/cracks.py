@@ -1,0 +1,73 @@
+"""What broke, opened and slid."""
+
+from itertools import pairwise
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.judgement.scales import Scales
+from masonry.laboratory.summary.symmetry import is_loaded_alike, symmetry_lost
+from masonry.monitors import events
+from masonry.results.joint_resultants import unit_joints
+from masonry.results.summary import Cracks, SuddenCrack
+from masonry.timeloop.recording import Outcome
+
+BROKEN, DAMAGED = 0.95, 0.05
+SUDDEN = 1e-3
+"""Share of all energy lost, by cracks, friction and damping, from which on a sudden crack is listed."""
+ROUNDING = 1e-9
+"""Share of the external work below which what sudden cracks released is but rounding."""
+MOVED = 1e-12
+"""Openings and slips (m) up to this one, far less than an atom, are but rounding."""
+
+
+def cracks(assembly: Assembly, outcome: Outcome, scales: Scales, sudden: list[SuddenCrack]) -> Cracks:
+    """Sudden cracks, broken areas, slips."""
+    joints, frames, observed = assembly.model.joints, outcome.history.frames, outcome.observed
+    return Cracks(
+        sudden_cracks=sudden,
+        released_over_dissipated=released_by(sudden) / scales.lost if sudden and scales.lost > 0.0 else 0.0,
+        joints_opened_or_slid=_opened_or_slid(assembly),
+        broken_area_m2=areas_beyond(assembly, outcome, BROKEN),
+        damaged_area_m2=areas_beyond(assembly, outcome, DAMAGED),
+        symmetry_lost=symmetry_lost(joints, frames, lambda axis: is_loaded_alike(assembly, axis)),
+        mode_2_over_law=outcome.found["mode_2_over_law"],
+        slip_max=float(observed["slip"].max()) if "slip" in observed else 0.0,
+        slip_limit=assembly.scene.solver.slip_limit,
+    )
+
+
+def sudden_cracks(assembly: Assembly, outcome: Outcome, scales: Scales) -> list[SuddenCrack]:
+    """Those that are listed, in the order in which they came."""
+    least = max(SUDDEN * scales.lost, ROUNDING * scales.work)
+    rows = events.table(assembly.model, outcome.events, outcome.history.rows, least)
+    return [SuddenCrack.read(row) for row in rows]
+
+
+def released_by(sudden: list[SuddenCrack]) -> float:
+    """J that sudden cracks released together."""
+    return sum(crack.released_j for crack in sudden)
+
+
+def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict[str, float]:
+    """Area (m2) by contact group whose combined damage is at least the threshold at the end."""
+    damage = outcome.history.frames[-1].damage
+    model = assembly.model
+    return {
+        name: float(model.joints.area[(model.group == g) & (damage >= threshold)].sum())
+        for g, name in enumerate(model.group_names)
+    }
+
+
+def _opened_or_slid(assembly: Assembly) -> int | None:
+    """Joints between units of which a contact has opened beyond its elastic limit, or slid, at any time; None where
+    some are patches from the start, which do not remember it."""
+    state, large = assembly.model.state, assembly.model.large
+    if large is not None and len(large.bonded) < len(assembly.model.group_names):
+        return None
+    if state.opening_max is None:
+        return 0
+    opened = (state.intact_n < 1.0) & (state.opening_max > MOVED)
+    moved = opened | (np.linalg.norm(state.slip, axis=1) > MOVED)
+    joints = unit_joints(assembly.specimen.blocks, assembly.joints)
+    return sum(bool(moved[joints.contact[a:b]].any()) for a, b in pairwise(joints.start))

@@ -1,0 +1,55 @@
+"""Energies and works, and how far they balance."""
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.configuration.energy import open_in_contacts
+from masonry.judgement.scales import Scales
+from masonry.results.summary import Energies
+from masonry.rows.columns import LARGE_UNITS, UNITS
+from masonry.timeloop.recording import Outcome
+
+TERMS = [column for column, unit in UNITS.items() if unit == "J"]
+
+
+def energies(assembly: Assembly, outcome: Outcome, scales: Scales, released: float) -> Energies:
+    """The ledger at the end, the works of drive and loads, and shares of them; released: J, by sudden cracks."""
+    rows, work_of_loads = outcome.history.rows, outcome.found["work_of_loads"]
+    after_settling = work_of_loads - outcome.found["work_of_loads_settling"]
+    return Energies(
+        work_of_drive_j=_work_of_drive(assembly, rows, scales.settled, after_settling),
+        work_of_force_j=None if assembly.model.large is None else float(scales.pushed[-1]),
+        work_of_loads_j=_by_load(assembly, work_of_loads),
+        work_of_loads_after_settling_j=_by_load(assembly, after_settling),
+        energy_j={key: float(rows[key][-1]) for key in (*TERMS, *LARGE_UNITS) if key in rows},
+        energy_imbalance=float(np.abs(rows["imbalance"]).max() / scales.moved) if scales.moved > 0 else 0.0,
+        dissipation_mismatch=_mismatch(assembly, rows, scales),
+        kinetic_over_internal_max=_kinetic(rows, scales),
+        damping_over_external=(scales.taken - released) / scales.driven if scales.driven > 0.0 else 0.0,
+    )
+
+
+def _work_of_drive(assembly: Assembly, rows: dict[str, np.ndarray], settled: int, of_loads: np.ndarray) -> float:
+    """J since the settling: that of all, less that of the loads."""
+    if assembly.scene.drive is None:
+        return 0.0
+    return float(rows["external_work"][-1] - rows["external_work"][settled] - of_loads.sum())
+
+
+def _by_load(assembly: Assembly, work: np.ndarray) -> dict[str, float]:
+    """By load: J."""
+    return {load.name: float(done) for load, done in zip(assembly.recording.surroundings.loads, work, strict=True)}
+
+
+def _mismatch(assembly: Assembly, rows: dict[str, np.ndarray], scales: Scales) -> float:
+    """What the laws booked against what the contacts took up and did not store."""
+    torn = abs(open_in_contacts({key: float(values[-1]) for key, values in rows.items()}))
+    measured = scales.dissipated or assembly.model.large is not None
+    return torn / scales.booked if measured and scales.booked > 0.0 else 0.0
+
+
+def _kinetic(rows: dict[str, np.ndarray], scales: Scales) -> float:
+    """The largest kinetic energy over what blocks and contacts have taken up."""
+    counting = scales.counting
+    ratio = rows["kinetic"][counting] / np.maximum(scales.internal[counting], max(1e-6 * scales.work, 1e-300))
+    return float(ratio.max()) if counting.any() else 0.0

@@ -1,0 +1,37 @@
+"""What the drive met: the peak, the lowest stress, its cycles; and what the gauges read."""
+
+from masonry.assembly.assemble import Assembly
+from masonry.judgement.scales import Scales
+from masonry.results.summary import Extremes, Readings
+from masonry.rows.columns import TILT
+from masonry.rows.cycles import table
+from masonry.rows.peak import at_peak
+from masonry.timeloop.recording import Outcome
+
+
+def extremes(assembly: Assembly, outcome: Outcome, scales: Scales) -> Extremes:
+    """Stresses and places of the drive, and readings of the gauges."""
+    rows, section = outcome.history.rows, assembly.specimen.section
+    return Extremes(
+        peak_stress_pa=outcome.peak_force / section,
+        displacement_at_peak_m=outcome.displacement_at_peak,
+        final_stress_pa=float(rows["stress"][-1]),
+        peak_force_n=outcome.peak_force,
+        lowest_stress_pa=outcome.lowest_force / section,
+        displacement_at_lowest_m=outcome.displacement_at_lowest,
+        cycles=table(scales.before_fall, outcome.observed["widest"], assembly.scene.loops_over),
+        tilt_rad=float(rows[TILT][-1]) if TILT in rows else None,
+        gauges=_readings(assembly, outcome),
+    )
+
+
+def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, Readings]:
+    """By gauge, at the peak (between the rows before and after it) and at the end."""
+    standing, peak = outcome.standing_rows, outcome.displacement_at_peak
+    return {
+        gauge.name: Readings(
+            at_peak_m=at_peak(standing, standing[gauge.name], peak),
+            final_m=float(outcome.history.rows[gauge.name][-1]),
+        )
+        for gauge in assembly.recording.gauges
+    }

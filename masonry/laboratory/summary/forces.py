@@ -1,0 +1,41 @@
+"""What supports, the drive and the dead loads exert on the specimen, and how far all forces balance."""
+
+from typing import Any
+
+import numpy as np
+
+from geometry.specimens.placed import FLOOR
+from masonry.assembly.assemble import Assembly
+from masonry.judgement.scales import Scales
+from masonry.monitors.reactions import balance, moved_by, open_by, rounded
+from masonry.results.summary import Forces
+from masonry.timeloop.recording import Outcome
+
+
+def forces(assembly: Assembly, outcome: Outcome, scales: Scales) -> Forces:
+    """Reactions, and three measures of equilibrium."""
+    rows, standing = outcome.history.rows, outcome.standing
+    size = float(np.ptp(assembly.specimen.blocks.points, axis=0).max())
+    least = rounded(assembly.model, float(rows["kinetic"].max()))
+    return Forces(
+        reactions=_reactions(assembly, outcome),
+        force_balance=open_by(standing.values(), size, least),
+        motion_at_end=moved_by(standing["end"], standing.values(), size) if "end" in standing else 0.0,
+        reaction_mismatch_max=_mismatch(rows, scales),
+    )
+
+
+def _reactions(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
+    """At the peak and at the end: what supports, drive and dead loads exert."""
+    scene, outer = assembly.scene, assembly.recording.surroundings
+    on = {f"support.{k}": support.on for k, support in enumerate(scene.support)} | {FLOOR: FLOOR}
+    if scene.drive is not None:
+        on["drive"] = scene.drive.on
+    holds, loads = tuple((one.name, on[one.name]) for one in outer.holds), tuple(one.name for one in outer.loads)
+    return {when: balance(holds, loads, standing) for when, standing in outcome.standing.items()}
+
+
+def _mismatch(rows: dict[str, np.ndarray], scales: Scales) -> float:
+    """The largest difference between the stresses at the drive and at the supports, over the peak."""
+    mismatch = np.abs(rows["stress"] - rows["support_stress"])[scales.counting]
+    return float(mismatch.max() / scales.stress) if scales.stress > 0 and scales.counting.any() else 0.0

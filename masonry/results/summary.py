@@ -1,0 +1,191 @@
+"""What summary.json holds, in SI: a record of one part after another. docs/results.md says what each number means.
+
+Each part is made by the file of its name in masonry/laboratory/summary/. None is what was not measured in a run, what
+does not apply to it, and what an older version did not write.
+"""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from masonry.runtime.record import Record, list_of, one_of, table_of
+
+
+@dataclass(frozen=True, eq=False)
+class Description(Record):
+    """What was run."""
+
+    scene: str | None = None
+    law: str | None = None
+    kinematics: str | None = None
+    law_by_group: dict[str, str] | None = None
+    kinematics_by_group: dict[str, str] | None = None
+    blocks: int | None = None
+    cells: list[dict[str, Any]] | None = None
+    scatter: dict[str, Any] | None = None
+    contacts: int | None = None
+    tets: int | None = None
+    freedoms: int | None = None
+    section_m2: float | None = None
+    version: str | None = None
+    source_hash: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Course(Record):
+    """How the run went; `seconds`, of building, compiling and stepping, is that of a run of a sweep."""
+
+    steps: int | None = None
+    control: dict[str, Any] | None = None
+    seconds_run: float | None = None
+    seconds_compile: float | None = None
+    seconds: float | None = None
+    time_step_s: float | None = None
+    step_fraction: float | None = None
+    interrupted: bool | None = None
+    stopped: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Readings(Record):
+    """Of a gauge."""
+
+    at_peak_m: float | None = None
+    final_m: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Extremes(Record):
+    """What the drive met, and what the gauges read."""
+
+    peak_stress_pa: float | None = None
+    displacement_at_peak_m: float | None = None
+    final_stress_pa: float | None = None
+    peak_force_n: float | None = None
+    lowest_stress_pa: float | None = None
+    displacement_at_lowest_m: float | None = None
+    cycles: list[dict[str, Any]] | None = None
+    tilt_rad: float | None = None
+    gauges: dict[str, Readings] | None = table_of(Readings)
+
+
+@dataclass(frozen=True, eq=False)
+class Forces(Record):
+    """Supports, drive and dead loads, and how far their forces balance."""
+
+    reactions: dict[str, Any] | None = None
+    force_balance: float | None = None
+    motion_at_end: float | None = None
+    reaction_mismatch_max: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Energies(Record):
+    """Energies and works, and how far they balance."""
+
+    work_of_drive_j: float | None = None
+    work_of_force_j: float | None = None
+    work_of_loads_j: dict[str, float] | None = None
+    work_of_loads_after_settling_j: dict[str, float] | None = None
+    energy_j: dict[str, Any] | None = None
+    energy_imbalance: float | None = None
+    dissipation_mismatch: float | None = None
+    kinetic_over_internal_max: float | None = None
+    damping_over_external: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Restless(Record):
+    """The block that is farthest from rest, where it was made, and its shares."""
+
+    block: int = 0
+    at_m: list[float] = field(default_factory=list)
+    unbalanced: float | None = None
+    kinetic: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Rest(Record):
+    """How far from rest the specimen was after the settling, and at the end."""
+
+    unbalanced_after_settling: float | None = None
+    kinetic_after_settling: float | None = None
+    unrest_after_settling: Restless | None = one_of(Restless)
+    moving_at_end: Restless | None = one_of(Restless)
+
+
+@dataclass(frozen=True, eq=False)
+class SuddenCrack(Record):
+    """A moment in which the specimen moved by itself."""
+
+    displacement_m: float = 0.0
+    released_j: float = 0.0
+    first_step: int = 0
+    last_step: int = 0
+    place: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Cracks(Record):
+    """What broke, opened and slid."""
+
+    sudden_cracks: list[SuddenCrack] | None = list_of(SuddenCrack)
+    released_over_dissipated: float | None = None
+    joints_opened_or_slid: int | None = None
+    broken_area_m2: dict[str, float] | None = None
+    damaged_area_m2: dict[str, float] | None = None
+    symmetry_lost: str | None = None
+    mode_2_over_law: float | None = None
+    slip_max: float | None = None
+    slip_limit: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Moment(Record):
+    """A moment of a run: the drive, the tilt and the shares of loads that have a history."""
+
+    step: int = 0
+    time_s: float = 0.0
+    displacement_m: float = 0.0
+    force_n: float = 0.0
+    tilt_rad: float | None = None
+    loads: dict[str, float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class FirstFall(Moment):
+    """The first block that fell, at the moment at which it had."""
+
+    block: int = 0
+    sets: list[str] = field(default_factory=list)
+    at_m: list[float] = field(default_factory=list)
+    began: Moment | None = one_of(Moment)
+    began_unknown: str | None = None
+    blow_pa: float | None = None
+    energy_j: dict[str, float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Motion(Record):
+    """How far blocks moved, what they met, and what fell."""
+
+    rotation_max_rad: float | None = None
+    overlap_max: float | None = None
+    met: str | None = None
+    in_real_time: bool | None = None
+    collapse: FirstFall | None = one_of(FirstFall)
+    collapse_load: dict[str, Any] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Trust(Record):
+    """How far to trust the numbers."""
+
+    verdict: str | None = None
+    doubts: list[dict[str, Any]] | None = None
+    not_measured: list[str] | None = None
+    warnings: list[str] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Summary(Trust, Motion, Cracks, Rest, Energies, Forces, Extremes, Course, Description):
+    """All of it; the fields of the last part come first."""
