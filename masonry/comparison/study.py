@@ -10,7 +10,7 @@ from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
 from masonry.judgement.judgement import judgement_of
 from masonry.judgement.sentence import trust
-from masonry.runtime.folder import RESULTS, claim, scene_name, writing
+from masonry.runtime.folder import RESULTS, claim_for_many, scene_name, writing
 from masonry.runtime.lock import sole
 from masonry.runtime.progress import Tell
 from masonry.runtime.text_files import json_of, text_of
@@ -114,17 +114,14 @@ def begin(scene: Scene, out: Path | None, overwrite: bool = False, results: Path
     (without `overwrite`), or cannot be written to.
     """
     text = to_toml(scene)
+
+    def difference(folder: Path) -> str | None:
+        if not (folder / SCENE).is_file():
+            return None
+        return "" if _holds(folder, text) else "runs of another scene"
+
     name = f"{scene_name(scene.name)}-sensitivity"
-    if out is None:
-        begun = [entry for entry in results.glob(f"{name}-*") if not (entry / TABLE).exists() and _holds(entry, text)]
-        folder = begun[-1] if begun else claim(name, results=results)
-    else:
-        if (out / SCENE).is_file() and not overwrite and not _holds(out, text):
-            raise SceneError(
-                f"--out '{out}' holds runs of another scene; name another folder, or add --overwrite to replace its"
-                " table"
-            )
-        folder = claim(name, out, overwrite=overwrite, ours=_holds(out, text))
+    folder = claim_for_many(name, out, overwrite, difference, TABLE, results)
     with writing(folder), sole(folder, DOING), WholeFiles(folder) as files:
         files.text(SCENE, text)
     return folder

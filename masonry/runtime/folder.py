@@ -5,7 +5,7 @@ import os
 import re
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from geometry.files.atomic import is_name, is_unfinished
@@ -14,12 +14,14 @@ from masonry.runtime.lock import LOCK, sole
 
 RESULTS = Path("results")
 """Where folders go that the user does not name."""
-RESULT_NAMES = ("summary.json", "limit.json", "sensitivity.json", "runs", "checkpoint/HOW-TO-GO-ON.txt")
+RESULT_NAMES = (
+    *("summary.json", "limit.json", "sensitivity.json", "sweep.toml", "runs", "checkpoint/HOW-TO-GO-ON.txt"),
+)
 """A folder of results, finished or not, has one of these: in other folders nothing is replaced."""
 WRITTEN = {
     *("curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log", "fields.vtkhdf", "joints.vtkhdf"),
     *("curve.png", "cracks.png", "mechanism.png", "thrust.png", "checkpoint"),
-    *("sweep.toml", "sweep.csv", "sweep.parquet", "sweep.png", "sensitivity.csv", "sensitivity.png"),
+    *("sweep.csv", "sweep.parquet", "sweep.png", "sensitivity.csv", "sensitivity.png"),
 }
 """What commands write into a folder of results besides."""
 
@@ -52,6 +54,32 @@ def claim(
         folder = _next_free(results, scene_name(scene)) if out is None else _named(out, overwrite, ours)
         require_writable(folder)
     return folder
+
+
+def claim_for_many(
+    name: str,
+    out: Path | None,
+    overwrite: bool,
+    difference: Callable[[Path], str | None],
+    table: str,
+    results: Path = RESULTS,
+) -> Path:
+    """The folder for many runs, which go on where they ended: `out`, or the last `results/NAME-N` if it holds their
+    beginning, else the next free one.
+
+    difference  what a folder holds instead of these runs, in words; "" where it holds them, None where neither
+    table       the file that is there once all runs are done
+    Raises SceneError as `claim` does, and where `out` holds other runs (without `overwrite`).
+    """
+    if out is None:
+        last = _numbered(results, name)
+        folder = results / f"{name}-{max(last)}" if last else None
+        begun = folder is not None and not (folder / table).exists() and difference(folder) == ""
+        return folder if folder is not None and begun else claim(name, results=results)
+    other = difference(out)
+    if other and not overwrite:
+        raise SceneError(f"--out '{out}' holds {other}; name another folder, or add --overwrite to replace its table")
+    return claim(name, out, overwrite=overwrite, ours=other == "")
 
 
 def require_writable(folder: Path) -> None:
@@ -97,8 +125,7 @@ def sweep_up(folder: Path) -> None:
 
 def _next_free(results: Path, name: str) -> Path:
     results.mkdir(parents=True, exist_ok=True)
-    taken = [re.fullmatch(re.escape(name) + r"-(\d+)", entry.name) for entry in results.iterdir()]
-    number = max((int(match[1]) for match in taken if match), default=0) + 1
+    number = max(_numbered(results, name), default=0) + 1
     while True:
         folder = results / f"{name}-{number}"
         try:
@@ -106,6 +133,13 @@ def _next_free(results: Path, name: str) -> Path:
             return folder
         except FileExistsError:
             number += 1
+
+
+def _numbered(results: Path, name: str) -> list[int]:
+    """The numbers of the folders `results/NAME-N`."""
+    entries = results.iterdir() if results.is_dir() else ()
+    matches = [re.fullmatch(re.escape(name) + r"-(\d+)", entry.name) for entry in entries]
+    return [int(match[1]) for match in matches if match]
 
 
 def _named(out: Path, overwrite: bool, ours: bool) -> Path:

@@ -1,11 +1,9 @@
 """The folder of a sweep: a new one, or the one that holds what is done of this sweep already."""
 
-import re
 from pathlib import Path
 from typing import Any
 
-from masonry.errors import SceneError
-from masonry.runtime.folder import RESULTS, claim, scene_name
+from masonry.runtime.folder import claim_for_many, scene_name
 from masonry.runtime.lock import LOCK
 from masonry.sweep.read import Sweep, read_toml
 from masonry.sweep.table import TABLE
@@ -21,31 +19,18 @@ def folder_for(path: Path, sweep: Sweep, out: Path | None, overwrite: bool) -> P
 
     Raises SceneError if `out` holds another sweep or anything else (without `overwrite`), or cannot be written to.
     """
-    if out is None:
-        return _begun(scene_name(str(path)), sweep) or claim(str(path))
-    there = out / COPY
-    differs = differences(read_toml(there), sweep.raw) if there.is_file() and not overwrite else []
-    if differs:
+
+    def difference(folder: Path) -> str | None:
+        if not (folder / COPY).is_file():
+            only_runs = folder.is_dir() and {entry.name for entry in folder.iterdir()} <= {LOCK, "runs"}
+            return "" if only_runs else None
+        if overwrite:
+            return ""
+        differs = differences(read_toml(folder / COPY), sweep.raw)
         more = f" and {len(differs) - MOST} more" if len(differs) > MOST else ""
-        raise SceneError(
-            f"--out '{out}' holds another sweep: {'; '.join(differs[:MOST])}{more}; name another folder, or add"
-            " --overwrite to replace its table"
-        )
-    ours = there.is_file() or (out.is_dir() and {entry.name for entry in out.iterdir()} <= {LOCK, "runs"})
-    return claim(str(path), out, overwrite=overwrite, ours=ours)
+        return f"another sweep: {'; '.join(differs[:MOST])}{more}" if differs else ""
 
-
-def _begun(name: str, sweep: Sweep) -> Path | None:
-    """The folder with the greatest number, if it holds this sweep and no table yet."""
-    if not RESULTS.is_dir():
-        return None
-    numbers = {
-        int(m[1]): entry for entry in RESULTS.iterdir() if (m := re.fullmatch(rf"{re.escape(name)}-(\d+)", entry.name))
-    }
-    last = numbers[max(numbers)] if numbers else None
-    if last is None or (last / TABLE).exists() or not (last / COPY).is_file():
-        return None
-    return last if not differences(read_toml(last / COPY), sweep.raw) else None
+    return claim_for_many(scene_name(str(path)), out, overwrite, difference, TABLE)
 
 
 def differences(there: dict[str, Any], here: dict[str, Any]) -> list[str]:
