@@ -12,7 +12,7 @@ from masonry.judgement.evidence import has_drive
 from masonry.judgement.judgement import judgement_of
 from masonry.judgement.sentence import trust
 from masonry.results.summary import Summary
-from masonry.results.table import Table, table_of
+from masonry.results.table import table_of
 from masonry.rows.history import History
 from masonry.rows.peak import before_a_collapse, peak_row
 from masonry.runtime.finite import finite_rows, is_finite, without_nan
@@ -85,9 +85,9 @@ class ResultData:
         return bool(self.summary.in_real_time)
 
     @property
-    def curve(self) -> "DataFrame | Table":
+    def curve(self) -> "DataFrame":
         """The rows, one a moment, in SI units (`curve.attrs["units"]`): `curve["displacement"]`, `curve["stress"]`,
-        gauges, energies. A table of pandas where that is installed, else a small one of the same columns.
+        gauges, energies. A table of pandas; without pandas a SceneError, and `history.rows` has the same columns.
         """
         return table_of(self.history.rows)
 
