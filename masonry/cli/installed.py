@@ -14,7 +14,7 @@ APT = "apt-get install libgl1 libglu1-mesa libxrender1 libxcursor1 libxft2 libxi
 """What the wheel of gmsh and threads need from a bare Debian."""
 ON_DEBIAN = f"on Debian and Ubuntu: {APT}"
 AGAIN = "install it again, in the clone of masonry-dem: pip install --force-reinstall ."
-COMPUTING = ("numpy", "scipy", "numba", "h5py", "pyarrow", "matplotlib", "gmsh")
+COMPUTING = ("numpy", "scipy", "numba", "h5py", "matplotlib", "gmsh")
 """Packages of compiled code, which may be there and yet not load."""
 DISTRIBUTION = "masonry-dem"
 TOOLS = ("dev", "docs")

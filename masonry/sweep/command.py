@@ -63,19 +63,19 @@ def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any) -> int:
     from masonry.runtime.lock import sole
     from masonry.sweep.engine import run_alone
     from masonry.sweep.picture import PICTURE, draw
-    from masonry.sweep.table import TABLE, table_of, write_table
+    from masonry.sweep.table import PARQUET, TABLE, table_of, write_table
 
     with sole(folder, DOING), writing(folder):
-        for stale in (TABLE, "sweep.csv", PICTURE) if words.overwrite and (folder / "runs").is_dir() else ():
+        for stale in (PARQUET, TABLE, PICTURE) if words.overwrite and (folder / "runs").is_dir() else ():
             (folder / stale).unlink(missing_ok=True)
         with WholeFiles(folder) as files:
             files.text(COPY, words.sweep.read_text(encoding="utf-8-sig"))
         say = None if words.quiet else tell
         rows = run_alone([run.job for run in planned], folder, words.workers, say, words.scheduler)
         draw(folder, words.sweep.stem, planned, rows)
-        write_table(folder, table_of(planned, rows))
+        tables = write_table(folder, table_of(planned, rows))
     if not words.quiet:
         counts = Counter(row["status"] for row in rows)
         print(", ".join(f"{count} {status}" for status, count in counts.items()))
-        print("\n".join(visible(f"{folder / name}") for name in (TABLE, "sweep.csv", PICTURE)))
+        print("\n".join(visible(f"{folder / name}") for name in (*tables, PICTURE)))
     return OK

@@ -1,4 +1,4 @@
-"""The table of a sweep: one row a run, in sweep.parquet for programs and in sweep.csv for people."""
+"""The table of a sweep: one row a run, in sweep.csv, and in sweep.parquet for programs where pyarrow is installed."""
 
 import csv
 import io
@@ -12,7 +12,7 @@ from masonry.sweep.plan import Planned
 from masonry.sweep.points import si
 from masonry.sweep.store import Row
 
-TABLE = "sweep.parquet"
+TABLE, PARQUET = "sweep.csv", "sweep.parquet"
 HOW = ("status", "reason", "seconds")
 FIRST = ("peak_stress_pa", "displacement_at_peak_m", "final_stress_pa", "energy_imbalance", "reaction_mismatch_max")
 """The numbers that one looks at first; the others follow by name."""
@@ -61,15 +61,18 @@ def table_of(planned: Sequence[Planned], rows: Sequence[Row]) -> dict[str, list[
     return {name: [(head | row).get(name) for head, row in zip(heads, rows, strict=True)] for name in order}
 
 
-def write_table(folder: Path, columns: dict[str, list[Any]]) -> None:
-    """Write sweep.parquet and sweep.csv, both or none. Raises OSError."""
-    import pyarrow
-    from pyarrow import parquet
-
+def write_table(folder: Path, columns: dict[str, list[Any]]) -> tuple[str, ...]:
+    """Write sweep.csv, and sweep.parquet where pyarrow is installed, all or none; their names. Raises OSError."""
     columns = {name: _of_one_type(values) for name, values in columns.items()}
     with WholeFiles(folder) as files:
-        parquet.write_table(pyarrow.table(columns), files.new(TABLE))
-        files.text("sweep.csv", csv_text(columns))
+        files.text(TABLE, csv_text(columns))
+        try:
+            import pyarrow
+            from pyarrow import parquet
+        except ImportError:
+            return (TABLE,)
+        parquet.write_table(pyarrow.table(columns), files.new(PARQUET))
+    return PARQUET, TABLE
 
 
 def csv_text(columns: dict[str, list[Any]]) -> str:

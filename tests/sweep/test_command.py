@@ -12,6 +12,7 @@ import pytest
 from pyarrow import parquet
 
 from masonry.cli.main import main
+from masonry.sweep.table import write_table
 from tests.docs.pages import blocks
 from tests.sweep.samples import marks, text, untimed
 
@@ -64,6 +65,13 @@ def test_a_sweep_leaves_a_row_a_run_with_values_as_given_and_in_si(sweep, capsys
     assert Path("results/sweep-1/sweep.png").stat().st_size > 10_000
 
 
+def test_without_pyarrow_the_table_is_a_csv_file_alone(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    assert write_table(tmp_path, {"index": [0, 1], "seconds": [1.5, None]}) == ("sweep.csv",)
+    assert [file.name for file in tmp_path.iterdir()] == ["sweep.csv"]
+    assert (tmp_path / "sweep.csv").read_text(encoding="utf-8") == "index,seconds\n0,1.5\n1,\n"
+
+
 def test_a_sweep_killed_half_way_runs_only_what_is_missing_and_gives_the_same_table(sweep):
     path = sweep(GRID, steps=LONG)
     process = started(path, "--out", "killed", "--workers", "1")
@@ -71,7 +79,7 @@ def test_a_sweep_killed_half_way_runs_only_what_is_missing_and_gives_the_same_ta
     os.killpg(process.pid, signal.SIGKILL)
     process.communicate()
     before = marks(Path("killed"))
-    assert 2 <= len(before) < 6 and not Path("killed/sweep.parquet").exists()
+    assert 2 <= len(before) < 6 and not Path("killed/sweep.csv").exists()
     assert main(["sweep", path, "--out", "killed", "--workers", "1", "--quiet"]) == 0
     assert before.items() <= marks(Path("killed")).items()
     assert main(["sweep", path, "--out", "whole", "--quiet"]) == 0
