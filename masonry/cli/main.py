@@ -190,9 +190,11 @@ def _apart(command: str) -> Any:
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:
-        if error.name not in (module, module.partition(".")[0]):
+        if error.name is None or not f"{module}.".startswith(f"{error.name}."):
             raise
-        raise SceneError(f"'{command}' needs the package {module.partition('.')[0]}, which is not installed") from None
+        raise SceneError(
+            f"'{command}' is a part of the clone of masonry-dem, and not of what pip installs from it: run it there"
+        ) from None
 
 
 def _threads(text: str) -> int:

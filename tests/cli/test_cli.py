@@ -261,3 +261,10 @@ def test_a_name_that_no_file_can_have_is_said_in_one_line(words, tmp_path, monke
     monkeypatch.chdir(tmp_path)
     assert main(words.format("a" * 5000).split()) == 2
     assert capsys.readouterr().err.count("\n") == 1 and not list(tmp_path.iterdir())
+
+
+def test_the_paper_is_run_in_the_clone_and_one_message_says_so(capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "verification.paper", None)
+    monkeypatch.delitem(sys.modules, "verification.paper.command", raising=False)
+    assert main(["paper"]) == 2
+    assert "'paper' is a part of the clone of masonry-dem" in capsys.readouterr().err

@@ -3,14 +3,13 @@
 import argparse
 import time
 from collections.abc import Callable
+from importlib.util import find_spec
 from pathlib import Path
 
 from geometry.files.atomic import WholeFiles
 from verification import catalogue, records, runner, studies
 from verification.html import cover
 from verification.html.page import Chapter
-from verification.paper import gathering, page
-from verification.paper.catalogue import catalogue as paper
 from verification.report import cases
 
 Tell = Callable[[str], None]
@@ -37,7 +36,7 @@ def main(arguments: list[str] | None = None) -> int:
     """The command line; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m verification.report", description=__doc__)
     parser.add_argument("--out", type=Path, default=OUT, help="folder to write to (default: results)")
-    parts = [CASES, *found(), PAPER]
+    parts = [CASES, *found(), *([PAPER] if find_spec("verification.paper") else [])]  # no part of what pip installs
     parser.add_argument("--only", nargs="+", choices=parts, metavar="PART", help=f"of {', '.join(parts)}")
     parser.add_argument("--quick", action="store_true", help="only the quick cases, and a quick look at the paper")
     words = parser.parse_args(arguments)
@@ -54,8 +53,12 @@ def main(arguments: list[str] | None = None) -> int:
         outcomes = runner.run(wanted, tell=tell)
         chapters += cases.chapters(outcomes, time.perf_counter() - begun)
     chapters += [chapter(tell) for name, chapter in found().items() if not words.only or name in words.only]
-    if not words.only or PAPER in words.only:
-        chapters += page.chapters(gathering.gather(list(paper().values()), words.out / PAPER, words.quick, tell=tell))
+    if PAPER in (words.only or parts):
+        from verification.paper import catalogue as experiments
+        from verification.paper import gathering, page
+
+        every = list(experiments.catalogue().values())
+        chapters += page.chapters(gathering.gather(every, words.out / PAPER, words.quick, tell=tell))
     path, numbers = write(chapters, time.perf_counter() - begun, words.out)
     tell(f"{sum(len(c.records) for c in chapters)} records")
     for verdict in (v for c in chapters for v in c.verdicts):
