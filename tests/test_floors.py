@@ -91,11 +91,11 @@ class Import(NamedTuple):
 
 def modules() -> dict[str, Path]:
     """Every module of the house, by its dotted name."""
-    found = {}
+    named = {}
     for path in (p for package in OURS for p in (ROOT / package).rglob("*.py")):
         parts = path.relative_to(ROOT).with_suffix("").parts
-        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
-    return found
+        named[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    return named
 
 
 MODULES = modules()
@@ -136,7 +136,7 @@ def _targets(base: str, node: ast.ImportFrom) -> set[str]:
 
 def offences(module: str, source: str, is_package: bool = False) -> list[str]:
     """What the imports of one module do against the floors, a sentence each."""
-    own, found = floor_of(module), []
+    own, sentences = floor_of(module), []
     if own is None:
         return [f"{module} stands on no floor: add its folder to FLOORS in tests/test_floors.py, as low as it goes"]
     for target, line in imports(module, source, is_package):
@@ -145,21 +145,21 @@ def offences(module: str, source: str, is_package: bool = False) -> list[str]:
         if package in OURS:
             other = floor_of(target)
             if other is None:
-                found.append(f"{says}, which stands on no floor")
+                sentences.append(f"{says}, which stands on no floor")
             elif FLOORS.index(other) > FLOORS.index(own):
-                found.append(f"{says} of floor '{other}', which is above floor '{own}'")
+                sentences.append(f"{says} of floor '{other}', which is above floor '{own}'")
         elif package == "gmsh" and not any(module == allowed or module.startswith(f"{allowed}.") for allowed in GMSH):
-            found.append(f"{says}; only {GMSH[0]} imports gmsh")
+            sentences.append(f"{says}; only {GMSH[0]} imports gmsh")
         elif own in PACKAGES and package not in (*sys.stdlib_module_names, *PACKAGES[own].split()):
-            found.append(f"{says}; floor '{own}' uses only the standard library {PACKAGES[own]}".rstrip())
-    return found
+            sentences.append(f"{says}; floor '{own}' uses only the standard library {PACKAGES[own]}".rstrip())
+    return sentences
 
 
 @pytest.mark.parametrize("module", sorted(MODULES))
 def test_imports_go_down_the_floors_only(module: str) -> None:
     path = MODULES[module]
-    found = offences(module, path.read_text(encoding="utf-8"), path.name == "__init__.py")
-    assert not found, "\n".join(found)
+    sentences = offences(module, path.read_text(encoding="utf-8"), path.name == "__init__.py")
+    assert not sentences, "\n".join(sentences)
 
 
 def circles(graph: dict[str, set[str]]) -> list[list[str]]:
@@ -173,7 +173,7 @@ def circles(graph: dict[str, set[str]]) -> list[list[str]]:
 
 def test_no_files_import_each_other_in_a_circle() -> None:
     graph = {
-        module: {found.module for found in imports(module, path.read_text(encoding="utf-8"), path.stem == "__init__")}
+        module: {target.module for target in imports(module, path.read_text(encoding="utf-8"), path.stem == "__init__")}
         for module, path in MODULES.items()
     }
     assert circles(graph) == []

@@ -56,15 +56,15 @@ def chosen(names: Iterable[str], known: dict[str, Case]) -> list[Case]:
 
 def named(names: Iterable[str], known: dict[str, T], kind: str, listing: str) -> list[T]:
     """What has these names, each once; `kind` and the command of the `listing` are for the message."""
-    found = {}
+    by_name = {}
     for name in names:
         word = name.lower().replace("_", "-")
         if word not in known:
             close = closest(word, known)
             hint = f"did you mean '{close}'?" if close else f"{listing} names them all"
             raise SceneError(f"no {kind} '{name[:80]}': {hint}")
-        found[word] = known[word]
-    return list(found.values())
+        by_name[word] = known[word]
+    return list(by_name.values())
 
 
 def _row(row: str) -> tuple[str, float, str]:

@@ -32,15 +32,15 @@ def last_version(records: list[Record], but: tuple[str, str] | None = None) -> l
 def compare(old: list[Record], new: list[Record]) -> list[Change]:
     """Every change that counts, in the order of the new records; what only one of the two has comes last."""
     before, after = ({_key(r): r for r in records} for records in (old, new))
-    found = [change for key, r in after.items() if key in before for change in _number(before[key], r)]
+    changes = [change for key, r in after.items() if key in before for change in _number(before[key], r)]
     times_before, times_after = _times(before), _times(after)
     if {r.get("processor") for r in old} == {r.get("processor") for r in new}:
         for where, seconds in times_after.items():
-            found += _time(where, times_before.get(where), seconds)
+            changes += _time(where, times_before.get(where), seconds)
     covered = {r["case"] for r in new}
-    found += [Change(_where(r), "is new", False) for key, r in after.items() if key not in before]
+    changes += [Change(_where(r), "is new", False) for key, r in after.items() if key not in before]
     gone = [r for key, r in before.items() if key not in after and r["case"] in covered]
-    return found + [Change(_where(r), "is no longer measured", True) for r in gone]
+    return changes + [Change(_where(r), "is no longer measured", True) for r in gone]
 
 
 def _key(record: Record) -> tuple[Any, ...]:

@@ -68,13 +68,13 @@ def off(check: Check) -> str:
 
 def shortcomings(findings: Findings) -> list[str]:
     """The checks and ledgers that do not hold, each in a sentence."""
-    found = [off(check) for check in findings.checks if not check.holds]
-    found += [
+    sentences = [off(check) for check in findings.checks if not check.holds]
+    sentences += [
         f"the energy ledger of {run} is open by {imbalance:.1e} of the external work, more than {IMBALANCE:.0e}"
         for run, imbalance in findings.imbalance.items()
         if not imbalance <= IMBALANCE
     ]
-    return found if findings.checks else [*found, "no check was made"]
+    return sentences if findings.checks else [*sentences, "no check was made"]
 
 
 def judge(findings: Findings) -> tuple[str, str]:

@@ -139,8 +139,8 @@ def done(folder: Path) -> set[str]:
     """The cases that hold by their records in the folder, of this version and processor. Raises as `load`."""
     path, mine = folder / NAME, origin()
     same = ("version", "source_hash", "reference_hash", "processor")
-    found = load(path) if path.exists() else []
-    held = [r for r in found if r.get("chapter") == CASES and r.get("status") in ("PASS", "NOT BUILT")]
+    records = load(path) if path.exists() else []
+    held = [r for r in records if r.get("chapter") == CASES and r.get("status") in ("PASS", "NOT BUILT")]
     return {r["case"] for r in held if all(r.get(key) == mine[key] for key in same)}
 
 

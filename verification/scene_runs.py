@@ -97,8 +97,8 @@ def run(
 ) -> Run:
     """Run a scene of this name (see `loaded`); never raises for what the program refuses or stops."""
     try:
-        with loaded(name, knobs, specimen, mesh) as found:
-            one = judge(laboratory.run(found, threads), name, knobs)
+        with loaded(name, knobs, specimen, mesh) as scene:
+            one = judge(laboratory.run(scene, threads), name, knobs)
     except (SceneError, GeometryError) as refused:
         one = Run(name, dict(knobs or {}), "REFUSED", str(refused))
     except Stopped as stopped:
@@ -109,16 +109,16 @@ def run(
 
 def result_of(name: str, knobs: Settings | None = None) -> Result:
     """The result of a scene that must come to its end. Raises what the program refuses or stops."""
-    with loaded(name, knobs) as found:
-        return laboratory.run(found)
+    with loaded(name, knobs) as scene:
+        return laboratory.run(scene)
 
 
 def assembled(
     name: str, knobs: Settings | None = None, specimen: Specimen | None = None, mesh: TetMesh | None = None
 ) -> Assembly:
     """The model of a scene."""
-    with loaded(name, knobs, specimen, mesh) as found:
-        return assemble(found)
+    with loaded(name, knobs, specimen, mesh) as scene:
+        return assemble(scene)
 
 
 def source_of(name: str) -> str:

@@ -33,10 +33,10 @@ def test_an_arch_that_is_a_little_too_thin_is_doubted(thickness):
 
 
 def test_steps_that_are_found_leave_no_swing_in_the_thrust():
-    found, patient = (laboratory.run(tilted(0.98, settle=steps)).summary for steps in (None, {"steps": 20_000}))
-    thrust, right = (summary["reactions"]["end"]["support.1"]["force_n"][0] for summary in (found, patient))
+    brief, patient = (laboratory.run(tilted(0.98, settle=steps)).summary for steps in (None, {"steps": 20_000}))
+    thrust, right = (summary["reactions"]["end"]["support.1"]["force_n"][0] for summary in (brief, patient))
     assert thrust == pytest.approx(right, rel=1e-5)
-    assert "with care" not in trust(found)
+    assert "with care" not in trust(brief)
 
 
 def test_no_steps_are_found_for_what_falls():

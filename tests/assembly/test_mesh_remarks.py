@@ -30,15 +30,17 @@ def prism(angle: float):
 
 
 def test_the_excess_of_inertia_is_that_of_the_masses_at_the_nodes_and_falls_with_the_mesh():
-    found = []
+    excesses = []
     for size in ("100 mm", "25 mm"):
         built = assemble(cube(size))
         excess = inertia_excess(built.mesh, built.model.layout.centroid)[1]
         arm = built.mesh.nodes - built.model.layout.centroid[1]
         about_z = built.model.masses["tets"][:, 0] @ (arm[:, 0] ** 2 + arm[:, 1] ** 2)
         assert about_z == pytest.approx((1.0 + excess) * 2000.0 * 0.2**5 / 6.0, rel=0.02), "alike about all axes"
-        found.append(excess)
-    assert 0.05 < found[0] < 0.5 and found[1] < found[0] / 5.0, "less than the square of 4: coarse meshes are not alike"
+        excesses.append(excess)
+    assert 0.05 < excesses[0] < 0.5 and excesses[1] < excesses[0] / 5.0, (
+        "less than the square of 4: coarse meshes are not alike"
+    )
 
 
 @pytest.mark.parametrize(("size", "told"), [("100 mm", True), ("25 mm", False)])
@@ -49,5 +51,5 @@ def test_a_mesh_that_is_too_heavy_to_turn_is_told(size, told):
 
 @pytest.mark.parametrize("angle", [20.0, 60.0, 100.0])
 def test_the_sharpest_edge_is_found(angle):
-    block, found = sharpest_edge(prism(angle), np.ones(1, dtype=bool))
-    assert block == 0 and found == pytest.approx(min(angle, 90.0 - 0.5 * angle), abs=1e-6)
+    block, sharpest = sharpest_edge(prism(angle), np.ones(1, dtype=bool))
+    assert block == 0 and sharpest == pytest.approx(min(angle, 90.0 - 0.5 * angle), abs=1e-6)

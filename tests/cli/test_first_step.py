@@ -28,11 +28,11 @@ def test_what_some_scenes_or_the_results_need_is_not_imported_before_the_first_s
 def test_blocks_that_hang_together_have_one_number_in_order_of_their_first(blocks, joints):
     a, b = np.random.default_rng(joints).integers(0, blocks, (2, joints))
     link = coo_array((np.ones(joints), (a, b)), shape=(blocks, blocks))
-    found = connected(SimpleNamespace(count=blocks), SimpleNamespace(block_a=a, block_b=b))
-    assert np.array_equal(found, connected_components(link, directed=False)[1])
+    number = connected(SimpleNamespace(count=blocks), SimpleNamespace(block_a=a, block_b=b))
+    assert np.array_equal(number, connected_components(link, directed=False)[1])
 
 
 def test_a_run_of_numbers_hangs_together_in_any_order():
     row = np.random.default_rng(0).permutation(3000)
-    found = connected(SimpleNamespace(count=3000), SimpleNamespace(block_a=row[:-1], block_b=row[1:]))
-    assert found.max() == 0
+    number = connected(SimpleNamespace(count=3000), SimpleNamespace(block_a=row[:-1], block_b=row[1:]))
+    assert number.max() == 0

@@ -77,8 +77,8 @@ def test_the_picture_is_drawn_where_it_is_asked_for_and_by_default_beside(packag
 )
 def test_wrong_words_get_one_message(package, capsys, words, message):
     assert main(["law", *words]) == 2
-    found = capsys.readouterr()
-    assert message in found.err and len(found.err.splitlines()) == 1
+    output = capsys.readouterr()
+    assert message in output.err and len(output.err.splitlines()) == 1
 
 
 def test_an_area_that_is_not_the_integral_of_its_curve_is_told(tmp_path, capsys):
@@ -92,15 +92,15 @@ def test_an_area_that_is_not_the_integral_of_its_curve_is_told(tmp_path, capsys)
 
 @pytest.mark.parametrize("name", ["brittle", "linear", "polynomial", "exponential"])
 def test_the_energies_of_our_laws_are_those_of_their_closed_forms(name):
-    found, joint = portrait(*law(name)), Joint()
+    measured, joint = portrait(*law(name)), Joint()
     whole = float(closed_forms.dissipated_in_tension(name, joint, 1.0))
-    assert found.mode_1.whole == pytest.approx(whole, rel=3e-4)
-    assert found.mode_1.booked == pytest.approx(whole, rel=1e-9)
+    assert measured.mode_1.whole == pytest.approx(whole, rel=3e-4)
+    assert measured.mode_1.booked == pytest.approx(whole, rel=1e-9)
     for compression in COMPRESSIONS:
         end, residual = 1.0 + float(joint.peak(compression)) / joint.ks, float(joint.residual(compression))
         wanted = float(closed_forms.dissipated_in_shear(name, joint, end, compression))
         friction = residual * (end - residual / joint.ks)
-        assert found.mode_2[compression].whole == pytest.approx(wanted - friction, rel=3e-4)
+        assert measured.mode_2[compression].whole == pytest.approx(wanted - friction, rel=3e-4)
 
 
 def test_the_ways_of_a_portrait_go_back_and_forth():

@@ -88,8 +88,8 @@ def test_what_goes_out_as_surfaces_comes_back_with_the_same_factor(tmp_path, nam
     assert main(["export", name, "--to", str(path)]) == 0
     back = load(imported(tmp_path, str(path), *words), over)
     there = load(name, {"limit": over["limit"]})
-    (specimen, joints), (found, again) = joined(there), joined(back)
-    assert np.sort(volumes(found.blocks)) == pytest.approx(np.sort(volumes(specimen.blocks)), rel=1e-9)
+    (specimen, joints), (before, again) = joined(there), joined(back)
+    assert np.sort(volumes(before.blocks)) == pytest.approx(np.sort(volumes(specimen.blocks)), rel=1e-9)
     assert len(again.patch_start) == len(joints.patch_start)
     assert again.area.sum() == pytest.approx(joints.area.sum(), rel=1e-9)
     assert masonry.limit(back).factor == pytest.approx(masonry.limit(there).factor, rel=1e-9)

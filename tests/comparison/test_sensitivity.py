@@ -148,6 +148,6 @@ def test_what_did_not_end_is_not_compared_and_an_end_stress_of_nothing_is_held_a
 
 def test_a_figure_that_is_nothing_in_the_base_has_no_deviation():
     base = row(final_stress_pa=0.0, dissipated_j=0.0)
-    found = _deviations(row(final_stress_pa=1.0), base)
-    assert found["final_stress_pa_deviation"] is None and found["dissipated_j_deviation"] is None
-    assert found["peak_stress_pa_deviation"] == 0.0
+    deviations = _deviations(row(final_stress_pa=1.0), base)
+    assert deviations["final_stress_pa_deviation"] is None and deviations["dissipated_j_deviation"] is None
+    assert deviations["peak_stress_pa_deviation"] == 0.0

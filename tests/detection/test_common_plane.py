@@ -52,19 +52,19 @@ def test_the_axis_is_that_of_least_overlap_of_the_minkowski_difference(pairs):
     kinds = []
     for bodies in pairs(150):
         normal, gap = facets(bodies)
-        found = bodies.touch()
+        contact = bodies.touch()
         best = gap.max()
-        kinds.append(found.kind)
-        assert found.separation <= best + 1e-9
-        assert (found.separation > 0) <= (best > 0)
-        room = HOLD * abs(found.separation) + 1e-8
-        if found.kind == EDGE:  # the axis itself is a facet of the difference
-            assert found.separation >= best - room
-            assert found.separation == pytest.approx(gap[np.argmax(normal @ found.axis)], abs=1e-9)
-        elif found.kind == FACE and best < 0:
+        kinds.append(contact.kind)
+        assert contact.separation <= best + 1e-9
+        assert (contact.separation > 0) <= (best > 0)
+        room = HOLD * abs(contact.separation) + 1e-8
+        if contact.kind == EDGE:  # the axis itself is a facet of the difference
+            assert contact.separation >= best - room
+            assert contact.separation == pytest.approx(gap[np.argmax(normal @ contact.axis)], abs=1e-9)
+        elif contact.kind == FACE and best < 0:
             # better axes may only be of edges that nearly lie in both faces: a corner of the overlap is as deep as they
-            beyond = gap[normal @ found.axis < FLAT - 1e-6].max()
-            assert found.separation >= beyond - room or found.gap.min() >= best - HOLD * abs(best)
+            beyond = gap[normal @ contact.axis < FLAT - 1e-6].max()
+            assert contact.separation >= beyond - room or contact.gap.min() >= best - HOLD * abs(best)
     assert kinds.count(EDGE) >= 5 and kinds.count(FACE) >= 25
 
 
@@ -111,27 +111,27 @@ def test_blocks_of_one_size_share_the_mean_of_their_normals_and_a_floor_keeps_it
     assert np.allclose(equal.touch().axis, half, atol=1e-9)
     floor = boxes(([-9, -9, 0], [9, 9, 1]), ([0, 0, 1], [1, 1, 2]))
     floor.put(1, hinge + turn(0, tilt, 0) @ (centre - hinge), turn(0, tilt, 0))
-    found = floor.touch()
-    assert np.allclose(found.axis, [0, 0, 1], atol=1e-12) and found.blend == 1.0
-    assert sorted(found.gap) == pytest.approx([0, 0, np.sin(tilt), np.sin(tilt)], abs=1e-12)
+    contact = floor.touch()
+    assert np.allclose(contact.axis, [0, 0, 1], atol=1e-12) and contact.blend == 1.0
+    assert sorted(contact.gap) == pytest.approx([0, 0, np.sin(tilt), np.sin(tilt)], abs=1e-12)
 
 
 def test_crossed_edges_give_one_point_with_the_area_that_was_given():
     bars = boxes(([-3, -0.5, -0.5], [3, 0.5, 0.5]), ([-0.5, -3, -0.5], [0.5, 3, 0.5]))
     high = np.sqrt(2) - 0.01
     bars.put(0, np.zeros(3), turn(np.pi / 4, 0, 0)).put(1, [0.1, 0.2, high], turn(0, np.pi / 4, 0))
-    found = bars.touch(least=0.0025)
-    assert found.kind == EDGE and len(found.gap) == 1
-    assert np.allclose(found.axis, [0, 0, 1], atol=1e-12)
-    assert found.gap[0] == pytest.approx(-0.01, abs=1e-12) and found.area[0] == 0.0025
-    assert np.allclose(found.point[0], [0.1, 0.0, high / 2], atol=1e-12)
-    still = bars.touch(witness=found.witness)
-    assert still.kind == EDGE and np.array_equal(still.witness, found.witness)
+    contact = bars.touch(least=0.0025)
+    assert contact.kind == EDGE and len(contact.gap) == 1
+    assert np.allclose(contact.axis, [0, 0, 1], atol=1e-12)
+    assert contact.gap[0] == pytest.approx(-0.01, abs=1e-12) and contact.area[0] == 0.0025
+    assert np.allclose(contact.point[0], [0.1, 0.0, high / 2], atol=1e-12)
+    still = bars.touch(witness=contact.witness)
+    assert still.kind == EDGE and np.array_equal(still.witness, contact.witness)
 
 
 def test_pieces_beyond_the_skin_or_beside_each_other_do_not_touch():
     apart = boxes(([0, 0, 0], [1, 1, 1]), ([0, 0, 1.1], [1, 1, 2]))
     assert apart.touch(skin=0.09).kind == NONE and apart.touch(skin=0.11).kind == FACE
     corner = boxes(([0, 0, 0], [1, 1, 1]), ([1.01, 0, 1.02], [2, 1, 2]))
-    found = corner.touch(skin=0.1)
-    assert found.kind == NONE and found.separation == pytest.approx(0.02)
+    contact = corner.touch(skin=0.1)
+    assert contact.kind == NONE and contact.separation == pytest.approx(0.02)

@@ -72,8 +72,8 @@ def losses(made: type[Patch], rng, count: int) -> list[float]:
         tau = tangent(rng, old)
         if rng.random() < 0.5:
             tau[:] = tau[0]
-        found, loss = carried(old, tau, new)
-        before, after = (np.sum(a * np.sum(t**2, axis=1)) / 2 for a, t in ((old.area, tau), (new.area, found)))
+        shear, loss = carried(old, tau, new)
+        before, after = (np.sum(a * np.sum(t**2, axis=1)) / 2 for a, t in ((old.area, tau), (new.area, shear)))
         assert after <= before * (1 + 1e-12)
         assert loss == pytest.approx(before - after, abs=1e-12 * before)
         lost.append(loss / before)
@@ -94,23 +94,23 @@ def test_force_is_kept_where_the_new_patch_covers_the_old_one_and_lost_with_area
     even = np.tile([3.0, -1.0, 0.0], (4, 1))
     for slid in (0.0, 0.01, 0.3):
         new = Patch(np.clip(square(slid), 0, 1))
-        found, loss = carried(old, even, new)
-        assert np.allclose(found, even, atol=1e-12)  # an even traction stays even
+        shear, loss = carried(old, even, new)
+        assert np.allclose(shear, even, atol=1e-12)  # an even traction stays even
         assert loss == pytest.approx(5.0 * slid, abs=1e-12)
 
 
 def test_the_same_points_keep_every_bit():
     old, rng = Patch(square()), np.random.default_rng(3)
-    tau, found = tangent(rng, old), np.zeros((4, 3))
-    same = old.point + 0.01, old.area, old.feature, found, 4, UP, SCRATCH
-    assert transfer(old.point, old.area, old.feature, tau, 4, *same) == 0.0 and np.array_equal(found, tau)
+    tau, shear = tangent(rng, old), np.zeros((4, 3))
+    same = old.point + 0.01, old.area, old.feature, shear, 4, UP, SCRATCH
+    assert transfer(old.point, old.area, old.feature, tau, 4, *same) == 0.0 and np.array_equal(shear, tau)
 
 
 def test_the_same_region_under_other_names_changes_nothing():
     old, rng = Patch(square()), np.random.default_rng(4)
     tau = tangent(rng, old)
-    found, loss = carried(old, tau, old)
-    assert np.allclose(found, tau, atol=1e-14) and loss == pytest.approx(0.0, abs=1e-14)
+    shear, loss = carried(old, tau, old)
+    assert np.allclose(shear, tau, atol=1e-14) and loss == pytest.approx(0.0, abs=1e-14)
 
 
 def test_a_single_point_takes_and_gives_what_its_area_can_hold():

@@ -41,7 +41,7 @@ class MeshedCells(Bodies):
 @pytest.mark.parametrize("seed", [1, 5, 18])
 def test_no_tet_is_found_to_be_inside_of_one_that_it_only_touches(seed):
     bodies = MeshedCells(seed)
-    found = [bodies.touch(p, q, skin=1e-3, reach=1e-3, least=1e-9) for p, q in bodies.near()]
-    closed = [one for one in found if one.kind != NONE]
+    contacts = [bodies.touch(p, q, skin=1e-3, reach=1e-3, least=1e-9) for p, q in bodies.near()]
+    closed = [one for one in contacts if one.kind != NONE]
     assert len(closed) > 100
     assert min(one.gap.min() for one in closed) > -SNAP_OF_TETS * bodies.pieces.radius.max()

@@ -9,8 +9,8 @@ from masonry.detection.narrow import FACE
 from tests.detection.touching import Bodies, boxes, cells, random_turn, turn
 
 
-def moment(found) -> np.ndarray:
-    return found.area @ found.point
+def moment(contact) -> np.ndarray:
+    return contact.area @ contact.point
 
 
 @pytest.mark.parametrize(
@@ -26,12 +26,12 @@ def moment(found) -> np.ndarray:
 )
 def test_squares_on_each_other_share_the_area_of_the_closed_form(shift, spin, area, middle):
     stack = boxes(([-0.5, -0.5, -1], [0.5, 0.5, 0]), ([-0.5, -0.5, 0], [0.5, 0.5, 1]))
-    found = stack.put(1, [*shift, 0.499], turn(0, 0, spin)).touch()
-    assert found.kind == FACE and np.all(found.area >= 0)
-    assert found.area.sum() == pytest.approx(area, rel=1e-12)
-    assert moment(found)[:2] / area == pytest.approx(middle, abs=1e-12)
-    assert np.allclose(found.gap, -0.001, atol=1e-12) and np.allclose(found.point[:, 2], -0.0005, atol=1e-12)
-    assert found.size == pytest.approx(0.1 * np.sqrt(area))  # n is the mean of both normals
+    contact = stack.put(1, [*shift, 0.499], turn(0, 0, spin)).touch()
+    assert contact.kind == FACE and np.all(contact.area >= 0)
+    assert contact.area.sum() == pytest.approx(area, rel=1e-12)
+    assert moment(contact)[:2] / area == pytest.approx(middle, abs=1e-12)
+    assert np.allclose(contact.gap, -0.001, atol=1e-12) and np.allclose(contact.point[:, 2], -0.0005, atol=1e-12)
+    assert contact.size == pytest.approx(0.1 * np.sqrt(area))  # n is the mean of both normals
 
 
 def test_random_cells_share_what_a_slow_intersection_of_half_planes_says():
@@ -40,15 +40,15 @@ def test_random_cells_share_what_a_slow_intersection_of_half_planes_says():
         bodies, (i, j) = Bodies(blocks), rng.choice(30, 2, replace=False)
         way = rng.normal(size=3)
         bodies.put(i, np.zeros(3), random_turn(rng)).put(j, 0.2 * way / np.linalg.norm(way), random_turn(rng))
-        found = bodies.touch(i, j)
-        if found.kind != FACE:
+        contact = bodies.touch(i, j)
+        if contact.kind != FACE:
             continue
-        loops = [projected(bodies, f, b, found.axis) for f, b in zip(found.witness[1:], (i, j), strict=True)]
+        loops = [projected(bodies, f, b, contact.axis) for f, b in zip(contact.witness[1:], (i, j), strict=True)]
         area, centroid = slow_overlap(*loops)
-        across = basis(found.axis)
-        assert found.area.sum() == pytest.approx(area, rel=1e-9)
-        assert moment(found) @ across / area == pytest.approx(centroid, abs=1e-9)
-        assert np.all(found.area >= 0)
+        across = basis(contact.axis)
+        assert contact.area.sum() == pytest.approx(area, rel=1e-9)
+        assert moment(contact) @ across / area == pytest.approx(centroid, abs=1e-9)
+        assert np.all(contact.area >= 0)
         seen += 1
     assert seen >= 40
 
@@ -115,18 +115,18 @@ def test_a_corner_on_a_floor_is_the_only_point_that_is_not_open():
     frame = Rotation.from_euler("xyz", [20, 35, 30], degrees=True).as_matrix()
     brick.put(1, [0, 0, 1], frame)
     brick.put(1, [0, 0, 1 - brick.corners(1)[:, 2].min() - 1e-4], frame)
-    found = brick.touch(reach=1e-3, least=1e-4)
-    assert np.sum(found.gap < 0) == 1 and found.gap.min() == pytest.approx(-1e-4, abs=1e-12)
-    assert np.allclose(found.axis, [0, 0, 1], atol=1e-12)
+    contact = brick.touch(reach=1e-3, least=1e-4)
+    assert np.sum(contact.gap < 0) == 1 and contact.gap.min() == pytest.approx(-1e-4, abs=1e-12)
+    assert np.allclose(contact.axis, [0, 0, 1], atol=1e-12)
     lowest = brick.corners(1)[np.argmin(brick.corners(1)[:, 2])]
-    assert np.allclose(found.point[np.argmin(found.gap)], lowest + [0, 0, 5e-5], atol=1e-12)
+    assert np.allclose(contact.point[np.argmin(contact.gap)], lowest + [0, 0, 5e-5], atol=1e-12)
 
 
 def test_corners_nearer_than_a_hair_become_one_and_the_sums_stay():
     stack = boxes(([0, 0, 0], [1, 1, 1]), ([0, 0, 1], [1, 1, 2]))
-    found = stack.put(1, [0.5 + 1e-6, 0.5 - 2e-6, 1.5], turn(1e-6, 0, 0)).touch()
-    assert len(found.area) == 4
-    assert found.area.sum() == pytest.approx(1.0, abs=4e-6)
+    contact = stack.put(1, [0.5 + 1e-6, 0.5 - 2e-6, 1.5], turn(1e-6, 0, 0)).touch()
+    assert len(contact.area) == 4
+    assert contact.area.sum() == pytest.approx(1.0, abs=4e-6)
     more = stack.put(1, [0.5, 0.5, 1.5], turn(0, 0, 0.01)).touch()
     assert len(more.area) == 8 and len(set(more.feature)) == 8
 

@@ -86,9 +86,9 @@ def test_a_block_on_the_pieces_of_a_body_feels_no_seam():
         shared = max(0.0, min(x + 1, 2) - x) * max(0.0, min(y + 1, 1) - y) if y < 1 else 0.0
         shared += max(0.0, min(x + 1, 1) - max(x, 0)) * (y + 1 - max(y, 1))
         shared -= max(0.0, -x) * max(0.0, min(y + 1, 1) - y)
-        found = [bodies.touch(p, 2, skin=0.1, reach=0.1) for p in range(2)]
-        assert sum(f.area.sum() for f in found) == pytest.approx(shared, rel=1e-9)
-        assert all(f.kind == NONE or np.allclose(f.axis, [0, 0, 1], atol=1e-9) for f in found)
+        contacts = [bodies.touch(p, 2, skin=0.1, reach=0.1) for p in range(2)]
+        assert sum(f.area.sum() for f in contacts) == pytest.approx(shared, rel=1e-9)
+        assert all(f.kind == NONE or np.allclose(f.axis, [0, 0, 1], atol=1e-9) for f in contacts)
 
 
 def test_order_by_place_does_not_depend_on_the_numbers():

@@ -70,8 +70,8 @@ def test_random_spread_patches_never_gain_energy_and_report_what_they_lose():
 def test_an_even_traction_goes_over_whole_to_a_patch_within_and_corners_pass_nothing_inwards():
     old, new = Spread(square()), Spread(0.5 * square() + 0.2)
     even = np.tile([2.0, 1.0, 0.0], (8, 1))
-    found, _ = carried(old, even, new)
-    assert found == pytest.approx(even, rel=1e-12)
+    shear, _ = carried(old, even, new)
+    assert shear == pytest.approx(even, rel=1e-12)
     at_corners = even * (np.arange(8) < 4)[:, None]
-    found, _ = carried(old, at_corners, new)
-    assert found == pytest.approx(at_corners, rel=1e-12)
+    shear, _ = carried(old, at_corners, new)
+    assert shear == pytest.approx(at_corners, rel=1e-12)

@@ -65,8 +65,8 @@ class Bodies:
             self.pieces, self.turned, self.position, p, q, skin, reach, least, False, axis, witness, self.scratch,
             point, gap, area, feature,
         )  # fmt: skip
-        found = point[:count], gap[:count], area[:count], feature[:count]
-        return Touching(kind, separation, blend, size, axis, *found, witness)
+        columns = point[:count], gap[:count], area[:count], feature[:count]
+        return Touching(kind, separation, blend, size, axis, *columns, witness)
 
     def corners(self, p: int) -> np.ndarray:
         start = self.pieces.vertex_start

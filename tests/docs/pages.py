@@ -42,8 +42,8 @@ class Block:
 
 def pages() -> dict[str, Path]:
     """Every page, by its path in the repository."""
-    found = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")]
-    return {str(path.relative_to(ROOT)): path for path in sorted(found) if "_generated" not in path.parts}
+    files = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")]
+    return {str(path.relative_to(ROOT)): path for path in sorted(files) if "_generated" not in path.parts}
 
 
 def blocks(page: str) -> list[Block]:
@@ -53,11 +53,11 @@ def blocks(page: str) -> list[Block]:
 
 def blocks_of(text: str) -> list[Block]:
     """All blocks of a text, in order."""
-    found = []
+    blocks = []
     for match in _FENCE.finditer(text):
         said = _WORD.search(text[: match.start()])
         code, why = (said["code"], said["why"]) if said else (None, None)
         line = text.count("\n", 0, match.start("text")) + 1
         slow = bool(said and said[1] == "slow")
-        found.append(Block(match["language"].strip(), match["text"], line, slow, int(code or 0), why or ""))
-    return found
+        blocks.append(Block(match["language"].strip(), match["text"], line, slow, int(code or 0), why or ""))
+    return blocks

@@ -10,26 +10,26 @@ TIMELESS = ("curve.csv", "fields.vtkhdf", "scene.toml")
 
 def differences(one: Path, other: Path) -> list[str]:
     """What two folders of results hold differently, by name of file and of what is in it; empty where nothing."""
-    found = [name for name in TIMELESS if (one / name).read_bytes() != (other / name).read_bytes()]
+    names = [name for name in TIMELESS if (one / name).read_bytes() != (other / name).read_bytes()]
     for name, read in (("history.h5", _history), ("summary.json", _summary)):
         a, b = read(one / name), read(other / name)
-        found += [f"{name}: {key}" for key in a.keys() | b.keys() if a.get(key) != b.get(key)]
-    return sorted(found)
+        names += [f"{name}: {key}" for key in a.keys() | b.keys() if a.get(key) != b.get(key)]
+    return sorted(names)
 
 
 def _history(path: Path) -> dict[str, Any]:
     """Type, shape and bytes of every array."""
     import h5py
 
-    found: dict[str, Any] = {}
+    arrays: dict[str, Any] = {}
 
     def keep(name: str, entry: Any) -> None:
         if isinstance(entry, h5py.Dataset) and name not in ("log", "scene"):
-            found[name] = (entry.dtype.str, entry.shape, entry[()].tobytes())
+            arrays[name] = (entry.dtype.str, entry.shape, entry[()].tobytes())
 
     with h5py.File(path) as file:
         file.visititems(keep)
-    return found
+    return arrays
 
 
 def _summary(path: Path) -> dict[str, Any]:

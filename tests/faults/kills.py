@@ -78,7 +78,7 @@ def kill_once(trial: Trial, alone: Alone, folder: Path, moment: str, draw: rando
 
 def kill_and_resume(trial: Trial, alone: Alone, folder: Path, moment: str, draw: random.Random) -> Killed:
     """One kill that hit, and the run taken to its end."""
-    while (found := kill_once(trial, alone, folder, moment, draw)) is None:
+    while (outcome := kill_once(trial, alone, folder, moment, draw)) is None:
         shutil.rmtree(folder)
     begun = (folder / "checkpoint" / "scene.toml").is_file()
     words = ["resume", str(folder), "--threads", str(trial.threads[1])] if begun else [*trial.words(folder)]
@@ -86,4 +86,4 @@ def kill_and_resume(trial: Trial, alone: Alone, folder: Path, moment: str, draw:
     code = process.end()
     differs = [f"exit code {code}: {process.said.strip()}"] if code else differences(alone.folder, folder)
     left = half_written(folder) + states(folder)
-    return Killed(trial.name, moment, found, differs + [f"left behind: {name}" for name in left])
+    return Killed(trial.name, moment, outcome, differs + [f"left behind: {name}" for name in left])

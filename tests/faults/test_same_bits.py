@@ -102,8 +102,8 @@ def test_a_run_in_pieces_on_changing_threads_has_the_bits_of_the_run_in_one(name
     checkpointer.saved = saved
     result = laboratory.run(scene, checkpointer=checkpointer)
     assert result.log[-1] == f"resumed at step {saved['run']['done']}"
-    found = everything(result)
-    assert not [key for key in whole if whole[key] != found[key]]
+    bits = everything(result)
+    assert not [key for key in whole if whole[key] != bits[key]]
 
 
 @pytest.mark.parametrize("name", ["rigid, steps", "affine, accuracy", "tets, accuracy"])

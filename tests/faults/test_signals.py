@@ -91,16 +91,16 @@ def test_a_file_that_a_second_ctrl_c_leaves_half_made_shows_no_traceback():
 
 
 def test_outside_the_main_thread_signals_stay_as_they_are():
-    before, found = signal.getsignal(signal.SIGTERM), []
+    before, handlers = signal.getsignal(signal.SIGTERM), []
 
     def listen() -> None:
         with interruptible() as asked:
-            found.append((asked(), signal.getsignal(signal.SIGTERM)))
+            handlers.append((asked(), signal.getsignal(signal.SIGTERM)))
 
     thread = threading.Thread(target=listen)
     thread.start()
     thread.join()
-    assert found == [(False, before)]
+    assert handlers == [(False, before)]
 
 
 def test_signals_are_given_back_afterwards():

@@ -85,6 +85,6 @@ def test_a_cache_with_damaged_files_is_one_without_them(used, tmp_path):
 def test_a_cache_on_a_full_disk_is_gone_without_and_the_log_says_so(used, tmp_path):
     whole = used[1]
     with disk(tmp_path / "small", "100k") as small:
-        found = stresses(small)
-    assert found[0] == whole[0]
-    assert (whole[1].split(), found[1].split()) == (["False", "False"], ["True", "True"])
+        stress = stresses(small)
+    assert stress[0] == whole[0]
+    assert (whole[1].split(), stress[1].split()) == (["False", "False"], ["True", "True"])

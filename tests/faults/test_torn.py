@@ -103,7 +103,7 @@ def test_a_tree_comes_back_as_it_was_types_and_bits(tmp_path):
 
 def test_a_wrong_byte_anywhere_is_found_or_changes_nothing(tmp_path):
     write(tmp_path / "x.npz", STATE)
-    good, draw, found = (tmp_path / "x.npz").read_bytes(), Random(1), 0
+    good, draw, refusals = (tmp_path / "x.npz").read_bytes(), Random(1), 0
     for _ in range(400):
         bad = bytearray(good)
         bad[draw.randrange(len(bad))] ^= 1 << draw.randrange(8)
@@ -111,8 +111,8 @@ def test_a_wrong_byte_anywhere_is_found_or_changes_nothing(tmp_path):
         try:
             assert repr(read(tmp_path / "y.npz")) == repr(STATE)
         except Damaged:
-            found += 1
-    assert found > 200
+            refusals += 1
+    assert refusals > 200
 
 
 def test_a_pickle_is_never_loaded(tmp_path):

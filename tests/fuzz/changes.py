@@ -66,10 +66,10 @@ def _change_of_text(draw: Draw, content: bytes) -> bytes:
 
 def _with_other_number(draw: Draw, content: bytes) -> bytes:
     """Another number in the place of one: odd, a thousand million times as large, negative, or another's."""
-    found = list(NUMBER.finditer(content))
-    if not found:
+    numbers = list(NUMBER.finditer(content))
+    if not numbers:
         return content
-    one, other = pick(draw, found), pick(draw, found)
+    one, other = pick(draw, numbers), pick(draw, numbers)
     new = pick(draw, (pick(draw, ODD), one[0] + b"000000000", b"-" + one[0], other[0], one[0] + b"1", b"3"))
     return content[: one.start()] + new + content[one.end() :]
 

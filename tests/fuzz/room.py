@@ -233,8 +233,8 @@ def peak() -> int:
 
 def children() -> set[str]:
     """Numbers of the processes that this one has begun and that have not gone."""
-    found: set[str] = set()
+    names: set[str] = set()
     with contextlib.suppress(OSError):
         for task in Path("/proc/self/task").iterdir():
-            found |= set((task / "children").read_text(encoding="ascii").split())
-    return found
+            names |= set((task / "children").read_text(encoding="ascii").split())
+    return names

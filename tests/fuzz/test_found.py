@@ -211,7 +211,7 @@ def test_a_reader_whose_asker_was_killed_takes_its_folder_away_and_ends(tmp_path
 
 def _readers(inside: Path) -> list[str]:
     """Processes that work in a folder below."""
-    found = []
+    readers = []
     for entry in Path("/proc").iterdir():
         if entry.name.isdecimal():
             try:
@@ -219,8 +219,8 @@ def _readers(inside: Path) -> list[str]:
             except OSError:
                 continue
             if there.startswith(str(inside)):
-                found.append(entry.name)
-    return found
+                readers.append(entry.name)
+    return readers
 
 
 def _until(holds) -> None:

@@ -21,11 +21,11 @@ ALL_OF_IT = 1.0, 1.0, 0.0, 0.0
 def turn(axis: int, angle: float) -> np.ndarray:
     """Rotation (3, 3) about x, y or z by an angle in rad."""
     i, j = (axis + 1) % 3, (axis + 2) % 3
-    found = np.eye(3)
-    found[i, i] = found[j, j] = np.cos(angle)
-    found[j, i] = np.sin(angle)
-    found[i, j] = -found[j, i]
-    return found
+    matrix = np.eye(3)
+    matrix[i, i] = matrix[j, j] = np.cos(angle)
+    matrix[j, i] = np.sin(angle)
+    matrix[i, j] = -matrix[j, i]
+    return matrix
 
 
 def brick(dt: float, arms=(), free=(True,) * 6, **fields) -> Turning:

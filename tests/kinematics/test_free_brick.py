@@ -28,7 +28,7 @@ def rates_after(time: float, steps: int) -> np.ndarray:
 def test_rates_follow_eulers_equations_with_order_two(time, rates, order, rest):
     """Over a whole period in the brick's axes the errors of second order cancel, and those of third order are left."""
     coarse, middle, fine = (rates_after(time, round(time * n)) for n in (2000, 4000, 8000))
-    errors = [np.abs(found - rates).max() for found in (coarse, middle, fine)]
+    errors = [np.abs(rate - rates).max() for rate in (coarse, middle, fine)]
     assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.1)
     assert np.log2(errors[1] / errors[2]) == pytest.approx(order, abs=0.1)
     assert fine + (fine - middle) / (2**order - 1) == pytest.approx(rates, abs=rest)

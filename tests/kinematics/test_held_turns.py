@@ -86,15 +86,15 @@ def test_the_ledger_closes_where_one_turn_is_driven_and_others_are_free():
 @pytest.mark.parametrize("damping", [pytest.param(0.5, marks=pytest.mark.slow), Guided(0.02, 0.1)])
 def test_damping_of_turns_is_the_same_from_wherever_one_looks(damping):
     dt, turned, guess = 1e-3, bricks.turn(0, 1.0) @ bricks.turn(2, 0.6), np.array([0.3, 0.2, -0.1])
-    found = []
+    rates = []
     for by in (np.eye(3), turned):
         expected = in_rows(np.array([[0.0, 0.0, 0.0, *(by @ guess)]]))
         body = loaded(dt, FREE, by @ START, by @ MOMENT, guess=expected)
         body.v[0, 3:] = by @ [1.0, 4.0, -2.0]
         turning.spin(body)
         bricks.fly(body, dt, 500, damping, speed=0.7)
-        found.append((by.T @ body.frame[0], by.T @ body.v[0, 3:]))
-    for here, there in zip(*found, strict=True):
+        rates.append((by.T @ body.frame[0], by.T @ body.v[0, 3:]))
+    for here, there in zip(*rates, strict=True):
         assert here == pytest.approx(there, abs=1e-11)
 
 

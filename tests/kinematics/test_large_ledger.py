@@ -142,9 +142,9 @@ def balance(dt: float, time: float, damping=None) -> dict[str, float]:
 
 @pytest.mark.parametrize("damping", [None, 0.2])
 def test_the_ledger_closes_to_round_off(damping):
-    found = balance(4e-5, 0.01, damping)
-    assert found["gap"] < 1e-13 * (found["moving"] + found["damping"])
-    assert (found["damping"] > 0.0) == (damping is not None)
+    ledger = balance(4e-5, 0.01, damping)
+    assert ledger["gap"] < 1e-13 * (ledger["moving"] + ledger["damping"])
+    assert (ledger["damping"] > 0.0) == (damping is not None)
 
 
 def test_energy_that_no_force_gave_falls_with_the_square_of_the_step():

@@ -36,10 +36,10 @@ def observed(model, kind: str) -> tuple[np.ndarray, float, float, float]:
     """Mean of Cauchy's stress (3, 3) Pa; energy (J), least det F, bound of the stretch."""
     stress = np.zeros((1, 6))
     where = (model.bodies.affine,) if kind == "affine" else (model.bodies.tets, model.contacts.u)
-    found = (deforming if kind == "affine" else deforming_tets).observe(*where, stress)
+    strain = (deforming if kind == "affine" else deforming_tets).observe(*where, stress)
     full = np.zeros((3, 3))
     full[VOIGT] = full.T[VOIGT] = stress[0] / model.layout.volume[0]
-    return full, *found
+    return full, *strain
 
 
 def closed_form(f: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:

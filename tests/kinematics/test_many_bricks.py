@@ -73,8 +73,8 @@ def test_a_brick_among_others_moves_as_it_does_alone(sides, damping):
         assert one.frame[0] @ one.frame[0].T == pytest.approx(np.eye(3), abs=3e-15)
         own = fly(one, force, damping)
         for name in ("q", "v", "frame", "momentum", "contact", "hold", "work"):
-            found, wanted = getattr(body, name)[b], getattr(one, name)[0]
-            assert found == pytest.approx(wanted, rel=1e-10, abs=1e-10 * np.abs(wanted).max()), (b, name)
+            among, wanted = getattr(body, name)[b], getattr(one, name)[0]
+            assert among == pytest.approx(wanted, rel=1e-10, abs=1e-10 * np.abs(wanted).max()), (b, name)
         if b in sides:
             assert u[sides.index(b)] == pytest.approx(own[0], rel=1e-10)
 

@@ -120,8 +120,8 @@ def test_the_stiffness_of_tets_is_the_slope_of_their_energy():
     model.contacts.force[...] = 0.0
     move(None, body, 1e-9, None, STILL, model.contacts.force, u)
     free = body.dt_over_mass > 0.0
-    found = np.divide(body.v, body.dt_over_mass, out=np.zeros_like(body.v), where=free)
-    assert found[free] == pytest.approx(wanted[free], rel=1e-5, abs=1e-6 * np.abs(wanted).max())
+    force = np.divide(body.v, body.dt_over_mass, out=np.zeros_like(body.v), where=free)
+    assert force[free] == pytest.approx(wanted[free], rel=1e-5, abs=1e-6 * np.abs(wanted).max())
     assert wanted.sum(axis=0) == pytest.approx(np.zeros(3), abs=1e-6 * np.abs(wanted).max()), "no force on the whole"
 
 

@@ -121,14 +121,14 @@ def flying(fraction=0.9):
 def angular_momentum(model) -> np.ndarray:
     """(3,) kg m2/s about the origin, of velocities half a step after the places."""
     rigid, affine, _ = model.bodies
-    layout, found = model.layout, np.zeros(3)
+    layout, momentum = model.layout, np.zeros(3)
     place = layout.centroid[layout.members["rigid"]] + rigid.q[:, :3]
-    found += (np.cross(place, model.masses["rigid"][:, :3] * rigid.v[:, :3]) + rigid.momentum).sum(axis=0)
+    momentum += (np.cross(place, model.masses["rigid"][:, :3] * rigid.v[:, :3]) + rigid.momentum).sum(axis=0)
     place = layout.centroid[layout.members["affine"]] + affine.q[:, :3]
-    found += np.cross(place, model.masses["affine"][:, :3] * affine.v[:, :3]).sum(axis=0)
+    momentum += np.cross(place, model.masses["affine"][:, :3] * affine.v[:, :3]).sum(axis=0)
     second = model.masses["affine"][:, 3:6]
     first = np.einsum("bij,bkj,bj->bik", affine.frame, affine.v[:, 3:].reshape(-1, 3, 3), second)
-    return found + np.array([first[:, j, k] - first[:, k, j] for j, k in ((1, 2), (2, 0), (0, 1))]).sum(axis=1)
+    return momentum + np.array([first[:, j, k] - first[:, k, j] for j, k in ((1, 2), (2, 0), (0, 1))]).sum(axis=1)
 
 
 def carried(model) -> np.ndarray:

@@ -117,12 +117,12 @@ def places(model, kind: str) -> np.ndarray:
 
 def angular_momentum(model) -> np.ndarray:
     """(3,) kg m2/s about the origin, of velocities half a step after the places."""
-    found = model.bodies.rigid.momentum.sum(axis=0)
+    momentum = model.bodies.rigid.momentum.sum(axis=0)
     for kind, body in energy.present(model):
-        found = found + np.cross(places(model, kind), model.masses[kind][:, :3] * body.v[:, :3]).sum(axis=0)
+        momentum = momentum + np.cross(places(model, kind), model.masses[kind][:, :3] * body.v[:, :3]).sum(axis=0)
     affine, second = model.bodies.affine, model.masses["affine"][:, 3:6]
     first = np.einsum("bij,bkj,bj->bik", affine.frame, affine.v[:, 3:].reshape(-1, 3, 3), second)
-    return found + np.array([first[:, j, k] - first[:, k, j] for j, k in ((1, 2), (2, 0), (0, 1))]).sum(axis=1)
+    return momentum + np.array([first[:, j, k] - first[:, k, j] for j, k in ((1, 2), (2, 0), (0, 1))]).sum(axis=1)
 
 
 def test_blocks_that_meet_keep_their_angular_momentum():
@@ -201,14 +201,14 @@ def test_an_even_pressure_gives_every_node_its_share_of_the_area_whatever_the_tw
 
 def node_areas(model, which: np.ndarray) -> np.ndarray:
     """(n,) m2, a third of all triangles of the surface whose corners are among some nodes."""
-    found, tets = np.zeros(len(which)), outer_tets(model.layout)
+    area, tets = np.zeros(len(which)), outer_tets(model.layout)
     for node, outer in zip(tets.node, tets.outer, strict=True):
         for face in np.array(FACES)[outer]:
             corner = node[face]
             if which[corner].all():
                 a, b, c = model.layout.mesh.nodes[corner]
-                found[corner] += np.linalg.norm(np.cross(b - a, c - a)) / 6.0
-    return found[which]
+                area[corner] += np.linalg.norm(np.cross(b - a, c - a)) / 6.0
+    return area[which]
 
 
 def test_the_forces_on_nodes_are_the_derivatives_of_the_energy_that_is_stored():

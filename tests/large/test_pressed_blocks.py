@@ -118,12 +118,14 @@ def test_a_right_angle_turns_the_forces_and_stresses_of_a_strained_block_and_cha
         size = np.abs(straight).max()
         assert turned[0] == pytest.approx(quarter @ straight[0], rel=0, abs=1e-9 * size)
         assert turned[1:] == pytest.approx(quarter @ straight[1:] @ quarter.T, rel=0, abs=1e-9 * size)
-    found = []
+    forces = []
     for model in (one, other):
         stress, full = np.zeros((1, 6)), np.zeros((3, 3))
         energy, least, longest = deforming.observe(model.bodies.affine, stress)
         for (i, j), value in zip(((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)), stress[0], strict=True):
             full[i, j] = full[j, i] = value
-        found.append((full, [energy, least, stored_energy(model.large.near)]))
-    assert found[1][0] == pytest.approx(quarter @ found[0][0] @ quarter.T, rel=0, abs=1e-9 * np.abs(found[0][0]).max())
-    assert found[1][1] == pytest.approx(found[0][1], rel=1e-9)
+        forces.append((full, [energy, least, stored_energy(model.large.near)]))
+    assert forces[1][0] == pytest.approx(
+        quarter @ forces[0][0] @ quarter.T, rel=0, abs=1e-9 * np.abs(forces[0][0]).max()
+    )
+    assert forces[1][1] == pytest.approx(forces[0][1], rel=1e-9)

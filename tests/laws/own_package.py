@@ -19,10 +19,10 @@ CACHES = (plugins.plugins, outside.plugin_law, law_keys.keys_of, law_keys._with_
 
 def files_of_page() -> dict[str, str]:
     """Name -> content; blocks of one file one after the other."""
-    found: dict[str, str] = {}
+    files: dict[str, str] = {}
     for name, content in BLOCK.findall(PAGE.read_text(encoding="utf-8")):
-        found[name] = found.get(name, "") + content
-    return found
+        files[name] = files.get(name, "") + content
+    return files
 
 
 def install(folder: Path, files: dict[str, str] | None = None, name: str = "my-masonry") -> Path:

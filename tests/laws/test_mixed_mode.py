@@ -52,21 +52,21 @@ def torn_then_sheared(name, coupling):
 
 def test_combined_loss_in_tension_lowers_the_cohesion_by_the_same_share():
     for name in LAWS:
-        found, sliding = torn_then_sheared(name, "combined")
+        trace, sliding = torn_then_sheared(name, "combined")
         kept = float(tension(name, JOINT, 8 * UM)) / JOINT.fT
-        assert found.intact_n[-1] == pytest.approx(kept, rel=1e-12)
-        slip, residual, peak = found.path[sliding, 0], float(JOINT.residual(0.3e6)), float(JOINT.peak(0.3e6))
+        assert trace.intact_n[-1] == pytest.approx(kept, rel=1e-12)
+        slip, residual, peak = trace.path[sliding, 0], float(JOINT.residual(0.3e6)), float(JOINT.peak(0.3e6))
         first = (residual + kept * (peak - residual)) / KS
         envelope = shear(name, JOINT, np.maximum(slip - first, 0.0) + peak / KS, 0.3e6)
         wanted = np.minimum(KS * slip, residual + kept * (envelope - residual))
-        np.testing.assert_allclose(found.tau[sliding], wanted, rtol=1e-11)
+        np.testing.assert_allclose(trace.tau[sliding], wanted, rtol=1e-11)
 
 
 def test_independent_loss_in_tension_leaves_the_shear_envelope_alone():
     for name in LAWS:
-        found, sliding = torn_then_sheared(name, "independent")
-        wanted = shear(name, JOINT, found.path[sliding, 0], 0.3e6)
-        np.testing.assert_allclose(found.tau[sliding], wanted, rtol=1e-11)
+        trace, sliding = torn_then_sheared(name, "independent")
+        wanted = shear(name, JOINT, trace.path[sliding, 0], 0.3e6)
+        np.testing.assert_allclose(trace.tau[sliding], wanted, rtol=1e-11)
 
 
 def sheared_then_torn(name, coupling, unloading):
@@ -85,28 +85,28 @@ def sheared_then_torn(name, coupling, unloading):
 @pytest.mark.parametrize("unloading", ["secant", "elastic"])
 def test_combined_loss_in_shear_lowers_the_tensile_envelope_by_the_same_share(unloading):
     for name in LAWS:
-        found, opening, kept = sheared_then_torn(name, "combined", unloading)
-        z = found.path[opening, 2]
+        trace, opening, kept = sheared_then_torn(name, "combined", unloading)
+        z = trace.path[opening, 2]
         wanted = kept * tension(name, JOINT, z)
         if unloading == "elastic":
             wanted = np.where(z <= JOINT.opening_at_peak, np.minimum(KN * z, kept * JOINT.fT), wanted)
-        np.testing.assert_allclose(found.sigma[opening], wanted, rtol=1e-10, atol=1e-10 * JOINT.fT)
+        np.testing.assert_allclose(trace.sigma[opening], wanted, rtol=1e-10, atol=1e-10 * JOINT.fT)
 
 
 @pytest.mark.parametrize("unloading", ["secant", "elastic"])
 def test_independent_loss_in_shear_leaves_the_tensile_envelope_alone(unloading):
     for name in LAWS:
-        found, opening, _ = sheared_then_torn(name, "independent", unloading)
+        trace, opening, _ = sheared_then_torn(name, "independent", unloading)
         np.testing.assert_allclose(
-            found.sigma[opening], tension(name, JOINT, found.path[opening, 2]), rtol=1e-10, atol=1e-6
+            trace.sigma[opening], tension(name, JOINT, trace.path[opening, 2]), rtol=1e-10, atol=1e-6
         )
 
 
 def test_combined_damage_is_dt_plus_ds_less_their_product():
     for name in LAWS[1:]:
-        found, opening, kept = sheared_then_torn(name, "combined", "secant")
+        trace, opening, kept = sheared_then_torn(name, "combined", "secant")
         dt, ds = 1 - float(tension(name, JOINT, 30 * UM)) / JOINT.fT, 1 - kept
-        assert found.sigma[opening[-1]] == pytest.approx((1 - (dt + ds - dt * ds)) * JOINT.fT, rel=1e-9, abs=1e-6)
+        assert trace.sigma[opening[-1]] == pytest.approx((1 - (dt + ds - dt * ds)) * JOINT.fT, rel=1e-9, abs=1e-6)
 
 
 def test_tension_ends_at_the_apex_of_the_cone():

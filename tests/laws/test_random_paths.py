@@ -68,13 +68,13 @@ def chosen(name: str, options: dict, values: dict) -> tuple:
     return law(name, **{**options, **values})
 
 
-def strengths(joint, found: Walk) -> tuple[np.ndarray, np.ndarray]:
+def strengths(joint, trace: Walk) -> tuple[np.ndarray, np.ndarray]:
     """The most that tension and shear may be, from the history and the normal stress that acts: eqs (7), (8)."""
     together = joint.combined is not None
-    left_n = found.intact_n * (found.intact_s if together else 1.0)
-    left_s = found.intact_s * (found.intact_n if together else 1.0)
-    peak = np.maximum(joint.cohesion - found.sigma * joint.tan_friction, 0.0)
-    residual = np.maximum(joint.residual_cohesion - found.sigma * joint.tan_residual_friction, 0.0)
+    left_n = trace.intact_n * (trace.intact_s if together else 1.0)
+    left_s = trace.intact_s * (trace.intact_n if together else 1.0)
+    peak = np.maximum(joint.cohesion - trace.sigma * joint.tan_friction, 0.0)
+    residual = np.maximum(joint.residual_cohesion - trace.sigma * joint.tan_residual_friction, 0.0)
     return left_n * joint.tensile_strength, residual + left_s * np.maximum(peak - residual, 0.0)
 
 
@@ -87,22 +87,22 @@ def test_dissipation_never_decreases_and_strength_never_grows(name, options, poi
 
 def require_dissipation(law: tuple, path: np.ndarray) -> None:
     """Whatever the path: nothing is given back that was spent, and nothing heals."""
-    joint, found = law[1], walk(law, path)
-    assert np.isfinite(found.stress).all() and np.isfinite(found.stored).all()
-    total = np.concatenate([[0.0], found.dissipated])
+    joint, trace = law[1], walk(law, path)
+    assert np.isfinite(trace.stress).all() and np.isfinite(trace.stored).all()
+    total = np.concatenate([[0.0], trace.dissipated])
     rounding = 1e-12 * (np.max(total) + 1e-6)
     assert np.min(np.diff(total)) >= -rounding
-    assert np.min(np.diff(found.dissipated_by_mode, axis=0, prepend=0.0)[:, :2]) >= -rounding
+    assert np.min(np.diff(trace.dissipated_by_mode, axis=0, prepend=0.0)[:, :2]) >= -rounding
     if joint.tan_dilation is None:
-        assert np.min(np.diff(found.dissipated_by_mode[:, 2], prepend=0.0)) >= -rounding
-    for falling in (found.intact_n, found.intact_s, -found.opening_max):
+        assert np.min(np.diff(trace.dissipated_by_mode[:, 2], prepend=0.0)) >= -rounding
+    for falling in (trace.intact_n, trace.intact_s, -trace.opening_max):
         assert np.max(np.diff(falling)) <= 0.0 if len(falling) > 1 else True
-    assert np.all((found.intact_n >= 0.0) & (found.intact_n <= 1.0))
-    assert np.all((found.intact_s >= 0.0) & (found.intact_s <= 1.0))
-    assert np.all(found.stored >= -rounding)
-    tensile, shear = strengths(joint, found)
-    assert np.all(found.tau <= shear * (1 + 1e-9) + 1e-3)
-    assert np.all(found.sigma <= tensile * (1 + 1e-9) + 1e-3)
+    assert np.all((trace.intact_n >= 0.0) & (trace.intact_n <= 1.0))
+    assert np.all((trace.intact_s >= 0.0) & (trace.intact_s <= 1.0))
+    assert np.all(trace.stored >= -rounding)
+    tensile, shear = strengths(joint, trace)
+    assert np.all(trace.tau <= shear * (1 + 1e-9) + 1e-3)
+    assert np.all(trace.sigma <= tensile * (1 + 1e-9) + 1e-3)
 
 
 @every_law_and_option

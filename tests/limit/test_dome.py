@@ -29,8 +29,8 @@ def test_a_dome_falls_alike_whichever_way_it_is_pushed():
     pushed = [
         largest_factor(*dry(blocks, held, 0.7, live=(np.cos(a), np.sin(a), 0.0))) for a in (0.0, np.pi / 6, np.pi)
     ]
-    assert [found.factor for found in pushed] == pytest.approx([pushed[0].factor] * 3, rel=1e-6)
-    assert max(found.gap for found in pushed) < 1e-6
+    assert [solution.factor for solution in pushed] == pytest.approx([pushed[0].factor] * 3, rel=1e-6)
+    assert max(solution.gap for solution in pushed) < 1e-6
 
 
 def load_on_slices(built: Specimen, courses: int, sectors: int, radius: float, thickness: float, crown: float) -> float:

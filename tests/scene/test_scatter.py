@@ -90,11 +90,11 @@ def test_a_residual_cohesion_above_a_drawn_cohesion_is_refused_and_the_joint_nam
 
 
 def test_a_joint_has_the_same_strength_however_its_units_are_divided():
-    found = []
+    strengths = []
     for changes in ({"specimen.divisions": [2, 1]}, {"specimen.divisions": [8, 4]}, {"specimen.cells": {"total": 60}}):
         drawn = assemble(scene.load("wallette-mode-1", {**JOINTS, **changes})).drawn[0]
-        found.append(dict(zip(map(tuple, drawn.pairs.tolist()), drawn.values["tensile_strength"], strict=True)))
-    assert found[0] == found[1] == found[2] and len(found[0]) == 18
+        strengths.append(dict(zip(map(tuple, drawn.pairs.tolist()), drawn.values["tensile_strength"], strict=True)))
+    assert strengths[0] == strengths[1] == strengths[2] and len(strengths[0]) == 18
 
 
 def test_scatter_of_one_group_leaves_the_draws_of_another():

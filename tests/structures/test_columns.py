@@ -13,13 +13,13 @@ def by_hand(specimen: Specimen, push: float | None) -> float:
     height the share of the weight sideways that does."""
     weight, middle = 2500 * 9.81 * volumes(specimen.blocks), centroids(specimen.blocks)[:, 2]
     low, high = bounds(specimen.blocks)
-    found = []
+    areas = []
     for k in specimen.sets["drums"]:
         above = np.arange(k, specimen.sets["units"][-1] + 1)
         edge = half_width(specimen, float(low[k, 2]))
         sideways = weight[above] @ (middle[above] - low[k, 2])
-        found.append(edge * weight[above].sum() / (sideways if push is None else push - low[k, 2]))
-    return float(min(found))
+        areas.append(edge * weight[above].sum() / (sideways if push is None else push - low[k, 2]))
+    return float(min(areas))
 
 
 def half_width(specimen: Specimen, level: float) -> float:

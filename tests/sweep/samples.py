@@ -28,8 +28,8 @@ def untimed(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 def marks(folder: Path) -> dict[str, tuple[int, int]]:
     """Which file each finished run is, and when it was written: not the same after it was run again."""
-    found = {path.parent.name: path.stat() for path in sorted((folder / "runs").glob("[!.]*/summary.json"))}
-    return {key: (stat.st_ino, stat.st_mtime_ns) for key, stat in found.items()}
+    files = {path.parent.name: path.stat() for path in sorted((folder / "runs").glob("[!.]*/summary.json"))}
+    return {key: (stat.st_ino, stat.st_mtime_ns) for key, stat in files.items()}
 
 
 def dying(toml: str) -> Ended:

@@ -114,8 +114,8 @@ def test_workers_end_with_the_process_that_started_them(sweep):
     workers = []
     while not workers:
         assert process.poll() is None
-        found = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-        workers = [int(pid) for pid in found] if Path("here/runs").exists() and len(found) >= 2 else []
+        children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        workers = [int(pid) for pid in children] if Path("here/runs").exists() and len(children) >= 2 else []
         time.sleep(0.05)
     time.sleep(2.0)  # they are started, and compute
     process.kill()

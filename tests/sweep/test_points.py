@@ -28,29 +28,29 @@ def values(planned, *keys):
 
 
 def test_a_grid_has_every_combination_and_the_last_axis_varies_first(sweep):
-    found = plan(sweep('[grid]\nlaw = ["linear", "brittle"]\nconfinement = ["0.1 MPa", "0.2 MPa"]'))
+    runs = plan(sweep('[grid]\nlaw = ["linear", "brittle"]\nconfinement = ["0.1 MPa", "0.2 MPa"]'))
     expected = [(law, p) for law in ("linear", "brittle") for p in ("0.1 MPa", "0.2 MPa")]
-    assert values(found, "law", "confinement") == expected
-    assert len({run.job.key() for run in found}) == 4
+    assert values(runs, "law", "confinement") == expected
+    assert len({run.job.key() for run in runs}) == 4
 
 
 def test_rows_of_a_list_set_keys_together_and_are_crossed_with_the_grid(sweep):
     rows = "".join(f'[[list]]\n"{STRENGTH}" = "{f} MPa"\n"{COHESION}" = "{2 * f} MPa"\n' for f in (0.2, 0.3))
-    found = plan(sweep(f'{rows}[grid]\nconfinement = ["0.1 MPa", "0.2 MPa", "0.3 MPa"]'))
-    assert len(found) == 6
-    assert {v for v in values(found, STRENGTH, COHESION)} == {("0.2 MPa", "0.4 MPa"), ("0.3 MPa", "0.6 MPa")}
+    runs = plan(sweep(f'{rows}[grid]\nconfinement = ["0.1 MPa", "0.2 MPa", "0.3 MPa"]'))
+    assert len(runs) == 6
+    assert {v for v in values(runs, STRENGTH, COHESION)} == {("0.2 MPa", "0.4 MPa"), ("0.3 MPa", "0.6 MPa")}
 
 
 def test_a_factor_multiplies_the_value_of_the_scene_and_keeps_its_unit(sweep):
-    found = plan(sweep(f'[grid]\n"{ENERGY}" = {{times = [0.5, 1, 2]}}\n"{FRICTION}" = [{{times = 2}}]'))
-    assert [float(v.removesuffix(" N/m")) for (v,) in values(found, ENERGY)] == pytest.approx([2.9, 5.8, 11.6])
-    assert values(found, FRICTION) == [(2.02,)] * 3
-    assert [run.times for run in found] == [{ENERGY: f, FRICTION: 2.0} for f in (0.5, 1.0, 2.0)]
+    runs = plan(sweep(f'[grid]\n"{ENERGY}" = {{times = [0.5, 1, 2]}}\n"{FRICTION}" = [{{times = 2}}]'))
+    assert [float(v.removesuffix(" N/m")) for (v,) in values(runs, ENERGY)] == pytest.approx([2.9, 5.8, 11.6])
+    assert values(runs, FRICTION) == [(2.02,)] * 3
+    assert [run.times for run in runs] == [{ENERGY: f, FRICTION: 2.0} for f in (0.5, 1.0, 2.0)]
 
 
 def test_a_key_can_follow_another_key_of_the_same_run(sweep):
-    found = plan(sweep(f'"{COHESION}" = {{times = 1.5, of = "{STRENGTH}"}}\n[grid]\n"{STRENGTH}" = {{times = [1, 2]}}'))
-    assert [float(v.removesuffix(" Pa")) for (v,) in values(found, COHESION)] == pytest.approx([0.87e6, 1.74e6])
+    runs = plan(sweep(f'"{COHESION}" = {{times = 1.5, of = "{STRENGTH}"}}\n[grid]\n"{STRENGTH}" = {{times = [1, 2]}}'))
+    assert [float(v.removesuffix(" Pa")) for (v,) in values(runs, COHESION)] == pytest.approx([0.87e6, 1.74e6])
 
 
 HYPERCUBE = f"""[latin_hypercube]
@@ -64,13 +64,13 @@ seed = 5
 
 
 def test_each_stratum_of_each_axis_of_a_latin_hypercube_is_met_once(sweep):
-    found = points(sweep(HYPERCUBE))
-    strength = [float(row[STRENGTH].removesuffix(" Pa")) for row in found]
-    energy = [float(row[ENERGY].removesuffix(" N/m")) for row in found]
-    friction = [row[FRICTION].factor for row in found]
+    sample = points(sweep(HYPERCUBE))
+    strength = [float(row[STRENGTH].removesuffix(" Pa")) for row in sample]
+    energy = [float(row[ENERGY].removesuffix(" N/m")) for row in sample]
+    friction = [row[FRICTION].factor for row in sample]
     for place in ((np.array(strength) - 2e5) / 2e5, np.log10(energy) / 2.0, np.array(friction) - 0.5):
         assert sorted(np.floor(20 * place).astype(int)) == list(range(20))
-    assert sorted(row["solver.damping"] for row in found) == [0.1] * 10 + [0.2] * 10
+    assert sorted(row["solver.damping"] for row in sample) == [0.1] * 10 + [0.2] * 10
     assert abs(np.corrcoef(strength, energy)[0, 1]) < 0.9
 
 
@@ -81,8 +81,8 @@ def test_the_same_seed_gives_the_same_samples_and_another_one_others(sweep):
 
 
 def test_whole_numbers_stay_whole_and_both_ends_are_met(sweep):
-    found = points(sweep('[latin_hypercube]\nsamples = 40\n"specimen.cells.total" = {from = 3, to = 6}'))
-    counts = [sum(row["specimen.cells.total"] == n for row in found) for n in (3, 4, 5, 6)]
+    sample = points(sweep('[latin_hypercube]\nsamples = 40\n"specimen.cells.total" = {from = 3, to = 6}'))
+    counts = [sum(row["specimen.cells.total"] == n for row in sample) for n in (3, 4, 5, 6)]
     assert counts == [10, 10, 10, 10]
 
 

@@ -75,8 +75,8 @@ def test_the_couplet_of_table_1_follows_the_known_values(compression, peak, resi
     assert joint.residual(compression) / 1e6 == pytest.approx(residual, abs=5e-4)
     assert joint.mode_2_energy(compression) / 1e3 == pytest.approx(energy, abs=5e-7)
     assert joint.peak(compression) / joint.ks * 1e3 == pytest.approx(slip_at_peak, abs=1e-4)
-    found = shear("exponential", joint, np.array([0.1, 0.2, 0.3, 0.5, 0.8]) * 1e-3, compression) / 1e6
-    np.testing.assert_allclose(found, stresses, atol=5.1e-4)
+    stress = shear("exponential", joint, np.array([0.1, 0.2, 0.3, 0.5, 0.8]) * 1e-3, compression) / 1e6
+    np.testing.assert_allclose(stress, stresses, atol=5.1e-4)
 
 
 def test_factors_of_the_area_under_exponential_shear_are_those_of_the_catalogue():
@@ -90,8 +90,8 @@ def test_factors_of_the_area_under_exponential_shear_are_those_of_the_catalogue(
 def test_a_compliance_in_series_moves_every_stress_to_a_larger_displacement(law):
     joint, compliance, slip = Joint(), 1e-11, np.linspace(1e-6, 0.5e-3, 50)
     stress = shear(law, joint, slip, 0.5e6)
-    found = couplet(law, joint, slip + compliance * stress, 0.5e6, compliance)
-    np.testing.assert_allclose(found, stress, rtol=2e-4)
+    moved = couplet(law, joint, slip + compliance * stress, 0.5e6, compliance)
+    np.testing.assert_allclose(moved, stress, rtol=2e-4)
 
 
 def test_a_compliance_that_snaps_back_is_refused():
@@ -100,5 +100,5 @@ def test_a_compliance_that_snaps_back_is_refused():
 
 
 def test_without_glue_only_the_shear_of_two_units_is_left():
-    found = affine_couplet_compliance(0.05, 0.2, 7e9, np.inf, np.inf)
-    assert found == pytest.approx(2 * 0.05 / 7e9)
+    compliance = affine_couplet_compliance(0.05, 0.2, 7e9, np.inf, np.inf)
+    assert compliance == pytest.approx(2 * 0.05 / 7e9)

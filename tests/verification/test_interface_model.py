@@ -28,18 +28,18 @@ def law(kind: str, **other) -> Law:
 
 def imported(path: Path) -> set[str]:
     """Modules of this house that a file imports, anywhere in it."""
-    found = set()
+    names = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
+            names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{path}: relative import"
-            found |= {node.module or "", *(f"{node.module}.{alias.name}" for alias in node.names)}
+            names |= {node.module or "", *(f"{node.module}.{alias.name}" for alias in node.names)}
         elif isinstance(node, ast.Call) and getattr(node.func, "attr", getattr(node.func, "id", "")) in (
             *("import_module", "__import__"),
         ):
             raise AssertionError(f"{path}: hidden import")
-    return {name for name in found if name.split(".")[0] in ("geometry", "masonry", "verification", "tests")}
+    return {name for name in names if name.split(".")[0] in ("geometry", "masonry", "verification", "tests")}
 
 
 def test_the_interface_model_imports_nothing_of_the_solver_directly_or_through_others():
@@ -127,10 +127,10 @@ def test_points_and_areas_are_those_of_the_contacts_of_a_run_on_the_same_tets():
 def stack(young: float, joint: Law) -> Model:
     """Two cubes of 0.1 m one above the other."""
     one = np.linspace(0.0, 0.1, 3)
-    found = model(grids([(one, one, one), (one, one, one + 0.1)]), young, 0.0, lambda a, b: joint)
-    found.hold("xyz", lambda x, block: x[:, 2] < 1e-9)
-    found.drive("z", lambda x, block: x[:, 2] > 0.2 - 1e-9)
-    return found
+    wall = model(grids([(one, one, one), (one, one, one + 0.1)]), young, 0.0, lambda a, b: joint)
+    wall.hold("xyz", lambda x, block: x[:, 2] < 1e-9)
+    wall.drive("z", lambda x, block: x[:, 2] > 0.2 - 1e-9)
+    return wall
 
 
 def test_displacement_control_jumps_where_opening_control_follows_the_snap_back():

@@ -24,14 +24,14 @@ SHIPPED = Point("accuracy", "1 %", 2.0, 900, 0.004)
 def gaps(cases: Mapping[str, Case]) -> list[str]:
     """What is wrong with the cases, in sentences: neither problem nor reason, or both; a wrong name."""
     known = {problem.name for problem in problems()}
-    found = []
+    gaps_of = []
     for name, case in cases.items():
         if bool(case.problems) == bool(case.no_problems):
-            found.append(
+            gaps_of.append(
                 f"{name}: " + ("problems, and a reason for none" if case.problems else "neither problems nor a reason")
             )
-        found += [f"{name}: no problem '{problem}'" for problem in case.problems if problem not in known]
-    return found
+        gaps_of += [f"{name}: no problem '{problem}'" for problem in case.problems if problem not in known]
+    return gaps_of
 
 
 def quiet(_: str) -> None:
@@ -71,10 +71,10 @@ def test_a_shipped_setting_that_is_beaten_by_more_than_half_is_told():
 
 
 def test_there_are_a_dozen_problems_and_the_shipped_setting_is_one_of_each():
-    found = list(problems())
-    assert len({p.name for p in found}) == len(found) >= 12
-    assert found[0].name == "couplet"
-    for problem in found:
+    known = list(problems())
+    assert len({p.name for p in known}) == len(known) >= 12
+    assert known[0].name == "couplet"
+    for problem in known:
         knob, label = problem.shipped
         assert not knob or label in problem.knobs[knob], problem.name
 

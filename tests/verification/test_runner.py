@@ -78,10 +78,10 @@ def test_every_case_of_the_catalogue_is_named_and_placed_as_the_report_needs_it(
         *("Contact laws", "Elastic assemblies", "Fracture", "Friction and stability"),
         *("Dynamics", "Invariance", "Quasi-static loading"),
     )
-    for name, found in catalogue.catalogue().items():
+    for name, entry in catalogue.catalogue().items():
         assert name == name.lower() and "_" not in name and " " not in name
-        assert found.area in areas, f"{name}: area '{found.area}'"
-        assert catalogue.formula(found), f"{name}: say the formula in the docstring of its module"
+        assert entry.area in areas, f"{name}: area '{entry.area}'"
+        assert catalogue.formula(entry), f"{name}: say the formula in the docstring of its module"
 
 
 def test_a_module_without_a_case_is_an_error_and_does_not_vanish(monkeypatch, tmp_path):

@@ -35,8 +35,10 @@ def mapped(blocks_fall: bool) -> dict[str, list[Outcome]]:
     return {grid.title: maps.run(grid) for grid in grids}
 
 
-def assert_right(found: dict[str, list[Outcome]]) -> None:
-    wrong = [f"{t}: {o.row}, {o.column}: {o.reason}" for t, all_of in found.items() for o in all_of if o.kind == "bad"]
+def assert_right(outcomes: dict[str, list[Outcome]]) -> None:
+    wrong = [
+        f"{t}: {o.row}, {o.column}: {o.reason}" for t, all_of in outcomes.items() for o in all_of if o.kind == "bad"
+    ]
     assert not wrong, "\n".join(wrong)
 
 
@@ -76,8 +78,8 @@ def test_an_error_is_relative_to_its_scale_and_infinite_without_one():
 
 def test_no_cell_of_the_quick_map_is_wrong_without_a_word(quick):
     assert_right(quick)
-    found = {o.status for all_of in quick.values() for o in all_of}
-    assert found <= set(STATUSES) and {"OK", "WARNED", "REFUSED", "STOPPED"} <= found
+    statuses = {o.status for all_of in quick.values() for o in all_of}
+    assert statuses <= set(STATUSES) and {"OK", "WARNED", "REFUSED", "STOPPED"} <= statuses
 
 
 @pytest.mark.slow

@@ -45,9 +45,9 @@ def loading(fine: int, extra: dict[str, Any]) -> dict[str, Refinement]:
     """The knobs of an elastic test: nothing is spent, so that only the motion at the end counts."""
     usual = {"drive.steps": fine // 2}
     rates = steps(*(fine >> k for k in (4, 3, 2, 1, 0)))
-    found = {"constant rate": rates, ACCURACY: accuracies()}
-    found |= {"step fraction": fractions(usual), "damping": dampings(usual)}
-    return {knob: {label: extra | keys for label, keys in settings.items()} for knob, settings in found.items()}
+    knobs = {"constant rate": rates, ACCURACY: accuracies()}
+    knobs |= {"step fraction": fractions(usual), "damping": dampings(usual)}
+    return {knob: {label: extra | keys for label, keys in settings.items()} for knob, settings in knobs.items()}
 
 
 def points(kind: str) -> Refinement:

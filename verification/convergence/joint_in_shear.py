@@ -45,8 +45,8 @@ def exact_values(one: Run) -> dict[str, float]:
 
 def exact(one: Run) -> dict[str, float]:
     """Peak and end stress (Pa), and dissipated energy (J), from the closed form."""
-    found = exact_values(one)
-    return {"peak stress": found["peak"], "end stress": found["final"], "dissipated energy": found["dissipated"]}
+    values = exact_values(one)
+    return {"peak stress": values["peak"], "end stress": values["final"], "dissipated energy": values["dissipated"]}
 
 
 def motions() -> dict[str, dict[str, Any]]:

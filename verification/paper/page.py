@@ -55,10 +55,10 @@ def tables(shown: Sequence[Shown]) -> list[str]:
     ]
 
 
-def misprint_table(found: Sequence[Misprint]) -> str:
+def misprint_table(misprints: Sequence[Misprint]) -> str:
     """The list as a table."""
-    rows = [(m.where, Cell(m.printed, "claim"), Cell(m.comes_to, "claim"), Cell(m.built, "claim")) for m in found]
-    return table(MISPRINTED, rows, f"Misprints: {len(found)}")
+    rows = [(m.where, Cell(m.printed, "claim"), Cell(m.comes_to, "claim"), Cell(m.built, "claim")) for m in misprints]
+    return table(MISPRINTED, rows, f"Misprints: {len(misprints)}")
 
 
 def row(claim: Claim) -> list[str | Cell]:

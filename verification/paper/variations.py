@@ -79,7 +79,7 @@ def assumed(name: str) -> tuple[list[Variation], dict[str, str]]:
     """(the variations of a scene's [assumptions], the entries that are not varied -> why)."""
     loaded = scene.load(name)
     present = contacts(name)
-    found: list[Variation] = []
+    variations: list[Variation] = []
     without: dict[str, str] = {}
     for key in loaded.assumptions:
         group = key.split(".")[1] if key.startswith("contact.") else ""
@@ -94,8 +94,8 @@ def assumed(name: str) -> tuple[list[Variation], dict[str, str]]:
                 without[entry] = "not a number"
             else:
                 base = NEEDS.get(last, {})
-                found += [Variation(entry, label, {entry: v}, base) for label, v in RULES[last](value).items()]
-    return list({(v.entry, v.label): v for v in found}.values()), without
+                variations += [Variation(entry, label, {entry: v}, base) for label, v in RULES[last](value).items()]
+    return list({(v.entry, v.label): v for v in variations}.values()), without
 
 
 @cache

@@ -83,5 +83,5 @@ def legs(places: Floats) -> list[slice]:
 
 def followed(joint: Sheared, places: Floats) -> tuple[Floats, Floats]:
     """Stress (Pa) and energy gone (J/m2) at all places (n,) m that a drive passed, in order, from 0."""
-    found = [joint.along(places[leg]) for leg in legs(places)]
-    return np.concatenate([stress for stress, _ in found]), np.concatenate([gone for _, gone in found])
+    stresses = [joint.along(places[leg]) for leg in legs(places)]
+    return np.concatenate([stress for stress, _ in stresses]), np.concatenate([gone for _, gone in stresses])

@@ -125,12 +125,12 @@ def times(study: Study) -> str:
         cells: list[str | page.Cell] = [knob]
         for q, lines in by_quantity.items():
             for target in TARGETS:
-                found = time_to(lines.get(knob, []), target)
+                seconds = time_to(lines.get(knob, []), target)
                 cells.append(
                     page.Cell("-", "none", f"reference only to {page.percent(study.doubts[q])}")
                     if study.doubts[q] > target
-                    else page.Cell(f"{found[0]:.2g} s", "ok", f"at {found[1]}")
-                    if found
+                    else page.Cell(f"{seconds[0]:.2g} s", "ok", f"at {seconds[1]}")
+                    if seconds
                     else "not reached"
                 )
         rows.append(cells)

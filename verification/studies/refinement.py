@@ -54,12 +54,12 @@ class Study:
             one = next(t for runs in self.runs.values() for t in runs.values() if t.ok)
             return {q: Reference(value, self.problem.kind) for q, value in self.problem.exact(one).items()}
         runs = [self.problem.measure(t) for t in self.runs[self.problem.converged].values() if t.ok]
-        found = {q: richardson([run[q] for run in runs]) for q in self.problem.units}
+        references = {q: richardson([run[q] for run in runs]) for q in self.problem.units}
         paced = [t for t in self.runs.get(ACCURACY, {}).values() if t.ok]
         if paced:
             second = self.problem.measure(paced[-1])
-            found = {q: r.doubted(abs(second[q] - r.value)) for q, r in found.items()}
-        return found
+            references = {q: r.doubted(abs(second[q] - r.value)) for q, r in references.items()}
+        return references
 
     def _records(self, knob: str) -> Iterator[Record]:
         given = self.problem.exact or (self.problem.theory if changes_model(knob) else None)
@@ -97,11 +97,11 @@ class Study:
 
     def lines(self, quantity: str) -> Lines:
         """To draw: without the run that is the reference itself, whose error is 0 by name only."""
-        found: Lines = {}
+        lines: Lines = {}
         for r in self.records:
             if r["quantity"] == quantity and r["error"] is not None and not self._is_reference(r):
-                found.setdefault(r["knob"], []).append((r["seconds"], r["error"], r["rung"]))
-        return found
+                lines.setdefault(r["knob"], []).append((r["seconds"], r["error"], r["rung"]))
+        return lines
 
     def _is_reference(self, record: Record) -> bool:
         if self.problem.exact is not None:
@@ -111,14 +111,14 @@ class Study:
 
     def points(self) -> list[Point]:
         """The settings that solve the same model, each with its largest error over all quantities."""
-        found: dict[tuple[str, str], Point] = {}
+        points: dict[tuple[str, str], Point] = {}
         for r in self.records:
             key = (r["knob"], r["rung"])
             if not is_setting(r["knob"]) or r["error"] is None or self._is_reference(r):
                 continue
-            worst = max(abs(r["error"]), found[key].error if key in found else 0.0)
-            found[key] = Point(*key, r["seconds"], r["steps"], worst)
-        return list(found.values())
+            worst = max(abs(r["error"]), points[key].error if key in points else 0.0)
+            points[key] = Point(*key, r["seconds"], r["steps"], worst)
+        return list(points.values())
 
     @property
     def shipped(self) -> Point | None:

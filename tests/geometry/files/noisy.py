@@ -138,12 +138,12 @@ def read_again(blocks: Blocks, path, tolerance: float = TOLERANCE) -> tuple[Bloc
     return mended.blocks, solids
 
 
-def worst_joint(exact: Blocks, found: Blocks) -> tuple[float, int, int]:
+def worst_joint(exact: Blocks, noisy: Blocks) -> tuple[float, int, int]:
     """The largest change of area of two blocks' joint over its perimeter (m), and how many joints came or went.
 
     Joints that are narrower than the tolerance, by twice the area over the perimeter, are not mended and not asked for.
     """
-    one, two = find_joints(exact), find_joints(found)
+    one, two = find_joints(exact), find_joints(noisy)
     before, after = joint_areas(one), joint_areas(two)
     around: dict[tuple[int, int], float] = {}
     sides = np.zeros((len(one.patch_start) - 1, 2), dtype=int)

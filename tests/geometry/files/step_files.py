@@ -33,11 +33,11 @@ def write_step(
     solid = re.compile(r"#(\d+) = (MANIFOLD_SOLID_BREP|BREP_WITH_VOIDS)\('")
     called, painted = iter(names), []
 
-    def name(found: re.Match[str]) -> str:
+    def name(match: re.Match[str]) -> str:
         own = next(called, "")
         if colours and own in colours:
-            painted.append((int(found[1]), colours[own]))
-        return f"{found[0]}{own}"
+            painted.append((int(match[1]), colours[own]))
+        return f"{match[0]}{own}"
 
     text = solid.sub(name, text)
     if inch:

@@ -72,13 +72,13 @@ def test_a_perforated_unit_is_one_block_and_its_joint_leaves_out_the_holes(tmp_p
     path = files.write_step(tmp_path / "perforated.step", files.perforated(2), ["lower", "upper"])
     coarse, fine = read(path), read(path, facet=2e-5)
     exact = 0.25 * 0.12 - 2 * 0.04**2 - math.pi * 0.015**2
-    for found, error in ((coarse, 1e-3), (fine, 1e-4)):
-        assert found.blocks.count == 2
-        assert volumes(found.blocks) == pytest.approx(np.full(2, exact * 0.06), rel=error)
-        joints = find_joints(found.blocks)
-        assert joints.area.sum() == pytest.approx(volumes(found.blocks)[0] / 0.06, rel=1e-9)
-        check_overlaps(found.blocks)
-        assert "2 solids have curved faces" in found.notes[0]
+    for solids, error in ((coarse, 1e-3), (fine, 1e-4)):
+        assert solids.blocks.count == 2
+        assert volumes(solids.blocks) == pytest.approx(np.full(2, exact * 0.06), rel=error)
+        joints = find_joints(solids.blocks)
+        assert joints.area.sum() == pytest.approx(volumes(solids.blocks)[0] / 0.06, rel=1e-9)
+        check_overlaps(solids.blocks)
+        assert "2 solids have curved faces" in solids.notes[0]
     said = float(re.search(r"volume by ([-+.e\d]+) in all", coarse.notes[0])[1])
     assert said == pytest.approx(volumes(coarse.blocks)[0] / (exact * 0.06) - 1, rel=0.01)
 

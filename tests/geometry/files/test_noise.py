@@ -14,11 +14,11 @@ NOISES = (None, 1e-8, 1e-7, 1e-6, 1e-5)
 def require_same(make, seed, noise, suffix, folder):
     random = np.random.default_rng(seed)
     exact = turned(make(random), random)
-    found, _ = read_again(rounded(exact, noise, random), folder / f"noisy{suffix}")
-    worst, lost, _ = worst_joint(exact, found)
+    noisy, _ = read_again(rounded(exact, noise, random), folder / f"noisy{suffix}")
+    worst, lost, _ = worst_joint(exact, noisy)
     assert lost == 0, (make.__name__, seed, noise, suffix)
     assert worst <= 3 * (noise or SINGLE), (make.__name__, seed, noise, suffix)
-    assert volumes(found).sum() == pytest.approx(volumes(exact).sum(), rel=1e-6 + 100 * (noise or SINGLE))
+    assert volumes(noisy).sum() == pytest.approx(volumes(exact).sum(), rel=1e-6 + 100 * (noise or SINGLE))
 
 
 @pytest.mark.parametrize("make", [m for m in STRUCTURES if m.__name__ != "shell"], ids=lambda make: make.__name__)

@@ -182,12 +182,12 @@ def test_vertex_points_of_a_rectangle_are_its_corners_with_a_quarter_each():
 @settings(max_examples=40, deadline=None)
 @given(st.floats(-3, 3), st.floats(-1e-10, 1e-10))
 def test_faces_apart_by_rounding_meet_wherever_they_lie_and_faces_apart_by_more_do_not(place, gap):
-    for distance, found in ((gap, 1), (1e-7, 0)):
+    for distance, count in ((gap, 1), (1e-7, 0)):
         low = np.array([[place, 0, 0], [place + 1 + distance, 0.25, 0]])
         blocks = from_boxes(low, low + 1, np.arange(2), np.zeros(2), ["g"])
         joints = find_joints(blocks)
-        assert len(joints.patch_start) - 1 == found
-        assert joints.area.sum() == pytest.approx(0.75 * found, rel=1e-9)
+        assert len(joints.patch_start) - 1 == count
+        assert joints.area.sum() == pytest.approx(0.75 * count, rel=1e-9)
 
 
 @pytest.mark.parametrize("count", [1, 2])

@@ -58,15 +58,15 @@ def test_what_is_farther_apart_or_deeper_than_the_limits_is_no_joint(gap):
 
 def test_where_blocks_meet_the_joints_are_those_that_are_found():
     blocks = wallette(4, 3, 0.25, 0.07, 0.12, 0.0, (2, 1)).blocks
-    found, (_, joints) = find_joints(blocks, "vertex"), measured(blocks)
-    assert len(joints.patch_start) == len(found.patch_start)
+    touching, (_, joints) = find_joints(blocks, "vertex"), measured(blocks)
+    assert len(joints.patch_start) == len(touching.patch_start)
 
     def sorted_rows(x):
         return np.array(
             sorted(np.column_stack([x.block_a, x.block_b, np.round(x.point, 9), x.normal, x.area]).tolist())
         )
 
-    assert sorted_rows(joints) == pytest.approx(sorted_rows(found), abs=1e-12)
+    assert sorted_rows(joints) == pytest.approx(sorted_rows(touching), abs=1e-12)
 
 
 def test_faces_that_open_as_a_wedge_touch_as_far_as_the_gap_goes():

@@ -48,8 +48,8 @@ def test_regions_beside_the_joints_are_told_apart(covering, regions, looking):
     if looking < 0:
         covering = [polygon[::-1] for polygon in covering]
     refined = [[v for edge in zip(p, p[1:] + p[:1], strict=True) for v in on_edge(*edge)] for p in covering]
-    found = free_regions(LATTICE, orient(RIM), refined, np.array([0, 0, looking]))
-    outer = sorted((looking * area(region[0]), sorted(looking * area(hole) for hole in region[1:])) for region in found)
+    free = free_regions(LATTICE, orient(RIM), refined, np.array([0, 0, looking]))
+    outer = sorted((looking * area(region[0]), sorted(looking * area(hole) for hole in region[1:])) for region in free)
     assert outer == sorted(regions)
 
 

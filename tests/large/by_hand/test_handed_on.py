@@ -92,9 +92,9 @@ def test_gaps_are_those_of_the_faces_as_they_deform_after_the_last_look(deforms)
     normal /= np.linalg.norm(normal)
     places = near.points.quads[slot(model), 0, PLACE : PLACE + 3].T
     wanted = [normal @ (centre[other] + motion.frame[other] @ place - face[0]) for place in places]
-    found = [gap_of(near.pairs, near.points, motion, 0, k) for k in range(4)]
-    assert found == pytest.approx(wanted, rel=1e-9, abs=1e-12)
-    assert np.ptp(found) > 1e-4
+    gaps = [gap_of(near.pairs, near.points, motion, 0, k) for k in range(4)]
+    assert gaps == pytest.approx(wanted, rel=1e-9, abs=1e-12)
+    assert np.ptp(gaps) > 1e-4
 
 
 def test_a_block_that_flies_off_spends_its_shear_and_lands_without_memory(straight):

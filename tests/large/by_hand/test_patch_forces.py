@@ -52,10 +52,10 @@ def pushed(model, velocity=(0.0, 0.0, 0.0), spin=(0.0, 0.0, 0.0), of_slab=(0.0,)
 
 @EVERY_WAY
 def test_a_pressed_cube_is_pushed_up_and_the_slab_down_with_its_lever(way):
-    found = pushed(standing((0.2, 0.1), way))
+    force = pushed(standing((0.2, 0.1), way))
     up = PRESSURE * AREA
-    assert found[1] == pytest.approx([0.0, 0.0, up, 0.0, 0.0, 0.0], abs=1e-9 * up)
-    assert found[0] == pytest.approx([0.0, 0.0, -up, -0.1 * up, 0.2 * up, 0.0], abs=1e-9 * up)
+    assert force[1] == pytest.approx([0.0, 0.0, up, 0.0, 0.0, 0.0], abs=1e-9 * up)
+    assert force[0] == pytest.approx([0.0, 0.0, -up, -0.1 * up, 0.2 * up, 0.0], abs=1e-9 * up)
 
 
 @EVERY_WAY
@@ -66,11 +66,11 @@ def test_a_slide_meets_its_springs_and_then_friction_which_takes_what_springs_do
     speed = 0.4 * TAN * PRESSURE / (KS * DT)
     account, shear = model.large.near.account, []
     for _ in range(4):
-        found = pushed(model, speed * along)
-        shear.append(-found[1, :3] @ along / AREA)
+        force = pushed(model, speed * along)
+        shear.append(-force[1, :3] @ along / AREA)
         arm = np.array([0.0, 0.0, -(0.5 * SIDE)])
-        assert found[1, 3:] == pytest.approx(np.cross(arm, found[1, :3]), rel=1e-3, abs=1e-9 * PRESSURE * AREA)
-        assert found[0, :3] == pytest.approx(-found[1, :3])
+        assert force[1, 3:] == pytest.approx(np.cross(arm, force[1, :3]), rel=1e-3, abs=1e-9 * PRESSURE * AREA)
+        assert force[0, :3] == pytest.approx(-force[1, :3])
     most, slip = TAN * PRESSURE, speed * DT
     assert shear == pytest.approx([0.4 * most, 0.8 * most, most, most], rel=1e-9)
     first = 0.5 * (0.8 + 1.0) * most * slip - 0.5 * (1.0 - 0.8**2) * most**2 / KS
@@ -84,21 +84,21 @@ def test_a_turn_about_the_normal_is_held_by_the_polar_moment_of_the_points(body,
     """Corners: half of the diagonal squared times the area; the slab's turn is that of the block the other way."""
     model, rate = standing(way=way), 1e-3
     spin = (0.0, 0.0, rate)
-    found = pushed(model, spin=spin) if body == 1 else pushed(model, of_slab=(0.0, 0.0, 0.0, *spin))
+    force = pushed(model, spin=spin) if body == 1 else pushed(model, of_slab=(0.0, 0.0, 0.0, *spin))
     moment = KS * rate * DT * 0.5 * SIDE**2 * AREA
     sign = 1.0 if body == 1 else -1.0
-    assert found[1, 5] == pytest.approx(-sign * moment, rel=1e-6)
-    assert found[0, 5] == pytest.approx(sign * moment, rel=1e-6)
-    assert found[1, :2] == pytest.approx([0.0, 0.0], abs=1e-9 * moment / SIDE)
+    assert force[1, 5] == pytest.approx(-sign * moment, rel=1e-6)
+    assert force[0, 5] == pytest.approx(sign * moment, rel=1e-6)
+    assert force[1, :2] == pytest.approx([0.0, 0.0], abs=1e-9 * moment / SIDE)
 
 
 @EVERY_WAY
 def test_a_slab_that_turns_carries_a_block_beside_its_axis_along_its_circle(way):
     """Points at (0.2, 0.1) move by w x r past the block: it is dragged along by k_s times the step."""
     model, rate = standing((0.2, 0.1), way), 1e-3
-    found = pushed(model, of_slab=(0.0, 0.0, 0.0, 0.0, 0.0, rate))
+    force = pushed(model, of_slab=(0.0, 0.0, 0.0, 0.0, 0.0, rate))
     drag = KS * rate * DT * AREA
-    assert found[1, :2] == pytest.approx([-0.1 * drag, 0.2 * drag], rel=1e-6)
+    assert force[1, :2] == pytest.approx([-0.1 * drag, 0.2 * drag], rel=1e-6)
     together = pushed(standing((0.2, 0.1), way), velocity=(-0.1 * rate, 0.2 * rate, 0.0), spin=(0.0, 0.0, rate),
                       of_slab=(0.0, 0.0, 0.0, 0.0, 0.0, rate))  # fmt: skip
     assert together[1, [0, 1, 5]] == pytest.approx([0.0, 0.0, 0.0], abs=1e-9 * drag), "they turn as one"
@@ -114,12 +114,12 @@ def test_shear_turns_with_its_blocks_by_the_mean_of_their_spins(block, slab, way
     angle, steps = 0.01, 20
     for _ in range(steps):
         spins = (0.0, 0.0, block * angle / DT), (0.0, 0.0, 0.0, 0.0, 0.0, slab * angle / DT)
-        found = pushed(model, spin=spins[0], of_slab=spins[1])
+        force = pushed(model, spin=spins[0], of_slab=spins[1])
     whole = steps * np.arctan(angle)
     if block == slab:
-        assert found[1, :2] == pytest.approx(turn(2, whole)[:2, :2] @ start, rel=1e-6)
+        assert force[1, :2] == pytest.approx(turn(2, whole)[:2, :2] @ start, rel=1e-6)
     else:
-        assert found[1, 5] < 0.0, "friction resists it"
+        assert force[1, 5] < 0.0, "friction resists it"
 
 
 @pytest.mark.parametrize("rate", [-0.02, 0.001, 5.0])
@@ -129,8 +129,8 @@ def test_a_dashpot_resists_by_half_the_critical_damping_and_never_pulls(rate):
     damper = 2.0 * 0.5 * np.sqrt(KN * DENSITY * SIDE**3 / AREA)
     assert model.large.near.pairs.dashpot[0] == pytest.approx(damper)
     stress = -min(damper * rate, PRESSURE)  # beyond the springs
-    found = [pushed(model, velocity=(0.0, 0.0, rate))[1, 2] for _ in range(2)]
-    assert found == pytest.approx([(PRESSURE + stress) * AREA] * 2, abs=1e-9 * PRESSURE * AREA)
+    force = [pushed(model, velocity=(0.0, 0.0, rate))[1, 2] for _ in range(2)]
+    assert force == pytest.approx([(PRESSURE + stress) * AREA] * 2, abs=1e-9 * PRESSURE * AREA)
     taken = -stress * rate * DT * AREA * (0.5 + 1.0)
     assert model.large.near.account[DASHPOT] == pytest.approx(taken, rel=1e-9)
     assert model.large.near.pairs.damped[0] == pytest.approx(taken, rel=1e-9)

@@ -63,11 +63,11 @@ def test_a_factor_that_falls_by_half_a_per_cent_behind_its_peak_has_a_word(left,
 
 @pytest.mark.parametrize(("least", "told"), [(0.99e-6, 0.0), (1.01e-6, -1.01e-6)])
 def test_a_least_force_below_a_millionth_of_the_greatest_is_none(least, told, monkeypatch):
-    solve, found = analysis.largest_factor, []
+    solve, calls = analysis.largest_factor, []
 
     def pulled(*args):
-        found.append(solve(*args))
-        return replace(found[-1], factor=least * found[0].factor) if len(found) == 2 else found[-1]
+        calls.append(solve(*args))
+        return replace(calls[-1], factor=least * calls[0].factor) if len(calls) == 2 else calls[-1]
 
     monkeypatch.setattr(analysis, "largest_factor", pulled)
     drive = '[drive]\non = "block"\ndirection = "x"\ndisplacement = "1 mm"\n'

@@ -25,16 +25,16 @@ from tests.scenes import load
 def test_pyramids_bear_what_the_cone_bears_at_their_edges_and_less_between_them(sides, cohesion):
     """One edge in so many lies along the push; half-way between two edges a side bears the cosine of half the angle."""
     strength = 0.4 + cohesion * 0.6 / (2.0 * 0.3)
-    found = []
+    shares = []
     for degrees in np.arange(0.0, 360.0, 180.0 / sides):
         way = np.cos(np.radians(degrees)), np.sin(np.radians(degrees)), 0.0
         bodies, contacts = dry(stack([(2.0, 1.0)]), [0], 0.4, live=way)
         bodies.free[1] = np.arange(6) < 3
         strong = replace(contacts, cohesion=cohesion * contacts.area)
-        found.append(largest_factor(bodies, strong, Method(plane=False, sides=sides)).factor / strength)
-    low, high = sorted(found[:2])
+        shares.append(largest_factor(bodies, strong, Method(plane=False, sides=sides)).factor / strength)
+    low, high = sorted(shares[:2])
     assert (low, high) == (pytest.approx(np.cos(np.pi / sides), rel=1e-7), pytest.approx(1.0, rel=1e-7))
-    assert all(one != pytest.approx(other, rel=1e-3) for one, other in pairwise(found)), "by turns round about"
+    assert all(one != pytest.approx(other, rel=1e-3) for one, other in pairwise(shares)), "by turns round about"
 
 
 @pytest.mark.parametrize("method", [PLANE, CONES], ids=["plane", "cones"])
@@ -59,17 +59,17 @@ def test_tension_is_that_of_each_point_where_points_stand_for_unlike_areas():
         assert largest_factor(bodies, strong, method).factor == pytest.approx(1.0 + 0.2 * 0.15 / 0.15, rel=1e-6)
     scene = load(block("", STRONG))
     specimen, joints = touching(scene)
-    found = contacts_of(scene, specimen, replace(joints, area=joints.area * [1.0, 2.0, 3.0, 4.0]))
-    for bears, strength in ((found.tension, 4e3), (found.cohesion, 100e3)):
+    unlike = contacts_of(scene, specimen, replace(joints, area=joints.area * [1.0, 2.0, 3.0, 4.0]))
+    for bears, strength in ((unlike.tension, 4e3), (unlike.cohesion, 100e3)):
         assert bears == pytest.approx(strength * joints.area * [1.0, 2.0, 3.0, 4.0], rel=1e-12)
 
 
 def test_the_mechanism_of_a_factor_of_safety_is_that_of_what_falls_just_beyond_it():
     bodies, contacts = dry(stack([(2.0, 0.2)]), [0], 0.6, dead=(0.3, 0.0, -1.0))
-    factor, _, found = factor_of_safety(bodies, contacts)
+    factor, _, mechanism = factor_of_safety(bodies, contacts)
     assert factor == pytest.approx(2.0, rel=1e-6)
-    assert (bodies.dead * found.velocity).sum() > 0.99, "the loads do work on it"
-    assert found.velocity[1, 0] > 0.0 and found.normal.sum() == pytest.approx(2.0 * 0.2 * 0.3, rel=1e-6)
+    assert (bodies.dead * mechanism.velocity).sum() > 0.99, "the loads do work on it"
+    assert mechanism.velocity[1, 0] > 0.0 and mechanism.normal.sum() == pytest.approx(2.0 * 0.2 * 0.3, rel=1e-6)
 
 
 def at_rest(monkeypatch, bodies: Bodies, contacts: Contacts) -> Solution:

@@ -75,9 +75,9 @@ def test_lambda_as_printed_starts_near_nothing_and_grows_where_the_mended_one_st
 
 
 def test_misprints_are_listed_with_what_they_come_to_and_are_no_claims():
-    found = {m.where: m for m in printed.misprints()}
-    assert "45, -7, -72 N/m" in found["4, Table 1"].comes_to
-    assert "0.281 MPa are left" in found["3, eq. (17)"].comes_to
+    misprints = {m.where: m for m in printed.misprints()}
+    assert "45, -7, -72 N/m" in misprints["4, Table 1"].comes_to
+    assert "0.281 MPa are left" in misprints["3, eq. (17)"].comes_to
     section = Section([], [Claim("a", "1", "x", "0", True)], misprints=printed.misprints())
     shown = [Shown(catalogue()["couplet"], section, [], 1.0, 1)]
     assert "Misprints: 6" in "".join(page.tables(shown))
@@ -158,8 +158,8 @@ def test_a_bed_as_strong_as_the_tests_passes_and_a_weaker_one_does_not():
             for size in mortar.SIZES
             for c, s in CONFINEMENTS.items()
         }
-        found = mortar.capacity(done(results)), mortar.line(done(results)), mortar.residual(done(results))
-        assert [claim.holds for claim in found] == [holds] * 3
+        claims = mortar.capacity(done(results)), mortar.line(done(results)), mortar.residual(done(results))
+        assert [claim.holds for claim in claims] == [holds] * 3
 
 
 def test_cracks_are_told_apart_by_place_and_by_mode():
@@ -174,15 +174,15 @@ def test_cracks_are_told_apart_by_place_and_by_mode():
         history=SimpleNamespace(frames=[frame]),
         summary={"section_m2": AREA},
     )
-    found = measures.cracks(one)
-    assert (found.lower, found.upper, found.bed, found.bed_tension) == pytest.approx((0.5, 0.0, 0.5, 1.0))
+    cracks = measures.cracks(one)
+    assert (cracks.lower, cracks.upper, cracks.bed, cracks.bed_tension) == pytest.approx((0.5, 0.0, 0.5, 1.0))
     whole = measures.Cracks(0.5, 0.5, 0.0, 0.0)
-    assert beds.places({"one": {1: found, 2: found, 3: found, 4: whole}}).holds
-    assert beds.places({"one": {1: whole, 2: found, 3: found, 4: whole}}).holds is False
-    assert beds.places({"one": {1: found, 2: found, 3: found, 4: found}}).holds is False
-    assert beds.tensile({"one": {1: found, 4: whole}}).holds
+    assert beds.places({"one": {1: cracks, 2: cracks, 3: cracks, 4: whole}}).holds
+    assert beds.places({"one": {1: whole, 2: cracks, 3: cracks, 4: whole}}).holds is False
+    assert beds.places({"one": {1: cracks, 2: cracks, 3: cracks, 4: cracks}}).holds is False
+    assert beds.tensile({"one": {1: cracks, 4: whole}}).holds
     assert beds.tensile({"one": {1: whole, 4: whole}}).holds is False
-    by_bed = dict.fromkeys((1, 2, 3), found) | {4: whole}
+    by_bed = dict.fromkeys((1, 2, 3), cracks) | {4: whole}
     for peaks, holds in (((0.84, 0.92, 0.92, 0.92), True), ((0.84, 0.89, 0.89, 0.92), False)):
         assert beds.at_once({"one": by_bed}, {"one": dict(zip(by_bed, peaks, strict=True))}).holds is holds
 
@@ -199,10 +199,10 @@ def test_the_stress_on_interfaces_is_weighed_by_area_in_the_frame_nearest_to_the
         history=SimpleNamespace(frames=[far, near]),
         summary={"displacement_at_peak_m": 0.3},
     )
-    found = measures.interfaces(one)
-    assert (found.scatter, found.tension, found.softened) == pytest.approx((np.sqrt(0.75), 0.25, 0.75))
-    assert cells.uneven({"one": (found, 1.0)}).holds
-    assert cells.uneven({"one": (found, 10.0)}).holds is False
+    stress = measures.interfaces(one)
+    assert (stress.scatter, stress.tension, stress.softened) == pytest.approx((np.sqrt(0.75), 0.25, 0.75))
+    assert cells.uneven({"one": (stress, 1.0)}).holds
+    assert cells.uneven({"one": (stress, 10.0)}).holds is False
 
 
 @pytest.mark.parametrize("experiment", ["couplet", "meso-couplet"])

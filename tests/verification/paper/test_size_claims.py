@@ -14,7 +14,7 @@ from verification.paper.sizes.claims import (
     pattern_claim,
     place_claim,
 )
-from verification.paper.sizes.families import SECOND, SIZES, Found, curves_apart, straight
+from verification.paper.sizes.families import SECOND, SIZES, Results, curves_apart, straight
 
 PEAK = 0.2e6
 
@@ -27,7 +27,7 @@ def plateau(stress: float) -> Result:
     return made
 
 
-def of_sizes(*means: float) -> Found:
+def of_sizes(*means: float) -> Results:
     """Three seeds of each size, 5 % apart round its mean."""
     return {n: [plateau(m * PEAK * f) for f in (0.95, 1.0, 1.05)] for n, m in zip(SIZES, means, strict=True)}
 

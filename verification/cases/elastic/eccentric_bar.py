@@ -44,13 +44,13 @@ def bar(cells: int, degree: int, rule: str | int, law: Law) -> Model:
     """Two blocks with `cells` elements in depth and in height."""
     across = np.linspace(-0.5 * DEPTH, 0.5 * DEPTH, cells + 1), np.array([0.0, WIDTH])
     body = grids([(*across, np.linspace(z, z + HEIGHT, cells + 1)) for z in (0.0, HEIGHT)])
-    found = model(body, YOUNG, 0.0, lambda a, b: law, degree, rule)
-    found.hold("xyz", lambda x, block: x[:, 2] < NEAR)
-    found.hold("y", lambda x, block: np.ones(len(x), dtype=bool))
-    found.load = found.traction(
+    assembled = model(body, YOUNG, 0.0, lambda a, b: law, degree, rule)
+    assembled.hold("xyz", lambda x, block: x[:, 2] < NEAR)
+    assembled.hold("y", lambda x, block: np.ones(len(x), dtype=bool))
+    assembled.load = assembled.traction(
         lambda x: np.stack([0 * x[0], 0 * x[0], EVEN + SLOPE * x[0]]), lambda x: x[2] > 2 * HEIGHT - NEAR
     )
-    return found
+    return assembled
 
 
 def stiffness(cells: int, degree: int, rule: str | int) -> float:

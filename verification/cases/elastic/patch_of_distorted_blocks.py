@@ -139,11 +139,11 @@ def implicit(mesh: TetMesh, degree: int, rule: str | int) -> float:
     """Largest error of the dofs of the interface model (m)."""
     block = np.repeat(np.arange(3), np.diff(mesh.tet_start))
     law = Law("elastic", KN, KS)
-    found = model(solid(mesh.nodes, mesh.tets, block), YOUNG, POISSON, lambda a, b: law, degree, rule)
-    found.hold("xyz", lambda x, b: np.any((x < NEAR) | (x > SIZE - NEAR), axis=1))
-    truth = exact(found.place, found.block)[np.arange(len(found.axis)), found.axis]
-    found.driven = np.where(found.held, truth, 0.0)
-    path = Path(found)
+    assembled = model(solid(mesh.nodes, mesh.tets, block), YOUNG, POISSON, lambda a, b: law, degree, rule)
+    assembled.hold("xyz", lambda x, b: np.any((x < NEAR) | (x > SIZE - NEAR), axis=1))
+    truth = exact(assembled.place, assembled.block)[np.arange(len(assembled.axis)), assembled.axis]
+    assembled.driven = np.where(assembled.held, truth, 0.0)
+    path = Path(assembled)
     path.go(1.0)
     return float(np.abs(path.displacements() - truth).max())
 

@@ -64,15 +64,15 @@ def arm(layers: int, degree: int) -> Model:
     x, y, z = lines(layers, degree)
     body = grids([(x[x > CRACK - NEAR], y, np.array([-0.003, 0.0])), (x, y, z)])
     law = Law("linear", 2 * KN, 1.0, fT=STRENGTH, c0=STRENGTH, G_I=0.5 * ENERGY, G_II=1e13)
-    found = model(body, YOUNG, 0.0, lambda a, b: law, degree)
-    found.hold("xyz", lambda place, block: block == 0)
-    found.hold("y", lambda place, block: block == 1)
+    assembled = model(body, YOUNG, 0.0, lambda a, b: law, degree)
+    assembled.hold("xyz", lambda place, block: block == 0)
+    assembled.hold("y", lambda place, block: block == 1)
     far = LENGTH - NEAR, 0.5 * HEIGHT
-    found.hold("x", lambda p, b: (b == 1) & (p[:, 0] > far[0]) & (np.abs(p[:, 2] - far[1]) < NEAR))
-    found.load = found.traction(
+    assembled.hold("x", lambda p, b: (b == 1) & (p[:, 0] > far[0]) & (np.abs(p[:, 2] - far[1]) < NEAR))
+    assembled.load = assembled.traction(
         lambda p: np.stack([(p[2] - far[1]) / SECOND_MOMENT, 0.0 * p[0], 0.0 * p[0]]), lambda p: p[0] < NEAR
     )
-    return found
+    return assembled
 
 
 def implicit(layers: int, degree: int) -> Curve:

@@ -99,14 +99,16 @@ def run() -> Findings:
         bound = masonry.limit(wanted).factor
         by_limit, begun = time.perf_counter() - begun, time.perf_counter()
         result = findings.note(name, run_scene(base, changes))
-        found, seconds = result.summary["collapse_load"], time.perf_counter() - begun
-        middle = 0.5 * (found["borne"] + found["falls"])
+        collapse, seconds = result.summary["collapse_load"], time.perf_counter() - begun
+        middle = 0.5 * (collapse["borne"] + collapse["falls"])
         both.append((bound, middle))
         findings.remarks.append(
-            f"{name}: a run {found['borne']:.6g} to {found['falls']:.6g} in {result.summary['steps']} steps and "
+            f"{name}: a run {collapse['borne']:.6g} to {collapse['falls']:.6g} in {result.summary['steps']} steps and "
             f"{seconds:.1f} s, compile included; limit analysis {bound:.6g} in {by_limit:.2f} s"
         )
-        findings.at_most(f"trials of {name} that did not end", "1", found["undecided"], 0.0, "all come to rest or fall")
+        findings.at_most(
+            f"trials of {name} that did not end", "1", collapse["undecided"], 0.0, "all come to rest or fall"
+        )
         mismatch = result.summary["dissipation_mismatch"]
         findings.at_most(f"what laws and contacts disagree on, {name}", "1", mismatch, 0.01, "the limit of trust")
         if name in EXACT:
@@ -114,9 +116,9 @@ def run() -> Findings:
                            "half the interval")  # fmt: skip
             continue
         least = masonry.limit(wanted, dilation=False).factor
-        findings.at_most(f"load factor borne, {name}", "1", found["borne"], bound, "the bound of limit analysis")
-        findings.at_most(f"0.99 times that without dilation, {name}", "1", 0.99 * least, found["falls"], "less 1 %")
-        findings.at_most(f"0.99 of the load factor borne, {name}", "1", 0.99 * found["borne"], least, "more by 1 %")
+        findings.at_most(f"load factor borne, {name}", "1", collapse["borne"], bound, "the bound of limit analysis")
+        findings.at_most(f"0.99 times that without dilation, {name}", "1", 0.99 * least, collapse["falls"], "less 1 %")
+        findings.at_most(f"0.99 of the load factor borne, {name}", "1", 0.99 * collapse["borne"], least, "more by 1 %")
     by_bound, by_run = np.array(both).T
     dilates, ends = np.array([name in EXACT for name in EXACT | BETWEEN]), np.array([by_bound.min(), by_bound.max()])
     findings.plot(

@@ -51,14 +51,14 @@ def flown(seconds_a_step: float) -> Assembly:
 
 def in_flight() -> Findings:
     """Rates along the brick's edges after 2 s by three steps, and the angular momentum."""
-    findings, found = Findings(), []
+    findings, states = Findings(), []
     for step in (5e-4, 2.5e-4, 1.25e-4):
         body = flown(step).model.bodies.rigid
-        found.append(body.frame[0].T @ body.v[0, 3:])
-    errors = [float(np.abs(rates - RATES).max()) for rates in found]
+        states.append(body.frame[0].T @ body.v[0, 3:])
+    errors = [float(np.abs(rates - RATES).max()) for rates in states]
     findings.check("order of the error in the step", "1", float(np.log2(errors[1] / errors[2])), 2.0, "closed form",
                    0.05, 0.01, "Buss's step is of second order")  # fmt: skip
-    limit = found[2] + (found[2] - found[1]) / 3.0
+    limit = states[2] + (states[2] - states[1]) / 3.0
     findings.check("rates after 2 s, extrapolated", "rad/s", float(np.abs(limit - RATES).max()), 0.0, "closed form",
                    1e-6, 2e-7, "fourth order is left", scale=1.0)  # fmt: skip
     findings.check("angular momentum", "kg m2/s", float(np.linalg.norm(body.momentum[0])), MOMENTUM, "closed form",

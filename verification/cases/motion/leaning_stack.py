@@ -24,12 +24,12 @@ KNOBS = {
 
 def boxes(factor: float) -> list[dict[str, object]]:
     """The stack on a slab that ends at x = 0."""
-    found, right = [box("slab", (-1.0, -0.5, -0.1), (1.0, 1.0, 0.1), 0)], 0.0
+    stack, right = [box("slab", (-1.0, -0.5, -0.1), (1.0, 1.0, 0.1), 0)], 0.0
     for level, i in enumerate(range(COUNT, 0, -1)):
         right += factor * LONG / (2 * i)
         name = "block" if i == 1 else f"block {i}"
-        found.append(box(name, (right - LONG, -0.05, level * HIGH), (LONG, 0.1, HIGH), level + 1))
-    return found
+        stack.append(box(name, (right - LONG, -0.05, level * HIGH), (LONG, 0.1, HIGH), level + 1))
+    return stack
 
 
 def run() -> Findings:

@@ -40,8 +40,8 @@ def boxes(start: float) -> list[dict[str, object]]:
 
 def supports(*held: str) -> list[dict[str, object]]:
     """Both slabs held, and some dofs of the block."""
-    found: list[dict[str, object]] = [{"on": name, "fix": "all"} for name in ("slab", "slab beyond")]
-    return found + ([{"on": "block", "fix": list(held)}] if held else [])
+    tables: list[dict[str, object]] = [{"on": name, "fix": "all"} for name in ("slab", "slab beyond")]
+    return tables + ([{"on": "block", "fix": list(held)}] if held else [])
 
 
 def run() -> Findings:

@@ -57,18 +57,20 @@ def blocks(cells: int, degree: int) -> Model:
     """Two blocks, `cells` along x and along z of each; the outline moves as it must."""
     across = np.linspace(-HALF_WIDTH, HALF_WIDTH, cells + 1), np.array([0.0, THICKNESS])
     body = grids([(*across, np.linspace(z, z + HEIGHT, cells + 1)) for z in (-HEIGHT, 0.0)])
-    found = model(body, YOUNG, 0.0, lambda a, b: Law("elastic", KN, 0.5 * KN), degree)
-    found.hold("y", lambda x, block: np.ones(len(x), dtype=bool))
-    found.hold("xz", lambda x, block: (np.abs(x[:, 0]) > HALF_WIDTH - NEAR) | (np.abs(x[:, 2]) > HEIGHT - NEAR))
-    moved = exact(found.place[:, 0], found.place[:, 2], found.block == 1)[found.axis, np.arange(len(found.axis))]
-    found.driven = np.where(found.held, moved, 0.0)
-    return found
+    assembled = model(body, YOUNG, 0.0, lambda a, b: Law("elastic", KN, 0.5 * KN), degree)
+    assembled.hold("y", lambda x, block: np.ones(len(x), dtype=bool))
+    assembled.hold("xz", lambda x, block: (np.abs(x[:, 0]) > HALF_WIDTH - NEAR) | (np.abs(x[:, 2]) > HEIGHT - NEAR))
+    moved = exact(assembled.place[:, 0], assembled.place[:, 2], assembled.block == 1)[
+        assembled.axis, np.arange(len(assembled.axis))
+    ]
+    assembled.driven = np.where(assembled.held, moved, 0.0)
+    return assembled
 
 
 def error(cells: int, degree: int) -> Error:
     """Solve, and compare with the closed form."""
-    found = blocks(cells, degree)
-    path = Path(found)
+    assembled = blocks(cells, degree)
+    path = Path(assembled)
     path.go(1.0)
     u = path.displacements()
 
@@ -91,7 +93,7 @@ def error(cells: int, degree: int) -> Error:
     def moved(w):
         return np.sum(exact(w.x[0], w.x[2], w.x[2] > 0.0) ** 2, axis=0)
 
-    basis = Basis(found.body.mesh, found.basis.elem, intorder=8)
+    basis = Basis(assembled.body.mesh, assembled.basis.elem, intorder=8)
     here = basis.interpolate(u)
     stress = np.sqrt(asm(wrong, basis, u=here) / asm(right, basis))
     return Error(float(stress), float(np.sqrt(asm(apart, basis, u=here) / asm(moved, basis))))

@@ -51,14 +51,14 @@ def runs() -> dict[str, Run]:
 
 def moves(done: Done) -> dict[tuple[str, str, str], list[float]]:
     """Variation -> change of peak and of plateau, as shares of the peak and of the plateau, at both confinements."""
-    found: dict[tuple[str, str, str], list[float]] = {}
+    changes: dict[tuple[str, str, str], list[float]] = {}
     for key in VARIED:
         for c in (LOW, HIGH):
             one, base = done[label(*key, c)], done[name(key[0], c)]
             peak = done.peak(label(*key, c)) / done.peak(name(key[0], c)) - 1.0
             rest = plateau(one.history.rows) / plateau(base.history.rows) - 1.0
-            found.setdefault(key, []).extend([peak, rest])
-    return found
+            changes.setdefault(key, []).extend([peak, rest])
+    return changes
 
 
 def claims(done: Done) -> list[Claim]:

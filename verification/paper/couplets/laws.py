@@ -50,8 +50,8 @@ def records(done: Done) -> list[dict[str, Any]]:
         for c, s in CONFINEMENTS.items():
             u, tau = driven(done[name(law, c)].history.rows)
             peak, last = float(joint(c).peak(s)), float(shear(law, joint(c), u[-1], s))
-            found = (("peak", done.peak(name(law, c)), peak), ("final", float(tau[-1]), last))
-            made += [done.record(name(law, c), q, value, "Pa", exact, "closed form") for q, value, exact in found]
+            quantities = (("peak", done.peak(name(law, c)), peak), ("final", float(tau[-1]), last))
+            made += [done.record(name(law, c), q, value, "Pa", exact, "closed form") for q, value, exact in quantities]
     return made
 
 

@@ -63,8 +63,8 @@ def records(done: Done) -> list[dict[str, Any]]:
         sigma = CONFINEMENTS[c]
         rows = done[label].history.rows
         law = plateau_of_law(rows, sigma)
-        found = (("peak", done.peak(label), Joint().peak(sigma)), ("plateau", plateau(rows), law))
-        made += [done.record(label, q, value, "Pa", float(test), "joint of Table 1") for q, value, test in found]
+        quantities = (("peak", done.peak(label), Joint().peak(sigma)), ("plateau", plateau(rows), law))
+        made += [done.record(label, q, value, "Pa", float(test), "joint of Table 1") for q, value, test in quantities]
     return made
 
 
@@ -87,16 +87,16 @@ def capacity(done: Done) -> Claim:
 
 def line(done: Done) -> Claim:
     """The strength line of the assembly against the local one."""
-    found = {
+    values = {
         s: strength_line([CONFINEMENTS[c] for c in known(done, s)], [done.peak(name(s, c)) for c in known(done, s)])
         for s in SIZES
         if len(known(done, s)) > 1
     }
-    off = {s: (c / Joint().c0 - 1.0, t / Joint().tan0 - 1.0) for s, (c, t) in found.items()}
+    off = {s: (c / Joint().c0 - 1.0, t / Joint().tan0 - 1.0) for s, (c, t) in values.items()}
     return claim("The contact properties are those of the tests", "4, Table 2",
                  f"cohesion and tan(phi) of the line through the peaks within {CAPACITY:.0%} of 0.87 MPa and 1.01",
                  "; ".join(f"{s} {c / 1e6:.3f} MPa ({off[s][0]:+.0%}), {t:.3f} ({off[s][1]:+.0%})"
-                     for s, (c, t) in found.items()),
+                     for s, (c, t) in values.items()),
                  all(abs(v) <= CAPACITY for pair in off.values() for v in pair),
                  f"what a test measures is not what its joint has. {OTHERS}")  # fmt: skip
 

@@ -82,19 +82,19 @@ def plated(done: Done) -> Claim:
     """Units that are loaded through plates: their own shear in series with the joint."""
     length, height = UNIT
     given = affine_couplet_compliance(height, length, SHEAR_MODULUS, *GLUE)
-    stiff, soft, found = [], [], []
+    stiff, soft, shift = [], [], []
     for c in (LOW, HIGH):
         peak = float(Joint().peak(CONFINEMENTS[c]))
         stiff.append(1e3 * peak / Joint().ks)
         soft.append(stiff[-1] + 1e3 * given * peak)
-        found.append(1e3 * done[PLATED.format(c)].summary["displacement_at_peak_m"])
+        shift.append(1e3 * done[PLATED.format(c)].summary["displacement_at_peak_m"])
     peaks = [done.peak(PLATED.format(c)) / float(Joint().peak(CONFINEMENTS[c])) - 1.0 for c in (LOW, HIGH)]
     return claim("The macro stiffness of the brick, where the bricks are loaded through their ends", "4, Fig. 5",
                  f"units glued to plates: displacement at the peak within {STIFF:.0%} of tau/ks + tau (2 h/G + glue), "
                  f"{words(soft, '.4f')} mm, the peak as before",
-                 f"{words(found, '.4f')} mm, {words((f / s for f, s in zip(found, stiff, strict=True)), '.2f')} times "
+                 f"{words(shift, '.4f')} mm, {words((f / s for f, s in zip(shift, stiff, strict=True)), '.2f')} times "
                  f"that of rigid units; peak {words((100 * p for p in peaks), '+.2f')} %",
-                 all(abs(f / s - 1.0) <= STIFF for f, s in zip(found, soft, strict=True))
+                 all(abs(f / s - 1.0) <= STIFF for f, s in zip(shift, soft, strict=True))
                  and max(map(abs, peaks)) <= STEADY, "the closed form is not met")  # fmt: skip
 
 

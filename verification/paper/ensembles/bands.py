@@ -50,11 +50,11 @@ def _paint(axes: Axes, walls: Ensemble) -> LineCollection:
     axes.add_collection(LineCollection(list(ends[walls.joint]), colors="0.75", linewidths=0.8))
     often = walls.frequency
     order = np.argsort(often)[np.sort(often) > 0.0]
-    found = LineCollection(list(ends[order]), cmap="YlOrRd", clim=(0.0, 1.0), linewidths=1.0 + 3.0 * often[order])
-    found.set_array(often[order])
-    axes.add_collection(found)
+    lines = LineCollection(list(ends[order]), cmap="YlOrRd", clim=(0.0, 1.0), linewidths=1.0 + 3.0 * often[order])
+    lines.set_array(often[order])
+    axes.add_collection(lines)
     axes.set(aspect="equal", xticks=[], yticks=[])
     axes.grid(False)
     axes.spines[:].set_visible(False)
     axes.autoscale()
-    return found
+    return lines

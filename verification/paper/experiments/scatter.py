@@ -90,22 +90,24 @@ def show(done: Done) -> Section:
     ]
     made.claims += claims(modes)
     for mode, (alone, kinds) in modes.items():
-        for kind, found in kinds.items():
+        for kind, results in kinds.items():
             label = walls(mode, kind, done.quick)[0]
             made.records.append(
-                done.record(label, f"mean peak, {kind}", float(found.peaks.mean()), "Pa", alone.peaks[0], "no scatter")
+                done.record(
+                    label, f"mean peak, {kind}", float(results.peaks.mean()), "Pa", alone.peaks[0], "no scatter"
+                )
             )
     return made
 
 
 def line(mode: str, kind: str, alone: Ensemble, kinds: dict[str, Ensemble]) -> list[str]:
     """A row of the table."""
-    found = kinds[kind]
-    low, high = np.quantile(found.peaks, [0.05, 0.95]) * MEGA
-    opening = np.mean([wall.by_opening for wall in found.walls])
+    results = kinds[kind]
+    low, high = np.quantile(results.peaks, [0.05, 0.95]) * MEGA
+    opening = np.mean([wall.by_opening for wall in results.walls])
     return [
-        *(mode, kind, f"{len(found.walls)}", f"{alone.peaks[0] * MEGA:.4f}", f"{found.peaks.mean() * MEGA:.4f}"),
-        *(f"{low:.4f} to {high:.4f}", percent(found.variation), paths_text(found), f"{found.patterns}"),
+        *(mode, kind, f"{len(results.walls)}", f"{alone.peaks[0] * MEGA:.4f}", f"{results.peaks.mean() * MEGA:.4f}"),
+        *(f"{low:.4f} to {high:.4f}", percent(results.variation), paths_text(results), f"{results.patterns}"),
         f"{100.0 * opening:.0f} % ({100.0 * alone.walls[0].by_opening:.0f} %)",
     ]
 

@@ -14,7 +14,7 @@ from verification.paper.sizes.families import (
     SECOND,
     SECTIONS,
     SIZES,
-    Found,
+    Results,
     curves_apart,
     peaks,
     straight,
@@ -25,19 +25,19 @@ from verification.paper.walls.curve_shape import energy_per_section
 from verification.paper.walls.straight_crack import STRAIGHT
 
 
-def claims(found: Mapping[str, Found], quick: bool) -> list[Claim]:
+def claims(families: Mapping[str, Results], quick: bool) -> list[Claim]:
     """What section 6 and the conclusions say on size."""
-    made = [curves_claim(found, FIRST, 0.05, "No response change in failure mode 1")]
-    made.append(curves_claim(found, SECOND, 0.05, "Slightly different curves of the same trend in failure mode 2"))
-    made += [pattern_claim(found), place_claim(found)]
-    made += [capacity_claim(found, name, quick) for name in (FIRST, SECOND)]
-    made.append(coarse_claim(found))
-    return made if quick else [*made, brittle_claim(found)]
+    made = [curves_claim(families, FIRST, 0.05, "No response change in failure mode 1")]
+    made.append(curves_claim(families, SECOND, 0.05, "Slightly different curves of the same trend in failure mode 2"))
+    made += [pattern_claim(families), place_claim(families)]
+    made += [capacity_claim(families, name, quick) for name in (FIRST, SECOND)]
+    made.append(coarse_claim(families))
+    return made if quick else [*made, brittle_claim(families)]
 
 
-def curves_claim(found: Mapping[str, Found], name: str, limit: float, says: str) -> Claim:
+def curves_claim(families: Mapping[str, Results], name: str, limit: float, says: str) -> Claim:
     """The curves of the sizes against each other, beside what seeds do."""
-    sizes, seeds = curves_apart(found[name])
+    sizes, seeds = curves_apart(families[name])
     return claim(says, "6, Fig. 15",
                  f"{name}: mean curves of 335 and 540 cells within {percent(limit)} of the peak of that of 218 cells",
                  f"{percent(sizes)}; seeds of one size differ from its mean curve by {percent(seeds)}",
@@ -45,11 +45,13 @@ def curves_claim(found: Mapping[str, Found], name: str, limit: float, says: str)
                  "at every size")  # fmt: skip
 
 
-def pattern_claim(found: Mapping[str, Found]) -> Claim:
+def pattern_claim(families: Mapping[str, Results]) -> Claim:
     """One almost vertical crack at every size."""
-    narrow, _, count = straight(found[SECOND])
+    narrow, _, count = straight(families[SECOND])
     held = (
-        f"; plates that do not turn: {straight(found[HELD])[0]} of {straight(found[HELD])[2]}" if HELD in found else ""
+        f"; plates that do not turn: {straight(families[HELD])[0]} of {straight(families[HELD])[2]}"
+        if HELD in families
+        else ""
     )
     return claim("No difference in the fracture pattern: an almost vertical crack", "6, Fig. 16",
                  f"failure mode 2: spread of the crack along the wall < {STRAIGHT * MILLI:.0f} mm in every run",
@@ -58,9 +60,9 @@ def pattern_claim(found: Mapping[str, Found]) -> Claim:
                  "with a second")  # fmt: skip
 
 
-def place_claim(found: Mapping[str, Found]) -> Claim:
+def place_claim(families: Mapping[str, Results]) -> Claim:
     """Whether it stands at mid-length."""
-    narrow, middle, _ = straight(found[SECOND])
+    narrow, middle, _ = straight(families[SECOND])
     return claim("The crack is at the mid-length of the specimen", "6, Fig. 16",
                  f"failure mode 2: middle of the crack within {STRAIGHT * MILLI:.0f} mm of {SECTIONS[1] * MILLI:.0f} "
                  "mm",
@@ -70,9 +72,9 @@ def place_claim(found: Mapping[str, Found]) -> Claim:
                  "mid-length is met in all of them")  # fmt: skip
 
 
-def capacity_claim(found: Mapping[str, Found], name: str, quick: bool) -> Claim:
+def capacity_claim(families: Mapping[str, Results], name: str, quick: bool) -> Claim:
     """How far peaks differ by size, and whether it is chance."""
-    by_size = peaks(found[name])
+    by_size = peaks(families[name])
     means = {size: float(np.mean(values)) for size, values in by_size.items()}
     reach = (max(means.values()) - min(means.values())) / float(np.mean(list(means.values())))
     told = ""
@@ -88,11 +90,11 @@ def capacity_claim(found: Mapping[str, Found], name: str, quick: bool) -> Claim:
                  reach < 0.05, "the peak depends on the size")  # fmt: skip
 
 
-def coarse_claim(found: Mapping[str, Found]) -> Claim:
+def coarse_claim(families: Mapping[str, Results]) -> Claim:
     """Coarse against fine cells: peak and energy."""
     off = []
     for name in (FIRST, SECOND):
-        coarse, fine = found[name][SIZES[0]], found[name][SIZES[-1]]
+        coarse, fine = families[name][SIZES[0]], families[name][SIZES[-1]]
         dissipated = [np.mean([energy_per_section(r)["fracture"] for r in results]) for results in (coarse, fine)]
         top = [np.mean([mpa(r) for r in results]) for results in (coarse, fine)]
         off += [float(top[0] / top[1] - 1.0), float(dissipated[0] / dissipated[1] - 1.0)]
@@ -104,10 +106,10 @@ def coarse_claim(found: Mapping[str, Found]) -> Claim:
                  "cracks along coarse cells need more energy, because their faces are rougher")  # fmt: skip
 
 
-def brittle_claim(found: Mapping[str, Found]) -> Claim:
+def brittle_claim(families: Mapping[str, Results]) -> Claim:
     """The brittle law depends on blocks more."""
-    soft, hard = (spread_of(peaks(found[name])) for name in (SECOND, BRITTLE))
-    whole = [float(np.ptp([p for v in peaks(found[n]).values() for p in v])) for n in (SECOND, BRITTLE)]
+    soft, hard = (spread_of(peaks(families[name])) for name in (SECOND, BRITTLE))
+    whole = [float(np.ptp([p for v in peaks(families[n]).values() for p in v])) for n in (SECOND, BRITTLE)]
     more = [hard.reach / soft.reach, whole[1] / hard.mean / (whole[0] / soft.mean)]
     return claim("Dependency on the blocks, known of brittle models, is considerably minimised by the fracture "
                  "energies", "conclusion 2",

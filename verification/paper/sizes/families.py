@@ -45,21 +45,21 @@ class Family:
     sudden: str = ""
 
 
-Found = dict[int, list[Result]]
+Results = dict[int, list[Result]]
 """The results of a family by size."""
 
 
-def gathered(done: Done, family: Family, divisions: Iterable[Cells]) -> Found:
+def gathered(done: Done, family: Family, divisions: Iterable[Cells]) -> Results:
     """All results of a family. Raises Missing where one did not come through."""
-    found: Found = {}
+    by_division: Results = {}
     for cells in divisions:
-        found.setdefault(cells.size, []).append(done[cells.label(family)])
-    return found
+        by_division.setdefault(cells.size, []).append(done[cells.label(family)])
+    return by_division
 
 
-def peaks(found: Found) -> dict[str, list[float]]:
+def peaks(by_division: Results) -> dict[str, list[float]]:
     """Peaks in MPa by size."""
-    return {str(size): [mpa(r) for r in results] for size, results in found.items()}
+    return {str(size): [mpa(r) for r in results] for size, results in by_division.items()}
 
 
 def mean_curve(results: list[Result], u: np.ndarray) -> np.ndarray:
@@ -67,28 +67,30 @@ def mean_curve(results: list[Result], u: np.ndarray) -> np.ndarray:
     return np.asarray(np.mean([stress_at(r, u) for r in results], axis=0))
 
 
-def displacements(found: Found) -> np.ndarray:
+def displacements(by_division: Results) -> np.ndarray:
     """Equal displacements (m) that all runs of a family made."""
-    ends = [float(r.history.rows["displacement"][-1]) for results in found.values() for r in results]
+    ends = [float(r.history.rows["displacement"][-1]) for results in by_division.values() for r in results]
     return np.linspace(0.0, min(ends), POINTS)
 
 
-def curves_apart(found: Found) -> tuple[float, float]:
+def curves_apart(by_division: Results) -> tuple[float, float]:
     """(sizes, seeds): mean difference of a size's curve from the coarsest one's, and of a seed's from its size's.
 
     Both over the peak; the worst size, and the mean seed.
     """
-    u = displacements(found)
-    mean = {size: mean_curve(results, u) for size, results in found.items()}
-    peak = float(np.mean([p for values in peaks(found).values() for p in values])) / MEGA
+    u = displacements(by_division)
+    mean = {size: mean_curve(results, u) for size, results in by_division.items()}
+    peak = float(np.mean([p for values in peaks(by_division).values() for p in values])) / MEGA
     sizes = max(float(np.abs(mean[size] - mean[SIZES[0]]).mean()) for size in SIZES[1:])
-    seeds = np.mean([np.abs(stress_at(r, u) - mean[size]).mean() for size, results in found.items() for r in results])
+    seeds = np.mean(
+        [np.abs(stress_at(r, u) - mean[size]).mean() for size, results in by_division.items() for r in results]
+    )
     return sizes / peak, float(seeds) / peak
 
 
-def straight(found: Found) -> tuple[int, int, int]:
+def straight(by_division: Results) -> tuple[int, int, int]:
     """(cracks with a spread below a tenth of a unit, those of them at mid-length, all runs)."""
-    spreads = [(crack_spread(r), r) for results in found.values() for r in results]
+    spreads = [(crack_spread(r), r) for results in by_division.values() for r in results]
     narrow = [r for spread, r in spreads if spread < STRAIGHT]
     middle = sum(abs(crack_path(r).place()[0] - SECTIONS[1]) < STRAIGHT for r in narrow)
     return len(narrow), middle, len(spreads)

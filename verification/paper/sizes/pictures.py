@@ -11,33 +11,33 @@ from masonry.pictures.style import MEGA, MILLI
 from verification.html import page
 from verification.html.figures import COLOURS, sheet
 from verification.paper.pictures import Line
-from verification.paper.sizes.families import SECTIONS, Found, displacements, mean_curve, peaks
+from verification.paper.sizes.families import SECTIONS, Results, displacements, mean_curve, peaks
 from verification.paper.sizes.spread import spread_of
 from verification.paper.walls.crack_path import crack_path
 
 
-def mean_curves(found: Found) -> list[Line]:
+def mean_curves(by_division: Results) -> list[Line]:
     """The mean curve of each size."""
-    u = displacements(found)
+    u = displacements(by_division)
     return [
         Line(f"{size} cells", u * MILLI, mean_curve(results, u) * MEGA, "-", COLOURS[k])
-        for k, (size, results) in enumerate(found.items())
+        for k, (size, results) in enumerate(by_division.items())
     ]
 
 
-def peaks_figure(found: Mapping[str, Found]) -> Figure:
+def peaks_figure(families: Mapping[str, Results]) -> Figure:
     """Peaks over the mean of their family, all on one scale, and where cracks are; a dot is a seed, a bar a size."""
-    figure, axes = sheet(1, len(found) + 1, (12.0, 3.6))
-    over_mean = {name: _over_mean(peaks(family)) for name, family in found.items()}
+    figure, axes = sheet(1, len(families) + 1, (12.0, 3.6))
+    over_mean = {name: _over_mean(peaks(family)) for name, family in families.items()}
     most = 1.1 * max(abs(v - 100.0) for groups in over_mean.values() for values in groups.values() for v in values)
-    for one, (name, family) in zip(axes.flat, found.items(), strict=False):
+    for one, (name, family) in zip(axes.flat, families.items(), strict=False):
         _dots(one, over_mean[name])
         mean = float(np.mean([v for values in peaks(family).values() for v in values]))
         one.set_title(name.replace(", ", ",\n") + f"\nmean {mean:.4f} MPa", fontsize=9)
         one.set_ylim(100.0 - most, 100.0 + most)
     axes[0, 0].set_ylabel("peak over mean peak [%]")
     last = axes.flat[-1]
-    second = list(found.values())[1]
+    second = list(families.values())[1]
     _dots(last, {str(size): [_place(r) for r in results] for size, results in second.items()}, bars=False)
     for section in SECTIONS:
         last.axhline(section * MILLI, color="0.5", linewidth=0.9, linestyle=":")
@@ -69,10 +69,10 @@ def _dots(axes: Axes, groups: Mapping[str, list[float]], bars: bool = True) -> N
     axes.set_xlabel("cells")
 
 
-def spread_table(found: Mapping[str, Found]) -> list[str]:
+def spread_table(families: Mapping[str, Results]) -> list[str]:
     """The peaks of each family taken apart into size and seed."""
     rows = []
-    for name, family in found.items():
+    for name, family in families.items():
         spread = spread_of(peaks(family))
         rows.append(
             [

@@ -24,14 +24,14 @@ RESIDUAL = 0.02
 """A higher residual is one by more than this share, well above what half the loading error moves it by."""
 
 
-def first_mode_claims(found: Mapping[str, Both]) -> list[Claim]:
+def first_mode_claims(walls: Mapping[str, Both]) -> list[Claim]:
     """Failure mode 1, for each way of holding the plates, the shipped one first: the joints' energies."""
-    return [role_claim(found), smooth_claim(found)]
+    return [role_claim(walls), smooth_claim(walls)]
 
 
-def role_claim(found: Mapping[str, Both]) -> Claim:
+def role_claim(walls: Mapping[str, Both]) -> Claim:
     """Both energies change the curve."""
-    every = [(f"{hold}, {kind}", series) for hold, both in found.items() for kind, series in both.items()]
+    every = [(f"{hold}, {kind}", series) for hold, both in walls.items() for kind, series in both.items()]
     moved = {name: apart(series[4], series[0.5]) for name, series in every}
     tops = [f"{mpa(series[0.5]):.3f} to {mpa(series[4]):.3f} MPa" for _, series in every]
     return claim("Tensile and shear fracture energies of the interface have an important role on the macro behaviour",
@@ -42,9 +42,9 @@ def role_claim(found: Mapping[str, Both]) -> Claim:
                  min(moved.values()) > ROLE, "one of them hardly matters")  # fmt: skip
 
 
-def smooth_claim(found: Mapping[str, Both]) -> Claim:
+def smooth_claim(walls: Mapping[str, Both]) -> Claim:
     """No late drop at higher energies, with the plates as shipped; how it is with others stands beside it."""
-    told = {hold: _falls(both) for hold, both in found.items()}
+    told = {hold: _falls(both) for hold, both in walls.items()}
     shipped, *others = told
     worst = {hold: max(fall for name, fall in told[hold].items() if not name.endswith("x 1")) for hold in told}
     return claim("Smooth convergence to residual stresses for higher GI and GII", "6, Fig. 17",
@@ -60,18 +60,18 @@ def _falls(both: Both) -> dict[str, float]:
     return {f"{kind} x {f:g}": steepest_fall(s[f], WINDOW) for kind, s in both.items() for f in (1, 2, 4)}
 
 
-def second_mode_claims(found: Mapping[str, Both]) -> list[Claim]:
+def second_mode_claims(walls: Mapping[str, Both]) -> list[Claim]:
     """Failure mode 2, for each division of the units: the units' energies."""
-    cells = {name: both for name, both in found.items() if name != "grid"}
+    cells = {name: both for name, both in walls.items() if name != "grid"}
     patterns = [pattern_claim(name, both["GI"]) for name, both in cells.items()]
-    return [drastic_claim(found), residual_claim(found), *patterns, tension_claim(cells)]
+    return [drastic_claim(walls), residual_claim(walls), *patterns, tension_claim(cells)]
 
 
-def drastic_claim(found: Mapping[str, Both]) -> Claim:
+def drastic_claim(walls: Mapping[str, Both]) -> Claim:
     """Twice the tensile energy of the units, beside twice their shear energy: the paper calls the first drastic."""
-    moved = {name: [apart(both[kind][2], both[kind][1]) for kind in ("GI", "GII")] for name, both in found.items()}
-    half = {name: [fall_to(both["GI"][f], 0.5) * MILLI for f in (1, 2)] for name, both in found.items()}
-    dissipated = {name: [energy_per_section(both["GI"][f])["fracture"] for f in (1, 2)] for name, both in found.items()}
+    moved = {name: [apart(both[kind][2], both[kind][1]) for kind in ("GI", "GII")] for name, both in walls.items()}
+    half = {name: [fall_to(both["GI"][f], 0.5) * MILLI for f in (1, 2)] for name, both in walls.items()}
+    dissipated = {name: [energy_per_section(both["GI"][f])["fracture"] for f in (1, 2)] for name, both in walls.items()}
     shown = [
         f"{n}: {percent(m[0])} and {percent(m[1])}; half the peak {half[n][0]:.3f} and {half[n][1]:.3f} mm past it "
         f"({half[n][1] / half[n][0]:.1f} times), fracture energy {dissipated[n][0]:.1f} and {dissipated[n][1]:.1f} N/m"
@@ -84,9 +84,9 @@ def drastic_claim(found: Mapping[str, Both]) -> Claim:
                  all(tension > DRASTIC * shear for tension, shear in moved.values()), "both move it alike")  # fmt: skip
 
 
-def residual_claim(found: Mapping[str, Both]) -> Claim:
+def residual_claim(walls: Mapping[str, Both]) -> Claim:
     """More shear energy of the units."""
-    late = {name: [tail(both["GII"][f]) * MEGA for f in (1, 2, 4)] for name, both in found.items()}
+    late = {name: [tail(both["GII"][f]) * MEGA for f in (1, 2, 4)] for name, both in walls.items()}
     rough = [values for name, values in late.items() if name != "grid"]
     shown = "; ".join(f"{name}: {' / '.join(f'{v:.4f}' for v in values)} MPa" for name, values in late.items())
     return claim("An increased GII of the bricks gives higher residual stresses, due to crack face bridging",
@@ -114,10 +114,10 @@ def pattern_claim(name: str, series: Series) -> Claim:
                  "loading error moves the peak by < 1 %")  # fmt: skip
 
 
-def tension_claim(found: Mapping[str, Both]) -> Claim:
+def tension_claim(walls: Mapping[str, Both]) -> Claim:
     """What breaks the units of Fig. 19."""
     fractions = {}
-    for name, both in found.items():
+    for name, both in walls.items():
         crack = crack_path(both["GI"][2.5])
         led = crack.frame.damage_tension >= crack.frame.damage_shear
         chosen = crack.broken & crack.unit

@@ -35,11 +35,11 @@ def joints(body: Solid, basis: CellBasis, law: Callable[[int, int], Law], rule: 
     """The joints of a solid, one for each law; rule: "vertex", or the degree that Gauss points integrate exactly."""
     facets_a, facets_b, blocks = facet_pairs(body)
     laws = [law(a, b) for a, b in blocks.tolist()]
-    found = []
+    joint_list = []
     for each in dict.fromkeys(laws):
         which = np.flatnonzero([other == each for other in laws])
-        found.append(_joint(each, body, basis, facets_a[which], facets_b[which], blocks[which], rule))
-    return found
+        joint_list.append(_joint(each, body, basis, facets_a[which], facets_b[which], blocks[which], rule))
+    return joint_list
 
 
 def _joint(
@@ -51,7 +51,7 @@ def _joint(
     gap = np.abs(place - np.asarray(b.global_coordinates())).max()
     if gap > 1e-7 * np.ptp(body.mesh.p):
         raise ValueError(f"quadrature points of the two sides of a joint are {gap:.2g} m apart")
-    found = Joint(
+    joint = Joint(
         law,
         (_values(b, basis.N) - _values(a, basis.N)).tocsr(),
         a.dx.ravel(),
@@ -59,7 +59,7 @@ def _joint(
         place.transpose(1, 2, 0).reshape(-1, 3),
         np.repeat(blocks, a.dx.shape[1], axis=0),
     )
-    return found if rule != "vertex" else _merged(found, body.mesh.facets[:, facets_a].T.ravel())
+    return joint if rule != "vertex" else _merged(joint, body.mesh.facets[:, facets_a].T.ravel())
 
 
 def _merged(joint: Joint, vertex: Array) -> Joint:
@@ -82,11 +82,11 @@ def _values(facets: FacetBasis, count: int) -> csr_matrix:
         columns.append(np.broadcast_to(facets.element_dofs[j][:, None, None], value.shape).ravel())
         values.append(value.ravel())
     shape = (3 * cells * points, count)
-    found = coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=shape).tocsr()
-    found.eliminate_zeros()
-    return found
+    matrix = coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=shape).tocsr()
+    matrix.eliminate_zeros()
+    return matrix
 
 
-def all_jumps(found: list[Joint]) -> csr_matrix:
+def all_jumps(joints: list[Joint]) -> csr_matrix:
     """(3 m, N) the jumps of all joints, one below the other."""
-    return vstack([joint.jump for joint in found]).tocsr()
+    return vstack([joint.jump for joint in joints]).tocsr()

@@ -86,7 +86,7 @@ class Path:
     def _go(self, target: float, dead: float, halvings: int) -> None:
         start, begun, load_factor = self.state, self.reached, self.state.dead
         try:
-            found = self._solve(target, dead)
+            solution = self._solve(target, dead)
         except NotConverged:
             if halvings == 0:
                 raise
@@ -94,7 +94,7 @@ class Path:
             self._go(*middle, halvings - 1)
             self._go(target, dead, halvings - 1)
             return
-        self.earlier, self.state, self.reached = (begun, start), found, target
+        self.earlier, self.state, self.reached = (begun, start), solution, target
 
     def _guess(self, target: float) -> tuple[Array, float]:
         """Straight on from the last two equilibria."""
@@ -108,9 +108,9 @@ class Path:
 
     def _solve(self, target: float, dead: float) -> State:
         for q, factor in (self._guess(target), (self.state.q.copy(), self.state.factor)):
-            found = self._iterate(q, target if self.row is None else factor, target, dead)
-            if found is not None:
-                return found
+            solution = self._iterate(q, target if self.row is None else factor, target, dead)
+            if solution is not None:
+                return solution
         raise NotConverged(f"no equilibrium at {target:g}")
 
     def _iterate(self, q: Array, factor: float, target: float, dead: float) -> State | None:
