@@ -30,12 +30,12 @@ def judge(summary: Mapping[str, Any], others: Iterable[Doubt] = ()) -> Judgement
     """The judgement of a run by the numbers of its summary, and by doubts that were measured elsewhere."""
     evidence, doubts = Evidence(summary), list(others)
     verdict = WITH_CARE if doubts else SOUND
-    asked = [criterion for criterion in criteria() if criterion.asked_of(evidence)]
-    for criterion in asked:
+    questions = [criterion for criterion in criteria() if criterion.asked_of(evidence)]
+    for criterion in questions:
         if (doubt := criterion.doubt(evidence)) is not None:
             doubts.append(doubt)
             verdict = max(verdict, criterion.verdict, key=VERDICTS.index)
-    unknown = tuple(criterion.name for criterion in asked if criterion.measure(evidence) is None)
+    unknown = tuple(criterion.name for criterion in questions if criterion.measure(evidence) is None)
     return Judgement(verdict, tuple(sorted(doubts, key=lambda doubt: -doubt.excess)), unknown)
 
 

@@ -31,8 +31,10 @@ def advice(summary: Mapping[str, Any]) -> list[str]:
 def motion(evidence: Evidence) -> str:
     """In what state a sound run was."""
     if evidence.grows:
-        led = evidence.branch
-        behind = f", within {percent(led['out_of_balance_max'])} of equilibrium behind the collapse" if led else ""
+        branch = evidence.branch
+        behind = (
+            f", within {percent(branch['out_of_balance_max'])} of equilibrium behind the collapse" if branch else ""
+        )
         return f"at rest under each factor that is borne{behind}"
     if evidence.in_real_time:
         return "in real time"

@@ -105,7 +105,7 @@ def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:
     opening = faces.sums(area * frame.opening) / faces.area
     turn = np.einsum("jab,jb->ja", faces.inverse, faces.sums((area * frame.opening)[:, None] * faces.arm))
     elastic = np.einsum("jab,jb->ja", faces.inverse, moment) / faces.stiffness[:, None]
-    pulled, held = np.maximum(force, 0.0), force / (faces.stiffness * faces.area)
+    tension, elastic_opening = np.maximum(force, 0.0), force / (faces.stiffness * faces.area)
     shear = area * frame.shear_stress
     with np.errstate(invalid="ignore", divide="ignore"):  # a glue without shear stiffness has no shear stress
         back = np.nan_to_num(frame.shear_stress / stiffness)
@@ -114,9 +114,9 @@ def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:
         moment,
         turn,
         faces.sums((frame.damage_tension > LEAST_DAMAGE).astype(float)) > 0.0,
-        _work(moment, turn) + pulled * np.maximum(opening, 0.0),
+        _work(moment, turn) + tension * np.maximum(opening, 0.0),
         faces.sums(shear * frame.slip),
-        _work(moment, turn - elastic) + pulled * np.maximum(opening - held, 0.0),
+        _work(moment, turn - elastic) + tension * np.maximum(opening - elastic_opening, 0.0),
         faces.sums(shear * np.maximum(frame.slip - back, 0.0)),
     )
 

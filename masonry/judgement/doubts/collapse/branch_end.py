@@ -23,9 +23,9 @@ SHORT = {
 
 def sentence(evidence: Evidence, _: float) -> str:
     """With the gauge and what it read, in mm."""
-    led = evidence.branch
-    numbers = {"start": 1e3 * led["from_m"], "end": 1e3 * led["reached_m"], "steps": led["steps"]}
-    return SHORT[led["ends"]][0].format(gauge=f"gauge '{led['gauge']}'", **numbers)
+    branch = evidence.branch
+    numbers = {"start": 1e3 * branch["from_m"], "end": 1e3 * branch["reached_m"], "steps": branch["steps"]}
+    return SHORT[branch["ends"]][0].format(gauge=f"gauge '{branch['gauge']}'", **numbers)
 
 
 BRANCH_END = Criterion(

@@ -150,19 +150,19 @@ def _size(off: float) -> str:
     return f"about {100.0 * abs(off - 1.0):.2g} % too {'high' if off > 1.0 else 'low'}"
 
 
-def _advice(assembly: Assembly, bent: list[Bent], own: list[np.ndarray], asked: float) -> str:
+def _advice(assembly: Assembly, bent: list[Bent], own: list[np.ndarray], limit: float) -> str:
     """What makes the same estimate small enough."""
     joints = assembly.joints
     if any((joints.node_a[c] >= 0).any() or (joints.node_b[c] >= 0).any() for c in own):
         return "take a smaller specimen.mesh_size, as their contact points are the nodes of the mesh"
     first, enough = bent[:FIRST], ROWS[-1]
-    asked *= sum(one.shares.max() for one in first) / sum(one.shares.max() for one in bent)
+    limit *= sum(one.shares.max() for one in first) / sum(one.shares.max() for one in bent)
     polygons = [corners_of(joints, joints.patch[c[0]]) for c in own[:FIRST]]
     for rows in reversed(ROWS):
         density = Density(assembly.scene.contact_points, rows)
         points = [contact_points(corners[None], np.array([len(corners)]), density)[1:] for corners in polygons]
         borne = np.array([one.by(*these) for one, these in zip(first, points, strict=True)])
-        if abs(_off(first, borne) - 1.0) > asked:
+        if abs(_off(first, borne) - 1.0) > limit:
             break
         enough = rows
     return f"take specimen.points_per_edge = {enough}{' or more' * (enough == ROWS[-1])}"

@@ -66,11 +66,11 @@ def turns_and_slides(assembly: Assembly, frames: list[Frame]) -> tuple[float, fl
             axial = 0.5 * np.stack([spin[:, 2, 1] - spin[:, 1, 2], spin[:, 0, 2] - spin[:, 2, 0],
                                     spin[:, 1, 0] - spin[:, 0, 1]], axis=1)  # fmt: skip
             about = np.einsum("fi,fi->f", axial, n)
-            way = apart - before[1]
-            way -= np.einsum("fi,fi->f", way, n)[:, None] * n
+            slide = apart - before[1]
+            slide -= np.einsum("fi,fi->f", slide, n)[:, None] * n
             force = np.minimum(thrust, before[2])
             turn += np.where(force > 0.0, about, 0.0)
             turned += float(np.sum(force * lever * np.abs(about)))
-            slid += float(np.sum(force * np.linalg.norm(way, axis=1)))
+            slid += float(np.sum(force * np.linalg.norm(slide, axis=1)))
         before = angle, apart, thrust
     return turned, slid, float(np.abs(turn).max(initial=0.0))

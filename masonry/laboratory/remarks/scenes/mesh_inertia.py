@@ -19,10 +19,10 @@ def doubts(assembly: Assembly) -> list[Doubt]:
     mesh, model, blocks = assembly.mesh, assembly.model, assembly.specimen.blocks
     if mesh is None or model.large is None or model.scaled:
         return []
-    held = np.zeros(blocks.count, dtype=bool)
+    supported = np.zeros(blocks.count, dtype=bool)
     node_block = np.repeat(np.arange(blocks.count), np.diff(mesh.node_start))
-    held[node_block[~model.bodies.tets.dt_over_mass.any(axis=1)]] = True
-    excess = np.where(held, 0.0, inertia_excess(mesh, model.layout.centroid))
+    supported[node_block[~model.bodies.tets.dt_over_mass.any(axis=1)]] = True
+    excess = np.where(supported, 0.0, inertia_excess(mesh, model.layout.centroid))
     if excess.max(initial=0.0) <= LIMIT:
         return []
     worst = int(np.argmax(excess))
